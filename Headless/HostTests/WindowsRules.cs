@@ -35,6 +35,17 @@ static class WindowsRules
         return reader;
     }
 
+    /// <summary>Somebody hears of each change first, and may throw, until the result is disposed.</summary>
+    internal static IDisposable Hear(Action<FileChange, string, string> heard)
+    {
+        FileChanges.Intercept = (change, path, to) =>
+        {
+            heard(change, path, to);
+            Check(change, path, to);
+        };
+        return new Reader();
+    }
+
     internal static void Check(FileChange change, string path, string to)
     {
         switch (change)
@@ -56,6 +67,8 @@ static class WindowsRules
                 break;
             case FileChange.DeleteFolder:
                 WindowsFiles.CheckDeleteFolder(path);
+                break;
+            case FileChange.Measure:
                 break;
             default:
                 throw new ArgumentOutOfRangeException(nameof(change), change, null);

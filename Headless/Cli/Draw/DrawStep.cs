@@ -59,11 +59,11 @@ public sealed class DrawStep
     /// <param name="budget">Points to draw at most; 0 for the default.</param>
     public static DrawStep RunOnGpu(string[] paths, PictureOptions options, long budget, CliRun run)
     {
-        const int Bank = 16 << 20, Upload = 4 << 20;
+        const int Bank = 16 << 20;
         double begin = run.Seconds;
         run.Progress.Begin("stream");
         var shaders = new GpuShaders();
-        using var stream = new StreamContext(shaders.CreatePool(1L << 30, Bank, Upload));
+        using var stream = new StreamContext(shaders.CreatePool(1L << 30, Bank));
         stream.SetClipBoxes(options.ClipBoxes);
         stream.Settings.Selection.PointBudget = budget > 0 ? budget : DrawStored.DefaultBudget;
         using var picture = new GpuPicture(shaders, stream, options);

@@ -24,8 +24,7 @@ public sealed class GpuShaders
     public ComputeShader CopyPages { get; }
     public ComputeShader Raster { get; }
 
-    public NodePool CreatePool(long limitBytes, int bankBytes, int bytesPerUpload) =>
-        new GraphicsNodePool(CopyPages, limitBytes, bankBytes, bytesPerUpload);
+    public NodePool CreatePool(long limitBytes, int bankBytes) => new GraphicsNodePool(CopyPages, limitBytes, bankBytes);
 
     /// <summary>The program is built within the repository.</summary>
     static string FindFolder()

@@ -127,7 +127,7 @@ sealed class ViewCloud
     {
         if (!reader.BlocksAreKnown)
             run.RunSteps(reader.FindBlocks());
-        var sampler = PreviewSampler.Create(reader, max, 1);
+        var sampler = new PreviewSampler(reader, max, 1);
         run.RunSteps(sampler.Run(0, null));
         return sampler;
     }

@@ -22,7 +22,7 @@ public sealed class SampleTakers(Func<PointReader> open, PreviewOptions options,
         bool refines = PreviewSampling.Refines(reader);
         int wanted = refines ? RefiningSampler.PointsBefore(reader, options.Points) : options.Points;
         var watch = Stopwatch.StartNew();
-        using (var sampler = PreviewSampler.Create(reader, wanted, options.Seed))
+        using (var sampler = new PreviewSampler(reader, wanted, options.Seed))
         {
             run.RunSteps(sampler.Run(0, run.Progress));
             var sample = sampler.TakeSample();

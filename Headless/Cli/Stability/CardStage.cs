@@ -29,7 +29,7 @@ static class CardStage
         };
         var shaders = new GpuShaders();
         using var memory = new StreamContext(new MemoryNodePool(MaxBytes));
-        using var card = new StreamContext(shaders.CreatePool(MaxBytes, 8 << 20, 4 << 20));
+        using var card = new StreamContext(shaders.CreatePool(MaxBytes, 8 << 20));
         using var software = new CpuPicture(memory, options);
         using var drawn = new GpuPicture(shaders, card, options);
         var wanted = Draw(target, memory, software, options, problems);

@@ -93,7 +93,7 @@ public sealed class FlyVerb : Verb
         long pool = Math.Min(parsed.GetValue(m_pool), 1 << 30) << 20;
         int bank = (int)Math.Min(16 << 20, pool / 4), upload = (int)Math.Min(1 << 20, parsed.GetValue(m_upload)) << 10;
         var shaders = parsed.GetValue(m_gpu) ? new GpuShaders() : null;
-        using var stream = new StreamContext(shaders?.CreatePool(pool, bank, upload) ?? new MemoryNodePool(pool, bank));
+        using var stream = new StreamContext(shaders?.CreatePool(pool, bank) ?? new MemoryNodePool(pool, bank));
         stream.Settings.Selection.PointBudget = parsed.GetValue(m_budget);
         stream.Settings.UploadBytesPerFrame = upload;
         stream.SetClipBoxes(options.ClipBoxes);

@@ -166,6 +166,11 @@ public sealed class BackgroundWorkTests : EditorFixture
                 Assert.That(AssetDatabase.GetImporterOverride("Assets/" + name), isClone ? Is.Null : Is.Not.Null);
                 Assert.That(m_project.Imports.Queue.Requests, Has.Count.EqualTo(isClone ? 0 : 1));
                 Assert.That(Directory.Exists("PointClouds"), Is.Not.EqualTo(isClone));
+                Directory.CreateDirectory("PointClouds/gone.fastpoints.deleted1");
+                using (new EditorImports(m_project.Paths, FastPointsSettings.instance))
+                    FileChanges.AwaitDeletes();
+                Assert.That(Directory.Exists("PointClouds/gone.fastpoints.deleted1"), Is.EqualTo(isClone));
+                Directory.Delete("PointClouds", true);
             }
         }
         finally

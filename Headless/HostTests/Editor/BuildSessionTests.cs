@@ -59,6 +59,59 @@ public sealed class BuildSessionTests
         m_project.AssertIsWhole(m_project.Target());
     }
 
+    /// <summary>A large cloud has thousands of both, and an editor continues after each reload of scripts.</summary>
+    [Test]
+    public void Tick_ContinuedIndex_OpensNoFileOnTheMainThread()
+    {
+        string part = m_project.Target() + ".part";
+        SuspendIndexed();
+        var opened = new List<string>();
+        int main = Environment.CurrentManagedThreadId;
+        using var second = Begin();
+        using (WindowsRules.Hear((change, path, _) =>
+        {
+            bool isOfAChunk = path.StartsWith(Path.Combine(part, BuildFiles.RecordFolderName)) ||
+                path.StartsWith(Path.Combine(part, BuildFiles.TopFolderName));
+            if (Environment.CurrentManagedThreadId == main && isOfAChunk && change is FileChange.Open or FileChange.Write)
+                opened.Add(change + " " + path);
+        }))
+            UpdateUntil(second, () => second.IsEnded);
+
+        Assert.That(second.State, Is.EqualTo(BuildState.Done), second.Failure?.Message);
+        Assert.That(second.Result.Note, Does.StartWith("continued a build"));
+        Assert.That(opened, Is.Empty);
+        m_project.AssertIsWhole(m_project.Target());
+    }
+
+    /// <summary>That is not the source's fault.</summary>
+    [Test]
+    public void Tick_MemoryRunsOut_KeepsWhatIsOnDisk()
+    {
+        SuspendIndexed();
+        using (var failing = Begin())
+        using (WindowsRules.Hear((change, path, _) =>
+        {
+            if (change == FileChange.Open && path.EndsWith(BuildFiles.JournalName))
+                throw new OutOfMemoryException("planted");
+        }))
+        {
+            UpdateUntil(failing, () => failing.IsEnded);
+            Assert.That(failing.State, Is.EqualTo(BuildState.Failed));
+        }
+        using var last = Begin();
+        UpdateUntil(last, () => last.IsEnded);
+        Assert.That(last.Result?.Note, Does.StartWith("continued a build"));
+    }
+
+    /// <summary>Some chunks are indexed, and some are not.</summary>
+    void SuspendIndexed()
+    {
+        string tops = Path.Combine(m_project.Target() + ".part", BuildFiles.TopFolderName);
+        using var session = Begin();
+        UpdateUntil(session, () => session.Progress.Current is "index" or "merge" && Directory.GetFiles(tops).Length > 1);
+        session.Suspend();
+    }
+
     /// <summary>Whether the file is there, or comes at once: the thread that writes it may be late.</summary>
     static bool Appears(string file) => SpinWait.SpinUntil(() => File.Exists(file), 20);
 

@@ -128,7 +128,8 @@ public sealed class CloudDropTests : EditorFixture
         m_project.Imports.CreateAsset(m_project.Scratch.Demo("first.las", 200_000), "Assets");
         var queue = m_project.Imports.Queue;
         ImportProject.Updates(() => m_project.Imports.Update(DateTime.UtcNow), () => queue.Session?.State == BuildState.Building);
-        queue.Pause(queue.Running);
+        // A paused request would let the others go first.
+        queue.Session.Pause();
         var tiles = Tiles(count);
         int saves = queue.SaveCount;
         (AssetDatabase.s_loads, AssetDatabase.s_searches, AssetDatabase.s_batches) = (0, 0, 0);

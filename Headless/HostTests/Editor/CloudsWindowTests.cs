@@ -41,6 +41,29 @@ public sealed class CloudsWindowTests : EditorFixture
         ?.Unused.Count == unused);
 
     [Test]
+    public void Close_WhileItCollects_WaitsForNothing()
+    {
+        m_project.Imports.CreateAsset(m_project.Scratch.Demo("a.las", 1000), "Assets");
+        int main = Environment.CurrentManagedThreadId;
+        ManualResetEventSlim reads = new ManualResetEventSlim(), hasMore = new ManualResetEventSlim();
+        bool isWaitedFor = false;
+        using (WindowsRules.Hear((change, path, _) =>
+        {
+            if (!path.EndsWith("a.pointcloud") || Environment.CurrentManagedThreadId == main)
+                return;
+            reads.Set();
+            isWaitedFor = !hasMore.Wait(TimeSpan.FromSeconds(20));
+        }))
+        {
+            m_window.Collect();
+            Assert.That(reads.Wait(ImportProject.MaxWait), Is.True);
+            typeof(CloudsWindow).GetMethod("OnDisable", BindingFlags.Instance | BindingFlags.NonPublic).Invoke(m_window, null);
+            Assert.That(isWaitedFor, Is.False);
+            hasMore.Set();
+        }
+    }
+
+    [Test]
     public void List_SaysOfEachCloudWhatItIs()
     {
         m_project.Imports.CreateAsset(m_project.Scratch.Demo("a.las", 2000), "Assets");

@@ -168,6 +168,20 @@ public sealed class DropTests
         UnityEngine.Object.DestroyImmediate(scene);
     }
 
+    /// <summary>Of a subscene only what is baked stays when it is closed.</summary>
+    [Test]
+    public void OnScene_InASubscene_BecomesWhatIsBaked()
+    {
+        var asset = ScriptableObject.CreateInstance<PointCloudAsset>();
+        DragAndDrop.objectReferences = new UnityEngine.Object[] { asset };
+        var place = new DropTarget { Scene = new UnityEngine.SceneManagement.Scene { Number = 7, isSubScene = true } };
+        PointCloudDrops.OnScene(place, true);
+        var scene = (GameObject)Selection.activeObject;
+        Assert.That(scene.GetComponent<PointCloudAuthoring>().Cloud, Is.SameAs(asset));
+        Assert.That(scene.GetComponent<FastPoints.Entities.PointCloud>() == null, Is.True);
+        UnityEngine.Object.DestroyImmediate(scene);
+    }
+
     [Test]
     public void OnScene_SomethingElse_IsLeftToOthers()
     {

@@ -1,4 +1,5 @@
 using System.Diagnostics;
+using FastPoints.Export;
 using UnityEditor.AssetImporters;
 
 namespace FastPoints.HostTests.Editor;
@@ -103,6 +104,142 @@ public sealed class EditorImportsTests : EditorFixture
         var asset = m_project.Asset("Assets/scan.pointcloud");
         ImportProject.Updates(() => reloaded.Update(DateTime.UtcNow), () => asset.Points > 0);
         Assert.That(asset.Points, Is.EqualTo(100_000));
+    }
+
+    /// <summary>No file has them before the lock is there.</summary>
+    [Test]
+    public void Reload_WhileAnotherEditorImports_KeepsTheRequests()
+    {
+        Directory.CreateDirectory("PointClouds");
+        Assert.That(FolderLock.TryTake(Path.Combine("PointClouds", ImportQueue.LockName), out var held), Is.Null);
+        using (held)
+        {
+            m_project.Imports.CreateAsset(m_project.Scratch.Demo("scan.las", 3000), "Assets");
+            for (int reload = 0; reload < 2; reload++)
+            {
+                m_project.Imports.Update(DateTime.UtcNow);
+                AssemblyReloadEvents.Reload();
+            }
+            Assert.That(m_project.Imports.Queue.Requests, Has.Count.EqualTo(1));
+        }
+        m_project.UpdateToTheEnd();
+        Assert.That(m_project.Asset("Assets/scan.pointcloud").Points, Is.EqualTo(3000));
+        AssemblyReloadEvents.Reload();
+        Assert.That(m_project.Imports.Queue.Requests, Is.Empty, "once");
+    }
+
+    /// <summary>Unity calls those who hear of updates in a loop: what one throws would starve the others.</summary>
+    [Test]
+    public void Update_OnePartThrows_TheOthersGoOnAndItIsReportedOnce()
+    {
+        m_project.Imports.CreateAsset(m_project.Scratch.Demo("one.las", 3000), "Assets");
+        m_project.Imports.CreateAsset(m_project.Scratch.Demo("two.las", 3000), "Assets");
+        m_project.Imports.Queue.Ended += (_, __) => throw new InvalidOperationException("planted in the queue");
+
+        m_project.UpdateToTheEnd();
+
+        Assert.That(m_logged.Single(), Does.Contain("planted in the queue"));
+        Assert.That(() => LoggedExceptions.ThrowFirst(), Throws.InvalidOperationException);
+        Assert.That(m_project.Asset("Assets/two.pointcloud").Points, Is.EqualTo(3000));
+    }
+
+    [Test]
+    public void Export_WhenItThrowsUnexpectedly_IsOneErrorAndTheNextGoesOn()
+    {
+        string source = m_project.Scratch.Demo("scan.las", 3000), written = m_project.Scratch["written.las"];
+        m_project.Imports.Exports.Begin(new[] { source }, m_project.Scratch["never.las"],
+            new ExportSettings { Classes = new[] { 100_000 } });
+        m_project.Imports.Exports.Begin(new[] { source }, written, new ExportSettings());
+        ImportProject.Updates(() => m_project.Imports.Update(DateTime.UtcNow), () => !m_project.Imports.Exports.IsExporting);
+
+        Assert.That(m_logged, Has.Count.EqualTo(2));
+        Assert.That(m_logged[0], Does.StartWith("Error: FastPoints: ").And.Contains("IndexOutOfRangeException")
+            .And.Contains("never.las"));
+        Assert.That(Progress.Entries.Select(e => e.Status),
+            Is.EqualTo(new[] { Progress.Status.Failed, Progress.Status.Succeeded }));
+        Assert.That(File.Exists(written), Is.True);
+    }
+
+    [Test]
+    public void Verify_WhenItThrowsUnexpectedly_IsNoSuccess()
+    {
+        string cloud = m_project.Scratch.Converted("far.fastpoints");
+        using (WindowsRules.Hear((change, path, _) =>
+        {
+            if (change == FileChange.Open && path.EndsWith(".bin"))
+                throw new InvalidOperationException("planted");
+        }))
+        {
+            m_project.Imports.Checks.Begin(cloud);
+            for (int i = 0; i < 3; i++)
+                Assert.That(() => m_project.Imports.Update(DateTime.UtcNow), Throws.Nothing);
+            ImportProject.Updates(() => m_project.Imports.Update(DateTime.UtcNow), () => !m_project.Imports.Checks.IsChecking);
+        }
+        Assert.That(m_logged.Single(), Does.StartWith("Error: FastPoints: " + cloud).And.Contains("planted"));
+        Assert.That(Progress.Entries.Single().Status, Is.EqualTo(Progress.Status.Failed));
+        Assert.That(m_project.Imports.Checks.Check.Result.Ok, Is.False);
+    }
+
+    /// <summary>A team's version control would see changes that nobody made: here the second has a copy with its own time, and
+    /// shows it in a scene where it is converted.</summary>
+    [Test]
+    public void Handle_OfOneFileOnTwoMachines_IsTheSame()
+    {
+        using var world = StreamingWorld();
+        string source = m_project.Scratch.Demo("scan.las", 5000);
+        using (var file = new FileStream(source, FileMode.Open))
+        {
+            // The header's largest X is not that of the points: it is how a preview is placed.
+            file.Position = 179;
+            var claimed = new byte[8];
+            file.ReadExactly(claimed);
+            file.Position = 179;
+            file.Write(BitConverter.GetBytes(BitConverter.ToDouble(claimed) + 500));
+        }
+        string Converted(Action show)
+        {
+            m_project.Imports.CreateAsset(source, "Assets");
+            show();
+            m_project.UpdateToTheEnd();
+            string handle = File.ReadAllText(HandlePath("scan.pointcloud"));
+            AssetDatabase.DeleteAsset("Assets/scan.pointcloud");
+            CloudCatalog.Delete(m_project.Paths.Absolute("PointClouds/scan.fastpoints"));
+            FileChanges.AwaitDeletes();
+            return handle;
+        }
+        string here = Converted(() => { });
+        File.SetLastWriteTimeUtc(source, new DateTime(2020, 1, 2, 3, 4, 5, DateTimeKind.Utc));
+        UnityEngine.Object shown = null;
+        string there = Converted(() =>
+        {
+            var cloud = PointCloudDrops.Show(m_project.Asset("Assets/scan.pointcloud"), Vector3.zero, null);
+            EditorProject.Frames(world, () => world.EntityManager.HasComponent<StreamedPointCloud>(cloud.Entity));
+            shown = cloud.gameObject;
+        });
+
+        UnityEngine.Object.DestroyImmediate(shown);
+        Assert.That(there, Is.EqualTo(here));
+    }
+
+    [Test]
+    public void ProgressPause_AnotherWaits_ItGoesFirst()
+    {
+        m_project.Imports.CreateAsset(m_project.Scratch.Demo("one.las", 100_000), "Assets");
+        ImportProject.Updates(() => m_project.Imports.Update(DateTime.UtcNow),
+            () => Progress.Entries.Count == 1 && m_project.Imports.Queue.Session?.State == BuildState.Building);
+        Assert.That(Progress.Pause(0), Is.True);
+        m_project.Imports.CreateAsset(m_project.Scratch.Demo("two.las", 3000), "Assets");
+        var asset = m_project.Asset("Assets/two.pointcloud");
+        var now = DateTime.UtcNow;
+        ImportProject.Updates(() => m_project.Imports.Update(now = now.AddSeconds(0.3)), () => asset.Points == 3000);
+
+        var paused = m_project.Imports.Queue.Requests.Single();
+        Assert.That(paused.State, Is.EqualTo(ImportState.Paused));
+        Assert.That(Progress.Entries[0].HasEnded, Is.True, "the window shows what runs");
+        m_project.Imports.Queue.Resume(paused);
+        m_project.UpdateToTheEnd();
+        Assert.That(m_project.Asset("Assets/one.pointcloud").Points, Is.EqualTo(100_000));
+        Assert.That(m_logged, Is.Empty);
     }
 
     [Test]

@@ -107,8 +107,9 @@ sealed class EditorProject : IDisposable
 
     public void Dispose()
     {
-        // What PointCloudImports holds is this project's.
+        // What PointCloudImports holds is this project's, and so is what it has set aside.
         AssemblyReloadEvents.Reload();
+        SessionState.EraseString("FastPoints.Imports");
         FastPointsSettings.instance.PointFiles = PointFiles.Ask;
         AssetDatabase.Clear();
         ScriptedImports.Clear();

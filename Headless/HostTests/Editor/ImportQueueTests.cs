@@ -211,6 +211,53 @@ public sealed class ImportQueueTests
     }
 
     [Test]
+    public void Pause_WhatRuns_OutlivesTheReload()
+    {
+        using (var before = Open())
+        {
+            before.Add(m_project.Request());
+            UpdateUntil(before, () => before.Session?.Progress.Current == "read");
+            before.Pause(before.Running);
+            Assert.That(File.ReadAllText(FilePath), Does.Contain("\"Paused\""), "after a crash, too");
+        }
+        using var after = Open();
+        for (int i = 0; i < 20; i++)
+            after.Tick(1, DateTime.UtcNow);
+        Assert.That(after.Requests.Single().State, Is.EqualTo(ImportState.Paused));
+        Assert.That((after.Session, after.IsAtWork), Is.EqualTo(((BuildSession)null, false)));
+
+        after.Resume(after.Requests[0]);
+        UpdateUntil(after, () => after.Requests.Count == 0);
+        m_project.AssertIsWhole(m_project.Target());
+    }
+
+    /// <summary>What is paused keeps its memory until another wants it, and is continued from its files then.</summary>
+    [Test]
+    public void Pause_WhatRuns_OthersGoFirst()
+    {
+        using var queue = Open();
+        ImportRequest one = m_project.Request("one"), two = m_project.Request("two");
+        string note = null;
+        queue.Ended += (request, session) => note = session.Result.Note;
+        queue.Add(one);
+        UpdateUntil(queue, () => queue.Session?.Progress.Current == "index");
+        queue.Pause(one);
+        for (int i = 0; i < 20; i++)
+            queue.Tick(1, DateTime.UtcNow);
+        Assert.That(queue.Session.State, Is.EqualTo(BuildState.Paused));
+        queue.Add(two);
+        queue.Tick(1, DateTime.UtcNow);
+        Assert.That((queue.Running, one.State), Is.EqualTo((two, ImportState.Paused)));
+        UpdateUntil(queue, () => m_ended.Count == 1);
+
+        queue.Resume(one);
+        UpdateUntil(queue, () => queue.Requests.Count == 0);
+        Assert.That(m_ended, Is.EqualTo(new[] { "asset of two: Done", "asset of one: Done" }));
+        Assert.That(note, Does.StartWith("continued a build"));
+        m_project.AssertIsWhole(m_project.Target("one"));
+    }
+
+    [Test]
     public void Cancel_WhatRuns_LeavesNothingAndTheNextBegins()
     {
         using var queue = Open();

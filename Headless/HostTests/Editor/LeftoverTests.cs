@@ -53,6 +53,20 @@ public sealed class LeftoverTests : EditorFixture
         Assert.That(Directory.GetFiles("PointClouds", "*.png").Length, Is.EqualTo(agrees ? 0 : 2));
     }
 
+    /// <summary>There is nothing to ask about yet, and there would be a cloud that nobody uses.</summary>
+    [Test]
+    public void Delete_BeforeItIsConverted_CancelsTheConversion()
+    {
+        m_project.Imports.CreateAsset(m_project.Scratch.Demo("one.las", 1000), "Assets");
+        m_project.Imports.CreateAsset(m_project.Scratch.Demo("two.las", 1000), "Assets");
+        Assert.That(m_project.Imports.Assets.All, Has.Count.EqualTo(2));
+        AssetDatabase.DeleteAsset("Assets/two.pointcloud");
+        m_project.UpdateToTheEnd();
+        Assert.That(EditorUtility.s_dialogs, Is.Empty);
+        FileChanges.AwaitDeletes();
+        Assert.That(Directory.GetDirectories("PointClouds").Select(Path.GetFileName), Is.EqualTo(new[] { "one.fastpoints" }));
+    }
+
     [Test]
     public void Delete_ByABranch_AsksNobody()
     {

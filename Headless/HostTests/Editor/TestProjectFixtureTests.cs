@@ -93,6 +93,15 @@ public sealed class TestProjectFixtureTests : EditorFixture
         Assert.That(() => new EditModeRun(typeof(ImporterTests), test).Run(), Throws.Nothing);
     }
 
+    /// <summary>Nothing is converted by itself there.</summary>
+    [Test]
+    public void PlayModeTests_InBatchMode_LoseNoConversion()
+    {
+        Application.isBatchMode = true;
+        const string test = nameof(PlayModeTests.PlayMode_DuringAConversion_LosesNothing);
+        Assert.That(() => new EditModeRun(typeof(PlayModeTests), test).Run(), Throws.Nothing);
+    }
+
     [Test]
     public void FrameRateTests_InBatchMode_MeasureNothing()
     {

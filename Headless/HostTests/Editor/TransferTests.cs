@@ -31,6 +31,27 @@ public sealed class TransferTests : EditorFixture
         Assert.That(Progress.Entries.TakeLast(2).Select(e => e.Status), Is.All.EqualTo(Progress.Status.Succeeded));
     }
 
+    /// <summary>Windows' drives have letters: DriveInfo takes no \\server\share.</summary>
+    [Test]
+    public void Export_ToADiskOfUnknownRoom_IsAWholeCloud()
+    {
+        var asset = Converted();
+        bool isAsked = false;
+        using (WindowsRules.Hear((change, path, _) =>
+        {
+            if (change != FileChange.Measure)
+                return;
+            isAsked = true;
+            throw new ArgumentException("Drive name must be a root directory (i.e. 'C:\\') or a drive letter ('C').");
+        }))
+        {
+            string copy = m_project.Imports.Export(asset, Directory.CreateDirectory(m_project.Scratch["out"]).FullName);
+            Updates(() => !m_project.Imports.Transfers.IsCopying);
+            AssertIsWhole(copy);
+        }
+        Assert.That(isAsked, Is.True);
+    }
+
     [Test]
     public void Export_CloudThatIsNotConverted_ReportsIt()
     {

@@ -243,6 +243,38 @@ public sealed class AuthoringTests
         UnityEngine.Object.DestroyImmediate(scene);
     }
 
+    /// <summary>Of closed subscenes and players, where their GameObjects are not.</summary>
+    [Test]
+    public void Baker_OfAClipBoxAndSettings_MakesWhatTheyMakeInScenes()
+    {
+        var entities = m_world.EntityManager;
+        var scene = new GameObject("all");
+        var box = scene.AddComponent<PointCloudClipBox>();
+        var settings = scene.AddComponent<PointCloudSettings>();
+        (box.Cuts, settings.MillionPoints, settings.Size) = (true, 3, 7);
+        var (clip, budget) = (Baking.Bake(new ClipBoxBaker(), box, m_world), Baking.Bake(new SettingsBaker(), settings, m_world));
+        Assert.That(entities.GetComponentData<PointCloudClip>(clip).Cuts, Is.True);
+        Assert.That(entities.GetComponentData<PointCloudBudget>(budget).Points, Is.EqualTo(3_000_000));
+        Assert.That(entities.GetComponentData<PointCloudStyle>(budget).Value.Size.Value, Is.EqualTo(7));
+        UnityEngine.Object.DestroyImmediate(scene);
+    }
+
+    [TestCase(false)]
+    [TestCase(true)]
+    public void Baker_ForAPlayer_NamesNoFolderOfTheProject(bool isForPlayer)
+    {
+        var asset = ScriptableObject.CreateInstance<PointCloudAsset>();
+        (asset.PlayerPath, asset.ProjectPath, asset.ProjectSources) = ("in/player", "/home/me/in", new[] { "/home/me/a.las" });
+        var scene = new GameObject("scan");
+        var authoring = scene.AddComponent<PointCloudAuthoring>();
+        authoring.Cloud = asset;
+        var entity = Baking.Bake(new PointCloudBaker { IsForPlayer = isForPlayer }, authoring, m_world);
+        var paths = PointCloudPaths.Of(PointCloudPaths.BytesOf(m_world.EntityManager.GetBuffer<PointCloudPath>(entity, true)));
+        Assert.That(paths.Path, Is.EqualTo("in/player"));
+        Assert.That(paths.ProjectPath + string.Concat(paths.ProjectSources), isForPlayer ? Is.Empty : Does.Contain("/home/me"));
+        UnityEngine.Object.DestroyImmediate(scene);
+    }
+
     /// <summary>Baked again in an open subscene: where a component or a buffer differs, its entity gets the new
     /// values.</summary>
     void BakeAgain(PointCloudAuthoring authoring, Entity entity)

@@ -25,7 +25,7 @@ public sealed class GraphicsNodePoolTests : GraphicsFixture
 
     StreamContext Stream(long limitBytes, int bankBytes, int bytesPerUpload)
     {
-        var stream = new StreamContext(new GraphicsNodePool(new GpuShaders().CopyPages, limitBytes, bankBytes, bytesPerUpload));
+        var stream = new StreamContext(new GraphicsNodePool(new GpuShaders().CopyPages, limitBytes, bankBytes));
         stream.Settings.Selection.MinScreenErrorPx = 0.1f;
         stream.Settings.UploadBytesPerFrame = bytesPerUpload;
         var source = new FolderSource(CloudFolder.Open(m_cloud), StoreLayout.ColorName);
@@ -97,6 +97,27 @@ public sealed class GraphicsNodePoolTests : GraphicsFixture
                     at += (int)range.LengthBytes;
                 }
             }
+        }
+    }
+
+    /// <summary>The limit of a frame may change at any time.</summary>
+    [Test]
+    public unsafe void TryBeginUpload_OtherLimitThanBefore_HasRoomForThat()
+    {
+        const int Node = 1 << 20, Usual = 4 << 20;
+        using var pool = new GraphicsNodePool(new GpuShaders().CopyPages, 64 << 20);
+        foreach (int max in new[] { Usual, 9 << 20, 2 << 20, 0, Usual, Usual, 9 << 20 })
+        {
+            while (!pool.TryBeginUpload(max))
+            {
+                pool.BeginFrame();
+                HeadlessGraphics.EndFrame();
+            }
+            int taken = 0;
+            while (pool.TryAllocate(Node, out var run) && pool.AddressForUpload(run, Node) != null)
+                taken++;
+            Assert.That(taken, Is.EqualTo(Math.Max(1, max / Node)));
+            pool.EndUpload();
         }
     }
 

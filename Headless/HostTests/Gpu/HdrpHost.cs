@@ -6,8 +6,20 @@ namespace FastPoints.HostTests.Gpu;
 /// <summary>HDRP: custom passes of all cameras.</summary>
 sealed class HdrpHost : PipelineHost
 {
+    /// <summary>In the order of HDRenderPipeline.RenderGraph.cs.</summary>
+    static readonly CustomPassInjectionPoint[] s_points =
+    {
+        CustomPassInjectionPoint.AfterOpaqueAndSky,
+        CustomPassInjectionPoint.BeforePreRefraction,
+        CustomPassInjectionPoint.BeforeTransparent,
+    };
+
     /// <summary>Of temporal anti-aliasing.</summary>
     public Vector2 Jitter { get; set; }
+
+    /// <summary>What HDRP draws before the injection point over what no opaque mesh covers, as its depth pyramid knows: fog
+    /// before BeforePreRefraction, volumetric clouds and water before BeforeTransparent. None without a colour.</summary>
+    public (CustomPassInjectionPoint Before, Color Color)? Cover { get; set; }
 
     public HdrpHost()
     {
@@ -31,9 +43,18 @@ sealed class HdrpHost : PipelineHost
             projMatrix = GL.GetGPUProjectionMatrix(jittered, true),
             worldSpaceCameraPos = camera.transform.position,
         };
-        foreach (var pass in CustomPassVolume.Global)
-            pass.Run(new CustomPassContext(commands, new HDCamera { camera = camera, mainViewConstants = constants }, target,
-                target));
+        foreach (var point in s_points)
+        {
+            if (Cover is { } cover && cover.Before == point)
+            {
+                commands.SetRenderTarget(camera.targetTexture, 0, CubemapFace.Unknown, -1);
+                commands.ClearRenderTarget(false, true, cover.Color);
+            }
+            foreach (var (at, pass) in CustomPassVolume.Global)
+                if (at == point)
+                    pass.Run(new CustomPassContext(commands, new HDCamera { camera = camera, mainViewConstants = constants },
+                        target, target));
+        }
         Graphics.ExecuteCommandBuffer(commands);
     }
 

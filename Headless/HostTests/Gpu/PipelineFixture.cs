@@ -47,7 +47,7 @@ public abstract class PipelineFixture : GraphicsFixture
             typeof(TrackNodesSystem));
         Group = m_world.GetExistingSystemManaged<PointCloudSystemGroup>();
         var shaders = new GpuShaders();
-        Group.Begin(shaders.CreatePool(64 << 20, 8 << 20, 1 << 20));
+        Group.Begin(shaders.CreatePool(64 << 20, 8 << 20));
         Group.Stream.Settings.Selection.SmallestNodePx = 0;
         Group.Stream.Settings.Selection.MinScreenErrorPx = 0;
         PointScene.Current = Scene = new PointScene(shaders.Points, shaders.Compose, Group.Stream,
@@ -108,6 +108,12 @@ public abstract class PipelineFixture : GraphicsFixture
     /// <summary>The pipeline draws the camera once.</summary>
     protected void RenderOnce(Camera camera) => Pipeline.Render(camera);
 
+    protected void UpdateWorld()
+    {
+        m_world.Update();
+        HeadlessGraphics.EndFrame();
+    }
+
     /// <summary>The picture when streaming has come to rest.</summary>
     /// <param name="slice">Of the camera's target.</param>
     protected RgbaImage Render(Camera camera, int slice = 0)
@@ -115,8 +121,7 @@ public abstract class PipelineFixture : GraphicsFixture
         for (int frame = 0; frame < MaxFrames; frame++)
         {
             Pipeline.Render(camera);
-            m_world.Update();
-            HeadlessGraphics.EndFrame();
+            UpdateWorld();
             if (frame > 2 && Group.Stats.IsSettled)
                 break;
             Thread.Yield();

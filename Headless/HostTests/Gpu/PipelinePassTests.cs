@@ -130,6 +130,113 @@ public sealed class PipelinePassTests : PipelineFixture
     }
 
     [Test]
+    public void Render_UrpIntoDepthAlone_DrawsNoCloudsAndThrowsNothing()
+    {
+        using var host = new UrpHost();
+        var target = new RenderTexture(WidthPx, HeightPx, GraphicsFormat.None, GraphicsFormat.D32_SFloat);
+        var camera = LookingCamera(out var unused);
+        camera.targetTexture = target;
+        Assert.That(() => host.Render(camera), Throws.Nothing);
+        Assert.That(host.PassCount, Is.Zero);
+        Assert.That(Scene.NextViews.Length, Is.Zero, "nor is it selected for");
+        UnityEngine.Object.DestroyImmediate(camera.gameObject);
+        target.Release();
+        unused.Release();
+    }
+
+    /// <summary>As mirrors and portals do, in beginCameraRendering.</summary>
+    [Test]
+    public void Render_UrpCameraInWhoseTurnAScriptDrawsAnother_IsDrawnFromTheNextPictureOn()
+    {
+        using var host = new UrpHost();
+        var camera = LookingCamera(out var target);
+        var mirror = LookingCamera(out var otherTarget);
+        void DrawMirror(ScriptableRenderContext context, Camera drawn) => host.RenderSingle(mirror);
+        // After the package has, at which the mirror takes its pass.
+        RenderPipelineManager.beginCameraRendering += DrawMirror;
+        try
+        {
+            host.Render(camera);
+            for (int picture = 0; picture < 3; picture++)
+            {
+                host.Render(camera);
+                Assert.That(host.PassCount, Is.EqualTo(1));
+            }
+        }
+        finally
+        {
+            RenderPipelineManager.beginCameraRendering -= DrawMirror;
+        }
+        UnityEngine.Object.DestroyImmediate(camera.gameObject);
+        UnityEngine.Object.DestroyImmediate(mirror.gameObject);
+        target.Release();
+        otherTarget.Release();
+    }
+
+    /// <summary>The matrix is rounded: a place that it does not contradict is exact.</summary>
+    [Test]
+    public void StreamViewOf_CameraWhoseMatrixAScriptSets_IsOfThatPlace()
+    {
+        var camera = LookingCamera(out var target);
+        Assert.That(CameraViews.StreamViewOf(camera).EyeWorld, Is.EqualTo(new double3(-60, -45, 40)));
+        var mirrored = Matrix4x4.identity;
+        mirrored.m22 = -1;
+        camera.worldToCameraMatrix *= mirrored;
+        Assert.That(math.distance(CameraViews.StreamViewOf(camera).EyeWorld, new double3(-60, -45, -40)), Is.LessThan(1e-4));
+        UnityEngine.Object.DestroyImmediate(camera.gameObject);
+        target.Release();
+    }
+
+    /// <summary>What HDRP draws over all that its depth pyramid does not know.</summary>
+    [TestCase("fog")]
+    [TestCase("water")]
+    public void Render_Hdrp_CoversThePointsWithNothingOfWhatLiesBehind(string cover)
+    {
+        Begin(nameof(HdrpHost));
+        using var reference = new StreamContext(new MemoryNodePool(64 << 20, 8 << 20));
+        Add(reference, new PictureOptions { WidthPx = WidthPx, HeightPx = HeightPx, Color = ColorMode.Rgb }, out _);
+        var camera = LookingCamera(out var target);
+        var wanted = Render(camera);
+        Assert.That(wanted.Rgba.Count(b => b != 0), Is.GreaterThan(20_000));
+        ((HdrpHost)Pipeline).Cover = (cover == "fog" ? CustomPassInjectionPoint.BeforePreRefraction
+            : CustomPassInjectionPoint.BeforeTransparent, camera.backgroundColor);
+        Assert.That(Render(camera).Rgba, Is.EqualTo(wanted.Rgba));
+        UnityEngine.Object.DestroyImmediate(camera.gameObject);
+        target.Release();
+    }
+
+    /// <summary>As small maps are, beside the main camera.</summary>
+    [Test]
+    public void Render_CameraThatDrawsEverySecondFrame_IsSelectedForInEachFrame()
+    {
+        Begin(nameof(BuiltInHost));
+        using var reference = new StreamContext(new MemoryNodePool(64 << 20, 8 << 20));
+        Add(reference, new PictureOptions { WidthPx = WidthPx, HeightPx = HeightPx, Color = ColorMode.Rgb }, out _);
+        var map = LookingCamera(out var target);
+        Render(map);
+        int nodes = Group.Stats.SelectedNodes;
+        var away = CameraAt(PictureCamera.Perspective(new double3(-60, -45, 40), new double3(-120, -90, 80),
+            new double3(0, 0, 1), 60), map.projectionMatrix, target);
+        for (int frame = 0; frame < 10; frame++)
+        {
+            RenderOnce(away);
+            if (frame % 2 == 0)
+                RenderOnce(map);
+            UpdateWorld();
+            Assert.That(Group.Stats.SelectedNodes, Is.EqualTo(nodes), "frame " + frame);
+        }
+        for (int frame = 0; frame < PointScene.FramesToKeep + 1; frame++)
+        {
+            RenderOnce(away);
+            UpdateWorld();
+        }
+        Assert.That(Scene.NextViews.Length, Is.EqualTo(1), "it draws no more");
+        UnityEngine.Object.DestroyImmediate(map.gameObject);
+        UnityEngine.Object.DestroyImmediate(away.gameObject);
+        target.Release();
+    }
+
+    [Test]
     public void Enqueue_UrpInCompatibilityMode_WarnsOnceAndHasNoPass()
     {
         var logged = new List<string>();
@@ -251,9 +358,9 @@ public sealed class PipelinePassTests : PipelineFixture
         var camera = LookingCamera(out var target);
         bool IsSeen()
         {
-            Scene.BeginFrame();
+            long before = Scene.RecordedPictures;
             RenderOnce(camera);
-            return Scene.NextViews.Length > 0;
+            return Scene.RecordedPictures > before;
         }
         var data = camera.gameObject.AddComponent<UnityEngine.Rendering.Universal.UniversalAdditionalCameraData>();
         Assert.That(IsSeen(), Is.True);

@@ -105,6 +105,9 @@ public sealed class SelfStartTests : GraphicsFixture
         Assert.That(pixels.Distinct().Count(), Is.GreaterThan(100), "the scan's own colours");
 
         Object.DestroyImmediate(settings.gameObject);
+        m_world.Update();
+        Assert.That(group.Stream.Settings.Selection.PointBudget, Is.EqualTo(LodSettings.Default.PointBudget));
+        Assert.That(group.Scene.Style.Shape, Is.EqualTo(PointStyle.Default.Shape), "nobody says otherwise any more");
         Object.DestroyImmediate(cloud.gameObject);
         Object.DestroyImmediate(camera.gameObject);
         target.Release();
@@ -140,8 +143,8 @@ public sealed class SelfStartTests : GraphicsFixture
             camera.Render();
             Assert.That(group.Scene.NextViews.Length, Is.EqualTo(hasHeadset ? 2 : 1), "a headset that is put on and off");
         }
-        m_world.Update();
-        m_world.Update();
+        for (int frame = 0; frame < PointScene.FramesToKeep + 1; frame++)
+            m_world.Update();
         Assert.That(group.Scene.NextViews.Length, Is.Zero);
         Object.DestroyImmediate(cloud.gameObject);
         Object.DestroyImmediate(camera.gameObject);

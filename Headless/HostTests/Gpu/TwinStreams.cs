@@ -23,7 +23,7 @@ sealed class TwinStreams : IDisposable
         m_options = options;
         var shaders = new GpuShaders();
         m_cpu = new StreamContext(new MemoryNodePool(256 << 20, 8 << 20));
-        m_gpu = new StreamContext(shaders.CreatePool(256 << 20, 8 << 20, 1 << 20));
+        m_gpu = new StreamContext(shaders.CreatePool(256 << 20, 8 << 20));
         m_cpuPicture = new CpuPicture(m_cpu, options);
         m_gpuPicture = new GpuPicture(shaders, m_gpu, options, canCompute);
         foreach (var stream in new[] { m_cpu, m_gpu })

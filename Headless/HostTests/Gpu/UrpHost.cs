@@ -29,11 +29,19 @@ sealed class UrpHost : PipelineHost
     public override void Render(Camera camera)
     {
         RenderPipelineManager.Begin(camera);
+        RenderSingle(camera);
+    }
+
+    /// <summary>As scripts draw mirrors within another camera's turn: with what the renderer's queue has, which it
+    /// empties.</summary>
+    public void RenderSingle(Camera camera)
+    {
         var graph = new RenderGraph();
         using var frame = new ContextContainer();
         var resources = frame.GetOrCreate<UniversalResourceData>();
         // A pass has to say of each that it uses it.
-        resources.activeColorTexture = RenderGraph.Import(new RTHandle { Texture = camera.targetTexture });
+        if (camera.targetTexture.graphicsFormat != GraphicsFormat.None)
+            resources.activeColorTexture = RenderGraph.Import(new RTHandle { Texture = camera.targetTexture });
         if (!IsWithoutDepth)
             resources.activeDepthTexture = RenderGraph.Import(new RTHandle { Texture = camera.targetTexture });
         var cameraData = frame.GetOrCreate<UniversalCameraData>();

@@ -58,9 +58,9 @@ public sealed class PreviewSliceTests
                 JobCoroutine.RunToEnd(preview.Run(new StageProgress()));
                 Assert.That(preview.Sample.Count, Is.EqualTo(points));
             });
-            AreCut(runs, Slices(points, MaxPlaces), "CompactSampleJob", "NumberPlacesJob", "MeasureBoundsJob");
+            AreCut(runs, Slices(points, MaxPlaces), "CompactSampleJob", "MeasureBoundsJob");
             AreCut(runs, 3 * Slices(points, MaxPlaces), "MeasureRangeJob");
-            AreCut(runs, Slices(points / 16, MaxRuns), "RankStrataJob", "PlanWaveJob", "ListRunsJob");
+            AreCut(runs, Slices(points / 16, MaxRuns), "RankStrataJob", "PlanWaveJob");
         }
         finally
         {
@@ -82,9 +82,8 @@ public sealed class PreviewSliceTests
             Assert.That(sampler.Sample.Count, Is.EqualTo(points));
         });
         // At a fifth and at a half, and in the end.
-        AreCut(runs, waves * Slices(points, MaxPlaces), "GatherPlacesJob", "ListBlockRunsJob");
-        AreCut(runs, Slices(points, MaxPlaces), "CompactSampleJob");
+        AreCut(runs, (waves + 1) * Slices(points, MaxPlaces), "CompactSampleJob");
         AreCut(runs, Slices(all, MaxPlaces), "SampleBlockJob");
-        AreCut(runs, Slices(all / 2, MaxLookedUp), "AppendEmptyCellsJob");
+        AreCut(runs, Slices(all / 2, MaxLookedUp), "KeepEmptyCellsJob");
     }
 }

@@ -45,10 +45,10 @@ public sealed class SlowReadTests
     {
         SimulatedLatency.Begin(secondsPerRead);
         using var reader = PointReaders.Open(path);
-        if (reader.HasPrefixes)
-            JobCoroutine.RunToEnd(reader.FindPrefixes(1));
+        if (reader is IPrefixSource { HasPrefixes: true } prefixes)
+            JobCoroutine.RunToEnd(prefixes.FindPrefixes(1));
         var waves = new List<(int, double)>();
-        using var sampler = PreviewSampler.Create(reader, wanted, 1);
+        using var sampler = new PreviewSampler(reader, wanted, 1);
         sampler.WaveReady += wave => waves.Add((wave.Points, SimulatedLatency.Reads * SecondsPerRead / AtOnce));
         JobCoroutine.RunToEnd(sampler.Run(0, new StageProgress()));
         sample = sampler.TakeSample();

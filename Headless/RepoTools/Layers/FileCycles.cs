@@ -14,7 +14,6 @@ public static class FileCycles
     {
         ("Authoring/PointCloud.cs, Authoring/PointCloudOrigin.cs", "origins place clouds that set them; Unity wants a file each"),
         ("Reading/Tiles/TiledRead.cs, Reading/Tiles/TiledReader.cs", "a slot enters and leaves the tiles that its reader counts"),
-        ("Sampling/PrefixSampler.cs, Sampling/PreviewSampler.cs, Sampling/RunSampler.cs", "the base chooses the kind that fits"),
     };
 
     /// <summary>The circles of an assembly that are not kept, and what is kept without need.</summary>

@@ -11,6 +11,10 @@ public abstract class IBaker
     /// <summary>Objects of which a change has everything baked again.</summary>
     internal readonly HashSet<UnityEngine.Object> Dependencies = new HashSet<UnityEngine.Object>();
 
+    internal bool IsForPlayer;
+
+    public bool IsBakingForEditor() => !IsForPlayer;
+
     public Entity GetEntity(TransformUsageFlags flags) => Primary;
 
     /// <returns>The object itself; null as it came.</returns>

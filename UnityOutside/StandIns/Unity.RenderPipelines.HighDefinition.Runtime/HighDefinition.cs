@@ -2,7 +2,12 @@ using System.Collections.Generic;
 
 namespace UnityEngine.Rendering.HighDefinition;
 
-public enum CustomPassInjectionPoint { AfterOpaqueAndSky = 6 }
+public enum CustomPassInjectionPoint
+{
+    BeforeTransparent = 1,
+    BeforePreRefraction = 4,
+    AfterOpaqueAndSky = 6,
+}
 
 public class HDCamera
 {
@@ -44,13 +49,14 @@ public abstract class CustomPass
 
 public class CustomPassVolume : MonoBehaviour
 {
-    internal static readonly List<CustomPass> Global = new List<CustomPass>();
+    internal static readonly List<(CustomPassInjectionPoint Point, CustomPass Pass)> Global =
+        new List<(CustomPassInjectionPoint, CustomPass)>();
 
     public static void RegisterGlobalCustomPass(CustomPassInjectionPoint injectionPoint, CustomPass customPassInstance,
-        float priority = 0) => Global.Add(customPassInstance);
+        float priority = 0) => Global.Add((injectionPoint, customPassInstance));
 
     public static bool UnregisterGlobalCustomPass(CustomPassInjectionPoint injectionPoint, CustomPass customPassInstance) =>
-        Global.RemoveAll(p => p == customPassInstance) > 0;
+        Global.RemoveAll(p => p == (injectionPoint, customPassInstance)) > 0;
 }
 
 public class HDRenderPipelineAsset : RenderPipelineAsset { }

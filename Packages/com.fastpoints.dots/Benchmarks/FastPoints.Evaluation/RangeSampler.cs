@@ -13,7 +13,7 @@ namespace FastPoints.Evaluation
     /// <summary>A sample as one would take it without much thought: regular choices from given ranges of a source, in the order
     /// of the ranges. Every n-th point of all, the first N, the prefixes of all chunks: what better samplers are compared
     /// with.</summary>
-    public sealed class RangeSampler : IDisposable
+    public sealed class RangeSampler : IBlockConsumer, IDisposable
     {
         /// <summary>Reads in flight for short ranges.</summary>
         const int SlotsForShortRanges = 16;
@@ -27,6 +27,13 @@ namespace FastPoints.Evaluation
         readonly int m_wanted;
         readonly long m_total;
         readonly int m_longest;
+        readonly List<NativeArray<PointColumn>> m_columnsOfSlot = new List<NativeArray<PointColumn>>();
+        NativeArray<PointColumn> m_columns;
+        NativeReference<int> m_filled;
+        JobHandle m_last;
+
+        /// <summary>Points of the ranges that were begun.</summary>
+        long m_begun;
 
         /// <param name="reader">Its blocks must be known.</param>
         /// <param name="wanted">Points; no more than the ranges hold and than <see cref="PreviewSample.MaxPoints"/> are
@@ -102,66 +109,46 @@ namespace FastPoints.Evaluation
             if (m_wanted == 0)
                 yield break;
             int slots = m_longest <= ShortRange ? SlotsForShortRanges : SourceScan.SlotsFor(m_reader, m_schema);
-            slots = Math.Min(slots, m_ranges.Count);
-            var reads = new BlockRead[slots];
-            var columnsOfSlot = new NativeArray<PointColumn>[slots];
-            var appended = new JobHandle[slots];
-            var columnsOfSample = SampleBuffer.ColumnsOf(Points);
-            var filled = new NativeReference<int>(Allocator.Persistent);
-            JobHandle last = default;
+            m_columns = SampleBuffer.ColumnsOf(Points);
+            m_filled = new NativeReference<int>(Allocator.Persistent);
             try
             {
-                for (int i = 0; i < slots; i++)
-                {
-                    reads[i] = m_reader.CreateRead(m_schema, m_longest, Allocator.Persistent);
-                    columnsOfSlot[i] = SampleBuffer.ColumnsOf(reads[i].Points);
-                }
-                long first = 0;
-                for (int i = 0; i < m_ranges.Count + slots; i++)
-                {
-                    int slot = i % slots;
-                    if (i >= slots)
-                    {
-                        yield return appended[slot];
-                        appended[slot].Complete();
-                        reads[slot].Complete();
-                        BytesRead += m_reader.BytesOfRange(reads[slot].Range);
-                        progress?.Report((i - slots + 1) / (double)m_ranges.Count, 0, BytesRead);
-                    }
-                    if (i >= m_ranges.Count)
-                        continue;
-                    reads[slot].Begin(m_ranges[i]);
-                    // One after the other, so that the points come in the order of the ranges.
-                    last = appended[slot] = new AppendPicksJob
-                    {
-                        Range = reads[slot].Points.Bytes,
-                        ColumnsOfRange = columnsOfSlot[slot],
-                        Result = reads[slot].Result,
-                        FirstPoint = first,
-                        Total = m_total,
-                        Wanted = m_wanted,
-                        ColumnsOfSample = columnsOfSample,
-                        Sample = Points.Bytes,
-                        Filled = filled,
-                    }.Schedule(JobHandle.CombineDependencies(reads[slot].Decoded, last));
-                    first += m_ranges[i].Count;
-                    JobHandle.ScheduleBatchedJobs();
-                }
-                Points.Count = filled.Value;
+                yield return JobStep.Of(SourceScan.Run(m_reader, m_schema, this, new InFlightLimit(slots, slots, () => 0), 0, 0,
+                    m_ranges.Count, n => m_ranges[n], m_longest, progress));
+                Points.Count = m_filled.Value;
             }
             finally
             {
-                last.Complete();
-                for (int i = 0; i < slots; i++)
-                {
-                    reads[i]?.Dispose();
-                    if (columnsOfSlot[i].IsCreated)
-                        columnsOfSlot[i].Dispose();
-                }
-                columnsOfSample.Dispose();
-                filled.Dispose();
+                m_last.Complete();
+                foreach (var columns in m_columnsOfSlot)
+                    columns.Dispose();
+                m_columns.Dispose();
+                m_filled.Dispose();
             }
         }
+
+        /// <summary>One after the other, so that the points come in the order of the ranges.</summary>
+        JobHandle IBlockConsumer.Schedule(BlockRead read, int slot, JobHandle decoded)
+        {
+            if (slot == m_columnsOfSlot.Count)
+                m_columnsOfSlot.Add(SampleBuffer.ColumnsOf(read.Points));
+            m_last = new AppendPicksJob
+            {
+                Range = read.Points.Bytes,
+                ColumnsOfRange = m_columnsOfSlot[slot],
+                Result = read.Result,
+                FirstPoint = m_begun,
+                Total = m_total,
+                Wanted = m_wanted,
+                ColumnsOfSample = m_columns,
+                Sample = Points.Bytes,
+                Filled = m_filled,
+            }.Schedule(JobHandle.CombineDependencies(decoded, m_last));
+            m_begun += read.Range.Count;
+            return m_last;
+        }
+
+        void IBlockConsumer.Completed(BlockRead read, int slot) => BytesRead += m_reader.BytesOfRange(read.Range);
 
         /// <summary>Hands the points over, once.</summary>
         public PointBatch TakePoints()
@@ -204,6 +191,13 @@ namespace FastPoints.Evaluation
 
         public unsafe void Execute()
         {
+            var copy = new ColumnCopy
+            {
+                From = (byte*)Range.GetUnsafeReadOnlyPtr(),
+                To = (byte*)Sample.GetUnsafePtr(),
+                ColumnsOfFrom = ColumnsOfRange,
+                ColumnsOfTo = ColumnsOfSample,
+            };
             int* from = stackalloc int[RunLength];
             int* to = stackalloc int[RunLength];
             long end = FirstPoint + Result.Value.Points;
@@ -222,10 +216,7 @@ namespace FastPoints.Evaluation
                 }
                 if (run == 0)
                     break;
-                for (int column = 0; column < ColumnsOfSample.Length; column++)
-                    ColumnCopy.Scatter((byte*)Range.GetUnsafeReadOnlyPtr() + ColumnsOfRange[column].OffsetBytes,
-                        (byte*)Sample.GetUnsafePtr() + ColumnsOfSample[column].OffsetBytes, ColumnsOfSample[column].Type.SizeOf(),
-                        from, to, run);
+                copy.Scatter(from, to, run);
             }
             Filled.Value = filled;
         }

@@ -1,7 +1,6 @@
 using System;
 using System.Collections.Generic;
 using FastPoints.Core;
-using FastPoints.Picture;
 using FastPoints.Reading;
 using FastPoints.Sampling;
 using Unity.Burst;

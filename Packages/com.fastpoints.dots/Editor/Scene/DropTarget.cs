@@ -47,7 +47,7 @@ namespace FastPoints.Editor
         /// <summary>Makes a GameObject for each cloud and selects what was made: a step of Undo with nothing else in it. Several
         /// share an origin, which is made if there is none.</summary>
         /// <returns>The last one; null if there is no place any more.</returns>
-        public PointCloud Show(IReadOnlyList<PointCloudAsset> assets)
+        public GameObject Show(IReadOnlyList<PointCloudAsset> assets)
         {
             if (IsDestroyed || assets.Count == 0)
                 return null;
@@ -56,26 +56,29 @@ namespace FastPoints.Editor
             var origin = Parent != null ? Parent.GetComponentInParent<PointCloudOrigin>() : OfScene();
             if (assets.Count > 1 && origin == null)
                 origin = ObjectFactory.AddComponent<PointCloudOrigin>(Create(OriginName, Parent, true));
-            PointCloud cloud = null;
+            GameObject cloud = null;
             foreach (var asset in assets)
                 cloud = Show(asset, origin);
-            Selection.activeObject = assets.Count > 1 ? origin.gameObject : cloud.gameObject;
+            Selection.activeObject = assets.Count > 1 ? origin.gameObject : cloud;
             Undo.IncrementCurrentGroup();
             return cloud;
         }
 
-        PointCloud Show(PointCloudAsset asset, PointCloudOrigin origin)
+        GameObject Show(PointCloudAsset asset, PointCloudOrigin origin)
         {
             var made = origin != null ? Create(asset.name, origin.transform, false) : Create(asset.name, Parent, true);
             if (Point.HasValue && origin == null)
                 made.transform.position = Point.Value;
-            var cloud = ObjectFactory.AddComponent<PointCloud>(made);
-            cloud.Cloud = asset;
+            // Of a subscene only what is baked stays when it is closed.
+            if (made.scene.isSubScene)
+                ObjectFactory.AddComponent<PointCloudAuthoring>(made).Cloud = asset;
+            else
+                ObjectFactory.AddComponent<PointCloud>(made).Cloud = asset;
             if (origin == null || origin.HasPosition)
-                return cloud;
+                return made;
             Undo.RecordObject(origin, "Set origin");
             origin.AlignTo(asset);
-            return cloud;
+            return made;
         }
 
         /// <summary>The scene's only origin.</summary>

@@ -82,8 +82,9 @@ namespace FastPoints.Editor
         }
 
         /// <summary>Makes a GameObject for a cloud; Undo removes it.</summary>
+        /// <returns>Null in a subscene, where it has a <see cref="PointCloudAuthoring"/>.</returns>
         public static PointCloud Show(PointCloudAsset asset, Vector3? place, Transform parent) =>
-            new DropTarget { Point = place, Parent = parent }.Show(new[] { asset });
+            new DropTarget { Point = place, Parent = parent }.Show(new[] { asset })?.GetComponent<PointCloud>();
 
         /// <summary>Imports what is dragged: one at once, several in the next updates.</summary>
         /// <param name="place">Where they are shown; null for nowhere.</param>

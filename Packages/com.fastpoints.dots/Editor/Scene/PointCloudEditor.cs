@@ -30,6 +30,9 @@ namespace FastPoints.Editor
 
         public override void OnInspectorGUI()
         {
+            if (((PointCloud)target).gameObject.scene.isSubScene)
+                EditorGUILayout.HelpBox("A subscene keeps no Point Cloud when it is closed or built: use Point Cloud Authoring.",
+                    MessageType.Warning);
             serializedObject.Update();
             DrawPropertiesExcluding(serializedObject, "m_Script", "m_hiddenClasses");
             serializedObject.ApplyModifiedProperties();

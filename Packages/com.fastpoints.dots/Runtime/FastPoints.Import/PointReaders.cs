@@ -109,11 +109,6 @@ namespace FastPoints.Import
             }
         }
 
-        /// <summary>Reads the header and the records around the points. Warnings are in <see cref="PointReader.Info"/>.</summary>
-        /// <returns>A <see cref="LazReader"/> if the points are compressed, a <see cref="CopcReader"/> if they lie in an
-        /// octree.</returns>
-        /// <exception cref="PointCloudException">The file is not LAS, is cut before its first point, or has an unknown version
-        /// or point format.</exception>
         static PointReader OpenLas(FileSource source)
         {
             var las = LasFile.Read(source);
@@ -121,7 +116,7 @@ namespace FastPoints.Import
                 : CopcReader.TryOpen(las, source) ?? LazReader.Open(las, source);
         }
 
-        /// <summary>Opens the octree of a JSON index; null for other JSON.</summary>
+        // Null for JSON that is no octree's index.
         static PointReader OpenIndex(JsonMembers index)
         {
             if (index.IsObject("hierarchy") && index.Has("encoding"))
@@ -151,7 +146,7 @@ namespace FastPoints.Import
             return true;
         }
 
-        /// <summary>The first bytes as text if they are text, otherwise in hexadecimal.</summary>
+        // As text if they are text, otherwise in hexadecimal.
         static string Shown(byte[] head)
         {
             int count = Math.Min(head.Length, 16);

@@ -5,7 +5,6 @@ using FastPoints.Drawing;
 using FastPoints.Reading;
 using FastPoints.Sampling;
 using Unity.Collections;
-using Unity.Mathematics;
 
 namespace FastPoints.Picture
 {
@@ -13,9 +12,6 @@ namespace FastPoints.Picture
     /// If finding blocks takes a pass over the whole file, waves from prefixes come before that.</summary>
     public sealed class PreviewCloud : IDisposable
     {
-        // From this point size on, the density closes surfaces: samples with smaller points lose more to blur than they gain.
-        const float MinSparsePx = 2;
-
         readonly PointReader m_reader;
         readonly PreviewOptions m_options;
         readonly PreviewSampling m_sampling;
@@ -41,8 +37,6 @@ namespace FastPoints.Picture
 
         public DisplayRanges Ranges { get; private set; }
 
-        // With its error, as of the sample at that time; null before EstimateDensity, and where the sample does not show it.
-        internal DensityEstimate Density { get; private set; }
         internal PicturePlan Plan { get; private set; }
 
         /// <summary>Null until the work has ended.</summary>
@@ -61,14 +55,6 @@ namespace FastPoints.Picture
             {
                 yield return default;
                 yield return JobStep.Of(SamplePicture.ChooseSize(canvas, Sample.Points, Plan, Sample.Count));
-                // Degrees are not lengths of a cube's edge.
-                if (Plan.UsesAutoSize && Plan.SizePx >= MinSparsePx && math.all(Ranges.LengthsPerUnit == 1))
-                {
-                    yield return JobStep.Of(EstimateDensity());
-                    if (Density != null)
-                        yield return JobStep.Of(SamplePicture.CloseSurfaces(canvas, Density,
-                            (Sample.Count - Sample.Placeholders) / (double)Math.Max(1, Sample.PointsInSource), Plan));
-                }
                 yield return JobStep.Of(SamplePicture.DrawAndResolve(canvas, Sample.Points, Plan, m_options.Picture.Background,
                     progress));
                 Image = canvas.ToImage();
@@ -100,26 +86,13 @@ namespace FastPoints.Picture
                 Plan.Assumptions.Add(Sample.NonFinite + " points of the sample have no finite position: left out");
         }
 
-        /// <summary>Coroutine, with a sample: fills <see cref="Density"/>.</summary>
-        public IEnumerator<JobStep> EstimateDensity()
-        {
-            Density?.Dispose();
-            Density = null;
-            return DensityEstimate.Of(Sample, Ranges.Robust, density => Density = density);
-        }
-
         IEnumerator<JobStep> MeasureSample()
         {
             Ranges = new DisplayRanges { IsInDegrees = double.IsNaN(m_reader.Info.Crs.MetresPerUnit) };
             return Ranges.Measure(Sample.Points, Sample.Transform, m_options.Picture.UpAxis);
         }
 
-        public void Dispose()
-        {
-            m_sampling.Dispose();
-            Density?.Dispose();
-            Density = null;
-        }
+        public void Dispose() => m_sampling.Dispose();
     }
 
     /// <summary>Options of a <see cref="PreviewCloud"/>.</summary>

@@ -1,9 +1,6 @@
 using System;
 using System.Collections.Generic;
 using FastPoints.Core;
-using FastPoints.Drawing;
-using FastPoints.Sampling;
-using Unity.Collections;
 using Unity.Jobs;
 
 namespace FastPoints.Picture
@@ -44,38 +41,6 @@ namespace FastPoints.Picture
                 drawn => canvas.ScheduleChooseSizes(pointsToDraw / (double)points.Count, drawn)));
             plan.SizePx = canvas.TypicalSizePx;
             canvas.Clear();
-        }
-
-        // Coroutine, after ChooseSize: enlarges points that leave a surface open. The share of the cloud's points is drawn.
-        public static IEnumerator<JobStep> CloseSurfaces(PictureCanvas canvas, DensityEstimate density, double share,
-            PicturePlan plan)
-        {
-            var cells = new NativeList<SparseCell>(Allocator.Persistent);
-            JobHandle closed = default;
-            try
-            {
-                foreach (var leaf in density.Leaves())
-                    if (leaf.Cell.IsKnown)
-                        cells.Add(new SparseCell
-                        {
-                            Center = leaf.Min + leaf.Edge / 2,
-                            Edge = leaf.Edge,
-                            PointsDrawn = leaf.Cell.Points * share,
-                        });
-                closed = new CloseSurfacesJob
-                {
-                    Cells = cells.AsArray(),
-                    Projection = new PointProjection(plan.Camera, PositionTransform.Identity, canvas.WidthPx, canvas.HeightPx),
-                    TypicalPx = canvas.TypicalSizePx,
-                    SizeOfTile = canvas.SizeOfTile,
-                }.Schedule();
-                yield return closed;
-            }
-            finally
-            {
-                closed.Complete();
-                cells.Dispose();
-            }
         }
 
         // Coroutine: both in one chain.

@@ -6,6 +6,9 @@ namespace FastPoints.Rendering
     /// <summary>Position and projection of one eye: a camera's, or one of a headset's two.</summary>
     public struct EyeMatrices
     {
+        /// <summary>Of a matrix's place, as a share: some hundred times what floats round by.</summary>
+        const double MaxRounding = 1e-5;
+
         /// <summary>World to camera, which looks along its negative Z.</summary>
         public Matrix4x4 View;
         public Matrix4x4 Projection;
@@ -16,7 +19,13 @@ namespace FastPoints.Rendering
         {
             if (camera.stereoEnabled && camera.stereoActiveEye != Camera.MonoOrStereoscopicEye.Mono)
                 return Of(camera, (Camera.StereoscopicEye)camera.stereoActiveEye);
-            return Of(camera.worldToCameraMatrix, camera.projectionMatrix, camera.transform.position);
+            var eye = Of(camera.worldToCameraMatrix, camera.projectionMatrix);
+            var place = camera.transform.position;
+            var exact = new double3(place.x, place.y, place.z);
+            // The matrix is rounded, but where a script has set it, as mirrors do, it alone counts.
+            if (math.distance(eye.PositionWorld, exact) <= MaxRounding * (1 + math.length(exact)))
+                eye.PositionWorld = exact;
+            return eye;
         }
 
         internal static EyeMatrices Of(in Matrix4x4 view, in Matrix4x4 projection, Vector3 place) => new EyeMatrices

@@ -11,6 +11,7 @@ namespace FastPoints.Rendering
     {
         /// <summary>Half a bank is empty on average: clouds of a million points and more take at most 10 bytes a point.</summary>
         public const int DefaultBankBytes = 8 << 20;
+        const int MaxUploadBytes = 64 << 20; // That staging has room for, whatever the limit of a frame.
         const int VertexBuffers = 2; // A bank and ListBuffer.
 
         readonly StagingRing m_upload;
@@ -19,11 +20,10 @@ namespace FastPoints.Rendering
         bool m_isDrawn;
 
         /// <summary>The limit is that of the banks; upload buffers come on top. No node may be larger than a bank.</summary>
-        public GraphicsNodePool(ComputeShader copyPages, long limitBytes, int bankBytes = DefaultBankBytes,
-            int bytesPerUpload = 4 << 20)
+        public GraphicsNodePool(ComputeShader copyPages, long limitBytes, int bankBytes = DefaultBankBytes)
             : base(limitBytes, (int)math.min(bankBytes, math.min(LargestBankBytes, SystemInfo.maxGraphicsBufferSize)))
         {
-            m_upload = new StagingRing(copyPages, PagesFor(bytesPerUpload));
+            m_upload = new StagingRing(copyPages);
         }
 
         /// <summary>Why this device can neither keep nor draw points; null if it can.</summary>
@@ -44,7 +44,8 @@ namespace FastPoints.Rendering
 
         internal void BeginPicture() => m_isDrawn = true;
 
-        public override bool TryBeginUpload() => m_upload.TryBegin(m_frame);
+        public override bool TryBeginUpload(int maxBytes) =>
+            m_upload.TryBegin(m_frame, PagesFor(math.clamp(maxBytes, PageBytes, MaxUploadBytes)));
 
         public override byte* AddressForUpload(PoolRange run, long bytes) => m_upload.Take(run);
 

@@ -14,7 +14,13 @@ namespace FastPoints.Rendering
     {
         // A camera that was not drawn for so many frames releases its buffers.
         const int FramesToForget = 120;
+
+        // Frames select for a camera until so many have come without its picture: it may be drawn at half the rate of others,
+        // and its nodes would come and go.
+        internal const int FramesToKeep = 30;
         const int MaxViews = 4; // Of a camera that a frame selects for.
+
+        static readonly CloudLook s_noLook = new CloudLook { Plane = -1 };
 
         readonly GraphicsNodePool m_pool;
         readonly PointMaterials m_materials;
@@ -29,9 +35,10 @@ namespace FastPoints.Rendering
             public Camera Camera;
             public PointRenderer Renderer;
             public int LastFrame;
+            public int AnnouncedFrame;
 
-            // What the next frame selects for: as it was last drawn at each size and with each mask, for an editor draws a
-            // camera once more into a small picture, and recorders do. None before, and after that frame.
+            // What the next frame selects for: as the camera was drawn at each size and with each mask, for an editor draws it
+            // once more into a small picture, and recorders do, in the last frame that it was drawn in.
             public readonly List<((int, int, ulong, uint) Drawn, StreamView View)> Views =
                 new List<((int, int, ulong, uint), StreamView)>(MaxViews + 1);
         }
@@ -51,7 +58,7 @@ namespace FastPoints.Rendering
         public StreamContext Stream { get; }
         public PointStyle Style { get; set; } = PointStyle.Default;
 
-        // Of the cameras that were announced since the last BeginFrame: once for each size and mask of a camera.
+        // Of the cameras that were announced lately: once for each size and mask of a camera.
         public NativeArray<StreamView> NextViews
         {
             get
@@ -70,17 +77,25 @@ namespace FastPoints.Rendering
         public void SetLook(int cloud, CloudLook look)
         {
             while (m_looks.Count <= cloud)
-                m_looks.Add(new CloudLook { Plane = -1 });
+                m_looks.Add(s_noLook);
             m_looks[cloud] = look;
         }
 
-        // After the views were taken: cameras are announced again.
+        // All clouds are without colours again, until they are set.
+        public void ForgetLooks()
+        {
+            for (int cloud = 0; cloud < m_looks.Count; cloud++)
+                m_looks[cloud] = s_noLook;
+        }
+
+        // After the views were taken: cameras are announced again, or their views are dropped in the end.
         public void BeginFrame()
         {
             m_frame++;
             for (int i = m_cameras.Count - 1; i >= 0; i--)
             {
-                m_cameras[i].Views.Clear();
+                if (m_frame - m_cameras[i].AnnouncedFrame > FramesToKeep)
+                    m_cameras[i].Views.Clear();
                 if (m_cameras[i].Camera != null && m_frame - m_cameras[i].LastFrame < FramesToForget)
                     continue;
                 m_cameras[i].Renderer.Dispose();
@@ -102,7 +117,11 @@ namespace FastPoints.Rendering
         // drawn one after the other. A camera may be drawn any number of times before that frame comes, if at all.
         public void AddView(Camera camera)
         {
-            var views = CameraOf(camera).Views;
+            var seen = CameraOf(camera);
+            var views = seen.Views;
+            if (seen.AnnouncedFrame != m_frame)
+                views.Clear();
+            seen.AnnouncedFrame = m_frame;
             var view = camera.stereoEnabled ? EyeOf(camera, Camera.StereoscopicEye.Left) : CameraViews.StreamViewOf(camera);
             var drawn = (camera.pixelWidth, camera.pixelHeight, view.Mask.Scenes, view.Mask.HiddenLayers);
             // The order stays: another one would be another frame's.

@@ -22,16 +22,23 @@ namespace FastPoints.Rendering
         NativeList<PoolRange> m_runs; // In the order in which the nodes lie here.
         int m_pageCount;
 
-        public StagingBuffer(int pages)
-        {
-            m_runs = new NativeList<PoolRange>(256, Allocator.Persistent);
-            Create(pages);
-        }
+        /// <summary>Pages that were asked for; a larger node may have made more.</summary>
+        int m_usual;
+
+        public StagingBuffer() => m_runs = new NativeList<PoolRange>(256, Allocator.Persistent);
 
         public int Capacity => m_pages.count;
         public bool IsLocked { get; private set; }
 
-        public void Lock()
+        /// <summary>Begins an upload, in another buffer if another size is asked for than the last time.</summary>
+        public void Begin(int pages)
+        {
+            if (pages != m_usual)
+                Create(m_usual = pages);
+            Lock();
+        }
+
+        void Lock()
         {
             m_words = m_bytes.LockBufferForWrite<uint>(0, m_bytes.count);
             m_runs.Clear();
@@ -83,8 +90,8 @@ namespace FastPoints.Rendering
                 return;
             if (IsLocked)
                 Unlock();
-            m_bytes.Dispose();
-            m_pages.Dispose();
+            m_bytes?.Dispose();
+            m_pages?.Dispose();
             m_runs.Dispose();
         }
 
@@ -125,14 +132,14 @@ namespace FastPoints.Rendering
         void Grow(int pages)
         {
             Unlock();
-            m_bytes.Dispose();
-            m_pages.Dispose();
             Create(pages);
             Lock();
         }
 
         void Create(int pages)
         {
+            m_bytes?.Dispose();
+            m_pages?.Dispose();
             m_bytes = new GraphicsBuffer(GraphicsBuffer.Target.Raw, GraphicsBuffer.UsageFlags.LockBufferForWrite,
                 pages * WordsPerPage, sizeof(uint));
             m_pages = new GraphicsBuffer(GraphicsBuffer.Target.Structured, GraphicsBuffer.UsageFlags.LockBufferForWrite, pages,

@@ -25,23 +25,23 @@ namespace FastPoints.Rendering
         NativeList<int> m_endOfBank;
         int m_next;
 
-        // A larger node makes a buffer grow.
-        public StagingRing(ComputeShader copyPages, int pages)
+        public StagingRing(ComputeShader copyPages)
         {
             m_copyPages = copyPages;
             m_kernel = copyPages.FindKernel(ShaderNames.CopyPagesKernel);
             for (int i = 0; i < m_buffers.Length; i++)
-                m_buffers[i] = new StagingBuffer(pages);
+                m_buffers[i] = new StagingBuffer();
             m_endOfBank = new NativeList<int>(Allocator.Persistent);
         }
 
-        // Frames count where a picture was drawn. Returns whether there is memory to write to.
-        public bool TryBegin(long frame)
+        // Frames count where a picture was drawn; a larger node makes more room than the pages. Whether there is memory to write
+        // to.
+        public bool TryBegin(long frame, int pages)
         {
             if (m_isSent[m_next] && !HasBeenRead(frame))
                 return false;
             m_isSent[m_next] = false;
-            m_buffers[m_next].Lock();
+            m_buffers[m_next].Begin(pages);
             return true;
         }
 

@@ -58,6 +58,7 @@ namespace FastPoints.UnityTests
         {
             const int Points = 2_000_000;
             TestProject.TakeScan(Points);
+            Assert.That(TestProject.IsConverting, Is.True, "begun, in batch mode too");
             yield return null;
 
             yield return TestProject.EnterPlayMode();

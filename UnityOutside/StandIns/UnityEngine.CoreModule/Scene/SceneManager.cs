@@ -10,6 +10,9 @@ public struct Scene
 
     internal ulong Mask;
 
+    /// <summary>Whether it is a subscene's that is open.</summary>
+    public bool isSubScene { get; internal set; }
+
     /// <summary>Not of one that was closed.</summary>
     public bool IsValid() => (Number != 0 || Mask != 0 || Path != null) && !SceneManager.s_closed.Contains(Number);
 

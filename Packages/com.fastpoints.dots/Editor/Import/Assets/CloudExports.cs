@@ -67,9 +67,9 @@ namespace FastPoints.Editor
                 Debug.Log("FastPoints: " + Describe(export));
                 End(export, Progress.Status.Succeeded);
             }
-            catch (PointCloudException e)
+            catch (Exception e)
             {
-                Debug.LogError("FastPoints: " + e.Message);
+                Debug.LogError("FastPoints: " + PointCloudException.Of(export.Path, e).FullMessage);
                 End(export, Progress.Status.Failed);
             }
         }

@@ -144,18 +144,15 @@ namespace FastPoints.Editor
             GUIUtility.ExitGUI();
         }
 
-        static bool IsPaused(ImportQueue queue, ImportRequest request) => request.State == ImportState.Paused ||
-            request == queue.Running && queue.Session.State == BuildState.Paused;
-
         /// <summary>A request's state, for people.</summary>
         internal static string Describe(ImportQueue queue, ImportRequest request) =>
-            request.State == ImportState.Failed ? request.Failure : IsPaused(queue, request) ? "paused"
+            request.State == ImportState.Failed ? request.Failure : request.State == ImportState.Paused ? "paused"
             : request.State == ImportState.Waiting ? "waiting" : BuildProgress.Describe(queue.Session.Progress);
 
         static void DrawRequest(EditorImports imports, ImportRequest request)
         {
             var queue = imports.Queue;
-            bool isPaused = IsPaused(queue, request);
+            bool isPaused = request.State == ImportState.Paused;
             if (request.State == ImportState.Failed)
                 EditorGUILayout.HelpBox(request.Failure, MessageType.Error);
             else

@@ -41,6 +41,10 @@ namespace FastPoints.Editor
         {
             if (m_left.Count == 0)
                 return;
+            foreach (string cloud in m_left)
+                if (!CloudFolder.IsCloud(cloud) && m_imports.Assets.Of(cloud).Count == 0 &&
+                    m_imports.Queue.RequestFor(cloud) is { } request)
+                    m_imports.Queue.Cancel(request);
             var clouds = m_left.FindAll(c => CloudFolder.IsCloud(c) && m_imports.Assets.Of(c).Count == 0 &&
                 string.Equals(Path.GetDirectoryName(c), m_imports.Paths.Clouds, StringComparison.OrdinalIgnoreCase));
             m_left.Clear();

@@ -79,7 +79,7 @@ namespace FastPoints.Editor
                 cancelled.ThrowIfCancellationRequested();
                 bool isFirst = used.Add(pair.Value);
                 var row = Describe(pair.Key, pair.Value, catalog, paths, convertsOctrees);
-                row.Bytes = measures ? BytesOf(CloudFolder.Find(pair.Value)) : 0;
+                row.Bytes = measures ? BytesOf(CloudFolder.Find(pair.Value), cancelled) : 0;
                 row.IsWanted &= isFirst;
                 row.IsLost = isFirst && row.Missing != null && !row.IsConverted;
                 list.Rows.Add(row);
@@ -91,7 +91,7 @@ namespace FastPoints.Editor
                     if (!used.Contains(cloud.Path))
                     {
                         var row = Of(cloud);
-                        row.Bytes = measures ? BytesOf(CloudFolder.Find(cloud.Path)) : 0;
+                        row.Bytes = measures ? BytesOf(CloudFolder.Find(cloud.Path), cancelled) : 0;
                         list.Unused.Add(row);
                     }
             return list;
@@ -135,9 +135,10 @@ namespace FastPoints.Editor
             IsConverted = cloud.Manifest != null && !cloud.IsBuilding,
         };
 
-        static long BytesOf(string folder)
+        static long BytesOf(string folder, CancellationToken cancelled)
         {
             long bytes = 0;
+            cancelled.ThrowIfCancellationRequested();
             try
             {
                 foreach (var file in new DirectoryInfo(folder).GetFiles("*", SearchOption.AllDirectories))

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Globalization;
 using System.IO;
+using System.Threading;
 using FastPoints.Core;
 using FastPoints.Entities;
 using UnityEditor;
@@ -17,6 +18,7 @@ namespace FastPoints.Editor
         const int RowsPerPage = 200, MaxQueued = 50;
 
         PoolTask<CloudList> m_collecting;
+        CancellationTokenSource m_cancel;
         CloudList m_list;
         Vector2 m_scroll;
         string m_shown;
@@ -26,13 +28,18 @@ namespace FastPoints.Editor
         static void Open() => GetWindow<CloudsWindow>("Point clouds");
 
         /// <summary>What the list depends on has changed, or may have.</summary>
-        internal void Collect() => m_collecting ??= CloudList.Begin(PointCloudImports.Current);
+        internal void Collect() => m_collecting ??=
+            CloudList.Begin(PointCloudImports.Current, true, (m_cancel = new CancellationTokenSource()).Token);
 
         // Unity finds these by name.
 
         void OnEnable() => m_shown = null;
 
-        void OnDisable() => m_collecting?.TakeOrDefault();
+        void OnDisable()
+        {
+            m_cancel?.Cancel();
+            m_collecting = null;
+        }
 
         void OnInspectorUpdate() => Repaint();
 

@@ -30,12 +30,19 @@ namespace FastPoints.Editor
         bool m_isShowing;
         string m_problem;
 
+        /// <summary>What an update does, and what that has thrown.</summary>
+        readonly Action[] m_parts;
+        readonly HashSet<string> m_thrown = new HashSet<string>();
+        double m_budgetMs;
+        DateTime m_nowUtc;
+
         internal EditorImports(ProjectPaths paths, FastPointsSettings settings)
         {
             Paths = paths;
             m_settings = settings;
             // A reload of scripts, or quitting, ends deletions.
-            FileChanges.BeginDeleteLeftovers(paths.Clouds, "*" + StoreFormat.FolderExtension + "*");
+            if (PointCloudImports.IsMainEditor)
+                FileChanges.BeginDeleteLeftovers(paths.Clouds, "*" + StoreFormat.FolderExtension + "*");
             Queue = new ImportQueue(paths, settings.ForConversion);
             Queue.Ended += End;
             Thumbnails.Drawn += m_drawn.Add;
@@ -44,6 +51,12 @@ namespace FastPoints.Editor
             Leftovers = new CloudLeftovers(this);
             Claims = new PointFileClaims(settings);
             Missing = new MissingClouds(this);
+            m_parts = new Action[]
+            {
+                UpdateQueue, () => Checks.Update(m_budgetMs), Transfers.Update, () =>
+                    Exports.Update(m_budgetMs), Leftovers.Prompt,
+                Claims.Update, Missing.Update, () => Thumbnails.Update(m_budgetMs), UpdateDrops, Report,
+            };
         }
 
         internal ProjectPaths Paths { get; }
@@ -84,27 +97,48 @@ namespace FastPoints.Editor
         /// <summary>Called once an update of the editor.</summary>
         public void Update(DateTime nowUtc)
         {
-            double budgetMs = m_pace.Next(nowUtc, m_settings.UpdateMs, EditorApplication.isFocused);
+            m_nowUtc = nowUtc;
+            m_budgetMs = m_pace.Next(nowUtc, m_settings.UpdateMs, EditorApplication.isFocused);
+            foreach (var part in m_parts)
+            {
+                try
+                {
+                    part();
+                }
+                catch (Exception e)
+                {
+                    // Thrown on, it would keep the other parts, and those who hear of updates behind this, from theirs.
+                    if (m_thrown.Add(e.ToString()))
+                        Debug.LogException(e);
+                }
+            }
+        }
+
+        void UpdateQueue()
+        {
             bool isPlaying = EditorApplication.isPlaying;
             Queue.IsHeld = isPlaying && m_settings.InPlayMode == InPlayMode.Pause;
             Queue.Session?.Adapt(isPlaying && m_settings.InPlayMode == InPlayMode.OneWorker ? 1 : m_settings.Workers,
                 m_pace.InFlightMs);
-            Queue.Tick(budgetMs, nowUtc);
-            Checks.Update(budgetMs);
-            Transfers.Update();
-            Exports.Update(budgetMs);
-            Leftovers.Prompt();
-            Claims.Update();
-            Missing.Update();
-            Thumbnails.Update(budgetMs);
-            if (m_drops.Count > 0 && m_drops[0].Update(budgetMs))
+            Queue.Tick(m_budgetMs, m_nowUtc);
+            if (m_reported?.State == BuildState.Suspended)
+                EndReport(Progress.Status.Canceled);
+        }
+
+        void UpdateDrops()
+        {
+            if (m_drops.Count > 0 && m_drops[0].Update(m_budgetMs))
                 m_drops.RemoveAt(0);
+        }
+
+        void Report()
+        {
             // Each batch of imports costs Unity some ten milliseconds, whatever is in it.
-            if (nowUtc >= m_nextReport || !Thumbnails.IsDrawing)
+            if (m_nowUtc >= m_nextReport || !Thumbnails.IsDrawing)
                 ShowThumbnails();
-            if (nowUtc < m_nextReport)
+            if (m_nowUtc < m_nextReport)
                 return;
-            m_nextReport = nowUtc + s_reportAfter;
+            m_nextReport = m_nowUtc + s_reportAfter;
             var refused = m_pendingWrites.ToArray();
             m_pendingWrites.Clear();
             foreach (var again in refused)
@@ -113,7 +147,14 @@ namespace FastPoints.Editor
                 Debug.LogWarning("FastPoints: " + Queue.Problem);
             m_problem = Queue.Problem;
             if (Queue.Session != null)
-                Report();
+                Report(Queue.Session);
+        }
+
+        void EndReport(Progress.Status status)
+        {
+            if (m_reported != null)
+                Progress.Finish(m_progress, status);
+            m_reported = null;
         }
 
         /// <summary>Makes a handle for a file or folder that stays where it is.</summary>
@@ -281,9 +322,7 @@ namespace FastPoints.Editor
         /// <summary>Called before scripts are reloaded or the editor quits.</summary>
         public void Suspend()
         {
-            if (m_reported != null)
-                Progress.Finish(m_progress, Progress.Status.Canceled);
-            m_reported = null;
+            EndReport(Progress.Status.Canceled);
             foreach (var drop in m_drops)
                 drop.Dispose();
             m_drops.Clear();
@@ -357,9 +396,8 @@ namespace FastPoints.Editor
             return handle;
         }
 
-        void Report()
+        void Report(BuildSession session)
         {
-            var session = Queue.Session;
             if (m_reported != session)
                 Begin(session);
             Progress.Report(m_progress, (float)session.Share,
@@ -391,19 +429,15 @@ namespace FastPoints.Editor
                 else
                     Queue.Resume(request);
                 // Reading a header cannot be paused, and the window must not show that it is.
-                return (session.State == BuildState.Paused) == isPaused;
+                return (request.State == ImportState.Paused) == isPaused;
             });
         }
 
         void End(ImportRequest request, BuildSession session)
         {
             string asset = AssetDatabase.GUIDToAssetPath(request.Asset);
-            if (m_reported == session)
-            {
-                Progress.Finish(m_progress, session.State == BuildState.Done ? Progress.Status.Succeeded
-                    : session.State == BuildState.Failed ? Progress.Status.Failed : Progress.Status.Canceled);
-            }
-            m_reported = null;
+            EndReport(session.State == BuildState.Done ? Progress.Status.Succeeded
+                : session.State == BuildState.Failed ? Progress.Status.Failed : Progress.Status.Canceled);
             if (session.Failure is PointCloudException known)
                 Debug.LogError("FastPoints: " + known.FullMessage);
             else if (session.Failure != null)

@@ -11,6 +11,9 @@ namespace FastPoints.Editor
     [InitializeOnLoad]
     public static class PointCloudImports
     {
+        /// <summary>Requests that no file has, while scripts are reloaded.</summary>
+        const string Unsaved = "FastPoints.Imports";
+
         static EditorImports s_current;
 
         /// <summary>Of the editor's command line; a test says others.</summary>
@@ -19,7 +22,8 @@ namespace FastPoints.Editor
         static PointCloudImports()
         {
             // Import workers load scripts as well, but the only queue is the editor's.
-            if (AssetDatabase.IsAssetImportWorkerProcess())
+            OwnedEntity.IsInWorker = AssetDatabase.IsAssetImportWorkerProcess();
+            if (OwnedEntity.IsInWorker)
                 return;
             PointCloudPaths.PathOfAsset = AssetDatabase.GUIDToAssetPath;
             FastPointsSettings.instance.Apply();
@@ -41,7 +45,7 @@ namespace FastPoints.Editor
                 EditorApplication.update += Update;
         }
 
-        public static EditorImports Current => s_current ??= new EditorImports(Paths, FastPointsSettings.instance);
+        public static EditorImports Current => s_current ?? Open();
 
         /// <summary>The paths that the settings give.</summary>
         internal static ProjectPaths Paths =>
@@ -61,16 +65,30 @@ namespace FastPoints.Editor
             return null;
         }
 
-        /// <summary>Begins again by other settings. Requests that no file has yet come along.</summary>
+        static EditorImports Open()
+        {
+            s_current = new EditorImports(Paths, FastPointsSettings.instance);
+            string unsaved = SessionState.GetString(Unsaved, "");
+            SessionState.EraseString(Unsaved);
+            if (unsaved.Length > 0)
+                s_current.Queue.Add(ImportQueue.FromJson(unsaved, Unsaved));
+            return s_current;
+        }
+
+        static void Close()
+        {
+            s_current?.Suspend();
+            if (s_current?.Queue.Unsaved is { } unsaved)
+                SessionState.SetString(Unsaved, ImportQueue.ToJson(unsaved));
+            s_current = null;
+        }
+
+        /// <summary>Begins again by other settings.</summary>
         static void Begin(Action set)
         {
-            var unsaved = s_current?.Queue.Unsaved;
-            s_current?.Suspend();
-            s_current = null;
+            Close();
             set();
             FastPointsSettings.instance.Apply();
-            if (unsaved != null)
-                Current.Queue.Add(unsaved);
         }
 
         /// <summary>Takes over another <see cref="FastPointsUserSettings.Root"/>.</summary>
@@ -81,8 +99,7 @@ namespace FastPoints.Editor
         static void Suspend()
         {
             EditorApplication.update -= Update;
-            s_current?.Suspend();
-            s_current = null;
+            Close();
         }
     }
 }

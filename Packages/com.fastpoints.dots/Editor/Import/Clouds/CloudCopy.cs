@@ -6,6 +6,7 @@ using System.Threading.Tasks;
 using FastPoints.Core;
 using FastPoints.Reading;
 using FastPoints.Store;
+using FastPoints.Build;
 
 namespace FastPoints.Editor
 {
@@ -94,8 +95,8 @@ namespace FastPoints.Editor
             foreach (string file in files)
                 bytes += new FileInfo(file).Length;
             Interlocked.Exchange(ref m_bytes, bytes);
-            long free = new DriveInfo(Path.GetFullPath(temporary)).AvailableFreeSpace;
-            if (free < bytes)
+            long free = CloudFolderWriter.FreeBytesOf(temporary);
+            if (free >= 0 && free < bytes)
                 throw PointCloudException.Wanted(FailureCode.DiskFull, m_to, -1, "free bytes on the disk", bytes, free);
         }
 

@@ -67,12 +67,12 @@ namespace FastPoints.Editor
         public void Describe(SourceInfo info)
         {
             // These are the same at each import, whatever a conversion finds.
-            if (info.HasBoundsClaimed && info.BoundsClaimed.IsFinite && !info.BoundsClaimed.IsEmpty)
-                Origin = UnitySpace.Of(info.BoundsClaimed, info.Crs.MetresPerUnit).OriginGeo;
+            if (!info.BoundsTrusted.IsEmpty)
+                Origin = UnitySpace.Of(info.BoundsTrusted, info.Crs.MetresPerUnit).OriginGeo;
             Format = info.Format;
             Points = info.PointsReadable >= 0 ? info.PointsReadable
                 : info.HasPointsClaimed && info.PointsClaimed <= long.MaxValue ? (long)info.PointsClaimed : -1;
-            BoundsGeo = info.HasBoundsClaimed && info.BoundsClaimed.IsFinite ? info.BoundsClaimed : BoundsGeo.Empty;
+            BoundsGeo = info.BoundsTrusted;
             Crs = info.Crs.Summary;
             MetresPerUnit = info.Crs.MetresPerUnit;
         }
@@ -113,7 +113,7 @@ namespace FastPoints.Editor
                 json.Add("origin", origin.x, origin.y, origin.z);
             if (OriginUp != UpAxis.Z)
                 json.Add("originUp", OriginUp.ToString());
-            Stamp?.Write(json, "stamp");
+            Stamp?.Write(json, "stamp", false);
             if (Warnings.Count > 0)
             {
                 json.BeginArray("warnings");

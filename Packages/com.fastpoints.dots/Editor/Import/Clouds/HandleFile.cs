@@ -89,7 +89,8 @@ namespace FastPoints.Editor
         }
 
         /// <summary>Updates a handle after a conversion with its results and the stamp of its source.</summary>
-        /// <param name="origin">Where scenes show the cloud; kept from then on. Null to take the manifest's place.</param>
+        /// <param name="origin">Where scenes show a cloud whose source claims no bounds. Null to take the manifest's
+        /// place.</param>
         /// <param name="up">The axis whose floor that is on.</param>
         /// <param name="source">What was converted, with its warnings; may be null.</param>
         public static void Update(string path, CloudManifest manifest, SourceStamp stamp, double3? origin = null,
@@ -100,12 +101,13 @@ namespace FastPoints.Editor
             handle.Describe(manifest);
             if (handle.Origin == null)
                 handle.OriginUp = up;
-            handle.Origin ??= origin ?? UnitySpace.Of(manifest.BoundsGeo, manifest.MetresPerUnit, up).OriginGeo;
+            // What a header claims is the same for everyone, and is where its preview lies.
+            handle.Origin ??= source != null && !source.BoundsTrusted.IsEmpty
+                ? UnitySpace.Of(source.BoundsTrusted, source.Crs.MetresPerUnit, up).OriginGeo
+                : origin ?? UnitySpace.Of(manifest.BoundsGeo, manifest.MetresPerUnit, up).OriginGeo;
             if (source != null)
                 handle.Describe(source.Format, source.Warnings);
-            // A timestamp that version control has touched is no reason to write.
-            if (handle.Stamp == null || !handle.Stamp.HasBytesOf(stamp))
-                handle.Stamp = stamp;
+            handle.Stamp = stamp;
             if (handle.ToJson() != before)
                 Write(path, handle);
         }

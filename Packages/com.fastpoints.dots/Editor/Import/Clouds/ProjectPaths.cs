@@ -75,9 +75,10 @@ namespace FastPoints.Editor
             return (Below(Project, full) ?? (sibling == null ? full : "../" + sibling)).Replace(Path.DirectorySeparatorChar, '/');
         }
 
-        /// <returns>Null for a path that is not below the folder.</returns>
+        /// <returns>Null for a path that is not below the folder. Windows knows no case.</returns>
         static string Below(string folder, string path) =>
-            path.StartsWith(Inside(folder), StringComparison.Ordinal) ? path.Substring(Inside(folder).Length) : null;
+            path.StartsWith(Inside(folder), Path.DirectorySeparatorChar == '\\' ? StringComparison.OrdinalIgnoreCase
+                : StringComparison.Ordinal) ? path.Substring(Inside(folder).Length) : null;
 
         /// <summary>The folder of a point cloud file in <c>Assets</c>, as its asset refers to it: by the asset's number, which
         /// stays the same when the file is renamed.</summary>

@@ -24,7 +24,7 @@ namespace FastPoints.Editor
         /// <summary>Bytes of all files together.</summary>
         public long Bytes { get; private set; }
 
-        /// <summary>When the newest of them was written, in ticks of UTC.</summary>
+        /// <summary>When the newest of them was written, in ticks of UTC; 0 if unknown.</summary>
         public long WrittenTicks { get; private set; }
 
         public ulong NamesHash { get; private set; }
@@ -65,14 +65,19 @@ namespace FastPoints.Editor
         public bool HasBytesOf(SourceStamp other) => Bytes == other.Bytes && NamesHash == other.NamesHash &&
             HeadHash == other.HeadHash && TailHash == other.TailHash;
 
-        public void Write(JsonWriter json, string name) => json.BeginObject(name).Add("bytes", Bytes)
-            .Add("writtenTicks", WrittenTicks).AddHex("names", NamesHash).AddHex("head", HeadHash).AddHex("tail", TailHash)
-            .EndObject();
+        /// <param name="withTime">Whether the time is written, too, which is another on each machine.</param>
+        public void Write(JsonWriter json, string name, bool withTime)
+        {
+            json.BeginObject(name).Add("bytes", Bytes);
+            if (withTime)
+                json.Add("writtenTicks", WrittenTicks);
+            json.AddHex("names", NamesHash).AddHex("head", HeadHash).AddHex("tail", TailHash).EndObject();
+        }
 
         internal static SourceStamp Read(JsonMembers json) => new SourceStamp
         {
             Bytes = json.Long("bytes"),
-            WrittenTicks = json.Long("writtenTicks"),
+            WrittenTicks = json.Has("writtenTicks") ? json.Long("writtenTicks") : 0,
             NamesHash = json.Hex("names"),
             HeadHash = json.Hex("head"),
             TailHash = json.Hex("tail"),

@@ -29,7 +29,7 @@ namespace FastPoints.Editor
         public static void Write(string cloud, SourceStamp stamp)
         {
             var json = new JsonWriter().BeginObject().Add("version", Version);
-            stamp.Write(json, "stamp");
+            stamp.Write(json, "stamp", true);
             TextFile.Write(PathOf(cloud), json.EndObject().ToString());
         }
     }

@@ -90,9 +90,12 @@ namespace FastPoints.Editor
             {
                 Failure = e;
                 End(BuildState.Failed);
-                // What is on disk is worth keeping if the system was at fault, for example with a full disk, but not if the
-                // source is.
-                if (!(e is PointCloudException known) || known.IsBadInput || known.Code == FailureCode.Unexpected)
+                // What is on disk is worth keeping if the system was at fault, for example with a full disk or too little
+                // memory, but not if the source is.
+                var known = PointCloudException.Of(m_target, e);
+                var cause = known.InnerException;
+                if (known.IsBadInput || known.Code == FailureCode.Unexpected &&
+                    !(cause is OutOfMemoryException || FileFailures.IsFileFailure(cause) && !(cause is ArgumentException)))
                     CloudFolderWriter.DeleteUnfinished(m_target);
             }
             return IsEnded;

@@ -39,9 +39,9 @@ namespace FastPoints.Editor
             {
                 IsDone = m_work.Tick(budgetMs);
             }
-            catch (PointCloudException e)
+            catch (Exception e)
             {
-                Result.Add(e.Message);
+                Result.Add(PointCloudException.Of(Path, e).FullMessage);
                 IsDone = true;
             }
             return IsDone;

@@ -81,8 +81,10 @@ namespace FastPoints.Editor
             Save();
         }
 
-        /// <summary>Requests that are only here, until the lock is acquired; null for none.</summary>
-        internal IReadOnlyList<ImportRequest> Unsaved => m_lock == null && m_requests.Count > 0 ? m_requests : null;
+        /// <summary>Requests that no file has: until the lock is acquired, or the folder can be written; null for
+        /// none.</summary>
+        internal IReadOnlyList<ImportRequest> Unsaved =>
+            (m_lock == null || m_isUnsaved) && m_requests.Count > 0 ? m_requests : null;
 
         /// <summary>Folders that are targets of requests, even if they do not exist.</summary>
         public IEnumerable<string> ReservedPaths
@@ -114,6 +116,8 @@ namespace FastPoints.Editor
             }
             if (IsHeld)
                 return;
+            if (m_running?.State == ImportState.Paused && m_requests.Exists(r => r.State == ImportState.Waiting))
+                PutAside();
             if (Session == null)
                 Begin();
             else if (Session.Tick(budgetMs))
@@ -122,11 +126,13 @@ namespace FastPoints.Editor
                 ReleaseLock();
         }
 
+        /// <summary>Has others go first. A running conversion keeps its memory until another begins. One that reads its header
+        /// is not paused.</summary>
         public void Pause(ImportRequest request)
         {
-            if (request.State == ImportState.Running)
+            if (request == m_running)
                 Session.Pause();
-            else if (request.State == ImportState.Waiting)
+            if (request == m_running ? Session.State == BuildState.Paused : request.State == ImportState.Waiting)
                 request.State = ImportState.Paused;
             Save();
         }
@@ -134,13 +140,11 @@ namespace FastPoints.Editor
         /// <summary>Continues a paused request, or retries a failed one.</summary>
         public void Resume(ImportRequest request)
         {
-            if (request.State == ImportState.Running)
-            {
+            if (request == m_running)
                 Session.Resume();
-                return;
-            }
-            request.State = ImportState.Waiting;
-            request.Attempts = 0;
+            else
+                request.Attempts = 0;
+            request.State = request == m_running ? ImportState.Running : ImportState.Waiting;
             request.Failure = null;
             Save();
         }
@@ -174,18 +178,18 @@ namespace FastPoints.Editor
         }
 
         /// <summary>Ends the running conversion before scripts are reloaded or the editor quits; the next queue of this folder
-        /// continues it.</summary>
+        /// continues it. What is <see cref="Unsaved"/> stays.</summary>
         public void Suspend()
         {
             if (m_running != null)
             {
-                Session.Suspend();
-                m_running.State = ImportState.Waiting;
-                m_running.Attempts = 0;
-                Session = null;
-                m_running = null;
+                if (m_running.State == ImportState.Running)
+                    m_running.State = ImportState.Waiting;
+                PutAside();
                 Save();
             }
+            if (Unsaved == null)
+                m_requests.Clear();
             ReleaseLock();
         }
 
@@ -237,6 +241,14 @@ namespace FastPoints.Editor
             Save();
             var sources = m_running.Sources.ConvertAll(m_paths.Absolute);
             Session = new BuildSession(sources, m_paths.Absolute(m_running.Cloud), m_settings(m_running));
+        }
+
+        /// <summary>The next session of this target continues from what is on disk.</summary>
+        void PutAside()
+        {
+            Session.Suspend();
+            m_running.Attempts = 0;
+            (m_running, Session) = (null, null);
         }
 
         void End()
@@ -297,9 +309,7 @@ namespace FastPoints.Editor
         {
             try
             {
-                var json = JsonMembers.Parse(StoreFile.ReadText(FilePath), FilePath);
-                json.RequireVersion(Version);
-                return json.Objects("requests").ConvertAll(ImportRequest.Read);
+                return FromJson(StoreFile.ReadText(FilePath), FilePath);
             }
             catch (PointCloudException e) when (e.Code == FailureCode.BadInput)
             {
@@ -321,7 +331,7 @@ namespace FastPoints.Editor
                 if (m_requests.Count == 0)
                     FileChanges.Delete(FilePath);
                 else
-                    TextFile.Write(FilePath, ToJson());
+                    TextFile.Write(FilePath, ToJson(m_requests));
                 if (m_isUnsaved)
                     Problem = null;
                 m_isUnsaved = false;
@@ -333,12 +343,19 @@ namespace FastPoints.Editor
             }
         }
 
-        string ToJson()
+        internal static string ToJson(IReadOnlyList<ImportRequest> requests)
         {
             var json = new JsonWriter().BeginObject().Add("version", Version).BeginArray("requests");
-            foreach (var request in m_requests)
+            foreach (var request in requests)
                 request.Write(json);
             return json.EndArray().EndObject().ToString();
+        }
+
+        internal static List<ImportRequest> FromJson(string text, string path)
+        {
+            var json = JsonMembers.Parse(text, path);
+            json.RequireVersion(Version);
+            return json.Objects("requests").ConvertAll(ImportRequest.Read);
         }
 
         void ReleaseLock()

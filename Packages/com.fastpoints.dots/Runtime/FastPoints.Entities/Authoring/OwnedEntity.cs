@@ -6,6 +6,10 @@ namespace FastPoints.Entities
     /// the component; if others destroy it, or its world, its component makes it again.</summary>
     struct OwnedEntity
     {
+        /// <summary>Whether this is a process that imports assets, where an editor says so: it opens scenes as well, and needs no
+        /// world.</summary>
+        internal static bool IsInWorker { get; set; }
+
         World m_world;
 
         /// <summary>Null if there is no entity.</summary>
@@ -16,7 +20,8 @@ namespace FastPoints.Entities
         public bool TryCreate(out EntityManager entities)
         {
             // In edit mode, the world may not have been made yet.
-            DefaultWorldInitialization.DefaultLazyEditModeInitialize();
+            if (!IsInWorker)
+                DefaultWorldInitialization.DefaultLazyEditModeInitialize();
             m_world = PointCloudSystemGroup.ObjectGroup?.World ?? World.DefaultGameObjectInjectionWorld;
             Value = Entity.Null;
             if (m_world == null)

@@ -45,6 +45,9 @@ namespace FastPoints.Entities
             if (TryGetPosition(out var place))
                 (file.HasOrigin, file.OriginGeo) = (true, place);
             AddComponent(entity, file);
+            // Players find nothing there, and nobody needs to know a developer's folders.
+            if (!IsBakingForEditor())
+                (paths.ProjectPath, paths.ProjectSources) = ("", new string[0]);
             paths.WriteTo(AddBuffer<PointCloudPath>(entity));
             AddComponent(entity, new PointCloudLayer { Value = GetLayer() });
         }

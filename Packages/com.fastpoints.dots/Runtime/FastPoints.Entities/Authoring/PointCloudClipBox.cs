@@ -1,4 +1,5 @@
 using FastPoints.Core;
+using Unity.Entities;
 using Unity.Transforms;
 using UnityEngine;
 
@@ -48,5 +49,12 @@ namespace FastPoints.Entities
             Gizmos.matrix = transform.localToWorldMatrix;
             Gizmos.DrawWireCube(Vector3.zero, Vector3.one);
         }
+    }
+
+    /// <summary>For subscenes. An open one has both entities: what is clipped twice by one box is clipped once.</summary>
+    internal sealed class ClipBoxBaker : Baker<PointCloudClipBox>
+    {
+        public override void Bake(PointCloudClipBox authoring) =>
+            AddComponent(GetEntity(TransformUsageFlags.Dynamic), new PointCloudClip { Cuts = authoring.Cuts });
     }
 }

@@ -1,6 +1,7 @@
 using FastPoints.Core;
 using FastPoints.Drawing;
 using FastPoints.Rendering;
+using Unity.Entities;
 using Unity.Mathematics;
 using UnityEngine;
 using UnityEngine.Serialization;
@@ -63,6 +64,14 @@ namespace FastPoints.Entities
             FillsHoles = FillHoles,
         };
 
+        internal PointCloudBudget Budget => new PointCloudBudget
+        {
+            Points = (long)math.round(MillionPoints * 1e6),
+            PoolBytes = (long)MemoryMebibytes << 20,
+            UploadBytesPerFrame = UploadMebibytesPerFrame << 20,
+            SmallestNodePx = SmallestNodePx,
+        };
+
         OwnedEntity m_entity;
 
         /// <summary>Starts a new component with the project's graphics memory.</summary>
@@ -81,14 +90,19 @@ namespace FastPoints.Entities
                 entities.AddComponentData(m_entity.Value, new PointCloudBudget());
                 entities.AddComponentData(m_entity.Value, new PointCloudStyle());
             }
-            entities.SetComponentData(m_entity.Value, new PointCloudBudget
-            {
-                Points = (long)math.round(MillionPoints * 1e6),
-                PoolBytes = (long)MemoryMebibytes << 20,
-                UploadBytesPerFrame = UploadMebibytesPerFrame << 20,
-                SmallestNodePx = SmallestNodePx,
-            });
+            entities.SetComponentData(m_entity.Value, Budget);
             entities.SetComponentData(m_entity.Value, new PointCloudStyle { Value = Style });
+        }
+    }
+
+    /// <summary>For subscenes. An open one has both entities, which say the same.</summary>
+    internal sealed class SettingsBaker : Baker<PointCloudSettings>
+    {
+        public override void Bake(PointCloudSettings authoring)
+        {
+            var entity = GetEntity(TransformUsageFlags.None);
+            AddComponent(entity, authoring.Budget);
+            AddComponent(entity, new PointCloudStyle { Value = authoring.Style });
         }
     }
 }

@@ -15,6 +15,9 @@ namespace FastPoints.Entities
         /// <summary>The default in force; 0 while there is a budget.</summary>
         long m_defaultPoolBytes;
 
+        /// <summary>What was in force before there was a budget, and is again after it.</summary>
+        PointCloudBudget? m_before;
+
         protected override void OnCreate()
         {
             base.OnCreate();
@@ -25,16 +28,32 @@ namespace FastPoints.Entities
         {
             if (m_budgets.IsEmpty)
             {
+                if (m_before.HasValue)
+                    Apply(m_before.Value);
+                m_before = null;
                 ApplyDefault();
                 return;
             }
             m_defaultPoolBytes = 0;
-            using var budgets = m_budgets.ToComponentDataArray<PointCloudBudget>(Allocator.Temp);
             var settings = Group.Stream.Settings;
-            settings.Selection.PointBudget = budgets[0].Points;
-            settings.Selection.SmallestNodePx = budgets[0].SmallestNodePx;
-            settings.UploadBytesPerFrame = budgets[0].UploadBytesPerFrame;
-            Group.Stream.Pool.LimitBytes = budgets[0].PoolBytes;
+            m_before ??= new PointCloudBudget
+            {
+                Points = settings.Selection.PointBudget,
+                PoolBytes = Group.Stream.Pool.LimitBytes,
+                UploadBytesPerFrame = settings.UploadBytesPerFrame,
+                SmallestNodePx = settings.Selection.SmallestNodePx,
+            };
+            using var budgets = m_budgets.ToComponentDataArray<PointCloudBudget>(Allocator.Temp);
+            Apply(budgets[0]);
+        }
+
+        void Apply(in PointCloudBudget budget)
+        {
+            var settings = Group.Stream.Settings;
+            settings.Selection.PointBudget = budget.Points;
+            settings.Selection.SmallestNodePx = budget.SmallestNodePx;
+            settings.UploadBytesPerFrame = budget.UploadBytesPerFrame;
+            Group.Stream.Pool.LimitBytes = budget.PoolBytes;
         }
 
         void ApplyDefault()

@@ -13,6 +13,7 @@ namespace FastPoints.Entities
     {
         EntityQuery m_shown;
         EntityQuery m_styles;
+        bool m_hasStyle;
 
         protected override void OnCreate()
         {
@@ -26,8 +27,9 @@ namespace FastPoints.Entities
             var scene = PointScene.Current;
             if (scene == null || scene.Stream != Group.Stream)
                 return;
-            if (!m_styles.IsEmpty)
-                UseStyle(scene);
+            UseStyle(scene);
+            // The number of a cloud that is gone may be another's now.
+            scene.ForgetLooks();
             using var entities = m_shown.ToEntityArray(Allocator.Temp);
             using var clouds = m_shown.ToComponentDataArray<StreamedPointCloud>(Allocator.Temp);
             using var looks = m_shown.ToComponentDataArray<PointCloudLook>(Allocator.Temp);
@@ -53,7 +55,9 @@ namespace FastPoints.Entities
         void UseStyle(PointScene scene)
         {
             using var styles = m_styles.ToComponentDataArray<PointCloudStyle>(Allocator.Temp);
-            scene.Style = styles[0].Value;
+            if (styles.Length > 0 || m_hasStyle)
+                scene.Style = styles.Length > 0 ? styles[0].Value : PointStyle.Default;
+            m_hasStyle = styles.Length > 0;
         }
     }
 }

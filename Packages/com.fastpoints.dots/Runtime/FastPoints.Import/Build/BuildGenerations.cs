@@ -65,10 +65,10 @@ namespace FastPoints.Build
             manifest.Checksum = 0;
             var results = new ChunkResult[finished.Count];
             var tops = (NativeArray<byte>[])topRecords.Clone();
-            var provisional = new List<int>();
+            var placeholders = new List<int>();
             try
             {
-                yield return JobStep.Of(MakeTops(manifest, store, cubes, finished, results, tops, provisional));
+                yield return JobStep.Of(MakeTops(manifest, store, cubes, finished, results, tops, placeholders));
                 var chunks = new List<ChunkResult>();
                 for (int i = 0; i < results.Length; i++)
                 {
@@ -84,7 +84,7 @@ namespace FastPoints.Build
             }
             finally
             {
-                foreach (int i in provisional)
+                foreach (int i in placeholders)
                     tops[i].Dispose();
             }
             yield return JobStep.Of(m_build.Folder.WriteText(StoreFormat.ManifestName, manifest.ToJson()));
@@ -97,7 +97,7 @@ namespace FastPoints.Build
         /// <summary>A top of the sample for each chunk that is not finished. What the sampler leaves below a top is not
         /// shown.</summary>
         IEnumerator<JobStep> MakeTops(CloudManifest manifest, NativeStoreLayout store, IReadOnlyList<GridCube> cubes,
-            IReadOnlyList<ChunkResult> finished, ChunkResult[] results, NativeArray<byte>[] tops, List<int> provisional)
+            IReadOnlyList<ChunkResult> finished, ChunkResult[] results, NativeArray<byte>[] tops, List<int> placeholders)
         {
             var all = new GridCube[cubes.Count];
             for (int i = 0; i < all.Length; i++)
@@ -141,7 +141,7 @@ namespace FastPoints.Build
                     results[c] = ChunkResult.OfTop(indexer);
                     results[c].Checksum = indexer.Checksum;
                     tops[c] = new NativeArray<byte>(indexer.Top.AsArray(), Allocator.Persistent);
-                    provisional.Add(c);
+                    placeholders.Add(c);
                 }
             }
             finally

@@ -148,7 +148,8 @@ namespace FastPoints.Build
         {
             var watch = Stopwatch.StartNew();
             double mergeSeconds = 0;
-            var order = ChunksLeft();
+            var order = new List<int>();
+            yield return JobStep.Of(FindChunksLeft(order));
             CreateWorkspaces(order.Count);
             for (int next = 0; next < order.Count || m_inFlight.Count > 0;)
             {
@@ -180,24 +181,30 @@ namespace FastPoints.Build
 
         /// <summary>Those that the build before this one has not done, the largest first, so that none is left for the end
         /// alone.</summary>
-        List<int> ChunksLeft()
+        IEnumerator<JobStep> FindChunksLeft(List<int> order)
         {
-            var order = new List<int>();
+            int stride = m_build.Records.ForTops(m_store.HasAverages).StrideBytes;
             for (int i = 0; i < m_results.Length; i++)
             {
-                long count = m_chunks.Chunks[i].Count;
-                m_points += count;
-                if (m_build.Files != null && TryResume(i))
-                    m_pointsDone += count;
-                else
+                var (number, chunk) = (i, m_chunks.Chunks[i]);
+                if (m_build.Files != null)
+                    yield return JobStep.Of(PoolTask.Run(m_build.Folder.PathOf(BuildFiles.TopPath(i)),
+                        () => FindDone(number, stride), result => m_results[number] = result));
+                m_points += chunk.Count;
+                if (m_results[i] == null)
+                {
                     order.Add(i);
+                    continue;
+                }
+                m_pointsDone += chunk.Count;
+                foreach (var run in chunk.Runs)
+                    m_build.Files.Release(run.File);
             }
             order.Sort((a, b) =>
             {
                 int bySize = m_chunks.Chunks[b].Count.CompareTo(m_chunks.Chunks[a].Count);
                 return bySize != 0 ? bySize : a.CompareTo(b);
             });
-            return order;
         }
 
         /// <summary>As many as there are workers and memory for, and at least one; and as many chunks ahead as half of the rest
@@ -291,26 +298,21 @@ namespace FastPoints.Build
             return m_generations.Write(Manifest, m_store, cubes, finished, m_topRecords);
         }
 
-        /// <summary>A chunk that the build before this one has done.</summary>
-        bool TryResume(int chunk)
+        /// <summary>Reads what the build before this one has left of a chunk, if that is done; otherwise null. Any
+        /// thread.</summary>
+        ChunkResult FindDone(int chunk, int stride)
         {
             string path = m_build.Folder.PathOf(BuildFiles.TopPath(chunk));
             if (!System.IO.File.Exists(path))
-                return false;
-            using (var bytes = StoreFile.Read(path, 0, StoreFile.SizeOf(path), Allocator.Persistent))
-            {
-                var result = ChunkResult.FromBytes(bytes, Manifest.CloudId, BytesOfPlane.Length,
-                    m_build.Records.ForTops(m_store.HasAverages).StrideBytes);
-                if (result == null || result.Record.Number != chunk)
-                    return false;
-                string file = m_build.Folder.PathOf(StoreFormat.ChunkPath(chunk));
-                if (result.Top.HasNodes && (!System.IO.File.Exists(file) || StoreFile.SizeOf(file) != result.Record.FileBytes))
-                    return false;
-                m_results[chunk] = result;
-            }
-            foreach (var run in m_chunks.Chunks[chunk].Runs)
-                m_build.Files.Release(run.File);
-            return true;
+                return null;
+            using var bytes = StoreFile.Read(path, 0, StoreFile.SizeOf(path), Allocator.Persistent);
+            var result = ChunkResult.FromBytes(bytes, Manifest.CloudId, BytesOfPlane.Length, stride);
+            if (result == null || result.Record.Number != chunk)
+                return null;
+            string file = m_build.Folder.PathOf(StoreFormat.ChunkPath(chunk));
+            bool isWhole = !result.Top.HasNodes ||
+                System.IO.File.Exists(file) && StoreFile.SizeOf(file) == result.Record.FileBytes;
+            return isWhole ? result : null;
         }
 
         /// <summary>Takes in a chunk that is indexed, once there is room for one more file to be written.</summary>

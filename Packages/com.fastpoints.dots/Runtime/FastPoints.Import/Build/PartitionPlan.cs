@@ -49,19 +49,15 @@ namespace FastPoints.Build
                     foreach (var run in samples[i].Runs)
                         runs.Add(new SampleRun
                         {
-                            Segment = runs.Length,
                             First = first + run.First,
                             Count = run.Count,
                             Weight = run.Weight,
                         });
                     first += samples[i].Stored.Length;
                 }
-                // Empty runs would mean that each point stands for itself.
-                if (runs.Length == 0)
-                    runs.Add(default);
                 double share = Math.Min(1, sampled / (double)Math.Max(1, points));
-                yield return JobStep.Of(DensityTree.Count(codes, runs.AsArray(), 0, share, 1, plan.PointsPerChunk,
-                    coded, density => take(Partition(cube, density, plan))));
+                yield return JobStep.Of(DensityTree.Count(codes, runs.AsArray(), share, plan.PointsPerChunk, coded,
+                    density => take(Partition(cube, density, plan))));
             }
             finally
             {

@@ -92,21 +92,21 @@ namespace FastPoints.Build
             foreach (var attribute in m_build.Attributes)
                 names.Add(attribute.Name);
             var wanted = reader.Info.Schema.Select(names.ToArray());
-            if (reader.HasRunReads)
+            if (reader is RecordReader records)
             {
-                yield return JobStep.Of(ReadRuns(reader, grid, runs, wanted));
+                yield return JobStep.Of(ReadRuns(records, grid, runs, wanted));
                 yield break;
             }
             int longest = SourceSample.LongestOf(runs);
             var limit = SourceScan.LimitFor(reader, wanted, m_build.Records.StrideBytes + sizeof(int), m_build.Plan.ReadBytes / 4,
                 m_build.Settings.Workers, m_build.InFlightMs);
             using var consumer = new Consumer(this, grid, longest);
-            yield return JobStep.Of(SourceScan.Run(reader, wanted, consumer, limit, m_build.Settings.Workers, 0, runs.Count,
-                r => runs[r], longest, null));
+            yield return JobStep.Of(SourceScan.Run(ScanRanges.Of(reader, runs, longest), wanted, consumer, limit,
+                m_build.Settings.Workers, null));
         }
 
         /// <summary>Reads the runs of a source of a fixed stride, many in one request.</summary>
-        IEnumerator<JobStep> ReadRuns(PointReader reader, SourceGrid grid, List<BlockRange> runs, PointSchema wanted)
+        IEnumerator<JobStep> ReadRuns(RecordReader reader, SourceGrid grid, List<BlockRange> runs, PointSchema wanted)
         {
             var batch = new PointBatch(wanted, RunPoints * RunsPerSlice, Allocator.Persistent);
             var decoded = new NativeReference<DecodeResult>(Allocator.Persistent);

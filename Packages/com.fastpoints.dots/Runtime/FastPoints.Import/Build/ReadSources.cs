@@ -88,9 +88,8 @@ namespace FastPoints.Build
                 do
                     m_sinceCheckpoint += reader.PointsInBlock(end);
                 while (++end < reader.BlockCount && m_sinceCheckpoint < wantedPoints);
-                using (var scan = new CoroutineStack(SourceScan.Run(reader, wanted, m_scatter, limit, m_build.Settings.Workers,
-                    block,
-                    end, null)))
+                using (var scan = new CoroutineStack(SourceScan.Run(ScanRanges.Blocks(reader, block, end), wanted, m_scatter,
+                    limit, m_build.Settings.Workers, null)))
                 {
                     while (scan.MoveNext())
                     {

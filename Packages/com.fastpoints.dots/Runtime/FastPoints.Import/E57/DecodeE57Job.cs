@@ -8,24 +8,17 @@ using Unity.Mathematics;
 
 namespace FastPoints.E57
 {
-    /// <summary>Decodes some fields of a range of records: each field's bytes are gathered from the packets, unpacked, and put
-    /// where they belong. A chain of these decodes a range; <see cref="PlaceE57PointsJob"/> follows it.</summary>
     [BurstCompile]
     unsafe struct DecodeE57Job : IJob
     {
         public const int FieldsPerSlice = 16;
         const int TileValues = 256;
 
-        /// <summary>Content of the extents, without checksums.</summary>
         [ReadOnly] public NativeArray<byte> Input;
         [ReadOnly] public NativeArray<byte> IsDamaged;
         [ReadOnly] public NativeArray<E57Extent> Extents;
         public int ExtentCount;
-
-        /// <summary>Bytestreams of a packet.</summary>
         public int StreamCount;
-
-        /// <summary>Fields, and where the bytes of each lie.</summary>
         [ReadOnly] public NativeArray<E57FieldRead> Reads;
         [ReadOnly] public NativeArray<E57StreamRange> Ranges;
         public int FirstRead;
@@ -33,17 +26,15 @@ namespace FastPoints.E57
 
         public long FirstRecord;
         public int Count;
-
         public NativeArray<byte> Columns;
 
-        /// <summary>Rows of <see cref="RowLength"/> doubles.</summary>
+        // Rows of RowLength doubles.
         public NativeArray<double> Vectors;
         public int RowLength;
 
-        /// <summary>For each point, 0 or an <see cref="E57Drop"/>.</summary>
+        // For each point, 0 or an E57Drop.
         public NativeArray<byte> Drops;
 
-        /// <summary>Bytes of one field.</summary>
         public NativeArray<byte> Scratch;
         public NativeReference<DecodeResult> Result;
         public NativeReference<E57Anomalies> Anomalies;
@@ -71,7 +62,6 @@ namespace FastPoints.E57
             Anomalies.Value = anomalies;
         }
 
-        /// <returns>The number of values whose bytes are present.</returns>
         int Gather(in E57FieldRead read, in E57StreamRange range, byte* drops)
         {
             byte* input = (byte*)Input.GetUnsafeReadOnlyPtr();
@@ -114,9 +104,7 @@ namespace FastPoints.E57
             return (int)math.clamp(whole, 0, Count);
         }
 
-        /// <summary>Marks points that have bits in damaged pages to be left out.</summary>
-        /// <param name="logical">Logical offset of the bytes.</param>
-        /// <param name="inStream">Their offset in the bytestream.</param>
+        // Points with bits in damaged pages are left out. inStream: the offset of the bytes in the bytestream.
         void MarkDamage(in E57Extent extent, long logical, long inStream, int bytes, int bits, byte* drops)
         {
             long firstPage = logical / E57Pages.DataBytes, lastPage = (logical + bytes - 1) / E57Pages.DataBytes;
@@ -133,7 +121,6 @@ namespace FastPoints.E57
             }
         }
 
-        /// <returns>The number of integers that were too large.</returns>
         int Decode(in E57FieldRead read, int count, byte* drops)
         {
             ulong* raw = stackalloc ulong[TileValues];
@@ -197,7 +184,6 @@ namespace FastPoints.E57
             return misfits;
         }
 
-        /// <summary>Whether the field's bytes are those of its column.</summary>
         static bool IsCopy(in E57FieldRead read)
         {
             if (read.Bits != read.ColumnType.SizeOf() * 8)
@@ -282,7 +268,7 @@ namespace FastPoints.E57
                 UnsafeUtility.MemCpy((double*)column + first, values, count * 8);
         }
 
-        /// <summary>Stores shares; NaN becomes 0.</summary>
+        // NaN becomes 0.
         static void StoreShares(double* values, int count, ushort* column)
         {
             for (int i = 0; i < count; i++)
@@ -290,38 +276,83 @@ namespace FastPoints.E57
         }
     }
 
-    /// <summary>Why a point is left out.</summary>
     static class E57Drop
     {
         public const byte Invalid = 1;
         public const byte Damaged = 2;
     }
 
-    /// <summary>What a range contained besides points. Jobs write it; the main thread reports it.</summary>
     struct E57Anomalies
     {
-        /// <summary>Points left out because their scan marks them as invalid.</summary>
         public int Invalid;
-
-        /// <summary>Points left out because a page that holds some of them has a wrong checksum.</summary>
         public int Damaged;
         public int DamagedPages;
         public long FirstDamagedPage;
-
-        /// <summary>Integers above the maximum of their field, which were kept.</summary>
         public int Misfits;
     }
 
-    /// <summary>Where the bytes lie that a range takes from a bytestream. Blittable, for jobs.</summary>
     struct E57StreamRange
     {
-        /// <summary>Logical offset of a packet at or before the first byte.</summary>
+        // Logical, of a packet at or before the first byte.
         public long PacketOffset;
 
-        /// <summary>Bytes of the bytestream in the packets before that.</summary>
+        // In the packets before that.
         public long BytesBefore;
 
-        /// <summary>Logical offset at which the packets that are read end.</summary>
+        // Logical, where the packets that are read end.
         public long End;
+    }
+
+    // Integers of any width, packed without gaps from the lowest bit of the first byte on (ASTM E2807, 9.7.2): value i takes bits
+    // i*w to i*w + w - 1, where bit b is bit b % 8 of byte b / 8.
+    static unsafe class E57Bits
+    {
+        // Behind the last value: may be loaded and not used.
+        public const int PaddingBytes = 16;
+
+        public static ulong Mask(int bits) => bits == 0 ? 0 : ulong.MaxValue >> 64 - bits;
+
+        // bits: 1 to 64.
+        public static void Unpack(byte* bytes, long firstBit, int bits, int count, ulong* values)
+        {
+            ulong mask = Mask(bits);
+            if ((firstBit & 7) == 0 && (bits == 8 || bits == 16 || bits == 32))
+            {
+                UnpackBytes(bytes + (firstBit >> 3), bits, count, values);
+                return;
+            }
+            if (bits <= 57)
+            {
+                long at = firstBit;
+                for (int i = 0; i < count; i++, at += bits)
+                    values[i] = *(ulong*)(bytes + (at >> 3)) >> (int)(at & 7) & mask;
+                return;
+            }
+            for (int i = 0; i < count; i++)
+            {
+                long at = firstBit + (long)i * bits;
+                int shift = (int)(at & 7);
+                byte* p = bytes + (at >> 3);
+                ulong value = *(ulong*)p >> shift;
+                // This shifts twice, since a shift by 64 is one by 0.
+                value |= (ulong)p[8] << (63 - shift) << 1;
+                values[i] = value & mask;
+            }
+        }
+
+        static void UnpackBytes(byte* bytes, int bits, int count, ulong* values)
+        {
+            if (bits == 8)
+                for (int i = 0; i < count; i++)
+                    values[i] = bytes[i];
+            else if (bits == 16)
+                for (int i = 0; i < count; i++)
+                    values[i] = ((ushort*)bytes)[i];
+            else
+                for (int i = 0; i < count; i++)
+                    values[i] = ((uint*)bytes)[i];
+        }
+
+        public static long BytesOf(long firstBit, int bits, long count) => (firstBit + count * bits + 7 >> 3) - (firstBit >> 3);
     }
 }

@@ -1,14 +1,159 @@
 using System;
 using FastPoints.Core;
 using FastPoints.Reading;
+using Unity.Burst;
 using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
 using Unity.Jobs;
 using Unity.Mathematics;
 
 namespace FastPoints.E57
 {
-    /// <summary>A slot of <see cref="E57Reader"/>: it reads the pages of a range, checks them, decodes them field by field and
-    /// places the points.</summary>
+    // The last step of a range; it also removes the points that are left out from all columns.
+    [BurstCompile]
+    unsafe struct PlaceE57PointsJob : IJob
+    {
+        public NativeArray<double> Vectors;
+        public int RowLength;
+        [ReadOnly] public NativeArray<byte> Drops;
+        [ReadOnly] public NativeArray<byte> IsDamaged;
+        [ReadOnly] public NativeArray<E57Extent> Extents;
+        public int ExtentCount;
+        [ReadOnly] public NativeArray<PointColumn> ColumnTable;
+        public NativeArray<byte> Columns;
+        public NativeReference<DecodeResult> Result;
+        public NativeReference<E57Anomalies> Anomalies;
+
+        // In rows 0 to 2 and rows 3 to 5.
+        public bool HasPositions;
+        public bool IsSpherical;
+        public bool HasNormals;
+        public E57Pose Pose;
+
+        // -1 for unwanted ones.
+        public int3 PositionColumns;
+        public int3 NormalColumns;
+
+        public void Execute()
+        {
+            var result = Result.Value;
+            if (HasPositions)
+            {
+                if (IsSpherical)
+                    FromSpherical(result.Points);
+                Rotate(0, result.Points, Pose.Translation, PositionColumns);
+            }
+            if (HasNormals)
+                Rotate(3, result.Points, new double3(0, 0, 0), NormalColumns);
+            Compact(ref result);
+            Result.Value = result;
+        }
+
+        double* Row(int row) => (double*)Vectors.GetUnsafePtr() + (long)row * RowLength;
+
+        // ASTM E2807, 8.4.3: azimuth from x to y, elevation from the xy plane, in radians.
+        void FromSpherical(int count)
+        {
+            double* row0 = Row(0), row1 = Row(1), row2 = Row(2);
+            for (int i = 0; i < count; i++)
+            {
+                double range = row0[i];
+                math.sincos(row1[i], out double sinAzimuth, out double cosAzimuth);
+                math.sincos(row2[i], out double sinElevation, out double cosElevation);
+                row0[i] = range * cosElevation * cosAzimuth;
+                row1[i] = range * cosElevation * sinAzimuth;
+                row2[i] = range * sinElevation;
+            }
+        }
+
+        void Rotate(int row, int count, double3 shift, int3 columns)
+        {
+            double* row0 = Row(row), row1 = Row(row + 1), row2 = Row(row + 2);
+            if (!Pose.IsShift)
+            {
+                double3 x = Pose.AxisX, y = Pose.AxisY, z = Pose.AxisZ;
+                for (int i = 0; i < count; i++)
+                {
+                    double3 turned = x * row0[i] + y * row1[i] + z * row2[i] + shift;
+                    row0[i] = turned.x;
+                    row1[i] = turned.y;
+                    row2[i] = turned.z;
+                }
+            }
+            else if (!math.all(shift == new double3(0, 0, 0)))
+            {
+                for (int i = 0; i < count; i++)
+                {
+                    row0[i] += shift.x;
+                    row1[i] += shift.y;
+                    row2[i] += shift.z;
+                }
+            }
+            Store(row0, columns.x, count);
+            Store(row1, columns.y, count);
+            Store(row2, columns.z, count);
+        }
+
+        void Store(double* values, int column, int count)
+        {
+            if (column < 0)
+                return;
+            byte* to = (byte*)Columns.GetUnsafePtr() + ColumnTable[column].OffsetBytes;
+            if (ColumnTable[column].Type == AttributeType.Float32)
+                for (int i = 0; i < count; i++)
+                    ((float*)to)[i] = (float)values[i];
+            else
+                UnsafeUtility.MemCpy(to, values, (long)count * 8);
+        }
+
+        void Compact(ref DecodeResult result)
+        {
+            byte* drops = (byte*)Drops.GetUnsafeReadOnlyPtr();
+            var anomalies = Anomalies.Value;
+            for (int i = 0; i < result.Points; i++)
+            {
+                anomalies.Invalid += drops[i] == E57Drop.Invalid ? 1 : 0;
+                anomalies.Damaged += drops[i] == E57Drop.Damaged ? 1 : 0;
+            }
+            if (anomalies.Damaged > 0)
+                CountPages(ref anomalies);
+            Anomalies.Value = anomalies;
+            if (anomalies.Invalid + anomalies.Damaged == 0)
+                return;
+            byte* columns = (byte*)Columns.GetUnsafePtr();
+            for (int first = 0, kept = 0; first < result.Points;)
+            {
+                int end = first;
+                while (end < result.Points && drops[end] == 0)
+                    end++;
+                if (kept < first && end > first)
+                    for (int c = 0; c < ColumnTable.Length; c++)
+                        Move(columns + ColumnTable[c].OffsetBytes, ColumnTable[c].Type.SizeOf(), first, kept, end - first);
+                kept += end - first;
+                first = end;
+                while (first < result.Points && drops[first] != 0)
+                    first++;
+            }
+            result.Points -= anomalies.Invalid + anomalies.Damaged;
+        }
+
+        static void Move(byte* column, int bytes, long from, long to, long count) =>
+            UnsafeUtility.MemMove(column + to * bytes, column + from * bytes, count * bytes);
+
+        void CountPages(ref E57Anomalies anomalies)
+        {
+            for (int e = 0; e < ExtentCount; e++)
+                for (int page = 0; page < Extents[e].Pages; page++)
+                {
+                    if (IsDamaged[Extents[e].BufferPage + page] == 0)
+                        continue;
+                    if (anomalies.DamagedPages == 0)
+                        anomalies.FirstDamagedPage = Extents[e].FirstPage + page;
+                    anomalies.DamagedPages++;
+                }
+        }
+    }
+
     sealed class E57BlockRead : SlotRead
     {
         const int VectorRows = 6;
@@ -18,13 +163,13 @@ namespace FastPoints.E57
         readonly bool[] m_isWanted = new bool[E57Scan.MaxFields];
         readonly long[] m_firstPages = new long[E57Scan.MaxFields];
         readonly long[] m_endPages = new long[E57Scan.MaxFields];
+        readonly NativeArray<PointColumn> m_columns;
+        readonly NativeArray<double> m_vectors;
+        readonly NativeArray<byte> m_drops;
+        readonly NativeArray<byte> m_scratch;
+        readonly NativeReference<E57Anomalies> m_anomalies;
         NativeArray<E57FieldRead> m_reads;
         NativeArray<E57StreamRange> m_ranges;
-        NativeArray<PointColumn> m_columns;
-        NativeArray<double> m_vectors;
-        NativeArray<byte> m_drops;
-        NativeArray<byte> m_scratch;
-        NativeReference<E57Anomalies> m_anomalies;
         int m_readCount;
         E57Section m_section;
         PlaceE57PointsJob m_place;
@@ -33,20 +178,19 @@ namespace FastPoints.E57
             : base(reader, wanted, capacity, allocator)
         {
             m_blocks = blocks;
-            m_pages = new E57PagesRead(blocks.File, blocks.MaxPages, E57Scan.MaxFields, allocator);
+            m_pages = Own(new E57PagesRead(blocks.File, blocks.MaxPages, E57Scan.MaxFields, allocator));
             // Wanted columns, invalid states, and rows that no column is made of.
             int reads = wanted.Count + VectorRows + 1;
-            m_reads = new NativeArray<E57FieldRead>(reads, allocator);
-            m_ranges = new NativeArray<E57StreamRange>(reads, allocator);
+            m_reads = OwnArray<E57FieldRead>(reads, allocator, NativeArrayOptions.ClearMemory);
+            m_ranges = OwnArray<E57StreamRange>(reads, allocator, NativeArrayOptions.ClearMemory);
             var columns = new PointColumn[wanted.Count];
             for (int i = 0; i < columns.Length; i++)
                 columns[i] = Points.Column(i);
-            m_columns = new NativeArray<PointColumn>(columns, allocator);
-            m_vectors = new NativeArray<double>(blocks.HasVectors ? VectorRows * capacity : 1, allocator,
-                NativeArrayOptions.UninitializedMemory);
-            m_drops = new NativeArray<byte>(Math.Max(1, capacity), allocator, NativeArrayOptions.UninitializedMemory);
-            m_scratch = new NativeArray<byte>(8 * (capacity + 1) + E57Bits.PaddingBytes, allocator);
-            m_anomalies = new NativeReference<E57Anomalies>(allocator);
+            m_columns = Own(new NativeArray<PointColumn>(columns, allocator));
+            m_vectors = OwnArray<double>(blocks.HasVectors ? VectorRows * capacity : 1, allocator);
+            m_drops = OwnArray<byte>(Math.Max(1, capacity), allocator);
+            m_scratch = OwnArray<byte>(8 * (capacity + 1) + E57Bits.PaddingBytes, allocator, NativeArrayOptions.ClearMemory);
+            m_anomalies = Own(new NativeReference<E57Anomalies>(allocator));
         }
 
         protected override JobHandle Schedule(BlockRange range)
@@ -59,7 +203,6 @@ namespace FastPoints.E57
             return Schedule(first, range.Count);
         }
 
-        /// <summary>Plans what is read of the scan's fields.</summary>
         void PlanSection(E57Section section)
         {
             m_section = section;
@@ -148,17 +291,5 @@ namespace FastPoints.E57
         protected override void EndRead() => m_pages.End();
 
         protected override void Warn(DecodeResult result) => m_blocks.Warn(Range, result, m_anomalies.Value);
-
-        protected override void DisposeMemory()
-        {
-            m_pages.Dispose();
-            m_reads.Dispose();
-            m_ranges.Dispose();
-            m_columns.Dispose();
-            m_vectors.Dispose();
-            m_drops.Dispose();
-            m_scratch.Dispose();
-            m_anomalies.Dispose();
-        }
     }
 }

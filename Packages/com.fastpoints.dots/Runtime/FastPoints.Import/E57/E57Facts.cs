@@ -5,10 +5,9 @@ using Unity.Mathematics;
 
 namespace FastPoints.E57
 {
-    /// <summary>Turns the contents of the XML section into facts, claims and warnings.</summary>
     static class E57Facts
     {
-        /// <summary>This many scans are listed with all that is known of them; later ones with names and counts only.</summary>
+        // This many scans are listed with all that is known of them; later ones with names and counts only.
         const int MaxWholeScans = 50;
         const int MaxScans = 1000;
         const int MaxImages = 50;
@@ -27,8 +26,8 @@ namespace FastPoints.E57
         {
             if (root.TextOf("formatName") != "ASTM E57 3D Imaging Data File")
                 info.Warn(-1, "formatName: wanted \"ASTM E57 3D Imaging Data File\", got \"" + root.TextOf("formatName") + "\"");
-            Text(info, "guid", root, "guid");
-            Text(info, "library", root, "e57LibraryVersion");
+            info.FactIfAny("guid", root.TextOf("guid"));
+            info.FactIfAny("library", root.TextOf("e57LibraryVersion"));
             var created = root.Child("creationDateTime");
             double seconds = created?.NumberOf("dateTimeValue") ?? 0;
             if (seconds > 0)
@@ -51,7 +50,7 @@ namespace FastPoints.E57
             if (scan.Index >= MaxWholeScans)
                 return;
             foreach (string name in s_texts)
-                Text(info, "  " + name, node, name);
+                info.FactIfAny("  " + name, node.TextOf(name));
             foreach (string name in s_numbers)
                 if (node.Child(name) != null)
                     info.Fact("  " + name, NumberText.Of(node.NumberOf(name)));
@@ -101,7 +100,6 @@ namespace FastPoints.E57
             info.HasBoundsClaimed &= !info.BoundsClaimed.IsEmpty;
         }
 
-        /// <summary>Warns that an attribute of some scans is 0 in the points of the others.</summary>
         static void AddMissing(List<E57Scan> scans, SourceInfo info)
         {
             var scansWith = new Dictionary<string, int>();
@@ -153,13 +151,6 @@ namespace FastPoints.E57
             for (int i = 0; i < images.Children.Count && i < MaxImages; i++)
                 info.Fact("  image " + NumberText.Of(i + 1L), images.Children[i].TextOf("name") ??
                     images.Children[i].TextOf("guid") ?? "without a name");
-        }
-
-        static void Text(SourceInfo info, string fact, E57Node node, string name)
-        {
-            string text = node.TextOf(name);
-            if (text != null)
-                info.Fact(fact, text);
         }
     }
 }

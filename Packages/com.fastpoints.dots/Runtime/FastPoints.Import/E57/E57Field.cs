@@ -3,45 +3,34 @@ using Unity.Mathematics;
 
 namespace FastPoints.E57
 {
-    /// <summary>One field of a scan's points: an element of its prototype, and one bytestream of its packets.</summary>
     sealed class E57Field
     {
-        /// <summary>The name in the file; fields within structures have the structures' names before theirs: "a/b".</summary>
+        // Fields within structures have the structures' names before theirs: "a/b".
         public string Name;
 
         public E57FieldKind Kind;
-
-        /// <summary>Its index among the bytestreams.</summary>
         public int Stream;
-
-        /// <summary>For integers: the smallest and the largest that the file declares.</summary>
         public long Minimum;
         public long Maximum;
 
-        /// <summary>For floats: the same; NaN if the file does not say.</summary>
+        // NaN if the file does not say.
         public double FloatMinimum;
         public double FloatMaximum;
 
         public bool IsScaled;
 
-        /// <summary>Value = integer * <see cref="Scale"/> + <see cref="Offset"/>; 1 and 0 for plain integers and
-        /// floats.</summary>
+        // Value = integer * Scale + Offset; 1 and 0 for plain integers and floats.
         public double Scale = 1;
         public double Offset;
 
-        /// <summary>Bits of one value; 0 for a field with the same value in all points, -1 for strings.</summary>
+        // 0 for a field with the same value in all points, -1 for strings.
         public int Bits;
 
         public bool IsInteger => Kind == E57FieldKind.Integer;
-
-        /// <summary>The smallest value as a real number.</summary>
         public double MinReal => IsInteger ? math.min(Minimum * Scale, Maximum * Scale) + Offset : FloatMinimum;
-
-        /// <summary>The largest value as a real number.</summary>
         public double MaxReal => IsInteger ? math.max(Minimum * Scale, Maximum * Scale) + Offset : FloatMaximum;
 
-        /// <param name="problem">What is wrong with it, if it cannot be read.</param>
-        /// <returns>The field, or null.</returns>
+        // Null if it cannot be read, for which "problem" gives the reason.
         public static E57Field Read(E57Node node, string name, int stream, out string problem)
         {
             var field = new E57Field { Name = name, Stream = stream };
@@ -110,7 +99,6 @@ namespace FastPoints.E57
         static string Unreadable(E57Node node, string attribute) =>
             attribute + ": got \"" + E57Text.OneLine(node.Attribute(attribute)) + "\"";
 
-        /// <summary>Describes type and range for people.</summary>
         public string Summary()
         {
             switch (Kind)
@@ -131,65 +119,58 @@ namespace FastPoints.E57
         }
     }
 
-    /// <summary>The layout of a field's values in its bytestream.</summary>
     enum E57FieldKind
     {
-        /// <summary>Bit-packed differences from a minimum.</summary>
+        // Bit-packed differences from a minimum.
         Integer,
         Float32,
         Float64,
 
-        /// <summary>Strings of any length, which are not read.</summary>
         String,
     }
 
-    /// <summary>How one field of one scan is decoded. Blittable, for jobs.</summary>
     struct E57FieldRead
     {
         public E57FieldKind Kind;
 
-        /// <summary>Its index among the bytestreams; -1 for a value that no stream holds.</summary>
+        // -1 for a value that no stream holds.
         public int Stream;
 
-        /// <summary>Bits of one value; 0 for one that is the same in all points.</summary>
         public int Bits;
 
-        /// <summary>For integers: what the packed differences are added to, and the largest difference.</summary>
+        // For integers: what the packed differences are added to, and the largest difference.
         public long Minimum;
         public ulong Range;
 
         public E57Target Target;
-
-        /// <summary>For columns: the type of their values and where the column starts.</summary>
         public AttributeType ColumnType;
         public int ColumnOffsetBytes;
 
-        /// <summary>For vectors: 0 to 2 for positions, 3 to 5 for normals.</summary>
+        // For vectors: 0 to 2 for positions, 3 to 5 for normals.
         public int Row;
 
-        /// <summary>For columns of integers: stored * Steps + Bias.</summary>
+        // For columns of integers: stored * Steps + Bias.
         public long Steps;
         public long Bias;
         public double Factor;
         public double Addend;
     }
 
-    /// <summary>The destination of a field's values.</summary>
     enum E57Target
     {
-        /// <summary>A column of an integer type: integer * steps + bias.</summary>
+        // A column of an integer type: integer * steps + bias.
         Integers,
 
-        /// <summary>A column of an integer type: round(value * factor + addend), clamped to 0 to 65,535.</summary>
+        // A column of an integer type: round(value * factor + addend), clamped to 0 to 65,535.
         Shares,
 
-        /// <summary>A column of floats or doubles: value * factor + addend.</summary>
+        // A column of floats or doubles: value * factor + addend.
         Reals,
 
-        /// <summary>One of the three (or six) rows of doubles that become positions and normals: computed the same way.</summary>
+        // One of the three (or six) rows of doubles that become positions and normals.
         Vector,
 
-        /// <summary>None: points whose value is not 0 are left out.</summary>
+        // None: points whose value is not 0 are left out.
         Invalid,
     }
 }

@@ -1,13 +1,13 @@
+
+
 namespace FastPoints.E57
 {
-    /// <summary>Header of a packet (ASTM E2807, 9.3 to 9.5): kind, flags, length less one (16 bits); in data packets the number
-    /// of bytestreams (16 bits), their lengths (16 bits each), then the bytestreams one behind the other.</summary>
+    // Header of a packet (ASTM E2807, 9.3 to 9.5): kind, flags, length less one (16 bits); in data packets the number of
+    // bytestreams (16 bits), their lengths (16 bits each), then the bytestreams one behind the other.
     unsafe struct E57Packet
     {
         public const int DataKind = 1;
         public const int IgnoredKind = 2;
-
-        /// <summary>Bytes of kind, flags, length and number of bytestreams.</summary>
         public const int MinBytes = 4;
         public const int DataHeaderBytes = 6;
         const int RestartFlag = 1;
@@ -17,14 +17,11 @@ namespace FastPoints.E57
         public bool IsRestart;
         public int Bytes;
 
-        /// <summary>Bytes in front of the bytestreams; 0 for packets without data.</summary>
+        // In front of the bytestreams; 0 for packets without data.
         public int HeaderBytes;
 
-        /// <summary>Reads a header and checks it against its surroundings.</summary>
-        /// <param name="available">Bytes at <paramref name="p"/>; if they may not hold the whole header, it sets <paramref
-        /// name="needsMore"/>.</param>
-        /// <param name="toEnd">Bytes of the section from here.</param>
-        /// <returns>0, or an <see cref="E57Error"/>.</returns>
+        // 0 or an E57Error. Sets needsMore if the available bytes may not hold the whole header; toEnd: bytes of the section from
+        // p.
         public static int Read(byte* p, long available, long toEnd, int streams, out E57Packet packet, out bool needsMore)
         {
             packet = default;
@@ -64,5 +61,30 @@ namespace FastPoints.E57
             byte* p = packet + DataHeaderBytes + 2 * stream;
             return p[0] | p[1] << 8;
         }
+    }
+
+    static class E57Error
+    {
+        public const int None = 0;
+        public const int SectionEnds = 1;
+        public const int PacketKind = 2;
+        public const int PacketLength = 3;
+        public const int StreamCount = 4;
+        public const int StreamLengths = 5;
+        public const int Restart = 6;
+        public const int FileChanged = 7;
+        public const int TooWide = 8;
+
+        public static string Text(int error) => error switch
+        {
+            SectionEnds => "the section ends",
+            PacketKind => "a packet of unknown kind (not 0, 1 or 2)",
+            PacketLength => "a packet's length is no multiple of 4, shorter than its header, or leaves the section",
+            StreamCount => "a packet does not have a bytestream for each field",
+            StreamLengths => "a packet's bytestreams are longer than it is, or do not fill it",
+            Restart => "a packet restarts its bytestreams within a value",
+            TooWide => "the fields of its points lie too far apart",
+            _ => "its packets are not what they were when the file was opened",
+        };
     }
 }

@@ -6,11 +6,9 @@ using Unity.Collections;
 
 namespace FastPoints.E57
 {
-    /// <summary>Reads E57 (ASTM E2807-11): the points of all scans, one scan behind the other, moved to where their poses put
-    /// them. Blocks are runs of up to 32,768 records; points that a scan marks as invalid are left out and counted.</summary>
-    /// <remarks>Where in the packets a record lies takes a walk over their headers (<see cref="FindBlocks"/>). Every page that is
-    /// read is checked against its checksum: points in a damaged one are left out with a warning. Images are named, not
-    /// read.</remarks>
+    // E57 (ASTM E2807-11): the points of all scans, one scan behind the other, moved to where their poses put them. Where in the
+    // packets a record lies takes a walk over their headers (FindBlocks). Points that a scan marks as invalid are left out and
+    // counted, points in a page with a wrong checksum with a warning. Images are named, not read.
     internal sealed class E57Reader : PointReader
     {
         const int MaxReportedScans = 20;
@@ -23,16 +21,12 @@ namespace FastPoints.E57
             m_blocks = blocks;
         }
 
-        /// <inheritdoc cref="Open(FileSource)"/>
         public static E57Reader Open(string path)
         {
             using var source = FileSource.Open(path);
             return Open(source);
         }
 
-        /// <summary>Opens an E57 file: its header, its XML section and the headers of its scans' sections are read.</summary>
-        /// <exception cref="PointCloudException">The header or the XML section is invalid, or none of the file's scans can be
-        /// read.</exception>
         public static E57Reader Open(FileSource source)
         {
             var info = new SourceInfo { Path = source.Path, FileBytes = source.Length, Format = "E57" };
@@ -70,11 +64,10 @@ namespace FastPoints.E57
 
         public override bool BlocksAreKnown => m_blocks.AreKnown;
 
-        /// <summary>Fixed within a few thousand records and a packet or two.</summary>
+        // Fixed within a few thousand records and a packet or two.
         public override bool HasFixedStride => true;
 
         public override int BlockCount => m_blocks.Count;
-
         public override int MaxPointsPerBlock => m_blocks.MaxPoints;
 
         public override long FirstPointOfBlock(int block)
@@ -85,7 +78,7 @@ namespace FastPoints.E57
 
         public override int PointsInBlock(int block) => m_blocks.PointsOf(block);
 
-        /// <summary>Estimates by the range's share of its scan's section: packets also hold fields that are not wanted.</summary>
+        // Estimates by the range's share of its scan's section: packets also hold fields that are not wanted.
         public override long BytesOfRange(BlockRange range)
         {
             var section = m_blocks.SectionOf(range.Block);
@@ -137,5 +130,66 @@ namespace FastPoints.E57
         }
 
         static ulong Sum(ulong a, ulong b) => a > ulong.MaxValue - b ? ulong.MaxValue : a + b;
+    }
+
+    // The 48 bytes at the start of a file (ASTM E2807, table 1).
+    sealed class E57Header
+    {
+        public const int Bytes = 48;
+
+        static class At
+        {
+            public const int MajorVersion = 8;
+            public const int MinorVersion = 12;
+            public const int FileLength = 16;
+            public const int XmlOffset = 24;
+            public const int XmlLength = 32;
+            public const int PageSize = 40;
+        }
+
+        public uint MajorVersion;
+        public uint MinorVersion;
+
+        // In bytes of content, as XmlBytes.
+        public long XmlLogicalOffset;
+
+        public int XmlBytes;
+
+        public static E57Header Read(FileSource source, SourceInfo info)
+        {
+            var fields = source.Read(0, Bytes, "the E57 header");
+            var header = new E57Header
+            {
+                MajorVersion = fields.UInt32(At.MajorVersion, "major version"),
+                MinorVersion = fields.UInt32(At.MinorVersion, "minor version"),
+            };
+            if (header.MajorVersion != 1)
+                info.Warn(At.MajorVersion, "major version: wanted 1, got " + header.MajorVersion + "; read as 1");
+            ulong pageSize = fields.UInt64(At.PageSize, "page size");
+            if (pageSize != E57Pages.PageBytes)
+                throw PointCloudException.Wanted(FailureCode.BadInput, source.Path, At.PageSize, "page size", E57Pages.PageBytes,
+                    pageSize);
+            ulong claimedLength = fields.UInt64(At.FileLength, "length of the file");
+            if (claimedLength != (ulong)source.Length)
+                info.Warn(At.FileLength, "length of the file: the header says " + claimedLength + ", it has " + source.Length);
+            if (source.Length % E57Pages.PageBytes != 0)
+                info.Warn(source.Length / E57Pages.PageBytes * E57Pages.PageBytes,
+                    "the last page is not whole: what it holds is left out");
+
+            ulong offset = fields.UInt64(At.XmlOffset, "offset of the XML section");
+            ulong length = fields.UInt64(At.XmlLength, "length of the XML section");
+            if (offset < Bytes || offset % E57Pages.PageBytes >= E57Pages.DataBytes)
+                throw PointCloudException.Wanted(FailureCode.BadInput, source.Path, At.XmlOffset, "offset of the XML section",
+                    "a byte behind the header, and of no checksum", offset);
+            if (offset >= (ulong)source.Length)
+                throw PointCloudException.Wanted(FailureCode.Truncated, source.Path, At.XmlOffset, "offset of the XML section",
+                    "a byte of the file, which ends at " + source.Length, offset);
+            if (length == 0 || length > E57XmlTree.MaxBytes)
+                throw PointCloudException.Wanted(FailureCode.BadInput, source.Path, At.XmlLength, "length of the XML section",
+                    "1 to " + E57XmlTree.MaxBytes + " bytes", length);
+            header.XmlLogicalOffset = E57Pages.ToLogical((long)offset);
+            header.XmlBytes = (int)length;
+            return header;
+        }
     }
 }

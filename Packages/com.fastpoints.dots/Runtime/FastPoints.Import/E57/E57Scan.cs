@@ -1,30 +1,31 @@
+using System;
 using System.Collections.Generic;
 using FastPoints.Core;
+using FastPoints.Reading;
 using Unity.Mathematics;
 
 namespace FastPoints.E57
 {
-    /// <summary>One entry of data3D: a scan as the XML section describes it.</summary>
     sealed class E57Scan
     {
-        /// <summary>More bytestreams than any real prototype has.</summary>
+        // More bytestreams than any real prototype has.
         public const int MaxFields = 250;
 
-        /// <summary>Its index in the file, from 0: scans that cannot be read are missing in the list.</summary>
+        // In the file: scans that cannot be read are missing in the list.
         public int Index;
         public string Name;
         public ulong RecordsClaimed;
 
-        /// <summary>Physical offset of its binary section.</summary>
+        // Physical, of its binary section.
         public ulong SectionOffset;
 
         public readonly List<E57Field> Fields = new List<E57Field>();
         public E57Pose Pose = E57Pose.Identity;
 
-        /// <summary>In the scanner's own coordinates; empty if the file does not say.</summary>
+        // In the scanner's own coordinates; empty if the file does not say.
         public BoundsGeo BoundsClaimed = BoundsGeo.Empty;
 
-        /// <summary>Limits of colours and intensity; NaN if the file does not say.</summary>
+        // NaN if the file does not say.
         public double2[] ColorLimits;
         public double2 IntensityLimits;
 
@@ -36,7 +37,7 @@ namespace FastPoints.E57
             return null;
         }
 
-        /// <returns>The fields of these names, or null if one is missing or not a number.</returns>
+        // Null if one is missing or not a number.
         public E57Field[] Three(string[] names)
         {
             var three = new E57Field[3];
@@ -50,11 +51,8 @@ namespace FastPoints.E57
         }
 
         public bool IsCartesian => Three(E57Names.Cartesian) != null;
-
-        /// <summary>Name for messages: "scan 2".</summary>
         public string Label => "scan " + NumberText.Of(Index + 1L);
 
-        /// <summary>Bits of a record in all bytestreams that are read.</summary>
         public long RecordBits
         {
             get
@@ -66,8 +64,7 @@ namespace FastPoints.E57
             }
         }
 
-        /// <param name="problem">Why it cannot be read; null if it can.</param>
-        /// <param name="comment">What was assumed, or null.</param>
+        // problem: why it cannot be read; comment: what was assumed; otherwise null.
         public static E57Scan Read(E57Node node, int index, out string problem, out string comment)
         {
             var scan = new E57Scan { Index = index, Name = node.TextOf("name") };
@@ -148,5 +145,92 @@ namespace FastPoints.E57
 
         static double2 Limits(E57Node node, string min, string max) =>
             node == null ? new double2(double.NaN, double.NaN) : new double2(node.NumberOf(min), node.NumberOf(max));
+    }
+
+    static class E57Names
+    {
+        public const string CartesianInvalid = "cartesianInvalidState";
+        public const string SphericalInvalid = "sphericalInvalidState";
+        public const string ReturnIndex = "returnIndex";
+        public const string Intensity = "intensity";
+
+        public static readonly string[] Cartesian = { "cartesianX", "cartesianY", "cartesianZ" };
+        public static readonly string[] Spherical = { "sphericalRange", "sphericalAzimuth", "sphericalElevation" };
+        public static readonly string[] Colors = { "colorRed", "colorGreen", "colorBlue" };
+        public static readonly string[] Normals = { "nor:normalX", "nor:normalY", "nor:normalZ" };
+
+        static readonly Dictionary<string, string> s_attributes = new Dictionary<string, string>
+        {
+            { Intensity, AttributeNames.Intensity },
+            { "colorRed", AttributeNames.Red },
+            { "colorGreen", AttributeNames.Green },
+            { "colorBlue", AttributeNames.Blue },
+            { ReturnIndex, AttributeNames.ReturnNumber },
+            { "returnCount", AttributeNames.NumberOfReturns },
+            { "nor:normalX", AttributeNames.NormalX },
+            { "nor:normalY", AttributeNames.NormalY },
+            { "nor:normalZ", AttributeNames.NormalZ },
+        };
+
+        public static string AttributeOf(string field) =>
+            s_attributes.TryGetValue(field, out string name) ? name : CommonNames.Of(field) ?? field;
+    }
+
+    // From the scanner's coordinates to the file's (ASTM E2807, 8.4.4).
+    struct E57Pose
+    {
+        // The scanner's axes in the file's coordinates.
+        public double3 AxisX;
+        public double3 AxisY;
+        public double3 AxisZ;
+        public double3 Translation;
+        public bool IsShift;
+
+        public static E57Pose Identity => new E57Pose
+        {
+            AxisX = new double3(1, 0, 0),
+            AxisY = new double3(0, 1, 0),
+            AxisZ = new double3(0, 0, 1),
+            IsShift = true,
+        };
+
+        public bool IsIdentity => IsShift && math.all(Translation == new double3(0, 0, 0));
+
+        // problem: what was assumed instead, if the numbers are not a valid pose.
+        public static E57Pose Read(E57Node node, out string problem)
+        {
+            var pose = Identity;
+            problem = null;
+            var shift = node?.Child("translation");
+            if (shift != null)
+            {
+                pose.Translation = new double3(shift.NumberOf("x"), shift.NumberOf("y"), shift.NumberOf("z"));
+                if (!math.all(math.isfinite(pose.Translation)))
+                {
+                    pose.Translation = new double3(0, 0, 0);
+                    problem = "the pose's translation is no three numbers: 0, 0, 0 is assumed";
+                }
+            }
+            var turn = node?.Child("rotation");
+            if (turn == null)
+                return pose;
+            double w = turn.NumberOf("w"), x = turn.NumberOf("x"), y = turn.NumberOf("y"), z = turn.NumberOf("z");
+            double lengthSq = w * w + x * x + y * y + z * z;
+            if (!(lengthSq > 1e-6) || double.IsInfinity(lengthSq))
+            {
+                problem = "the pose's rotation is no quaternion: no rotation is assumed";
+                return pose;
+            }
+            if (Math.Abs(lengthSq - 1) > 1e-3)
+                problem = "the pose's quaternion has a length of " + NumberText.Of(Math.Sqrt(lengthSq)) + ": it is scaled to 1";
+            if (x == 0 && y == 0 && z == 0)
+                return pose;
+            double s = 2 / lengthSq;
+            pose.IsShift = false;
+            pose.AxisX = new double3(1 - s * (y * y + z * z), s * (x * y + w * z), s * (x * z - w * y));
+            pose.AxisY = new double3(s * (x * y - w * z), 1 - s * (x * x + z * z), s * (y * z + w * x));
+            pose.AxisZ = new double3(s * (x * z + w * y), s * (y * z - w * x), 1 - s * (x * x + y * y));
+            return pose;
+        }
     }
 }

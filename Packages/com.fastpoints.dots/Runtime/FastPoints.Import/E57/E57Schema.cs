@@ -6,11 +6,9 @@ using Unity.Mathematics;
 
 namespace FastPoints.E57
 {
-    /// <summary>The one schema of a file whose scans may differ in their fields, and how each scan's fields become its
-    /// attributes.</summary>
-    /// <remarks>A position is an int32 or int64 on a common grid where all scans are scaled integers on one (exact), a float
-    /// where they are floats that no pose moves, and a double otherwise. An attribute has the smallest type that holds it in all
-    /// scans; a scan without it has 0.</remarks>
+    // The one schema of a file whose scans may differ. A position is an int32 or int64 on a common grid where all scans are
+    // scaled integers on one (exact), a float where they are floats that no pose moves, and a double otherwise. An attribute has
+    // the smallest type that holds it in all scans; a scan without it has 0.
     sealed class E57Schema
     {
         enum PositionKind
@@ -20,7 +18,7 @@ namespace FastPoints.E57
             Doubles,
         }
 
-        /// <summary>Differences of less than this share of a step count as rounding of decimal scales.</summary>
+        // Less than this share of a step counts as rounding of decimal scales.
         const double GridToleranceSteps = 1e-6;
 
         const double MaxShare = 65535;
@@ -28,14 +26,10 @@ namespace FastPoints.E57
         readonly List<E57Scan> m_scans;
         PositionKind m_positions;
 
-        /// <summary>For grid positions, by scan and axis: grid steps in one of the scan's steps, and what is added
-        /// then.</summary>
+        // For grid positions, by scan and axis: grid steps in one of the scan's steps, and what is added then.
         long[][] m_factorsOfScan;
         long[][] m_shiftsOfScan;
-
-        /// <summary>For grid positions: the type of each axis.</summary>
         readonly AttributeType[] m_gridTypes = new AttributeType[3];
-
         readonly Dictionary<string, string> m_fieldOf = new Dictionary<string, string>();
 
         public E57Schema(List<E57Scan> scans)
@@ -56,22 +50,17 @@ namespace FastPoints.E57
         }
 
         public PointSchema Schema { get; }
-
         public PositionTransform Transform { get; private set; } = PositionTransform.Identity;
-
-        /// <summary>A description for people.</summary>
         public string PositionSummary { get; private set; }
 
-        /// <summary>Fields whose names belong to other attributes, or that exceed the limit.</summary>
+        // Fields whose names belong to other attributes, or that exceed the limit.
         public List<string> LeftOut { get; } = new List<string>();
 
-        /// <summary>Whether positions pass through rows of doubles.</summary>
         public bool HasVectorPositions => m_positions == PositionKind.Doubles;
 
-        /// <summary>Whether a scan's normals are rotated with it, and so pass through rows of doubles.</summary>
+        // Normals that are rotated with their scan pass through rows of doubles.
         public static bool HasVectorNormals(E57Scan scan) => !scan.Pose.IsShift && scan.Three(E57Names.Normals) != null;
 
-        /// <summary>The fields to read for these columns.</summary>
         public List<E57FieldRead> ReadsOf(int scanIndex, PointBatch batch)
         {
             var scan = m_scans[scanIndex];
@@ -121,7 +110,7 @@ namespace FastPoints.E57
             return reads;
         }
 
-        /// <summary>Whether colours are neither bytes, 16-bit numbers nor shares of 1: they become 16-bit numbers.</summary>
+        // Colours that are neither bytes, 16-bit numbers nor shares of 1 become 16-bit numbers.
         public bool HasScaledColors { get; private set; }
 
         void ChoosePositions()
@@ -149,7 +138,7 @@ namespace FastPoints.E57
         AttributeType PositionType(int axis) => m_positions == PositionKind.Grid ? m_gridTypes[axis]
             : m_positions == PositionKind.Floats ? AttributeType.Float32 : AttributeType.Float64;
 
-        /// <summary>Whether all scans' integers lie on one grid, with whole factors and shifts of whole steps.</summary>
+        // With whole factors and shifts of whole steps.
         bool TryGrid()
         {
             var factors = new long[m_scans.Count][];
@@ -211,7 +200,6 @@ namespace FastPoints.E57
             return true;
         }
 
-        /// <summary>All fields that become attributes of their own, in the order of their first scans.</summary>
         List<string> FieldNames()
         {
             var names = new List<string>();
@@ -279,7 +267,7 @@ namespace FastPoints.E57
             return isFloat32 || isTurned ? AttributeType.Float32 : AttributeType.Float64;
         }
 
-        /// <summary>E57 counts returns from 0, all others from 1.</summary>
+        // E57 counts returns from 0, all others from 1.
         static long BiasOf(E57Field field) => field.Name == E57Names.ReturnIndex && !field.IsScaled ? 1 : 0;
 
         static AttributeType TypeOf(long min, long max)
@@ -313,8 +301,8 @@ namespace FastPoints.E57
                 : areFloats ? AttributeType.Float32 : AttributeType.Float64;
         }
 
-        /// <summary>The values for none and all of a colour. Some writers give the smallest and the largest value that occurs:
-        /// limits are widened to 0 and to all ones, so that colours keep their balance.</summary>
+        // The values for none and all of a colour. Some writers give the smallest and the largest value that occurs: limits are
+        // widened to 0 and to all ones, so that colours keep their balance.
         static double2 ColorLimits(E57Scan scan, int color, E57Field field)
         {
             var limits = scan.ColorLimits[color];

@@ -1,4 +1,6 @@
+using System;
 using System.Collections.Generic;
+using System.Globalization;
 using System.IO;
 using System.Text;
 using System.Xml;
@@ -6,23 +8,20 @@ using FastPoints.Core;
 
 namespace FastPoints.E57
 {
-    /// <summary>Reads the XML section into a tree. Prefixes need not be declared (some writers forget to). Document type
-    /// definitions, and with them entities, are refused, and a document's use of memory is bounded.</summary>
+    // Prefixes need not be declared (some writers forget to). Document type definitions, and with them entities, are refused, and
+    // a document's use of memory is bounded.
     static class E57XmlTree
     {
         public const int MaxBytes = 32 << 20;
 
-        /// <summary>The most elements and attributes: about 100 bytes each.</summary>
+        // Elements and attributes: about 100 bytes each.
         const int MaxItems = 1_000_000;
         const int MaxDepth = 64;
 
-        /// <summary>The most bytes between two tags: the parser holds all attributes of a tag together.</summary>
+        // Between two tags: the parser holds all attributes of a tag together.
         const int MaxTagBytes = 1 << 20;
         const int MaxTextChars = 1 << 20;
 
-        /// <param name="xml">The text in UTF-8.</param>
-        /// <param name="offset">Where it starts in the file.</param>
-        /// <exception cref="PointCloudException">It is not well-formed XML, or larger than any E57 file needs.</exception>
         public static E57Node Parse(byte[] xml, string path, long offset)
         {
             CheckTags(xml, path, offset);
@@ -107,5 +106,125 @@ namespace FastPoints.E57
                 last = i;
             }
         }
+    }
+
+    sealed class E57Node
+    {
+        static readonly List<E57Node> s_none = new List<E57Node>();
+
+        // With its prefix, if it has one: "nor:normalX".
+        public readonly string Name;
+
+        public readonly int Line;
+        public string Text = "";
+
+        List<E57Node> m_children;
+        List<KeyValuePair<string, string>> m_attributes;
+
+        public E57Node(string name, int line)
+        {
+            Name = name;
+            Line = line;
+        }
+
+        public IReadOnlyList<E57Node> Children => m_children ?? s_none;
+
+        // "Structure", "Integer", ...; null if the element does not say.
+        public string Type => Attribute("type");
+
+        public void Add(E57Node child) => (m_children ??= new List<E57Node>()).Add(child);
+
+        public void AddAttribute(string name, string value) =>
+            (m_attributes ??= new List<KeyValuePair<string, string>>()).Add(new KeyValuePair<string, string>(name, value));
+
+        public string Attribute(string name)
+        {
+            if (m_attributes != null)
+                foreach (var attribute in m_attributes)
+                    if (attribute.Key == name)
+                        return attribute.Value;
+            return null;
+        }
+
+        public E57Node Child(string name)
+        {
+            foreach (var child in Children)
+                if (child.Name == name)
+                    return child;
+            return null;
+        }
+
+        public string TextOf(string child)
+        {
+            string text = Child(child)?.Text;
+            return string.IsNullOrWhiteSpace(text) ? null : E57Text.OneLine(text);
+        }
+
+        // NaN if there is no such child, or its text is not a number; an empty text means 0.
+        public double NumberOf(string child)
+        {
+            var node = Child(child);
+            if (node == null)
+                return double.NaN;
+            if (!E57Text.TryReal(node.Text, 0, out double value))
+                return double.NaN;
+            if (node.Type != "ScaledInteger")
+                return value;
+            E57Text.TryReal(node.Attribute("scale"), 1, out double scale);
+            E57Text.TryReal(node.Attribute("offset"), 0, out double offset);
+            return value * scale + offset;
+        }
+
+        public override string ToString() => Name + ":" + Type + " " + Text;
+    }
+
+    static class E57Text
+    {
+        const int MaxShownChars = 400;
+
+        static readonly DateTime s_gpsEpoch = new DateTime(1980, 1, 6, 0, 0, 0, DateTimeKind.Utc);
+
+        public static bool TryInteger(string text, long missing, out long value)
+        {
+            value = missing;
+            if (string.IsNullOrWhiteSpace(text))
+                return true;
+            return long.TryParse(text.Trim(), NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out value);
+        }
+
+        public static bool TryReal(string text, double missing, out double value)
+        {
+            value = missing;
+            if (string.IsNullOrWhiteSpace(text))
+                return true;
+            return NumberText.TryRead(text.Trim(), out value);
+        }
+
+        public static bool TryCount(string text, out ulong value) =>
+            ulong.TryParse(text?.Trim(), NumberStyles.None, CultureInfo.InvariantCulture, out value);
+
+        // No line ends, nothing unprintable, not longer than a few lines.
+        public static string OneLine(string text)
+        {
+            var line = new StringBuilder(Math.Min(text.Length, MaxShownChars));
+            bool isBlank = true;
+            foreach (char c in text)
+            {
+                if (line.Length == MaxShownChars)
+                    return line.Append("...").ToString();
+                bool isSpace = char.IsWhiteSpace(c) || char.IsControl(c);
+                if (isSpace && isBlank)
+                    continue;
+                line.Append(isSpace ? ' ' : c);
+                isBlank = isSpace;
+            }
+            return line.ToString().TrimEnd();
+        }
+
+        // A dateTimeValue: GPS time counts no leap seconds.
+        public static string GpsTime(double seconds) =>
+            seconds > 0 && seconds < 1e10
+                ? s_gpsEpoch.AddSeconds(seconds).ToString("yyyy-MM-dd HH:mm:ss", CultureInfo.InvariantCulture) + " GPS time"
+                : NumberText.Of(seconds) + " s of GPS time";
     }
 }

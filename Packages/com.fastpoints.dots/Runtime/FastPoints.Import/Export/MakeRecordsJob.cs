@@ -250,9 +250,9 @@ namespace FastPoints.Export
                 byte* records = (byte*)Buffers[(int)(state.Written / BufferPoints % Buffers.Length)] + (long)at * RecordBytes;
                 UnsafeUtility.MemClear(records, (long)points * RecordBytes);
                 PointRecords.FromColumns((byte*)Columns.GetUnsafeReadOnlyPtr(), First + done, points,
-                    (FieldCopy*)Copies.GetUnsafeReadOnlyPtr(), Copies.Length, records, RecordBytes);
+                    Copies, records, RecordBytes);
                 PointRecords.FromColumns((byte*)Changed.GetUnsafeReadOnlyPtr(), done, points,
-                    (FieldCopy*)ChangedCopies.GetUnsafeReadOnlyPtr(), ChangedCopies.Length, records, RecordBytes);
+                    ChangedCopies, records, RecordBytes);
                 if (ReturnMask != 0)
                     Account(records, points, ref state);
                 state.Written += points;

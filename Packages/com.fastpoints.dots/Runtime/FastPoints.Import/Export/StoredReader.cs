@@ -171,7 +171,6 @@ namespace FastPoints.Export
         sealed class StoredRead : SlotRead
         {
             readonly StoredReader m_reader;
-            readonly NativeFileRead m_file = new NativeFileRead(0, Allocator.Persistent);
             readonly List<int> m_planes = new List<int> { StoreLayout.PositionPlane };
             NativeArray<PlaneShape> m_shapes;
             NativeArray<PlaneRange> m_ranges;
@@ -196,9 +195,10 @@ namespace FastPoints.Export
                     if (targets.Count > before)
                         m_planes.Add(p);
                 }
-                m_targets = new NativeArray<StoredTarget>(targets.ToArray(), allocator);
-                m_shapes = new NativeArray<PlaneShape>(m_planes.Count, allocator);
-                m_ranges = new NativeArray<PlaneRange>(m_planes.Count, allocator);
+                OwnFile(0, allocator);
+                m_targets = Own(new NativeArray<StoredTarget>(targets.ToArray(), allocator));
+                m_shapes = Own(new NativeArray<PlaneShape>(m_planes.Count, allocator));
+                m_ranges = Own(new NativeArray<PlaneRange>(m_planes.Count, allocator));
             }
 
             void AddTarget(List<StoredTarget> targets, int plane, int column, StoredColumn stored, string name)
@@ -221,10 +221,10 @@ namespace FastPoints.Export
                 long first = m_ranges[0].OffsetBytes;
                 var last = m_ranges[m_planes.Count - 1];
                 long bytes = last.OffsetBytes + last.LengthBytes - first;
-                m_file.Reserve(bytes);
+                File.Reserve(bytes);
                 return new DecodeStoredJob
                 {
-                    File = m_file.Buffer,
+                    File = File.Buffer,
                     FileOffset = first,
                     Ranges = m_ranges,
                     Shapes = m_shapes,
@@ -235,28 +235,18 @@ namespace FastPoints.Export
                     Count = range.Count,
                     Columns = Points.Bytes,
                     Result = Result,
-                }.Schedule(DependencyOf(m_file.Begin(m_reader.m_paths[block.File], first, (int)bytes)));
+                }.Schedule(DependencyOf(File.Begin(m_reader.m_paths[block.File], first, (int)bytes)));
             }
 
             protected override void EndRead()
             {
-                m_file.End();
+                File.End();
                 if (Result.Value.Error != 0)
                     throw new PointCloudException(FailureCode.BadInput, m_reader.FileOfBlock(Range.Block, out _),
                         Result.Value.ErrorOffset, "the node's data is damaged: its hash does not fit");
             }
 
-            protected override void Cancel() => m_file.Cancel();
-
-            protected override void DisposeMemory()
-            {
-                m_file.Dispose();
-                if (!m_targets.IsCreated)
-                    return;
-                m_targets.Dispose();
-                m_shapes.Dispose();
-                m_ranges.Dispose();
-            }
+            protected override void Cancel() => File.Cancel();
         }
     }
 

@@ -1,16 +1,16 @@
 using System;
 using System.Collections.Generic;
+using System.Globalization;
 using FastPoints.Core;
 using FastPoints.Reading;
 using Unity.Mathematics;
 
 namespace FastPoints.Las
 {
-    /// <summary>Checks a header's claims against what the file can hold. Differences are warnings; the file wins.</summary>
+    // A header's claims against what the file can hold. Differences are warnings; the file wins.
     internal static class LasClaims
     {
-        /// <summary>Points that fit into the file's size, at most those claimed.</summary>
-        /// <exception cref="PointCloudException">Truncated: points are claimed, but there are none.</exception>
+        // Truncated if points are claimed, but there are none.
         public static long CountReadable(LasHeader header, long fileBytes, SourceInfo info)
         {
             ulong claimed = header.PointsClaimed;
@@ -44,8 +44,7 @@ namespace FastPoints.Las
             return readable;
         }
 
-        /// <summary>Compares the claimed box with what integers, scale and offset can express, and with a few points.</summary>
-        /// <param name="readable">Points that can be read; the first, middle and last are checked.</param>
+        // The claimed box against what integers, scale and offset can express, and the first, middle and last point.
         public static void CheckBounds(LasHeader header, FileSource source, long readable, SourceInfo info)
         {
             var records = new List<long>();
@@ -55,7 +54,6 @@ namespace FastPoints.Las
             CheckBounds(header, source, records, info);
         }
 
-        /// <summary>The same, with points whose records start at these bytes of the file.</summary>
         public static void CheckBounds(LasHeader header, FileSource source, IReadOnlyList<long> records, SourceInfo info)
         {
             int readable = records.Count;
@@ -99,13 +97,21 @@ namespace FastPoints.Las
             info.Warn(LasHeader.At.Bounds, "the bounds " + Text(claimed) + " leave out points such as " + Text(seen.Min));
         }
 
-        /// <summary>Checks what lies between the last claimed point and the next part that the header names.</summary>
         static void CheckTrailing(LasHeader header, long pointsEnd, long fileBytes, SourceInfo info)
         {
             long end = fileBytes;
-            Section(header.WaveformOffset, LasHeader.At.WaveformOffset, "the waveform data", header, pointsEnd, ref end, info);
+            var sections = new List<(ulong At, int Field, string Name)>
+            {
+                (header.WaveformOffset, LasHeader.At.WaveformOffset, "the waveform data"),
+            };
             if (header.EvlrCount > 0)
-                Section(header.EvlrOffset, LasHeader.At.EvlrOffset, "the first EVLR", header, pointsEnd, ref end, info);
+                sections.Add((header.EvlrOffset, LasHeader.At.EvlrOffset, "the first EVLR"));
+            foreach (var (at, field, name) in sections)
+                if (at > header.PointsOffset && at < (ulong)pointsEnd)
+                    info.Warn(field, name + " would start at byte " + NumberText.Of(at)
+                        + ", among the points: the point count is believed");
+                else if (at >= (ulong)pointsEnd && at < (ulong)end)
+                    end = (long)at;
             long rest = end - pointsEnd;
             if (rest >= header.RecordBytes)
                 info.Warn(header.PointsClaimedAt, "behind the " + NumberText.Of(header.PointsClaimed)
@@ -113,15 +119,6 @@ namespace FastPoints.Las
                     + NumberText.Of((ulong)(rest / header.RecordBytes)) + " more");
             else if (rest > 0)
                 info.Fact("bytes behind the points", NumberText.Of((ulong)rest));
-        }
-
-        static void Section(ulong at, int field, string name, LasHeader header, long pointsEnd, ref long end, SourceInfo info)
-        {
-            if (at > header.PointsOffset && at < (ulong)pointsEnd)
-                info.Warn(field, name + " would start at byte " + NumberText.Of(at)
-                    + ", among the points: the point count is believed");
-            else if (at >= (ulong)pointsEnd && at < (ulong)end)
-                end = (long)at;
         }
 
         static long NextSection(ulong at, long start, long fileBytes) =>
@@ -134,5 +131,71 @@ namespace FastPoints.Las
         static string Text(BoundsGeo box) => Text(box.Min) + " .. " + Text(box.Max);
 
         static string Text(double3 point) => "(" + NumberText.Of(point) + ")";
+    }
+
+    internal static class LasFacts
+    {
+        static readonly string[] s_encodingBits =
+        {
+            "GPS time is adjusted standard time", "waveforms inside the file", "waveforms in an auxiliary file",
+            "synthetic return numbers", "CRS is WKT", "aggregate", "GPS time has an offset",
+        };
+
+        public static void Add(LasHeader header, LasVlrTable vlrs, SourceInfo info)
+        {
+            info.FactIfAny("system identifier", header.SystemIdentifier);
+            info.FactIfAny("generating software", header.GeneratingSoftware);
+            if (header.CreationYear != 0 || header.CreationDay != 0)
+                info.Fact("created", "day " + NumberText.Of(header.CreationDay) + " of " + NumberText.Of(header.CreationYear));
+            info.Fact("file source id", NumberText.Of(header.FileSourceId));
+            info.Fact("global encoding", Encoding(header.GlobalEncoding));
+            var guid = new Guid(header.Guid);
+            if (guid != Guid.Empty)
+                info.Fact("project GUID", guid.ToString());
+            info.Fact("header bytes", NumberText.Of((ulong)header.HeaderBytes));
+            info.Fact("offset to points", NumberText.Of(header.PointsOffset));
+            info.Fact("record bytes", NumberText.Of((ulong)header.RecordBytes));
+            info.Fact("scale", Numbers(header.Scale.x, header.Scale.y, header.Scale.z));
+            info.Fact("offset", Numbers(header.Offset.x, header.Offset.y, header.Offset.z));
+            if (header.Has64BitCount && header.LegacyCount != 0)
+                info.Fact("32-bit point count", NumberText.Of(header.LegacyCount));
+            info.Fact("points by return", ByReturn(header));
+            if (header.WaveformOffset != 0)
+                info.Fact("start of waveform data", NumberText.Of(header.WaveformOffset));
+            if (header.HasBytes(LasHeader.BytesOf(5)))
+            {
+                info.Fact("GPS time", Numbers(header.MinGpsTime, header.MaxGpsTime));
+                info.Fact("time offset", NumberText.Of(header.TimeOffset));
+            }
+            foreach (var record in vlrs.Records)
+                info.Fact(record.IsExtended ? "EVLR" : "VLR", record.UserId + "/" + NumberText.Of(record.RecordId) + ", "
+                    + NumberText.Of((ulong)record.DataBytes) + " bytes"
+                    + (record.Description.Length > 0 ? ", " + record.Description : ""));
+        }
+
+        static string Encoding(int bits)
+        {
+            var names = new List<string> { "0x" + bits.ToString("X4", CultureInfo.InvariantCulture) };
+            for (int i = 0; i < s_encodingBits.Length; i++)
+                if ((bits & 1 << i) != 0)
+                    names.Add(s_encodingBits[i]);
+            return string.Join(", ", names);
+        }
+
+        static string ByReturn(LasHeader header)
+        {
+            var counts = new List<string>();
+            if (header.HasBytes(LasHeader.At.MaxGpsTime))
+                foreach (ulong count in header.ByReturn)
+                    counts.Add(NumberText.Of(count));
+            else
+                foreach (uint count in header.LegacyByReturn)
+                    counts.Add(NumberText.Of(count));
+            while (counts.Count > 1 && counts[counts.Count - 1] == "0")
+                counts.RemoveAt(counts.Count - 1);
+            return string.Join(" ", counts);
+        }
+
+        static string Numbers(params double[] values) => string.Join(" ", Array.ConvertAll(values, NumberText.Of));
     }
 }

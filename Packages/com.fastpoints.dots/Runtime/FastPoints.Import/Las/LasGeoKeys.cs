@@ -4,8 +4,8 @@ using FastPoints.Reading;
 
 namespace FastPoints.Las
 {
-    /// <summary>The GeoTIFF keys of a LAS file (GeoTIFF 1.0, sections 2.4 and 6): a directory of 16-bit entries, which point into
-    /// a record of doubles and one of text. What is wrong with them is a warning, since points need no keys.</summary>
+    // The GeoTIFF keys of a LAS file (GeoTIFF 1.0, sections 2.4 and 6): a directory of 16-bit entries, which point into a record
+    // of doubles and one of text. What is wrong with them is a warning, since points need no keys.
     internal static class LasGeoKeys
     {
         const int ModelTypeKey = 1024;
@@ -24,14 +24,13 @@ namespace FastPoints.Las
         const int UserDefined = 32767;
         const int EntryBytes = 8;
 
-        /// <summary>EPSG unit codes and their lengths in metres (GeoTIFF 1.0, 6.3.1.3).</summary>
+        // EPSG unit codes and their lengths in metres (GeoTIFF 1.0, 6.3.1.3).
         static readonly Dictionary<int, double> s_metresOfUnit = new Dictionary<int, double>
         {
             { 9001, 1 }, { 9002, 0.3048 }, { 9003, 1200.0 / 3937 }, { 9005, 0.3047972654 }, { 9014, 1.8288 },
             { 9030, 1852 }, { 9036, 1000 }, { 9093, 1609.344 },
         };
 
-        /// <summary>Fills <paramref name="crs"/> where the file has keys that say something.</summary>
         public static void Read(LasVlrTable vlrs, SourceInfo info, CoordinateSystem crs)
         {
             var record = vlrs.Find(LasVlr.ProjectionUser, LasVlr.GeoKeyDirectoryRecord);
@@ -48,14 +47,13 @@ namespace FastPoints.Las
             int count = CountOf(directory, record, info);
             var keys = new Keys { VerticalEpsg = crs.VerticalEpsg };
             for (int i = 1; i <= count; i++)
-                keys.Read(i, directory, doubles, text, record.DataOffset, info);
+                keys.Read(new Key(i, directory, record.DataOffset, info), doubles, text);
             if (keys.Empty > 0)
                 info.Warn(record.DataOffset, "GeoTIFF key 0, which there is none of, stands " + NumberText.Of(keys.Empty)
                     + " times among " + NumberText.Of(count) + " keys: left out");
             keys.Fill(crs);
         }
 
-        /// <summary>A directory of the codes alone.</summary>
         public static byte[] Directory(CoordinateSystem crs)
         {
             bool isGeographic = double.IsNaN(crs.MetresPerUnit);
@@ -80,7 +78,6 @@ namespace FastPoints.Las
             return directory;
         }
 
-        /// <summary>Keys that the directory has, and has room for.</summary>
         static int CountOf(ByteReader directory, LasVlr record, SourceInfo info)
         {
             int version = directory.UInt16(0, "GeoTIFF key directory version");
@@ -95,7 +92,7 @@ namespace FastPoints.Las
             return room;
         }
 
-        /// <summary>What the keys say; 0 and null where they say nothing.</summary>
+        // 0 and null where the keys say nothing.
         struct Keys
         {
             public int Empty;
@@ -109,46 +106,41 @@ namespace FastPoints.Las
             string m_name;
             string m_citation;
 
-            public void Read(int entry, ByteReader directory, ByteReader doubles, ByteReader text, long offset, SourceInfo info)
+            public void Read(Key key, ByteReader doubles, ByteReader text)
             {
-                int key = directory.UInt16(entry * EntryBytes, "GeoTIFF key");
-                int location = directory.UInt16(entry * EntryBytes + 2, "GeoTIFF key location");
-                int length = directory.UInt16(entry * EntryBytes + 4, "GeoTIFF key count");
-                int value = directory.UInt16(entry * EntryBytes + 6, "GeoTIFF key value");
-                long at = offset + entry * EntryBytes;
-                switch (key)
+                switch (key.Id)
                 {
                     case 0:
                         Empty++;
                         break;
                     case ModelTypeKey:
-                        m_model = Code(location, value, key, at, info);
+                        m_model = key.Code();
                         break;
                     case GeographicTypeKey:
-                        m_geographic = Code(location, value, key, at, info);
+                        m_geographic = key.Code();
                         break;
                     case ProjectedTypeKey:
-                        m_projected = Code(location, value, key, at, info);
-                        m_isProjected = location == 0 && value != 0;
+                        m_projected = key.Code();
+                        m_isProjected = key.Location == 0 && key.Value != 0;
                         break;
                     case VerticalTypeKey:
-                        VerticalEpsg = Code(location, value, key, at, info);
+                        VerticalEpsg = key.Code();
                         break;
                     case LinearUnitsKey:
-                        m_unit = Code(location, value, key, at, info);
+                        m_unit = key.Code();
                         break;
                     case LinearUnitSizeKey:
-                        if (location == LasVlr.GeoDoubleParamsRecord && doubles.Has(8 * value, 8))
-                            m_unitSize = doubles.Float64(8 * value, "GeoTIFF unit size");
+                        if (key.Location == LasVlr.GeoDoubleParamsRecord && doubles.Has(8 * key.Value, 8))
+                            m_unitSize = doubles.Float64(8 * key.Value, "GeoTIFF unit size");
                         else
-                            Misplaced(key, location, value, at, info);
+                            key.Misplaced();
                         break;
                     case ProjectedCitationKey:
-                        m_name = Citation(text, location, length, value, key, at, info);
+                        m_name = key.Citation(text);
                         break;
                     case CitationKey:
                     case GeographicCitationKey:
-                        m_citation = m_citation ?? Citation(text, location, length, value, key, at, info);
+                        m_citation ??= key.Citation(text);
                         break;
                 }
             }
@@ -171,7 +163,7 @@ namespace FastPoints.Las
             }
         }
 
-        /// <summary>UTM zones on WGS 84 (north, south), ETRS89, NAD83, NAD27: metres, which files often do not say.</summary>
+        // UTM zones on WGS 84 (north, south), ETRS89, NAD83, NAD27: metres, which files often do not say.
         static bool IsUtm(int epsg) =>
             epsg >= 32601 && epsg <= 32660 || epsg >= 32701 && epsg <= 32760 || epsg >= 25828 && epsg <= 25838
             || epsg >= 26901 && epsg <= 26923 || epsg >= 26701 && epsg <= 26722;
@@ -184,30 +176,41 @@ namespace FastPoints.Las
                 : new ByteReader(System.Array.Empty<byte>(), otherwise.Path, otherwise.FileOffset);
         }
 
-        static int Code(int location, int value, int key, long at, SourceInfo info)
+        readonly struct Key
         {
-            if (location != 0)
-            {
-                Misplaced(key, location, value, at, info);
-                return 0;
-            }
-            return value == UserDefined ? 0 : value;
-        }
+            public readonly int Id, Location, Length, Value;
+            readonly long m_at;
+            readonly SourceInfo m_info;
 
-        static string Citation(ByteReader text, int location, int length, int value, int key, long at, SourceInfo info)
-        {
-            if (location != LasVlr.GeoAsciiParamsRecord || !text.Has(value, length))
+            public Key(int entry, ByteReader directory, long offset, SourceInfo info)
             {
-                Misplaced(key, location, value, at, info);
-                return null;
+                int at = entry * EntryBytes;
+                Id = directory.UInt16(at, "GeoTIFF key");
+                Location = directory.UInt16(at + 2, "GeoTIFF key location");
+                Length = directory.UInt16(at + 4, "GeoTIFF key count");
+                Value = directory.UInt16(at + 6, "GeoTIFF key value");
+                m_at = offset + at;
+                m_info = info;
             }
-            string citation = text.Text(value, length, "GeoTIFF citation").TrimEnd('|', ' ');
-            return citation.Length > 0 ? citation : null;
-        }
 
-        static void Misplaced(int key, int location, int value, long at, SourceInfo info) =>
-            info.Warn(at, "GeoTIFF key " + NumberText.Of(key) + " points to " + NumberText.Of(location) + "/"
-                + NumberText.Of(value)
-                + ", where the file has nothing: left out");
+            public int Code()
+            {
+                if (Location != 0)
+                    Misplaced();
+                return Location != 0 || Value == UserDefined ? 0 : Value;
+            }
+
+            public string Citation(ByteReader text)
+            {
+                bool isThere = Location == LasVlr.GeoAsciiParamsRecord && text.Has(Value, Length);
+                if (!isThere)
+                    Misplaced();
+                string citation = isThere ? text.Text(Value, Length, "GeoTIFF citation").TrimEnd('|', ' ') : "";
+                return citation.Length > 0 ? citation : null;
+            }
+
+            public void Misplaced() => m_info.Warn(m_at, "GeoTIFF key " + NumberText.Of(Id) + " points to "
+                + NumberText.Of(Location) + "/" + NumberText.Of(Value) + ", where the file has nothing: left out");
+        }
     }
 }

@@ -6,10 +6,9 @@ using Unity.Mathematics;
 
 namespace FastPoints.Las
 {
-    /// <summary>The public header block of LAS 1.0 to 1.5, field by field, as it is in the file.</summary>
     internal sealed class LasHeader
     {
-        /// <summary>Byte offsets of the fields in the file; the same in every version that has the field.</summary>
+        // The same in every version that has the field.
         public static class At
         {
             public const int FileSourceId = 4;
@@ -30,7 +29,7 @@ namespace FastPoints.Las
             public const int LegacyByReturn = 111;
             public const int Scale = 131;
             public const int Offset = 155;
-            /// <summary>Maximum x, minimum x, maximum y, minimum y, maximum z, minimum z.</summary>
+            // Maximum x, minimum x, maximum y, minimum y, maximum z, minimum z.
             public const int Bounds = 179;
             public const int WaveformOffset = 227;
             public const int EvlrOffset = 235;
@@ -45,7 +44,7 @@ namespace FastPoints.Las
         public const string Magic = "LASF";
         public const int MaxMinorVersion = 5;
 
-        /// <summary>Bytes of the header in LAS 1.0 to 1.2: no file has a shorter one.</summary>
+        // LAS 1.0 to 1.2: no file has a shorter header.
         public const int MinBytes = 227;
 
         const int TextBytes = 32;
@@ -66,7 +65,7 @@ namespace FastPoints.Las
         public uint PointsOffset;
         public uint VlrCount;
         public int PointFormat;
-        /// <summary>LAZ: the points are not plain records of <see cref="RecordBytes"/>.</summary>
+        // LAZ: the points are not plain records of RecordBytes.
         public bool IsCompressed;
         public int RecordBytes;
         public uint LegacyCount;
@@ -75,36 +74,28 @@ namespace FastPoints.Las
         public double3 Offset;
         public double3 Min;
         public double3 Max;
-        /// <summary>0 before LAS 1.3.</summary>
+        // 0 before LAS 1.3.
         public ulong WaveformOffset;
         public ulong EvlrOffset;
         public uint EvlrCount;
-        /// <summary>0 before LAS 1.4.</summary>
+        // 0 before LAS 1.4.
         public ulong Count;
         public readonly ulong[] ByReturn = new ulong[15];
-        /// <summary>0 before LAS 1.5, like the next two.</summary>
+        // 0 before LAS 1.5, like the next two.
         public double MaxGpsTime;
         public double MinGpsTime;
         public ushort TimeOffset;
 
-        /// <summary>Bytes of a version's header.</summary>
         public static int BytesOf(int minorVersion) => s_bytesOfMinor[minorVersion];
 
-        /// <summary>Whether the version has the field that ends at <paramref name="end"/>, and the header is long enough for
-        /// it.</summary>
+        // The version has the field that ends there, and the header is long enough for it.
         public bool HasBytes(int end) => end <= BytesOf(VersionMinor) && (end <= MinBytes || end <= HeaderBytes);
 
         public bool Has64BitCount => HasBytes(At.ByReturn);
-
-        /// <summary>Points according to the header: the 64-bit count if there is one.</summary>
         public ulong PointsClaimed => Has64BitCount && (Count != 0 || LegacyCount == 0) ? Count : LegacyCount;
-
         public int PointsClaimedAt => Has64BitCount && (Count != 0 || LegacyCount == 0) ? At.Count : At.LegacyCount;
 
-        /// <summary>Reads the header. Whatever makes the points unreadable is a failure; everything else is checked
-        /// later.</summary>
-        /// <exception cref="PointCloudException">Truncated, BadInput, or Unsupported for an unknown version or point
-        /// format.</exception>
+        // Whatever makes the points unreadable is a failure; everything else is checked later.
         public static LasHeader Read(FileSource source)
         {
             if (source.ReadUpTo(0, 4).Text(0, (int)Math.Min(4, source.Length), "signature") != Magic)
@@ -150,7 +141,6 @@ namespace FastPoints.Las
             return header;
         }
 
-        /// <summary>Reads the fields that came with LAS 1.3, 1.4 and 1.5, as far as this header has them.</summary>
         void ReadLaterFields(ByteReader bytes)
         {
             if (HasBytes(At.EvlrOffset))
@@ -186,7 +176,6 @@ namespace FastPoints.Las
                     "at least " + MinBytes, PointsOffset);
         }
 
-        /// <summary>The header as bytes, with the length of its version.</summary>
         public byte[] ToBytes()
         {
             var bytes = new byte[BytesOf(VersionMinor)];
@@ -234,11 +223,7 @@ namespace FastPoints.Las
             return bytes;
         }
 
-        /// <summary>Sets counts and bounds by <see cref="Count"/> and what the points have shown.</summary>
-        /// <param name="path">For messages.</param>
-        /// <param name="byReturn">Points by return number, from 0.</param>
-        /// <param name="min">The least stored coordinates; <paramref name="max"/> the largest.</param>
-        /// <exception cref="PointCloudException">The version has no room for so many.</exception>
+        // byReturn: by return number, from 0; min and max: of the stored coordinates. Unsupported if the version has no room.
         public void SetPoints(string path, ulong[] byReturn, int3 min, int3 max)
         {
             bool fitsLegacy = Count <= uint.MaxValue;
@@ -270,7 +255,7 @@ namespace FastPoints.Las
         internal static void PutFloat(byte[] bytes, int at, double value) =>
             Put(bytes, at, 8, (ulong)BitConverter.DoubleToInt64Bits(value));
 
-        /// <summary>Writes ASCII text, cut to the field's length and padded with zeros.</summary>
+        // Cut to the field's length and padded with zeros.
         internal static void PutText(byte[] bytes, int at, int count, string text)
         {
             for (int i = 0; i < count && i < text.Length; i++)

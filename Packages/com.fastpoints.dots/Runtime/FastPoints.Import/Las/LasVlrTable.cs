@@ -5,14 +5,14 @@ using FastPoints.Reading;
 
 namespace FastPoints.Las
 {
-    /// <summary>The variable length records of a file, before and after the points. Counts and lengths are claims: the walk ends
-    /// with a warning if they exceed the file, and points still load.</summary>
+    // The variable length records of a file, before and after the points. Counts and lengths are claims: the walk ends with a
+    // warning if they exceed the file, and points still load.
     internal sealed class LasVlrTable
     {
-        /// <summary>More records than any real file has (390 were met): it bounds the memory that a header can claim.</summary>
+        // More than any real file has (390 were met): it bounds the memory that a header can claim.
         public const int MaxRecords = 65536;
 
-        /// <summary>Payloads above this are listed but not read: WKT and key tables are a few kilobytes.</summary>
+        // Larger payloads are listed but not read: WKT and key tables are a few kilobytes.
         public const int MaxPayloadBytes = 4 << 20;
 
         readonly FileSource m_source;
@@ -43,7 +43,7 @@ namespace FastPoints.Las
             return table;
         }
 
-        /// <returns>The first record of that kind whose bytes can be read, or null.</returns>
+        // The first whose bytes can be read, or null.
         public LasVlr Find(string userId, ushort recordId)
         {
             foreach (var record in m_records)
@@ -52,7 +52,7 @@ namespace FastPoints.Las
             return null;
         }
 
-        /// <summary>The bytes of a record; none, with a warning, if its size is absurd.</summary>
+        // None, with a warning, if its size is absurd.
         public ByteReader Payload(LasVlr record)
         {
             if (record.DataBytes <= MaxPayloadBytes)
@@ -101,7 +101,6 @@ namespace FastPoints.Las
         }
     }
 
-    /// <summary>One (extended) variable length record: its owner, its kind, and where its bytes lie.</summary>
     internal sealed class LasVlr
     {
         public const int HeaderBytes = 54;
@@ -118,16 +117,13 @@ namespace FastPoints.Las
         public string UserId;
         public ushort RecordId;
         public string Description;
-
-        /// <summary>Offset of its own header in the file.</summary>
         public long Offset;
-
         public long DataOffset;
 
-        /// <summary>Bytes present in the file; fewer than claimed if it was cut.</summary>
+        // Present in the file; fewer than claimed if it was cut.
         public long DataBytes;
 
-        /// <summary>Whether it comes from the end of the file, with a 64-bit length (LAS 1.4).</summary>
+        // From the end of the file, with a 64-bit length (LAS 1.4).
         public bool IsExtended;
 
         public bool Is(string userId, ushort recordId) => RecordId == recordId && UserId == userId;

@@ -9,9 +9,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Las
 {
-    /// <summary>Writes a LAS file as points come; counts and bounds go into the header at the end. The file has a temporary name
-    /// until <see cref="Complete"/>: if disposed before that, nothing of it stays, and an existing file of that name is
-    /// unchanged.</summary>
+    // Writes points as they come; counts and bounds go into the header at the end. The file has a temporary name until Complete:
+    // if disposed before that, nothing of it stays, and an existing file of that name is unchanged.
     internal sealed unsafe class LasWriter : IDisposable
     {
         const int BufferBytes = 1 << 20;
@@ -62,14 +61,11 @@ namespace FastPoints.Las
             m_buffer = new byte[m_bufferPoints * recordBytes];
         }
 
-        /// <summary>All attributes of the file's records. A batch to append may have any selection of them.</summary>
+        // A batch to append may have any selection of these.
         public PointSchema Schema => m_layout.Schema;
 
         public int RecordBytes => m_header.RecordBytes;
 
-        /// <summary>Creates the temporary file.</summary>
-        /// <exception cref="ArgumentException">The settings do not describe a valid LAS file.</exception>
-        /// <exception cref="PointCloudException">The file cannot be created.</exception>
         public static LasWriter Create(string path, LasWriterSettings settings)
         {
             Check(settings);
@@ -96,10 +92,7 @@ namespace FastPoints.Las
             }
         }
 
-        /// <summary>Appends the batch's valid points. Attributes that it lacks are zero.</summary>
-        /// <exception cref="ArgumentException">The records lack an attribute of the batch, or have it in another
-        /// type.</exception>
-        /// <exception cref="PointCloudException">The disk is full or failed.</exception>
+        // Attributes that the batch lacks are zero.
         public void Append(PointBatch batch)
         {
             var copies = FieldCopyPlan.Make(m_layout.Fields, batch);
@@ -110,13 +103,11 @@ namespace FastPoints.Las
                 Array.Clear(m_buffer, 0, count * RecordBytes);
                 fixed (byte* records = m_buffer)
                 fixed (FieldCopy* plan = copies)
-                    PointRecords.FromColumns(columns, first, count, plan, copies.Length, records, RecordBytes);
+                    PointRecords.FromColumns(columns, first, count, new FieldCopies(plan, copies.Length), records, RecordBytes);
                 Write(m_buffer, count);
             }
         }
 
-        /// <summary>Appends points that are records already, of <see cref="RecordBytes"/> each.</summary>
-        /// <exception cref="PointCloudException">The disk is full or failed.</exception>
         public void AppendRecords(byte[] records, int count)
         {
             if (count < 0 || (long)count * RecordBytes > records.Length)
@@ -124,8 +115,7 @@ namespace FastPoints.Las
             Write(records, count);
         }
 
-        /// <summary>Writes the header, and gives the file its name; not for the main thread of an editor.</summary>
-        /// <exception cref="PointCloudException">The disk is full or failed.</exception>
+        // Gives the file its name; not for the main thread of an editor.
         public void Complete()
         {
             m_header.SetPoints(m_path, m_byReturn, m_min, m_max);
@@ -146,7 +136,6 @@ namespace FastPoints.Las
             }
         }
 
-        /// <summary>If <see cref="Complete"/> was not called, gives up and leaves nothing.</summary>
         public void Dispose()
         {
             if (m_isComplete || m_isGivenUp)
@@ -212,7 +201,6 @@ namespace FastPoints.Las
             return vlrs;
         }
 
-        /// <exception cref="ArgumentException">It is too long.</exception>
         internal static byte[] Vlr(string userId, ushort recordId, string description, byte[] payload)
         {
             if (payload.Length > ushort.MaxValue)
@@ -227,31 +215,24 @@ namespace FastPoints.Las
         }
     }
 
-    /// <summary>Settings of a LAS file to be written.</summary>
     internal sealed class LasWriterSettings
     {
-        /// <summary>LAS 1.0 to 1.5: 0 to 5. Point formats 4 and 5 need 1.3, those from 6 on 1.4.</summary>
+        // LAS 1.0 to 1.5: 0 to 5. Point formats 4 and 5 need 1.3, those from 6 on 1.4.
         public int VersionMinor = 4;
 
-        /// <summary>0 to 10.</summary>
         public int PointFormat = 7;
 
-        /// <summary>Position = stored * scale + offset; all finite, and the scale not 0.</summary>
+        // Position = stored * scale + offset; all finite, and the scale not 0.
         public double3 Scale = new double3(0.001, 0.001, 0.001);
 
         public double3 Offset;
-
-        /// <summary>The CRS as OGC well-known text, or null.</summary>
         public string Wkt;
-
         public string SystemIdentifier = "OTHER";
         public string GeneratingSoftware = "FastPoints";
 
-        /// <summary>Day of the year and year; 0 if not stated, so that equal clouds give equal files.</summary>
+        // Day of the year and year; 0 if not stated, so that equal clouds give equal files.
         public int CreationDay;
         public int CreationYear;
-
-        /// <summary>Attributes beyond the point format's, in the order of the record.</summary>
         public PointAttribute[] ExtraBytes = Array.Empty<PointAttribute>();
     }
 }

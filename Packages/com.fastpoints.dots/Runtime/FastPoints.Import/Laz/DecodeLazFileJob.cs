@@ -5,52 +5,47 @@ using Unity.Burst;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
 using Unity.Jobs;
+using Unity.Mathematics;
 
 namespace FastPoints.Laz
 {
-    /// <summary>Decodes a slice of a whole LAZ or LAS file in memory, header included: for octrees that keep each node in a file
-    /// of its own. A chain of these decodes a range, chunk after chunk from the file's start, so that the chunk table is not
-    /// needed.</summary>
+    // A slice of a whole LAZ or LAS file in memory, header included: for octrees that keep each node in a file of its own. Chunk
+    // after chunk from the file's start, so that the chunk table is not needed.
     [BurstCompile]
     unsafe struct DecodeLazFileJob : IJob
     {
-        /// <summary>The file, with <see cref="RangeCode.PaddingBytes"/> behind it.</summary>
+        // With PaddingBytes of RangeCode behind it.
         [ReadOnly] public NativeArray<byte> Input;
 
         public int InputBytes;
 
-        /// <summary>The grid of the columns: a file with another scale or offset is placed on it if that is exact.</summary>
+        // Of the columns: a file with another scale or offset is placed on it if that is exact.
         public PositionTransform Transform;
 
-        /// <summary>Whether an offset that is not a whole number of steps from the grid's is rounded to the nearest that
-        /// is.</summary>
+        // An offset that is not a whole number of steps from the grid's is rounded to the nearest that is.
         public bool RoundsOffset;
 
-        /// <summary>The LASzip VLR's list of items, from their number on, as it must be; none for LAS.</summary>
+        // The LASzip VLR's list of items, from their number on, as it must be; none for LAS.
         [ReadOnly] public NativeArray<byte> Items;
 
-        /// <summary>A <see cref="PointwiseChunk"/> or <see cref="LayeredChunk"/>, configured; anything for LAS.</summary>
+        // A PointwiseChunk or LayeredChunk, configured; anything for LAS.
         public NativeArray<byte> Decoder;
 
-        /// <summary>Records of a tile.</summary>
         public NativeArray<byte> Tile;
-
         [ReadOnly] public NativeArray<FieldCopy> Copies;
         public NativeArray<byte> Columns;
         public NativeReference<LazFileState> State;
         public NativeReference<DecodeResult> Result;
-
-        /// <summary>None for LAS.</summary>
         public LazCompressor Compressor;
         public int PointFormat;
         public int RecordBytes;
         public int TilePoints;
 
-        /// <summary>First point of the slice, counted from the file's start; 0 starts the file.</summary>
+        // Counted from the file's start; 0 starts the file.
         public long First;
         public int Count;
 
-        /// <summary>Points before the range, which are decoded because the others depend on them, but not kept.</summary>
+        // Points before the range, decoded because the others depend on them.
         public long Skip;
 
         bool IsPlain => Compressor == LazCompressor.None;
@@ -122,8 +117,7 @@ namespace FastPoints.Laz
                 : PointwiseChunk.Decode(Pointwise, chunk, state.End - state.ChunkOffset, tile, count);
         }
 
-        /// <summary>Moves the tile's positions, which begin its records, onto the columns' grid.</summary>
-        /// <returns>The number of points before the first that does not fit into 32 bits there.</returns>
+        // The number of points before the first that does not fit into 32 bits of the columns' grid.
         int Place(in LazFilePlacing placing, int count)
         {
             byte* record = (byte*)Tile.GetUnsafePtr();
@@ -133,15 +127,13 @@ namespace FastPoints.Laz
             return count;
         }
 
-        /// <summary>Copies the tile's points to the columns, except those before the range.</summary>
         void CopyTile(long first, int count, ref DecodeResult result)
         {
             int skipped = Skip > first ? (int)(Skip - first < count ? Skip - first : count) : 0;
             if (count <= skipped)
                 return;
             PointRecords.ToColumns((byte*)Tile.GetUnsafePtr() + (long)skipped * RecordBytes, RecordBytes, count - skipped,
-                (FieldCopy*)Copies.GetUnsafeReadOnlyPtr(), Copies.Length, (byte*)Columns.GetUnsafePtr(),
-                (int)(first + skipped - Skip));
+                Copies, (byte*)Columns.GetUnsafePtr(), (int)(first + skipped - Skip));
             result.Points = (int)(first + count - Skip);
         }
 
@@ -151,7 +143,6 @@ namespace FastPoints.Laz
             result.ErrorOffset = offset;
         }
 
-        /// <returns>Whether there is a chunk.</returns>
         bool StartChunk(byte* input, ref LazFileState state)
         {
             long room = state.End - state.ChunkOffset;
@@ -175,7 +166,6 @@ namespace FastPoints.Laz
             return bytes > 0 && state.ChunkPoints > 0;
         }
 
-        /// <returns>Whether the file is like the reader's other nodes.</returns>
         bool ReadHeader(byte* input, ref LazFileState state)
         {
             if (InputBytes < LasHeader.MinBytes || input[0] != 'L' || input[1] != 'A' || input[2] != 'S' || input[3] != 'F')
@@ -201,7 +191,7 @@ namespace FastPoints.Laz
             return ReadVlrs(input, headerBytes > LasHeader.MinBytes ? headerBytes : LasHeader.MinBytes, ref state);
         }
 
-        /// <summary>The chunk table's offset, if there is one: it ends the last chunk, whatever a count claims.</summary>
+        // The chunk table's offset, if there is one: it ends the last chunk, whatever a count claims.
         long EndOfChunks(byte* input, long firstChunk)
         {
             if (Compressor == LazCompressor.Pointwise || firstChunk > InputBytes)
@@ -210,7 +200,6 @@ namespace FastPoints.Laz
             return table > firstChunk && table <= InputBytes ? table : InputBytes;
         }
 
-        /// <returns>Whether there is a LASzip VLR, and its items are those that the decoder supports.</returns>
         bool ReadVlrs(byte* input, long at, ref LazFileState state)
         {
             const int UserId = 2, LastOfUserId = UserId + 13;
@@ -235,28 +224,89 @@ namespace FastPoints.Laz
         }
     }
 
-    /// <summary>Progress of decoding a whole LAZ file in memory, from slice to slice.</summary>
     struct LazFileState
     {
-        /// <summary>Points according to its header.</summary>
         public long PointsInFile;
 
-        /// <summary>Points of every chunk except the last; 0 if chunks say so themselves.</summary>
+        // Of every chunk except the last; 0 if chunks say so themselves.
         public long PointsOfChunks;
 
-        /// <summary>Offset of the current chunk.</summary>
         public long ChunkOffset;
 
-        /// <summary>Offset behind it; known in advance for layered chunks only.</summary>
+        // Known in advance for layered chunks only.
         public long ChunkEnd;
 
-        /// <summary>Points of the current chunk, and those that are done; both 0 before a chunk is started.</summary>
+        // Of the current chunk, and those that are done; both 0 before a chunk is started.
         public long ChunkPoints;
         public long ChunkDone;
-
-        /// <summary>Offset behind the last chunk.</summary>
         public long End;
-
         public LazFilePlacing Placing;
+    }
+
+    // To another scale and offset: exactly, to the nearest whole number of steps if allowed, or not at all.
+    unsafe struct LazFilePlacing
+    {
+        public bool IsSame;
+
+        Axis m_x;
+        Axis m_y;
+        Axis m_z;
+
+        struct Axis
+        {
+            public long Factor;
+            public long Shift;
+
+            public readonly bool TryPlace(ref int value)
+            {
+                // This stays below 2^28 * 2^31 + 2^59, so it cannot overflow.
+                long place = value * Factor + Shift;
+                if (place != (int)place)
+                    return false;
+                value = (int)place;
+                return true;
+            }
+        }
+
+        // False if the file's steps are not whole steps of the grid. roundsOffset: if steps are the same, offsets are rounded to
+        // the nearest that lie whole steps apart.
+        public static bool TryMake(byte* header, in PositionTransform grid, bool roundsOffset, out LazFilePlacing placing)
+        {
+            double* scale = (double*)(header + LasHeader.At.Scale), offset = (double*)(header + LasHeader.At.Offset);
+            placing = default;
+            // Nodes that are all alike are read whatever their scale is, even zero or NaN.
+            placing.IsSame = AreSame(scale, offset, grid);
+            return placing.IsSame || TryMake(scale[0], offset[0], grid.Scale.x, grid.Offset.x, roundsOffset, out placing.m_x)
+                && TryMake(scale[1], offset[1], grid.Scale.y, grid.Offset.y, roundsOffset, out placing.m_y)
+                && TryMake(scale[2], offset[2], grid.Scale.z, grid.Offset.z, roundsOffset, out placing.m_z);
+        }
+
+        // False if a position does not fit into 32 bits on the grid: it is left half-converted.
+        public readonly bool TryPlace(int* position) =>
+            m_x.TryPlace(ref position[0]) && m_y.TryPlace(ref position[1]) && m_z.TryPlace(ref position[2]);
+
+        static bool AreSame(double* scale, double* offset, in PositionTransform grid)
+        {
+            for (int axis = 0; axis < 3; axis++)
+                if (math.aslong(scale[axis]) != math.aslong(grid.Scale[axis])
+                    || math.aslong(offset[axis]) != math.aslong(grid.Offset[axis]))
+                    return false;
+            return true;
+        }
+
+        static bool TryMake(double scale, double offset, double step, double origin, bool roundsOffset, out Axis axis)
+        {
+            axis = default;
+            if (roundsOffset)
+            {
+                double shift = (offset - origin) / step;
+                bool isNear = math.abs(scale - step) <= 1e-9 * math.abs(step) && math.abs(shift) <= int.MaxValue;
+                axis = new Axis { Factor = 1, Shift = isNear ? (long)math.round(shift) : 0 };
+                return isNear;
+            }
+            bool isPlaced = CommonGrid.TryPlace(scale, offset, step, origin, out var placed);
+            axis = new Axis { Factor = placed.Factor, Shift = placed.Shift };
+            return isPlaced && placed.Loss == 0 && axis.Factor != 0;
+        }
     }
 }

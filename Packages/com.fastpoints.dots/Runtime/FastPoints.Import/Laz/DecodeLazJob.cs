@@ -6,58 +6,48 @@ using Unity.Jobs;
 
 namespace FastPoints.Laz
 {
-    /// <summary>Decodes one slice of a chunk: the points after those of the previous slice, first into a tile of records, then to
-    /// the wanted columns. A chain of these decodes a range.</summary>
+    // The points after those of the previous slice of a chunk, first into a tile of records, then to the wanted columns.
     [BurstCompile]
     unsafe struct DecodeLazJob : IJob
     {
-        /// <summary>The chunk's bytes, or those of its wanted layers; with <see cref="RangeCode.PaddingBytes"/> behind
-        /// them.</summary>
+        // The chunk's bytes, or those of its wanted layers; with PaddingBytes of RangeCode behind them.
         [ReadOnly] public NativeArray<byte> Input;
 
-        /// <summary>One value: bytes of the input that are there.</summary>
         [ReadOnly] public NativeArray<long> InputBytes;
 
-        /// <summary>A <see cref="PointwiseChunk"/> or <see cref="LayeredChunk"/>, configured.</summary>
+        // A PointwiseChunk or LayeredChunk, configured.
         public NativeArray<byte> State;
 
-        /// <summary>Records of a tile.</summary>
         public NativeArray<byte> Tile;
-
         [ReadOnly] public NativeArray<FieldCopy> Copies;
         public NativeArray<byte> Columns;
         public NativeReference<DecodeResult> Result;
-
         public int RecordBytes;
         public int TilePoints;
         public bool IsLayered;
         public bool HasAllLayers;
 
-        /// <summary>First slice of a range: the state is started, unless it continues from a checkpoint.</summary>
+        // The state is started, unless it continues from a checkpoint.
         public bool IsFirst;
         public bool IsContinued;
 
-        /// <summary>First point of the slice, counted from where the state started.</summary>
+        // Counted from where the state started, like Total.
         public int First;
         public int Count;
 
-        /// <summary>Points before the range, which are decoded because the others depend on them, but not kept.</summary>
+        // Points before the range, decoded because the others depend on them.
         public int Skip;
 
-        /// <summary>Points to decode from the state's start, including <see cref="Skip"/>.</summary>
         public int Total;
 
-        /// <summary>The most points that the input of layers holds.</summary>
+        // At most, of the input of layers.
         public long InputPoints;
 
-        /// <summary>Points of the whole chunk, as its listing claims.</summary>
         public long ChunkPoints;
         public long ChunkBytes;
-
-        /// <summary>Offset of the input in the file.</summary>
         public long FileOffset;
 
-        /// <summary>Whether the range takes the chunk to its end, so that the stream must end with it.</summary>
+        // The range takes the chunk to its end, so that the stream must end with it.
         public bool IsToEnd;
 
         public void Execute()
@@ -90,9 +80,8 @@ namespace FastPoints.Laz
                 int skipped = Skip > first ? (Skip - first < got ? Skip - first : got) : 0;
                 if (got > skipped)
                 {
-                    PointRecords.ToColumns(tile + (long)skipped * RecordBytes, RecordBytes, got - skipped,
-                        (FieldCopy*)Copies.GetUnsafeReadOnlyPtr(), Copies.Length, (byte*)Columns.GetUnsafePtr(),
-                        first + skipped - Skip);
+                    PointRecords.ToColumns(tile + (long)skipped * RecordBytes, RecordBytes, got - skipped, Copies,
+                        (byte*)Columns.GetUnsafePtr(), first + skipped - Skip);
                     result.Points = first + got - Skip;
                 }
                 done += got;
@@ -110,7 +99,6 @@ namespace FastPoints.Laz
             Result.Value = result;
         }
 
-        /// <summary>Checks, after all points, whether the stream ends there.</summary>
         void CheckEnd(PointwiseChunk* chunk, long inputBytes, ref DecodeResult result)
         {
             if (chunk->IsAtEnd)
@@ -126,7 +114,7 @@ namespace FastPoints.Laz
             }
         }
 
-        /// <summary>Drops points that the stream's end does not confirm: a decoder makes some of no bytes.</summary>
+        // A decoder makes some points of no bytes: those that the stream's end does not confirm.
         static void DropUncertain(PointwiseChunk* chunk, ref DecodeResult result)
         {
             int kept = result.Points - chunk->UncertainPoints;
@@ -134,24 +122,23 @@ namespace FastPoints.Laz
         }
     }
 
-    /// <summary>The values of <see cref="DecodeResult.Error"/> from decoding jobs.</summary>
     static class LazError
     {
         public const int None = 0;
 
-        /// <summary>The input, or one of its layers, ended before the requested points.</summary>
+        // The input, or one of its layers, ended before the requested points.
         public const int Short = 1;
 
-        /// <summary>All points were decoded, but the stream does not end where its chunk does: some of them are noise.</summary>
+        // All points were decoded, but the stream does not end where its chunk does: some of them are noise.
         public const int EndMismatch = 2;
 
-        /// <summary>All points were decoded, and the stream has more bytes: the file claims too few, or some are noise.</summary>
+        // All points were decoded, and the stream has more bytes: the file claims too few, or some are noise.
         public const int TrailingBytes = 4;
 
-        /// <summary>There is no chunk here: neither its count nor its length matches the claims.</summary>
+        // Neither its count nor its length matches the claims.
         public const int NoChunk = 3;
 
-        /// <summary>A file's positions do not lie on the required grid.</summary>
+        // A file's positions do not lie on the required grid.
         public const int OffGrid = 5;
     }
 }

@@ -1,6 +1,7 @@
 using System;
 using FastPoints.Core;
 using FastPoints.Reading;
+using Unity.Burst;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
 using Unity.IO.LowLevel.Unsafe;
@@ -8,17 +9,98 @@ using Unity.Jobs;
 
 namespace FastPoints.Laz
 {
-    /// <summary>Reads one range of a block (for a layered chunk only the wanted layers: first the header that says where they
-    /// are, then a read that a job has planned), then decodes it in a chain of slices.</summary>
+    // Plans the reads that bring a layered chunk's wanted layers behind its header, packed as LayeredChunk.Start expects them:
+    // neighbours in one read, and of each no more than the points take.
+    [BurstCompile]
+    internal unsafe struct PlanLazReadsJob : IJob
+    {
+        // The chunk's header, at its start.
+        [ReadOnly] public NativeArray<byte> Input;
+
+        // Of each layer; 0 for one that is not wanted.
+        [ReadOnly] public NativeArray<int> BytesPerPoint;
+
+        // At most one for each wanted layer, or one of a single byte if there is nothing to read.
+        public NativeArray<ReadCommand> Commands;
+
+        // One value, whose count is set.
+        public NativeArray<ReadCommandArray> CommandArray;
+
+        public NativeArray<long> InputBytes;
+
+        // The input's memory, which no job touches until the reads are done.
+        [NativeDisableUnsafePtrRestriction] public byte* Buffer;
+
+        public long BufferBytes;
+        public int RecordBytes;
+        public long ChunkOffset;
+        public long ChunkEnd;
+        public long Points;
+
+        public void Execute()
+        {
+            byte* sizes = (byte*)Input.GetUnsafeReadOnlyPtr() + RecordBytes + 4;
+            long headerBytes = LazLayer.ChunkHeaderBytes(RecordBytes, BytesPerPoint.Length);
+            long inFile = ChunkOffset + headerBytes;
+            long inBuffer = headerBytes < ChunkEnd - ChunkOffset ? headerBytes : ChunkEnd - ChunkOffset;
+            int count = 0;
+            for (int i = 0; i < BytesPerPoint.Length && inFile < ChunkEnd; i++)
+            {
+                long bytes = *(uint*)(sizes + 4 * i);
+                if (BytesPerPoint[i] != 0)
+                {
+                    long enough = LazLayer.StartBytes + BytesPerPoint[i] * Points;
+                    long read = bytes < enough ? bytes : enough;
+                    // A size that exceeds the file or the buffer is wrong, and so is everything behind it.
+                    bool isCut = read > ChunkEnd - inFile || read > BufferBytes - inBuffer;
+                    if (isCut)
+                        read = Min(ChunkEnd - inFile, BufferBytes - inBuffer);
+                    if (read > 0)
+                    {
+                        Add(ref count, inFile, inBuffer, read);
+                        inBuffer += read;
+                    }
+                    if (isCut)
+                        break;
+                }
+                inFile += bytes;
+            }
+            InputBytes[0] = inBuffer;
+            if (count == 0)
+                Add(ref count, ChunkOffset, 0, 1);
+            var array = CommandArray[0];
+            array.CommandCount = count;
+            CommandArray[0] = array;
+        }
+
+        void Add(ref int count, long inFile, long inBuffer, long bytes)
+        {
+            if (count > 0 && Commands[count - 1].Offset + Commands[count - 1].Size == inFile)
+            {
+                var longer = Commands[count - 1];
+                longer.Size += bytes;
+                Commands[count - 1] = longer;
+                return;
+            }
+            Commands[count++] = new ReadCommand { Buffer = Buffer + inBuffer, Offset = inFile, Size = bytes };
+        }
+
+        static long Min(long a, long b)
+        {
+            long min = a < b ? a : b;
+            return min > 0 ? min : 0;
+        }
+    }
+
+    // Of a layered chunk only the wanted layers: first the header that says where they are, then a read that a job has planned.
     sealed unsafe class LazBlockRead : SlotRead
     {
-        /// <summary>A slice takes about 4 ms of decoding on one core.</summary>
+        // About 4 ms of decoding on one core.
         const int SlicePoints = 16384;
 
         const int MaxTileBytes = 64 << 10;
 
-        /// <summary>Layered chunks up to this size are read whole: two reads in sequence cost more than the bytes
-        /// saved.</summary>
+        // Layered chunks up to this size are read whole: two reads in sequence cost more than the bytes saved.
         const int SmallChunkBytes = 16 << 10;
 
         const int ExtraPadding = RangeCode.PaddingBytes - NativeFileRead.PaddingBytes;
@@ -27,7 +109,6 @@ namespace FastPoints.Laz
         readonly LazFormat m_format;
         readonly int m_tilePoints;
         readonly bool m_needsAllLayers;
-        readonly NativeFileRead m_file;
         NativeArray<byte> m_state;
         NativeArray<byte> m_tile;
         NativeArray<FieldCopy> m_copies;
@@ -39,14 +120,11 @@ namespace FastPoints.Laz
         ReadHandle m_plannedRead;
         bool m_isPlanned;
         bool m_keepsStates;
-
-        /// <summary>The copies from and to the state.</summary>
         JobHandle m_copied;
 
-        /// <summary>What the range that begins goes on from, or null.</summary>
+        // What the range that begins goes on from, or null.
         LazCheckpoint m_from;
 
-        /// <summary>Byte of the file at which the input starts.</summary>
         long m_inputOffset;
 
         public LazBlockRead(PointReader reader, LazBlocks blocks, PointSchema wanted, int capacity, Allocator allocator)
@@ -55,40 +133,25 @@ namespace FastPoints.Laz
             m_blocks = blocks;
             m_format = blocks.Format;
             m_tilePoints = Math.Max(1, Math.Min(LayeredChunk.TilePoints, MaxTileBytes / m_format.RecordBytes));
-            m_copies = new NativeArray<FieldCopy>(FieldCopyPlan.Make(blocks.Las.Layout.Fields, Points), allocator);
+            m_copies = Own(new NativeArray<FieldCopy>(FieldCopyPlan.Make(blocks.Las.Layout.Fields, Points), allocator));
             m_needsAllLayers = ConfigureState(wanted, allocator);
             long inputBytes = Math.Max(blocks.MaxInputBytes(), SmallChunkBytes);
-            m_file = new NativeFileRead(inputBytes + ExtraPadding, allocator);
-            m_tile = new NativeArray<byte>(Math.Max(1, m_tilePoints * m_format.RecordBytes), allocator,
-                NativeArrayOptions.UninitializedMemory);
-            m_inputBytes = new NativeArray<long>(1, allocator);
-            m_plannedCommands = new NativeArray<ReadCommand>(Math.Max(1, m_format.Layers.Length), allocator);
-            m_plannedArray = new NativeArray<ReadCommandArray>(1, allocator);
+            OwnFile(inputBytes + ExtraPadding, allocator);
+            m_tile = OwnArray<byte>(Math.Max(1, m_tilePoints * m_format.RecordBytes), allocator);
+            m_inputBytes = OwnArray<long>(1, allocator, NativeArrayOptions.ClearMemory);
+            m_plannedCommands = Own(new NativeArray<ReadCommand>(Math.Max(1, m_format.Layers.Length), allocator));
+            m_plannedArray = Own(new NativeArray<ReadCommandArray>(1, allocator));
         }
 
-        /// <returns>Whether all layers are wanted.</returns>
         bool ConfigureState(PointSchema wanted, Allocator allocator)
         {
             var layers = m_format.Layers;
-            m_bytesPerPoint = new NativeArray<int>(Math.Max(1, layers.Length), allocator);
-            if (!m_format.IsLayered)
-            {
-                m_state = new NativeArray<byte>((int)PointwiseChunk.StateBytes(m_format.Items), allocator,
-                    NativeArrayOptions.UninitializedMemory);
-                PointwiseChunk.Configure((PointwiseChunk*)m_state.GetUnsafePtr(), m_format.Items, m_format.RecordBytes);
-                return true;
-            }
-            var isWanted = LazLayerChoice.Choose(layers, m_blocks.Las.Layout.Fields, wanted);
-            m_state = new NativeArray<byte>((int)LayeredChunk.StateBytes(layers, isWanted, m_format.RecordBytes), allocator,
-                NativeArrayOptions.UninitializedMemory);
-            LayeredChunk.Configure((LayeredChunk*)m_state.GetUnsafePtr(), layers, isWanted, m_format.RecordBytes);
-            bool needsAll = true;
-            for (int i = 0; i < layers.Length; i++)
-            {
+            m_bytesPerPoint = OwnArray<int>(Math.Max(1, layers.Length), allocator, NativeArrayOptions.ClearMemory);
+            var isWanted = m_format.IsLayered ? LazLayerChoice.Choose(layers, m_blocks.Las.Layout.Fields, wanted) : null;
+            m_state = Own(m_format.CreateDecoder(isWanted, allocator));
+            for (int i = 0; m_format.IsLayered && i < layers.Length; i++)
                 m_bytesPerPoint[i] = isWanted[i] ? layers[i].MaxInputBytesPerPoint : 0;
-                needsAll &= isWanted[i];
-            }
-            return needsAll;
+            return isWanted == null || Array.TrueForAll(isWanted, layer => layer);
         }
 
         public override bool TryKeepStates() => m_keepsStates = true;
@@ -139,10 +202,10 @@ namespace FastPoints.Laz
             // Streams of layers are offsets in the input, which is the same for every range that continues another.
             long inputPoints = m_format.IsLayered && m_keepsStates ? block.FirstInChunk + block.Points : skip + range.Count;
             // Blocks may be found after the slot was made: pages of a hierarchy are read as they are wanted.
-            m_file.Reserve(Math.Min(block.EndOffset - start, m_blocks.MaxInputBytes(inputPoints)) + ExtraPadding);
+            File.Reserve(Math.Min(block.EndOffset - start, m_blocks.MaxInputBytes(inputPoints)) + ExtraPadding);
             var decode = new DecodeLazJob
             {
-                Input = m_file.Buffer,
+                Input = File.Buffer,
                 InputBytes = m_inputBytes,
                 State = m_state,
                 Tile = m_tile,
@@ -165,8 +228,6 @@ namespace FastPoints.Laz
             return Schedule(decode, JobHandle.CombineDependencies(read, m_copied));
         }
 
-        /// <summary>Starts the read of a range's input.</summary>
-        /// <param name="decode">Receives the settings that the read implies.</param>
         JobHandle Read(LazBlock block, long start, ref DecodeLazJob decode)
         {
             long bytes = block.EndOffset - start;
@@ -187,13 +248,13 @@ namespace FastPoints.Laz
             var commands = (ReadCommandArray*)m_plannedArray.GetUnsafePtr();
             var planned = new PlanLazReadsJob
             {
-                Input = m_file.Buffer,
+                Input = File.Buffer,
                 BytesPerPoint = m_bytesPerPoint,
                 Commands = m_plannedCommands,
                 CommandArray = m_plannedArray,
                 InputBytes = m_inputBytes,
-                Buffer = (byte*)m_file.Buffer.GetUnsafePtr(),
-                BufferBytes = m_file.Buffer.Length - RangeCode.PaddingBytes,
+                Buffer = (byte*)File.Buffer.GetUnsafePtr(),
+                BufferBytes = File.Buffer.Length - RangeCode.PaddingBytes,
                 RecordBytes = m_format.RecordBytes,
                 ChunkOffset = start,
                 ChunkEnd = block.EndOffset,
@@ -209,7 +270,7 @@ namespace FastPoints.Laz
         JobHandle Read(long offset, long bytes)
         {
             m_inputBytes[0] = bytes;
-            return DependencyOf(m_file.Begin(m_blocks.File, offset, (int)bytes));
+            return DependencyOf(File.Begin(m_blocks.File, offset, (int)bytes));
         }
 
         static JobHandle Schedule(DecodeLazJob decode, JobHandle dependency)
@@ -226,7 +287,7 @@ namespace FastPoints.Laz
 
         protected override void EndRead()
         {
-            bool isRead = m_file.Close(out _) == ReadStatus.Complete;
+            bool isRead = File.Close(out _) == ReadStatus.Complete;
             if (m_isPlanned)
                 isRead &= ClosePlanned() == ReadStatus.Complete;
             if (isRead)
@@ -259,24 +320,16 @@ namespace FastPoints.Laz
 
         protected override void Cancel()
         {
-            m_file.Cancel();
+            File.Cancel();
             if (m_isPlanned)
                 m_plannedRead.Cancel();
         }
 
-        protected override void DisposeMemory()
+        protected override void DisposeMore()
         {
             m_copied.Complete();
-            m_file.Dispose();
             if (m_isPlanned)
                 ClosePlanned();
-            m_state.Dispose();
-            m_tile.Dispose();
-            m_copies.Dispose();
-            m_bytesPerPoint.Dispose();
-            m_inputBytes.Dispose();
-            m_plannedCommands.Dispose();
-            m_plannedArray.Dispose();
         }
     }
 }

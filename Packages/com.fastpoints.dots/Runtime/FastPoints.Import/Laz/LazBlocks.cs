@@ -6,24 +6,21 @@ using FastPoints.Reading;
 
 namespace FastPoints.Laz
 {
-    /// <summary>The chunks of a LAZ file as far as they are known, and the blocks that they are read in: a chunk, or a part of
-    /// one that is too long.</summary>
+    // The chunks as far as they are known, and the blocks that they are read in: a chunk, or a part of one that is too long.
     sealed class LazBlocks
     {
-        /// <summary>Compressed bytes of a layered chunk, which a slot holds whole.</summary>
+        // A slot holds a layered chunk whole.
         public const long MaxLayeredChunkBytes = 1L << 29;
 
-        /// <summary>A block has at least this many points, however long its records are.</summary>
+        // A block has at least this many points, however long its records are.
         const int MinLongChunkPoints = 1 << 16;
 
-        /// <summary>Limit for the records of a block: a slot holds its columns, whatever a file claims.</summary>
+        // A slot holds its columns, whatever a file claims.
         const int MaxBlockBytes = 32 << 20;
 
         readonly List<LazBlock> m_blocks = new List<LazBlock>();
         readonly HashSet<int> m_reportedBlocks = new HashSet<int>();
         readonly Dictionary<int, long> m_endOfChunk = new Dictionary<int, long>();
-
-        /// <summary>Whether each chunk is one block, so that no list of blocks is needed.</summary>
         bool m_areChunksBlocks;
         long m_maxInputBytes = -1;
 
@@ -37,29 +34,21 @@ namespace FastPoints.Laz
         }
 
         public LasFile Las { get; }
-
         public LazFormat Format { get; }
 
-        /// <summary>The file for what lies between the points.</summary>
+        // For what lies between the points.
         public FileSource Source { get; }
 
-        /// <summary>The same file for the points.</summary>
         public SourceHandle File { get; }
-
         public SourceInfo Info => Las.Info;
 
-        /// <summary>Chunks with more points become several blocks.</summary>
+        // Chunks with more points become several blocks.
         public int LongChunkPoints { get; }
 
         public LazChunkList Chunks { get; set; } = new LazChunkList();
-
-        /// <summary>Copies of the decoder's state, from which blocks within long chunks are decoded.</summary>
         public List<LazCheckpoint> Checkpoints { get; } = new List<LazCheckpoint>();
-
         public int Count => m_areChunksBlocks ? Chunks.Count : m_blocks.Count;
-
         public int MaxPoints { get; private set; }
-
         public long PointCount => Count == 0 ? 0 : FirstPointOf(Count - 1) + PointsOf(Count - 1);
 
         public LazBlock this[int block]
@@ -89,18 +78,14 @@ namespace FastPoints.Laz
 
         public LazChunk ChunkOf(LazBlock block) => Chunks[block.Chunk];
 
-        /// <summary>The checkpoint from which a block is decoded, if not from its chunk's start.</summary>
         public LazCheckpoint CheckpointOf(LazBlock block) => block.Checkpoint < 0 ? null : Checkpoints[block.Checkpoint];
 
-        /// <summary>Records that a chunk gave its last point before <paramref name="point"/>, counted in it: later blocks are not
-        /// tried, since each would decode the chunk from its start.</summary>
+        // A chunk gave its last point before this one: later blocks are not tried, each would decode the chunk from its start.
         public void EndChunk(LazBlock block, long point) => m_endOfChunk[block.Chunk] = Math.Min(point, EndOfChunk(block));
 
-        /// <summary>The most points that a chunk can have, as far as is known.</summary>
         public long EndOfChunk(LazBlock block) =>
             m_endOfChunk.TryGetValue(block.Chunk, out long end) ? end : Chunks[block.Chunk].Points;
 
-        /// <summary>Input bytes of the largest known block, for a slot that takes any.</summary>
         public long MaxInputBytes()
         {
             // For millions of blocks this takes longer than reading some of them.
@@ -119,14 +104,11 @@ namespace FastPoints.Laz
             return m_maxInputBytes = max;
         }
 
-        /// <summary>The most bytes that this many points of a chunk take: no more is read, however long the chunk claims to
-        /// be.</summary>
+        // At most, of this many points: no more is read, however long the chunk claims to be.
         public long MaxInputBytes(long points) => Format.IsLayered
             ? LazLayer.MaxInputBytes(Format.Layers, Format.RecordBytes, points)
             : PointwiseChunk.MaxInputBytes(Format.Items, Format.RecordBytes, points);
 
-        /// <summary>Warns about a block that gave fewer points than it has, or did not end where it should, once for each
-        /// block.</summary>
         public void WarnBroken(BlockRange range, DecodeResult result)
         {
             if (!m_reportedBlocks.Add(range.Block))
@@ -143,7 +125,7 @@ namespace FastPoints.Laz
                     + ": the others are not in the file");
         }
 
-        /// <summary>Uses each chunk as a block if none is too long for that: millions of them then take no memory.</summary>
+        // Each chunk is a block if none is too long for that: millions of them then take no memory.
         public bool TryTakeChunks()
         {
             m_areChunksBlocks = Chunks.AreInRow && Chunks.MaxPoints <= LongChunkPoints;
@@ -152,7 +134,6 @@ namespace FastPoints.Laz
             return m_areChunksBlocks;
         }
 
-        /// <summary>Adds a chunk that starts without a checkpoint, as one block or several.</summary>
         public void AddChunk(int chunk)
         {
             var of = Chunks[chunk];
@@ -179,7 +160,6 @@ namespace FastPoints.Laz
             m_maxInputBytes = -1;
         }
 
-        /// <summary>Removes the blocks, to add others of the same chunks.</summary>
         public void Clear()
         {
             m_blocks.Clear();
@@ -195,7 +175,7 @@ namespace FastPoints.Laz
             Checkpoints.Clear();
         }
 
-        /// <summary>Checks the claimed bounds against the first points of some chunks, which are stored uncompressed.</summary>
+        // Against the first points of some chunks, which are stored uncompressed.
         public void CheckBounds()
         {
             var offsets = new List<long>();
@@ -206,26 +186,22 @@ namespace FastPoints.Laz
         }
     }
 
-    /// <summary>A block of a LAZ file: a chunk, or a part of one that is too long.</summary>
     struct LazBlock
     {
         public int Chunk;
 
-        /// <summary>First point, counted from the chunk's start.</summary>
+        // Counted from the chunk's start.
         public long FirstInChunk;
 
-        /// <summary>Index of its first point in the whole source.</summary>
         public long FirstPoint;
-
         public int Points;
 
-        /// <summary>Offset of its end in the file: the chunk's end, except for parts of one.</summary>
+        // The chunk's end, except for parts of one.
         public long EndOffset;
 
-        /// <summary>Whether it takes the chunk to its end.</summary>
         public bool IsToEnd;
 
-        /// <summary>Index of the checkpoint from which it is decoded, or -1 for the chunk's start.</summary>
+        // From which it is decoded, or -1 for the chunk's start.
         public int Checkpoint;
     }
 }

@@ -7,9 +7,8 @@ using Unity.Jobs;
 
 namespace FastPoints.Laz
 {
-    /// <summary>A decoder's state somewhere within a chunk, from which decoding can continue. Pages of zeros (unused models) are
-    /// not kept: about 0.3 of 1.4 MB are. It is not in managed memory because a preview keeps a hundred of them, and the editor's
-    /// managed heap never shrinks.</summary>
+    // A decoder's state somewhere within a chunk. Pages of zeros (unused models) are not kept: about 0.3 of 1.4 MB are. It is not
+    // in managed memory because a preview keeps a hundred of them, and the editor's managed heap never shrinks.
     sealed unsafe class LazCheckpoint : DecoderState
     {
         const int PageBytes = 4096;
@@ -18,13 +17,11 @@ namespace FastPoints.Laz
         NativeList<byte> m_content;
         JobHandle m_last;
 
-        /// <summary>First point that the state decodes next, counted from the chunk's start.</summary>
+        // Decoded next, counted from the chunk's start.
         public long Point;
 
-        /// <summary>Byte of the file at which its input starts.</summary>
         public long FileOffset;
 
-        /// <summary>Waits for its jobs.</summary>
         public override long Bytes
         {
             get
@@ -36,8 +33,8 @@ namespace FastPoints.Laz
 
         public bool HasState => m_content.IsCreated;
 
-        /// <summary>Drops the state but keeps the position: the block then decodes from an earlier checkpoint. Its jobs have
-        /// ended: slots are disposed before it.</summary>
+        // Keeps the position: the block then decodes from an earlier checkpoint. Its jobs have ended: slots are disposed before
+        // it.
         public void Drop()
         {
             if (!HasState)
@@ -48,7 +45,7 @@ namespace FastPoints.Laz
 
         public override void Dispose() => Drop();
 
-        /// <summary>Schedules the copy of a state to this, which takes 2 ms.</summary>
+        // Takes 2 ms.
         public JobHandle Save(NativeArray<byte> state, JobHandle inputDeps)
         {
             if (!HasState)
@@ -60,7 +57,6 @@ namespace FastPoints.Laz
                 JobHandle.CombineDependencies(m_last, inputDeps));
         }
 
-        /// <summary>Schedules the copy of this to a state.</summary>
         public JobHandle Restore(NativeArray<byte> state, JobHandle inputDeps) =>
             m_last = new RestoreJob { Pages = m_pages, Content = m_content, State = state }.Schedule(
                 JobHandle.CombineDependencies(m_last, inputDeps));
@@ -89,7 +85,7 @@ namespace FastPoints.Laz
                         LengthOf(Pages[i], State.Length));
             }
 
-            /// <summary>Each byte the one before it, and the first eight of them zero: compared at the speed of memory.</summary>
+            // Each byte the one before it, and the first eight of them zero: compared at the speed of memory.
             static bool IsZero(byte* state, int page, int bytes)
             {
                 byte* at = state + (long)page * PageBytes;

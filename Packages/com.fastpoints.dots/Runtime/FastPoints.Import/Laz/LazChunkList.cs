@@ -3,22 +3,20 @@ using System.Collections.Generic;
 
 namespace FastPoints.Laz
 {
-    /// <summary>The chunks of a file, in any number. If each begins where the one before ends, as in a chunk table, it takes four
-    /// bytes for a chunk (eight if they do not hold equal numbers of points) and a sum every 64. Other lists (hierarchies of
-    /// octrees) take 24 bytes for a chunk.</summary>
+    // In any number. If each chunk begins where the one before ends, as in a chunk table, it takes four bytes (eight if they do
+    // not hold equal numbers of points) and a sum every 64. Other lists (hierarchies of octrees) take 24 bytes for a chunk.
     internal sealed class LazChunkList
     {
-        /// <summary>Chunks between two sums.</summary>
         const int GroupChunks = 64;
 
         readonly Pages m_bytes = new Pages();
         readonly List<long> m_offsetOfGroup = new List<long>();
         readonly List<long> m_pointOfGroup = new List<long>();
 
-        /// <summary>Points of each chunk; null while all but the last have as many as the first.</summary>
+        // Null while all but the last have as many as the first.
         Pages m_points;
 
-        /// <summary>Replaces all of the above if chunks are not in a row.</summary>
+        // Replaces all of the above if chunks are not in a row.
         List<LazChunk> m_scattered;
 
         long m_firstPoints;
@@ -26,15 +24,14 @@ namespace FastPoints.Laz
         long m_end;
 
         public int Count => m_scattered?.Count ?? m_bytes.Count;
-
         public long PointCount { get; private set; }
 
-        /// <summary>The most points that any chunk has or had.</summary>
+        // Of any chunk, now or before.
         public long MaxPoints { get; private set; }
 
         public long MaxBytes { get; private set; }
 
-        /// <summary>Whether each begins where the one before ends, which <see cref="FirstPointOf"/> goes by.</summary>
+        // Each begins where the one before ends, which FirstPointOf goes by.
         public bool AreInRow => m_scattered == null;
 
         public LazChunk this[int chunk]
@@ -59,7 +56,6 @@ namespace FastPoints.Laz
             return m_points != null ? m_points[chunk] : chunk == Count - 1 ? m_lastPoints : m_firstPoints;
         }
 
-        /// <summary>Number of points in all earlier chunks, if they are in a row.</summary>
         public long FirstPointOf(int chunk)
         {
             CheckChunk(chunk);
@@ -84,7 +80,6 @@ namespace FastPoints.Laz
             MaxBytes = Math.Max(MaxBytes, chunk.Bytes);
         }
 
-        /// <summary>Corrects the number of points that a chunk was assumed to hold.</summary>
         public void SetPoints(int chunk, long points)
         {
             var chunks = Scatter();
@@ -120,7 +115,6 @@ namespace FastPoints.Laz
             m_end = chunk.Offset + chunk.Bytes;
         }
 
-        /// <summary>Keeps a count for each chunk from here on, since this one differs from the first.</summary>
         void CountEach()
         {
             var points = new Pages();
@@ -160,7 +154,7 @@ namespace FastPoints.Laz
                 throw new ArgumentOutOfRangeException(nameof(chunk), chunk, "the file has " + Count + " chunks");
         }
 
-        /// <summary>Numbers in pages: growing copies none of them except those of the first page.</summary>
+        // Growing copies none of them except those of the first page.
         sealed class Pages
         {
             const int PageBits = 16, PageLength = 1 << PageBits, MinLength = 16;
@@ -194,22 +188,18 @@ namespace FastPoints.Laz
         }
     }
 
-    /// <summary>A segment of a file that can be decoded on its own.</summary>
     internal struct LazChunk
     {
-        /// <summary>Offset in the file.</summary>
         public long Offset;
-
         public long Bytes;
 
-        /// <summary>Points as the file claims, or as a walk found.</summary>
+        // As the file claims, or as a walk found.
         public long Points;
 
-        /// <summary>No chunk holds more points for its bytes: a model of n symbols never makes one of them cheaper than about
-        /// 1.44 * (n - 1) / 32768 bits, and a point takes at least the symbols of its mask and coordinates: 0.007 bits.</summary>
+        // A model of n symbols never makes one of them cheaper than about 1.44 * (n - 1) / 32768 bits, and a point takes at least
+        // the symbols of its mask and coordinates: 0.007 bits.
         public const int MaxPointsPerByte = 2000;
 
-        /// <summary>The most points in <paramref name="bytes"/> bytes of a chunk.</summary>
         public static long MaxPoints(long bytes) => 1 + bytes * MaxPointsPerByte;
     }
 }

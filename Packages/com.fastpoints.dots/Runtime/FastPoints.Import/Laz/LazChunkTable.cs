@@ -8,33 +8,28 @@ using Unity.Collections.LowLevel.Unsafe;
 
 namespace FastPoints.Laz
 {
-    /// <summary>Where the chunks lie: the table behind them, whose place the first eight bytes of the points name. Everything in
-    /// it is a claim and is held against the file's size; a table that contradicts itself counts as missing.</summary>
-    /// <remarks><code>
-    /// uint version (0), uint chunks, then range-coded for each chunk: its points (if chunks vary), its bytes
-    /// </code>
-    /// each predicted by the one before.
-    /// </remarks>
+    // Lies behind the chunks; the first eight bytes of the points say where. Everything in it is held against the file's size; a
+    // table that contradicts itself counts as missing. uint version (0), uint chunks, then range-coded for each chunk: its points
+    // (if chunks vary), its bytes, each predicted by the one before.
     internal sealed class LazChunkTable
     {
-        /// <summary>Bytes between the offset of the points and the first chunk, which say where the table is.</summary>
+        // Between the offset of the points and the first chunk; they say where the table is.
         public const int TableOffsetBytes = 8;
         const int TableHeaderBytes = 8;
 
-        /// <summary>Bytes of a file's points when there are none: the table's offset, and the table.</summary>
+        // Of a file without points: the table's offset, and the table.
         public const int MinBytes = TableOffsetBytes + TableHeaderBytes;
         const long OffsetAtFileEnd = -1;
 
-        /// <summary>The most bytes of two numbers for a chunk, with 15 + 15 bits modelled and 23 raw.</summary>
+        // At most, of two numbers for a chunk, with 15 + 15 bits modelled and 23 raw.
         const int MaxEntryBytes = 14;
 
-        /// <summary>Bytes of the table that are in memory at a time.</summary>
         const int WindowBytes = 64 << 10;
 
-        /// <summary>Bytes that the range coder takes to start and to end.</summary>
+        // To start and to end.
         const int CoderBytes = 16;
 
-        /// <summary>The most bytes of a table, with the eight bytes behind it that may say where it is.</summary>
+        // With the eight bytes behind it that may say where it is.
         public static long MaxBytes(long chunks) => TableHeaderBytes + chunks * MaxEntryBytes + CoderBytes + TableOffsetBytes;
 
         readonly FileSource m_source;
@@ -53,15 +48,11 @@ namespace FastPoints.Laz
         }
 
         public long FirstChunkOffset { get; }
-
-        /// <summary>Chunks in the file's order.</summary>
         public LazChunkList Chunks { get; } = new LazChunkList();
 
-        /// <summary>Whether the table was unusable: <see cref="Chunks"/> holds what is known (perhaps nothing), and the rest must
-        /// be searched for from where the known ones end.</summary>
+        // Chunks holds what is known, and the rest must be searched for from where the known ones end.
         public bool IsLost { get; private set; }
 
-        /// <summary>Reads the table of a chunked file with points. Anomalies become warnings.</summary>
         public static LazChunkTable Read(FileSource source, LazFormat format, SourceInfo info, long pointsOffset)
         {
             var table = new LazChunkTable(source, format, info, pointsOffset);
@@ -82,7 +73,6 @@ namespace FastPoints.Laz
             return table;
         }
 
-        /// <returns>What is wrong, or null.</returns>
         string Read(long pointsOffset, out long at)
         {
             at = pointsOffset;
@@ -99,8 +89,7 @@ namespace FastPoints.Laz
                 return "its offset was never written (" + NumberText.Of(start) + ")";
             if (start < FirstChunkOffset || start > m_source.Length - TableHeaderBytes)
                 return "wanted an offset of " + NumberText.Of(FirstChunkOffset) + " to "
-                    + NumberText.Of(m_source.Length - TableHeaderBytes)
-                    + ", got " + NumberText.Of(start);
+                    + NumberText.Of(m_source.Length - TableHeaderBytes) + ", got " + NumberText.Of(start);
 
             at = start;
             var header = m_source.Read(start, TableHeaderBytes, "chunk table");
@@ -163,8 +152,7 @@ namespace FastPoints.Laz
                                 + NumberText.Of(m_format.RecordBytes);
                         if (chunk.Points > LazChunk.MaxPoints(chunk.Bytes))
                             return "chunk " + NumberText.Of(i) + " claims " + NumberText.Of(chunk.Points) + " points in "
-                                + NumberText.Of(chunk.Bytes)
-                                + " bytes";
+                                + NumberText.Of(chunk.Bytes) + " bytes";
                         offset += chunk.Bytes;
                         pointsLeft -= Math.Min(pointsLeft, (ulong)chunk.Points);
                         if (chunk.Points > 0)
@@ -174,14 +162,11 @@ namespace FastPoints.Laz
                     }
                     if (offset < start)
                         m_info.Warn(offset, NumberText.Of(start - offset)
-                            + " bytes between the last chunk and the chunk table belong to "
-                            + "none");
+                            + " bytes between the last chunk and the chunk table belong to " + "none");
                 }
             return null;
         }
 
-        /// <summary>Fills the window with the table's bytes from <paramref name="at"/> on, followed by zeros.</summary>
-        /// <returns>The number of bytes from the table.</returns>
         int Fill(byte[] window, long at, long endOfTable)
         {
             int count = (int)Math.Min(WindowBytes, endOfTable - at);
@@ -190,7 +175,6 @@ namespace FastPoints.Laz
             return count;
         }
 
-        /// <summary>Compares the table's sum with the header's count.</summary>
         void Check()
         {
             ulong sum = (ulong)Chunks.PointCount;
@@ -202,8 +186,7 @@ namespace FastPoints.Laz
             if (m_format.HasVariableChunks)
             {
                 m_info.Warn(LasHeader.At.LegacyCount, "the header claims " + NumberText.Of(m_pointsClaimed)
-                    + " points, the chunk table "
-                    + NumberText.Of(sum) + ": the table is believed");
+                    + " points, the chunk table " + NumberText.Of(sum) + ": the table is believed");
                 return;
             }
             // If all chunks have one size, only the header says how many points the last one has.
@@ -211,8 +194,7 @@ namespace FastPoints.Laz
                 + " points, the chunks in the table have room for " + NumberText.Of(sum));
         }
 
-        /// <summary>The whole table, from its header on.</summary>
-        /// <param name="pointsOfChunk">Null where all have the VLR's number of points, but the last.</param>
+        // From its header on. pointsOfChunk: null where all have the VLR's number of points, but the last.
         public static unsafe byte[] ToBytes(IReadOnlyList<int> bytesOfChunk, IReadOnlyList<int> pointsOfChunk = null)
         {
             var table = new byte[MaxBytes(pointsOfChunk == null ? bytesOfChunk.Count : 2L * bytesOfChunk.Count)];

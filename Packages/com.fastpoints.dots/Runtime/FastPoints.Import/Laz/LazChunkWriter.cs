@@ -1,12 +1,13 @@
 using System;
 using FastPoints.Las;
+using Unity.Burst;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
 using Unity.Jobs;
 
 namespace FastPoints.Laz
 {
-    /// <summary>Compresses records to one LAZ chunk at a time, in short jobs, in memory that is reused.</summary>
+    // One chunk at a time, in short jobs, in memory that is reused.
     internal sealed unsafe class LazChunkWriter : IDisposable
     {
         readonly LazChunkForm m_form;
@@ -25,7 +26,6 @@ namespace FastPoints.Laz
                 PointwiseChunk.Configure((PointwiseChunk*)m_state.GetUnsafePtr(), form.Items, form.RecordBytes);
         }
 
-        /// <summary>The chunk, when the jobs are complete.</summary>
         public NativeArray<byte> Chunk => m_output.GetSubArray(0, (int)m_bytes.Value);
 
         public JobHandle Schedule(NativeArray<byte> records, int points)
@@ -53,7 +53,6 @@ namespace FastPoints.Laz
             return done;
         }
 
-        /// <summary>The jobs must be complete.</summary>
         public void Dispose()
         {
             if (!m_state.IsCreated)
@@ -65,10 +64,10 @@ namespace FastPoints.Laz
         }
     }
 
-    /// <summary>What all chunks of a file have in common.</summary>
+    // What all chunks of a file have in common.
     internal sealed class LazChunkForm
     {
-        /// <summary>LASzip's usual size, and the most memory of a chunk's output.</summary>
+        // LASzip's usual size, and the most memory of a chunk's output.
         const int DefaultPoints = 50000;
         const long MaxOutputBytes = 32 << 20;
 
@@ -87,13 +86,52 @@ namespace FastPoints.Laz
         }
 
         public bool IsLayered { get; }
-
         public long StateBytes => IsLayered ? LayeredWriter.StateBytes(Layers, ChunkPoints) : PointwiseChunk.StateBytes(Items);
-
-        /// <summary>Of one chunk, and what encoders write behind it.</summary>
         public long MaxBytes => BytesOf(ChunkPoints) + RangeCode.PaddingBytes;
 
         long BytesOf(int points) => IsLayered ? LazLayer.MaxInputBytes(Layers, RecordBytes, points)
             : PointwiseChunk.MaxInputBytes(Items, RecordBytes, points);
+    }
+
+    [BurstCompile]
+    internal unsafe struct EncodeLazJob : IJob
+    {
+        // Points of a slice, and points of layers: 2 to 3 ms on one core.
+        public const int SlicePoints = 4096, LayerPoints = 32768;
+
+        [ReadOnly] public NativeArray<byte> Records;
+        [ReadOnly] public NativeArray<LazLayer> Layers;
+        public bool IsLayered;
+        public int RecordBytes;
+        public int Points;
+        public NativeArray<byte> State;
+        public NativeArray<byte> Output;
+        public NativeReference<long> Bytes;
+        public int First;
+        public int Count;
+
+        public void Execute()
+        {
+            byte* records = (byte*)Records.GetUnsafeReadOnlyPtr(), output = (byte*)Output.GetUnsafePtr();
+            if (IsLayered)
+            {
+                var writer = (LayeredWriter*)State.GetUnsafePtr();
+                if (First == 0)
+                    LayeredWriter.Start(writer, Layers.Length, RecordBytes, records, Points, output);
+                Bytes.Value = LayeredWriter.Encode(writer, (LazLayer*)Layers.GetUnsafeReadOnlyPtr(), records, Points, output,
+                    Count);
+                return;
+            }
+            var chunk = (PointwiseChunk*)State.GetUnsafePtr();
+            int first = First;
+            if (first == 0)
+            {
+                PointwiseChunk.StartWriting(chunk, records, output);
+                first = 1;
+            }
+            PointwiseChunk.Encode(chunk, records + (long)first * RecordBytes, First + Count - first, output);
+            if (First + Count == Points)
+                Bytes.Value = PointwiseChunk.EndWriting(chunk, output);
+        }
     }
 }

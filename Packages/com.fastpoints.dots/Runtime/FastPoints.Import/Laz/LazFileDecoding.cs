@@ -8,17 +8,37 @@ using Unity.Jobs;
 
 namespace FastPoints.Laz
 {
-    /// <summary>Decodes whole LAS or LAZ files of one kind from memory, one at a time: in a chain of slices as far as a range
-    /// goes.</summary>
+    // One of several files that are all like it.
+    sealed class LasTemplate
+    {
+        public readonly LasFile Las;
+
+        // Null for LAS.
+        public readonly LazFormat Laz;
+
+        public LasTemplate(string path)
+        {
+            using var source = FileSource.Open(path);
+            Las = LasFile.Read(source);
+            Laz = Las.Header.IsCompressed ? LazFormat.Read(Las) : null;
+            if (Laz != null && Laz.Compressor == LazCompressor.None)
+                throw PointCloudException.Wanted(FailureCode.Unsupported, path, LasHeader.At.PointFormat, "LASzip compressor",
+                    "1 to 3", 0);
+        }
+    }
+
+    // Whole LAS or LAZ files of one kind from memory, one at a time: in a chain of slices as far as a range goes.
     sealed unsafe class LazFileDecoding : IDisposable
     {
-        /// <summary>A slice takes about 4 ms of decoding on one core.</summary>
+        // About 4 ms of decoding on one core.
         const int SlicePoints = 16384;
 
         const int MaxTileBytes = 64 << 10;
 
         readonly LasFile m_las;
         readonly LazFormat m_format;
+        readonly PointBatch m_batch;
+        readonly bool m_roundsOffset;
         readonly int m_tilePoints;
         NativeArray<byte> m_items;
         NativeArray<byte> m_decoder;
@@ -26,32 +46,28 @@ namespace FastPoints.Laz
         NativeArray<FieldCopy> m_copies;
         NativeReference<LazFileState> m_state;
 
-        /// <param name="las">One of the files: the others are like it.</param>
-        /// <param name="format">The format of that file, or null for LAS.</param>
-        /// <param name="batch">The batch with the wanted columns, to be filled.</param>
-        /// <exception cref="ArgumentException">The files lack an attribute.</exception>
-        public LazFileDecoding(LasFile las, LazFormat format, PointBatch batch, Allocator allocator)
+        public LazFileDecoding(LasTemplate like, PointBatch batch, bool roundsOffset, Allocator allocator)
         {
-            m_las = las;
-            m_format = format;
-            int recordBytes = las.Header.RecordBytes;
+            m_las = like.Las;
+            m_format = like.Laz;
+            m_batch = batch;
+            m_roundsOffset = roundsOffset;
+            int recordBytes = m_las.Header.RecordBytes;
             m_tilePoints = Math.Max(1, Math.Min(LayeredChunk.TilePoints, MaxTileBytes / recordBytes));
-            m_copies = new NativeArray<FieldCopy>(FieldCopyPlan.Make(las.Layout.Fields, batch), allocator);
-            ConfigureDecoder(batch.Schema, allocator);
-            m_items = new NativeArray<byte>(format?.ItemBytesOfVlr() ?? new byte[0], allocator);
+            m_copies = new NativeArray<FieldCopy>(FieldCopyPlan.Make(m_las.Layout.Fields, batch), allocator);
+            bool isLayered = m_format != null && m_format.IsLayered;
+            var isWanted = isLayered ? LazLayerChoice.Choose(m_format.Layers, m_las.Layout.Fields, batch.Schema) : null;
+            m_decoder = m_format?.CreateDecoder(isWanted, allocator) ?? new NativeArray<byte>(1, allocator);
+            m_items = new NativeArray<byte>(m_format?.ItemBytesOfVlr() ?? new byte[0], allocator);
             m_tile = new NativeArray<byte>(m_tilePoints * recordBytes, allocator, NativeArrayOptions.UninitializedMemory);
             m_state = new NativeReference<LazFileState>(allocator);
         }
 
-        /// <summary>Points of the last decoded file, according to its header.</summary>
         public long PointsInFile => m_state.Value.PointsInFile;
 
-        /// <param name="input">The file, with <see cref="RangeCode.PaddingBytes"/> behind it, after <paramref
-        /// name="inputDeps"/>.</param>
-        /// <param name="first">First point of the range, counted from the file's start.</param>
-        /// <param name="roundsOffset">See <see cref="DecodeLazFileJob.RoundsOffset"/>.</param>
-        public JobHandle Schedule(NativeArray<byte> input, int inputBytes, long first, int count, bool roundsOffset,
-            PointBatch to, NativeReference<DecodeResult> result, JobHandle inputDeps)
+        // input: the file with PaddingBytes of RangeCode behind it, after inputDeps; first: counted from the file's start.
+        public JobHandle Schedule(NativeArray<byte> input, int inputBytes, long first, int count,
+            NativeReference<DecodeResult> result, JobHandle inputDeps)
         {
             var header = m_las.Header;
             var decode = new DecodeLazFileJob
@@ -59,12 +75,12 @@ namespace FastPoints.Laz
                 Input = input,
                 InputBytes = inputBytes,
                 Transform = new PositionTransform { Scale = header.Scale, Offset = header.Offset },
-                RoundsOffset = roundsOffset,
+                RoundsOffset = m_roundsOffset,
                 Items = m_items,
                 Decoder = m_decoder,
                 Tile = m_tile,
                 Copies = m_copies,
-                Columns = to.Bytes,
+                Columns = m_batch.Bytes,
                 State = m_state,
                 Result = result,
                 Compressor = m_format?.Compressor ?? LazCompressor.None,
@@ -91,26 +107,6 @@ namespace FastPoints.Laz
             m_tile.Dispose();
             m_copies.Dispose();
             m_state.Dispose();
-        }
-
-        void ConfigureDecoder(PointSchema wanted, Allocator allocator)
-        {
-            if (m_format == null)
-            {
-                m_decoder = new NativeArray<byte>(1, allocator);
-                return;
-            }
-            if (!m_format.IsLayered)
-            {
-                m_decoder = new NativeArray<byte>((int)PointwiseChunk.StateBytes(m_format.Items), allocator,
-                    NativeArrayOptions.UninitializedMemory);
-                PointwiseChunk.Configure((PointwiseChunk*)m_decoder.GetUnsafePtr(), m_format.Items, m_format.RecordBytes);
-                return;
-            }
-            var isWanted = LazLayerChoice.Choose(m_format.Layers, m_las.Layout.Fields, wanted);
-            long bytes = LayeredChunk.StateBytes(m_format.Layers, isWanted, m_format.RecordBytes);
-            m_decoder = new NativeArray<byte>((int)bytes, allocator, NativeArrayOptions.UninitializedMemory);
-            LayeredChunk.Configure((LayeredChunk*)m_decoder.GetUnsafePtr(), m_format.Layers, isWanted, m_format.RecordBytes);
         }
     }
 }

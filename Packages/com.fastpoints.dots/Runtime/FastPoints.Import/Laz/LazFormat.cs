@@ -1,40 +1,42 @@
 using System;
 using System.Collections.Generic;
+using System.IO;
+using System.Text;
 using FastPoints.Core;
 using FastPoints.Las;
 using FastPoints.Reading;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
 
 namespace FastPoints.Laz
 {
-    /// <summary>How a file's points are compressed, in the LASzip VLR's terms.</summary>
     internal enum LazCompressor
     {
-        /// <summary>Not compressed: plain records in a file that says LAZ.</summary>
+        // Plain records in a file that says LAZ.
         None = 0,
 
-        /// <summary>One stream from the first point to the last (LASzip 1.x).</summary>
+        // One stream from the first point to the last (LASzip 1.x).
         Pointwise = 1,
 
-        /// <summary>Chunks, each a stream of its own.</summary>
+        // Chunks, each a stream of its own.
         PointwiseChunked = 2,
 
-        /// <summary>Chunks of layers, for point formats 6 to 10.</summary>
+        // Chunks of layers, for point formats 6 to 10.
         LayeredChunked = 3,
     }
 
-    /// <summary>The contents of the LASzip VLR, checked against the header.</summary>
     internal sealed class LazFormat
     {
         public const string UserId = "laszip encoded";
         public const ushort RecordId = 22204;
 
-        /// <summary>The chunk size that means "in the chunk table"; 0 has been written for it as well.</summary>
+        // "In the chunk table"; 0 has been written for it as well.
         public const uint VariableChunkPoints = uint.MaxValue;
 
-        /// <summary>More extra bytes in a point than any file has: a decoder's state takes 1.6 KB for each.</summary>
+        // More than any file has: a decoder's state takes 1.6 KB for each.
         public const int MaxExtraBytes = 4096;
 
-        /// <summary>Offset of the number of items in the VLR's data; the items follow it.</summary>
+        // Of the number of items in the VLR's data; the items follow it.
         public const int ItemsAt = 32;
 
         const int FixedBytes = ItemsAt + 2;
@@ -42,24 +44,19 @@ namespace FastPoints.Laz
 
         public LazCompressor Compressor;
 
-        /// <summary>Points of each chunk except the last, or <see cref="VariableChunkPoints"/>.</summary>
+        // Of each chunk except the last, or VariableChunkPoints.
         public uint ChunkPoints;
 
         public LazItem[] Items;
         public int RecordBytes;
-
-        /// <summary>LASzip's own version, for people.</summary>
         public string WriterVersion;
 
-        /// <summary>The layers of layered chunks; otherwise empty.</summary>
+        // Of layered chunks; otherwise empty.
         public LazLayer[] Layers;
 
         public bool IsLayered => Compressor == LazCompressor.LayeredChunked;
-
         public bool HasVariableChunks => ChunkPoints == VariableChunkPoints;
 
-        /// <exception cref="PointCloudException">The VLR is missing or does not fit the header, or names an unknown coder or
-        /// item.</exception>
         public static LazFormat Read(LasFile las)
         {
             string path = las.Info.Path;
@@ -107,7 +104,18 @@ namespace FastPoints.Laz
             return format;
         }
 
-        /// <summary>The VLR's bytes from <see cref="ItemsAt"/> on.</summary>
+        // isWanted: by layer.
+        public unsafe NativeArray<byte> CreateDecoder(bool[] isWanted, Allocator allocator)
+        {
+            long bytes = IsLayered ? LayeredChunk.StateBytes(Layers, isWanted, RecordBytes) : PointwiseChunk.StateBytes(Items);
+            var state = new NativeArray<byte>((int)bytes, allocator, NativeArrayOptions.UninitializedMemory);
+            if (IsLayered)
+                LayeredChunk.Configure((LayeredChunk*)state.GetUnsafePtr(), Layers, isWanted, RecordBytes);
+            else
+                PointwiseChunk.Configure((PointwiseChunk*)state.GetUnsafePtr(), Items, RecordBytes);
+            return state;
+        }
+
         internal byte[] ItemBytesOfVlr()
         {
             var bytes = new byte[FixedBytes - ItemsAt + Items.Length * ItemBytes];
@@ -122,7 +130,6 @@ namespace FastPoints.Laz
             return bytes;
         }
 
-        /// <summary>Adds all of it as lines for people.</summary>
         public void AddFacts(SourceInfo info)
         {
             info.Fact("LASzip version", WriterVersion);
@@ -157,8 +164,7 @@ namespace FastPoints.Laz
             return item;
         }
 
-        /// <summary>Checks that the items are those of the point format, in the record's order, and as long as the
-        /// record.</summary>
+        // They must be those of the point format, in the record's order, and as long as the record.
         static void CheckItems(LazFormat format, LasFile las, long at)
         {
             var got = new List<string>();
@@ -186,7 +192,7 @@ namespace FastPoints.Laz
                     NumberText.Of(format.RecordBytes) + " (the record length)", bytes);
         }
 
-        /// <summary>The item types of a point format, extra bytes aside.</summary>
+        // Extra bytes aside.
         public static string ItemsOf(int pointFormat)
         {
             var items = new List<LazItemType>();
@@ -205,6 +211,70 @@ namespace FastPoints.Laz
             if (pointFormat == 9 || pointFormat == 10)
                 items.Add(LazItemType.WavePacket14);
             return string.Join(" + ", items);
+        }
+    }
+
+    // The parts of a record that are compressed each in its own way.
+    internal static class LazItems
+    {
+        // version: 1 or 2 for point formats 0 to 5, 3 or 4 above.
+        public static LazItem[] Of(int pointFormat, int version, int extraBytes)
+        {
+            var items = new List<LazItem>();
+            bool isExtended = pointFormat >= 6;
+            int at = 0;
+            foreach (string name in LazFormat.ItemsOf(pointFormat).Split(new[] { " + " }, StringSplitOptions.None))
+                Add(items, (LazItemType)Enum.Parse(typeof(LazItemType), name), version, 0, ref at);
+            if (extraBytes > 0)
+                Add(items, isExtended ? LazItemType.Bytes14 : LazItemType.Bytes, version, extraBytes, ref at);
+            return items.ToArray();
+        }
+
+        static void Add(List<LazItem> items, LazItemType type, int version, int bytes, ref int at)
+        {
+            int fixedBytes = LazItem.FixedBytes(type);
+            var item = new LazItem
+            {
+                Type = type,
+                // Wave packets of pointwise chunks have one version only.
+                Version = type == LazItemType.WavePacket13 ? 1 : version,
+                Bytes = fixedBytes != 0 ? fixedBytes : bytes,
+                RecordOffset = at,
+            };
+            items.Add(item);
+            at += item.Bytes;
+        }
+
+        public static byte[] Vlr(LazItem[] items, LazCompressor compressor, uint chunkPoints)
+        {
+            var vlr = new BinaryWriter(new MemoryStream());
+            vlr.Write((ushort)0);
+            vlr.Write(Padded(LazFormat.UserId, 16));
+            vlr.Write(LazFormat.RecordId);
+            vlr.Write((ushort)(34 + 6 * items.Length));
+            vlr.Write(Padded("", 32));
+            vlr.Write((ushort)compressor);
+            vlr.Write((ushort)0);
+            vlr.Write(new byte[] { 3, 4, 0, 0 });
+            vlr.Write(0u);
+            vlr.Write(chunkPoints);
+            vlr.Write(-1L);
+            vlr.Write(-1L);
+            vlr.Write((ushort)items.Length);
+            foreach (var item in items)
+            {
+                vlr.Write((ushort)item.Type);
+                vlr.Write((ushort)item.Bytes);
+                vlr.Write((ushort)item.Version);
+            }
+            return ((MemoryStream)vlr.BaseStream).ToArray();
+        }
+
+        static byte[] Padded(string text, int count)
+        {
+            var bytes = new byte[count];
+            Encoding.ASCII.GetBytes(text).CopyTo(bytes, 0);
+            return bytes;
         }
     }
 }

@@ -3,15 +3,15 @@ using System.Collections.Generic;
 using FastPoints.Core;
 using FastPoints.Las;
 using FastPoints.Reading;
+using Unity.Collections;
 
 namespace FastPoints.Laz
 {
-    /// <summary>Reads LAZ: what LASzip 1.x to 3.x write, pointwise or in layers, point formats 0 to 10. Blocks are the file's
-    /// chunks; any of them can be decoded on its own, and its first points without the rest.</summary>
-    /// <remarks>A chunk of more than <c>MaxBlockPoints</c> points becomes several blocks. In a pointwise chunk each block starts
-    /// from a checkpoint, a copy of the decoder's state there, which <see cref="FindBlocks"/> takes by decoding the chunk once.
-    /// In a layered chunk each block decodes from the chunk's start (no writer makes such long chunks by default).</remarks>
-    internal sealed class LazReader : LazChunkReader
+    // What LASzip 1.x to 3.x write, pointwise or in layers, point formats 0 to 10. A chunk of more than MaxBlockPoints points
+    // becomes several blocks. In a pointwise chunk each block starts from a checkpoint, a copy of the decoder's state there,
+    // which FindBlocks takes by decoding the chunk once. In a layered chunk each block decodes from the chunk's start (no writer
+    // makes such long chunks by default).
+    internal sealed class LazReader : LazChunkReader, IPrefixSource
     {
         LazChunkList Chunks => Blocks.Chunks;
 
@@ -28,10 +28,6 @@ namespace FastPoints.Laz
                 MakeBlocks(null);
         }
 
-        /// <summary>Reads the header, the LASzip VLR and the chunk table. Warnings are in
-        /// <see cref="PointReader.Info"/>.</summary>
-        /// <param name="longChunkPoints">The most points of a chunk that is one block.</param>
-        /// <exception cref="PointCloudException">The points cannot be located, or are coded in an unknown way.</exception>
         public static PointReader Open(LasFile las, FileSource source, int longChunkPoints = MaxBlockPoints)
         {
             var format = LazFormat.Read(las);
@@ -43,10 +39,13 @@ namespace FastPoints.Laz
 
         public override bool BlocksAreKnown => m_areBlocksKnown;
 
-        /// <summary>False for layered files, whose chunks say how long they are: all are found quickly.</summary>
-        public override bool HasPrefixes => !m_areBlocksKnown && !Format.IsLayered;
+        // False for layered files, whose chunks say how long they are: all are found quickly.
+        public bool HasPrefixes => !m_areBlocksKnown && !Format.IsLayered;
 
-        public override IEnumerator<JobStep> FindPrefixes()
+        public PointEstimate EstimatedPoints => new PointEstimate(Info.PointsClaimed, 0);
+
+        // The beginning, however many places are wanted.
+        public IEnumerator<JobStep> FindPrefixes(int places)
         {
             if (!HasPrefixes)
                 yield break;
@@ -83,7 +82,6 @@ namespace FastPoints.Laz
             m_areBlocksKnown = true;
         }
 
-        /// <summary>Drops what an earlier or cancelled search has found.</summary>
         void Forget()
         {
             Blocks.Clear();
@@ -94,7 +92,6 @@ namespace FastPoints.Laz
 
         public override void DisposeUnread() => Blocks.DropCheckpoints();
 
-        /// <returns>Whether the table that says where they are is lost.</returns>
         bool FindChunks()
         {
             long start = Header.PointsOffset;
@@ -140,8 +137,7 @@ namespace FastPoints.Laz
             Blocks.CheckBounds();
         }
 
-        /// <summary>Adds the blocks between the checkpoints of a long chunk; those whose checkpoint lost its state start from an
-        /// earlier one.</summary>
+        // Between the checkpoints of a long chunk; blocks whose checkpoint lost its state start from an earlier one.
         void AddPartsByCheckpoints(int c, BlockRange checkpoints)
         {
             var chunk = Chunks[c];
@@ -157,6 +153,60 @@ namespace FastPoints.Laz
                 if (!isLast && Blocks.Checkpoints[next].HasState)
                     withState = next;
             }
+        }
+    }
+
+    // Points in LAZ chunks, listed in a chunk table (LazReader) or in the hierarchy of an octree (CopcReader).
+    internal abstract class LazChunkReader : PointReader
+    {
+        // Of a decoder and its tile.
+        internal sealed override long DecoderBytes => 512 << 10;
+
+        // Chunks up to this size are one block, unless their records are long.
+        public const int MaxBlockPoints = 1 << 20;
+
+        private protected LazChunkReader(LazBlocks blocks)
+        {
+            Blocks = blocks;
+            Info = blocks.Info;
+        }
+
+        private protected LazBlocks Blocks { get; }
+
+        internal sealed override LasFile Las => Blocks.Las;
+
+        public LasHeader Header => Blocks.Las.Header;
+        public LazFormat Format => Blocks.Format;
+
+        public override int BlockCount => Blocks.Count;
+        public override int MaxPointsPerBlock => Blocks.MaxPoints;
+
+        public override long FirstPointOfBlock(int block) => Blocks.FirstPointOf(block);
+
+        public override int PointsInBlock(int block) => Blocks.PointsOf(block);
+
+        public override string FileOfBlock(int block, out long byteOffset)
+        {
+            byteOffset = Blocks.ChunkOf(Blocks[block]).Offset;
+            return Info.Path;
+        }
+
+        // Estimates by the block's share of its chunk; unwanted layers are not deducted.
+        public override long BytesOfRange(BlockRange range)
+        {
+            var block = Blocks[range.Block];
+            var chunk = Blocks.ChunkOf(block);
+            long ofBlock = (long)(chunk.Bytes * (block.Points / (double)Math.Max(1, chunk.Points)));
+            return Math.Min(chunk.Bytes, (long)(ofBlock * ((range.First + range.Count) / (double)Math.Max(1, block.Points))));
+        }
+
+        public override BlockRead CreateRead(PointSchema wanted, int capacity, Allocator allocator) =>
+            new LazBlockRead(this, Blocks, wanted, capacity, allocator);
+
+        public override void CloseFile()
+        {
+            Blocks.Source.Dispose();
+            Blocks.File.Close();
         }
     }
 }

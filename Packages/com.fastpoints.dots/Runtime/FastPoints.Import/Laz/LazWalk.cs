@@ -6,10 +6,9 @@ using FastPoints.Reading;
 
 namespace FastPoints.Laz
 {
-    /// <summary>Searches for the chunks of a file whose chunk table is lost, and takes checkpoints within pointwise chunks that
-    /// are too long for one block: in one pass over the file and in bounded memory.</summary>
-    /// <remarks>Layered chunks say how long they are. Pointwise ones do not: they are decoded, and the next begins where one
-    /// ends.</remarks>
+    // Searches for the chunks of a file whose chunk table is lost, and takes checkpoints within pointwise chunks that are too
+    // long for one block: in one pass over the file and in bounded memory. Layered chunks say how long they are. Pointwise ones
+    // do not: they are decoded, and the next begins where one ends.
     sealed class LazWalk
     {
         const int SlicePoints = 16384;
@@ -27,11 +26,11 @@ namespace FastPoints.Laz
         readonly List<BlockRange> m_checkpointsOfChunk = new List<BlockRange>();
         readonly long m_firstChunk;
 
-        /// <summary>Points between checkpoints, which are those of a block: a quarter of the limit for a whole chunk, since a
-        /// block's points and its input lie in memory for each slot.</summary>
+        // Between checkpoints: a quarter of the limit for a whole chunk, since a block's points and its input lie in memory for
+        // each slot.
         readonly int m_checkpointPoints;
 
-        /// <param name="blocks">Its known chunks: long ones are walked, and more are added if the table is lost.</param>
+        // Long known chunks are walked, and more are added if the table is lost.
         public LazWalk(LazBlocks blocks)
         {
             m_blocks = blocks;
@@ -43,11 +42,10 @@ namespace FastPoints.Laz
             m_checkpointPoints = Math.Max(1, blocks.LongChunkPoints / 4);
         }
 
-        /// <summary>Points in the prefix of a long chunk, which takes no checkpoint. Without a table, the first chunks are
-        /// searched up to as many points: about 50 ms of decoding.</summary>
+        // Of a long chunk, taken without a checkpoint. Without a table, the first chunks are searched up to as many points: about
+        // 50 ms of decoding.
         public static int PrefixPoints(LazBlocks blocks) => Math.Min(blocks.LongChunkPoints, MaxPrefixPoints);
 
-        /// <summary>The checkpoints of a chunk that has any: <c>First</c> and <c>Count</c> of the list.</summary>
         public BlockRange CheckpointsOf(int chunk)
         {
             foreach (var range in m_checkpointsOfChunk)
@@ -59,8 +57,8 @@ namespace FastPoints.Laz
         public IEnumerator<JobStep> Run(bool isTableLost) =>
             !isTableLost ? WalkLongChunks() : m_format.IsLayered ? WalkHeaders() : WalkStreams(false);
 
-        /// <summary>For a pointwise file without a table, adds the first chunks, with <see cref="PrefixPoints"/> points or a
-        /// little more. A chunk that is too long for a block is assumed to have the maximum length, and not walked.</summary>
+        // For a pointwise file without a table, adds the first chunks, with PrefixPoints points or a little more. A chunk that is
+        // too long for a block is assumed to have the maximum length, and not walked.
         public IEnumerator<JobStep> WalkPrefix()
         {
             ulong claimed = m_blocks.Info.PointsClaimed;
@@ -113,7 +111,6 @@ namespace FastPoints.Laz
             Warn();
         }
 
-        /// <param name="isBeginning">Whether to stop at <see cref="PrefixPoints"/>.</param>
         IEnumerator<JobStep> WalkStreams(bool isBeginning)
         {
             long at = m_firstChunk;
@@ -144,8 +141,8 @@ namespace FastPoints.Laz
                 Warn();
         }
 
-        /// <summary>Whether what follows here is the chunk table, whose offset was lost, or nothing but zeros, as in a file that
-        /// was allocated long before it was written. A decoder would make points of both.</summary>
+        // What follows is the chunk table, whose offset was lost, or nothing but zeros, as in a file that was allocated long
+        // before it was written. A decoder would make points of both.
         bool IsNoChunk(long at, int chunks)
         {
             const int TableHeaderBytes = 8;
@@ -173,8 +170,7 @@ namespace FastPoints.Laz
                 if (stream.Point == chunk.Points)
                     continue;
                 m_blocks.Info.Warn(stream.FileOffset, "chunk " + NumberText.Of(c) + ": wanted " + NumberText.Of(chunk.Points)
-                    + " points, got "
-                    + NumberText.Of(stream.Point) + ": the others are not in the file");
+                    + " points, got " + NumberText.Of(stream.Point) + ": the others are not in the file");
                 m_chunks.SetPoints(c, stream.Point);
             }
         }
@@ -202,8 +198,7 @@ namespace FastPoints.Laz
                 m_checkpoints.RemoveAt(m_checkpoints.Count - 1);
         }
 
-        /// <summary>Remembers the chunk's checkpoints, and drops the state of every second one while all of them exceed the
-        /// memory limit.</summary>
+        // The state of every second checkpoint is dropped while all of them exceed the memory limit.
         void CloseChunk(int chunk, int firstCheckpoint)
         {
             int count = m_checkpoints.Count - firstCheckpoint;
@@ -236,8 +231,7 @@ namespace FastPoints.Laz
             ulong points = (ulong)m_chunks.PointCount;
             if (points != m_blocks.Info.PointsClaimed)
                 m_blocks.Info.Warn(LasHeader.At.LegacyCount, "the header claims "
-                    + NumberText.Of(m_blocks.Info.PointsClaimed) + " points, the file holds "
-                    + NumberText.Of(points));
+                    + NumberText.Of(m_blocks.Info.PointsClaimed) + " points, the file holds " + NumberText.Of(points));
         }
     }
 }

@@ -1,12 +1,13 @@
 using System;
 using FastPoints.Reading;
+using Unity.Burst;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
 using Unity.Jobs;
 
 namespace FastPoints.Laz
 {
-    /// <summary>Decodes a pointwise chunk from a window of the file, a slice at a time, without keeping its points.</summary>
+    // A pointwise chunk from a window of the file, a slice at a time, without keeping its points.
     sealed unsafe class LazWalkStream : IDisposable
     {
         const int MaxTilePoints = 512;
@@ -23,8 +24,6 @@ namespace FastPoints.Laz
         NativeArray<byte> m_tile;
         NativeReference<LazWalkStep> m_step;
         JobHandle m_decode;
-
-        /// <summary>Offset of the window in the file.</summary>
         long m_windowStart;
         long m_windowEnd;
         long m_inputEnd;
@@ -45,16 +44,13 @@ namespace FastPoints.Laz
             m_step = new NativeReference<LazWalkStep>(Allocator.Persistent);
         }
 
-        /// <summary>Points decoded of the chunk.</summary>
         public long Point { get; private set; }
-
-        /// <summary>Where the next point's bytes start in the file.</summary>
         public long FileOffset { get; private set; }
 
-        /// <summary>Whether the input does not hold the next point.</summary>
+        // The input does not hold the next point.
         public bool IsStopped { get; private set; }
 
-        /// <summary>Whether the window may not hold the next tile, and the file has more.</summary>
+        // The window may not hold the next tile, and the file has more.
         public bool NeedsInput => FileOffset < m_windowStart || FileOffset > m_windowEnd
             || m_windowEnd < m_inputEnd && m_windowEnd - FileOffset < m_maxBytesOfFirst + m_tilePoints * m_maxBytesOfPoint;
 
@@ -106,7 +102,6 @@ namespace FastPoints.Laz
             IsStopped = step.IsStopped;
         }
 
-        /// <summary>The state, whose next input byte is at <see cref="FileOffset"/>.</summary>
         public LazCheckpoint Checkpoint()
         {
             PointwiseChunk.Rebase((PointwiseChunk*)m_state.GetUnsafePtr());
@@ -122,6 +117,71 @@ namespace FastPoints.Laz
             m_state.Dispose();
             m_tile.Dispose();
             m_step.Dispose();
+        }
+    }
+
+    struct LazWalkStep
+    {
+        public int Points;
+        public long Bytes;
+
+        // The input does not hold the next point.
+        public bool IsStopped;
+
+        // Points that the stream's end does not confirm, when it stopped.
+        public int UncertainPoints;
+    }
+
+    [BurstCompile]
+    unsafe struct WalkLazJob : IJob
+    {
+        // The input from where the state's stream has been consumed up to, with PaddingBytes of RangeCode behind InputEnd.
+        [ReadOnly] public NativeArray<byte> Input;
+
+        public NativeArray<byte> State;
+        public NativeArray<byte> Tile;
+        public NativeReference<LazWalkStep> Result;
+        public int InputStart;
+        public int InputEnd;
+
+        // The input continues behind its end, so that no point may be decoded that might not be complete.
+        public bool HasMore;
+
+        public int TilePoints;
+        public int Points;
+        public long MaxBytesOfFirst;
+        public long MaxBytesOfPoint;
+        public bool IsStart;
+
+        public void Execute()
+        {
+            var chunk = (PointwiseChunk*)State.GetUnsafePtr();
+            byte* input = (byte*)Input.GetUnsafeReadOnlyPtr() + InputStart;
+            byte* tile = (byte*)Tile.GetUnsafePtr();
+            long inputBytes = InputEnd - InputStart;
+            if (IsStart)
+                PointwiseChunk.Start(chunk);
+            PointwiseChunk.Rebase(chunk);
+            var step = default(LazWalkStep);
+            while (step.Points < Points && !step.IsStopped)
+            {
+                long wanted = Points - step.Points < TilePoints ? Points - step.Points : TilePoints;
+                if (HasMore)
+                {
+                    long safe = (inputBytes - step.Bytes - MaxBytesOfFirst) / MaxBytesOfPoint;
+                    if (safe <= 0)
+                        break;
+                    wanted = wanted < safe ? wanted : safe;
+                }
+                int got = PointwiseChunk.Decode(chunk, input, inputBytes, tile, (int)wanted);
+                step.Points += got;
+                step.IsStopped = got < wanted;
+                if (step.IsStopped)
+                    step.UncertainPoints = chunk->UncertainPoints;
+                else
+                    step.Bytes = chunk->InputOffset;
+            }
+            Result.Value = step;
         }
     }
 }

@@ -1,14 +1,16 @@
 using System;
 using System.Collections.Generic;
+using FastPoints.Core;
 using FastPoints.Reading;
+using Unity.Burst;
 using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
 using Unity.Jobs;
 
 namespace FastPoints.Ply
 {
-    /// <summary>Walks through a binary file's elements up to its vertices, and through these if they have lists: one window of
-    /// the file at a time, each as one job. Windows that lie within a list or an element of fixed length are not read at
-    /// all.</summary>
+    // Walks up to the vertices of a binary file, and through these if they have lists: one window of the file at a time, each as
+    // one job. Windows that lie within a list or an element of fixed length are not read at all.
     sealed class PlyElementWalk : IDisposable
     {
         const int WindowBytes = 4 << 20;
@@ -21,7 +23,7 @@ namespace FastPoints.Ply
         NativeList<SegmentBlock> m_blocks;
         JobHandle m_walked;
 
-        /// <param name="isIndexing">Whether the vertices are walked, too, and gathered into blocks.</param>
+        // isIndexing: the vertices are walked, too, and gathered into blocks.
         public PlyElementWalk(PlyFile ply, bool isIndexing)
         {
             m_ply = ply;
@@ -49,14 +51,11 @@ namespace FastPoints.Ply
             m_blocks = new NativeList<SegmentBlock>(16, Allocator.Persistent);
         }
 
-        /// <summary>The progress of the walk. Do not read it while a job is in flight.</summary>
         public PlyWalkState State => m_state.Value;
 
-        /// <summary>The blocks so far. Do not call this while a job is in flight.</summary>
         public SegmentBlock[] TakeBlocks() => m_blocks.AsArray().ToArray();
 
-        /// <summary>Closes the previous window, whose handle must be complete, and starts the next.</summary>
-        /// <returns>Whether there was a next one.</returns>
+        // Closes the previous window, whose handle must be complete, and starts the next. False at the end.
         public bool Next(out JobHandle handle)
         {
             m_walked.Complete();
@@ -93,5 +92,173 @@ namespace FastPoints.Ply
             m_state.Dispose();
             m_blocks.Dispose();
         }
+    }
+
+    // Steps through elements with lists as far as one segment of the file reaches, reading only the lists' counts, and records a
+    // block for every MaxBlockPoints points or MaxBlockBytes.
+    [BurstCompile]
+    unsafe struct WalkPlyElementsJob : IJob
+    {
+        public const int MaxBlockPoints = 65536;
+        public const int MaxBlockBytes = 1 << 20;
+
+        // A block is as long as its last vertex makes it; longer lists count as damage.
+        public const int MaxRecordBytes = 16 << 20;
+
+        [ReadOnly] public NativeArray<byte> Input;
+        [ReadOnly] public NativeArray<PlyWalkElement> Elements;
+        [ReadOnly] public NativeArray<PlyStep> Steps;
+        public long InputOffset;
+        public int InputBytes;
+        public long FileBytes;
+        public bool IsBigEndian;
+
+        public NativeReference<PlyWalkState> State;
+        public NativeList<SegmentBlock> Blocks;
+
+        public void Execute()
+        {
+            var state = State.Value;
+            while (!state.IsDone)
+            {
+                if (state.Element == Elements.Length)
+                {
+                    state.IsDone = true;
+                    break;
+                }
+                var element = Elements[state.Element];
+                bool isPassed = element.FixedBytes >= 0 ? PassFixed(ref state, element) : PassLists(ref state, element);
+                if (!isPassed)
+                    break;
+                if (element.IsIndexed)
+                    CloseBlock(ref state, state.Position);
+                state.Element++;
+                state.Instance = 0;
+                state.Step = 0;
+            }
+            State.Value = state;
+        }
+
+        bool PassFixed(ref PlyWalkState state, in PlyWalkElement element)
+        {
+            if (element.FixedBytes == 0 || element.Count == 0)
+                return true;
+            if (element.Count > (ulong)((FileBytes - state.Position) / element.FixedBytes))
+                return Fail(ref state, PlyError.Truncated, FileBytes);
+            state.Position += (long)element.Count * element.FixedBytes;
+            return true;
+        }
+
+        // False if the walk needs other bytes or is over.
+        bool PassLists(ref PlyWalkState state, in PlyWalkElement element)
+        {
+            byte* input = (byte*)Input.GetUnsafeReadOnlyPtr();
+            while (state.Instance < element.Count)
+            {
+                if (state.Step == 0)
+                {
+                    state.InstanceStart = state.Position;
+                    if (element.IsIndexed && state.BlockPoints == 0)
+                        state.BlockStart = state.Position;
+                }
+                for (; state.Step < element.Steps; state.Step++)
+                {
+                    var step = Steps[element.FirstStep + state.Step];
+                    long next = state.Position + step.Bytes;
+                    if (next > FileBytes)
+                        return Fail(ref state, PlyError.Truncated, state.InstanceStart);
+                    if (step.Kind == PlyStepKind.List)
+                    {
+                        long at = state.Position - InputOffset;
+                        if (at < 0 || at + step.Bytes > InputBytes)
+                            return false;
+                        ulong count = PlyBytes.Load(input + at, step.Bytes, IsBigEndian);
+                        if (PlyBytes.IsNegative(count, step.Type))
+                            return Fail(ref state, PlyError.BadListLength, state.Position);
+                        if (count > (ulong)((FileBytes - next) / step.Count))
+                            return Fail(ref state, PlyError.Truncated, state.InstanceStart);
+                        next += (long)count * step.Count;
+                        if (element.IsIndexed && next - state.InstanceStart > MaxRecordBytes)
+                            return Fail(ref state, PlyError.RecordTooLong, state.InstanceStart);
+                    }
+                    state.Position = next;
+                }
+                state.Step = 0;
+                state.Instance++;
+                if (element.IsIndexed)
+                {
+                    state.BlockPoints++;
+                    if (state.BlockPoints == MaxBlockPoints || state.Position - state.BlockStart >= MaxBlockBytes)
+                        CloseBlock(ref state, state.Position);
+                }
+            }
+            return true;
+        }
+
+        void CloseBlock(ref PlyWalkState state, long end)
+        {
+            if (state.BlockPoints == 0)
+                return;
+            Blocks.Add(new SegmentBlock
+            {
+                OffsetBytes = state.BlockStart,
+                Bytes = (int)(end - state.BlockStart),
+                FirstPoint = state.PointsInBlocks,
+                Points = state.BlockPoints,
+            });
+            state.PointsInBlocks += state.BlockPoints;
+            state.BlockPoints = 0;
+        }
+
+        bool Fail(ref PlyWalkState state, int error, long offset)
+        {
+            CloseBlock(ref state, state.InstanceStart);
+            state.Error = error;
+            state.ErrorOffset = offset;
+            state.IsDone = true;
+            return false;
+        }
+    }
+
+    struct PlyWalkElement
+    {
+        public ulong Count;
+        public int FixedBytes;
+        public int FirstStep;
+        public int Steps;
+        public bool IsIndexed;
+    }
+
+    // The walk can stop at any step and continue there.
+    struct PlyWalkState
+    {
+        // Of the next step in the file. It may lie behind what was read: lists are skipped.
+        public long Position;
+        public int Element;
+        public ulong Instance;
+        public int Step;
+        public long InstanceStart;
+        public long BlockStart;
+        public int BlockPoints;
+        public long PointsInBlocks;
+        public int Error;
+        public long ErrorOffset;
+        public bool IsDone;
+    }
+
+    // Of either byte order; Unity runs on little-endian machines only. HPC#.
+    static class PlyBytes
+    {
+        // An integer of 1, 2, 4 or 8 bytes as its bits, without extending its sign.
+        public static unsafe ulong Load(byte* p, int bytes, bool isBigEndian)
+        {
+            ulong value = 0;
+            for (int i = 0; i < bytes; i++)
+                value |= (ulong)p[i] << 8 * (isBigEndian ? bytes - 1 - i : i);
+            return value;
+        }
+
+        public static bool IsNegative(ulong bits, AttributeType type) =>
+            type.IsSigned() && !type.IsFloat() && (bits >> 8 * type.SizeOf() - 1 & 1) != 0;
     }
 }

@@ -5,21 +5,17 @@ using FastPoints.Reading;
 
 namespace FastPoints.Ply
 {
-    /// <summary>Everything in a PLY file except its points, and what is said about these.</summary>
     sealed class PlyFile
     {
         const int FirstHeaderBytes = 16 << 10;
 
-        /// <summary>Its header describes a PCD file, whose points are no vertices.</summary>
         readonly bool m_isPcd;
         readonly HashSet<int> m_brokenBlocks = new HashSet<int>();
-        int m_brokenWarning = -1;
+        readonly RunningWarning m_pointsLost = new RunningWarning();
         string m_firstBreak;
-        long m_pointsLost;
         bool m_hasReportedMisfits;
         bool m_hasReportedExtraValues;
 
-        /// <param name="names">Attribute name of each property; null where it is none.</param>
         public PlyFile(PlyHeader header, SourceInfo info, string[] names)
         {
             Header = header;
@@ -31,20 +27,15 @@ namespace FastPoints.Ply
         }
 
         public PlyHeader Header { get; }
-
         public SourceInfo Info { get; }
-
         public PlyElement Vertex { get; }
 
-        /// <summary>Attribute name of each property of the vertex element; null for lists, packed colours and padding.</summary>
+        // Null for lists, packed colours and padding.
         public string[] Names { get; }
 
         public SourceHandle Handle { get; }
-
         public bool IsBigEndian => Header.Encoding == PlyEncoding.BinaryBigEndian;
 
-        /// <summary>Reads the header.</summary>
-        /// <exception cref="PointCloudException">It is invalid, or has no vertices with x, y and z.</exception>
         public static PlyFile Read(FileSource source)
         {
             var header = ReadHeader(source);
@@ -54,7 +45,6 @@ namespace FastPoints.Ply
             return new PlyFile(header, Describe(source, header), PlyNames.Of(header.Elements[header.VertexIndex]));
         }
 
-        /// <summary>Where the attributes lie in a record without lists.</summary>
         public PointFields RecordFields()
         {
             var fields = new PointFields();
@@ -68,8 +58,7 @@ namespace FastPoints.Ply
             return fields;
         }
 
-        /// <summary>The attributes that a property holds: one, none, or those of a packed colour.</summary>
-        /// <param name="at">The property's offset.</param>
+        // One, none, or those of a packed colour; at: the property's offset.
         public IEnumerable<PointField> FieldsOf(int property, int at)
         {
             var declared = Vertex.Properties[property];
@@ -136,7 +125,7 @@ namespace FastPoints.Ply
             return info;
         }
 
-        /// <summary>Settles the number of vertices: fewer than claimed is a warning, none at all a failure.</summary>
+        // Fewer vertices than claimed is a warning, none at all a failure.
         public void SetPointCount(long found, long endOffset, string reason)
         {
             Info.PointsReadable = found;
@@ -149,7 +138,7 @@ namespace FastPoints.Ply
             Info.Warn(endOffset, text);
         }
 
-        /// <summary>Warns about a range that broke off. Its points are kept; the file's first range must have some.</summary>
+        // The points of a broken range are kept; the file's first range must have some.
         public void WarnBroken(BlockRange range, DecodeResult result, bool areBlocksKnown)
         {
             string text = PlyError.Text(result.Error);
@@ -158,29 +147,22 @@ namespace FastPoints.Ply
                     "in the first " + (m_isPcd ? "point: " : "vertex: ") + text);
             if (!m_brokenBlocks.Add(range.Block))
                 return;
-            m_pointsLost += range.Count - result.Points;
-            if (m_brokenWarning < 0)
-            {
-                m_brokenWarning = Info.Warnings.Count;
-                Info.Warn(result.ErrorOffset, "");
-            }
-            var first = Info.Warnings[m_brokenWarning];
             if (m_brokenBlocks.Count == 1)
                 m_firstBreak = text;
-            Info.Warnings[m_brokenWarning] = new CloudWarning(first.Path, first.ByteOffset, m_firstBreak +
-                ": the " + (m_isPcd ? "points" : "vertices") + " from here to the end of the block are left out (" +
-                m_pointsLost + (m_isPcd ? " points in " : " vertices in ") +
-                m_brokenBlocks.Count + " blocks so far)");
+            string points = m_isPcd ? "points" : "vertices";
+            m_pointsLost.Add(Info, range.Count - result.Points, result.ErrorOffset, lost => m_firstBreak + ": the " + points +
+                " from here to the end of the block are left out (" + lost + " " + points + " in " + m_brokenBlocks.Count +
+                " blocks so far)");
         }
 
-        /// <summary>Forgets broken ranges when other blocks replace the known ones.</summary>
+        // Other blocks replace the known ones.
         public void ForgetBroken()
         {
             m_brokenBlocks.Clear();
-            m_pointsLost = 0;
+            m_pointsLost.Reset();
         }
 
-        /// <summary>Reports, once for each file, values that were changed or skipped.</summary>
+        // Once for each file: values that were changed or skipped.
         public void WarnAnomalies(in PlyAnomalies anomalies)
         {
             if (anomalies.Misfits > 0 && !m_hasReportedMisfits)
@@ -196,6 +178,74 @@ namespace FastPoints.Ply
                 Info.Warn(anomalies.FirstExtraOffset,
                     "more values in the line than the vertex has properties: they are left out (" +
                     anomalies.LinesWithExtraValues + " lines in this block; later blocks are not counted)");
+            }
+        }
+    }
+
+    // What writers call vertex properties; case is ignored. All others keep the name in the file.
+    internal static class PlyNames
+    {
+        // Rows that only count if all their names are present: "r" alone may be a radius.
+        static readonly string[][] s_groups =
+        {
+            new[] { "x", AttributeNames.X }, new[] { "y", AttributeNames.Y }, new[] { "z", AttributeNames.Z },
+            new[] { "red", AttributeNames.Red }, new[] { "green", AttributeNames.Green }, new[] { "blue", AttributeNames.Blue },
+            new[]
+            {
+                "diffuse_red", AttributeNames.Red, "diffuse_green", AttributeNames.Green, "diffuse_blue", AttributeNames.Blue,
+            },
+            new[] { "r", AttributeNames.Red, "g", AttributeNames.Green, "b", AttributeNames.Blue },
+            new[] { "alpha", AttributeNames.Alpha }, new[] { "diffuse_alpha", AttributeNames.Alpha },
+            new[] { "r", "", "g", "", "b", "", "a", AttributeNames.Alpha },
+            new[] { "nx", AttributeNames.NormalX, "ny", AttributeNames.NormalY, "nz", AttributeNames.NormalZ },
+            new[]
+            {
+                "normal_x", AttributeNames.NormalX, "normal_y", AttributeNames.NormalY, "normal_z", AttributeNames.NormalZ,
+            },
+            new[] { "intensity", AttributeNames.Intensity }, new[] { "scalar_intensity", AttributeNames.Intensity },
+            new[] { "reflectance", AttributeNames.Intensity },
+        };
+
+        // Null for lists. No name comes twice: of several candidates the first row of the table wins, and a name that the file
+        // repeats gets a number.
+        public static string[] Of(PlyElement vertex)
+        {
+            var properties = vertex.Properties;
+            var indexOfName = new Dictionary<string, int>(StringComparer.OrdinalIgnoreCase);
+            for (int i = 0; i < properties.Count; i++)
+                if (!properties[i].IsList && !indexOfName.ContainsKey(properties[i].Name))
+                    indexOfName.Add(properties[i].Name, i);
+
+            var names = new string[properties.Count];
+            var taken = new HashSet<string>();
+            foreach (var group in s_groups)
+                AssignGroup(group, indexOfName, names, taken);
+            for (int i = 0; i < names.Length; i++)
+            {
+                if (names[i] != null || properties[i].IsList)
+                    continue;
+                names[i] = CommonNames.Of(properties[i].Name);
+                if (names[i] != null && taken.Add(names[i]))
+                    continue;
+                string name = properties[i].Name;
+                for (int n = 2; !taken.Add(name); n++)
+                    name = properties[i].Name + "_" + n;
+                names[i] = name;
+            }
+            return names;
+        }
+
+        static void AssignGroup(string[] group, Dictionary<string, int> indexOfName, string[] names, HashSet<string> taken)
+        {
+            for (int i = 0; i < group.Length; i += 2)
+                if (!indexOfName.ContainsKey(group[i]) || taken.Contains(group[i + 1]))
+                    return;
+            for (int i = 0; i < group.Length; i += 2)
+            {
+                if (group[i + 1].Length == 0)
+                    continue;
+                names[indexOfName[group[i]]] = group[i + 1];
+                taken.Add(group[i + 1]);
             }
         }
     }

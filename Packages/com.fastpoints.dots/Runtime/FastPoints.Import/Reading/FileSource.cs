@@ -1,13 +1,39 @@
 using System;
 using System.IO;
+using System.Text;
 using FastPoints.Core;
 
 namespace FastPoints.Reading
 {
-    /// <summary>A file whose header is being read: with small managed reads at any offset, never beyond the file's real size.
-    /// AsyncReadManager reads the points into native memory instead.</summary>
-    /// <remarks>The stream is open between the first read and <see cref="Dispose"/>; path and length stay valid after that, and a
-    /// later read opens it again.</remarks>
+    internal static class FileFailures
+    {
+        // Windows, and runtimes on it, may refuse paths from this length on, and say that something is missing.
+        const int LongPath = 260;
+
+        public static bool IsFileFailure(Exception exception) =>
+            exception is IOException || exception is UnauthorizedAccessException || exception is NotSupportedException
+            || exception is ArgumentException || exception is System.Security.SecurityException;
+
+        public static PointCloudException Reading(string path, Exception cause) =>
+            Failure(path, cause, FailureCode.ReadFailed, "cannot be read");
+
+        public static PointCloudException Writing(string path, Exception cause) => FileChanges.IsDiskFull(cause)
+            ? new PointCloudException(FailureCode.DiskFull, path, -1, "the disk is full", cause)
+            : Failure(path, cause, FailureCode.WriteFailed, "cannot be written");
+
+        static PointCloudException Failure(string path, Exception cause, FailureCode otherwise, string what)
+        {
+            if (cause is FileNotFoundException || cause is DirectoryNotFoundException)
+                return new PointCloudException(FailureCode.NotFound, path, -1, "no such file or folder" + (path.Length < LongPath
+                    ? "" : ": the path has " + path.Length + " characters, where Windows takes " + (LongPath - 1)), cause);
+            if (cause is UnauthorizedAccessException || cause is System.Security.SecurityException)
+                return new PointCloudException(FailureCode.AccessDenied, path, -1, what + ": permission denied", cause);
+            return new PointCloudException(otherwise, path, -1, what + ": " + cause.Message.Replace('\n', ' '), cause);
+        }
+    }
+
+    // A file whose header is being read: small managed reads at any offset, never beyond the file's real size. The stream is
+    // open between the first read and Dispose; a later read opens it again. AsyncReadManager reads the points instead.
     internal sealed class FileSource : IDisposable
     {
         const int StreamBufferBytes = 16 * 1024;
@@ -22,15 +48,10 @@ namespace FastPoints.Reading
             Length = length;
         }
 
-        /// <summary>The path as the caller gave it, which messages show.</summary>
         public string Path { get; }
-
-        /// <summary>Bytes of the file when it was opened.</summary>
         public long Length { get; }
 
-        /// <summary>Opens a regular file that is not empty.</summary>
-        /// <exception cref="PointCloudException">NotFound for a folder or a missing file, AccessDenied, Truncated for an empty
-        /// file, a pipe or a device.</exception>
+        // NotFound for a folder or a missing file; Truncated for an empty file, a pipe or a device.
         public static FileSource Open(string path)
         {
             if (string.IsNullOrEmpty(path))
@@ -57,7 +78,6 @@ namespace FastPoints.Reading
             }
         }
 
-        /// <summary>Bytes of a file; <see cref="NoSuchFile"/> if it or its path does not exist.</summary>
         internal static long LengthOf(string path)
         {
             if (path == null)
@@ -73,16 +93,13 @@ namespace FastPoints.Reading
             }
         }
 
-        /// <summary>Reads exactly <paramref name="count"/> bytes from <paramref name="offset"/>.</summary>
-        /// <param name="field">The name of the bytes for messages.</param>
-        /// <exception cref="PointCloudException">Truncated if the file ends before; nothing is allocated then.</exception>
+        // Truncated if the file ends before; nothing is allocated then. The field is the name of the bytes for messages.
         public ByteReader Read(long offset, int count, string field)
         {
             CheckRange(offset, count, field);
             return ReadUpTo(offset, count);
         }
 
-        /// <summary>Does the same into the caller's memory.</summary>
         public void Read(long offset, byte[] into, int count, string field)
         {
             CheckRange(offset, count, field);
@@ -96,8 +113,6 @@ namespace FastPoints.Reading
                     Math.Max(0, Math.Min(Length - offset, Length)) + " before the end of the file");
         }
 
-        /// <summary>Reads up to <paramref name="count"/> bytes from <paramref name="offset"/>: fewer, or none, at the file's
-        /// end.</summary>
         public ByteReader ReadUpTo(long offset, int count)
         {
             long available = offset < 0 || offset >= Length ? 0 : Math.Min(count, Length - offset);
@@ -136,5 +151,68 @@ namespace FastPoints.Reading
         }
 
         FileStream Stream() => m_stream ??= FileChanges.OpenToRead(Path, StreamBufferBytes);
+    }
+
+    /// <summary>Reads little-endian fields of a piece of a file, addressed by their offset in the piece. A field outside the
+    /// piece is a failure that names the byte in the file.</summary>
+    internal readonly struct ByteReader
+    {
+        public readonly byte[] Bytes;
+        public readonly string Path;
+        public readonly long FileOffset;
+
+        public ByteReader(byte[] bytes, string path, long fileOffset)
+        {
+            Bytes = bytes;
+            Path = path;
+            FileOffset = fileOffset;
+        }
+
+        public int Length => Bytes.Length;
+
+        public bool Has(int at, int count) => at >= 0 && count >= 0 && count <= Bytes.Length - at;
+
+        public byte UInt8(int at, string field) => Bytes[Start(at, 1, field)];
+
+        public ushort UInt16(int at, string field)
+        {
+            int i = Start(at, 2, field);
+            return (ushort)(Bytes[i] | Bytes[i + 1] << 8);
+        }
+
+        public uint UInt32(int at, string field)
+        {
+            int i = Start(at, 4, field);
+            return (uint)(Bytes[i] | Bytes[i + 1] << 8 | Bytes[i + 2] << 16 | Bytes[i + 3] << 24);
+        }
+
+        public int Int32(int at, string field) => (int)UInt32(at, field);
+
+        public ulong UInt64(int at, string field)
+        {
+            Start(at, 8, field);
+            return UInt32(at, field) | (ulong)UInt32(at + 4, field) << 32;
+        }
+
+        public double Float64(int at, string field) => BitConverter.Int64BitsToDouble((long)UInt64(at, field));
+
+        // Up to the first zero byte, without blanks at the end. Other than printable ASCII becomes '?': people see it as one
+        // line.
+        public string Text(int at, int count, string field)
+        {
+            int start = Start(at, count, field);
+            var text = new StringBuilder(count);
+            for (int i = start; i < start + count && Bytes[i] != 0; i++)
+                text.Append(Bytes[i] >= 32 && Bytes[i] < 127 ? (char)Bytes[i] : '?');
+            return text.ToString().TrimEnd(' ');
+        }
+
+        int Start(int at, int count, string field)
+        {
+            if (!Has(at, count))
+                throw PointCloudException.Wanted(FailureCode.Truncated, Path, FileOffset + at, field, count + " bytes",
+                    Math.Max(0, Bytes.Length - (long)at));
+            return at;
+        }
     }
 }

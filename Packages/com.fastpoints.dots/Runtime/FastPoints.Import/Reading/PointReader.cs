@@ -32,44 +32,8 @@ namespace FastPoints.Reading
             yield break;
         }
 
-        /// <summary>Whether <see cref="FindPrefixes()"/> finds something to read long before <see cref="FindBlocks"/>
-        /// does.</summary>
-        public virtual bool HasPrefixes => false;
-
-        /// <summary>Coroutine, of bounded time, that finds what can be read without a pass over the file. Afterwards these
-        /// are the blocks, although <see cref="BlocksAreKnown"/> is false, until <see cref="FindBlocks"/> replaces them with all
-        /// blocks while there are no slots.</summary>
-        public virtual IEnumerator<JobStep> FindPrefixes() => FindBlocks();
-
-        /// <summary>Whether <see cref="FindPrefixes()"/> finds points spread over the whole source, each as likely as any other,
-        /// instead of its beginning.</summary>
-        public virtual bool PrefixesAreSpread => false;
-
-        /// <summary>If they are spread, the number of places to examine.</summary>
-        public virtual int MaxPrefixes => 0;
-
-        /// <summary>Like <see cref="FindPrefixes()"/>, up to a number of examined places; call it again for more. The blocks come
-        /// in an order of which every beginning is spread over the source, and earlier ones keep their numbers.</summary>
-        public virtual IEnumerator<JobStep> FindPrefixes(int places) => FindPrefixes();
-
-        /// <summary>Points of the whole source, after <see cref="FindPrefixes()"/>.</summary>
-        internal virtual PointEstimate EstimatedPoints => new PointEstimate(Info.PointsClaimed, 0);
-
-        /// <summary>The octree that the source contains, or null. Its blocks come level by level within each page of the
-        /// hierarchy; <see cref="FindBlocks"/> reads all pages.</summary>
+        // The octree that the source contains, or null. Its blocks come level by level within each page of the hierarchy.
         internal virtual SourceTree Tree => null;
-
-        /// <summary>Coroutine that reads only those pages of <see cref="Tree"/> that its first levels need: afterwards the
-        /// blocks of these levels can be read although <see cref="BlocksAreKnown"/> is false.</summary>
-        public IEnumerator<JobStep> FindLevels(int levels) => FindBelow(default, levels);
-
-        /// <summary>The same for one node and what is below it. Never opens or reads a file on the main thread.</summary>
-        /// <param name="node">Its <see cref="SourceNode.Key"/>.</param>
-        /// <param name="levels">Levels of the tree, counted from its root.</param>
-        public virtual IEnumerator<JobStep> FindBelow(int4 node, int levels) => FindBlocks();
-
-        /// <summary>Whether <see cref="FindBelow"/> has nothing to read.</summary>
-        public virtual bool IsKnownBelow(int4 node, int levels) => BlocksAreKnown;
 
         /// <summary>What a LAS or LAZ file has beside its points; null for other sources.</summary>
         internal virtual LasFile Las => null;
@@ -119,72 +83,6 @@ namespace FastPoints.Reading
         /// There must be no slots at this time.</summary>
         public virtual void CloseFile() { }
 
-        /// <summary>Whether <see cref="CreateRunRead"/> is available: sources of a fixed stride have it.</summary>
-        public virtual bool HasRunReads => false;
-
-        /// <summary>Creates a reusable slot that reads scattered runs into places of <paramref name="target"/>.</summary>
-        /// <param name="target">Its schema is a selection of <see cref="SourceInfo.Schema"/>.</param>
-        /// <param name="maxRuns">The most runs in one request.</param>
-        /// <param name="maxBytes">The most bytes of the file in one request, at least those of the longest run.</param>
-        internal virtual RunRead CreateRunRead(PointBatch target, int maxRuns, int maxBytes, Allocator allocator) =>
-            throw new NotSupportedException();
-
-        /// <summary>Coroutine: reads ranges of points, in the file's order, into a batch, one behind the other. Of sources
-        /// that have run reads.</summary>
-        /// <param name="first">The first of the ranges that is read.</param>
-        /// <param name="then">Schedules jobs that need all ranges, behind those that are given; they are complete in the
-        /// end.</param>
-        internal IEnumerator<JobStep> ReadRuns(IReadOnlyList<BlockRange> ranges, int first, int count, PointBatch target,
-            Func<JobHandle, JobHandle> then)
-        {
-            const int Slots = 8, RunsPerRequest = 256, BytesPerRequest = 2 << 20;
-            var runs = new NativeArray<PointRun>(count, Allocator.Persistent);
-            var reads = new RunRead[Slots];
-            var ring = new SlotRing(Slots);
-            var behind = default(JobHandle);
-            try
-            {
-                int place = 0, longest = 1;
-                for (int i = 0; i < count; i++)
-                {
-                    var range = ranges[first + i];
-                    long from = FirstPointOfBlock(range.Block) + range.First;
-                    runs[i] = new PointRun { First = from, Step = 1, Count = range.Count, Place = place };
-                    place += range.Count;
-                    longest = Math.Max(longest, range.Count);
-                }
-                if (count == 0)
-                    behind = then(default);
-                for (int next = 0; next < count || !ring.IsEmpty;)
-                {
-                    if (next == count || ring.IsFull)
-                    {
-                        yield return reads[ring.Oldest].Decoded;
-                        reads[ring.End()].Complete();
-                        continue;
-                    }
-                    int slot = ring.Begin();
-                    reads[slot] ??= CreateRunRead(target, RunsPerRequest,
-                        Math.Max(BytesPerRequest, longest * Info.RecordBytes), Allocator.Persistent);
-                    next += reads[slot].Begin(runs, next, RunsPerRequest, 0);
-                    behind = JobHandle.CombineDependencies(behind, reads[slot].Decoded);
-                    if (next == count)
-                        behind = then(behind);
-                    JobHandle.ScheduleBatchedJobs();
-                    // The coroutine checks its budget.
-                    yield return default;
-                }
-                yield return behind;
-            }
-            finally
-            {
-                behind.Complete();
-                foreach (var read in reads)
-                    read?.Dispose();
-                runs.Dispose();
-            }
-        }
-
         public void Dispose()
         {
             CloseFile();
@@ -196,12 +94,24 @@ namespace FastPoints.Reading
         public virtual void DisposeUnread() { }
     }
 
-    /// <summary>The number of points, as far as a sample shows.</summary>
+    // Something can be read long before FindBlocks has ended.
+    internal interface IPrefixSource
+    {
+        bool HasPrefixes { get; }
+
+        // Coroutine, of bounded time: without a pass over the file, of text at so many places. What it finds are the blocks,
+        // although BlocksAreKnown is false, until FindBlocks replaces them while there are no slots. Called again for more
+        // places, earlier blocks keep their numbers.
+        IEnumerator<JobStep> FindPrefixes(int places);
+
+        PointEstimate EstimatedPoints { get; }
+    }
+
     internal readonly struct PointEstimate
     {
         public readonly double Points;
 
-        /// <summary>0 if they were counted, or the source says so.</summary>
+        // 0 if they were counted, or the source says so.
         public readonly double StandardError;
 
         public PointEstimate(double points, double standardError)

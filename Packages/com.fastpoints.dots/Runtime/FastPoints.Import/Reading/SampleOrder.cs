@@ -21,10 +21,9 @@ namespace FastPoints.Reading
                 m_bits++;
         }
 
-        /// <summary>Number of places that cover all strata, including skipped ones.</summary>
         public int Places => 1 << m_bits;
 
-        /// <summary>The stratum at a place of the order, or -1 if the place is skipped.</summary>
+        // -1 if the place is skipped.
         public int StratumAt(int place)
         {
             if (m_bits == 0)

@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using FastPoints.Core;
 
@@ -38,13 +39,16 @@ namespace FastPoints.Reading
         public bool HasBoundsClaimed;
         public BoundsGeo BoundsClaimed = BoundsGeo.Empty;
 
+        /// <summary>The bounds claimed, where they can be true; otherwise empty.</summary>
+        internal BoundsGeo BoundsTrusted => HasBoundsClaimed && BoundsClaimed.IsFinite ? BoundsClaimed : BoundsGeo.Empty;
+
         public PositionTransform Transform = PositionTransform.Identity;
 
         /// <summary>The attributes of each point.</summary>
         public PointSchema Schema;
 
         /// <summary>Attributes that samples keep beside those that a picture can be coloured by.</summary>
-        internal string[] SampledToo = System.Array.Empty<string>();
+        internal string[] SampledToo = Array.Empty<string>();
 
         public CoordinateSystem Crs = new CoordinateSystem();
 
@@ -55,6 +59,76 @@ namespace FastPoints.Reading
 
         public void Fact(string name, string value) => Facts.Add(new KeyValuePair<string, string>(name, value));
 
+        internal void FactIfAny(string name, string value)
+        {
+            if (!string.IsNullOrEmpty(value))
+                Fact(name, value);
+        }
+
         public void Warn(long byteOffset, string text) => Warnings.Add(new CloudWarning(Path, byteOffset, text));
+    }
+
+    // One warning, at the byte that was first to be reported, whose count grows while blocks are read.
+    internal sealed class RunningWarning
+    {
+        int m_index = -1;
+        long m_count;
+
+        public void Add(SourceInfo info, long count, long byteOffset, Func<string, string> text)
+        {
+            if (m_index < 0)
+            {
+                m_index = info.Warnings.Count;
+                info.Warn(byteOffset, "");
+            }
+            m_count += count;
+            var first = info.Warnings[m_index];
+            info.Warnings[m_index] = new CloudWarning(first.Path, first.ByteOffset, text(NumberText.Of(m_count)));
+        }
+
+        public void Reset() => m_count = 0;
+    }
+
+    /// <summary>The coordinate reference system as far as the file names it. It is kept and shown, but never used to move
+    /// points.</summary>
+    public sealed class CoordinateSystem
+    {
+        /// <summary>OGC well-known text, or null.</summary>
+        public string Wkt;
+
+        /// <summary>EPSG code of the horizontal (or compound) system, or 0.</summary>
+        public int Epsg;
+
+        /// <summary>EPSG code of the vertical system, or 0.</summary>
+        public int VerticalEpsg;
+
+        /// <summary>The system's name for people, or null.</summary>
+        public string Name;
+
+        /// <summary>Metres of one horizontal unit (0.3048 for feet); 0 if unknown; NaN if the unit is an angle.</summary>
+        public double MetresPerUnit;
+
+        public CloudCrs ToCloudCrs() => new CloudCrs
+        {
+            Name = Summary,
+            Wkt = Wkt,
+            Epsg = Epsg,
+            VerticalEpsg = VerticalEpsg,
+            MetresPerUnit = MetresPerUnit,
+        };
+
+        public bool IsKnown => Wkt != null || Epsg != 0 || Name != null;
+
+        /// <summary>Name and EPSG code in one line; null if nothing is known.</summary>
+        public string Summary
+        {
+            get
+            {
+                string code = Epsg != 0 ? "EPSG:" + Epsg + (VerticalEpsg != 0 ? "+" + VerticalEpsg : "") : null;
+                if (Name != null)
+                    return code != null ? Name + " (" + code + ")" : Name;
+                return code ?? (Wkt != null ? "WKT without a name" : null);
+            }
+        }
     }
 }

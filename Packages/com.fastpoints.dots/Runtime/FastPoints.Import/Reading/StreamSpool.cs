@@ -3,7 +3,6 @@ using System.IO;
 using System.Threading;
 using System.Threading.Tasks;
 using FastPoints.Core;
-using FastPoints.Reading;
 
 namespace FastPoints.Reading
 {

@@ -1,10 +1,10 @@
+using System.Collections.Generic;
 using System.Globalization;
 using FastPoints.Core;
 
 namespace FastPoints.Reading
 {
-    /// <summary>Extracts from a CRS in well-known text what is shown: name, EPSG codes, length of the unit. WKT 1 and
-    /// 2.</summary>
+    // What is shown of a CRS in well-known text: name, EPSG codes, length of the unit. WKT 1 and 2.
     internal static class WktCoordinateSystem
     {
         static readonly string[] s_authority = { "AUTHORITY", "ID" };
@@ -18,8 +18,7 @@ namespace FastPoints.Reading
         static readonly string[] s_vertical = { "VERT_CS", "VERTCRS", "VERTICALCRS" };
         static readonly string[] s_unit = { "UNIT", "LENGTHUNIT" };
 
-        /// <summary>Fills <paramref name="crs"/> from <paramref name="wkt"/>.</summary>
-        /// <returns>Whether the text is well-known text at all; if not, nothing is filled in.</returns>
+        // False if it is no well-known text at all; nothing is filled in then.
         public static bool Read(string wkt, CoordinateSystem crs)
         {
             var root = WktNode.Parse(wkt);
@@ -53,11 +52,11 @@ namespace FastPoints.Reading
             return LengthOf(horizontal);
         }
 
-        /// <summary>WKT 2 writes geocentric systems with the geographic ones' keyword.</summary>
+        // WKT 2 writes geocentric systems with the geographic ones' keyword.
         static bool IsCartesian(WktNode axes) =>
             axes != null && axes.Values.Count > 0 && axes.Values[0].ToUpperInvariant() == "CARTESIAN";
 
-        /// <summary>WKT 1 and most of WKT 2 give the unit of the whole system; WKT 2 may give it axis by axis instead.</summary>
+        // WKT 1 and most of WKT 2 give the unit of the whole system; WKT 2 may give it axis by axis instead.
         static double LengthOf(WktNode system)
         {
             var unit = system.Child(s_unit) ?? system.Child("AXIS")?.Child(s_unit);
@@ -66,5 +65,87 @@ namespace FastPoints.Reading
                 ? metres
                 : 0;
         }
+    }
+
+    // One KEYWORD[...] of well-known text (OGC 01-009, ISO 19162).
+    internal sealed class WktNode
+    {
+        // Text that is nested deeper than any CRS is not followed.
+        const int MaxDepth = 64;
+
+        public readonly string Keyword;
+        public readonly List<string> Values = new List<string>();
+        public readonly List<WktNode> Children = new List<WktNode>();
+
+        WktNode(string keyword) => Keyword = keyword;
+
+        // The outermost node, or null. Text that breaks off gives what comes before.
+        public static WktNode Parse(string text)
+        {
+            var open = new Stack<WktNode>();
+            WktNode root = null;
+            int at = 0;
+            while (at < text.Length)
+            {
+                char c = text[at];
+                if (c == '"')
+                {
+                    int end = at + 1;
+                    while (end < text.Length && (text[end] != '"' || end + 1 < text.Length && text[end + 1] == '"'))
+                        end += text[end] == '"' ? 2 : 1;
+                    end = end < text.Length ? end : text.Length;
+                    if (open.Count > 0)
+                        open.Peek().Values.Add(text.Substring(at + 1, end - at - 1).Replace("\"\"", "\""));
+                    at = end + 1;
+                }
+                else if (c == ']' || c == ')')
+                {
+                    if (open.Count > 0)
+                        open.Pop();
+                    if (open.Count == 0)
+                        return root;
+                    at++;
+                }
+                else if (IsPlain(c))
+                {
+                    int end = at;
+                    while (end < text.Length && IsPlain(text[end]))
+                        end++;
+                    string word = text.Substring(at, end - at);
+                    while (end < text.Length && char.IsWhiteSpace(text[end]))
+                        end++;
+                    at = end;
+                    if (end == text.Length || text[end] != '[' && text[end] != '(')
+                    {
+                        if (open.Count > 0)
+                            open.Peek().Values.Add(word);
+                        continue;
+                    }
+                    if (open.Count == MaxDepth)
+                        return root;
+                    var node = new WktNode(word.ToUpperInvariant());
+                    if (open.Count > 0)
+                        open.Peek().Children.Add(node);
+                    root = root ?? node;
+                    open.Push(node);
+                    at++;
+                }
+                else
+                {
+                    at++;
+                }
+            }
+            return root;
+        }
+
+        public WktNode Child(params string[] keywords)
+        {
+            foreach (var child in Children)
+                if (System.Array.IndexOf(keywords, child.Keyword) >= 0)
+                    return child;
+            return null;
+        }
+
+        static bool IsPlain(char c) => char.IsLetterOrDigit(c) || c == '_' || c == '.' || c == '-' || c == '+';
     }
 }

@@ -10,7 +10,6 @@ namespace FastPoints.Sampling
     [BurstCompile]
     internal struct MeasureSampleJob : IJob
     {
-        /// <summary>Points of one run of the job.</summary>
         public const int PointsOfSlice = 1 << 16;
 
         [ReadOnly] public NativeArray<double3> Stored;
@@ -21,7 +20,6 @@ namespace FastPoints.Sampling
         public NativeReference<SampleStatistics> Statistics;
         public SliceTimes Slices;
 
-        /// <summary>Schedules all slices of a sample.</summary>
         public static JobHandle Schedule(MeasureSampleJob job, JobHandle done)
         {
             do

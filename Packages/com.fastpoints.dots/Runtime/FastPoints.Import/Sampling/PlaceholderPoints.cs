@@ -20,9 +20,9 @@ namespace FastPoints.Sampling
         const double MaxTaken = 0.9, CoarserCells = 1.2;
 
         readonly PositionTransform m_transform;
+        readonly SampleBuffer m_points;
         EmptyCells m_cells;
         NativeArray<ulong> m_table;
-        NativeArray<PointColumn> m_columns;
         NativeReference<int> m_count;
         JobHandle m_lastAppended;
 
@@ -39,63 +39,69 @@ namespace FastPoints.Sampling
             };
             m_table = new NativeArray<ulong>(EmptyCells.Words, Allocator.Persistent);
             // At a half, half of the sample's places are free.
-            Points = new PointBatch(schema, Math.Max(1, wanted / 2), Allocator.Persistent);
-            m_columns = SampleBuffer.ColumnsOf(Points);
+            m_points = new SampleBuffer(schema, transform, Math.Max(1, wanted / 2));
+            m_points.FillAll();
             m_count = new NativeReference<int>(Allocator.Persistent);
         }
 
-        public PointBatch Points { get; }
-        public NativeArray<PointColumn> Columns => m_columns;
+        /// <summary>The first <see cref="Count"/> places hold the points; all count as filled.</summary>
+        public SampleBuffer Points => m_points;
 
         /// <summary>Do not read it while anything is in flight.</summary>
         public int Count => m_count.Value;
-        public bool AreTooMany => m_count.Value > MaxTaken * Points.Capacity;
+        public bool AreTooMany => m_count.Value > MaxTaken * m_points.Places;
 
         /// <summary>Adds the needed ones of a block's points, in slices, after everything scheduled before.</summary>
-        /// <param name="count">The most points that there may be.</param>
+        /// <param name="columns">The columns of the read's points.</param>
         /// <param name="strata">The strata of the sample, which takes some of the points itself.</param>
-        public JobHandle ScheduleAppend(PointBatch points, NativeArray<PointColumn> columns, NativeReference<DecodeResult> result,
-            int count, long firstPoint, SampleStrata strata, JobHandle inputDeps)
+        public JobHandle ScheduleAppend(BlockRead read, NativeArray<PointColumn> columns, SampleStrata strata, JobHandle decoded)
         {
-            for (int first = 0; first < count; first += SampleBuffer.PointsPerSlice)
-                inputDeps = ScheduleAppend(points, columns, result, first, first + SampleBuffer.PointsPerSlice, firstPoint,
-                    strata, inputDeps);
-            return inputDeps;
+            for (int first = 0; first < read.Range.Count; first += SampleBuffer.PointsPerSlice)
+                decoded = ScheduleKeep(new KeepEmptyCellsJob
+                {
+                    From = read.Points.Bytes,
+                    ColumnsOfFrom = columns,
+                    Result = read.Result,
+                    First = first,
+                    End = first + SampleBuffer.PointsPerSlice,
+                    Positions = PositionColumns.Of(read.Points),
+                    FirstPoint = read.FirstPoint,
+                    Strata = strata,
+                }, decoded);
+            return decoded;
         }
 
-        JobHandle ScheduleAppend(PointBatch points, NativeArray<PointColumn> columns, NativeReference<DecodeResult> result,
-            int first, int end, long firstPoint, SampleStrata strata, JobHandle inputDeps)
+        JobHandle ScheduleKeep(KeepEmptyCellsJob job, JobHandle inputDeps)
         {
-            m_lastAppended = new AppendEmptyCellsJob
-            {
-                Block = points.Bytes,
-                ColumnsOfBlock = columns,
-                Result = result,
-                First = first,
-                End = end,
-                Positions = PositionColumns.Of(points),
-                Transform = m_transform,
-                FirstPoint = firstPoint,
-                Strata = strata,
-                Cells = m_cells,
-                Table = m_table,
-                ColumnsOfSample = m_columns,
-                Sample = Points.Bytes,
-                Capacity = Points.Capacity,
-                Filled = m_count,
-            }.Schedule(JobHandle.CombineDependencies(inputDeps, m_lastAppended));
-            return m_lastAppended;
+            job.Transform = m_transform;
+            job.Cells = m_cells;
+            job.Table = m_table;
+            job.To = m_points.Points.Bytes;
+            job.ColumnsOfTo = m_points.Columns;
+            job.Capacity = m_points.Places;
+            job.Kept = m_count;
+            return m_lastAppended = job.Schedule(JobHandle.CombineDependencies(inputDeps, m_lastAppended));
         }
 
         /// <summary>Coroutine: adds the needed ones of a sample's points.</summary>
-        public IEnumerator<JobStep> Append(PreviewSample sample)
+        public IEnumerator<JobStep> Append(PreviewSample sample) => Keep(sample.Points, sample.Count);
+
+        IEnumerator<JobStep> Keep(PointBatch points, int count)
         {
-            var columns = SampleBuffer.ColumnsOf(sample.Points);
-            var all = new NativeReference<DecodeResult>(new DecodeResult { Points = sample.Count }, Allocator.Persistent);
+            var columns = SampleBuffer.ColumnsOf(points);
+            var all = new NativeReference<DecodeResult>(new DecodeResult { Points = count }, Allocator.Persistent);
             try
             {
-                yield return JobStep.Of(Slices.Run(0, sample.Count, SampleBuffer.PointsPerSlice, (first, end, after) =>
-                    ScheduleAppend(sample.Points, columns, all, first, end, 0, default, after)));
+                yield return JobStep.Of(Slices.Run(0, count, SampleBuffer.PointsPerSlice, (first, end, before) =>
+                    ScheduleKeep(new KeepEmptyCellsJob
+                    {
+                        From = points.Bytes,
+                        ColumnsOfFrom = columns,
+                        Result = all,
+                        First = first,
+                        End = end,
+                        Positions = PositionColumns.Of(points),
+                    }, before)));
             }
             finally
             {
@@ -116,32 +122,21 @@ namespace FastPoints.Sampling
         /// these.</summary>
         public IEnumerator<JobStep> Thin(SampleBuffer own)
         {
-            int count = m_count.Value, places = own.Places;
-            var marked = default(JobHandle);
-            yield return JobStep.Of(Slices.Schedule(places, SampleBuffer.PlacesPerSlice, (first, end, after) =>
+            yield return JobStep.Of(Slices.Run(0, own.Places, SampleBuffer.PlacesPerSlice, (first, end, after) =>
                 new MarkCellsJob
-            {
-                Sample = own.Points.Bytes,
-                Filled = own.Filled,
-                Positions = PositionColumns.Of(own.Points),
-                Transform = m_transform,
-                First = first,
-                End = end,
-                Cells = m_cells,
-                Table = m_table,
-            }.Schedule(after), 1, default, all => marked = all));
-            yield return JobStep.Of(Slices.Run(0, count, SampleBuffer.PointsPerSlice, (first, end, after) => new KeepEmptyCellsJob
-            {
-                Columns = m_columns,
-                Points = Points.Bytes,
-                Positions = PositionColumns.Of(Points),
-                Transform = m_transform,
-                First = first,
-                End = end,
-                Cells = m_cells,
-                Table = m_table,
-                Kept = m_count,
-            }.Schedule(after), 1, marked));
+                {
+                    Sample = own.Points.Bytes,
+                    Filled = own.Filled,
+                    Positions = PositionColumns.Of(own.Points),
+                    Transform = m_transform,
+                    First = first,
+                    End = end,
+                    Cells = m_cells,
+                    Table = m_table,
+                }.Schedule(after)));
+            int count = m_count.Value;
+            m_count.Value = 0;
+            yield return JobStep.Of(Keep(m_points.Points, count));
         }
 
         public void Dispose()
@@ -149,9 +144,8 @@ namespace FastPoints.Sampling
             if (!m_table.IsCreated)
                 return;
             m_lastAppended.Complete();
-            Points.Dispose();
+            m_points.Dispose();
             m_table.Dispose();
-            m_columns.Dispose();
             m_count.Dispose();
         }
     }

@@ -39,7 +39,6 @@ namespace FastPoints.Sampling
             }
         }
 
-        /// <summary>Points taken in the waves so far.</summary>
         public int Taken { get; private set; }
 
         /// <summary>Returns what the next wave takes from which blocks until <paramref name="wanted"/> points are taken in
@@ -107,7 +106,7 @@ namespace FastPoints.Sampling
             var blocks = new List<int>();
             long points = 0;
             // Blocks found by jumping come in an order that is spread already.
-            bool isSpread = m_reader.PrefixesAreSpread && !m_reader.BlocksAreKnown;
+            bool isSpread = m_reader is LineReader && !m_reader.BlocksAreKnown;
             int places = isSpread ? m_reader.BlockCount : m_order.Places;
             for (int place = 0; place < places; place++)
             {

@@ -3,8 +3,6 @@ using System.Collections.Generic;
 using System.Diagnostics;
 using FastPoints.Core;
 using FastPoints.Reading;
-using Unity.Collections;
-using Unity.Jobs;
 
 namespace FastPoints.Sampling
 {
@@ -12,7 +10,7 @@ namespace FastPoints.Sampling
     /// spread over all of the source. The time it takes depends on the points wanted, hardly on the source's size.</summary>
     /// <remarks>The sample is the same for the same source, seed and number of points, on any number of threads and slots and any
     /// disk. All members belong to the thread of the coroutine.</remarks>
-    internal abstract class PreviewSampler : IDisposable
+    internal sealed class PreviewSampler : IDisposable
     {
         /// <summary>Points at which a wave ends; the last one ends with the sample.</summary>
         static readonly int[] s_waves = { 2_000, 20_000, 200_000, 1_000_000, 4_000_000 };
@@ -21,80 +19,53 @@ namespace FastPoints.Sampling
         /// all prefixes again.</summary>
         const double MinShareOfLast = 0.75;
 
-        /// <summary>Where frames are farther apart, the machine was busy or the work was paused.</summary>
-        const double MaxFrameMs = 250;
-
+        readonly PointReader m_reader;
+        readonly WaveReads m_reads;
+        readonly SampleBuffer m_buffer;
         readonly List<SampleWave> m_waves = new List<SampleWave>();
         readonly Stopwatch m_watch = new Stopwatch();
         PreviewSample m_sample;
 
-        private protected PreviewSampler(PointReader reader, int placeCount, string method)
+        /// <param name="reader">A reader whose blocks are known.</param>
+        /// <param name="wanted">Number of points, limited to <see cref="PreviewSample.MaxPoints"/>.</param>
+        /// <exception cref="PointCloudException">The source has no positions.</exception>
+        public PreviewSampler(PointReader reader, int wanted, uint seed)
         {
-            Reader = reader;
-            Buffer = new SampleBuffer(SampleSchema.Of(reader.Info), placeCount);
-            m_sample = Buffer.ShareSample(reader.Info.Transform);
-            m_sample.Method = method;
-            m_sample.HasKnownWeights = reader.Tree == null;
+            m_reader = reader;
+            wanted = Math.Max(0, Math.Min(wanted, PreviewSample.MaxPoints(SampleSchema.Of(reader.Info))));
+            m_reads = reader is RecordReader ? (WaveReads)new RunReads(reader, wanted, seed) : new PrefixReads(reader, wanted, seed);
+            m_buffer = m_reads.Buffer;
+            m_sample = m_buffer.ShareSample();
+            m_sample.Method = m_reads.Method;
         }
 
         /// <summary>Raised on the coroutine's thread after each wave, which is a prefix of <see cref="Sample"/> that can be drawn
         /// from then on.</summary>
         public event Action<SampleWave> WaveReady;
 
-        /// <summary>The waves so far.</summary>
         public IReadOnlyList<SampleWave> Waves => m_waves;
 
-        /// <summary>The sample so far.</summary>
         public PreviewSample Sample => m_sample;
 
-        private protected PointReader Reader { get; }
-
-        private protected SampleBuffer Buffer { get; }
-
-        private protected double Seconds => m_watch.Elapsed.TotalSeconds;
-
-        private protected long BytesRead { get; set; }
-
-        /// <summary>What fills the places up to <see cref="EndPlace"/>, where <see cref="Read"/> has not awaited it.</summary>
-        private protected JobHandle Filling { get; set; }
-
-        /// <summary>Number of places in the sample that the waves so far have reached.</summary>
-        private protected int EndPlace { get; set; }
-
-        /// <param name="reader">A reader whose blocks are known.</param>
-        /// <param name="wanted">Number of points, limited to <see cref="PreviewSample.MaxPoints"/>.</param>
-        /// <exception cref="PointCloudException">The source has no positions.</exception>
-        public static PreviewSampler Create(PointReader reader, int wanted, uint seed)
-        {
-            wanted = Math.Max(0, Math.Min(wanted, PreviewSample.MaxPoints(SampleSchema.Of(reader.Info))));
-            return reader.HasRunReads ? (PreviewSampler)new RunSampler(reader, wanted, seed)
-                : new PrefixSampler(reader, wanted, seed);
-        }
-
-        /// <summary>Reads in flight: so many, or at first as many as a coroutine needs that awaits each, and more where frames
-        /// are so far apart that workers run out of them.</summary>
-        internal static InFlightLimit LimitFor(PointReader reader, PointSchema schema, int slots, int first) => slots > 0
-            ? new InFlightLimit(slots, slots, () => 0)
-            : new InFlightLimit(first, SourceScan.SlotsIn(reader, schema, 0, SourceScan.MaxSlotBytes), () => MaxFrameMs);
-
-        /// <summary>Takes the sample as a coroutine.</summary>
+        /// <summary>Coroutine.</summary>
         /// <param name="slots">Reads in flight; 0 for a default.</param>
         public IEnumerator<JobStep> Run(int slots, StageProgress progress)
         {
             m_watch.Restart();
             try
             {
-                for (int wave = 0; EndPlace < Buffer.Places; wave++)
+                for (int wave = 0; m_reads.EndPlace < m_buffer.Places; wave++)
                 {
-                    int first = EndPlace;
+                    int first = m_reads.EndPlace;
                     int wanted = PlacesOf(wave);
-                    bool isLast = wanted == Buffer.Places;
-                    yield return JobStep.Of(Read(wanted, isLast ? 0 : PlacesOf(wave + 1), slots, progress));
-                    if (EndPlace > first)
+                    bool isLast = wanted == m_buffer.Places;
+                    yield return JobStep.Of(m_reads.Read(wanted, isLast ? 0 : PlacesOf(wave + 1), slots, progress));
+                    if (m_reads.EndPlace > first)
                     {
-                        yield return JobStep.Of(Close(first));
+                        yield return JobStep.Of(m_buffer.Close(first, m_reads.EndPlace, m_reads.Filling));
+                        m_reads.EndReads();
                         RaiseWave();
-                        Report(progress);
+                        m_reads.Report(progress);
                         // The wave belongs to the code that steps the work until the next step.
                         yield return default;
                     }
@@ -104,68 +75,26 @@ namespace FastPoints.Sampling
             }
             finally
             {
-                Free();
+                m_reads.Free();
             }
         }
 
         /// <summary>The places that a wave is to reach.</summary>
-        int PlacesOf(int wave) => wave >= s_waves.Length || s_waves[wave] >= MinShareOfLast * Buffer.Places ? Buffer.Places
+        int PlacesOf(int wave) => wave >= s_waves.Length || s_waves[wave] >= MinShareOfLast * m_buffer.Places ? m_buffer.Places
             : s_waves[wave];
-
-        /// <summary>Coroutine: reads more points into the following places, and moves <see cref="EndPlace"/> behind
-        /// them.</summary>
-        /// <param name="wanted">The approximate number of places to reach; all of them for the last wave.</param>
-        /// <param name="next">The same of the wave after this one, which may be prepared; 0 for none.</param>
-        private protected abstract IEnumerator<JobStep> Read(int wanted, int next, int slots, StageProgress progress);
-
-        /// <summary>When <see cref="Filling"/> has ended.</summary>
-        /// <exception cref="PointCloudException">A read failed.</exception>
-        private protected virtual void EndReads() { }
-
-        /// <summary>Coroutine: lists what the waves so far have read, by place.</summary>
-        /// <param name="runs">An empty list to fill.</param>
-        /// <param name="after">What its jobs come behind.</param>
-        /// <param name="scheduled">Receives the handle of all jobs.</param>
-        private protected abstract IEnumerator<JobStep> ListRuns(NativeList<SampleRun> runs, JobHandle after,
-            Action<JobHandle> scheduled);
-
-        /// <summary>Coroutine: all that makes a sample of a wave's places, in one chain behind what fills them.</summary>
-        IEnumerator<JobStep> Close(int first)
-        {
-            var all = Filling;
-            try
-            {
-                yield return JobStep.Of(Buffer.ScheduleClose(Reader.Info.Transform, first, EndPlace, all, closed =>
-                    all = closed));
-                if (m_sample.HasKnownWeights)
-                {
-                    m_sample.RunList.Clear();
-                    yield return JobStep.Of(ListRuns(m_sample.RunList, all, listed => all = listed));
-                    yield return JobStep.Of(Buffer.MoveRuns(m_sample.RunList, EndPlace, EndPlace, all));
-                }
-                yield return all;
-            }
-            finally
-            {
-                all.Complete();
-            }
-            Filling = default;
-            EndReads();
-            Buffer.EndClose();
-        }
-
-        /// <summary>Frees what <see cref="Read"/> needs and awaits jobs in flight. May be called twice.</summary>
-        private protected abstract void Free();
-
-        private protected void Report(StageProgress progress) =>
-            progress?.Report(m_sample.Count / (double)Math.Max(1, Buffer.Places), m_sample.Count, BytesRead);
 
         void RaiseWave()
         {
-            Buffer.Measure(m_sample);
-            m_sample.BytesRead = BytesRead;
-            m_sample.PointsInSource = Reader.PointCount;
-            var wave = new SampleWave { Points = m_sample.Count, Seconds = Seconds, BytesRead = BytesRead };
+            m_buffer.Measure(m_sample);
+            m_sample.Method = m_reads.Method;
+            m_sample.BytesRead = m_reads.BytesRead;
+            m_sample.PointsInSource = m_reader.PointCount;
+            var wave = new SampleWave
+            {
+                Points = m_sample.Count,
+                Seconds = m_watch.Elapsed.TotalSeconds,
+                BytesRead = m_reads.BytesRead,
+            };
             m_waves.Add(wave);
             WaveReady?.Invoke(wave);
         }
@@ -180,42 +109,10 @@ namespace FastPoints.Sampling
 
         public void Dispose()
         {
-            Free();
-            Buffer.Dispose();
+            m_reads.Free();
+            m_buffer.Dispose();
             m_sample?.Dispose();
             m_sample = null;
         }
-    }
-
-    /// <summary>What a preview keeps of each point: its position and what it can be coloured by.</summary>
-    internal static class SampleSchema
-    {
-        /// <exception cref="PointCloudException">The source has no positions.</exception>
-        public static PointSchema Of(SourceInfo info)
-        {
-            var names = new List<string>(info.SampledToo)
-            {
-                AttributeNames.X, AttributeNames.Y, AttributeNames.Z, AttributeNames.Intensity, AttributeNames.Classification,
-                AttributeNames.Red, AttributeNames.Green, AttributeNames.Blue,
-            };
-            var schema = info.Schema.Select(names.ToArray());
-            if (!schema.Has(AttributeNames.X) || !schema.Has(AttributeNames.Y) || !schema.Has(AttributeNames.Z))
-                throw new PointCloudException(FailureCode.Unsupported, info.Path, -1,
-                    "nothing to draw: wanted attributes X, Y and Z, got " + info.Schema);
-            return schema;
-        }
-    }
-
-    /// <summary>A prefix of a sample that could be drawn before the rest was there.</summary>
-    public struct SampleWave
-    {
-        /// <summary>The number of points in the prefix.</summary>
-        public int Points;
-
-        /// <summary>Time from the start of the sampling to the wave's last point.</summary>
-        public double Seconds;
-
-        /// <summary>Bytes of the file that were read up to here.</summary>
-        public long BytesRead;
     }
 }

@@ -44,7 +44,7 @@ namespace FastPoints.Sampling
         public IEnumerator<JobStep> Run(StageProgress progress)
         {
             m_watch.Restart();
-            if (m_reader.HasPrefixes && !m_options.Exact)
+            if (m_reader is IPrefixSource { HasPrefixes: true } && !m_options.Exact)
             {
                 yield return JobStep.Of(TakePrefixes(progress));
                 if (!m_options.Quick && Sample.IsOfPrefix)
@@ -61,7 +61,6 @@ namespace FastPoints.Sampling
             progress?.End();
         }
 
-        /// <summary>The state of the source's own file; a default if there is none.</summary>
         (long Bytes, DateTime WrittenUtc) FileNow()
         {
             var file = m_reader.Info.Path == null ? null : new FileInfo(m_reader.Info.Path);
@@ -81,7 +80,7 @@ namespace FastPoints.Sampling
 
         /// <summary>Whether a first sample consists of prefixes of blocks alone, which are ready soon and leave most of the cloud
         /// bare: whole blocks replace them.</summary>
-        public static bool Refines(PointReader reader) => !reader.HasRunReads && reader.Tree == null;
+        public static bool Refines(PointReader reader) => !(reader is RecordReader) && reader.Tree == null;
 
         IEnumerator<JobStep> Scan(StageProgress progress)
         {
@@ -115,12 +114,11 @@ namespace FastPoints.Sampling
             Sample = sampler.TakeSample();
         }
 
-        /// <summary>Takes a sample of the known blocks.</summary>
         IEnumerator<JobStep> Take(int wanted, StageProgress progress)
         {
             double before = m_watch.Elapsed.TotalSeconds;
             long bytesBefore = m_waves.Count == 0 ? 0 : m_waves[m_waves.Count - 1].BytesRead;
-            using var sampler = PreviewSampler.Create(m_reader, wanted, m_options.Seed);
+            using var sampler = new PreviewSampler(m_reader, wanted, m_options.Seed);
             sampler.WaveReady += wave => Add(sampler.Sample, wave, before, bytesBefore);
             yield return JobStep.Of(sampler.Run(0, progress));
             Sample = sampler.TakeSample();
@@ -140,13 +138,12 @@ namespace FastPoints.Sampling
         {
             progress?.Begin("sample");
             // A sampler searches for as many spread prefixes as a wave needs.
-            yield return JobStep.Of(m_reader.PrefixesAreSpread ? m_reader.FindPrefixes(1) : m_reader.FindPrefixes());
+            yield return JobStep.Of(((IPrefixSource)m_reader).FindPrefixes(1));
             yield return JobStep.Of(Take(m_options.Points, progress));
-            var estimate = m_reader.EstimatedPoints;
-            Sample.SetPointsInSource((long)Math.Min(Math.Round(estimate.Points), 1L << 62));
-            Sample.IsOfPrefix = !Sample.IsWhole && !m_reader.PrefixesAreSpread;
-            Sample.HasKnownWeights &= !Sample.IsOfPrefix;
-            if (m_reader.PrefixesAreSpread)
+            var estimate = ((IPrefixSource)m_reader).EstimatedPoints;
+            Sample.PointsInSource = (long)Math.Min(Math.Round(estimate.Points), 1L << 62);
+            Sample.IsOfPrefix = !Sample.IsWhole && !(m_reader is LineReader);
+            if (m_reader is LineReader)
             {
                 Sample.Method = "lines of stretches all over the file";
                 if (m_options.Quick && estimate.StandardError > 0)

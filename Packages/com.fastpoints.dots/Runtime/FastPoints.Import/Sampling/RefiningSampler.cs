@@ -73,7 +73,6 @@ namespace FastPoints.Sampling
             reader.BlockCount <= DepthPlan.MaxSlicedBlocks ? MinPointsBefore
                 : Math.Max(MinPointsBefore, reader.PointCount / PointsPerPointBefore));
 
-        /// <summary>Raised after each wave.</summary>
         public event Action<SampleWave> WaveReady;
 
         public IReadOnlyList<SampleWave> Waves => m_waves;
@@ -86,8 +85,8 @@ namespace FastPoints.Sampling
 
         bool IThrottledConsumer.IsReady => !IsPaused;
 
-        /// <summary>Takes the sample as a coroutine, once.</summary>
-        /// <param name="slots">Blocks in flight; 0 for what <see cref="PreviewSampler.LimitFor"/> says.</param>
+        /// <summary>Coroutine, once.</summary>
+        /// <param name="slots">Blocks in flight; 0 for what <see cref="WaveReads.LimitFor"/> says.</param>
         public IEnumerator<JobStep> Run(int slots, StageProgress progress)
         {
             m_watch.Restart();
@@ -128,9 +127,9 @@ namespace FastPoints.Sampling
 
         void Allocate(int slots)
         {
-            m_buffer = new SampleBuffer(m_schema, m_strata.Count);
+            m_buffer = new SampleBuffer(m_schema, m_reader.Info.Transform, m_strata.Count);
             m_slots = new ReadSlots(m_reader, m_schema, m_reader.MaxPointsPerBlock,
-                PreviewSampler.LimitFor(m_reader, m_schema, slots, SourceScan.SlotsFor(m_reader, m_schema)), 0);
+                WaveReads.LimitFor(m_reader, m_schema, slots, SourceScan.SlotsFor(m_reader, m_schema)), 0);
             bool canSlice = m_reader.BlockCount <= DepthPlan.MaxSlicedBlocks && m_slots.TryKeepStates();
             m_plan = new DepthPlan(m_reader, canSlice, m_seed);
             m_stateOfBlock = m_plan.IsSliced ? new DecoderState[m_reader.BlockCount] : null;
@@ -170,8 +169,8 @@ namespace FastPoints.Sampling
                 m_columnsOfSlot.Add(SampleBuffer.ColumnsOf(read.Points));
             var chosen = m_buffer.Schedule(read, m_columnsOfSlot[slot], m_strata, decoded);
             // In the final sample no point stands in for another one.
-            return m_isLastWave ? chosen : JobHandle.CombineDependencies(chosen, m_placeholders.ScheduleAppend(read.Points,
-                m_columnsOfSlot[slot], read.Result, read.Range.Count, read.FirstPoint, m_strata, decoded));
+            return m_isLastWave ? chosen : JobHandle.CombineDependencies(chosen, m_placeholders.ScheduleAppend(read,
+                m_columnsOfSlot[slot], m_strata, decoded));
         }
 
         void IBlockConsumer.Completed(BlockRead read, int slot)
@@ -195,74 +194,23 @@ namespace FastPoints.Sampling
                 yield return JobStep.Of(m_placeholders.Thin(m_buffer));
             // Consecutive points are chosen from at most as many strata as they span, plus one at either end.
             long own = m_pointsFound * m_strata.Count / Math.Max(1, m_reader.PointCount) + 2L * m_rangesRead;
-            var drawn = new SampleBuffer(m_schema, (int)Math.Min(m_strata.Count, own + m_placeholders.Count));
-            var gathered = new NativeReference<int>(Allocator.Persistent);
-            var others = new NativeReference<DecodeResult>(Allocator.Persistent);
-            var all = default(JobHandle);
-            PreviewSample composed = null;
-            try
-            {
-                yield return JobStep.Of(Slices.Run(0, m_strata.Count, SampleBuffer.PlacesPerSlice, (first, end, after) =>
-                    new GatherPlacesJob
-                    {
-                        Sample = m_buffer.Points.Bytes,
-                        Filled = m_buffer.Filled,
-                        First = first,
-                        End = end,
-                        Columns = m_buffer.Columns,
-                        ColumnsOfTarget = drawn.Columns,
-                        Target = drawn.Points.Bytes,
-                        TargetFilled = drawn.Filled,
-                        Gathered = gathered,
-                    }.Schedule(after)));
-                others.Value = new DecodeResult { Points = Math.Min(m_placeholders.Count, drawn.Places - gathered.Value) };
-                int ownPoints = gathered.Value, otherPoints = others.Value.Points;
-                yield return JobStep.Of(Slices.Schedule(otherPoints, SampleBuffer.PlacesPerSlice, (first, end, after) =>
-                    new CopyPrefixJob
-                    {
-                        Decoded = m_placeholders.Points.Bytes,
-                        ColumnsOfDecoded = m_placeholders.Columns,
-                        Result = others,
-                        First = first,
-                        End = end,
-                        ColumnsOfSample = drawn.Columns,
-                        FirstPlace = ownPoints,
-                        Sample = drawn.Points.Bytes,
-                        Filled = drawn.Filled,
-                    }.Schedule(after), 1, default, copied => all = copied));
-                yield return JobStep.Of(drawn.ScheduleClose(m_reader.Info.Transform, 0, ownPoints + otherPoints, all,
-                    closed => all = closed));
-                composed = drawn.ShareSample(m_reader.Info.Transform);
-                yield return JobStep.Of(BlockRunListing.List(m_reader, m_strata, m_buffer.Filled, ownPoints, composed.RunList));
-                yield return JobStep.Of(drawn.MoveRuns(composed.RunList, composed.RunList.Length, ownPoints, all));
-                drawn.EndClose();
-                drawn.Measure(composed);
-                Replace(composed);
-                composed = null;
-                m_sample.HasKnownWeights = true;
-                m_sample.IsOfBlockPrefixes = m_plan.IsSliced;
-                m_sample.PointsInSource = m_reader.PointCount;
-                m_sample.Placeholders = otherPoints;
-                m_sample.Method = "points of a full scan as far as it has come, and others where a region would be bare";
-            }
-            finally
-            {
-                all.Complete();
-                gathered.Dispose();
-                others.Dispose();
-                drawn.Dispose();
-                composed?.Dispose();
-            }
+            using var drawn = new SampleBuffer(m_schema, m_reader.Info.Transform,
+                (int)Math.Min(m_strata.Count, own + m_placeholders.Count));
+            yield return JobStep.Of(drawn.Append(m_buffer, 0, m_strata.Count));
+            int others = Math.Min(m_placeholders.Count, drawn.Places - drawn.Closed);
+            yield return JobStep.Of(drawn.Append(m_placeholders.Points, 0, others));
+            Replace(drawn.ShareSample());
+            m_sample.PointsInSource = m_reader.PointCount;
+            m_sample.Placeholders = others;
+            m_sample.Method = "points of a full scan as far as it has come, and others where a region would be bare";
         }
 
-        /// <summary>Closes the full scan's sample.</summary>
         IEnumerator<JobStep> Close()
         {
-            yield return JobStep.Of(m_buffer.Close(m_reader.Info.Transform));
-            Replace(m_buffer.TakeSample(m_reader.Info.Transform));
+            yield return JobStep.Of(m_buffer.Close(0, m_buffer.Places));
+            Replace(m_buffer.ShareSample());
             m_sample.PointsInSource = m_pointsFound;
             m_sample.IsFullScan = true;
-            m_sample.HasKnownWeights = true;
             m_sample.Method = "full scan, one point of each stratum";
         }
 

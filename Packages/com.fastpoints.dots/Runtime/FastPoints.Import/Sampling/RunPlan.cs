@@ -28,8 +28,6 @@ namespace FastPoints.Sampling
         public readonly SampleOrder Order;
 
         /// <param name="points">Points of the source.</param>
-        /// <param name="wanted">Points of the sample.</param>
-        /// <param name="pointsPerRun">Points of each run.</param>
         public RunPlan(long points, int wanted, int recordBytes, uint seed, int pointsPerRun = PointsPerDefaultRun)
         {
             wanted = (int)Math.Min(points, Math.Max(0, wanted));
@@ -57,8 +55,7 @@ namespace FastPoints.Sampling
         /// <summary>Number of runs, from the first in the order, that give this many points.</summary>
         public int RunsFor(int points) => points >= PlaceCount ? RunCount : m_places.StratumOf(points - 1) + 1;
 
-        /// <summary>Points of a stratum's run.</summary>
-        public int PointsOf(int stratum, int rank) => (int)Math.Min(PlaceOf(rank + 1) - PlaceOf(rank),
+        int PointsOf(int stratum, int rank) => (int)Math.Min(PlaceOf(rank + 1) - PlaceOf(rank),
             m_strata.FirstOf(stratum + 1) - m_strata.FirstOf(stratum));
 
         /// <summary>The run of a stratum in the file's order: one segment, or two if it wraps around at its stratum's

@@ -4,7 +4,9 @@ using FastPoints.Core;
 using FastPoints.Reading;
 using Unity.Burst;
 using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
 using Unity.Jobs;
+using Unity.Mathematics;
 
 namespace FastPoints.Sampling
 {
@@ -17,13 +19,15 @@ namespace FastPoints.Sampling
         /// <summary>Points in one slice that looks each up in a table: about as much.</summary>
         public const int PointsPerSlice = 1 << 16;
 
+        readonly PositionTransform m_transform;
         NativeArray<byte> m_filled;
         NativeArray<PointColumn> m_columns;
         NativeReference<CompactedSample> m_state;
         bool m_isShared;
 
-        public SampleBuffer(PointSchema schema, int places)
+        public SampleBuffer(PointSchema schema, PositionTransform transform, int places)
         {
+            m_transform = transform;
             Points = new PointBatch(schema, Math.Max(1, places), Allocator.Persistent);
             Places = places;
             m_filled = new NativeArray<byte>(Math.Max(1, places), Allocator.Persistent);
@@ -36,6 +40,12 @@ namespace FastPoints.Sampling
         public int Places { get; }
         public NativeArray<byte> Filled => m_filled;
         public NativeArray<PointColumn> Columns => m_columns;
+
+        /// <summary>Places that are closed, whether their point was kept or not. Only while nothing is in flight.</summary>
+        public int Closed => m_state.Value.Kept + (int)m_state.Value.Found.NonFinite;
+
+        /// <summary>For code that fills the places from the first on, and knows how many.</summary>
+        public unsafe void FillAll() => UnsafeUtility.MemSet(m_filled.GetUnsafePtr(), 1, m_filled.Length);
 
         /// <summary>The location of the batch's columns, for a job. The caller disposes it.</summary>
         public static NativeArray<PointColumn> ColumnsOf(PointBatch batch)
@@ -67,89 +77,37 @@ namespace FastPoints.Sampling
             return decoded;
         }
 
-        /// <summary>Coroutine: closes the gaps, after everything that fills places.</summary>
-        public IEnumerator<JobStep> Close(PositionTransform transform)
-        {
-            var all = default(JobHandle);
-            try
-            {
-                yield return JobStep.Of(ScheduleClose(transform, 0, Places, default, closed => all = closed));
-                yield return all;
-            }
-            finally
-            {
-                all.Complete();
-            }
-            EndClose();
-        }
-
-        /// <summary>Coroutine: schedules the same for the places after those that are closed.</summary>
-        /// <param name="after">What its jobs come behind.</param>
-        /// <param name="scheduled">Receives the handle of all; when it has ended, call <see cref="EndClose"/>.</param>
-        public IEnumerator<JobStep> ScheduleClose(PositionTransform transform, int begin, int end, JobHandle after,
-            Action<JobHandle> scheduled) => Slices.Schedule(end - begin, PlacesPerSlice, (first, stop, before) =>
-                new CompactSampleJob
-                {
-                    Filled = m_filled,
-                    Columns = m_columns,
-                    Sample = Points.Bytes,
-                    Positions = PositionColumns.Of(Points),
-                    Transform = transform,
-                    First = begin + first,
-                    Count = stop - first,
-                    State = m_state,
-                }.Schedule(before), 1, after, scheduled);
-
-        public void EndClose() => Points.Count = m_state.Value.Kept;
-
-        /// <summary>Coroutine: runs of places become runs of points; after
-        /// <see cref="Close(PositionTransform)"/>.</summary>
-        /// <param name="runs">Runs within the closed places.</param>
-        /// <param name="max">The most that there may be of them.</param>
-        /// <param name="end">The end of these places.</param>
+        /// <summary>Coroutine: closes the gaps between the filled places from <paramref name="begin"/> to before
+        /// <paramref name="end"/>, behind those that are closed before.</summary>
         /// <param name="after">What its jobs come behind; it is complete in the end.</param>
-        public IEnumerator<JobStep> MoveRuns(NativeList<SampleRun> runs, int max, int end, JobHandle after)
+        public IEnumerator<JobStep> Close(int begin, int end, JobHandle after = default) => Append(this, begin, end, after);
+
+        /// <summary>Coroutine: appends the filled places of another buffer, or of this one, to what is closed.</summary>
+        public IEnumerator<JobStep> Append(SampleBuffer from, int begin, int end, JobHandle after = default)
         {
-            var pointOfPlace = new NativeArray<int>(end + 1, Allocator.Persistent, NativeArrayOptions.UninitializedMemory);
-            pointOfPlace[0] = 0;
-            try
+            yield return JobStep.Of(Slices.Run(begin, end, PlacesPerSlice, (first, stop, before) => new CompactSampleJob
             {
-                yield return JobStep.Of(Slices.Schedule(end, PlacesPerSlice, (first, stop, before) => new NumberPlacesJob
-                {
-                    Filled = m_filled,
-                    First = first,
-                    End = stop,
-                    PointOfPlace = pointOfPlace,
-                }.Schedule(before), 1, after, numbered => after = numbered));
-                yield return JobStep.Of(Slices.Run(0, max, PlacesPerSlice, (first, stop, before) => new MoveRunsJob
-                {
-                    PointOfPlace = pointOfPlace,
-                    First = first,
-                    End = stop,
-                    Runs = runs,
-                }.Schedule(before), 1, after));
-            }
-            finally
-            {
-                after.Complete();
-                pointOfPlace.Dispose();
-            }
+                Filled = from.m_filled,
+                Columns = from.m_columns,
+                Sample = from.Points.Bytes,
+                Positions = PositionColumns.Of(from.Points),
+                Transform = m_transform,
+                First = first,
+                Count = stop - first,
+                ColumnsOfTarget = m_columns,
+                Target = Points.Bytes,
+                State = m_state,
+            }.Schedule(before), 1, after));
+            Points.Count = m_state.Value.Kept;
         }
 
-        /// <summary>Hands over the closed sample; the caller sets what else is known.</summary>
-        public PreviewSample TakeSample(PositionTransform transform)
-        {
-            var sample = ShareSample(transform);
-            Measure(sample);
-            return sample;
-        }
-
-        /// <summary>A sample of what is closed so far, for <see cref="Measure"/>; the sample owns the points from now
-        /// on.</summary>
-        public PreviewSample ShareSample(PositionTransform transform)
+        /// <summary>A sample of what is closed so far, for <see cref="Measure"/>, which owns the points from now on.</summary>
+        public PreviewSample ShareSample()
         {
             m_isShared = true;
-            return new PreviewSample(Points, transform);
+            var sample = new PreviewSample(Points, m_transform);
+            Measure(sample);
+            return sample;
         }
 
         /// <summary>Updates a sample of these points after more were closed.</summary>
@@ -172,52 +130,160 @@ namespace FastPoints.Sampling
         }
     }
 
-    /// <summary>Turns runs of places into runs of the points that remained when gaps were closed.</summary>
-    [BurstCompile]
-    struct MoveRunsJob : IJob
+    /// <summary>What a preview keeps of each point: its position and what it can be coloured by.</summary>
+    internal static class SampleSchema
     {
-        /// <summary>Has one entry more than there are places.</summary>
-        [ReadOnly] public NativeArray<int> PointOfPlace;
-
-        public int First;
-
-        /// <summary>It may be behind the last run.</summary>
-        public int End;
-        public NativeList<SampleRun> Runs;
-
-        public void Execute()
+        /// <exception cref="PointCloudException">The source has no positions.</exception>
+        public static PointSchema Of(SourceInfo info)
         {
-            for (int i = First; i < End && i < Runs.Length; i++)
+            var names = new List<string>(info.SampledToo)
             {
-                var run = Runs[i];
-                int end = PointOfPlace[run.First + run.Count];
-                run.First = PointOfPlace[run.First];
-                run.Count = end - run.First;
-                Runs[i] = run;
-            }
+                AttributeNames.X, AttributeNames.Y, AttributeNames.Z, AttributeNames.Intensity, AttributeNames.Classification,
+                AttributeNames.Red, AttributeNames.Green, AttributeNames.Blue,
+            };
+            var schema = info.Schema.Select(names.ToArray());
+            if (!schema.Has(AttributeNames.X) || !schema.Has(AttributeNames.Y) || !schema.Has(AttributeNames.Z))
+                throw new PointCloudException(FailureCode.Unsupported, info.Path, -1,
+                    "nothing to draw: wanted attributes X, Y and Z, got " + info.Schema);
+            return schema;
         }
     }
 
-    /// <summary>Finds the point at or behind each place after gaps have been closed. Slices go from front to back.</summary>
-    [BurstCompile]
-    struct NumberPlacesJob : IJob
+    /// <summary>The progress of <see cref="CompactSampleJob"/>.</summary>
+    struct CompactedSample
     {
-        /// <summary>1 at each place whose point was kept.</summary>
-        [ReadOnly] public NativeArray<byte> Filled;
+        /// <summary>Points kept so far: the first places of each column.</summary>
+        public int Kept;
 
+        public PositionBounds Found;
+    }
+
+    /// <summary>Closes the gaps in a sample, one slice of places after the other: places without a point, and points whose
+    /// position is not finite, which are counted. It measures the bounds on the way.</summary>
+    [BurstCompile]
+    struct CompactSampleJob : IJob
+    {
+        const int RunLength = ColumnValues.RunLength;
+
+        [ReadOnly] public NativeArray<byte> Filled;
+        [ReadOnly] public NativeArray<PointColumn> Columns;
+        [NativeDisableContainerSafetyRestriction] public NativeArray<byte> Sample;
+        public PositionColumns Positions;
+        public PositionTransform Transform;
+        public int First;
+        public int Count;
+
+        /// <summary>May be the sample itself.</summary>
+        [NativeDisableContainerSafetyRestriction] public NativeArray<byte> Target;
+        [ReadOnly, NativeDisableContainerSafetyRestriction] public NativeArray<PointColumn> ColumnsOfTarget;
+        public NativeReference<CompactedSample> State;
+
+        public unsafe void Execute()
+        {
+            double* x = stackalloc double[RunLength];
+            double* y = stackalloc double[RunLength];
+            double* z = stackalloc double[RunLength];
+            int* fromIndex = stackalloc int[RunLength];
+            int* toIndex = stackalloc int[RunLength];
+            var copy = new ColumnCopy
+            {
+                From = (byte*)NativeArrayUnsafeUtility.GetUnsafeBufferPointerWithoutChecks(Sample),
+                To = (byte*)NativeArrayUnsafeUtility.GetUnsafeBufferPointerWithoutChecks(Target),
+                ColumnsOfFrom = Columns,
+                ColumnsOfTo = ColumnsOfTarget,
+            };
+            var state = State.Value;
+            for (int done = 0; done < Count; done += RunLength)
+            {
+                int start = First + done;
+                int run = math.min(RunLength, Count - done);
+                Positions.Load(copy.From, start, run, x, y, z);
+                Transform.ToGeo(run, x, y, z);
+                int kept = 0;
+                for (int i = 0; i < run; i++)
+                {
+                    if (Filled[start + i] == 0)
+                        continue;
+                    if (!PositionBounds.IsFinite(x[i], y[i], z[i]))
+                    {
+                        state.Found.NonFinite++;
+                        continue;
+                    }
+                    x[kept] = x[i];
+                    y[kept] = y[i];
+                    z[kept] = z[i];
+                    fromIndex[kept] = start + i;
+                    toIndex[kept] = state.Kept + kept;
+                    kept++;
+                }
+                state.Found.IncludeRun(x, y, z, kept);
+                if (copy.From != copy.To || state.Kept != start || kept != run)
+                    copy.Scatter(fromIndex, toIndex, kept);
+                state.Kept += kept;
+            }
+            State.Value = state;
+        }
+    }
+
+    /// <summary>Copies the chosen points of a decoded block to the sample: stratum i's point to place i. Blocks write to disjoint
+    /// places, so any number of these may run at the same time.</summary>
+    [BurstCompile]
+    struct SampleBlockJob : IJob
+    {
+        const int RunLength = ColumnValues.RunLength;
+
+        [ReadOnly] public NativeArray<byte> Block;
+        [ReadOnly] public NativeArray<PointColumn> ColumnsOfBlock;
+        [ReadOnly] public NativeReference<DecodeResult> Result;
+
+        /// <summary>The points from <see cref="First"/> to before <see cref="End"/>.</summary>
         public int First;
         public int End;
 
-        /// <summary>Has one entry more than there are places; that of <see cref="First"/> is known.</summary>
-        public NativeArray<int> PointOfPlace;
+        /// <summary>Index of the block's first point in the whole source.</summary>
+        public long FirstPoint;
 
-        public void Execute()
+        public SampleStrata Strata;
+
+        [ReadOnly] public NativeArray<PointColumn> ColumnsOfSample;
+        [NativeDisableContainerSafetyRestriction] public NativeArray<byte> Sample;
+
+        /// <summary>Set to 1 at each place that is written.</summary>
+        [NativeDisableContainerSafetyRestriction] public NativeArray<byte> Filled;
+
+        public unsafe void Execute()
         {
-            int kept = PointOfPlace[First];
-            for (int place = First; place < End; place++)
+            long begin = FirstPoint + First;
+            long end = math.min(FirstPoint + math.min(End, Result.Value.Points), Strata.Points);
+            if (end <= begin)
+                return;
+            int* fromIndex = stackalloc int[RunLength];
+            int* toIndex = stackalloc int[RunLength];
+            var copy = new ColumnCopy
             {
-                kept += Filled[place];
-                PointOfPlace[place + 1] = kept;
+                From = (byte*)Block.GetUnsafeReadOnlyPtr(),
+                To = (byte*)NativeArrayUnsafeUtility.GetUnsafeBufferPointerWithoutChecks(Sample),
+                ColumnsOfFrom = ColumnsOfBlock,
+                ColumnsOfTo = ColumnsOfSample,
+            };
+            byte* filled = (byte*)NativeArrayUnsafeUtility.GetUnsafeBufferPointerWithoutChecks(Filled);
+            int chosen = 0;
+            int last = Strata.StratumOf(end - 1);
+            for (int stratum = Strata.StratumOf(begin); stratum <= last; stratum++)
+            {
+                long point = Strata.Chosen(stratum);
+                if (point >= begin && point < end)
+                {
+                    fromIndex[chosen] = (int)(point - FirstPoint);
+                    toIndex[chosen] = stratum;
+                    chosen++;
+                }
+                if (chosen < RunLength && stratum < last)
+                    continue;
+                copy.Scatter(fromIndex, toIndex, chosen);
+                for (int i = 0; i < chosen; i++)
+                    filled[toIndex[i]] = 1;
+                chosen = 0;
             }
         }
     }

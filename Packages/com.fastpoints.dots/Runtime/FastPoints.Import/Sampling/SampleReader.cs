@@ -1,7 +1,6 @@
 using System;
 using System.Collections.Generic;
 using FastPoints.Core;
-using FastPoints.Octrees;
 using FastPoints.Reading;
 using Unity.Burst;
 using Unity.Collections;
@@ -12,10 +11,9 @@ using Unity.Mathematics;
 namespace FastPoints.Sampling
 {
     /// <summary>Presents a preview's sample as a source with an octree: one node, in blocks whose points are each spread over all
-    /// of the sample. <see cref="TreeSource"/> can thus stream it like any other cloud, before there is another.</summary>
+    /// of the sample. <c>TreeSource</c> can thus stream it like any other cloud, before there is another.</summary>
     internal sealed class SampleReader : PointReader
     {
-        /// <summary>The most points in a block.</summary>
         public const int PointsPerBlock = 1 << 15;
 
         readonly SourceTree m_tree;
@@ -26,7 +24,6 @@ namespace FastPoints.Sampling
         bool m_isDisposed;
 
         /// <summary>Copies a sample, with which its sampler continues: about a millisecond for ten megabytes.</summary>
-        /// <param name="path">Path of the source, for messages.</param>
         public SampleReader(PreviewSample sample, string path) : this(sample, CopyNow(sample), path) { }
 
         /// <param name="points">All points of the sample, which this reader owns.</param>
@@ -67,7 +64,6 @@ namespace FastPoints.Sampling
             m_tree = TreeOf(other.m_tree.Cube, other.m_tree.Spacing);
         }
 
-        /// <summary>Whether it has all points of its source.</summary>
         public bool IsWhole { get; }
 
         internal PointBatch Points { get; }
@@ -85,7 +81,6 @@ namespace FastPoints.Sampling
             return (long)block * (Points.Count / m_blocks) + Math.Min(block, longer);
         }
 
-        /// <summary>Nothing has to be read any more.</summary>
         public override long BytesOfRange(BlockRange range) => 0;
 
         public override BlockRead CreateRead(PointSchema wanted, int capacity, Allocator allocator) =>
@@ -162,7 +157,7 @@ namespace FastPoints.Sampling
                         To = to.Bytes,
                         FirstByteOfFrom = sample.Points.Column(c).OffsetBytes + first * size,
                         FirstByteOfTo = to.Column(c).OffsetBytes + first * size,
-                        Count = Math.Min(pointsOfSlice, to.Count - first) * size,
+                        Bytes = Math.Min(pointsOfSlice, to.Count - first) * size,
                     };
             }
         }
@@ -179,11 +174,92 @@ namespace FastPoints.Sampling
         public NativeArray<byte> To;
         public int FirstByteOfFrom;
         public int FirstByteOfTo;
-
-        /// <summary>Number of bytes.</summary>
-        public int Count;
+        public int Bytes;
 
         public void Execute() => UnsafeUtility.MemCpy((byte*)To.GetUnsafePtr() + FirstByteOfTo,
-            (byte*)From.GetUnsafeReadOnlyPtr() + FirstByteOfFrom, Count);
+            (byte*)From.GetUnsafeReadOnlyPtr() + FirstByteOfFrom, Bytes);
+    }
+
+    /// <summary>A slot for blocks of a sample that is in memory.</summary>
+    sealed class SampleRead : BlockRead
+    {
+        readonly PointReader m_reader;
+        readonly PointBatch m_sample;
+        NativeArray<PointColumn> m_columns;
+
+        /// <param name="sample">All points; a block has every n-th of them, where n is the number of blocks.</param>
+        public SampleRead(PointReader reader, PointBatch sample, PointSchema wanted, int capacity, Allocator allocator)
+        {
+            m_reader = reader;
+            m_sample = sample;
+            Points = new PointBatch(wanted, capacity, allocator);
+            Result = new NativeReference<DecodeResult>(allocator);
+            m_columns = new NativeArray<PointColumn>(2 * wanted.Count, allocator);
+            for (int c = 0; c < wanted.Count; c++)
+            {
+                m_columns[2 * c] = sample.Column(sample.Schema.IndexOf(wanted[c].Name));
+                m_columns[2 * c + 1] = Points.Column(c);
+            }
+        }
+
+        public override void Begin(BlockRange range)
+        {
+            Range = range;
+            FirstPoint = m_reader.FirstPointOfBlock(range.Block) + range.First;
+            Decoded = new CopyStrideJob
+            {
+                From = m_sample.Bytes,
+                Columns = m_columns,
+                To = Points.Bytes,
+                Result = Result,
+                First = range.Block + range.First * m_reader.BlockCount,
+                Step = m_reader.BlockCount,
+                Count = range.Count,
+            }.Schedule();
+        }
+
+        public override void Complete()
+        {
+            Decoded.Complete();
+            Points.Count = Result.Value.Points;
+        }
+
+        public override void Dispose()
+        {
+            if (!m_columns.IsCreated)
+                return;
+            Decoded.Complete();
+            m_columns.Dispose();
+            Points.Dispose();
+            Result.Dispose();
+        }
+    }
+
+    /// <summary>Copies every n-th point of a batch to the beginning of another.</summary>
+    [BurstCompile]
+    internal unsafe struct CopyStrideJob : IJob
+    {
+        [ReadOnly] public NativeArray<byte> From;
+
+        /// <summary>Two numbers for each column: where it is, and where it goes.</summary>
+        [ReadOnly] public NativeArray<PointColumn> Columns;
+        public NativeArray<byte> To;
+        public NativeReference<DecodeResult> Result;
+        public int First;
+        public int Step;
+        public int Count;
+
+        public void Execute()
+        {
+            for (int c = 0; c < Columns.Length; c += 2)
+            {
+                int size = Columns[c].Type.SizeOf();
+                byte* from = (byte*)From.GetUnsafeReadOnlyPtr() + Columns[c].OffsetBytes + (long)First * size;
+                byte* to = (byte*)To.GetUnsafePtr() + Columns[c + 1].OffsetBytes;
+                for (int i = 0; i < Count; i++, from += (long)Step * size, to += size)
+                    UnsafeUtility.MemCpy(to, from, size);
+            }
+            Result.Value = new DecodeResult { Points = Count };
+        }
     }
 }

@@ -29,7 +29,6 @@ namespace FastPoints.Sampling
         /// the product split so that it does not overflow.</summary>
         public long FirstOf(int stratum) => stratum * m_whole + stratum * m_rest / Count;
 
-        /// <summary>The stratum that a point lies in.</summary>
         public int StratumOf(long point)
         {
             int stratum = (int)(point * (double)Count / Points);
@@ -50,7 +49,6 @@ namespace FastPoints.Sampling
             return first + (long)(Hash((ulong)stratum << 32 | Seed) % (ulong)places);
         }
 
-        /// <summary>The one point chosen in a stratum.</summary>
         public long Chosen(int stratum) => ChosenRun(stratum, 1);
 
         /// <summary>The finaliser of SplitMix64 (Steele, Lea, Flood, "Fast splittable pseudorandom number generators",

@@ -2,7 +2,9 @@ using System;
 using System.Collections.Generic;
 using FastPoints.Core;
 using FastPoints.Reading;
+using Unity.Burst;
 using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
 using Unity.Jobs;
 using Unity.Mathematics;
 
@@ -57,17 +59,17 @@ namespace FastPoints.Sampling
             var measured = default(JobHandle);
             try
             {
-                if (reader.HasRunReads)
+                if (reader is RecordReader records)
                 {
-                    yield return JobStep.Of(sample.ReadRuns(reader, runs, positions, measure));
+                    yield return JobStep.Of(sample.ReadRuns(records, runs, positions, measure));
                 }
                 else
                 {
                     int longest = LongestOf(runs);
                     var limit = SourceScan.LimitFor(reader, positions, 0, maxBytes, chains, inFlightMs);
                     using var consumer = new Appending(sample, reader, runs, longest);
-                    yield return JobStep.Of(SourceScan.Run(reader, positions, consumer, limit, chains, 0, runs.Count,
-                        r => runs[r], longest, null));
+                    yield return JobStep.Of(SourceScan.Run(ScanRanges.Of(reader, runs, longest), positions, consumer, limit,
+                        chains, null));
                     measured = measure(sample.Stored, default);
                     yield return measured;
                 }
@@ -91,7 +93,7 @@ namespace FastPoints.Sampling
         }
 
         /// <summary>Reads the runs of a source of a fixed stride, many in one request.</summary>
-        IEnumerator<JobStep> ReadRuns(PointReader reader, List<BlockRange> runs, PointSchema positions,
+        IEnumerator<JobStep> ReadRuns(RecordReader reader, List<BlockRange> runs, PointSchema positions,
             Func<NativeArray<double3>, JobHandle, JobHandle> measure)
         {
             int points = 0;
@@ -143,7 +145,6 @@ namespace FastPoints.Sampling
 
         void AddRun(int first, int count, long pointsStoodFor) => m_runs.Add(new SampleRun
         {
-            Segment = m_runs.Length,
             First = first,
             Count = count,
             Weight = pointsStoodFor / (double)Math.Max(1, count),
@@ -195,5 +196,43 @@ namespace FastPoints.Sampling
                     buffer.Dispose();
             }
         }
+    }
+
+    /// <summary>Points of a sample that lie together in the file.</summary>
+    internal struct SampleRun
+    {
+        /// <summary>Index of the first point in the sample.</summary>
+        public int First;
+
+        public int Count;
+
+        /// <summary>Number of points of the file that each stands for.</summary>
+        public double Weight;
+    }
+
+    /// <summary>Loads stored positions of a few points as doubles: exact for 32-bit integers and floats.</summary>
+    [BurstCompile]
+    unsafe struct LoadSamplePositionsJob : IJob
+    {
+        [ReadOnly] public NativeArray<byte> Columns;
+        [ReadOnly] public NativeReference<DecodeResult> Decoded;
+        public PointColumn X;
+        public PointColumn Y;
+        public PointColumn Z;
+
+        /// <summary>The first point, and room for all from there on that are loaded.</summary>
+        public int First;
+        public NativeArray<double3> Stored;
+
+        public void Execute()
+        {
+            var bytes = (byte*)Columns.GetUnsafeReadOnlyPtr();
+            int count = math.min(Decoded.Value.Points - First, Stored.Length);
+            for (int i = 0; i < count; i++)
+                Stored[i] = new double3(Load(bytes, X, First + i), Load(bytes, Y, First + i), Load(bytes, Z, First + i));
+        }
+
+        static double Load(byte* bytes, PointColumn column, int index) =>
+            ColumnValues.ToDouble(bytes + column.OffsetBytes, column.Type, index);
     }
 }

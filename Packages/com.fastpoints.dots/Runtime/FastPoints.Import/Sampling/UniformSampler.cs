@@ -32,7 +32,7 @@ namespace FastPoints.Sampling
             m_strata = new SampleStrata(reader.PointCount, Math.Min(wanted, PreviewSample.MaxPoints(m_schema)), seed);
         }
 
-        /// <summary>Takes the sample as a coroutine; call <see cref="TakeSample"/> afterwards.</summary>
+        /// <summary>Coroutine; <see cref="TakeSample"/> comes afterwards.</summary>
         /// <param name="slots">Blocks in flight; 0 for <see cref="SourceScan.SlotsFor"/>.</param>
         public IEnumerator<JobStep> Run(int slots, StageProgress progress)
         {
@@ -41,15 +41,13 @@ namespace FastPoints.Sampling
             m_columnsOfSlot = new NativeArray<PointColumn>[slots];
             try
             {
-                m_buffer = new SampleBuffer(m_schema, m_strata.Count);
+                m_buffer = new SampleBuffer(m_schema, m_reader.Info.Transform, m_strata.Count);
                 yield return JobStep.Of(SourceScan.Run(m_reader, m_schema, this, slots, progress));
-                yield return JobStep.Of(m_buffer.Close(m_reader.Info.Transform));
-
-                m_sample = m_buffer.TakeSample(m_reader.Info.Transform);
+                yield return JobStep.Of(m_buffer.Close(0, m_buffer.Places));
+                m_sample = m_buffer.ShareSample();
                 m_sample.PointsInSource = m_pointsFound;
                 m_sample.BytesRead = m_bytesRead;
                 m_sample.IsFullScan = true;
-                m_sample.HasKnownWeights = true;
                 m_sample.Method = "full scan, one point of each stratum";
             }
             finally

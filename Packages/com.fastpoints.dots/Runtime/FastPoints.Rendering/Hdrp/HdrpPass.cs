@@ -4,10 +4,12 @@ using UnityEngine.Rendering.HighDefinition;
 
 namespace FastPoints.Rendering.Hdrp
 {
-    // Draws the clouds in HDRP, after opaque meshes and the sky: a custom pass of all cameras, without a volume.
+    // Draws the clouds in HDRP, before transparent meshes: a custom pass of all cameras, without a volume.
     internal sealed class HdrpPass : CustomPass
     {
-        const CustomPassInjectionPoint Place = CustomPassInjectionPoint.AfterOpaqueAndSky;
+        /// <summary>What HDRP draws until then by a depth that has no points in it (fog, volumetric clouds, water) would cover
+        /// them.</summary>
+        const CustomPassInjectionPoint Place = CustomPassInjectionPoint.BeforeTransparent;
 
         static HdrpPass s_pass;
 

@@ -1,5 +1,6 @@
 using System;
 using UnityEngine;
+using UnityEngine.Experimental.Rendering;
 using UnityEngine.Rendering;
 using UnityEngine.Rendering.RenderGraphModule;
 using UnityEngine.Rendering.Universal;
@@ -45,11 +46,17 @@ namespace FastPoints.Rendering.Urp
             // A camera that cannot be culled would leave its pass to the renderer's next camera, which has one of its own.
             var cameraData = frameData.Get<UniversalCameraData>();
             if (PointScene.Current == null || !ReferenceEquals(cameraData.camera, m_camera))
+            {
+                // Or a script draws a camera within another's turn, as mirrors do, and that takes what is enqueued for the other:
+                // from now on, passes are enqueued after such scripts. Each frame, new delegates would be garbage.
+                if (m_camera != null)
+                    Begin();
                 return;
+            }
             m_camera = null;
             var resources = frameData.Get<UniversalResourceData>();
             // The 2D renderer may have no depth: points would not hide one another, and Unity would throw.
-            if (!resources.activeDepthTexture.IsValid())
+            if (!resources.activeDepthTexture.IsValid() || !resources.activeColorTexture.IsValid())
                 return;
             using var builder = renderGraph.AddUnsafePass<PassData>("FastPoints", out var data);
             data.Scene = PointScene.Current;
@@ -117,6 +124,9 @@ namespace FastPoints.Rendering.Urp
             // The pipeline's own getter would add the component to cameras of the user's scene.
             bool hasData = camera.TryGetComponent<UniversalAdditionalCameraData>(out var cameraData);
             if (!PointScene.IsDrawn(camera, hasData && cameraData.renderType == CameraRenderType.Overlay))
+                return;
+            // Of such a target URP draws depth alone.
+            if (camera.targetTexture != null && camera.targetTexture.graphicsFormat == GraphicsFormat.None)
                 return;
             scene.AddView(camera);
             if (s_pass == null)

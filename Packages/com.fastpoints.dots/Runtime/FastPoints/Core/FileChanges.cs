@@ -191,5 +191,7 @@ namespace FastPoints.Core
         Delete,
         MoveFolder,
         DeleteFolder,
+        /// <summary>None: a folder's disk is asked for its free bytes.</summary>
+        Measure,
     }
 }

@@ -49,8 +49,9 @@ namespace FastPoints.Tests.Picture
             using var file = new TemporaryFile(writer.Write(records), ".laz");
             using var reader = Open(file);
             var layout = LazFileReading.LayoutOf(file.Path);
-            Assert.That(reader.HasPrefixes, Is.True);
-            JobCoroutine.RunToEnd(reader.FindPrefixes());
+            var prefixes = (IPrefixSource)reader;
+            Assert.That(prefixes.HasPrefixes, Is.True);
+            JobCoroutine.RunToEnd(prefixes.FindPrefixes(1));
             Assert.That(reader.BlocksAreKnown, Is.False);
             Assert.That(reader.PointCount, Is.EqualTo(expected));
             Assert.That(LazFileReading.Difference(LazFileReading.Records(reader, layout),
@@ -58,7 +59,7 @@ namespace FastPoints.Tests.Picture
             int warnings = reader.Info.Warnings.Count;
 
             JobCoroutine.RunToEnd(reader.FindBlocks());
-            Assert.That(reader.HasPrefixes, Is.False);
+            Assert.That(prefixes.HasPrefixes, Is.False);
             Assert.That(LazFileReading.Difference(LazFileReading.Records(reader, layout), all, writer.RecordBytes), Is.Null);
             Assert.That(reader.Info.Warnings.Count, Is.EqualTo(warnings));
         }

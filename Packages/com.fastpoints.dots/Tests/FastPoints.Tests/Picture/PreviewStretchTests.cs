@@ -4,6 +4,7 @@ using System.Linq;
 using FastPoints.Core;
 using FastPoints.Import;
 using FastPoints.Picture;
+using FastPoints.Reading;
 using FastPoints.Sampling;
 using FastPoints.Tests.Support;
 using NUnit.Framework;
@@ -47,7 +48,8 @@ namespace FastPoints.Tests.Picture
         {
             Write(name, header);
             using var reader = PointReaders.Open(m_path);
-            Assert.That(reader.HasPrefixes, Is.True);
+            var prefixes = (IPrefixSource)reader;
+            Assert.That(prefixes.HasPrefixes, Is.True);
             using var preview = new PreviewCloud(reader, new PreviewOptions { Points = 100_000, Quick = true });
             JobCoroutine.RunToEnd(preview.TakeSample(new StageProgress()));
             Assert.That(reader.BlocksAreKnown, Is.False, "that takes a look through all of the file");
@@ -60,7 +62,7 @@ namespace FastPoints.Tests.Picture
             Assert.That(xs.Count(x => x < Lines / 2) / (double)xs.Length, Is.EqualTo(0.5).Within(0.02));
             foreach (var eighth in xs.GroupBy(x => (int)x / (Lines / 8)))
                 Assert.That(eighth.Count() / (double)xs.Length, Is.EqualTo(0.125).Within(0.01));
-            var estimate = reader.EstimatedPoints;
+            var estimate = prefixes.EstimatedPoints;
             Assert.That(estimate.Points, Is.EqualTo(Lines).Within(Math.Max(1, 4 * estimate.StandardError)));
             Assert.That(estimate.StandardError, Is.LessThan(0.01 * Lines));
             Assert.That(sample.Share, Is.EqualTo(xs.Length / estimate.Points).Within(1e-6));
@@ -92,7 +94,7 @@ namespace FastPoints.Tests.Picture
             Write(".ply", "ply\nformat ascii 1.0\nelement vertex 799999\nproperty float x\nproperty float y\nproperty float z\n"
                 + "element face 1\nproperty list uchar int vertex_indices\nend_header\n");
             using var reader = PointReaders.Open(m_path);
-            Assert.That(reader.HasPrefixes, Is.False);
+            Assert.That(((IPrefixSource)reader).HasPrefixes, Is.False);
         }
     }
 }

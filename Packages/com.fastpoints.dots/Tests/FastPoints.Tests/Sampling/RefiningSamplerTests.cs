@@ -54,41 +54,6 @@ namespace FastPoints.Tests.Sampling
             return waves;
         }
 
-        /// <param name="pointsPerBlock">With 5 there are more blocks than are asked for at once.</param>
-        [TestCase(1600), TestCase(1777), TestCase(5)]
-        public void Runs_OfEachWave_AreThePointsOfOneBlockEach(int pointsPerBlock)
-        {
-            using var reader = Square(pointsPerBlock);
-            using var sampler = new RefiningSampler(reader, 30_000, 5, null, Bounds);
-            int waves = 0;
-            sampler.WaveReady += wave =>
-            {
-                if (sampler.Sample.IsFullScan)
-                    return;
-                var points = Positions(sampler.Sample);
-                int next = 0, lastBlock = -1;
-                foreach (var run in sampler.Sample.Runs)
-                {
-                    Assert.That(run.First, Is.EqualTo(next));
-                    Assert.That(run.Count, Is.GreaterThan(0));
-                    var blocks = points.Skip(run.First).Take(run.Count).Select(p => IndexOf(p) / pointsPerBlock)
-                        .Distinct().ToArray();
-                    Assert.That(blocks, Has.Length.EqualTo(1));
-                    Assert.That(blocks[0], Is.GreaterThan(lastBlock));
-                    lastBlock = blocks[0];
-                    next += run.Count;
-                }
-                Assert.That(next, Is.EqualTo(sampler.Sample.Count - sampler.Sample.Placeholders));
-                waves++;
-            };
-            JobCoroutine.RunToEnd(sampler.Run(3, null));
-            Assert.That(waves, Is.EqualTo(2));
-        }
-
-        /// <summary>Of a point of <see cref="Square"/>.</summary>
-        static int IndexOf((int X, int Y, int Z) point) =>
-            (point.Y / 20 * 10 + point.X / 20) * 1600 + point.Z * 400 + point.Y % 20 * 20 + point.X % 20;
-
         [TestCase(1600), TestCase(1777), TestCase(160_000), TestCase(500)]
         public void Sample_InTheEnd_IsTheFullScansPointForPoint(int pointsPerBlock)
         {
@@ -144,7 +109,7 @@ namespace FastPoints.Tests.Sampling
         public void Waves_OfBlocksTooManyForStates_ShowTheFirstSampleWhereNoBlockIsRead()
         {
             using var reader = Square(500);
-            using var first = PreviewSampler.Create(reader, 8000, 1);
+            using var first = new PreviewSampler(reader, 8000, 1);
             JobCoroutine.RunToEnd(first.Run(2, null));
             using var before = first.TakeSample();
             var places = new HashSet<(int, int)>(Positions(before).Select(p => (p.Item1 / 10, p.Item2 / 10)));

@@ -1,6 +1,5 @@
 using FastPoints.Core;
 using FastPoints.Nodes;
-using FastPoints.Sampling;
 using Unity.Burst;
 using Unity.Collections;
 using Unity.Jobs;

@@ -2,7 +2,6 @@ using System;
 using System.Collections.Generic;
 using System.Runtime.CompilerServices;
 using FastPoints.Core;
-using FastPoints.Sampling;
 using Unity.Collections;
 
 namespace FastPoints.Build

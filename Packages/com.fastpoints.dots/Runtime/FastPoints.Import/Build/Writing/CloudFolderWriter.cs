@@ -86,11 +86,10 @@ namespace FastPoints.Build
                     FileChanges.Delete(path);
                     return true;
                 }
-                if (!File.Exists(path))
-                    return false;
+                var now = new FileInfo(path);
+                if (!now.Exists || now.Length <= bytes)
+                    return now.Exists && now.Length == bytes;
                 using var file = FileChanges.OpenToWrite(path, FileMode.Open);
-                if (file.Length < bytes)
-                    return false;
                 file.SetLength(bytes);
                 return true;
             }
@@ -159,11 +158,15 @@ namespace FastPoints.Build
         public long BytesOnDisk { get; private set; }
 
         /// <summary>Free bytes on the target's disk; -1 if unknown.</summary>
-        public long FreeBytes()
+        public long FreeBytes() => FreeBytesOf(m_part);
+
+        /// <summary>Free bytes on a folder's disk; -1 if unknown, as on Windows of \\server\share.</summary>
+        public static long FreeBytesOf(string folder)
         {
             try
             {
-                return new DriveInfo(Path.GetFullPath(m_part)).AvailableFreeSpace;
+                FileChanges.Intercept?.Invoke(FileChange.Measure, folder, null);
+                return new DriveInfo(Path.GetFullPath(folder)).AvailableFreeSpace;
             }
             catch (Exception e) when (FileFailures.IsFileFailure(e))
             {

@@ -62,13 +62,13 @@ namespace FastPoints.Laz
             return c + 1 - (isLower & 1 << k);
         }
 
-        /// <summary>As above for a context of one, or where k is of no use.</summary>
+        // For a context of one, or where k is of no use.
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static int Decode(byte* model, int bits, int contexts, int context,
             ref uint value, ref uint length, ref byte* next) =>
             Decode(model, bits, contexts, context, out _, ref value, ref length, ref next);
 
-        /// <summary>As above, not inlined: for values that seldom change.</summary>
+        // Not inlined: for values that seldom change.
         [MethodImpl(MethodImplOptions.NoInlining)]
         public static int Decode(byte* model, int bits, int contexts, int context, RangeStream* stream)
         {
@@ -111,7 +111,6 @@ namespace FastPoints.Laz
             RangeCode.PutBits(raw, place & ((1u << raw) - 1), ref low, ref length, ref next);
         }
 
-        /// <summary>As above, not inlined.</summary>
         [MethodImpl(MethodImplOptions.NoInlining)]
         public static void Encode(byte* model, int bits, int contexts, int context, int difference, RangeStream* stream)
         {

@@ -14,7 +14,7 @@ namespace FastPoints.Laz
         /// <summary>Readable bytes behind every input: more than the items of one point can take between two checks.</summary>
         public const int PaddingBytes = 256;
 
-        /// <summary>Bytes are taken until the length is this or more.</summary>
+        // Bytes are taken until the length is this or more.
         public const uint MinLength = 1u << 24;
 
         /// <summary>Starts a stream: its first four bytes are the value. No encoder writes four bytes of ones, which would be
@@ -90,7 +90,6 @@ namespace FastPoints.Laz
             length = size << bits;
         }
 
-        /// <summary>Writes 1 to 32 bits as <see cref="Bits"/> reads them.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static void PutBits(int bits, uint symbol, ref uint low, ref uint length, ref byte* next)
         {
@@ -103,7 +102,6 @@ namespace FastPoints.Laz
             Narrow(symbol * (length >> bits), length >> bits, ref low, ref length, ref next);
         }
 
-        /// <summary>Writes 32 bits as <see cref="UInt32"/> reads them.</summary>
         public static void PutUInt32(uint symbol, ref uint low, ref uint length, ref byte* next)
         {
             PutBits(16, symbol & 0xFFFF, ref low, ref length, ref next);

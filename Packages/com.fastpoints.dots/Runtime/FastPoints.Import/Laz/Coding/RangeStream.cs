@@ -8,10 +8,9 @@ namespace FastPoints.Laz
         public uint Length;
         public byte* Next;
 
-        /// <summary>Points behind the stream's last byte: a decoder that has passed it has read foreign bytes.</summary>
+        // A decoder that has passed it has read foreign bytes.
         public byte* End;
 
-        /// <summary>Offset of <see cref="Next"/> from the input's start.</summary>
         public long Offset;
 
         public bool IsBeyondEnd => Next > End;
@@ -34,7 +33,6 @@ namespace FastPoints.Laz
             return isLong ? Value > 0 && Value <= Min : Value <= Min >> 1 && Value > (Min >> 1) - (1 << 16);
         }
 
-        /// <summary>Starts at a stream's first byte.</summary>
         public void Start(byte* first, byte* end)
         {
             Next = first;
@@ -42,7 +40,6 @@ namespace FastPoints.Laz
             RangeCode.Start(out Value, out Length, ref Next);
         }
 
-        /// <summary>Starts to write at a stream's first byte: <see cref="Value"/> is where the interval begins.</summary>
         public void StartWriting(byte* first)
         {
             Next = first;
@@ -50,7 +47,6 @@ namespace FastPoints.Laz
             Length = uint.MaxValue;
         }
 
-        /// <summary>Resumes where <see cref="Suspend"/> left off, with the input now at <paramref name="input"/>.</summary>
         public void Resume(byte* input, byte* end)
         {
             Next = input + Offset;

@@ -49,7 +49,6 @@ namespace FastPoints.Laz
         static int CellBits(int symbols) =>
             symbols >= 64 ? 8 : symbols >= 32 ? 7 : symbols >= 16 ? 6 : symbols >= 8 ? 5 : symbols >= 4 ? 4 : 3;
 
-        /// <summary>Makes every symbol as likely as any other.</summary>
         public static void Initialize(SymbolModel* model, int symbols, int capacity)
         {
             model->m_last = (ushort)(symbols - 1);

@@ -40,7 +40,7 @@ namespace FastPoints.Laz
         fixed int m_difference[4];
         fixed int m_extremes[4];
 
-        /// <summary>Begins a chunk (or a scanner channel's context) at a time, given as its bits.</summary>
+        // A chunk (or a scanner channel's context); the time as its bits.
         public static void Start(GpsTimeItem* state, long first, bool isLayer)
         {
             *state = default;
@@ -53,7 +53,6 @@ namespace FastPoints.Laz
             IntegerModel.Initialize(place + IntegerAt, 32, IntegerContexts);
         }
 
-        /// <summary>The next time, as its bits.</summary>
         [MethodImpl(MethodImplOptions.NoInlining)]
         public static long Decode(GpsTimeItem* state, RangeStream* stream)
         {
@@ -146,7 +145,6 @@ namespace FastPoints.Laz
             return state->m_last[sequence];
         }
 
-        /// <summary>Codes the next time, given as its bits.</summary>
         [MethodImpl(MethodImplOptions.NoInlining)]
         public static void Encode(GpsTimeItem* state, RangeStream* stream, long time)
         {

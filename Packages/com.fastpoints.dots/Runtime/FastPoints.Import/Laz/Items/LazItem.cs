@@ -15,20 +15,17 @@ namespace FastPoints.Laz
         Bytes14 = 14,
     }
 
-    /// <summary>One entry of the LASzip VLR's list, and the location of its bytes in a record.</summary>
     internal struct LazItem
     {
         public LazItemType Type;
         public int Version;
         public int Bytes;
-
-        /// <summary>Offset of the item's first byte in a record: items follow each other in the list's order.</summary>
         public int RecordOffset;
 
-        /// <summary>Whether the item belongs to layered chunks (POINT14 and what goes with it).</summary>
+        // POINT14 and what goes with it.
         public bool IsLayered => Type >= LazItemType.Point14;
 
-        /// <summary>Bytes that the type must have; 0 if any number above 0 is valid.</summary>
+        // 0 if any number above 0 is valid.
         public static int FixedBytes(LazItemType type) => type switch
         {
             LazItemType.Point10 => 20,
@@ -40,7 +37,7 @@ namespace FastPoints.Laz
             _ => 0,
         };
 
-        /// <summary>Whether this type has been written in this version (besides 0, uncompressed).</summary>
+        // Besides 0, uncompressed.
         public static bool IsVersionKnown(LazItemType type, int version)
         {
             switch (type)

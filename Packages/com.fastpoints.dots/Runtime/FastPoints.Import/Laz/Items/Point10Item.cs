@@ -59,7 +59,6 @@ namespace FastPoints.Laz
         fixed ulong m_classMade[4];
         fixed ulong m_userDataMade[4];
 
-        /// <summary>Begins a chunk with its first point, which is stored as it is.</summary>
         public static void Start(Point10Item* state, byte* record)
         {
             *state = default;
@@ -95,7 +94,6 @@ namespace FastPoints.Laz
             m_source = *(ushort*)(record + 18);
         }
 
-        /// <summary>Decodes the next point into the first 20 bytes of <paramref name="record"/>.</summary>
         [MethodImpl(MethodImplOptions.NoInlining)]
         public static void Decode(Point10Item* state, RangeStream* stream, byte* record)
         {
@@ -181,7 +179,6 @@ namespace FastPoints.Laz
             *(int*)(record + 16) = *((int*)state + 4);
         }
 
-        /// <summary>Codes the next point.</summary>
         [MethodImpl(MethodImplOptions.NoInlining)]
         public static void Encode(Point10Item* state, RangeStream* stream, byte* record)
         {
@@ -252,7 +249,7 @@ namespace FastPoints.Laz
                 IntegerModel.Encode(place + SourceAt, 16, 1, 0, *(ushort*)(record + 18) - state->m_source, stream);
         }
 
-        /// <summary>The model of a byte's values after the value <paramref name="last"/>, made on first use.</summary>
+        // After the value "last", made on first use.
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         internal static byte* ModelOfByte(byte* models, ulong* made, int last)
         {

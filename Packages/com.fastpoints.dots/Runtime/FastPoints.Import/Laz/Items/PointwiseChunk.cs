@@ -27,17 +27,14 @@ namespace FastPoints.Laz
         fixed int m_recordOffset[MaxItems];
         fixed int m_stateOffset[MaxItems];
 
-        /// <summary>Offset in the chunk's input up to which the stream has been consumed.</summary>
         public long InputOffset => m_stream.Offset;
 
-        /// <summary>Whether the input and the stream end with the last point that was decoded.</summary>
         public bool IsAtEnd => m_pointsDone > 0 && m_lastEnd == m_pointsDone;
 
         /// <summary>Number of the last decoded points behind the first place where the stream can have ended: if there are fewer
         /// points than claimed, these may not exist. They took no byte, and less than eight bits together.</summary>
         public int UncertainPoints => m_firstEnd == 0 ? 0 : m_pointsDone - m_firstEnd;
 
-        /// <summary>Bytes of decoder state for a list of items.</summary>
         public static long StateBytes(LazItem[] items)
         {
             long end = FirstStateOffset;
@@ -119,7 +116,6 @@ namespace FastPoints.Laz
             }
         }
 
-        /// <summary>Starts at a chunk's first byte.</summary>
         public static void Start(PointwiseChunk* chunk)
         {
             chunk->m_pointsDone = 0;
@@ -129,13 +125,9 @@ namespace FastPoints.Laz
             chunk->m_stream = default;
         }
 
-        /// <summary>Continues with an input that starts where the stream has been consumed up to.</summary>
         public static void Rebase(PointwiseChunk* chunk) => chunk->m_stream.Offset = 0;
 
-        /// <summary>Decodes the chunk's next points as whole records.</summary>
-        /// <param name="input">The chunk's first byte (or that where <see cref="Rebase"/> was called). Behind <paramref
-        /// name="inputBytes"/> there are <see cref="RangeCode.PaddingBytes"/> more that may be read.</param>
-        /// <returns>Points decoded: fewer than <paramref name="count"/> only where the input does not hold them.</returns>
+        // Fewer points than count only where the input does not hold them. Behind the input lie PaddingBytes of RangeCode.
         public static int Decode(PointwiseChunk* chunk, byte* input, long inputBytes, byte* records, int count)
         {
             if (chunk->m_isStopped != 0 || count <= 0)
@@ -281,7 +273,6 @@ namespace FastPoints.Laz
             chunk->m_stream.Suspend(output);
         }
 
-        /// <summary>Codes the next records, items of version 1 aside.</summary>
         public static void Encode(PointwiseChunk* chunk, byte* records, int count, byte* output)
         {
             RangeStream* stream = &chunk->m_stream;
@@ -313,7 +304,6 @@ namespace FastPoints.Laz
             stream->Suspend(output);
         }
 
-        /// <returns>Bytes of the whole chunk.</returns>
         public static long EndWriting(PointwiseChunk* chunk, byte* output)
         {
             var stream = chunk->m_stream;

@@ -39,8 +39,7 @@ namespace FastPoints.Laz
             stream->Next = next;
         }
 
-        /// <summary>Decodes a colour after <paramref name="last"/>, which becomes it (and is apart from the models, since RGB14
-        /// version 3 mixes up whose it is).</summary>
+        // "last" becomes the colour (and is apart from the models, since RGB14 version 3 mixes up whose it is).
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static void Decode(byte* place, ushort* last, byte* record, ref uint value, ref uint length, ref byte* next)
         {
@@ -96,7 +95,6 @@ namespace FastPoints.Laz
             stream->Next = next;
         }
 
-        /// <summary>Codes a colour after <paramref name="last"/>, which becomes it.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static void Encode(byte* place, ushort* last, byte* record, ref uint low, ref uint length, ref byte* next)
         {

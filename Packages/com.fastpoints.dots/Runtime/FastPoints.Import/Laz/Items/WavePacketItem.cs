@@ -26,7 +26,6 @@ namespace FastPoints.Laz
         int m_step;
         int m_offsetKind;
 
-        /// <summary>The last packet's 28 bytes behind the descriptor index.</summary>
         public fixed byte Last[RecordBytes - 1];
 
         public static void Start(WavePacketItem* state, byte* record)
@@ -44,7 +43,7 @@ namespace FastPoints.Laz
             IntegerModel.Initialize(place + DirectionAt, 32, 3);
         }
 
-        /// <summary>Decodes a packet after <paramref name="last"/> (28 bytes), which becomes it.</summary>
+        // "last" (28 bytes) becomes the packet.
         [MethodImpl(MethodImplOptions.NoInlining)]
         public static void Decode(WavePacketItem* state, byte* last, RangeStream* stream, byte* record)
         {
@@ -90,7 +89,6 @@ namespace FastPoints.Laz
                 record[i + 1] = last[i];
         }
 
-        /// <summary>Codes a packet after <paramref name="last"/> (28 bytes), which becomes it.</summary>
         [MethodImpl(MethodImplOptions.NoInlining)]
         public static void Encode(WavePacketItem* state, byte* last, RangeStream* stream, byte* record)
         {

@@ -9,10 +9,7 @@ namespace FastPoints.Laz
     internal unsafe struct LayerState
     {
         public RangeStream Stream;
-
-        /// <summary>Offset behind the stream's last byte, from the start of the chunk's input.</summary>
         public long EndOffset;
-
         public LazLayerKind Kind;
         public int RecordOffset;
         public int RecordBytes;
@@ -20,19 +17,17 @@ namespace FastPoints.Laz
         public int FollowsChannel;
         public int IsWanted;
 
-        /// <summary>Whether the chunk has the layer; if not, all points equal the first.</summary>
+        // 0: all points equal the first.
         public int HasBytes;
 
-        /// <summary>Offset of the contexts from the start of the chunk's state.</summary>
         public long ContextsOffset;
 
-        /// <summary>Bit c is set if context c has been made.</summary>
+        // Bit c is set if context c has been made.
         public int Made;
 
-        /// <summary>Context of the last point.</summary>
         public int Current;
 
-        /// <returns>Whether a context is new: it is made from what the last point had.</returns>
+        // Whether a context is new: it is made from what the last point had.
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public bool Make(int context)
         {
@@ -41,7 +36,6 @@ namespace FastPoints.Laz
             return isNew;
         }
 
-        /// <summary>Keeps where a coder stops.</summary>
         public void SaveState(int context, uint value, uint length, byte* next)
         {
             Current = context;
@@ -70,7 +64,6 @@ namespace FastPoints.Laz
         public const int LevelShift = 8;
         public const int ZShift = 11;
 
-        /// <summary>The context that a layer takes for a point.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static int Of(uint point, int followsChannel) =>
             followsChannel != 0 || (point & ChannelChangedBit) != 0 ? (int)(point & ChannelMask) : 0;

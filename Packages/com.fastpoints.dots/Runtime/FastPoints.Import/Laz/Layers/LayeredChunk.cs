@@ -19,10 +19,7 @@ namespace FastPoints.Laz
         int m_recordBytes;
         int m_pointsDone;
         int m_isStopped;
-
-        /// <summary>Points by the chunk itself, 0 where it does not say.</summary>
         uint m_pointsInChunk;
-
         int m_firstRecordOffset;
         fixed ushort m_returnContexts[256];
         fixed uint m_points[TilePoints];
@@ -47,7 +44,6 @@ namespace FastPoints.Laz
             _ => WaveAndByteLayers.ByteContextBytes,
         };
 
-        /// <summary>Bytes of decoder state: contexts for the wanted layers only.</summary>
         public static long StateBytes(LazLayer[] layers, bool[] isWanted, int recordBytes)
         {
             long end = FirstRecordOffset(layers.Length) + (recordBytes + 63) / 64 * 64;
@@ -165,7 +161,6 @@ namespace FastPoints.Laz
                 first + layer->RecordOffset);
         }
 
-        /// <summary>Makes the context of the chunk's first point.</summary>
         internal static void StartContext(LazLayerKind kind, byte* place, byte* field)
         {
             switch (kind)

@@ -13,8 +13,6 @@ namespace FastPoints.Laz
         int m_layerCount;
         int m_recordBytes;
         int m_layer;
-
-        /// <summary>Points of the layer that are written, or -1 before its first.</summary>
         int m_done;
         long m_end;
         long m_contextsOffset;
@@ -26,7 +24,6 @@ namespace FastPoints.Laz
 
         static long ContextsOffset(int points) => (PointsOffset + 4L * points + 63) / 64 * 64;
 
-        /// <summary>Bytes of state for chunks of at most so many points.</summary>
         public static long StateBytes(LazLayer[] layers, int points)
         {
             long max = 0;
@@ -110,7 +107,7 @@ namespace FastPoints.Laz
                 records + layer.RecordOffset);
         }
 
-        /// <summary>Ends a layer at a byte of the output: where it begins if nothing changes in it.</summary>
+        // Where the layer begins, if nothing changes in it.
         static void End(LayeredWriter* writer, byte* output, long end)
         {
             *(uint*)(output + writer->m_recordBytes + 4 + 4 * writer->m_layer) = (uint)(end - writer->m_end);

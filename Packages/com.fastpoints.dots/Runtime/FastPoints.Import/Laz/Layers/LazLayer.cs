@@ -5,7 +5,6 @@ using FastPoints.Reading;
 
 namespace FastPoints.Laz
 {
-    /// <summary>What one layer of a layered chunk holds.</summary>
     internal enum LazLayerKind
     {
         ReturnsAndXY,
@@ -27,7 +26,6 @@ namespace FastPoints.Laz
     /// All but the first hold some bytes of the record; the first also says what the others' contexts are.</summary>
     internal struct LazLayer
     {
-        /// <summary>Bytes that a stream takes before its first symbol.</summary>
         public const int StartBytes = 4;
 
         public LazLayerKind Kind;
@@ -44,7 +42,6 @@ namespace FastPoints.Laz
         /// <summary>Bytes of input that a point takes at most: 15 bits a modelled symbol, and the raw bits.</summary>
         public int MaxInputBytesPerPoint;
 
-        /// <summary>The layers of a list of items, in the order in which chunks have them.</summary>
         public static LazLayer[] Of(LazItem[] items)
         {
             var layers = new List<LazLayer>();
@@ -109,7 +106,6 @@ namespace FastPoints.Laz
         public static int ChunkHeaderBytes(int recordBytes, int layerCount) => recordBytes + 4 + 4 * layerCount;
     }
 
-    /// <summary>Which layers of a chunk the wanted attributes lie in.</summary>
     static class LazLayerChoice
     {
         const int ReturnByte = 14;

@@ -59,7 +59,6 @@ namespace FastPoints.Laz
             5, 3, 3, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 5, 5,
         };
 
-        /// <summary>64 entries.</summary>
         public static void WriteLegacy(byte* contexts)
         {
             for (int i = 0; i < 64; i++)
@@ -70,7 +69,6 @@ namespace FastPoints.Laz
             }
         }
 
-        /// <summary>256 entries.</summary>
         public static void WriteExtended(ushort* contexts)
         {
             for (int i = 0; i < 256; i++)

@@ -236,7 +236,6 @@ namespace FastPoints.Laz
             layer->SaveState(channel, low, length, next);
         }
 
-        /// <summary>The <see cref="PointContext"/> of a point.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         static uint Describe(uint changed, int channel, int ofReturns, int isSingle, int k) =>
             (uint)channel | changed / ChannelChangedBit * PointContext.ChannelChangedBit

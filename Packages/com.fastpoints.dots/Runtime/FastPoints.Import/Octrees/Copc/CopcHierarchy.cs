@@ -8,13 +8,12 @@ using Unity.Mathematics;
 
 namespace FastPoints.Octrees
 {
-    /// <summary>Reads a COPC file's hierarchy page by page, upper levels first, and hands each node on once. Everything in it is
-    /// a claim: entries that the file cannot hold are left out with a warning.</summary>
-    /// <remarks>Time and memory are bounded by the file's size: a page is read once, and neither all pages nor all nodes' chunks
-    /// take more bytes than the file has.</remarks>
+    // Upper levels first; each node is handed on once. Entries that the file cannot hold are left out with a warning. Time and
+    // memory are bounded by the file's size: a page is read once, and neither all pages nor all chunks take more bytes than it
+    // has.
     sealed class CopcHierarchy
     {
-        /// <summary>Bytes of a page that are read and examined in one step: 2,048 entries.</summary>
+        // 2,048 entries.
         const int PieceBytes = 64 << 10;
 
         const int MaxWarnings = 8;
@@ -42,8 +41,7 @@ namespace FastPoints.Octrees
             AddPage(default, (long)copc.RootPageOffset, (long)copc.RootPageBytes, copc.FileOffset);
         }
 
-        /// <summary>Coroutine: reads all pages that may contain nodes of the first <paramref name="levels"/> levels, as far
-        /// as they concern <paramref name="node"/> and what is below it.</summary>
+        // Coroutine: the pages that may contain nodes of the first levels, as far as they concern the node and what is below it.
         public IEnumerator<JobStep> Read(int4 node, int levels)
         {
             while (m_pages.TryPeek(node, levels, out var next))
@@ -54,10 +52,8 @@ namespace FastPoints.Octrees
             }
         }
 
-        /// <summary>Whether <see cref="Read(int4, int)"/> has nothing to do.</summary>
         public bool IsKnown(int4 node, int levels) => !m_pages.TryPeek(node, levels, out _);
 
-        /// <summary>Reports, after everything is read, how many anomalies were not reported one by one.</summary>
         public void WarnUnreported()
         {
             if (m_unreported > 0)
@@ -82,7 +78,6 @@ namespace FastPoints.Octrees
             Add(entries);
         }
 
-        /// <summary>Collects the entries of a piece that have valid keys.</summary>
         void Collect(ByteReader piece, int bytes, List<(CopcEntry, long)> entries)
         {
             for (int at = 0; at + CopcEntry.Bytes <= bytes; at += CopcEntry.Bytes)
@@ -95,7 +90,7 @@ namespace FastPoints.Octrees
             }
         }
 
-        /// <summary>Adds the nodes of a page level by level: a parent comes before its children.</summary>
+        // Level by level: a parent comes before its children.
         void Add(List<(CopcEntry Entry, long At)> entries)
         {
             entries.Sort((a, b) => a.Entry.Level != b.Entry.Level ? a.Entry.Level.CompareTo(b.Entry.Level)
@@ -107,8 +102,7 @@ namespace FastPoints.Octrees
                     AddNode(entry, at);
         }
 
-        /// <param name="root">The node that the page begins with.</param>
-        /// <param name="at">Offset of the entry in the file, as everywhere here.</param>
+        // at: offset of the entry in the file, as everywhere here.
         void AddPage(int4 root, long offset, long bytes, long at)
         {
             if (bytes < CopcEntry.Bytes || offset > m_fileBytes - bytes)
@@ -123,8 +117,7 @@ namespace FastPoints.Octrees
             {
                 if (bytes % CopcEntry.Bytes != 0)
                     Warn(at, "the page at byte " + NumberText.Of(offset) + " of the octree's hierarchy has "
-                        + NumberText.Of(bytes)
-                        + " bytes, wanted a multiple of " + NumberText.Of(CopcEntry.Bytes));
+                        + NumberText.Of(bytes) + " bytes, wanted a multiple of " + NumberText.Of(CopcEntry.Bytes));
                 m_pageBytesLeft -= bytes;
                 m_pages.Add(root, offset, bytes);
             }
@@ -144,8 +137,7 @@ namespace FastPoints.Octrees
             }
             if (bytes < entry.ByteSize)
                 Warn(at, Name(entry) + " would end at byte " + NumberText.Of((long)entry.Offset + entry.ByteSize)
-                    + ", the file has "
-                    + NumberText.Of(m_fileBytes) + ": cut there");
+                    + ", the file has " + NumberText.Of(m_fileBytes) + ": cut there");
             m_chunkBytesLeft -= bytes;
             AddBlocks(entry, bytes);
         }
@@ -169,7 +161,6 @@ namespace FastPoints.Octrees
             }
         }
 
-        /// <param name="bytes">Bytes of the chunk, as far as the file goes.</param>
         string Problem(CopcEntry entry, out long bytes)
         {
             bytes = 0;
@@ -188,10 +179,9 @@ namespace FastPoints.Octrees
         }
 
         static string Name(CopcEntry entry) => "node " + NumberText.Of(entry.Level) + "-" + NumberText.Of(entry.Cell.x) + "-"
-            + NumberText.Of(entry.Cell.y)
-            + "-" + NumberText.Of(entry.Cell.z);
+            + NumberText.Of(entry.Cell.y) + "-" + NumberText.Of(entry.Cell.z);
 
-        /// <summary>Reports the first few; a hierarchy that is noise is not listed.</summary>
+        // The first few; a hierarchy that is noise is not listed.
         void Warn(long at, string text)
         {
             if (m_warnings++ < MaxWarnings)
@@ -199,5 +189,35 @@ namespace FastPoints.Octrees
             else
                 m_unreported++;
         }
+    }
+
+    // One entry of a hierarchy page: a node with points, a node without, or another page.
+    // int level, x, y, z | ulong offset | int bytes | int points (-1: bytes at offset are a page that starts with this node)
+    internal struct CopcEntry
+    {
+        public const int Bytes = 32;
+        public const int PageCount = -1;
+
+        // The cells of deeper nodes do not fit into an int.
+        public const int MaxLevel = 30;
+
+        public int Level;
+        public int3 Cell;
+        public ulong Offset;
+        public int ByteSize;
+        public int PointCount;
+
+        public bool IsPage => PointCount == PageCount;
+        public bool HasKey => Level >= 0 && Level <= MaxLevel && math.all(Cell >= 0) && math.all(Cell < 1 << Level);
+        public int4 Key => new int4(Cell.x, Cell.y, Cell.z, Level);
+
+        public static CopcEntry Read(ByteReader bytes, int at) => new CopcEntry
+        {
+            Level = bytes.Int32(at, "level"),
+            Cell = new int3(bytes.Int32(at + 4, "x"), bytes.Int32(at + 8, "y"), bytes.Int32(at + 12, "z")),
+            Offset = bytes.UInt64(at + 16, "offset of a node"),
+            ByteSize = bytes.Int32(at + 24, "bytes of a node"),
+            PointCount = bytes.Int32(at + 28, "points of a node"),
+        };
     }
 }

@@ -9,11 +9,10 @@ using Unity.Mathematics;
 
 namespace FastPoints.Octrees
 {
-    /// <summary>Reads COPC 1.0: a LAZ file of layered chunks, each of which is a node of an octree. Blocks are the nodes; they
-    /// are known as far as pages of the hierarchy have been read.</summary>
-    /// <remarks>The hierarchy is a claim like any other. Chunks that are only in the LAZ chunk table are read too, behind the
-    /// tree's blocks. A file without a readable hierarchy is read as the LAZ file that it is.</remarks>
-    internal sealed class CopcReader : LazChunkReader
+    // COPC 1.0: a LAZ file of layered chunks, each of which is a node of an octree and so a block. The hierarchy is a claim like
+    // any other: chunks that are only in the LAZ chunk table are read too, behind the tree's blocks, and a file without a
+    // readable hierarchy is read as the LAZ file that it is.
+    internal sealed class CopcReader : LazChunkReader, IOctreeSource
     {
         const int DefaultPointsAcross = 128;
 
@@ -29,16 +28,13 @@ namespace FastPoints.Octrees
             {
                 spacing = 2 * copc.HalfSize / DefaultPointsAcross;
                 Info.Warn(copc.FileOffset, "the octree's spacing is " + NumberText.Of(copc.Spacing)
-                    + ": taken as the edge of its cube over "
-                    + DefaultPointsAcross);
+                    + ": taken as the edge of its cube over " + DefaultPointsAcross);
             }
             m_tree = new SourceTree(copc.Cube, spacing, Allocator.Persistent);
             m_hierarchy = new CopcHierarchy(blocks, copc, m_tree);
         }
 
-        /// <returns>Null if the file is not COPC, or can only be read as LAZ (with a warning in <paramref
-        /// name="las"/>).</returns>
-        /// <param name="longChunkPoints">The most points of a node that is one block.</param>
+        // Null if the file is not COPC, or can only be read as LAZ, with a warning. longChunkPoints: of a node that is one block.
         public static PointReader TryOpen(LasFile las, FileSource source, int longChunkPoints = MaxBlockPoints)
         {
             var copc = CopcInfo.Find(las);
@@ -68,9 +64,9 @@ namespace FastPoints.Octrees
 
         public override bool BlocksAreKnown => m_tree.IsWhole;
 
-        public override IEnumerator<JobStep> FindBelow(int4 node, int levels) => m_hierarchy.Read(node, Math.Max(1, levels));
+        public IEnumerator<JobStep> FindBelow(int4 node, int levels) => m_hierarchy.Read(node, Math.Max(1, levels));
 
-        public override bool IsKnownBelow(int4 node, int levels) => m_tree.IsWhole || m_hierarchy.IsKnown(node, levels);
+        public bool IsKnownBelow(int4 node, int levels) => m_tree.IsWhole || m_hierarchy.IsKnown(node, levels);
 
         public override IEnumerator<JobStep> FindBlocks()
         {
@@ -86,7 +82,6 @@ namespace FastPoints.Octrees
             m_tree.IsWhole = true;
         }
 
-        /// <summary>Searches the chunk table for chunks that no node has, when nodes and header disagree.</summary>
         void Reconcile()
         {
             long ofNodes = PointCount;
@@ -116,5 +111,72 @@ namespace FastPoints.Octrees
         }
 
         public override void DisposeUnread() => m_tree.Dispose();
+    }
+
+    // The copc info VLR (COPC 1.0), the first of a file, so that its data starts at byte 429; other places are tolerated.
+    internal sealed class CopcInfo
+    {
+        public const string UserId = "copc";
+        public const ushort InfoRecord = 1;
+        public const ushort HierarchyRecord = 1000;
+        public const int Bytes = 160;
+
+        const int FieldBytes = 72;
+
+        // In CRS units, like all lengths here.
+        public double3 Center;
+
+        public double HalfSize;
+        public double Spacing;
+        public ulong RootPageOffset;
+        public ulong RootPageBytes;
+        public double MinGpsTime;
+        public double MaxGpsTime;
+        public long FileOffset;
+
+        public BoundsGeo Cube => new BoundsGeo(Center - HalfSize, Center + HalfSize);
+
+        public static CopcInfo Find(LasFile las)
+        {
+            var record = las.Vlrs.Find(UserId, InfoRecord);
+            if (record == null)
+                return null;
+            var bytes = las.Vlrs.Payload(record);
+            var info = new CopcInfo { FileOffset = record.DataOffset };
+            if (!bytes.Has(0, FieldBytes))
+                return info;
+            for (int axis = 0; axis < 3; axis++)
+                info.Center[axis] = bytes.Float64(8 * axis, "center");
+            info.HalfSize = bytes.Float64(24, "halfsize");
+            info.Spacing = bytes.Float64(32, "spacing");
+            info.RootPageOffset = bytes.UInt64(40, "root page offset");
+            info.RootPageBytes = bytes.UInt64(48, "root page size");
+            info.MinGpsTime = bytes.Float64(56, "smallest GPS time");
+            info.MaxGpsTime = bytes.Float64(64, "largest GPS time");
+            return info;
+        }
+
+        public string Problem(long fileBytes)
+        {
+            if (!Cube.IsFinite || !(HalfSize > 0))
+                return "the octree's cube is none (half of its edge is " + NumberText.Of(HalfSize) + ")";
+            if (RootPageOffset > (ulong)fileBytes || RootPageBytes > (ulong)fileBytes - RootPageOffset)
+                return "the root page of the hierarchy would lie at byte " + NumberText.Of(RootPageOffset) + " with "
+                    + NumberText.Of(RootPageBytes) + " bytes, the file has " + NumberText.Of((ulong)fileBytes);
+            return RootPageBytes < CopcEntry.Bytes
+                ? "the root page of the hierarchy has " + NumberText.Of(RootPageBytes) + " bytes, wanted at least "
+                    + CopcEntry.Bytes
+                : null;
+        }
+
+        public void AddFacts(SourceInfo info)
+        {
+            info.Fact("COPC version", "1.0");
+            info.Fact("COPC center", NumberText.Of(Center.x) + " " + NumberText.Of(Center.y) + " " + NumberText.Of(Center.z));
+            info.Fact("COPC half size", NumberText.Of(HalfSize));
+            info.Fact("COPC spacing", NumberText.Of(Spacing));
+            info.Fact("COPC root page", NumberText.Of(RootPageBytes) + " bytes at byte " + NumberText.Of(RootPageOffset));
+            info.Fact("COPC GPS time", NumberText.Of(MinGpsTime) + " to " + NumberText.Of(MaxGpsTime));
+        }
     }
 }

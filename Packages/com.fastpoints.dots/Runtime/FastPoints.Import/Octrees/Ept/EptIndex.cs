@@ -8,10 +8,9 @@ using Unity.Mathematics;
 
 namespace FastPoints.Octrees
 {
-    /// <summary>The contents of ept.json: the octree's cube, how nodes are stored, and the record of a point.</summary>
     sealed class EptIndex
     {
-        /// <summary>Longer records than any cloud has.</summary>
+        // Longer records than any cloud has.
         const int MaxRecordBytes = 1 << 14;
 
         const int DefaultSpan = 128;
@@ -25,24 +24,14 @@ namespace FastPoints.Octrees
             { "ScanChannel", AttributeNames.ScannerChannel },
         };
 
-        /// <summary>The record of a point.</summary>
         public PointFields Fields { get; } = new PointFields();
-
         public SourceInfo Info { get; private set; }
         public BoundsGeo Cube { get; private set; }
-
-        /// <summary>Spacing of the root's points in CRS units.</summary>
         public double Spacing { get; private set; }
         public EptDataType DataType { get; private set; }
-
-        /// <summary>Bytes of a point according to the schema.</summary>
         public int RecordBytes { get; private set; }
-
-        /// <summary>The folder of ept.json.</summary>
         public string Folder { get; private set; }
 
-        /// <exception cref="PointCloudException">A member is missing or of another type, or names an unknown kind of
-        /// data.</exception>
         public static EptIndex Read(JsonMembers json)
         {
             var info = new SourceInfo
@@ -175,16 +164,15 @@ namespace FastPoints.Octrees
         }
     }
 
-    /// <summary>How an EPT octree stores the points of a node, each in a file of its own.</summary>
     internal enum EptDataType
     {
-        /// <summary>Records as the schema describes them, one behind the other (<c>.bin</c>).</summary>
+        // Records as the schema describes them, one behind the other (.bin).
         Binary,
 
-        /// <summary>The same in a zstandard frame (<c>.zst</c>).</summary>
+        // The same in a zstandard frame (.zst).
         Zstandard,
 
-        /// <summary>A whole LAZ file (<c>.laz</c>).</summary>
+        // A whole LAZ file (.laz).
         Laszip,
     }
 }

@@ -10,61 +10,54 @@ using Unity.Mathematics;
 
 namespace FastPoints.Octrees
 {
-    /// <summary>Reads Entwine Point Tiles (EPT 0.0.0 and 1.x): ept.json, pages of a hierarchy, and a file a node: plain records,
-    /// zstandard or LAZ. Blocks are nodes, known as far as pages of the hierarchy have been read.</summary>
-    /// <remarks>A node's file is opened for its range and closed behind it. A node with more points than a slot should hold
-    /// becomes several blocks; if it is compressed, each block decodes its file from the start.</remarks>
-    internal sealed class EptReader : PointReader
+    // Entwine Point Tiles (EPT 0.0.0 and 1.x): ept.json, pages of a hierarchy, and a file a node: plain records, zstandard or
+    // LAZ. A node's file is opened for its range and closed behind it. A node with more points than a slot should hold becomes
+    // several blocks; if it is compressed, each block decodes its file from the start.
+    internal sealed class EptReader : NodeReader
     {
-        readonly EptIndex m_index;
-        readonly EptBlocks m_blocks;
+        const string DataFolder = "ept-data";
+        const int MaxBlockPoints = 1 << 20;
+        const int MaxBlockBytes = 32 << 20;
+
         readonly EptHierarchy m_hierarchy;
+        readonly int m_blockPoints;
 
-        /// <summary>A LAZ file like those of the nodes, if they are LAZ; otherwise null.</summary>
-        readonly LasFile m_las;
-        readonly LazFormat m_laz;
+        // A LAZ file like those of the nodes, if they are LAZ; otherwise null.
+        readonly LasTemplate m_like;
 
-        EptReader(EptIndex index, LasFile las, LazFormat laz)
+        EptReader(EptIndex index, LasTemplate like) : base(index.Info, index.Cube, index.Spacing)
         {
-            m_index = index;
-            Info = index.Info;
-            m_las = las;
-            m_laz = laz;
-            m_blocks = new EptBlocks(index, Math.Max(Info.Schema.BytesPerPoint, las?.Header.RecordBytes ?? index.RecordBytes));
-            m_hierarchy = new EptHierarchy(index, m_blocks);
+            Index = index;
+            m_like = like;
+            int pointBytes = Math.Max(Info.Schema.BytesPerPoint, like?.Las.Header.RecordBytes ?? index.RecordBytes);
+            m_blockPoints = Math.Max(1, Math.Min(MaxBlockPoints, MaxBlockBytes / pointBytes));
+            m_hierarchy = new EptHierarchy(this);
         }
 
-        /// <summary>Reads ept.json and, if nodes are LAZ, the header of one.</summary>
-        /// <exception cref="PointCloudException">The index is invalid or names unknown data, or no node's LAZ file can be
-        /// read.</exception>
         internal static EptReader Open(JsonMembers json)
         {
             var index = EptIndex.Read(json);
             if (index.DataType != EptDataType.Laszip)
-                return new EptReader(index, null, null);
+                return new EptReader(index, null);
             // Nodes have a scale and offset of their own, which count even if ept.json gives others.
-            using var source = FileSource.Open(AnyNode(index));
-            var las = LasFile.Read(source);
-            if (!las.Header.IsCompressed)
-                throw PointCloudException.Wanted(FailureCode.BadInput, source.Path, LasHeader.At.PointFormat,
+            var like = new LasTemplate(AnyNode(index));
+            var las = like.Las;
+            if (like.Laz == null)
+                throw PointCloudException.Wanted(FailureCode.BadInput, las.Info.Path, LasHeader.At.PointFormat,
                     "a node of an EPT of data type laszip", "LAZ", "LAS");
-            var format = LazFormat.Read(las);
-            if (format.Compressor == LazCompressor.None)
-                throw PointCloudException.Wanted(FailureCode.Unsupported, source.Path, LasHeader.At.PointFormat,
-                    "LASzip compressor", "1 to 3", 0);
             index.Info.Schema = las.Info.Schema;
             index.Info.Transform = las.Info.Transform;
             index.Info.PointFormat = las.Header.PointFormat;
             if (!index.Info.Crs.IsKnown)
                 index.Info.Crs = las.Info.Crs;
-            format.AddFacts(index.Info);
-            return new EptReader(index, las, format);
+            like.Laz.AddFacts(index.Info);
+            return new EptReader(index, like);
         }
 
-        /// <summary>The root's file, or another one if it is missing.</summary>
+        // The root's file, or another one if it is missing.
         static string AnyNode(EptIndex index)
         {
-            string folder = Path.Combine(index.Folder, EptBlocks.DataFolder);
+            string folder = Path.Combine(index.Folder, DataFolder);
             string root = Path.Combine(folder, "0-0-0-0.laz");
             if (File.Exists(root) || !Directory.Exists(folder))
                 return root;
@@ -73,71 +66,62 @@ namespace FastPoints.Octrees
             return root;
         }
 
-        internal override SourceTree Tree => m_blocks.Tree;
+        internal EptIndex Index { get; }
 
-        public override bool BlocksAreKnown => m_blocks.Tree.IsWhole;
+        public override bool HasFixedStride => Index.DataType == EptDataType.Binary;
 
-        public override int BlockCount => m_blocks.Count;
+        internal override string NameOf(int level, int3 cell) => EptEntry.NameOf(level, cell);
 
-        public override int MaxPointsPerBlock => m_blocks.MaxPoints;
-
-        public override bool HasFixedStride => m_index.DataType == EptDataType.Binary;
-
-        public override long FirstPointOfBlock(int block) => m_blocks[block].FirstPoint;
-
-        public override int PointsInBlock(int block) => m_blocks[block].Points;
+        public string PathOf(int level, int3 cell) => Path.Combine(Index.Folder, DataFolder, EptEntry.NameOf(level, cell)
+            + (HasFixedStride ? ".bin" : Index.DataType == EptDataType.Laszip ? ".laz" : ".zst"));
 
         public override string FileOfBlock(int block, out long byteOffset)
         {
             byteOffset = 0;
-            return m_blocks.PathOf(m_blocks[block]);
+            var node = NodeOf(block);
+            return PathOf(node.Level, node.Cell);
         }
+
+        public void Add(EptEntry entry, long points, long fileBytes) =>
+            AddNode(new SourceNode { Level = entry.Level, Cell = entry.Cell }, points, m_blockPoints, 0, fileBytes, 0);
 
         public override long BytesOfRange(BlockRange range)
         {
-            var block = m_blocks[range.Block];
-            double share = HasFixedStride ? range.Count : m_index.DataType == EptDataType.Laszip ? block.NodePoints
+            var block = Block(range.Block);
+            double share = HasFixedStride ? range.Count : Index.DataType == EptDataType.Laszip ? block.NodePoints
                 : block.FirstInNode + range.First + range.Count;
-            return (long)(block.FileBytes * Math.Min(1, share / block.NodePoints));
+            return (long)(block.Bytes * Math.Min(1, share / block.NodePoints));
         }
 
         public override IEnumerator<JobStep> FindBelow(int4 node, int levels) => m_hierarchy.Read(node, Math.Max(1, levels));
 
-        public override bool IsKnownBelow(int4 node, int levels) => m_blocks.Tree.IsWhole || m_hierarchy.IsKnown(node, levels);
+        public override bool IsKnownBelow(int4 node, int levels) => Tree.IsWhole || m_hierarchy.IsKnown(node, levels);
 
         public override IEnumerator<JobStep> FindBlocks()
         {
-            if (m_blocks.Tree.IsWhole)
+            if (Tree.IsWhole)
                 yield break;
             yield return JobStep.Of(m_hierarchy.Read(default, int.MaxValue));
             string found = "ept.json claims " + NumberText.Of(Info.PointsClaimed)
-                + " points, the nodes that are there hold " + NumberText.Of(m_blocks.PointCount);
-            if (m_blocks.PointCount == 0 && Info.PointsClaimed > 0)
+                + " points, the nodes that are there hold " + NumberText.Of(PointCount);
+            if (PointCount == 0 && Info.PointsClaimed > 0)
                 throw new PointCloudException(FailureCode.Truncated, Info.Path, -1, found);
-            if ((ulong)m_blocks.PointCount != Info.PointsClaimed)
+            if ((ulong)PointCount != Info.PointsClaimed)
                 Info.Warn(-1, found);
-            Info.PointsReadable = m_blocks.PointCount;
-            m_blocks.Tree.IsWhole = true;
+            Info.PointsReadable = PointCount;
+            Tree.IsWhole = true;
         }
 
         public override BlockRead CreateRead(PointSchema wanted, int capacity, Allocator allocator)
         {
-            switch (m_index.DataType)
-            {
-                case EptDataType.Laszip:
-                    return new EptLazRead(this, m_blocks, (m_las, m_laz), wanted, capacity, allocator);
-                case EptDataType.Zstandard:
-                    if (Decompressors.Zstandard == null)
-                        throw new PointCloudException(FailureCode.Unsupported, Info.Path, -1, "its points are compressed by "
-                            + "zstandard, for which .NET Standard 2.1 has nothing: set Decompressors.Zstandard to a decompressor "
-                            + "(the command line takes the system's libzstd), or convert it (./fastpoints convert, or pdal "
-                            + "translate to LAZ)");
-                    return new EptZstandardRead(this, m_blocks, m_index, wanted, capacity, allocator);
-                default:
-                    return new EptRecordRead(this, m_blocks, m_index, wanted, capacity, allocator);
-            }
+            if (m_like != null)
+                return new LasNodeRead(this, m_like, false, wanted, capacity, allocator);
+            if (Index.DataType == EptDataType.Zstandard && Decompressors.Zstandard == null)
+                throw new PointCloudException(FailureCode.Unsupported, Info.Path, -1, "its points are compressed by "
+                    + "zstandard, for which .NET Standard 2.1 has nothing: set Decompressors.Zstandard to a decompressor "
+                    + "(the command line takes the system's libzstd), or convert it (./fastpoints convert, or pdal "
+                    + "translate to LAZ)");
+            return new EptRecordRead(this, HasFixedStride ? null : Decompressors.Zstandard, wanted, capacity, allocator);
         }
-
-        public override void DisposeUnread() => m_blocks.Tree.Dispose();
     }
 }

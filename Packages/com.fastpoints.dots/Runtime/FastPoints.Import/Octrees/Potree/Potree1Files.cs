@@ -6,8 +6,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Octrees
 {
-    /// <summary>Locates the files of a Potree 1 cloud: <c>r.bin</c> and the others side by side (1.4), or <c>r/r.bin</c> with a
-    /// folder for each page of the hierarchy below it (from 1.5 on): <c>r/01234/r01234.hrc</c>.</summary>
+    // r.bin and the others side by side (1.4), or r/r.bin with a folder for each page of the hierarchy below it (from 1.5 on):
+    // r/01234/r01234.hrc.
     sealed class Potree1Files
     {
         static readonly string[] s_extensions = { ".bin", ".las", ".laz", ".hrc" };
@@ -25,9 +25,7 @@ namespace FastPoints.Octrees
             m_stepSize = stepSize;
         }
 
-        /// <summary>Finds the root's files: in the folder that cloud.js names, or else beside cloud.js or in a folder there,
-        /// since clouds are moved and renamed.</summary>
-        /// <exception cref="PointCloudException">They were not found.</exception>
+        // In the folder that cloud.js names, or else beside cloud.js or in a folder there, since clouds are moved and renamed.
         public static Potree1Files Find(Potree1Index index)
         {
             string home = Path.GetDirectoryName(Path.GetFullPath(index.Info.Path)) ?? ".";
@@ -51,8 +49,6 @@ namespace FastPoints.Octrees
 
         public string HierarchyPathOf(int level, int3 cell) => PathWithoutExtension(level, cell) + ".hrc";
 
-        /// <summary>The file of the root if it exists, otherwise of any node.</summary>
-        /// <exception cref="PointCloudException">There is none.</exception>
         public string AnyNode()
         {
             string root = PathOf(0, default);
@@ -92,8 +88,7 @@ namespace FastPoints.Octrees
             return false;
         }
 
-        /// <summary>Combines paths. An octreeDir may be anything, even an address on the web, which is not a folder
-        /// here.</summary>
+        // An octreeDir may be anything, even an address on the web, which is not a folder here.
         static string Combine(string home, string folder)
         {
             try
@@ -119,5 +114,26 @@ namespace FastPoints.Octrees
                 throw FileFailures.Reading(folder, e);
             }
         }
+    }
+
+    struct Potree1Node
+    {
+        public int Level;
+        public int3 Cell;
+        public long Claimed;
+        public string Path;
+
+        // -1 if there is no such file.
+        public long Bytes;
+
+        public long PointsOfLas;
+        public string Problem;
+    }
+
+    struct Potree1Page
+    {
+        public ByteReader Records;
+        public long FileBytes;
+        public PointCloudException Problem;
     }
 }

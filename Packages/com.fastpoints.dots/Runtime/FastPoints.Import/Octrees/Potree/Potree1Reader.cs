@@ -11,36 +11,28 @@ using Unity.Mathematics;
 
 namespace FastPoints.Octrees
 {
-    /// <summary>Reads Potree 1.4 to 1.8: cloud.js, a file a node (BIN, LAS or LAZ), and the hierarchy in cloud.js or in .hrc
-    /// files.</summary>
-    /// <remarks>
-    /// An .hrc file holds the levels below a node, breadth first, as far as hierarchyStepSize levels down, 5 bytes a node: child
-    /// mask, points (u32). The first record repeats the node itself. What a node's file holds wins over that count: converters
-    /// have written other ones.
-    ///
-    /// Positions are integers from the corner of the node's cell, in steps of cloud.js' scale; the cloud's grid starts at the
-    /// corner of its bounding box. Corners of cells lie between grid places where the box is no whole number of steps: BIN
-    /// corners are rounded up, since the converter truncated (a source on this grid comes back exactly, any other within a step);
-    /// those of LAS and LAZ nodes to the nearest, since it rounded (the error is then at most half a step). Such nodes are all of
-    /// one point format, as their converter writes them.
-    /// </remarks>
-    internal sealed class Potree1Reader : PotreeNodeReader
+    // Potree 1.4 to 1.8: cloud.js, a file a node (BIN, LAS or LAZ), and the hierarchy in cloud.js or in .hrc files.
+    // An .hrc file holds the levels below a node, breadth first, as far as hierarchyStepSize levels down, 5 bytes a node: child
+    // mask, points (u32). The first record repeats the node itself. What a node's file holds wins over that count: converters
+    // have written other ones.
+    // Positions are integers from the corner of the node's cell, in steps of cloud.js' scale; the cloud's grid starts at the
+    // corner of its bounding box. Corners of cells lie between grid places where the box is no whole number of steps: BIN corners
+    // are rounded up, since the converter truncated (a source on this grid comes back exactly, any other within a step); those of
+    // LAS and LAZ nodes to the nearest, since it rounded (the error is then at most half a step).
+    internal sealed class Potree1Reader : PotreeReader
     {
         const int RecordBytes = 5;
-
-        /// <summary>Nodes that are looked up together.</summary>
         const int StepNodes = 32;
 
-        /// <summary>Limit of an .hrc file; 8^7 nodes take less.</summary>
+        // Of an .hrc file; 8^7 nodes take less.
         const int MaxHierarchyBytes = 16 << 20;
 
-        /// <summary>Limit of a LAS or LAZ node, which a slot reads whole.</summary>
+        // Of a LAS or LAZ node, which a slot reads whole.
         const long MaxLasBytes = 1 << 29;
 
-        /// <summary>How far rounding may move corners above a grid place, in steps.</summary>
+        // How far rounding may move corners above a grid place, in steps.
         const double CornerTolerance = 1e-5;
 
-        /// <summary>A node whose children come next in the page.</summary>
         struct Parent
         {
             public int Level;
@@ -53,22 +45,19 @@ namespace FastPoints.Octrees
         readonly int m_stepSize;
         readonly PotreeLayout m_layout;
 
-        /// <summary>A file like those of the nodes, if they are LAS or LAZ, and the format if they are LAZ.</summary>
-        readonly (LasFile Las, LazFormat Laz) m_like;
+        readonly LasTemplate m_like;
         readonly List<(string Name, long Points)> m_listed;
         readonly Queue<Parent> m_parents = new Queue<Parent>();
-
-        /// <summary>Nodes of the hierarchy whose files have not been looked up.</summary>
         readonly List<Potree1Node> m_found = new List<Potree1Node>();
         int m_listedAt;
         UnreadPage m_page;
         ByteReader m_records;
         int m_recordAt;
 
-        Potree1Reader(Potree1Index index, Potree1Files files, PotreeLayout layout, LasFile las,
-            LazFormat laz, List<(string Name, long Points)> listed) : base(index.Info, index.Cube, index.Spacing)
+        Potree1Reader(Potree1Index index, Potree1Files files, PotreeLayout layout, LasTemplate like,
+            List<(string Name, long Points)> listed) : base(index.Info, index.Cube, index.Spacing)
         {
-            m_like = (las, laz);
+            m_like = like;
             m_files = files;
             m_scale = index.Scale;
             m_stepSize = index.StepSize;
@@ -78,9 +67,6 @@ namespace FastPoints.Octrees
                 Pages.Add(default);
         }
 
-        /// <summary>Reads cloud.js, the first page of the hierarchy and, if nodes are LAS or LAZ, one node's header.</summary>
-        /// <exception cref="PointCloudException">The index is invalid, has an unsupported version, or there is no
-        /// node.</exception>
         internal static Potree1Reader Open(JsonMembers json)
         {
             var index = Potree1Index.Read(json);
@@ -88,21 +74,13 @@ namespace FastPoints.Octrees
             var info = index.Info;
             var listed = index.Hierarchy != null ? ReadList(index.Hierarchy, info) : null;
             PotreeLayout layout = null;
-            LasFile las = null;
-            LazFormat laz = null;
+            LasTemplate like = null;
             if (index.NodeFormat != null)
             {
-                using (var source = FileSource.Open(files.AnyNode()))
-                {
-                    las = LasFile.Read(source);
-                    laz = las.Header.IsCompressed ? LazFormat.Read(las) : null;
-                    if (laz != null && laz.Compressor == LazCompressor.None)
-                        throw PointCloudException.Wanted(FailureCode.Unsupported, source.Path, LasHeader.At.PointFormat,
-                            "LASzip compressor", "1 to 3", 0);
-                }
-                info.Schema = las.Info.Schema;
-                info.Transform = las.Info.Transform;
-                info.PointFormat = las.Header.PointFormat;
+                like = new LasTemplate(files.AnyNode());
+                info.Schema = like.Las.Info.Schema;
+                info.Transform = like.Las.Info.Transform;
+                info.PointFormat = like.Las.Header.PointFormat;
             }
             else
             {
@@ -115,19 +93,7 @@ namespace FastPoints.Octrees
                     throw PointCloudException.Wanted(FailureCode.Unsupported, json.Path, -1, "steps of the bounding box",
                         "less than 2^31", math.cmax(index.Cube.Size / index.Scale));
             }
-            var reader = new Potree1Reader(index, files, layout, las, laz, listed);
-            try
-            {
-                using (var steps = new CoroutineStack(reader.FindLevels(1)))
-                    while (steps.MoveNext())
-                        Thread.Yield();
-                return reader;
-            }
-            catch
-            {
-                reader.DisposeUnread();
-                throw;
-            }
+            return Opened(new Potree1Reader(index, files, layout, like, listed));
         }
 
         public override bool HasFixedStride => m_layout != null;
@@ -136,19 +102,11 @@ namespace FastPoints.Octrees
 
         public override BlockRead CreateRead(PointSchema wanted, int capacity, Allocator allocator) => m_layout != null
             ? (BlockRead)new PotreeRecordRead(this, wanted, capacity, allocator)
-            : new PotreeLasRead(this, m_like, wanted, capacity, allocator);
+            : new LasNodeRead(this, m_like, true, wanted, capacity, allocator);
 
         public override string FileOfBlock(int block, out long byteOffset)
         {
             byteOffset = Block(block).Offset;
-            return PathOf(block);
-        }
-
-        internal override JobHandle BeginRead(NativeFileRead read, int block, long offset, int bytes) =>
-            read.Begin(PathOf(block), offset, bytes);
-
-        internal string PathOf(int block)
-        {
             var node = NodeOf(block);
             return m_files.PathOf(node.Level, node.Cell);
         }
@@ -186,7 +144,6 @@ namespace FastPoints.Octrees
             return Pages.TryPeek(node, Math.Max(1, levels - 1), out page);
         }
 
-        /// <returns>Whether some more nodes were found without reading a page.</returns>
         bool FindNext()
         {
             if (m_listed != null && m_listedAt < m_listed.Count)
@@ -292,7 +249,6 @@ namespace FastPoints.Octrees
             }
         }
 
-        /// <param name="claimed">Points according to the hierarchy.</param>
         void Find(int level, int3 cell, long claimed) => m_found.Add(new Potree1Node
         {
             Level = level,
@@ -301,7 +257,6 @@ namespace FastPoints.Octrees
             Path = m_files.PathOf(level, cell),
         });
 
-        /// <summary>Returns a function that looks up the files of some nodes, on any thread.</summary>
         Func<Potree1Node[]> FileLookup(Potree1Node[] nodes)
         {
             bool isLas = m_layout == null;
@@ -347,7 +302,7 @@ namespace FastPoints.Octrees
             AddNode(node.Level, node.Cell, points, 0, node.Bytes, m_layout?.RecordBytes ?? 0);
         }
 
-        /// <summary>Counts points by a node's own header, but no more than its bytes can hold.</summary>
+        // By a node's own header, but no more than its bytes can hold.
         static void CountLas(ref Potree1Node node)
         {
             try
@@ -367,7 +322,7 @@ namespace FastPoints.Octrees
             }
         }
 
-        /// <summary>Lists the nodes in cloud.js level by level, with the parents that it omitted.</summary>
+        // Level by level, with the parents that it omitted.
         static List<(string, long)> ReadList(List<object> hierarchy, SourceInfo info)
         {
             var points = new SortedDictionary<string, long>(Comparer<string>.Create((a, b) =>
@@ -401,8 +356,7 @@ namespace FastPoints.Octrees
             return list;
         }
 
-        /// <summary>Finds the length of an unknown attribute: what the root's records have besides the others.</summary>
-        /// <exception cref="PointCloudException">It cannot be determined.</exception>
+        // The length of an unknown attribute is what the root's records have besides the others.
         static void MeasureUnknown(Potree1Index index, Potree1Files files, List<(string Name, long Points)> listed)
         {
             long bytes = FileSource.LengthOf(files.PathOf(0, default)), points = 0;

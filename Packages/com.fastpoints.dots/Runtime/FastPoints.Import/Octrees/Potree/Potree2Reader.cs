@@ -11,31 +11,26 @@ using Unity.Mathematics;
 
 namespace FastPoints.Octrees
 {
-    /// <summary>Reads Potree 2: metadata.json, with hierarchy.bin and octree.bin beside it, encodings DEFAULT and
-    /// BROTLI.</summary>
-    /// <remarks>
-    /// hierarchy.bin is a sequence of 22-byte records in pages; a page holds some levels below its root, breadth first:
-    /// <code>
-    /// byte 0     1           2..5          6..13            14..21
-    ///      type  child mask  points (u32)  byte offset      byte count
-    /// </code>
-    /// Offset and count are of octree.bin, or of the page in hierarchy.bin for a proxy (type 2), whose page repeats it as its
-    /// first record. Type 0 and 1 (leaf) are not told apart by converters. A node that claims points and has no bytes is empty:
-    /// PotreeConverter writes such (potree issue 1125).
-    /// </remarks>
-    internal sealed class Potree2Reader : PotreeNodeReader
+    // Potree 2: metadata.json, with hierarchy.bin and octree.bin beside it, encodings DEFAULT and BROTLI.
+    // hierarchy.bin is a sequence of 22-byte records in pages; a page holds some levels below its root, breadth first:
+    //
+    // byte 0     1           2..5          6..13            14..21
+    //      type  child mask  points (u32)  byte offset      byte count
+    //
+    // Offset and count are of octree.bin, or of the page in hierarchy.bin for a proxy (type 2), whose page repeats it as its
+    // first record. Type 0 and 1 (leaf) are not told apart by converters. A node that claims points and has no bytes is empty:
+    // PotreeConverter writes such (potree issue 1125).
+    internal sealed class Potree2Reader : PotreeReader
     {
         const string HierarchyName = "hierarchy.bin", OctreeName = "octree.bin";
         const int RecordBytes = 22;
         const int Proxy = 2;
-
-        /// <summary>Records that are read together.</summary>
         const int StepRecords = 4096;
 
-        /// <summary>More points than Brotli packs into a byte, even equal ones: 20,000 equal points take some 60 bytes.</summary>
+        // More than Brotli packs into a byte, even equal points: 20,000 equal points take some 60 bytes.
         const int MaxPointsPerByte = 1000;
 
-        /// <summary>Limit of a node's Brotli stream, which a slot holds whole.</summary>
+        // A slot holds a node's Brotli stream whole.
         const long MaxStreamBytes = 1 << 27;
 
         readonly string m_hierarchyPath;
@@ -68,9 +63,6 @@ namespace FastPoints.Octrees
             Pages.Add(default, 0, Math.Min(index.FirstChunkBytes, hierarchyBytes));
         }
 
-        /// <summary>Reads metadata.json and the first page of the hierarchy; the rest is read on demand.</summary>
-        /// <exception cref="PointCloudException">The index is invalid, names an unknown encoding, or has no hierarchy beside
-        /// it.</exception>
         internal static Potree2Reader Open(JsonMembers json)
         {
             var index = Potree2Index.Read(json);
@@ -84,31 +76,17 @@ namespace FastPoints.Octrees
             if (octreeBytes < 0)
                 index.Info.Warn(-1, "there is no " + OctreeName
                     + " beside it: the hierarchy can be shown, but there are no points to read");
-            var reader = new Potree2Reader(index, path, bytes, octreeBytes);
-            try
-            {
-                using (var steps = new CoroutineStack(reader.FindLevels(1)))
-                    while (steps.MoveNext())
-                        Thread.Yield();
-                return reader;
-            }
-            catch
-            {
-                reader.DisposeUnread();
-                throw;
-            }
+            return Opened(new Potree2Reader(index, path, bytes, octreeBytes));
         }
 
         public override bool HasFixedStride => !IsBrotli;
 
-        /// <summary>Whether nodes are Brotli streams of columns, and not plain records.</summary>
         internal bool IsBrotli { get; }
 
         internal override PotreeLayout Layout => m_layout;
 
         bool HasPoints => m_octreeBytes >= 0;
 
-        /// <exception cref="PointCloudException">NotFound if octree.bin does not exist.</exception>
         public override BlockRead CreateRead(PointSchema wanted, int capacity, Allocator allocator)
         {
             if (!HasPoints)
@@ -134,7 +112,7 @@ namespace FastPoints.Octrees
 
         public override bool IsKnownBelow(int4 node, int levels) => Tree.IsWhole || !Pages.TryPeek(node, levels, out _);
 
-        /// <summary>Whether the page has another record whose bytes have not been used before.</summary>
+        // The page has another record whose bytes have not been used before.
         bool HasRecord => m_recordsLeft > 0 && m_recordOffset + RecordBytes <= m_pageEnd;
 
         bool IsRecordRead => m_recordOffset >= m_records.FileOffset &&
@@ -159,7 +137,6 @@ namespace FastPoints.Octrees
             Tree.IsWhole = Pages.Count == 0;
         }
 
-        /// <returns>Whether there is a page that the levels need.</returns>
         bool BeginPage(int4 node, int levels)
         {
             if (!Pages.TryPeek(node, levels, out var page))
@@ -174,7 +151,7 @@ namespace FastPoints.Octrees
             return true;
         }
 
-        /// <summary>Reads more than a page usually has, so that the next page is often included.</summary>
+        // More than a page usually has, so that the next page is often included.
         Func<ByteReader> ReaderOf(long start)
         {
             string path = m_hierarchyPath;
@@ -193,7 +170,7 @@ namespace FastPoints.Octrees
                 m_pageEnd = m_recordOffset;
         }
 
-        /// <summary>Ends the page: all its nodes are read, or there are no more records for the others.</summary>
+        // All its nodes are read, or there are no more records for the others.
         void EndPage()
         {
             m_nodesLost += m_nodesOfPage.Count;
@@ -260,7 +237,7 @@ namespace FastPoints.Octrees
             Pages.Add(new int4(cell, level), offset, Math.Min(bytes, m_hierarchyBytes - offset));
         }
 
-        /// <summary>Adds a node with those of its points that octree.bin holds.</summary>
+        // With those of its points that octree.bin holds.
         void Add(int level, int3 cell, long points, long offset, long bytes, long where)
         {
             if (bytes == 0)
@@ -275,7 +252,7 @@ namespace FastPoints.Octrees
             AddNode(level, cell, points, offset, bytes, IsBrotli ? 0 : m_layout.RecordBytes);
         }
 
-        /// <param name="points">The claimed number; becomes the possible one.</param>
+        // points: the claimed number; becomes the possible one.
         string FindProblem(ref long points, long offset, long bytes)
         {
             long claimed = points;

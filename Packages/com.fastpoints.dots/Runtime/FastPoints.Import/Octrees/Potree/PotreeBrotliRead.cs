@@ -4,25 +4,25 @@ using FastPoints.Core;
 using FastPoints.Reading;
 using Unity.Burst;
 using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
 using Unity.Jobs;
+using Unity.Mathematics;
 
 namespace FastPoints.Octrees
 {
-    /// <summary>A slot for nodes of Potree 2 in encoding BROTLI: one stream of all values of the first attribute, then all of the
-    /// second, and so on. It is decompressed and spread over the columns tile by tile, as far as the last wanted
-    /// attribute.</summary>
-    sealed class PotreeBrotliRead : PotreeRead
+    // Encoding BROTLI of Potree 2: one stream of all values of the first attribute, then all of the second, and so on. It is
+    // decompressed and spread over the columns tile by tile, as far as the last wanted attribute.
+    sealed class PotreeBrotliRead : NodeRead
     {
-        /// <summary>A tile takes about a millisecond of Brotli.</summary>
+        // About a millisecond of Brotli.
         const int TileBytes = 256 << 10;
 
-        /// <summary>One attribute of the stream.</summary>
         struct Part
         {
             public int BytesPerPoint;
             public PotreeAttributeKind Kind;
 
-            /// <summary>Index of its first copy in <see cref="m_copies"/>; a skipped attribute has none.</summary>
+            // In m_copies; a skipped attribute has none.
             public int FirstCopy;
             public int CopyCount;
             public bool IsWanted;
@@ -31,30 +31,30 @@ namespace FastPoints.Octrees
         readonly List<Part> m_parts = new List<Part>();
         readonly PotreeSpecialColumns m_special;
         readonly DecompressorHandle m_decompressor;
-        NativeArray<FieldCopy> m_copies;
-        NativeArray<byte> m_tile;
-        NativeReference<DecompressState> m_state;
+        readonly NativeArray<FieldCopy> m_copies;
+        readonly NativeArray<byte> m_tile;
+        readonly NativeReference<DecompressState> m_state;
 
-        public PotreeBrotliRead(PotreeNodeReader reader, PointSchema wanted, int capacity, Allocator allocator)
-            : base(reader, wanted, capacity, reader.MaxBytesPerBlock(), allocator)
+        public PotreeBrotliRead(PotreeReader reader, PointSchema wanted, int capacity, Allocator allocator)
+            : base(reader, wanted, capacity, allocator)
         {
             m_special = PotreeSpecialColumns.Of(reader.Layout, Points);
-            m_copies = new NativeArray<FieldCopy>(PlanParts().ToArray(), allocator);
-            m_tile = new NativeArray<byte>(TileBytes, allocator, NativeArrayOptions.UninitializedMemory);
-            m_state = new NativeReference<DecompressState>(allocator);
-            m_decompressor = new DecompressorHandle(Decompressors.Brotli());
+            m_copies = Own(new NativeArray<FieldCopy>(PlanParts(reader.Layout).ToArray(), allocator));
+            m_tile = OwnArray<byte>(TileBytes, allocator);
+            m_state = Own(new NativeReference<DecompressState>(allocator));
+            m_decompressor = Own(new DecompressorHandle(Decompressors.Brotli()));
         }
 
-        List<FieldCopy> PlanParts()
+        List<FieldCopy> PlanParts(PotreeLayout layout)
         {
             var copies = new List<FieldCopy>();
-            var attributes = Reader.Layout.Attributes;
+            var attributes = layout.Attributes;
             for (int i = 0; i < attributes.Count; i++)
             {
                 var attribute = attributes[i];
                 var part = new Part { BytesPerPoint = attribute.Bytes, Kind = attribute.Kind, FirstCopy = copies.Count };
                 foreach (var column in Points.Schema)
-                    part.IsWanted |= Reader.Layout.AttributeOf(column) == i;
+                    part.IsWanted |= layout.AttributeOf(column) == i;
                 // Only these two names stand for Morton codes.
                 if (attribute.Name == "position")
                     part.BytesPerPoint = SpreadPotreeJob.PositionBytes;
@@ -63,7 +63,7 @@ namespace FastPoints.Octrees
                 else if (attribute.Kind == PotreeAttributeKind.Position || attribute.Kind == PotreeAttributeKind.Color)
                     part.Kind = PotreeAttributeKind.Plain;
                 if (part.Kind != PotreeAttributeKind.Position && !attribute.IsPackedNormal)
-                    copies.AddRange(PlanCopies(other => other == attribute, attribute.RecordOffset));
+                    copies.AddRange(layout.PlanCopies(Points, other => other == attribute, attribute.RecordOffset));
                 part.CopyCount = copies.Count - part.FirstCopy;
                 m_parts.Add(part);
             }
@@ -72,9 +72,9 @@ namespace FastPoints.Octrees
             return copies;
         }
 
-        protected override JobHandle Schedule(BlockRange range, in PotreeBlock block)
+        protected override JobHandle Schedule(BlockRange range, in NodeBlock block)
         {
-            var decoded = DependencyOf(Reader.BeginRead(File, range.Block, block.Offset, (int)block.Bytes));
+            var decoded = BeginRead(range.Block, block.Offset, (int)block.Bytes);
             bool isFirst = true;
             foreach (var part in m_parts)
             {
@@ -123,8 +123,10 @@ namespace FastPoints.Octrees
             Count = count,
         };
 
-        protected override void WarnBroken(DecodeResult result)
+        protected override void Report(DecodeResult result)
         {
+            if (result.Error == PotreeError.None)
+                return;
             var failure = m_decompressor.Failure;
             m_decompressor.Failure = null;
             if (failure != null)
@@ -133,26 +135,15 @@ namespace FastPoints.Octrees
                     failure);
             Reader.WarnBroken(Range.Block, "its Brotli stream is broken: its points are left out", null, result.ErrorOffset);
         }
-
-        protected override void DisposeTables()
-        {
-            m_decompressor.Dispose();
-            m_copies.Dispose();
-            m_tile.Dispose();
-            m_state.Dispose();
-        }
     }
 
-    /// <summary>Reports how decoding a compressed range ended: with all of its points or none, since the values of one point are
-    /// spread over the whole stream.</summary>
+    // With all of its points or none, since the values of one point are spread over the whole stream.
     [BurstCompile]
     struct EndPotreeJob : IJob
     {
         [ReadOnly] public NativeReference<DecompressState> State;
         public NativeReference<DecodeResult> Result;
         public int Points;
-
-        /// <summary>Offset of the stream in the file.</summary>
         public long Offset;
 
         public void Execute()
@@ -161,6 +152,166 @@ namespace FastPoints.Octrees
             Result.Value = state.IsBroken
                 ? new DecodeResult { Error = PotreeError.Broken, ErrorOffset = Offset + state.Consumed }
                 : new DecodeResult { Points = Points };
+        }
+    }
+
+    [BurstCompile]
+    unsafe struct SpreadPotreeJob : IJob
+    {
+        // The upper 16 bits of x, y and z as a Morton code, then the lower 16.
+        public const int PositionBytes = 16;
+
+        // 16 bits of red, green and blue as a Morton code.
+        public const int ColorBytes = 8;
+
+        [ReadOnly] public NativeArray<byte> Tile;
+        [ReadOnly] public NativeArray<FieldCopy> Copies;
+        [ReadOnly] public NativeReference<DecompressState> State;
+        public NativeArray<byte> Columns;
+        public PotreeSpecialColumns Special;
+        public PotreeAttributeKind Kind;
+        public int BytesPerPoint;
+        public int FirstCopy;
+        public int CopyCount;
+        public int FirstInTile;
+        public int First;
+        public int Count;
+
+        public void Execute()
+        {
+            if (State.Value.IsBroken)
+                return;
+            byte* from = (byte*)Tile.GetUnsafeReadOnlyPtr() + (long)FirstInTile * BytesPerPoint;
+            byte* columns = (byte*)Columns.GetUnsafePtr();
+            var copies = new FieldCopies((FieldCopy*)Copies.GetUnsafeReadOnlyPtr() + FirstCopy, CopyCount);
+            if (Kind == PotreeAttributeKind.Position)
+                SpreadPositions((ulong*)from, columns);
+            else if (Kind == PotreeAttributeKind.Color)
+                SpreadColors((ulong*)from, copies, columns);
+            else if (CopyCount > 0)
+                PointRecords.ToColumns(from, BytesPerPoint, Count, copies, columns, First);
+            else
+                Special.DecodeNormals(from, BytesPerPoint, Count, columns, First);
+        }
+
+        // PotreeConverter subtracts the node's lowest coordinate, which an overflowing conversion sets to -1 for good: all values
+        // are one step too high compared with encoding DEFAULT, so one is subtracted.
+        void SpreadPositions(ulong* codes, byte* columns)
+        {
+            int* x = (int*)(columns + Special.Position.x) + First;
+            int* y = (int*)(columns + Special.Position.y) + First;
+            int* z = (int*)(columns + Special.Position.z) + First;
+            bool needsX = Special.Position.x >= 0, wantsY = Special.Position.y >= 0, wantsZ = Special.Position.z >= 0;
+            for (int i = 0; i < Count; i++)
+            {
+                Morton.Decode(codes[2 * i], out uint upperX, out uint upperY, out uint upperZ);
+                Morton.Decode(codes[2 * i + 1], out uint lowerX, out uint lowerY, out uint lowerZ);
+                if (needsX)
+                    x[i] = (int)((upperX << 16 | lowerX & 0xFFFF) - 1);
+                if (wantsY)
+                    y[i] = (int)((upperY << 16 | lowerY & 0xFFFF) - 1);
+                if (wantsZ)
+                    z[i] = (int)((upperZ << 16 | lowerZ & 0xFFFF) - 1);
+            }
+        }
+
+        // As tiles of records, which the plan's copies take apart.
+        void SpreadColors(ulong* codes, FieldCopies copies, byte* columns)
+        {
+            const int TilePoints = 256;
+            ushort* records = stackalloc ushort[3 * TilePoints];
+            for (int first = 0; first < Count; first += TilePoints)
+            {
+                int count = Count - first < TilePoints ? Count - first : TilePoints;
+                for (int i = 0; i < count; i++)
+                {
+                    Morton.Decode(codes[first + i], out uint red, out uint green, out uint blue);
+                    records[3 * i] = (ushort)red;
+                    records[3 * i + 1] = (ushort)green;
+                    records[3 * i + 2] = (ushort)blue;
+                }
+                PointRecords.ToColumns((byte*)records, 6, count, copies, columns, First + first);
+            }
+        }
+    }
+
+    // Columns that are more than a copy; -1 for unwanted ones. Blittable.
+    unsafe struct PotreeSpecialColumns
+    {
+        // First byte of X, Y, Z in the batch.
+        public int3 Position;
+
+        // First byte of NormalX, NormalY, NormalZ in the batch, if they are packed in two bytes.
+        public int3 Normal;
+
+        public int NormalRecordByte;
+        public bool IsOctahedral;
+
+        public static PotreeSpecialColumns Of(PotreeLayout layout, PointBatch batch)
+        {
+            var special = new PotreeSpecialColumns { Position = -1, Normal = -1 };
+            foreach (var attribute in layout.Attributes)
+            {
+                bool isPosition = attribute == layout.Position;
+                if (!isPosition && !attribute.IsPackedNormal)
+                    continue;
+                for (int axis = 0; axis < 3; axis++)
+                {
+                    int index = batch.Schema.IndexOf(attribute.Columns[axis].Name);
+                    if (index >= 0 && isPosition)
+                        special.Position[axis] = batch.Column(index).OffsetBytes;
+                    else if (index >= 0)
+                        special.TakeNormal(attribute, axis, batch.Column(index).OffsetBytes);
+                }
+            }
+            return special;
+        }
+
+        void TakeNormal(PotreeAttribute attribute, int axis, int column)
+        {
+            Normal[axis] = column;
+            NormalRecordByte = attribute.RecordOffset;
+            IsOctahedral = attribute.Kind == PotreeAttributeKind.OctahedralNormal;
+        }
+
+        public void DecodeNormals(byte* from, int stride, int count, byte* columns, int first)
+        {
+            for (int i = 0; i < count; i++, from += stride)
+            {
+                var normal = IsOctahedral
+                    ? PotreeNormals.FromOctahedron(from[0], from[1]) : PotreeNormals.FromSphereMap(from[0], from[1]);
+                for (int axis = 0; axis < 3; axis++)
+                    if (Normal[axis] >= 0)
+                        ((float*)(columns + Normal[axis]))[first + i] = normal[axis];
+            }
+        }
+    }
+
+    internal static class PotreeNormals
+    {
+        // Pranckevičius, "Compact normal storage for small G-buffers", method 4 (spheremap transform): within 0.02 of what was
+        // packed, except for z near -1, where the map has its seam.
+        public static float3 FromSphereMap(byte bx, byte by)
+        {
+            float x = bx * (2f / 255f) - 1, y = by * (2f / 255f) - 1;
+            float squared = 1 - x * x - y * y;
+            // Writers never pack bytes outside the disc: they become the nearest vector on its rim, which is (0, 0, -1).
+            float root = math.sqrt(math.max(0, squared));
+            return math.normalizesafe(new float3(2 * x * root, 2 * y * root, 2 * squared - 1), new float3(0, 0, -1));
+        }
+
+        // Meyer et al., "On floating-point normal vectors", 2010: octahedral normals.
+        public static float3 FromOctahedron(byte bx, byte by)
+        {
+            float u = bx * (2f / 255f) - 1, v = by * (2f / 255f) - 1;
+            float z = 1 - math.abs(u) - math.abs(v);
+            float x = u, y = v;
+            if (z < 0)
+            {
+                x = (1 - math.abs(v)) * (u < 0 ? -1 : 1);
+                y = (1 - math.abs(u)) * (v < 0 ? -1 : 1);
+            }
+            return math.normalizesafe(new float3(x, y, z), new float3(0, 0, 1));
         }
     }
 }

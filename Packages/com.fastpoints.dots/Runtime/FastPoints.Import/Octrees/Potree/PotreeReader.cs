@@ -1,185 +1,134 @@
 using System;
 using System.Collections.Generic;
+using System.Threading;
 using FastPoints.Core;
 using FastPoints.Reading;
-using Unity.Collections;
 using Unity.Mathematics;
 
 namespace FastPoints.Octrees
 {
-    /// <summary>Reads the octrees of PotreeConverter, 1.4 to 1.8 and 2.x. Blocks are nodes, and the hierarchy is read page by
-    /// page as far as levels are requested.</summary>
-    /// <remarks>A node with more points than a slot should hold becomes several blocks if its records allow it; the tree then has
-    /// an entry for each, with the same cell. A hierarchy's claims are checked against the existing files: missing or short ones
-    /// are holes with warnings. Each byte of a hierarchy is used only once, so that loops end.</remarks>
-    internal abstract class PotreeReader : PointReader
+    // The octrees of PotreeConverter, 1.4 to 1.8 and 2.x. A hierarchy's claims are checked against the existing files: missing or
+    // short ones are holes with warnings. Each byte of a hierarchy is used only once, so that loops end.
+    internal abstract class PotreeReader : NodeReader
     {
-        /// <summary>Cells of deeper levels do not fit 32-bit coordinates; converters stop far above.</summary>
+        // Cells of deeper levels do not fit 32-bit coordinates; converters stop far above.
         internal const int MaxLevels = 30;
 
-        /// <summary>More nodes than the largest clouds have: it bounds the memory of a hierarchy.</summary>
+        // More than the largest clouds have: it bounds the memory of a hierarchy.
         internal const int MaxNodes = 1 << 21;
 
-        /// <summary>The most points of a block that can be cut.</summary>
+        // Of a block that can be cut.
         internal const int MaxBlockPoints = 1 << 20;
 
-        /// <summary>The most points of a node that cannot be cut.</summary>
+        // Of a node that cannot be cut.
         internal const int MaxNodePoints = 1 << 22;
 
-        /// <summary>The most bytes in the columns of a node that cannot be cut: it bounds a slot, whatever a file
-        /// claims.</summary>
+        // In the columns of a node that cannot be cut: it bounds a slot, whatever a file claims.
         internal const int MaxNodeBytes = 1 << 27;
 
-        /// <summary>The most bytes in the records of a block that can be cut.</summary>
+        // In the records of a block that can be cut.
         const int MaxBlockBytes = 1 << 26;
 
-        readonly List<PotreeBlock> m_blocks = new List<PotreeBlock>();
-        readonly HashSet<int> m_reportedBlocks = new HashSet<int>();
-        readonly SourceTree m_tree;
-        long m_pointCount;
-        int m_maxPointsPerBlock;
+        private protected PotreeReader(SourceInfo info, BoundsGeo cube, double spacing) : base(info, cube, spacing) { }
 
-        private protected PotreeReader(SourceInfo info, BoundsGeo cube, double spacing)
-        {
-            Info = info;
-            Warnings = new PotreeWarnings(info);
-            m_tree = new SourceTree(cube, spacing, Allocator.Persistent);
-        }
+        // Null for nodes that are LAS or LAZ files.
+        internal abstract PotreeLayout Layout { get; }
 
-        internal override SourceTree Tree => m_tree;
+        // Grid steps from a block's corner to the cloud's.
+        internal abstract int3 ShiftOf(int block);
 
-        public override bool BlocksAreKnown => m_tree.IsWhole;
+        internal sealed override string NameOf(int level, int3 cell) => PotreeNames.NameOf(level, cell);
 
-        public override int BlockCount => m_blocks.Count;
-
-        public override int MaxPointsPerBlock => m_maxPointsPerBlock;
-
-        private protected PotreeWarnings Warnings { get; }
-
-        /// <summary>Points according to the hierarchy, as far as it has been read.</summary>
+        // According to the hierarchy, as far as it has been read.
         private protected long PointsClaimed { get; set; }
-
-        public override long FirstPointOfBlock(int block) => Block(block).FirstPoint;
-
-        public override int PointsInBlock(int block) => Block(block).Points;
 
         public override long BytesOfRange(BlockRange range)
         {
             var block = Block(range.Block);
-            return HasFixedStride
-                ? (long)(block.Bytes * (range.Count / (double)Math.Max(1, block.Points)))
-                : (long)(block.Bytes * ((range.First + range.Count) / (double)Math.Max(1, block.Points)));
+            long points = HasFixedStride ? range.Count : range.First + range.Count;
+            return (long)(block.Bytes * (points / (double)Math.Max(1, block.Points)));
         }
 
-        /// <summary>Pages of the hierarchy that are not read.</summary>
         private protected UnreadPages Pages { get; } = new UnreadPages(MaxLevels + 1);
 
-        public override IEnumerator<JobStep> FindBlocks() => FindLevels(MaxLevels + 1);
+        // A reader that knows the first level of its tree.
+        private protected static T Opened<T>(T reader) where T : PotreeReader
+        {
+            try
+            {
+                using (var steps = new CoroutineStack(reader.FindBelow(default, 1)))
+                    while (steps.MoveNext())
+                        Thread.Yield();
+                return reader;
+            }
+            catch
+            {
+                reader.DisposeUnread();
+                throw;
+            }
+        }
+
+        public override IEnumerator<JobStep> FindBlocks() => FindBelow(default, MaxLevels + 1);
 
         public override IEnumerator<JobStep> FindBelow(int4 node, int levels)
         {
-            if (!m_tree.IsWhole)
+            if (!Tree.IsWhole)
                 yield return JobStep.Of(ReadPages(node, levels));
-            if (!m_tree.IsWhole)
+            if (!Tree.IsWhole)
                 yield break;
-            Info.PointsReadable = m_pointCount;
+            Info.PointsReadable = PointCount;
             if (Info.PointsClaimed == 0)
                 Info.PointsClaimed = (ulong)PointsClaimed;
         }
 
-        /// <summary>Coroutine, which can be abandoned and begun again for another node: reads the parts of the hierarchy
-        /// that the first levels need for a node and what is below it. Steps take some milliseconds at most.</summary>
+        // Coroutine, which can be abandoned and begun again for another node: reads the parts of the hierarchy that the first
+        // levels need for a node and what is below it. Steps take some milliseconds at most.
         private protected abstract IEnumerator<JobStep> ReadPages(int4 node, int levels);
 
-        /// <summary>Adds a node and its block.</summary>
-        /// <param name="bytes">Bytes of all its points in the file.</param>
-        /// <param name="bytesPerPoint">Bytes of a point if these are fixed, so that a long node can be cut; otherwise 0.</param>
-        private protected void AddNode(int level, int3 cell, long points, long offset, long bytes, int bytesPerPoint)
-        {
-            var node = new SourceNode { Level = level, Cell = cell, Block = -1 };
-            if (points <= 0)
-            {
-                m_tree.Add(node);
-                return;
-            }
-            long max = bytesPerPoint > 0 ? Math.Min(MaxBlockPoints, MaxBlockBytes / bytesPerPoint) : points;
-            for (long first = 0; first < points; first += max)
-            {
-                int count = (int)Math.Min(max, points - first);
-                node.Block = m_blocks.Count;
-                node.PointCount = count;
-                m_blocks.Add(new PotreeBlock
-                {
-                    Node = m_tree.NodeCount,
-                    FirstPoint = m_pointCount,
-                    Points = count,
-                    Offset = offset + first * bytesPerPoint,
-                    Bytes = bytesPerPoint > 0 ? (long)count * bytesPerPoint : bytes,
-                });
-                m_tree.Add(node);
-                m_pointCount += count;
-                m_maxPointsPerBlock = Math.Max(m_maxPointsPerBlock, count);
-            }
-        }
+        // bytes: of all its points in the file; bytesPerPoint: if fixed, so that a long node can be cut; otherwise 0.
+        private protected void AddNode(int level, int3 cell, long points, long offset, long bytes, int bytesPerPoint) =>
+            AddNode(new SourceNode { Level = level, Cell = cell }, points,
+                bytesPerPoint > 0 ? Math.Min(MaxBlockPoints, MaxBlockBytes / bytesPerPoint) : points, offset, bytes, bytesPerPoint);
 
-        /// <summary>Whether the tree has reached its limit of nodes, which is reported once.</summary>
         private protected bool IsFull(long next)
         {
-            if (m_tree.NodeCount < MaxNodes)
+            if (Tree.NodeCount < MaxNodes)
                 return false;
             Info.Warn(next, "the hierarchy has more than " + NumberText.Of(MaxNodes) + " nodes: the others are left out");
             return true;
         }
-
-        internal PotreeBlock Block(int block)
-        {
-            if ((uint)block >= (uint)m_blocks.Count)
-                throw new ArgumentOutOfRangeException(nameof(block), block, "the source has " + m_blocks.Count + " blocks");
-            return m_blocks[block];
-        }
-
-        internal SourceNode NodeOf(int block) => m_tree[m_blocks[block].Node];
-
-        internal string NameOf(int block)
-        {
-            var node = NodeOf(block);
-            return PotreeNames.NameOf(node.Level, node.Cell);
-        }
-
-        /// <summary>Bytes of the longest block in the file, for a slot that takes any.</summary>
-        internal long MaxBytesPerBlock()
-        {
-            long max = 0;
-            foreach (var block in m_blocks)
-                max = Math.Max(max, block.Bytes);
-            return max;
-        }
-
-        /// <summary>A warning for a block that gave fewer points than it has; once a block.</summary>
-        internal void WarnBroken(int block, string kind, string detail, long byteOffset)
-        {
-            if (m_reportedBlocks.Add(block))
-                Warnings.Add(kind, NameOf(block), detail, byteOffset, FileOfBlock(block, out _));
-        }
-
-        public override void DisposeUnread() => m_tree.Dispose();
     }
 
-    /// <summary>A block of a Potree cloud: the points of a node, or a part of one that is too long.</summary>
-    struct PotreeBlock
+    // r, then a digit a level: 4 x + 2 y + z, each 0 for the lower half of the axis.
+    internal static class PotreeNames
     {
-        /// <summary>Index in the tree.</summary>
-        public int Node;
+        public static string NameOf(int level, int3 cell)
+        {
+            var name = new char[level + 1];
+            name[0] = 'r';
+            for (int i = 1; i <= level; i++)
+                name[i] = (char)('0' + ChildOf(cell >> level - i));
+            return new string(name);
+        }
 
-        /// <summary>Index of its first point in the whole source.</summary>
-        public long FirstPoint;
+        public static bool TryParse(string name, int maxLevels, out int level, out int3 cell)
+        {
+            level = name.Length - 1;
+            cell = default;
+            if (level < 0 || level > maxLevels || name[0] != 'r')
+                return false;
+            for (int i = 1; i < name.Length; i++)
+            {
+                int child = name[i] - '0';
+                if (child < 0 || child > 7)
+                    return false;
+                cell = Child(cell, child);
+            }
+            return true;
+        }
 
-        public int Points;
+        public static int3 Child(int3 cell, int child) => cell * 2 + new int3(child >> 2 & 1, child >> 1 & 1, child & 1);
 
-        /// <summary>Offset in the file that holds it.</summary>
-        public long Offset;
-
-        /// <summary>Number of bytes that it takes.</summary>
-        public long Bytes;
+        static int ChildOf(int3 cell) => (cell.x & 1) << 2 | (cell.y & 1) << 1 | cell.z & 1;
     }
 }

@@ -1,21 +1,22 @@
+using System;
 using System.Collections.Generic;
 using FastPoints.Core;
 using FastPoints.Drawing;
-using FastPoints.Import;
 using FastPoints.Reading;
 using FastPoints.Sampling;
 using FastPoints.Streaming;
+using Unity.Collections;
 
 namespace FastPoints.Octrees
 {
-    /// <summary>The states of files that are not converted: waves of a preview, coarse to fine, copied in jobs; or, for a source
-    /// with an octree, the whole of it, streamed directly.</summary>
+    // The states of files that are not converted: waves of a preview, coarse to fine, copied in jobs; or, for a source with an
+    // octree, the whole of it, streamed directly.
     internal sealed class SourceFeed : CloudFeed
     {
-        /// <summary>Points of a preview: about what a screen shows, with the slots of its reads below 200 MB.</summary>
+        // About what a screen shows, with the slots of its reads below 200 MB.
         public const int PreviewPoints = 1_000_000;
 
-        /// <summary>Points of an octree's upper levels that decide on colours.</summary>
+        // Of an octree's upper levels, which decide on colours.
         const int PointsOfTop = 50_000;
 
         readonly StageProgress m_progress = new StageProgress();
@@ -28,8 +29,7 @@ namespace FastPoints.Octrees
         CloudFacts m_newest;
         bool m_skipsFullPass;
 
-        /// <param name="reader">The reader, which this feed owns.</param>
-        /// <param name="previewPoints">The most points of a source without an octree; a smaller one is shown whole.</param>
+        // It owns the reader. previewPoints: of a source without an octree; a smaller one is shown whole.
         public SourceFeed(PointReader reader, int previewPoints = PreviewPoints)
         {
             m_reader = reader;
@@ -104,7 +104,7 @@ namespace FastPoints.Octrees
             }
         }
 
-        /// <summary>Whether the next step would decode all of the source, which a build does anyway.</summary>
+        // The next step would decode all of the source, which a build does anyway.
         bool IsPassSkipped => m_skipsFullPass &&
             (m_progress.Current == PreviewSampling.RefineStage || m_progress.Current == PreviewSampling.FindBlocksStage);
 
@@ -134,19 +134,76 @@ namespace FastPoints.Octrees
 
         DisplayRanges NewRanges() => new DisplayRanges { IsInDegrees = double.IsNaN(m_reader.Info.Crs.MetresPerUnit) };
 
-        /// <param name="seen">Bounds to use if the source claims none.</param>
+        // seen: bounds to use if the source claims none.
         CloudFacts Describe(CloudStage stage, DisplayRanges ranges, BoundsGeo seen)
         {
             var info = m_reader.Info;
             return new CloudFacts
             {
                 Stage = stage,
-                BoundsGeo = info.HasBoundsClaimed && info.BoundsClaimed.IsFinite && !info.BoundsClaimed.IsEmpty
-                    ? info.BoundsClaimed
-                    : seen,
+                BoundsGeo = info.BoundsTrusted.IsEmpty ? seen : info.BoundsTrusted,
                 MetresPerUnit = info.Crs.MetresPerUnit,
                 Ranges = ranges,
             };
+        }
+    }
+
+    internal static class TreeTop
+    {
+        const int MaxSlots = 8;
+
+        // Coroutine, after FindTop. Whole nodes until there are as many points as wanted; who gets the batch owns it.
+        public static IEnumerator<JobStep> Read(PointReader reader, string[] attributes, int wanted, Action<PointBatch> read)
+        {
+            var blocks = new List<int>();
+            int points = 0, max = 1;
+            for (int node = 0; node < reader.Tree.NodeCount && points < wanted; node++)
+            {
+                if (reader.Tree[node].Block < 0)
+                    continue;
+                blocks.Add(reader.Tree[node].Block);
+                points += reader.Tree[node].PointCount;
+                max = Math.Max(max, reader.Tree[node].PointCount);
+            }
+            var names = new List<string> { AttributeNames.X, AttributeNames.Y, AttributeNames.Z };
+            names.AddRange(attributes);
+            var schema = reader.Info.Schema.Select(names.ToArray());
+            var top = new PointBatch(schema, Math.Max(1, points), Allocator.Persistent);
+            var slots = new BlockRead[Math.Min(MaxSlots, blocks.Count)];
+            bool isDone = false;
+            try
+            {
+                yield return JobStep.Of(SlotRing.Run(slots.Length, blocks.Count, (slot, i) =>
+                {
+                    slots[slot] ??= reader.CreateRead(schema, max, Allocator.Persistent);
+                    slots[slot].Begin(new BlockRange(blocks[i], 0, reader.PointsInBlock(blocks[i])));
+                    return slots[slot].Decoded;
+                }, slot =>
+                {
+                    slots[slot].Complete();
+                    Append(slots[slot].Points, top);
+                }));
+                isDone = true;
+            }
+            finally
+            {
+                foreach (var slot in slots)
+                    slot?.Dispose();
+                if (!isDone)
+                    top.Dispose();
+            }
+            read(top);
+        }
+
+        static void Append(PointBatch from, PointBatch to)
+        {
+            for (int c = 0; c < to.Schema.Count; c++)
+            {
+                int size = to.Schema[c].Type.SizeOf();
+                NativeArray<byte>.Copy(from.Bytes, from.Column(c).OffsetBytes, to.Bytes,
+                    to.Column(c).OffsetBytes + to.Count * size, from.Count * size);
+            }
+            to.Count += from.Count;
         }
     }
 }

@@ -1,43 +1,43 @@
+using System;
+using System.Collections.Generic;
 using FastPoints.Core;
 using FastPoints.Nodes;
 using FastPoints.Reading;
 using FastPoints.Sampling;
 using FastPoints.Store;
 using FastPoints.Streaming;
+using Unity.Collections;
 using Unity.Mathematics;
 
 namespace FastPoints.Octrees
 {
-    /// <summary>Where the nodes of a source's own octree lie on the cloud's grid, which is the source's own: its whole numbers
-    /// stay the same. Blittable, for jobs.</summary>
+    // The cloud's grid is the source's own: its whole numbers stay the same. Blittable, for jobs.
     internal struct TreeGrid
     {
         public CloudGrid Grid;
-
-        /// <summary>Converts stored numbers to the grid's.</summary>
         public SourceGrid Source;
 
-        /// <summary>The smallest cube with a power-of-two side that contains the source's.</summary>
+        // The smallest cube with a power-of-two side that contains the source's.
         public GridCube Root;
 
-        /// <summary>The corner that packed positions count from, in all nodes: no number that the source can hold lies below it.
-        /// A block has its own minimum, so this costs nothing.</summary>
+        // Packed positions count from it in all nodes: no number that the source can hold lies below it. A block has its own
+        // minimum, so this costs nothing.
         public Grid3 Corner;
 
-        /// <summary>Whether packed positions have 64 bits.</summary>
+        // Packed positions have 64 bits.
         public bool IsWide;
 
-        /// <summary>Corner of the octree, georeferenced.</summary>
+        // Georeferenced.
         public double3 CubeMin;
         public double3 CubeSize;
 
-        /// <summary>The bounds that the source claims, georeferenced; the cube if it claims none.</summary>
+        // As the source claims, georeferenced; the cube if it claims none.
         public BoundsGeo Bounds;
 
-        /// <summary>Distance between points of the root, in CRS units.</summary>
+        // Of the root, in CRS units.
         public double Spacing;
 
-        /// <exception cref="PointCloudException">No grid holds the source's numbers.</exception>
+        // Unsupported if no grid holds the source's numbers.
         public TreeGrid(SourceInfo info, SourceTree tree)
         {
             var cube = tree.Cube;
@@ -72,7 +72,7 @@ namespace FastPoints.Octrees
 
         public NodeCubes Cubes => new NodeCubes { Corner = CubeMin - Grid.ToGeo(Root.Corner), Size = CubeSize };
 
-        /// <summary>The box around a node's points and all below: from the corner of the root cube, in CRS units.</summary>
+        // Around a node's points and all below: from the corner of the root cube, in CRS units.
         public void BoxOf(int4 key, out double3 center, out float3 half)
         {
             double3 size = SizeOf(key.w), min = MinOf(key), max = min + size;
@@ -84,14 +84,14 @@ namespace FastPoints.Octrees
                 out half);
         }
 
-        /// <summary>Position of a node's cube relative to <see cref="Corner"/>.</summary>
+        // Relative to Corner.
         public Grid3 PositionOf(int4 key)
         {
             var steps = math.floor((MinOf(key) - Grid.Origin) / Grid.Step);
             return new Grid3((long)steps.x, (long)steps.y, (long)steps.z) - Corner;
         }
 
-        /// <summary>Bits that positions within a node's cube need along each axis.</summary>
+        // Along each axis, of positions within a node's cube.
         public int3 BitsOf(int level)
         {
             var steps = SizeOf(level) / Grid.Step + 2;
@@ -105,5 +105,79 @@ namespace FastPoints.Octrees
         double3 MinOf(int4 key) => CubeMin + new double3(key.xyz) * SizeOf(key.w);
 
         static int BitsFor(double steps) => 64 - math.lzcnt((ulong)math.max(0, steps));
+    }
+
+    sealed class TreePlanes : IDisposable
+    {
+        static readonly string[] s_position = { AttributeNames.X, AttributeNames.Y, AttributeNames.Z };
+
+        readonly StoreLayout m_layout;
+        NativeArray<int> m_indices;
+        NativeArray<PlaneShape> m_shapes;
+        NativeArray<int> m_bits;
+
+        // layout: without the position; names: besides the position's; those that the source lacks are left out.
+        public TreePlanes(PointSchema schema, StoreLayout layout, IReadOnlyList<string> names)
+        {
+            m_layout = layout;
+            var wanted = new SortedSet<int> { StoreLayout.PositionPlane };
+            foreach (string name in names)
+                if (layout.PlaneOf(name) >= 0)
+                    wanted.Add(layout.PlaneOf(name));
+            var indices = new int[wanted.Count];
+            wanted.CopyTo(indices);
+            m_indices = new NativeArray<int>(indices, Allocator.Persistent);
+            m_bits = new NativeArray<int>(indices.Length, Allocator.Persistent);
+            m_shapes = new NativeArray<PlaneShape>(indices.Length, Allocator.Persistent);
+            var attributes = new List<string>(s_position);
+            for (int p = 0; p < indices.Length; p++)
+            {
+                var plane = layout.Planes[indices[p]];
+                m_shapes[p] = plane.Shape;
+                for (int c = plane.FirstColumn; p > 0 && c < plane.FirstColumn + plane.ColumnCount; c++)
+                {
+                    m_bits[p] += 8 * layout.Columns[c].Type.SizeOf();
+                    attributes.Add(layout.Attributes[layout.AttributeOfColumn[c]].Name);
+                }
+            }
+            Decoded = schema.Select(attributes.ToArray());
+        }
+
+        public int Count => m_indices.Length;
+
+        // Rising; position is the first.
+        public NativeArray<int> Indices => m_indices;
+
+        // The position's is that of nodes that are not wide.
+        public NativeArray<PlaneShape> Shapes => m_shapes;
+
+        // Of a point's values in each plane. The position's depend on the node.
+        public NativeArray<int> Bits => m_bits;
+
+        public PointSchema Decoded { get; }
+
+        public static StoreLayout LayoutOf(PointSchema schema)
+        {
+            var attributes = new List<PointAttribute>();
+            foreach (var attribute in schema)
+                if (Array.IndexOf(s_position, attribute.Name) < 0)
+                    attributes.Add(attribute);
+            return new StoreLayout(new PointSchema(attributes));
+        }
+
+        public string AttributeOf(int plane, int column)
+        {
+            int of = m_layout.AttributeOfColumn[m_layout.Planes[m_indices[plane]].FirstColumn + column];
+            return m_layout.Attributes[of].Name;
+        }
+
+        public void Dispose()
+        {
+            if (!m_indices.IsCreated)
+                return;
+            m_indices.Dispose();
+            m_shapes.Dispose();
+            m_bits.Dispose();
+        }
     }
 }

@@ -9,11 +9,10 @@ using Unity.Mathematics;
 
 namespace FastPoints.Octrees
 {
-    /// <summary>Makes nodes of a source's own octree: a slot of its reader decodes the attributes of some planes, then slices of
-    /// at most about 4 ms order and pack them.</summary>
+    // A slot of the source's reader decodes the attributes of some planes, then slices of at most about 4 ms order and pack them.
     sealed unsafe class TreeNodeTranscoder : NodeTranscoder
     {
-        /// <summary>Nodes up to this size share one size of memory, which is doubled for larger ones.</summary>
+        // Nodes up to this size share one size of memory, which is doubled for larger ones.
         const int MinCapacity = 1 << 12;
 
         readonly PointReader m_reader;
@@ -36,8 +35,7 @@ namespace FastPoints.Octrees
         TranscoderChain m_chain;
         int m_pointsInChain;
 
-        /// <param name="planes">The planes that it makes, which the source still owns.</param>
-        /// <param name="planesOfPage">How many planes of a node the source's pages have.</param>
+        // planes: those that it makes, which the source still owns; planesOfPage: of a node in the source's pages.
         public TreeNodeTranscoder(PointReader reader, TreeGrid grid, TreePlanes planes, int planesOfPage)
         {
             m_reader = reader;
@@ -48,20 +46,17 @@ namespace FastPoints.Octrees
             m_state = new NativeReference<PackState>(Allocator.Persistent);
         }
 
-        /// <summary>Whether all nodes lie in one file, whose failure is then reported once.</summary>
+        // All nodes lie in one file, whose failure is then reported once.
         bool IsOneFile => m_reader is CopcReader || m_reader is Potree2Reader;
 
-        /// <summary>The number of points that it has memory for.</summary>
         public int Capacity => m_capacity;
 
-        /// <summary>Takes its place behind the others of a chain, for a node of so many points.</summary>
         public void Join(TranscoderChain chain, int points)
         {
             (m_chain, m_pointsInChain) = (chain, points);
             chain.Points += points;
         }
 
-        /// <returns>The points that it joined for.</returns>
         public int LeaveChain()
         {
             m_chain.Points -= m_pointsInChain;
@@ -70,9 +65,7 @@ namespace FastPoints.Octrees
         }
 
         public override JobHandle Done => m_done;
-
         public override long BytesRead => m_reader.BytesOfRange(new BlockRange(m_node.Block, 0, m_node.PointCount));
-
         public override NativeArray<byte> Planes => m_packed;
 
         public override long LengthOf(int plane) => m_lengthOfPlane[plane];
@@ -235,14 +228,11 @@ namespace FastPoints.Octrees
         }
     }
 
-    /// <summary>transcoders whose nodes are decoded one after the other, while the next is read: as many chains as workers leave
-    /// frames' own jobs their turn, however many nodes are begun.</summary>
+    // Transcoders whose nodes are decoded one after the other, while the next is read: as many chains as workers leave frames'
+    // own jobs their turn, however many nodes are begun.
     sealed class TranscoderChain
     {
-        /// <summary>The last job of the node that was begun last.</summary>
         public JobHandle End;
-
-        /// <summary>Points of the nodes that were begun and are not taken yet.</summary>
         public long Points;
     }
 }

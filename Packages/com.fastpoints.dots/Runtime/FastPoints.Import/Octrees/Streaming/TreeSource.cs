@@ -17,18 +17,16 @@ namespace FastPoints.Octrees
     /// (<see cref="SampleReader"/>).</summary>
     public sealed class TreeSource : NodeSource
     {
-        /// <summary>The most nodes that are begun and not yet taken: a transcoder is free again in the frame after its last
-        /// job.</summary>
+        // Begun and not yet taken: a transcoder is free again in the frame after its last job.
         const int MaxTranscoders = 16;
 
-        /// <summary>The number of large ones at work: one is read while another is decoded.</summary>
+        // Large ones: one is read while another is decoded.
         const int MinBusyTranscoders = 2;
 
-        /// <summary>The most points that are begun for each worker, except for single nodes: about 50 ms of work, so that workers
-        /// have enough until the next frame, at 30 Hz as well.</summary>
+        // Begun for each worker, except for single nodes: about 50 ms of work, enough until the next frame, at 30 Hz as well.
         const int PointsPerWorker = 1 << 18;
 
-        /// <summary>The same for all workers: a point at work takes some 60 bytes.</summary>
+        // The same for all workers: a point at work takes some 60 bytes.
         const int MaxPoints = 1 << 21;
 
         readonly TreePages m_pages;
@@ -188,8 +186,7 @@ namespace FastPoints.Octrees
             Reader.Dispose();
         }
 
-        /// <summary>The smallest transcoder with enough memory, otherwise the largest, so that few grow large.</summary>
-        /// <returns>-1 if none is idle.</returns>
+        // The smallest with enough memory, otherwise the largest, so that few grow large; -1 if none is idle.
         int BestIdle(int points)
         {
             int best = -1;

@@ -1,25 +1,27 @@
 using System;
+using System.Collections.Generic;
 using FastPoints.Core;
+using Unity.Burst;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.Jobs;
+using Unity.Jobs.LowLevel.Unsafe;
 
 namespace FastPoints.Reading
 {
-    /// <summary>The lines of a range of a text file, as jobs find them in a buffer. Blittable.</summary>
     struct AsciiRange
     {
-        /// <summary>Offset of the buffer in the file.</summary>
         public long Offset;
         public int Bytes;
 
-        /// <summary>Lines that start behind these bytes belong to the next block.</summary>
+        // Lines that start behind these bytes belong to the next block.
         public int BlockBytes;
         public bool ReachesFileEnd;
         public bool StartsInRow;
-
-        /// <summary>Lines to skip first.</summary>
         public int RowsBefore;
         public int Rows;
 
-        /// <param name="maxLineBytes">The last line may extend this far behind its block.</param>
+        // The last line may extend maxLineBytes behind its block.
         public static AsciiRange Of(in SegmentBlock block, BlockRange range, long fileBytes, int maxLineBytes)
         {
             long left = fileBytes - block.OffsetBytes;
@@ -37,12 +39,18 @@ namespace FastPoints.Reading
         }
     }
 
-    /// <summary>Finds lines of a text file in memory, and stores their integers in columns. HPC#.</summary>
     static unsafe class AsciiLines
     {
         public static bool IsLineEnd(byte b) => b == '\n' || b == '\r';
 
-        /// <summary>The end of the line; there must be one.</summary>
+        // Within the line.
+        public static void SkipBlanks(ref byte* p)
+        {
+            while (*p <= ' ' && !IsLineEnd(*p))
+                p++;
+        }
+
+        // There must be one.
         public static byte* LineEnd(byte* p)
         {
             while (!IsLineEnd(*p))
@@ -50,7 +58,7 @@ namespace FastPoints.Reading
             return p;
         }
 
-        /// <returns>Whether the value fits into the type; if not, the nearest one that fits is stored.</returns>
+        // False if the value does not fit into the type: the nearest one that fits is stored.
         public static bool StoreInteger(byte* column, int row, AttributeType type, int bytes, ulong magnitude, bool isNegative)
         {
             int bits = 8 * bytes;
@@ -81,6 +89,199 @@ namespace FastPoints.Reading
                     break;
             }
             return fits;
+        }
+    }
+
+    [BurstCompile]
+    unsafe struct CountAsciiRowsJob : IJob
+    {
+        const ulong Ones = 0x0101010101010101;
+        const ulong Highs = 0x8080808080808080;
+
+        [ReadOnly] public NativeArray<byte> Input;
+        public int Bytes;
+        [WriteOnly] public NativeReference<AsciiRowCount> Result;
+
+        public void Execute()
+        {
+            byte* p = (byte*)Input.GetUnsafeReadOnlyPtr();
+            byte* end = p + Bytes;
+            var count = default(AsciiRowCount);
+            bool isInText = false;
+
+            while (p < end && !AsciiLines.IsLineEnd(*p))
+                isInText |= *p++ > ' ';
+            count.HasTextBeforeFirstEnd = isInText;
+            count.HasLineEnd = p < end;
+            int rows = 0;
+            if (count.HasLineEnd)
+                isInText = false;
+            while (p < end)
+            {
+                // Within a line only its end matters, so eight bytes are tested at a time. The test for "any byte equal" is
+                // exact.
+                if (isInText)
+                {
+                    while (end - p >= 8)
+                    {
+                        ulong word = *(ulong*)p;
+                        ulong lf = word ^ Ones * '\n', cr = word ^ Ones * '\r';
+                        if (((((lf - Ones) & ~lf) | ((cr - Ones) & ~cr)) & Highs) != 0)
+                            break;
+                        p += 8;
+                    }
+                    while (p < end && !AsciiLines.IsLineEnd(*p))
+                        p++;
+                    isInText = p == end;
+                }
+                else if (*p++ > ' ')
+                {
+                    rows++;
+                    isInText = true;
+                }
+            }
+            count.RowsBehindFirstEnd = rows;
+            count.EndsInText = isInText;
+            Result.Value = count;
+        }
+    }
+
+    // Counted without knowing whether the segment starts within a line. Blank lines do not count.
+    struct AsciiRowCount
+    {
+        // Lines whose first character lies in the segment, behind its first line end.
+        public int RowsBehindFirstEnd;
+
+        // A line of this segment unless it started earlier.
+        public bool HasTextBeforeFirstEnd;
+
+        public bool HasLineEnd;
+
+        // The next segment starts within a line.
+        public bool EndsInText;
+    }
+
+    // Counts the lines of a text file up to the last point's, several segments at a time. A segment's count does not depend on
+    // earlier ones; whether it starts within a line does, and is settled here, in order.
+    sealed class AsciiRowScan : IDisposable
+    {
+        readonly SourceHandle m_file;
+        readonly long m_fileBytes;
+        readonly int m_blockBytes;
+        readonly ulong m_rowsBefore;
+        readonly ulong m_rowsEnd;
+        readonly AsciiSlot[] m_slots;
+        readonly List<SegmentBlock> m_blocks = new List<SegmentBlock>();
+        long m_offset;
+        SlotRing m_ring;
+        ulong m_rows;
+        bool m_isInText;
+
+        // rowsBefore: leading lines that are not points; rowsEnd: lines up to the last point's, beyond the file's for all.
+        public AsciiRowScan(PointReader reader, SourceHandle file, long offset, int blockBytes, ulong rowsBefore, ulong rowsEnd)
+        {
+            long fileBytes = reader.Info.FileBytes;
+            int maxJobs = reader.MaxJobs;
+            m_file = file;
+            m_fileBytes = fileBytes;
+            m_blockBytes = blockBytes;
+            m_rowsBefore = rowsBefore;
+            m_rowsEnd = rowsEnd;
+            m_offset = offset;
+            long segments = (fileBytes - offset) / blockBytes + 1;
+            m_slots = new AsciiSlot[(int)Math.Min(segments, maxJobs > 0 ? maxJobs : 2 * (JobsUtility.JobWorkerCount + 1))];
+            long bytes = Math.Min(blockBytes, fileBytes);
+            m_ring = new SlotRing(m_slots.Length);
+            for (int i = 0; i < m_slots.Length; i++)
+                m_slots[i] = new AsciiSlot(bytes);
+        }
+
+        public long Points { get; private set; }
+
+        public SegmentBlock[] TakeBlocks() => m_blocks.ToArray();
+
+        // Takes in the oldest segment, whose handle must be complete, and keeps all slots at work. False at the end.
+        public bool Next(out JobHandle handle)
+        {
+            if (!m_ring.IsEmpty)
+                Finish(m_slots[m_ring.End()]);
+            handle = default;
+            if (m_rows >= m_rowsEnd)
+                return false;
+            while (!m_ring.IsFull && m_offset < m_fileBytes)
+                Start(m_slots[m_ring.Begin()]);
+            if (m_ring.IsEmpty)
+                return false;
+            handle = m_slots[m_ring.Oldest].Counted;
+            return true;
+        }
+
+        void Start(AsciiSlot slot)
+        {
+            int bytes = (int)Math.Min(m_blockBytes, m_fileBytes - m_offset);
+            slot.Begin(m_file, m_offset, bytes);
+            m_offset += bytes;
+        }
+
+        void Finish(AsciiSlot slot)
+        {
+            var count = slot.End();
+            ulong rows = (ulong)count.RowsBehindFirstEnd + (count.HasTextBeforeFirstEnd && !m_isInText ? 1ul : 0ul);
+            ulong before = m_rowsBefore > m_rows ? Math.Min(m_rowsBefore - m_rows, rows) : 0;
+            ulong left = m_rowsEnd > m_rows + before ? m_rowsEnd - m_rows - before : 0;
+            int points = (int)Math.Min(rows - before, left);
+            if (points > 0)
+            {
+                m_blocks.Add(new SegmentBlock
+                {
+                    OffsetBytes = slot.Read.Offset,
+                    Bytes = slot.Read.Bytes,
+                    FirstPoint = Points,
+                    Points = points,
+                    RowsBefore = (int)before,
+                    StartsInRow = m_isInText,
+                });
+                Points += points;
+            }
+            m_rows += rows;
+            m_isInText = count.HasLineEnd ? count.EndsInText : m_isInText || count.HasTextBeforeFirstEnd;
+        }
+
+        public void Dispose()
+        {
+            foreach (var slot in m_slots)
+                slot.Dispose();
+        }
+    }
+
+    // A segment whose lines are counted.
+    sealed class AsciiSlot : IDisposable
+    {
+        readonly NativeReference<AsciiRowCount> m_rows = new NativeReference<AsciiRowCount>(Allocator.Persistent);
+
+        public AsciiSlot(long maxBytes) => Read = new NativeFileRead(maxBytes, Allocator.Persistent);
+
+        public NativeFileRead Read { get; }
+        public JobHandle Counted { get; private set; }
+
+        public JobHandle Begin(SourceHandle file, long offset, int bytes)
+        {
+            var read = Read.Begin(file, offset, bytes);
+            return Counted = new CountAsciiRowsJob { Input = Read.Buffer, Bytes = bytes, Result = m_rows }.Schedule(read);
+        }
+
+        public AsciiRowCount End()
+        {
+            Counted.Complete();
+            Read.End();
+            return m_rows.Value;
+        }
+
+        public void Dispose()
+        {
+            Counted.Complete();
+            Read.Dispose();
+            m_rows.Dispose();
         }
     }
 }

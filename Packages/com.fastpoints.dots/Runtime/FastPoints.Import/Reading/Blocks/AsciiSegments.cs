@@ -18,10 +18,10 @@ namespace FastPoints.Reading
         public const int Count = 2048;
         public const int SegmentBytes = 16 << 10;
 
-        /// <summary>In a smaller file, counting all lines is about as fast.</summary>
+        // In a smaller file, counting all lines is about as fast.
         public const long MinBytes = 2L * Count * SegmentBytes;
 
-        /// <summary>Reads in flight: if each takes long, together they take as long as one.</summary>
+        // If each takes long, together they take as long as one.
         const int Slots = 32;
 
         const uint OrderSeed = 1;
@@ -34,7 +34,6 @@ namespace FastPoints.Reading
         long m_points;
         int m_found;
 
-        /// <param name="offset">Offset of the first line; lines continue to the file's end.</param>
         public AsciiSegments(SourceHandle file, long fileBytes, long offset)
         {
             m_file = file;
@@ -44,11 +43,10 @@ namespace FastPoints.Reading
                 m_rowsOfPart[part] = -1;
         }
 
-        /// <summary>Segments with lines, and all that start in each, in the order in which they were found.</summary>
         public SegmentBlock[] Blocks => m_blocks.ToArray();
 
-        /// <summary>Estimated number of lines in the whole file. The standard error comes from the differences of neighbouring
-        /// segments, since each part has a single segment (Wolter, "Introduction to variance estimation", 2007, 8.2).</summary>
+        // The standard error comes from the differences of neighbouring segments, since each part has a single segment (Wolter,
+        // "Introduction to variance estimation", 2007, 8.2).
         public PointEstimate Estimate
         {
             get
@@ -68,20 +66,25 @@ namespace FastPoints.Reading
             }
         }
 
-        /// <summary>Coroutine: reads the next segments until there are this many in all.</summary>
         public IEnumerator<JobStep> Find(int count)
         {
             int first = m_found, wanted = Math.Min(Count, count) - first;
             if (wanted <= 0)
                 yield break;
             var order = new SampleOrder(Count, OrderSeed);
-            var slots = new Slot[Math.Min(Slots, wanted)];
+            var slots = new AsciiSlot[Math.Min(Slots, wanted)];
+            var parts = new int[slots.Length];
             try
             {
                 for (int i = 0; i < slots.Length; i++)
-                    slots[i] = new Slot();
-                yield return JobStep.Of(SlotRing.Run(slots.Length, wanted,
-                    (slot, i) => slots[slot].Begin(order.StratumAt(first + i), this), slot => Take(slots[slot])));
+                    slots[i] = new AsciiSlot(SegmentBytes);
+                yield return JobStep.Of(SlotRing.Run(slots.Length, wanted, (slot, i) =>
+                {
+                    parts[slot] = order.StratumAt(first + i);
+                    var counted = slots[slot].Begin(m_file, OffsetOf(parts[slot]), SegmentBytes);
+                    JobHandle.ScheduleBatchedJobs();
+                    return counted;
+                }, slot => Take(slots[slot], parts[slot])));
             }
             finally
             {
@@ -90,7 +93,7 @@ namespace FastPoints.Reading
             }
         }
 
-        /// <summary>Hashes with the finaliser of SplitMix64.</summary>
+        // The finaliser of SplitMix64.
         long OffsetOf(int part)
         {
             long first = m_bytes / Count * part, places = m_bytes / Count - SegmentBytes + 1;
@@ -100,11 +103,11 @@ namespace FastPoints.Reading
             return m_offset + first + (long)((hash ^ hash >> 31) % (ulong)places);
         }
 
-        void Take(Slot slot)
+        void Take(AsciiSlot slot, int part)
         {
-            int rows = slot.End();
+            int rows = slot.End().RowsBehindFirstEnd;
             m_found++;
-            m_rowsOfPart[slot.Part] = rows;
+            m_rowsOfPart[part] = rows;
             if (rows == 0)
                 return;
             m_blocks.Add(new SegmentBlock
@@ -116,38 +119,6 @@ namespace FastPoints.Reading
                 StartsInRow = true,
             });
             m_points += rows;
-        }
-
-        sealed class Slot : IDisposable
-        {
-            readonly NativeReference<AsciiRowCount> m_rows = new NativeReference<AsciiRowCount>(Allocator.Persistent);
-
-            public NativeFileRead Read { get; } = new NativeFileRead(SegmentBytes, Allocator.Persistent);
-            public int Part { get; private set; }
-            public JobHandle Counted { get; private set; }
-
-            public JobHandle Begin(int part, AsciiSegments segments)
-            {
-                Part = part;
-                var read = Read.Begin(segments.m_file, segments.OffsetOf(part), SegmentBytes);
-                Counted = new CountAsciiRowsJob { Input = Read.Buffer, Bytes = SegmentBytes, Result = m_rows }.Schedule(read);
-                JobHandle.ScheduleBatchedJobs();
-                return Counted;
-            }
-
-            public int End()
-            {
-                Counted.Complete();
-                Read.End();
-                return m_rows.Value.RowsBehindFirstEnd;
-            }
-
-            public void Dispose()
-            {
-                Counted.Complete();
-                Read.Dispose();
-                m_rows.Dispose();
-            }
         }
     }
 }

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using FastPoints.Core;
 using Unity.Collections;
 using Unity.Jobs;
@@ -26,8 +27,7 @@ namespace FastPoints.Reading
         /// <summary>Completes when the columns are filled.</summary>
         public JobHandle Decoded { get; protected set; }
 
-        /// <summary>Jobs that the decoding of the next range comes behind, beside its read: slots that are ahead then keep no
-        /// more workers busy.</summary>
+        // Slots that are ahead then keep no more workers busy.
         internal JobHandle Dependency { get; set; }
 
         /// <summary>Starts reading; the slot must be idle. Main thread only; returns at once.</summary>
@@ -37,18 +37,15 @@ namespace FastPoints.Reading
         /// or any range costs only what it holds.</summary>
         public virtual bool TryKeepStates() => false;
 
-        /// <summary>The decoding state after the last completed range, which must have been complete: for the next range of its
-        /// block.</summary>
-        /// <param name="reused">A state that is no longer needed, whose memory it may take; or null.</param>
+        // After the last completed range, which must have been complete. The memory of a state in "reused" may be taken.
         internal virtual DecoderState KeepState(DecoderState reused) => throw new NotSupportedException();
 
-        /// <summary>Starts reading a range directly after the one whose state was kept: nothing is decoded twice.</summary>
-        /// <param name="from">The state, which the caller still owns; null if none was kept.</param>
+        // Directly after the range whose state was kept (null if none was): nothing is decoded twice. The caller owns the state.
         internal virtual void Begin(BlockRange range, DecoderState from) => throw new NotSupportedException();
 
         /// <summary>Waits for the decoding if necessary (poll <c>Decoded.IsCompleted</c> to avoid that), and closes the
         /// range.</summary>
-        /// <exception cref="Base.PointCloudException">The read or the decoding failed.</exception>
+        /// <exception cref="PointCloudException">The read or the decoding failed.</exception>
         public abstract void Complete();
 
         /// <summary>Cancels what is in flight, waits for it and frees the memory. May be called twice.</summary>
@@ -87,14 +84,113 @@ namespace FastPoints.Reading
         public long ErrorOffset;
     }
 
-    /// <summary>The state of decoding a block, from which decoding can continue without the block's beginning: see
-    /// <see cref="BlockRead.KeepState"/>. Any slot with the same reader and attributes may continue from it. The code that
-    /// requested it disposes it.</summary>
+    // Decoding continues from it in any slot with the same reader and attributes. Who requested it disposes it.
     internal abstract class DecoderState : IDisposable
     {
-        /// <summary>Bytes of memory that it takes.</summary>
         public abstract long Bytes { get; }
 
         public abstract void Dispose();
+    }
+
+    abstract class SlotRead : BlockRead
+    {
+        readonly PointReader m_reader;
+        readonly List<IDisposable> m_owned = new List<IDisposable>();
+        NativeReference<DecodeResult> m_result;
+        bool m_isBusy;
+        bool m_isDisposed;
+
+        protected SlotRead(PointReader reader, PointSchema wanted, int capacity, Allocator allocator)
+        {
+            foreach (var attribute in wanted)
+            {
+                int index = reader.Info.Schema.IndexOf(attribute.Name);
+                if (index < 0 || reader.Info.Schema[index].Type != attribute.Type)
+                    throw new ArgumentException("the source has no attribute " + attribute, nameof(wanted));
+            }
+            m_reader = reader;
+            Points = Own(new PointBatch(wanted, capacity, allocator));
+            Result = m_result = Own(new NativeReference<DecodeResult>(allocator));
+        }
+
+        protected bool IsBusy => m_isBusy;
+
+        // The range is not empty.
+        protected abstract JobHandle Schedule(BlockRange range);
+
+        protected JobHandle DependencyOf(JobHandle read) =>
+            Dependency.Equals(default) ? read : JobHandle.CombineDependencies(read, Dependency);
+
+        protected virtual void EndRead() => File.End();
+
+        protected virtual void Warn(DecodeResult result) { }
+
+        protected virtual void Cancel() { }
+
+        // What ends or frees besides what is owned. Also runs where the constructor failed half-way.
+        protected virtual void DisposeMore() { }
+
+        // The slot's read, if there is only one.
+        protected NativeFileRead File { get; private set; }
+
+        protected NativeFileRead OwnFile(long capacityBytes, Allocator allocator, int segments = 1) =>
+            File = Own(new NativeFileRead(capacityBytes, allocator, segments));
+
+        // Freed with the slot, what came last first.
+        protected T Own<T>(T memory) where T : IDisposable
+        {
+            m_owned.Add(memory);
+            return memory;
+        }
+
+        protected NativeArray<T> OwnArray<T>(int length, Allocator allocator,
+            NativeArrayOptions options = NativeArrayOptions.UninitializedMemory) where T : unmanaged =>
+            Own(new NativeArray<T>(length, allocator, options));
+
+        public sealed override void Begin(BlockRange range)
+        {
+            if (m_isBusy)
+                throw new InvalidOperationException(SlotRing.InFlight);
+            if (range.Block < 0 || range.Block >= m_reader.BlockCount)
+                throw new ArgumentOutOfRangeException(nameof(range), range.Block, "no such block");
+            int points = m_reader.PointsInBlock(range.Block);
+            if (range.First < 0 || range.Count < 0 || range.First > points - range.Count || range.Count > Points.Capacity)
+                throw new ArgumentOutOfRangeException(nameof(range), "wanted points " + range.First + " + " + range.Count +
+                    " of " + points + ", capacity " + Points.Capacity);
+            Range = range;
+            FirstPoint = m_reader.FirstPointOfBlock(range.Block) + range.First;
+            Points.Count = 0;
+            m_result.Value = default;
+            Result = m_result;
+            Decoded = range.Count == 0 ? default : Schedule(range);
+            m_isBusy = true;
+        }
+
+        public sealed override void Complete()
+        {
+            if (!m_isBusy)
+                throw new InvalidOperationException(SlotRing.NotInFlight);
+            m_isBusy = false;
+            Decoded.Complete();
+            if (Range.Count == 0)
+                return;
+            EndRead();
+            Points.Count = Math.Min(Result.Value.Points, Range.Count);
+            Warn(Result.Value);
+        }
+
+        public sealed override void Dispose()
+        {
+            if (m_isDisposed)
+                return;
+            m_isDisposed = true;
+            if (m_isBusy)
+                Cancel();
+            m_isBusy = false;
+            Decoded.Complete();
+            DisposeMore();
+            for (int i = m_owned.Count - 1; i >= 0; i--)
+                m_owned[i].Dispose();
+        }
     }
 }

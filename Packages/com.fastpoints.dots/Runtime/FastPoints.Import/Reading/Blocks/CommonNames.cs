@@ -4,8 +4,7 @@ using FastPoints.Core;
 
 namespace FastPoints.Reading
 {
-    /// <summary>Finds LAS's attributes by the names that writers of PLY, PCD, E57 and text give them: scalar_Classification,
-    /// return_number, las:gpsTime.</summary>
+    // LAS's attributes by the names that writers of PLY, PCD, E57 and text give them: scalar_Classification, las:gpsTime.
     static class CommonNames
     {
         static readonly Dictionary<string, string> s_names = new Dictionary<string, string>
@@ -27,8 +26,7 @@ namespace FastPoints.Reading
                 s_names.Add(name.ToLowerInvariant(), name);
         }
 
-        /// <summary>The attribute's name; null if it is none of LAS's. Case, blanks, underscores and a prefix of the writer's
-        /// do not count.</summary>
+        // Null if it is none of LAS's. Case, blanks, underscores and a prefix of the writer's do not count.
         public static string Of(string name)
         {
             var plain = new StringBuilder(name.Length);

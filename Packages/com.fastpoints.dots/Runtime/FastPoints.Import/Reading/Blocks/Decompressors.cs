@@ -2,6 +2,9 @@ using System;
 using System.Buffers;
 using System.IO.Compression;
 using System.Runtime.InteropServices;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.Jobs;
 
 namespace FastPoints.Reading
 {
@@ -12,32 +15,25 @@ namespace FastPoints.Reading
     /// is missing, a read fails and names <see cref="Brotli"/>. .NET Standard 2.1 has no zstandard decoder.</remarks>
     internal static class Decompressors
     {
-        /// <summary>Makes a decompressor of Brotli streams (Potree 2.0 of encoding BROTLI).</summary>
         public static Func<StreamDecompressor> Brotli { get; set; } = () => new BrotliStreamDecompressor();
 
-        /// <summary>Makes a decompressor of zstandard frames (EPT of data type zstandard), or null.</summary>
+        // EPT of data type zstandard; null for none.
         public static Func<StreamDecompressor> Zstandard { get; set; }
     }
 
-    /// <summary>Decompresses streams of one kind (Brotli, zstandard), one after the other and piece by piece, so that a long
-    /// stream is done in slices. Jobs call it on any thread, but only one at a time.</summary>
+    // Streams of one kind, one after the other and piece by piece. Jobs call it on any thread, but only one at a time.
     internal abstract class StreamDecompressor : IDisposable
     {
-        /// <summary>Forgets the previous stream: the next bytes begin a new one.</summary>
         public abstract void Start();
 
-        /// <summary>Decodes as much as fits into <paramref name="output"/>.</summary>
-        /// <param name="input">The rest of the stream; bytes that were consumed do not come again.</param>
-        /// <param name="consumed">Bytes of the input that were consumed.</param>
-        /// <param name="written">Bytes of the output; fewer than fit only if the stream has ended or is broken.</param>
-        /// <returns>False if the stream is broken.</returns>
+        // False if the stream is broken. Bytes of the input that were consumed do not come again; fewer are written than fit only
+        // if the stream has ended or is broken.
         public abstract bool Decode(ReadOnlySpan<byte> input, Span<byte> output, out int consumed, out int written);
 
         public abstract void Dispose();
     }
 
-    /// <summary>Decodes Brotli (RFC 7932) with the framework's own decoder, which allocates nothing once it has
-    /// started.</summary>
+    // RFC 7932, with the framework's own decoder, which allocates nothing once it has started.
     internal sealed class BrotliStreamDecompressor : StreamDecompressor
     {
         BrotliDecoder m_decoder;
@@ -67,7 +63,6 @@ namespace FastPoints.Reading
         public override void Dispose() => m_decoder.Dispose();
     }
 
-    /// <summary>A decompressor that jobs can find by a number.</summary>
     sealed class DecompressorHandle : IDisposable
     {
         GCHandle m_handle;
@@ -79,13 +74,9 @@ namespace FastPoints.Reading
         }
 
         public StreamDecompressor Decompressor { get; }
-
-        /// <summary>What the decompressor threw, or null.</summary>
         public Exception Failure { get; set; }
-
         public long Handle => (long)GCHandle.ToIntPtr(m_handle);
 
-        /// <summary>The jobs that use it must be complete.</summary>
         public void Dispose()
         {
             if (!m_handle.IsAllocated)
@@ -93,5 +84,57 @@ namespace FastPoints.Reading
             m_handle.Free();
             Decompressor.Dispose();
         }
+    }
+
+    // Burst does not compile it, since the decompressor is managed code. It is still a job, so that later jobs can depend on it
+    // and the main thread never waits for it (a Task allows neither).
+    unsafe struct DecompressJob : IJob
+    {
+        [ReadOnly] public NativeArray<byte> Input;
+        public int InputBytes;
+        [WriteOnly] public NativeArray<byte> Output;
+        public int Wanted;
+        public bool IsFirst;
+
+        // A GCHandle of a DecompressorHandle: jobs hold no references.
+        public long Slot;
+
+        public NativeReference<DecompressState> State;
+
+        public void Execute()
+        {
+            var slot = (DecompressorHandle)GCHandle.FromIntPtr((IntPtr)Slot).Target;
+            var state = IsFirst ? default : State.Value;
+            if (!state.IsBroken)
+                Decode(slot, ref state);
+            State.Value = state;
+        }
+
+        void Decode(DecompressorHandle slot, ref DecompressState state)
+        {
+            try
+            {
+                if (IsFirst)
+                    slot.Decompressor.Start();
+                byte* start = (byte*)Input.GetUnsafeReadOnlyPtr() + state.Consumed;
+                var input = new ReadOnlySpan<byte>(start, InputBytes - state.Consumed);
+                var output = new Span<byte>(Output.GetUnsafePtr(), Wanted);
+                bool isValid = slot.Decompressor.Decode(input, output, out int consumed, out int written);
+                state.Consumed += consumed;
+                state.IsBroken = !isValid || written < Wanted;
+            }
+            catch (Exception e)
+            {
+                // An exception that left a job would end as a line in Unity's log, with points that were never decoded.
+                slot.Failure = e;
+                state.IsBroken = true;
+            }
+        }
+    }
+
+    struct DecompressState
+    {
+        public int Consumed;
+        public bool IsBroken;
     }
 }

@@ -1,16 +1,13 @@
 using System;
+using System.Collections;
 using System.Collections.Generic;
 using FastPoints.Core;
 
 namespace FastPoints.Reading
 {
-    /// <summary>Plans the passes over records that fill a batch's columns; the same plan packs columns into records.</summary>
+    // The passes over records that fill a batch's columns; the same plan packs columns into records.
     internal static class FieldCopyPlan
     {
-        /// <param name="fields">What a record holds.</param>
-        /// <param name="batch">Its schema says what is wanted, its columns where it goes.</param>
-        /// <param name="isBigEndian">The byte order of the records.</param>
-        /// <exception cref="ArgumentException">The records lack an attribute, or have it in another type.</exception>
         public static FieldCopy[] Make(PointFields fields, PointBatch batch, bool isBigEndian = false)
         {
             var wanted = new PointField[batch.Schema.Count];
@@ -23,9 +20,6 @@ namespace FastPoints.Reading
             return Make(wanted, columns, isBigEndian);
         }
 
-        /// <summary>The same for chosen columns of a batch.</summary>
-        /// <param name="fields">Where the wanted values lie in a record.</param>
-        /// <param name="columns">Where each of them goes in the batch.</param>
         public static FieldCopy[] Make(PointField[] fields, PointColumn[] columns, bool isBigEndian = false)
         {
             var copies = new List<FieldCopy>(fields.Length);
@@ -67,7 +61,6 @@ namespace FastPoints.Reading
             copies.RemoveAt(colorAt);
         }
 
-        /// <summary>Whether two fields of one width lie side by side, as the axes and the colours do.</summary>
         static bool Follows(PointField first, PointField second) => !first.IsBits && !second.IsBits
             && second.Type.SizeOf() == first.Type.SizeOf() && second.ByteOffset == first.ByteOffset + first.Type.SizeOf();
 
@@ -80,42 +73,34 @@ namespace FastPoints.Reading
         };
     }
 
-    /// <summary>How one <see cref="FieldCopy"/> moves values. Sizes in bytes.</summary>
     internal enum FieldCopyKind : byte
     {
-        /// <summary>Some bits of one byte.</summary>
         Bits,
         One,
         Two,
         Four,
         Eight,
-        /// <summary>Values whose bytes lie in the other order.</summary>
         TwoReversed,
         FourReversed,
         EightReversed,
-        /// <summary>Three neighbouring values (R, G, B; X, Y, Z) into three columns in one pass over the records.</summary>
+        // Three neighbouring values (R, G, B; X, Y, Z) into three columns in one pass over the records.
         ThreeOfOne,
         ThreeOfTwo,
         ThreeOfFour,
         ThreeOfEight,
-        /// <summary>X, Y, Z and R, G, B, six columns in one pass: what most scenes want, and faster than two passes.</summary>
+        // Six columns in one pass: what most scenes want, and faster than two passes.
         PositionAndColor,
     }
 
-    /// <summary>A copy from a place in each record to one or several columns. Blittable: jobs carry arrays of these.</summary>
+    // From a place in each record to one or several columns. Blittable: jobs carry arrays of these.
     internal struct FieldCopy
     {
-        /// <summary>Offset of the value in the record.</summary>
         public int RecordByte;
-
-        /// <summary>Offset of the column's first value in the batch.</summary>
         public int Column0;
-
-        /// <summary>The second and third column of the kinds that have them.</summary>
         public int Column1;
         public int Column2;
 
-        /// <summary>Like the first four, for the colour of <see cref="FieldCopyKind.PositionAndColor"/>.</summary>
+        // Of PositionAndColor.
         public int ColorByte;
         public int Red;
         public int Green;
@@ -123,8 +108,86 @@ namespace FastPoints.Reading
 
         public FieldCopyKind Kind;
         public byte BitShift;
-
-        /// <summary>Mask to apply after the shift.</summary>
         public byte BitMask;
+    }
+
+    internal struct PointField
+    {
+        public string Name;
+
+        // Bit fields are UInt8.
+        public readonly AttributeType Type;
+
+        public int ByteOffset;
+        public readonly int BitShift;
+
+        // 0 for a value with bytes of its own.
+        public readonly int BitWidth;
+
+        // Value = stored * Scale + Offset; 1 and 0 unless the file says otherwise.
+        public readonly double Scale;
+
+        public readonly double Offset;
+
+        public PointField(string name, AttributeType type, int byteOffset, double scale = 1, double offset = 0)
+        {
+            Name = name;
+            Type = type;
+            ByteOffset = byteOffset;
+            BitShift = 0;
+            BitWidth = 0;
+            Scale = scale;
+            Offset = offset;
+        }
+
+        public PointField(string name, int byteOffset, int bitShift, int bitWidth) : this(name, AttributeType.UInt8, byteOffset)
+        {
+            BitShift = bitShift;
+            BitWidth = bitWidth;
+        }
+
+        public readonly bool IsBits => BitWidth != 0;
+
+        public readonly PointAttribute ToAttribute() => new PointAttribute(Name, Type, Scale, Offset);
+    }
+
+    internal sealed class PointFields : IReadOnlyList<PointField>
+    {
+        readonly List<PointField> m_fields = new List<PointField>();
+        readonly Dictionary<string, int> m_indexOfName = new Dictionary<string, int>();
+
+        public int Count => m_fields.Count;
+
+        public PointField this[int index] => m_fields[index];
+
+        // Files give one name twice, and extra bytes the names of standard fields: columns are found by name, so a later one is
+        // numbered. Returns the field under its final name.
+        public PointField Add(PointField field)
+        {
+            string name = field.Name;
+            for (int number = 2; m_indexOfName.ContainsKey(field.Name); number++)
+                field.Name = name + " (" + NumberText.Of(number) + ")";
+            m_indexOfName.Add(field.Name, m_fields.Count);
+            m_fields.Add(field);
+            return field;
+        }
+
+        public int IndexOf(PointAttribute column) =>
+            m_indexOfName.TryGetValue(column.Name, out int index) && m_fields[index].Type == column.Type
+                ? index
+                : throw new ArgumentException("the records have no attribute " + column);
+
+        public bool TryFind(string name, out PointField field)
+        {
+            bool found = m_indexOfName.TryGetValue(name, out int index);
+            field = found ? m_fields[index] : default;
+            return found;
+        }
+
+        public PointSchema ToSchema() => new PointSchema(m_fields.ConvertAll(field => field.ToAttribute()));
+
+        public IEnumerator<PointField> GetEnumerator() => m_fields.GetEnumerator();
+
+        IEnumerator IEnumerable.GetEnumerator() => GetEnumerator();
     }
 }

@@ -7,11 +7,10 @@ using Unity.Jobs;
 
 namespace FastPoints.Reading
 {
-    /// <summary>Reads one segment of a file into native memory, or several with one request: at most one is in flight, into a
-    /// buffer that is reused.</summary>
+    // One segment of a file, or several with one request: at most one is in flight, into a buffer that is reused.
     sealed unsafe class NativeFileRead : IDisposable
     {
-        /// <summary>Bytes behind the data that jobs may overwrite with an end mark, or load and ignore.</summary>
+        // Bytes behind the data that jobs may overwrite with an end mark, or load and ignore.
         public const int PaddingBytes = 16;
 
         readonly Allocator m_allocator;
@@ -22,7 +21,6 @@ namespace FastPoints.Reading
         string m_path;
         bool m_isReading;
 
-        /// <param name="segments">The most segments of one request.</param>
         public NativeFileRead(long capacityBytes, Allocator allocator, int segments = 1)
         {
             m_allocator = allocator;
@@ -30,7 +28,7 @@ namespace FastPoints.Reading
             m_commands = new NativeArray<ReadCommand>(Math.Max(1, segments), allocator);
         }
 
-        /// <summary>Makes room for so many bytes; what is in the buffer is lost. There is no read in flight.</summary>
+        // What is in the buffer is lost. There is no read in flight.
         public void Reserve(long capacityBytes)
         {
             if (capacityBytes > int.MaxValue - PaddingBytes)
@@ -43,18 +41,10 @@ namespace FastPoints.Reading
             m_buffer = new NativeArray<byte>(bytes, m_allocator, NativeArrayOptions.UninitializedMemory);
         }
 
-        /// <summary>The bytes, valid after the handle that <see cref="Begin(SourceHandle, int)"/> gives.</summary>
         public NativeArray<byte> Buffer => m_buffer;
-
-        /// <summary>For several segments: where each lies in the file and goes in the buffer.</summary>
         public NativeArray<ReadCommand> Commands => m_commands;
-
-        /// <summary>Of the first segment.</summary>
         public long Offset => m_commands[0].Offset;
-
-        /// <summary>Of the first segment.</summary>
         public int Bytes => (int)m_commands[0].Size;
-
         public bool IsReading => m_isReading;
 
         public JobHandle Begin(SourceHandle file, long offset, int bytes)
@@ -63,7 +53,6 @@ namespace FastPoints.Reading
             return bytes > 0 ? Begin(file, 1) : default;
         }
 
-        /// <summary>Begins the first of <see cref="Commands"/>.</summary>
         public JobHandle Begin(SourceHandle file, int commands)
         {
             m_path = file.Path;
@@ -76,8 +65,7 @@ namespace FastPoints.Reading
             return m_handle.JobHandle;
         }
 
-        /// <summary>Reads from a file that is opened and closed for it.</summary>
-        /// <param name="path">An absolute path.</param>
+        // The file is opened and closed for it; the path is absolute.
         public JobHandle Begin(string path, long offset, int bytes)
         {
             m_path = path;
@@ -89,8 +77,6 @@ namespace FastPoints.Reading
             return m_handle.JobHandle;
         }
 
-        /// <summary>Closes a read that is finished.</summary>
-        /// <exception cref="PointCloudException">It failed, or the file has become shorter since it was opened.</exception>
         public void End()
         {
             var status = Close(out _);
@@ -99,8 +85,7 @@ namespace FastPoints.Reading
                     ? "the file has become shorter since it was opened" : "the file could not be read");
         }
 
-        /// <summary>Closes a read that is finished, and says how it ended.</summary>
-        /// <param name="got">Bytes of a single segment that came.</param>
+        // got: bytes of a single segment that came.
         public ReadStatus Close(out long got)
         {
             got = Bytes;
@@ -115,14 +100,12 @@ namespace FastPoints.Reading
             return status;
         }
 
-        /// <summary>Asks a read in flight to stop early; it stays open.</summary>
         public void Cancel()
         {
             if (m_isReading)
                 m_handle.Cancel();
         }
 
-        /// <summary>Jobs that use the buffer must be complete. May be called twice.</summary>
         public void Dispose()
         {
             if (!m_buffer.IsCreated)
@@ -131,6 +114,32 @@ namespace FastPoints.Reading
             Close(out _);
             m_buffer.Dispose();
             m_commands.Dispose();
+        }
+    }
+
+    // Opened at the first read: threads of the pool open readers, but handles belong to the main thread.
+    sealed class SourceHandle
+    {
+        FileHandle m_handle;
+        bool m_isOpen;
+
+        public SourceHandle(string path) => Path = path;
+
+        public string Path { get; }
+
+        public ref readonly FileHandle Open()
+        {
+            if (!m_isOpen)
+                m_handle = AsyncReadManager.OpenFileAsync(System.IO.Path.GetFullPath(Path));
+            m_isOpen = true;
+            return ref m_handle;
+        }
+
+        public void Close()
+        {
+            if (m_isOpen)
+                m_handle.Close().Complete();
+            m_isOpen = false;
         }
     }
 }

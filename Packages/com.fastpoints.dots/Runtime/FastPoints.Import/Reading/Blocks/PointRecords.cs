@@ -1,41 +1,39 @@
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+
 namespace FastPoints.Reading
 {
-    /// <summary>Copies point records to columns and back: one tight strided loop for each copy of a plan. Called by jobs and
-    /// directly; HPC#.</summary>
-    /// <remarks>Values in a record are not aligned, so they are loaded through pointers, which the machines Unity runs on allow.
-    /// Several copies go over the same records: in tiles, so that a record comes from memory once and from the L1 cache
-    /// after.</remarks>
+    // One tight strided loop for each copy of a plan; called by jobs and directly. Values in a record are not aligned, so they
+    // are loaded through pointers, which the machines Unity runs on allow. Several copies go over the same records in tiles, so
+    // that a record comes from memory once and from the L1 cache after.
     internal static unsafe class PointRecords
     {
         const int TileBytes = 16 << 10;
 
-        /// <summary>Fills the columns that <paramref name="copies"/> name with <paramref name="count"/> points, from
-        /// <paramref name="firstPoint"/> of the columns on.</summary>
-        public static void ToColumns(byte* records, int recordBytes, int count, FieldCopy* copies, int copyCount,
-            byte* columns, int firstPoint = 0)
+        public static void ToColumns(byte* records, int recordBytes, int count, FieldCopies copies, byte* columns,
+            int firstPoint = 0)
         {
             int tilePoints = TilePoints(recordBytes);
             for (int first = 0; first < count; first += tilePoints)
             {
                 int points = count - first < tilePoints ? count - first : tilePoints;
                 byte* tile = records + (long)first * recordBytes;
-                for (int i = 0; i < copyCount; i++)
-                    ToColumn(tile, recordBytes, points, copies + i, columns, firstPoint + first);
+                for (int i = 0; i < copies.Count; i++)
+                    ToColumn(tile, recordBytes, points, copies.First + i, columns, firstPoint + first);
             }
         }
 
-        /// <summary>Packs <paramref name="count"/> points of the columns, from <paramref name="firstPoint"/> on, into records,
-        /// whose other bytes (and bits) stay as they are.</summary>
-        public static void FromColumns(byte* columns, int firstPoint, int count, FieldCopy* copies, int copyCount,
-            byte* records, int recordBytes)
+        // The other bytes (and bits) of the records stay as they are.
+        public static void FromColumns(byte* columns, int firstPoint, int count, FieldCopies copies, byte* records,
+            int recordBytes)
         {
             int tilePoints = TilePoints(recordBytes);
             for (int first = 0; first < count; first += tilePoints)
             {
                 int points = count - first < tilePoints ? count - first : tilePoints;
                 byte* tile = records + (long)first * recordBytes;
-                for (int i = 0; i < copyCount; i++)
-                    FromColumn(columns, firstPoint + first, points, copies + i, tile, recordBytes);
+                for (int i = 0; i < copies.Count; i++)
+                    FromColumn(columns, firstPoint + first, points, copies.First + i, tile, recordBytes);
             }
         }
 
@@ -288,5 +286,21 @@ namespace FastPoints.Reading
             for (int i = 0; i < count; i++, to += stride)
                 *(uint*)to = from[i];
         }
+    }
+
+    // Copies of a plan, in memory that stays where it is meanwhile.
+    internal readonly unsafe struct FieldCopies
+    {
+        public readonly FieldCopy* First;
+        public readonly int Count;
+
+        public FieldCopies(FieldCopy* first, int count)
+        {
+            First = first;
+            Count = count;
+        }
+
+        public static implicit operator FieldCopies(NativeArray<FieldCopy> copies) =>
+            new FieldCopies((FieldCopy*)copies.GetUnsafeReadOnlyPtr(), copies.Length);
     }
 }

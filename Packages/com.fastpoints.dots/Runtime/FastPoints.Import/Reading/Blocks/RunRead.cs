@@ -10,10 +10,8 @@ using Unity.Profiling.LowLevel.Unsafe;
 
 namespace FastPoints.Reading
 {
-    /// <summary>A slot for sources of a fixed stride that reads many short runs, scattered over the file, into places of a batch
-    /// with one request, as samples need. A block read for each of them would cost several times as much.</summary>
-    /// <remarks>Slots that write to different places of one batch may be in flight together. Memory is bounded by the buffer,
-    /// whatever is requested.</remarks>
+    // Reads many short runs, scattered over a file of fixed stride, into places of a batch with one request, as samples need; a
+    // block read for each would cost several times as much. Slots that write to different places may be in flight together.
     internal sealed unsafe class RunRead : IDisposable
     {
         readonly FixedRecords m_records;
@@ -23,9 +21,7 @@ namespace FastPoints.Reading
         NativeArray<FieldCopy> m_copies;
         NativeReference<long> m_ended;
 
-        /// <param name="target">The batch that the points go to, whose schema says what is wanted.</param>
-        /// <param name="maxRuns">The most runs in one request.</param>
-        /// <param name="maxBytes">The most bytes in one request, at least those of the longest run.</param>
+        // maxBytes: of one request, at least those of the longest run.
         public RunRead(FixedRecords records, PointBatch target, int maxRuns, int maxBytes, Allocator allocator)
         {
             m_records = records;
@@ -36,31 +32,19 @@ namespace FastPoints.Reading
             m_ended = new NativeReference<long>(allocator);
         }
 
-        /// <summary>Completes when the points are in place.</summary>
         public JobHandle Decoded { get; private set; }
-
-        /// <summary>Separate segments of the file in the last request.</summary>
         public int Segments { get; private set; }
-
-        /// <summary>Bytes read by the last request, including gaps.</summary>
         public long BytesRead { get; private set; }
 
-        /// <summary>When the last request began and when its bytes had arrived, in the time of <see cref="ReadClock"/>.</summary>
+        // In the time of ReadClock; Ended when the bytes had arrived.
         internal long Begun { get; private set; }
 
         internal long Ended => m_ended.Value;
 
-        /// <summary>Bytes of the file from a run's first record to its last.</summary>
         public static long BytesOf(in PointRun run, int recordBytes) => (run.Last - run.First + 1) * recordBytes;
 
-        /// <summary>Starts reading as many of the runs as fit; the slot must be idle. Main thread only; returns at
-        /// once.</summary>
-        /// <param name="runs">Runs in the file's order, without overlaps, all within the file.</param>
-        /// <param name="first">The first one to take.</param>
-        /// <param name="max">The most to take.</param>
-        /// <param name="gapBytes">Runs that are no farther apart are read in one segment: use more for a file that is slow to
-        /// seek.</param>
-        /// <returns>The number of runs that were taken.</returns>
+        // Starts as many of the runs as fit, up to max, and says how many; main thread only. The runs lie in the file's order
+        // without overlaps. Those no farther apart than gapBytes are read in one segment: more for a file that is slow to seek.
         public int Begin(NativeArray<PointRun> runs, int first, int max, int gapBytes)
         {
             if (m_file.IsReading)
@@ -115,9 +99,6 @@ namespace FastPoints.Reading
             return taken;
         }
 
-        /// <summary>Waits for the decoding if necessary (poll <c>Decoded.IsCompleted</c> to avoid that), and closes the
-        /// request.</summary>
-        /// <exception cref="PointCloudException">The read failed, or the file has become shorter since it was opened.</exception>
         public void Complete()
         {
             Decoded.Complete();
@@ -130,7 +111,6 @@ namespace FastPoints.Reading
                 : "reading " + NumberText.Of(BytesRead) + " bytes from here on failed");
         }
 
-        /// <summary>Cancels what is in flight, waits for it and frees the memory. May be called twice.</summary>
         public void Dispose()
         {
             if (!m_runs.IsCreated)
@@ -144,7 +124,6 @@ namespace FastPoints.Reading
         }
     }
 
-    /// <summary>Decodes scattered records that a read has brought into memory to their places in a batch.</summary>
     [BurstCompile]
     struct DecodeRunsJob : IJob
     {
@@ -166,58 +145,39 @@ namespace FastPoints.Reading
                 var run = Runs[i];
                 if (run.FirstByte + (run.Count - 1L) * run.StrideBytes + RecordBytes > Records.Length)
                     return;
-                PointRecords.ToColumns(records + run.FirstByte, run.StrideBytes, run.Count,
-                    (FieldCopy*)Copies.GetUnsafeReadOnlyPtr(), Copies.Length, columns, run.Place);
+                PointRecords.ToColumns(records + run.FirstByte, run.StrideBytes, run.Count, Copies, columns, run.Place);
             }
         }
     }
 
-    /// <summary>Evenly spaced points of a source (First, First + Step, ...) and where in a batch they go, one after the
-    /// other.</summary>
+    // First, First + Step, ... of a source, one after the other in a batch from Place on.
     internal struct PointRun
     {
-        /// <summary>Index of the first point in the whole source.</summary>
         public long First;
-
-        /// <summary>Points from one to the next, at least 1.</summary>
         public int Step;
-
-        /// <summary>At least 1.</summary>
         public int Count;
-
-        /// <summary>Place of the first point in the batch.</summary>
         public int Place;
 
         public long Last => First + (Count - 1L) * Step;
     }
 
-    /// <summary>A <see cref="PointRun"/> whose records have been read. Blittable: jobs carry arrays of these.</summary>
     struct BufferedRun
     {
-        /// <summary>Offset of the first record in the buffer.</summary>
         public int FirstByte;
-
-        /// <summary>Bytes from one wanted record to the next.</summary>
         public int StrideBytes;
-
         public int Count;
-
-        /// <summary>Place of the first point in the batch.</summary>
         public int Place;
     }
 
-    /// <summary>Records when the jobs that it depends on were done.</summary>
     [BurstCompile]
     struct TimestampJob : IJob
     {
-        /// <summary>In the time of <see cref="ReadClock"/>.</summary>
         public NativeReference<long> At;
 
         public void Execute() => At.Value = ReadClock.Now;
     }
 
-    /// <summary>The clock for the duration of reads. Jobs can read it; the coroutine would see a finished read only in its next
-    /// update.</summary>
+    // Jobs can read it; the coroutine would see a finished read only in its next update.
     static class ReadClock
     {
         public static long Now => ProfilerUnsafeUtility.Timestamp;

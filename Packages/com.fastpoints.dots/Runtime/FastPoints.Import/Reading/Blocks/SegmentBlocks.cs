@@ -1,15 +1,23 @@
 using System;
+using System.Collections.Generic;
+using FastPoints.Core;
 
 namespace FastPoints.Reading
 {
-    /// <summary>A source whose points have no fixed length: a block is a segment of the file with the points that start in it,
-    /// and a range reads its whole block.</summary>
+    // Points have no fixed length: a block is a segment of the file with the points that start in it, read whole for any range.
     internal abstract class SegmentReader : PointReader
     {
+        private protected SegmentReader(SourceInfo info, SourceHandle file)
+        {
+            Info = info;
+            File = file;
+        }
+
+        internal SourceHandle File { get; }
+
         private protected SegmentBlocks Blocks { get; } = new SegmentBlocks();
 
         public override int BlockCount => Blocks.Count;
-
         public override int MaxPointsPerBlock => Blocks.Count == 0 ? 0 : Blocks.MaxPoints;
 
         public override long FirstPointOfBlock(int block) => Blocks[block].FirstPoint;
@@ -19,24 +27,55 @@ namespace FastPoints.Reading
         public override long PlaceOfBlock(int block) => Blocks[block].OffsetBytes;
 
         public override long BytesOfRange(BlockRange range) => range.Count == 0 ? 0 : Blocks[range.Block].Bytes;
+
+        public override void CloseFile() => File.Close();
     }
 
-    /// <summary>The blocks of such a source, once they are found.</summary>
+    // Text of a point a line: lines all over it can be found by jumping, each as likely as any other.
+    internal abstract class LineReader : SegmentReader, IPrefixSource
+    {
+        public const int MaxPrefixes = AsciiSegments.Count;
+
+        readonly long m_dataOffset;
+        AsciiSegments m_segments;
+
+        private protected LineReader(SourceInfo info, SourceHandle file, long dataOffset) : base(info, file)
+        {
+            m_dataOffset = dataOffset;
+        }
+
+        private protected bool AreAllFound { get; set; }
+
+        public sealed override bool BlocksAreKnown => AreAllFound;
+
+        public virtual bool HasPrefixes => !AreAllFound && Info.FileBytes - m_dataOffset >= AsciiSegments.MinBytes;
+
+        public PointEstimate EstimatedPoints =>
+            Info.HasPointsClaimed ? new PointEstimate(Info.PointsClaimed, 0) : m_segments.Estimate;
+
+        public IEnumerator<JobStep> FindPrefixes(int places)
+        {
+            m_segments ??= new AsciiSegments(File, Info.FileBytes, m_dataOffset);
+            yield return JobStep.Of(m_segments.Find(places));
+            Blocks.Take(m_segments.Blocks);
+            BlocksFound();
+        }
+
+        // Earlier blocks have kept their numbers.
+        private protected virtual void BlocksFound() { }
+    }
+
     sealed class SegmentBlocks
     {
         SegmentBlock[] m_blocks;
 
         public bool AreFound => m_blocks != null;
-
         public int Count => Found().Length;
-
         public int MaxPoints { get; private set; }
-
         public int MaxBytes { get; private set; }
 
         public SegmentBlock this[int block] => Found()[block];
 
-        /// <returns>The points of all blocks.</returns>
         public long Take(SegmentBlock[] blocks)
         {
             m_blocks = blocks;
@@ -54,20 +93,17 @@ namespace FastPoints.Reading
         SegmentBlock[] Found() => m_blocks ?? throw new InvalidOperationException("FindBlocks comes first");
     }
 
-    /// <summary>A segment of a file with the points that start in it.</summary>
     struct SegmentBlock
     {
         public long OffsetBytes;
         public int Bytes;
-
-        /// <summary>Index of the first point in the whole file.</summary>
         public long FirstPoint;
         public int Points;
 
-        /// <summary>Of text: lines of the block that belong to what comes before the points.</summary>
+        // Of text: lines of the block that belong to what comes before the points.
         public int RowsBefore;
 
-        /// <summary>Of text: whether the block starts within a line that belongs to an earlier block.</summary>
+        // Of text: the block starts within a line that belongs to an earlier block.
         public bool StartsInRow;
     }
 }

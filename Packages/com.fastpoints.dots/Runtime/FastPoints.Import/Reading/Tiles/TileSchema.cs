@@ -1,11 +1,11 @@
 using System;
 using System.Collections.Generic;
+using System.Globalization;
 using FastPoints.Core;
 
 namespace FastPoints.Reading
 {
-    /// <summary>The common attributes and positions of several files: all attributes of all of them, with types that hold every
-    /// file's values, and one transform for all positions.</summary>
+    // All attributes of all files, with types that hold every file's values, and one transform for all positions.
     sealed class TileSchema
     {
         readonly List<Tile> m_tiles;
@@ -14,8 +14,7 @@ namespace FastPoints.Reading
         readonly List<string> m_missing = new List<string>();
         readonly Dictionary<PointSchema, List<Tile>> m_tilesOfSchema = new Dictionary<PointSchema, List<Tile>>();
 
-        /// <param name="tiles">At least one tile; equal schemas must be one object.</param>
-        /// <param name="info">Receives schema, transform, and a warning for each change.</param>
+        // Equal schemas of tiles must be one object. The info receives schema, transform, and a warning for each change.
         public TileSchema(List<Tile> tiles, SourceInfo info)
         {
             m_tiles = tiles;
@@ -52,10 +51,7 @@ namespace FastPoints.Reading
             m_info.Transform = transform;
         }
 
-        /// <summary>Plans how a tile's column becomes that of the cloud.</summary>
-        /// <param name="from">The tile's attribute, or null if it has none.</param>
-        /// <param name="to">The cloud's.</param>
-        /// <returns>The plan without the columns' offsets.</returns>
+        // The plan without the columns' offsets. The tile's attribute is null if it has none.
         public static TileColumn Convert(Tile tile, PointAttribute from, PointAttribute to, in PositionTransform cloud)
         {
             var column = new TileColumn { Kind = TileColumnKind.Copy, Factor = 1, Scale = 1 };
@@ -214,19 +210,16 @@ namespace FastPoints.Reading
 
     enum TileColumnKind : byte
     {
-        /// <summary>Copies values unchanged.</summary>
         Copy,
-        /// <summary>The tile has no such attribute.</summary>
         Zero,
-        /// <summary>Converts integers to wider ones: stored * Factor.</summary>
+        // Integers to wider ones: stored * Factor.
         Integer,
-        /// <summary>Converts positions to places on the common grid: stored * Factor + Shift, as int64.</summary>
+        // Places on the common grid: stored * Factor + Shift, as int64.
         Place,
-        /// <summary>Converts any numbers to floats: stored * Scale + Offset.</summary>
+        // Any numbers to floats: stored * Scale + Offset.
         Real,
     }
 
-    /// <summary>How one column of a tile becomes that of the whole cloud. Blittable: jobs carry arrays of these.</summary>
     struct TileColumn
     {
         public TileColumnKind Kind;
@@ -236,5 +229,127 @@ namespace FastPoints.Reading
         public long Shift;
         public double Scale;
         public double Offset;
+    }
+
+    sealed class Tile
+    {
+        public string Path;
+        public long FileBytes;
+
+        // Shared by all tiles with equal schemas.
+        public PointSchema Schema;
+
+        public PositionTransform Transform;
+
+        // A header gave the blocks: the reader can be closed and reopened.
+        public bool IsKnown;
+
+        public bool HasFixedStride;
+        public int RecordBytes;
+        public int FirstBlock;
+        public int BlockCount;
+        public int MaxPointsPerBlock;
+        public long FirstPoint;
+        public long Points;
+        public PointReader Reader;
+
+        // It may hold a file's handle.
+        public bool IsOpen;
+        public int Users;
+        public long LastUse;
+        public List<int> Warnings;
+    }
+
+    sealed class TileSummary
+    {
+        readonly SourceInfo m_info;
+        readonly SortedDictionary<string, int> m_formats = new SortedDictionary<string, int>(StringComparer.Ordinal);
+        string m_firstPath;
+        string m_pathOfCrs;
+        string m_pathOfOtherCrs;
+        int m_otherCrs;
+        int m_withoutCrs;
+        bool m_hasBounds = true;
+
+        public TileSummary(SourceInfo info)
+        {
+            m_info = info;
+            m_info.PointsReadable = -1;
+        }
+
+        public void Include(SourceInfo tile)
+        {
+            bool isFirst = m_firstPath == null;
+            m_firstPath ??= tile.Path;
+            m_formats.TryGetValue(tile.Format, out int with);
+            m_formats[tile.Format] = with + 1;
+            m_info.FileBytes += tile.FileBytes;
+            m_info.PointsClaimed = m_info.PointsClaimed <= ulong.MaxValue - tile.PointsClaimed
+                ? m_info.PointsClaimed + tile.PointsClaimed
+                : ulong.MaxValue;
+            m_info.HasPointsClaimed &= tile.HasPointsClaimed;
+            if (isFirst)
+            {
+                m_info.Version = tile.Version;
+                m_info.PointFormat = tile.PointFormat;
+                m_info.RecordBytes = tile.RecordBytes;
+            }
+            if (m_info.Version != tile.Version)
+                m_info.Version = null;
+            if (m_info.PointFormat != tile.PointFormat)
+                m_info.PointFormat = -1;
+            if (m_info.RecordBytes != tile.RecordBytes)
+                m_info.RecordBytes = 0;
+
+            if (tile.HasBoundsClaimed && !tile.BoundsClaimed.IsEmpty)
+                m_info.BoundsClaimed.Include(tile.BoundsClaimed);
+            m_hasBounds &= tile.HasBoundsClaimed || tile.PointsReadable == 0;
+            IncludeCrs(tile);
+        }
+
+        void IncludeCrs(SourceInfo tile)
+        {
+            if (!tile.Crs.IsKnown)
+            {
+                m_withoutCrs++;
+            }
+            else if (m_pathOfCrs == null)
+            {
+                m_pathOfCrs = tile.Path;
+                m_info.Crs = tile.Crs;
+            }
+            else if (!IsSame(m_info.Crs, tile.Crs))
+            {
+                m_pathOfOtherCrs ??= tile.Path + ": " + tile.Crs.Summary;
+                m_otherCrs++;
+            }
+        }
+
+        public string Describe(SourceInfo tile) => tile.Format + (tile.Version != null ? " " + tile.Version : "") + ", " +
+            (tile.PointsReadable >= 0 ? tile.PointsReadable.ToString("N0", CultureInfo.InvariantCulture) + " points" :
+                tile.FileBytes.ToString("N0", CultureInfo.InvariantCulture) + " bytes");
+
+        public void End(int tiles)
+        {
+            var formats = new List<string>();
+            foreach (var format in m_formats)
+                formats.Add(format.Key + " (" + NumberText.Of(format.Value) + ")");
+            m_info.Format = m_formats.Count == 1 ? new List<string>(m_formats.Keys)[0] : "several formats";
+            m_info.Facts.Insert(0, new KeyValuePair<string, string>("files",
+                tiles.ToString("N0", CultureInfo.InvariantCulture) + ": " + string.Join(", ", formats)));
+            m_info.HasBoundsClaimed = m_hasBounds && !m_info.BoundsClaimed.IsEmpty;
+            if (m_otherCrs > 0)
+                m_info.Warn(-1, "coordinate systems differ: " + m_info.Crs.Summary + " was taken (of " + m_pathOfCrs + "), " +
+                    m_otherCrs + " files have others (" + m_pathOfOtherCrs + "): points are not moved between them");
+            if (m_pathOfCrs != null && m_withoutCrs > 0)
+                m_info.Warn(-1, m_withoutCrs + " files name no coordinate system: that of " + m_pathOfCrs + " was taken");
+        }
+
+        static bool IsSame(CoordinateSystem a, CoordinateSystem b)
+        {
+            if (a.Epsg != 0 && b.Epsg != 0)
+                return a.Epsg == b.Epsg && a.VerticalEpsg == b.VerticalEpsg;
+            return a.Wkt != null || b.Wkt != null ? a.Wkt == b.Wkt : a.Name == b.Name && a.Epsg == b.Epsg;
+        }
     }
 }

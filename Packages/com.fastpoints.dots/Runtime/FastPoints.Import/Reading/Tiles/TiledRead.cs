@@ -1,13 +1,127 @@
 using System;
 using System.Collections.Generic;
 using FastPoints.Core;
+using Unity.Burst;
 using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
 using Unity.Jobs;
+using Unity.Mathematics;
 
 namespace FastPoints.Reading
 {
-    /// <summary>A slot of <see cref="TiledReader"/>: a slot of the tile that contains its range, and a job that converts the
-    /// tile's columns to the cloud's.</summary>
+    [BurstCompile]
+    unsafe struct FillTileColumnsJob : IJobFor
+    {
+        // A piece takes less than a millisecond of managed code.
+        public const int PointsPerPiece = 1 << 14;
+
+        const int RunLength = ColumnValues.RunLength;
+
+        [ReadOnly] public NativeArray<byte> Input;
+        [ReadOnly] public NativeReference<DecodeResult> Decoded;
+        [ReadOnly] public NativeArray<TileColumn> Columns;
+
+        // Points that both sides have room for.
+        public int Capacity;
+
+        // Pieces write to disjoint places.
+        [NativeDisableParallelForRestriction] public NativeArray<byte> Output;
+
+        public static int PieceCount(int points) => (points + PointsPerPiece - 1) / PointsPerPiece;
+
+        public void Execute(int index)
+        {
+            int first = index * PointsPerPiece;
+            int end = math.min(first + PointsPerPiece, math.min(Decoded.Value.Points, Capacity));
+            if (end <= first)
+                return;
+            byte* input = (byte*)Input.GetUnsafeReadOnlyPtr();
+            byte* output = (byte*)Output.GetUnsafePtr();
+            for (int i = 0; i < Columns.Length; i++)
+            {
+                var column = Columns[i];
+                int size = column.To.Type.SizeOf();
+                byte* from = input + column.From.OffsetBytes;
+                byte* to = output + column.To.OffsetBytes;
+                switch (column.Kind)
+                {
+                    case TileColumnKind.Copy:
+                        UnsafeUtility.MemCpy(to + (long)first * size, from + (long)first * size, (long)(end - first) * size);
+                        break;
+                    case TileColumnKind.Zero:
+                        UnsafeUtility.MemClear(to + (long)first * size, (long)(end - first) * size);
+                        break;
+                    case TileColumnKind.Real:
+                        ToReals(column, from, to, first, end);
+                        break;
+                    default:
+                        ToIntegers(column, from, to, first, end);
+                        break;
+                }
+            }
+        }
+
+        static void ToReals(in TileColumn column, byte* from, byte* to, int first, int end)
+        {
+            double* values = stackalloc double[RunLength];
+            double scale = column.Scale, offset = column.Offset;
+            for (; first < end; first += RunLength)
+            {
+                int run = math.min(RunLength, end - first);
+                ColumnValues.ToDoubles(from, column.From.Type, first, run, values);
+                if (column.To.Type == AttributeType.Float32)
+                    for (int i = 0; i < run; i++)
+                        ((float*)to)[first + i] = (float)(values[i] * scale + offset);
+                else
+                    for (int i = 0; i < run; i++)
+                        ((double*)to)[first + i] = values[i] * scale + offset;
+            }
+        }
+
+        static void ToIntegers(in TileColumn column, byte* from, byte* to, int first, int end)
+        {
+            ulong* bits = stackalloc ulong[RunLength];
+            long factor = column.Factor, shift = column.Shift;
+            bool isPlace = column.Kind == TileColumnKind.Place;
+            long max = isPlace ? CommonGrid.Limit / math.max(1, math.abs(factor)) : long.MaxValue;
+            bool isUnsigned64 = column.From.Type == AttributeType.UInt64;
+            for (; first < end; first += RunLength)
+            {
+                int run = math.min(RunLength, end - first);
+                ColumnValues.ToBits(from, column.From.Type, first, run, bits);
+                if (isPlace)
+                {
+                    for (int i = 0; i < run; i++)
+                    {
+                        long value = (long)bits[i];
+                        bool isOut = value < 0 ? isUnsigned64 || value < -max : value > max;
+                        ((long*)to)[first + i] = isOut ? CommonGrid.InvalidPosition : value * factor + shift;
+                    }
+                    continue;
+                }
+                switch (column.To.Type.SizeOf())
+                {
+                    case 1:
+                        for (int i = 0; i < run; i++)
+                            to[first + i] = (byte)((long)bits[i] * factor);
+                        break;
+                    case 2:
+                        for (int i = 0; i < run; i++)
+                            ((ushort*)to)[first + i] = (ushort)((long)bits[i] * factor);
+                        break;
+                    case 4:
+                        for (int i = 0; i < run; i++)
+                            ((uint*)to)[first + i] = (uint)((long)bits[i] * factor);
+                        break;
+                    default:
+                        for (int i = 0; i < run; i++)
+                            ((ulong*)to)[first + i] = (ulong)((long)bits[i] * factor);
+                        break;
+                }
+            }
+        }
+    }
+
     sealed class TiledRead : SlotRead
     {
         readonly TiledReader m_reader;
@@ -55,7 +169,7 @@ namespace FastPoints.Reading
             }
         }
 
-        protected override void DisposeMemory() => Release();
+        protected override void DisposeMore() => Release();
 
         void Change(Tile tile)
         {
@@ -76,8 +190,7 @@ namespace FastPoints.Reading
             m_columns = new NativeArray<TileColumn>(columns.ToArray(), m_allocator);
         }
 
-        /// <summary>The wanted attributes that the tile has; if it has none, an attribute that suffices to count its
-        /// points.</summary>
+        // If the tile has none of the wanted, an attribute that suffices to count its points.
         PointSchema WantedOf(Tile tile)
         {
             var names = new string[Points.Schema.Count];

@@ -6,14 +6,11 @@ using Unity.Collections;
 
 namespace FastPoints.Reading
 {
-    /// <summary>Reads several files as one cloud: their blocks one after the other, all attributes of all of them, positions on
-    /// one grid that holds every file's numbers exactly.</summary>
-    /// <remarks>Each header is read once, at the beginning. A file is opened again when its blocks are read, and at most
-    /// <see cref="MaxOpen"/> stay open (or one for each slot if there are more slots), so many files do not take many
-    /// handles.</remarks>
+    // Several files as one cloud: their blocks one after the other, all attributes of all, positions on one grid that holds
+    // every file's numbers exactly. Each header is read once; a file is opened again when its blocks are read, and at most
+    // MaxOpen stay open (or one for each slot if there are more), so many files do not take many handles.
     internal sealed class TiledReader : PointReader
     {
-        /// <summary>The most files that stay open.</summary>
         public const int MaxOpen = 32;
 
         const int MaxShown = 20;
@@ -39,8 +36,6 @@ namespace FastPoints.Reading
             Info = new SourceInfo { Path = name };
         }
 
-        /// <summary>Opens files as one cloud, in this order. Dispose the reader.</summary>
-        /// <exception cref="PointCloudException">One of them is not a point cloud, or is broken.</exception>
         public static TiledReader Open(IReadOnlyList<string> paths, Func<string, PointReader> openFile)
         {
             if (paths.Count == 0)
@@ -49,9 +44,8 @@ namespace FastPoints.Reading
             return new TiledReader(name, false, openFile).OpenAll(paths);
         }
 
-        /// <summary>Opens all point clouds that lie in a folder, in the order of their names (by character code), not those in
-        /// folders within. Files that cannot be read are left out with a warning.</summary>
-        /// <exception cref="PointCloudException">The folder cannot be read, or has no point cloud.</exception>
+        // All point clouds of a folder in the order of their names (by character code), not those in folders within. Files that
+        // cannot be read are left out with a warning.
         public static TiledReader OpenFolder(string folder, Func<string, PointReader> openFile)
         {
             string[] paths, folders;
@@ -71,7 +65,6 @@ namespace FastPoints.Reading
             return reader.OpenAll(paths);
         }
 
-        /// <summary>Files of the cloud.</summary>
         public int TileCount => m_tiles.Count;
 
         public override bool BlocksAreKnown => m_firstPointOfBlock != null;
@@ -79,7 +72,6 @@ namespace FastPoints.Reading
         public override int MaxPointsPerBlock => m_maxPointsPerBlock;
         public override bool HasFixedStride => m_hasFixedStride;
 
-        /// <summary>Files that are open at this time.</summary>
         public int OpenCount
         {
             get
@@ -95,7 +87,6 @@ namespace FastPoints.Reading
 
         public override int PointsInBlock(int block) => (int)(Found()[block + 1] - m_firstPointOfBlock[block]);
 
-        /// <summary>Path, bytes and points of one of the files.</summary>
         public void DescribeTile(int tile, out string path, out long fileBytes, out long points)
         {
             path = m_tiles[tile].Path;
@@ -154,7 +145,7 @@ namespace FastPoints.Reading
             Finish();
         }
 
-        /// <summary>Runs a step of a tile's work; in a folder, a tile that turns out to be broken is left out.</summary>
+        // In a folder, a tile that turns out to be broken is left out.
         bool Step(CoroutineStack work, Tile tile)
         {
             try
@@ -184,7 +175,6 @@ namespace FastPoints.Reading
             return m_tiles[low];
         }
 
-        /// <summary>Opens a tile for one more user; <see cref="Release"/> ends that.</summary>
         internal void Acquire(Tile tile)
         {
             tile.LastUse = ++m_clock;
@@ -214,7 +204,6 @@ namespace FastPoints.Reading
 
         internal void Release(Tile tile) => tile.Users--;
 
-        /// <summary>Takes over the warnings that a tile's reader has so far, each line once.</summary>
         internal void TakeWarnings(Tile tile)
         {
             var warnings = tile.Reader.Info.Warnings;
@@ -246,7 +235,7 @@ namespace FastPoints.Reading
             return false;
         }
 
-        /// <returns>Its index, or -1 if enough files have said the same.</returns>
+        // Its index, or -1 if enough files have said the same.
         int Report(CloudWarning warning)
         {
             m_equalWarnings.TryGetValue(warning.Text, out int reported);

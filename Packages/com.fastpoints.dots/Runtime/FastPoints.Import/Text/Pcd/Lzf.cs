@@ -6,20 +6,16 @@ using Unity.Jobs;
 
 namespace FastPoints.Text
 {
-    /// <summary>Decodes LZF, as liblzf writes it: runs of up to 32 bytes as they are, and copies of up to 264 bytes from at most
-    /// <see cref="WindowBytes"/> back. HPC#.</summary>
+    // LZF as liblzf writes it: runs of up to 32 bytes as they are, and copies of up to 264 bytes from at most WindowBytes back.
     static unsafe class Lzf
     {
         public const int WindowBytes = 8192;
 
-        /// <summary>What one step writes, and takes of the input, at most.</summary>
+        // At most, of one step: what it writes, and takes of the input.
         public const int MaxWritten = 264;
         public const int MaxTaken = 33;
 
-        /// <summary>One step.</summary>
-        /// <param name="known">Bytes before <paramref name="output"/> that may be copied from.</param>
-        /// <param name="taken">Bytes of the input that it took.</param>
-        /// <returns>Bytes written; 0 if the input ends before, -1 if it is damaged.</returns>
+        // Bytes written; 0 if the input ends before, -1 if it is damaged. known: bytes before the output that may be copied from.
         public static int Step(byte* input, long inputBytes, byte* output, long known, out int taken)
         {
             taken = 0;
@@ -50,17 +46,14 @@ namespace FastPoints.Text
         }
     }
 
-    /// <summary>A place in an LZF stream from which decoding can begin.</summary>
     struct LzfCheckpoint
     {
-        /// <summary>Offset in the compressed stream.</summary>
         public long Input;
 
-        /// <summary>Decoded bytes before the wanted ones.</summary>
+        // Decoded bytes before the wanted ones.
         public int Skip;
     }
 
-    /// <summary>Progress of a walk through an LZF stream.</summary>
     struct LzfWalk
     {
         public long Input;
@@ -69,11 +62,11 @@ namespace FastPoints.Text
         public bool IsBroken;
     }
 
-    /// <summary>Decodes a piece of an LZF stream and keeps only its checkpoints: the place, and the window before it.</summary>
+    // Decodes a piece of a stream and keeps only its checkpoints: the place, and the window before it.
     [BurstCompile]
     unsafe struct WalkLzfJob : IJob
     {
-        /// <summary>Decoded at most by one job, so that it stays short.</summary>
+        // Decoded at most by one job, so that it stays short.
         public const int SliceBytes = 1 << 20;
 
         public const int BufferBytes = Lzf.WindowBytes + SliceBytes + Lzf.MaxWritten;
@@ -82,10 +75,10 @@ namespace FastPoints.Text
         public int InputBytes;
         public long DecodedBytes;
 
-        /// <summary>Begins with the window before the piece.</summary>
+        // Begins with the window before the piece.
         public NativeArray<byte> Buffer;
 
-        /// <summary>Offsets of decoded bytes that get checkpoints, ascending.</summary>
+        // Offsets of decoded bytes that get checkpoints, ascending.
         [ReadOnly] public NativeArray<long> Places;
         [WriteOnly] public NativeArray<LzfCheckpoint> Checkpoints;
         [WriteOnly] public NativeArray<byte> Windows;
@@ -128,7 +121,7 @@ namespace FastPoints.Text
         }
     }
 
-    /// <summary>Where a wanted field of a range lies in the slot's input. Blittable.</summary>
+    // Where a wanted field of a range lies in the slot's input. Blittable.
     struct LzfSegment
     {
         public int FirstByte;
@@ -140,7 +133,6 @@ namespace FastPoints.Text
         public int Copies;
     }
 
-    /// <summary>Decodes the segments of a range, one field after the other, into columns.</summary>
     [BurstCompile]
     unsafe struct DecodeLzfJob : IJob
     {
@@ -178,7 +170,8 @@ namespace FastPoints.Text
                     taken += bytes;
                 }
                 PointRecords.ToColumns(decoded + segment.Skip + (long)First * segment.FieldBytes, segment.FieldBytes, Count,
-                    (FieldCopy*)Copies.GetUnsafeReadOnlyPtr() + segment.FirstCopy, segment.Copies, (byte*)Columns.GetUnsafePtr());
+                    new FieldCopies((FieldCopy*)Copies.GetUnsafeReadOnlyPtr() + segment.FirstCopy, segment.Copies),
+                    (byte*)Columns.GetUnsafePtr());
             }
             Result.Value = new DecodeResult { Points = Count };
         }

@@ -10,16 +10,15 @@ using Unity.Jobs;
 
 namespace FastPoints.Text
 {
-    /// <summary>A binary_compressed PCD file: one LZF stream in which each field has the values of all points, field after
-    /// field.</summary>
-    /// <remarks>One pass decodes it and keeps a checkpoint where each block of points begins in each field, so that ranges are
-    /// read alone and in any order. The checkpoints take at most about 3 % of the decoded bytes, and 32 MB.</remarks>
+    // A binary_compressed file: one LZF stream in which each field has the values of all points, field after field. One pass
+    // decodes it and keeps a checkpoint where each block of points begins in each field, so that ranges are read alone and in any
+    // order. The checkpoints take at most about 3 % of the decoded bytes, and 32 MB.
     sealed class PcdLzfReader : PointReader
     {
         const int DefaultBlockPoints = 65536, MaxBlockPoints = 1 << 20, MaxFieldBytes = 4 << 20, MaxCheckpoints = 4096;
         const int SizesBytes = 8;
 
-        /// <summary>A copy of 264 bytes takes 3: a small file cannot claim a large cloud.</summary>
+        // A copy of 264 bytes takes 3: a small file cannot claim a large cloud.
         const int MaxInflation = 88;
 
         readonly PlyFile m_file;
@@ -32,7 +31,6 @@ namespace FastPoints.Text
         NativeArray<byte> m_windows;
         long m_points = -1;
 
-        /// <exception cref="PointCloudException">The sizes of the stream are not those of the points.</exception>
         public PcdLzfReader(FileSource source, PcdHeader header, PlyFile file)
         {
             Info = file.Info;
@@ -66,8 +64,6 @@ namespace FastPoints.Text
         public long StreamBytes { get; }
         public SourceHandle File => m_file.Handle;
         public NativeArray<byte> Windows => m_windows;
-
-        /// <summary>Bytes of a block's widest field, decoded.</summary>
         public int MaxDecodedBytes => m_widestBytes * m_blockPoints;
 
         public override bool BlocksAreKnown => m_points >= 0;
@@ -90,7 +86,7 @@ namespace FastPoints.Text
             return bytes;
         }
 
-        /// <summary>The segment of a field's values of a block; its offset is one in the file.</summary>
+        // Its offset is one in the file.
         public LzfSegment SegmentOf(int field, int block, out long offset)
         {
             int index = field * (int)BlocksOf((long)Info.PointsClaimed) + block;
@@ -164,7 +160,7 @@ namespace FastPoints.Text
             return places;
         }
 
-        /// <summary>A stream that breaks off leaves those points whose last field is there.</summary>
+        // A stream that breaks off leaves those points whose last field is there.
         void CountPoints(LzfWalk end)
         {
             int last = m_fields.Length - 1;
@@ -182,7 +178,6 @@ namespace FastPoints.Text
             return new PcdLzfRead(this, wanted, capacity, allocator);
         }
 
-        /// <summary>The fields of the file that fill a batch, each with its copies.</summary>
         public List<(int Field, FieldCopy[] Copies)> PlanFor(PointBatch batch)
         {
             var plan = new List<(int, FieldCopy[])>();
@@ -215,18 +210,15 @@ namespace FastPoints.Text
             if (m_checkpoints.IsCreated)
                 m_checkpoints.Dispose();
         }
-
     }
 
-    /// <summary>A slot of <see cref="PcdLzfReader"/>.</summary>
     sealed unsafe class PcdLzfRead : SlotRead
     {
         readonly PcdLzfReader m_reader;
         readonly List<(int Field, FieldCopy[] Copies)> m_plan;
-        readonly NativeFileRead m_file;
+        readonly NativeArray<FieldCopy> m_copies;
+        readonly NativeArray<byte> m_buffer;
         NativeArray<LzfSegment> m_segments;
-        NativeArray<FieldCopy> m_copies;
-        NativeArray<byte> m_buffer;
 
         public PcdLzfRead(PcdLzfReader reader, PointSchema wanted, int capacity, Allocator allocator)
             : base(reader, wanted, capacity, allocator)
@@ -244,16 +236,17 @@ namespace FastPoints.Text
             var copies = new List<FieldCopy>();
             foreach (var (_, ofField) in m_plan)
                 copies.AddRange(ofField);
-            m_file = new NativeFileRead(max, allocator, m_plan.Count);
-            m_segments = new NativeArray<LzfSegment>(m_plan.Count, allocator);
-            m_copies = new NativeArray<FieldCopy>(copies.ToArray(), allocator);
-            m_buffer = new NativeArray<byte>(Lzf.WindowBytes + reader.MaxDecodedBytes + 2 * Lzf.MaxWritten, allocator);
+            OwnFile(max, allocator, m_plan.Count);
+            m_segments = OwnArray<LzfSegment>(m_plan.Count, allocator, NativeArrayOptions.ClearMemory);
+            m_copies = Own(new NativeArray<FieldCopy>(copies.ToArray(), allocator));
+            m_buffer = OwnArray<byte>(Lzf.WindowBytes + reader.MaxDecodedBytes + 2 * Lzf.MaxWritten, allocator,
+                NativeArrayOptions.ClearMemory);
         }
 
         protected override JobHandle Schedule(BlockRange range)
         {
-            var commands = m_file.Commands;
-            byte* buffer = (byte*)m_file.Buffer.GetUnsafePtr();
+            var commands = File.Commands;
+            byte* buffer = (byte*)File.Buffer.GetUnsafePtr();
             int used = 0, copies = 0;
             for (int i = 0; i < m_plan.Count; i++)
             {
@@ -268,7 +261,7 @@ namespace FastPoints.Text
             }
             return new DecodeLzfJob
             {
-                Input = m_file.Buffer,
+                Input = File.Buffer,
                 Segments = m_segments,
                 Copies = m_copies,
                 Windows = m_reader.Windows,
@@ -277,24 +270,14 @@ namespace FastPoints.Text
                 Count = range.Count,
                 Columns = Points.Bytes,
                 Result = Result,
-            }.Schedule(DependencyOf(m_file.Begin(m_reader.File, m_plan.Count)));
+            }.Schedule(DependencyOf(File.Begin(m_reader.File, m_plan.Count)));
         }
-
-        protected override void EndRead() => m_file.End();
 
         protected override void Warn(DecodeResult result)
         {
             if (result.Error != 0)
                 throw new PointCloudException(FailureCode.ReadFailed, m_reader.Info.Path, m_reader.StreamOffset,
                     "the compressed points are not those that were found: the file has changed");
-        }
-
-        protected override void DisposeMemory()
-        {
-            m_file.Dispose();
-            m_segments.Dispose();
-            m_copies.Dispose();
-            m_buffer.Dispose();
         }
     }
 }

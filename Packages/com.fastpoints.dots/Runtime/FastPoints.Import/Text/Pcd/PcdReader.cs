@@ -1,18 +1,156 @@
 using System;
+using System.Collections.Generic;
+using System.Globalization;
+using System.Text;
 using FastPoints.Core;
 using FastPoints.Ply;
 using FastPoints.Reading;
 
 namespace FastPoints.Text
 {
-    /// <summary>Reads PCD files of the Point Cloud Library: ascii and binary ones as PLY files with another header,
-    /// binary_compressed ones by <see cref="PcdLzfReader"/>. Packed colours become Red, Green and Blue.</summary>
+    // The header (Point Cloud Library, version 0.7): lines of a keyword and its words, up to DATA.
+    sealed class PcdHeader
+    {
+        public const int MaxBytes = 64 << 10;
+
+        // Files with more values a point are refused.
+        const int MaxValues = 4096;
+
+        readonly string m_path;
+        readonly Dictionary<string, string[]> m_words = new Dictionary<string, string[]>();
+        readonly Dictionary<string, int> m_offsets = new Dictionary<string, int>();
+
+        PcdHeader(string path) => m_path = path;
+
+        public readonly List<PcdField> Fields = new List<PcdField>();
+        public string UnknownLine;
+        public int UnknownLines;
+        public int UnknownOffset;
+
+        public ulong Points;
+        public ulong? Places;
+        public string Data;
+        public long DataOffset;
+
+        public string this[string keyword] => m_words.TryGetValue(keyword, out var words) ? string.Join(" ", words) : null;
+
+        public static PcdHeader Read(FileSource source)
+        {
+            byte[] bytes = source.ReadUpTo(0, MaxBytes).Bytes;
+            var header = new PcdHeader(source.Path);
+            for (int at = 0; header.Data == null;)
+            {
+                int end = Array.IndexOf(bytes, (byte)'\n', at);
+                if (end < 0)
+                    throw new PointCloudException(FailureCode.Truncated, source.Path, at, "the header has no DATA line");
+                header.Take(Encoding.ASCII.GetString(bytes, at, end - at).Trim(), at);
+                header.DataOffset = at = end + 1;
+            }
+            header.Finish();
+            return header;
+        }
+
+        void Take(string line, int offset)
+        {
+            if (line.Length == 0 || line[0] == '#')
+                return;
+            string[] words = line.Split((char[])null, StringSplitOptions.RemoveEmptyEntries);
+            string keyword = words[0];
+            if (Array.IndexOf(s_keywords, keyword) < 0)
+            {
+                UnknownLine ??= keyword;
+                if (UnknownLines++ == 0)
+                    UnknownOffset = offset;
+                return;
+            }
+            m_offsets[keyword] = offset;
+            m_words[keyword] = words.AsSpan(1).ToArray();
+            if (keyword == "DATA")
+                Data = this["DATA"];
+        }
+
+        static readonly string[] s_keywords =
+        {
+            "VERSION", "FIELDS", "COLUMNS", "SIZE", "TYPE", "COUNT", "WIDTH", "HEIGHT", "VIEWPOINT", "POINTS", "DATA",
+        };
+
+        void Finish()
+        {
+            string[] names = m_words.ContainsKey("FIELDS") ? m_words["FIELDS"]
+                : m_words.TryGetValue("COLUMNS", out var columns) ? columns
+                : throw new PointCloudException(FailureCode.BadInput, m_path, -1, "the header has no FIELDS line");
+            string[] sizes = Words("SIZE", names.Length), types = Words("TYPE", names.Length);
+            string[] counts = m_words.ContainsKey("COUNT") ? Words("COUNT", names.Length) : null;
+            int values = 0;
+            for (int i = 0; i < names.Length; i++)
+            {
+                ulong count = counts == null ? 1 : Number("COUNT", counts[i]);
+                if (count > MaxValues || (values += (int)count) > MaxValues)
+                    throw Bad("COUNT", "at most " + MaxValues + " values a point", "more");
+                var type = TypeOf(types[i], sizes[i]);
+                // Text has its digits whatever the field's type: as 32 bits, places far from 0 would lose half a metre.
+                if (type == AttributeType.Float32 && Data == "ascii" && (names[i] == "x" || names[i] == "y" || names[i] == "z"))
+                    type = AttributeType.Float64;
+                Fields.Add(new PcdField { Name = names[i], Type = type, Count = (int)count });
+            }
+            if (m_words.ContainsKey("WIDTH") && m_words.ContainsKey("HEIGHT"))
+            {
+                ulong width = Number("WIDTH", Words("WIDTH", 1)[0]), height = Number("HEIGHT", Words("HEIGHT", 1)[0]);
+                Places = height != 0 && width > ulong.MaxValue / height ? ulong.MaxValue : width * height;
+            }
+            Points = m_words.ContainsKey("POINTS") ? Number("POINTS", Words("POINTS", 1)[0])
+                : Places ?? throw new PointCloudException(FailureCode.BadInput, m_path, -1,
+                    "the header says neither POINTS nor WIDTH and HEIGHT");
+        }
+
+        AttributeType TypeOf(string type, string size) => (type + size) switch
+        {
+            "I1" => AttributeType.Int8,
+            "I2" => AttributeType.Int16,
+            "I4" => AttributeType.Int32,
+            "I8" => AttributeType.Int64,
+            "U1" => AttributeType.UInt8,
+            "U2" => AttributeType.UInt16,
+            "U4" => AttributeType.UInt32,
+            "U8" => AttributeType.UInt64,
+            "F4" => AttributeType.Float32,
+            "F8" => AttributeType.Float64,
+            _ => throw Bad("TYPE", "I or U of 1, 2, 4 or 8 bytes, or F of 4 or 8", PlyHeaderParser.Quote(type + size)),
+        };
+
+        string[] Words(string keyword, int count)
+        {
+            if (!m_words.TryGetValue(keyword, out var words))
+                throw new PointCloudException(FailureCode.BadInput, m_path, -1, "the header has no " + keyword + " line");
+            return words.Length == count ? words : throw Bad(keyword, count + " words", NumberText.Of(words.Length));
+        }
+
+        ulong Number(string keyword, string word) =>
+            ulong.TryParse(word, NumberStyles.None, CultureInfo.InvariantCulture, out ulong number) ? number
+                : throw Bad(keyword, "a whole number", PlyHeaderParser.Quote(word));
+
+        PointCloudException Bad(string keyword, string wanted, string got) =>
+            PointCloudException.Wanted(FailureCode.BadInput, m_path, m_offsets[keyword], keyword, wanted, got);
+    }
+
+    sealed class PcdField
+    {
+        public string Name;
+        public AttributeType Type;
+        public int Count;
+
+        public int Bytes => Count * Type.SizeOf();
+
+        // A colour of three or four bytes.
+        public bool IsColor => Count == 1 && Type.SizeOf() == 4 && (Name == "rgb" || Name == "rgba");
+    }
+
+    // The Point Cloud Library's files: ascii and binary ones as PLY files with another header, binary_compressed ones by
+    // PcdLzfReader. Packed colours become Red, Green and Blue.
     static class PcdReader
     {
         const int PageBytes = 4096;
 
-        /// <summary>Opens a PCD file. Only its header is read.</summary>
-        /// <exception cref="PointCloudException">The header is invalid, or has no x, y and z.</exception>
         public static PointReader Open(FileSource source)
         {
             var pcd = PcdHeader.Read(source);
@@ -70,8 +208,7 @@ namespace FastPoints.Text
             };
         }
 
-        /// <summary>Zeros up to the end of a page, which the Point Cloud Library puts behind binary points; 0 if anything else is
-        /// there.</summary>
+        // Zeros up to the end of a page, which the Point Cloud Library puts behind binary points; 0 if anything else is there.
         static int PaddingOf(FileSource source, long offset)
         {
             if (offset >= source.Length || source.Length - offset >= PageBytes)

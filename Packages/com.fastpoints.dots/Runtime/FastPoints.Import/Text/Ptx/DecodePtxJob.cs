@@ -8,13 +8,11 @@ using Unity.Mathematics;
 
 namespace FastPoints.Text
 {
-    /// <summary>Decodes lines of a scan into columns, in the world's coordinates. Places without a return (0 0 0) are left out,
-    /// and so are lines that are no points.</summary>
+    // Places without a return (0 0 0) are left out, and so are lines that are no points.
     [BurstCompile]
     unsafe struct DecodePtxJob : IJob
     {
-        /// <summary>Not read-only: a line end is put behind the last byte, so that no loop has to check for the buffer's
-        /// end.</summary>
+        // Not read-only: a line end is put behind the last byte, so that no loop has to check for the buffer's end.
         public NativeArray<byte> Input;
         public AsciiRange Range;
         public PtxScanHeader Scan;
@@ -59,7 +57,7 @@ namespace FastPoints.Text
             position = default;
             for (int axis = 0; axis < 3; axis++)
             {
-                SkipBlanks(ref p);
+                AsciiLines.SkipBlanks(ref p);
                 if (AsciiLines.IsLineEnd(*p) || !AsciiNumber.TryDouble(ref p, out double value))
                     return false;
                 position[axis] = value;
@@ -74,13 +72,13 @@ namespace FastPoints.Text
             var color = default(int3);
             if (Columns.Values >= 4)
             {
-                SkipBlanks(ref p);
+                AsciiLines.SkipBlanks(ref p);
                 if (AsciiLines.IsLineEnd(*p) || !AsciiNumber.TryFloat(ref p, out intensity))
                     return false;
             }
             for (int i = 0; i < Columns.Values - 4; i++)
             {
-                SkipBlanks(ref p);
+                AsciiLines.SkipBlanks(ref p);
                 if (AsciiLines.IsLineEnd(*p) || !AsciiNumber.TryInteger(ref p, out ulong value, out bool isNegative, out _))
                     return false;
                 color[i] = isNegative ? 0 : (int)math.min(value, 255);
@@ -100,18 +98,12 @@ namespace FastPoints.Text
             points++;
             return true;
         }
-
-        static void SkipBlanks(ref byte* p)
-        {
-            while (*p <= ' ' && !AsciiLines.IsLineEnd(*p))
-                p++;
-        }
     }
 
-    /// <summary>Offsets of the batch's columns; -1 for those that are not wanted. Blittable.</summary>
+    // Offsets of the batch's columns; -1 for those that are not wanted. Blittable.
     struct PtxColumns
     {
-        /// <summary>Values in a line: position; intensity; colour.</summary>
+        // In a line: position; intensity; colour.
         public int Values;
         public int3 Position;
         public int3 Color;
@@ -119,7 +111,6 @@ namespace FastPoints.Text
         public int ScanNumber;
     }
 
-    /// <summary>Lines of a range that are no points, and the byte of the first one.</summary>
     struct PtxAnomalies
     {
         public int BadRows;

@@ -1,6 +1,8 @@
 using System;
 using System.Collections;
 using System.Collections.Generic;
+using System.Globalization;
+using System.Text;
 using FastPoints.Core;
 using FastPoints.Ply;
 using FastPoints.Reading;
@@ -11,32 +13,84 @@ using Unity.Mathematics;
 
 namespace FastPoints.Text
 {
-    /// <summary>Reads PTX (Leica): scans in text, one after the other, each with a header of ten lines and a place a line, row by
-    /// row of its grid. All scans are one cloud in the world's coordinates; PointSourceId is the scan's number, from 1.</summary>
-    /// <remarks>As with other text, a block is a segment with the lines that start in it. Places where the scanner had no return
-    /// count among a block's points, and are left out when it is decoded.</remarks>
+    // The ten lines before the points of each scan: columns, rows, the scanner's place and axes, and the matrix that takes its
+    // points to the world, row by row, the shift last.
+    struct PtxScanHeader
+    {
+        public const int MaxBytes = 4096;
+
+        static readonly int[] s_valuesOfLine = { 1, 1, 3, 3, 3, 3, 4, 4, 4, 4 };
+
+        public ulong Columns;
+        public ulong Rows;
+
+        // World = x * X + y * Y + z * Z + Shift.
+        public double3 X, Y, Z, Shift;
+
+        public int Bytes;
+
+        // Lines of points, those without a return included.
+        public ulong Places => Rows != 0 && Columns > ulong.MaxValue / Rows ? ulong.MaxValue : Columns * Rows;
+
+        public static bool TryParse(ReadOnlySpan<byte> bytes, out PtxScanHeader header)
+        {
+            header = default;
+            var rows = new double4[4];
+            for (int line = 0; line < s_valuesOfLine.Length;)
+            {
+                int end = bytes.Slice(header.Bytes).IndexOfAny((byte)'\n', (byte)'\r');
+                if (end < 0)
+                    return false;
+                string[] words = Encoding.ASCII.GetString(bytes.Slice(header.Bytes, end).ToArray())
+                    .Split((char[])null, StringSplitOptions.RemoveEmptyEntries);
+                header.Bytes += end + 1;
+                if (words.Length == 0)
+                    continue;
+                if (words.Length != s_valuesOfLine[line] || !Take(ref header, rows, line, words))
+                    return false;
+                line++;
+            }
+            (header.X, header.Y, header.Z, header.Shift) = (rows[0].xyz, rows[1].xyz, rows[2].xyz, rows[3].xyz);
+            return true;
+        }
+
+        static bool Take(ref PtxScanHeader header, double4[] rows, int line, string[] words)
+        {
+            if (line < 2)
+                return ulong.TryParse(words[0], NumberStyles.None, CultureInfo.InvariantCulture,
+                    out line == 0 ? ref header.Columns : ref header.Rows);
+            for (int i = 0; i < words.Length; i++)
+            {
+                if (!NumberText.TryRead(words[i], out double value) || double.IsNaN(value) || double.IsInfinity(value))
+                    return false;
+                if (line >= 6)
+                    rows[line - 6][i] = value;
+            }
+            return true;
+        }
+    }
+
+    // PTX (Leica): scans in text, one after the other, each with a header of ten lines and a place a line, row by row of its
+    // grid. All scans are one cloud in the world's coordinates; PointSourceId is the scan's number, from 1. Places where the
+    // scanner had no return count among a block's points, and are left out when it is decoded.
     internal sealed class PtxReader : SegmentReader
     {
         const int MaxBlockBytes = 256 << 10;
         const int MaxLineBytes = 16 << 10;
-
-        /// <summary>PointSourceId holds no more.</summary>
         const int MaxScans = ushort.MaxValue;
 
         readonly List<PtxScanHeader> m_scans = new List<PtxScanHeader>();
         readonly List<ushort> m_scanOfBlock = new List<ushort>();
         readonly int m_values;
+        readonly RunningWarning m_badRows = new RunningWarning();
         BitArray m_isReported;
-        long m_badRows;
-        long m_firstBadRow;
-        int m_warning = -1;
         bool m_areAllFound;
 
         PtxReader(FileSource source, PtxScanHeader first, int values)
+            : base(new SourceInfo { Path = source.Path, FileBytes = source.Length }, new SourceHandle(source.Path))
         {
             m_values = values;
             m_scans.Add(first);
-            File = new SourceHandle(source.Path);
             var attributes = new List<PointAttribute>();
             foreach (string axis in new[] { AttributeNames.X, AttributeNames.Y, AttributeNames.Z })
                 attributes.Add(new PointAttribute(axis, AttributeType.Float64));
@@ -45,23 +99,15 @@ namespace FastPoints.Text
             for (int i = 0; i < values - 4; i++)
                 attributes.Add(new PointAttribute(PlyPlan.ColorNames[i], AttributeType.UInt8));
             attributes.Add(new PointAttribute(AttributeNames.PointSourceId, AttributeType.UInt16));
-            Info = new SourceInfo
-            {
-                Path = source.Path,
-                FileBytes = source.Length,
-                Format = "PTX",
-                HasPointsClaimed = false,
-                Schema = new PointSchema(attributes),
-            };
+            Info.Format = "PTX";
+            Info.HasPointsClaimed = false;
+            Info.Schema = new PointSchema(attributes);
             Info.Fact("first scan", NumberText.Of(first.Columns) + " columns of " + NumberText.Of(first.Rows) + " places");
         }
 
-        internal SourceHandle File { get; }
-
         public override bool BlocksAreKnown => m_areAllFound;
 
-        /// <returns>Null if the file does not begin with the header of a scan.</returns>
-        /// <exception cref="PointCloudException">Its lines have another number of values than 3, 4 or 7.</exception>
+        // Null if the file does not begin with the header of a scan; Unsupported if its lines have not 3, 4 or 7 values.
         public static PtxReader Open(FileSource source)
         {
             byte[] head = source.ReadUpTo(0, 2 * PtxScanHeader.MaxBytes).Bytes;
@@ -132,7 +178,7 @@ namespace FastPoints.Text
             m_areAllFound = true;
         }
 
-        /// <returns>Whether there is another scan: blank lines may end the file.</returns>
+        // False if there is no other scan: blank lines may end the file.
         bool ReadHeader(NativeFileRead read, int bytes, long offset)
         {
             byte[] text = read.Buffer.GetSubArray(0, bytes).ToArray();
@@ -150,7 +196,6 @@ namespace FastPoints.Text
             return isHeader;
         }
 
-        /// <summary>The byte behind the last row of a block, from the block's start.</summary>
         static unsafe int EndOfRows(NativeArray<byte> text, int bytes, in SegmentBlock block)
         {
             byte* start = (byte*)text.GetUnsafeReadOnlyPtr(), p = start, end = start + bytes;
@@ -166,8 +211,6 @@ namespace FastPoints.Text
 
         public override BlockRead CreateRead(PointSchema wanted, int capacity, Allocator allocator) =>
             new PtxRead(this, wanted, capacity, allocator);
-
-        public override void CloseFile() => File.Close();
 
         internal DecodePtxJob JobFor(BlockRange range, PointBatch batch)
         {
@@ -195,59 +238,40 @@ namespace FastPoints.Text
 
         internal long SlotBytes => Math.Min(MaxBlockBytes + MaxLineBytes, Info.FileBytes);
 
-        /// <summary>Counts the bad lines of a block, once for each.</summary>
         internal void Warn(BlockRange range, in PtxAnomalies found)
         {
             if (m_isReported[range.Block])
                 return;
             m_isReported[range.Block] = true;
-            if (found.BadRows == 0)
-                return;
-            if (m_warning < 0)
-            {
-                m_warning = Info.Warnings.Count;
-                m_firstBadRow = found.FirstBadRow;
-                Info.Warn(m_firstBadRow, "");
-            }
-            m_badRows += found.BadRows;
-            Info.Warnings[m_warning] = new CloudWarning(Info.Path, m_firstBadRow, NumberText.Of(m_badRows) +
-                " lines are no points of " + NumberText.Of(m_values) + " values and left out");
+            if (found.BadRows > 0)
+                m_badRows.Add(Info, found.BadRows, found.FirstBadRow,
+                    sum => sum + " lines are no points of " + NumberText.Of(m_values) + " values and left out");
         }
     }
 
-    /// <summary>A slot of <see cref="PtxReader"/>.</summary>
     sealed class PtxRead : SlotRead
     {
         readonly PtxReader m_reader;
-        readonly NativeFileRead m_file;
-        NativeReference<PtxAnomalies> m_anomalies;
+        readonly NativeReference<PtxAnomalies> m_anomalies;
 
         public PtxRead(PtxReader reader, PointSchema wanted, int capacity, Allocator allocator)
             : base(reader, wanted, capacity, allocator)
         {
             m_reader = reader;
-            m_file = new NativeFileRead(reader.SlotBytes, allocator);
-            m_anomalies = new NativeReference<PtxAnomalies>(allocator);
+            OwnFile(reader.SlotBytes, allocator);
+            m_anomalies = Own(new NativeReference<PtxAnomalies>(allocator));
         }
 
         protected override JobHandle Schedule(BlockRange range)
         {
             var job = m_reader.JobFor(range, Points);
-            job.Input = m_file.Buffer;
+            job.Input = File.Buffer;
             job.Output = Points.Bytes;
             job.Result = Result;
             job.Anomalies = m_anomalies;
-            return job.Schedule(DependencyOf(m_file.Begin(m_reader.File, job.Range.Offset, job.Range.Bytes)));
+            return job.Schedule(DependencyOf(File.Begin(m_reader.File, job.Range.Offset, job.Range.Bytes)));
         }
-
-        protected override void EndRead() => m_file.End();
 
         protected override void Warn(DecodeResult result) => m_reader.Warn(Range, m_anomalies.Value);
-
-        protected override void DisposeMemory()
-        {
-            m_file.Dispose();
-            m_anomalies.Dispose();
-        }
     }
 }

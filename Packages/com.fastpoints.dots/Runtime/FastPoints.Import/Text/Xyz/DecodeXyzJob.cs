@@ -7,7 +7,7 @@ using Unity.Jobs;
 
 namespace FastPoints.Text
 {
-    /// <summary>Decodes lines of a text file into columns. A line that is not a point is counted and left out.</summary>
+    // A line that is not a point is counted and left out.
     [BurstCompile]
     unsafe struct DecodeXyzJob : IJob
     {
@@ -18,11 +18,10 @@ namespace FastPoints.Text
             10000000000000000000,
         };
 
-        /// <summary>Not read-only: separators are rewritten in place, and a line end is put behind the last byte, so that no loop
-        /// has to check for the buffer's end.</summary>
+        // Not read-only: separators are rewritten in place, and a line end is put behind the last byte, so that no loop has to
+        // check for the buffer's end.
         public NativeArray<byte> Input;
 
-        /// <summary>Lines to read, points or not.</summary>
         public AsciiRange Range;
         public XyzDialect Dialect;
         [ReadOnly] public NativeArray<XyzStep> Steps;
@@ -149,7 +148,7 @@ namespace FastPoints.Text
             return XyzError.None;
         }
 
-        /// <summary>Whether the last character before a line's end, except blanks, is a separator.</summary>
+        // The last character before a line's end, except blanks, is a separator.
         static bool EndsInMark(byte* p, byte mark)
         {
             p--;
@@ -158,8 +157,7 @@ namespace FastPoints.Text
             return *p == mark;
         }
 
-        /// <summary>The nearest multiple of 10^-decimals (halves away from zero).</summary>
-        /// <returns>False if it is beyond the grid.</returns>
+        // The nearest multiple of 10^-decimals (halves away from zero); false if it is beyond the grid.
         static bool ToGridPosition(in DecimalDigits number, int decimals, out long place, out bool isExact)
         {
             ulong value = number.Mantissa;
@@ -201,18 +199,17 @@ namespace FastPoints.Text
 
     enum XyzStepKind : byte
     {
-        /// <summary>A column without a name, which may hold anything.</summary>
         Skip,
-        /// <summary>A number that is not wanted.</summary>
+        // A number that is not wanted.
         Check,
-        /// <summary>A coordinate, as a whole number of 10^-Decimals.</summary>
+        // A coordinate, as a whole number of 10^-Decimals.
         Place,
         Integer,
         Float32,
         Float64,
     }
 
-    /// <summary>What to do with one column of a line. Blittable: jobs carry arrays of these.</summary>
+    // What to do with one column of a line. Blittable: jobs carry arrays of these.
     struct XyzStep
     {
         public XyzStepKind Kind;
@@ -220,18 +217,15 @@ namespace FastPoints.Text
         public int Bytes;
         public int Decimals;
 
-        /// <summary>Whether a line without the value, or with text in its place, is not a point.</summary>
+        // A line without the value, or with text in its place, is not a point.
         public bool IsPosition;
 
-        /// <summary>Whether the batch has the column: coordinates are always read, so that the same lines are points whatever is
-        /// wanted.</summary>
+        // Coordinates are always read, so that the same lines are points whatever is wanted.
         public bool IsStored;
 
-        /// <summary>Offset of its column in the batch.</summary>
         public int ColumnOffsetBytes;
     }
 
-    /// <summary>Anomalies that a decoding job met: how many, and the byte of the first one.</summary>
     struct XyzAnomalies
     {
         public int BadRows;
@@ -240,15 +234,13 @@ namespace FastPoints.Text
 
         public int Comments;
 
-        /// <summary>Coordinates with more digits than the sample had, which were rounded to its step.</summary>
+        // Coordinates with more digits than the sample had, rounded to its step.
         public int Rounded;
         public long FirstRounded;
-
-        /// <summary>Values that do not fit into their column's type.</summary>
         public int Misfits;
         public long FirstMisfit;
 
-        /// <summary>Empty values between two separators, which were read as 0.</summary>
+        // Between two separators; read as 0.
         public int EmptyValues;
         public long FirstEmpty;
 
@@ -263,5 +255,43 @@ namespace FastPoints.Text
         NoNumber,
         TooLarge,
         LineTooLong,
+    }
+
+    // How values are separated. Blittable; HPC#.
+    struct XyzDialect
+    {
+        // Replaces the separator while a line is read: a number ends at it as at a blank.
+        public const byte Mark = 1;
+
+        // A comma or a semicolon; 0 if values are separated by blanks (spaces, tabs).
+        public byte Separator;
+
+        // 1,5 means one and a half.
+        public bool HasDecimalComma;
+
+        public bool HasQuotes;
+
+        public string Name => (Separator == ',' ? "comma" : Separator == ';' ? "semicolon" : "blanks") +
+            (HasDecimalComma ? ", decimal comma" : "") + (HasQuotes ? ", in quotes" : "");
+
+        // Rewrites text so that AsciiNumber can read it.
+        public unsafe void Apply(byte* text, int count)
+        {
+            if (Separator == 0 && !HasDecimalComma && !HasQuotes)
+                return;
+            byte separator = Separator != 0 ? Separator : Mark;
+            byte comma = HasDecimalComma ? (byte)',' : Mark;
+            byte quote = HasQuotes ? (byte)'"' : Mark;
+            for (int i = 0; i < count; i++)
+            {
+                byte b = text[i];
+                b = b == separator ? Mark : b;
+                b = b == comma && comma != Mark ? (byte)'.' : b;
+                text[i] = b == quote && quote != Mark ? (byte)' ' : b;
+            }
+        }
+
+        public bool IsComment(byte first) =>
+            first == '#' || first == '/' || first == '%' || first == '!' || first == ';' && Separator != ';';
     }
 }

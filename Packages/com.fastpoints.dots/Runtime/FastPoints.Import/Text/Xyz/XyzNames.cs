@@ -2,10 +2,77 @@ using System;
 using System.Collections.Generic;
 using FastPoints.Core;
 using FastPoints.Reading;
+using Unity.Mathematics;
 
 namespace FastPoints.Text
 {
-    /// <summary>Names the columns of a text file: by names that it or the caller gives, or by guessing from the values.</summary>
+    struct XyzColumn
+    {
+        public double Min;
+        public double Max;
+
+        // Without an exponent or a point.
+        public bool IsInteger;
+
+        // Whole numbers, however they are printed: some write colours as 117.0.
+        public bool IsWhole => Decimals == 0;
+
+        // The most digits behind the point: as printed, and without zeros at the end.
+        public int DecimalsPrinted;
+        public int Decimals;
+
+        // The most of a value, from the first that is not zero to the last.
+        public int Digits;
+
+        public static XyzColumn Empty => new XyzColumn
+        {
+            Min = double.PositiveInfinity,
+            Max = double.NegativeInfinity,
+            IsInteger = true,
+        };
+
+        public double MaxMagnitude => Min <= Max ? math.max(math.abs(Min), math.abs(Max)) : 0;
+
+        public bool IsWithin(double min, double max) => Min >= min && Max <= max;
+
+        public void Include(in DecimalDigits number, double value)
+        {
+            Min = Math.Min(Min, value);
+            Max = Math.Max(Max, value);
+            IsInteger &= number.Exponent == 0;
+            DecimalsPrinted = Math.Max(DecimalsPrinted, -number.Exponent);
+            ulong mantissa = number.Mantissa;
+            int exponent = number.Exponent, digits = 0;
+            for (; mantissa != 0 && mantissa % 10 == 0; exponent++)
+                mantissa /= 10;
+            if (mantissa != 0)
+                Decimals = Math.Max(Decimals, -exponent);
+            for (; mantissa != 0; mantissa /= 10)
+                digits++;
+            Digits = Math.Max(Digits, digits);
+        }
+
+        // The narrowest usual type for the values: wider than these rows need if a few more may need it.
+        public AttributeType TypeOf(string attribute)
+        {
+            bool isColor = attribute == AttributeNames.Red || attribute == AttributeNames.Green ||
+                attribute == AttributeNames.Blue || attribute == AttributeNames.Alpha || attribute == AttributeNames.NearInfrared;
+            if (!IsInteger && !(isColor && IsWhole && MaxMagnitude > 1))
+                return Digits <= 7 ? AttributeType.Float32 : AttributeType.Float64;
+            bool isByte = isColor || attribute == AttributeNames.Classification || attribute == AttributeNames.ReturnNumber ||
+                attribute == AttributeNames.NumberOfReturns || attribute == AttributeNames.UserData;
+            if (isByte && IsWithin(0, byte.MaxValue))
+                return AttributeType.UInt8;
+            if ((isByte || attribute == AttributeNames.Intensity || attribute == AttributeNames.PointSourceId) &&
+                IsWithin(0, ushort.MaxValue))
+                return AttributeType.UInt16;
+            if (attribute == AttributeNames.Intensity && IsWithin(short.MinValue, short.MaxValue))
+                return AttributeType.Int16;
+            return IsWithin(int.MinValue / 2, int.MaxValue / 2) ? AttributeType.Int32
+                : Digits <= 18 ? AttributeType.Int64 : AttributeType.Float64;
+        }
+    }
+
     static class XyzNames
     {
         static readonly Dictionary<string, string> s_names = new Dictionary<string, string>(StringComparer.OrdinalIgnoreCase)
@@ -29,7 +96,7 @@ namespace FastPoints.Text
         static readonly string[] s_rgb = { AttributeNames.Red, AttributeNames.Green, AttributeNames.Blue };
         static readonly string[] s_normal = { AttributeNames.NormalX, AttributeNames.NormalY, AttributeNames.NormalZ };
 
-        /// <summary>Attribute names of named columns; null for "-". Names that repeat get a number.</summary>
+        // Null for "-". Names that repeat get a number.
         public static string[] Of(IReadOnlyList<string> given, int columns)
         {
             var result = new string[columns];
@@ -54,13 +121,11 @@ namespace FastPoints.Text
             return result;
         }
 
-        /// <summary>Whether x, y and z are among the names.</summary>
         public static bool HavePosition(string[] names) => Array.IndexOf(names, AttributeNames.X) >= 0 &&
             Array.IndexOf(names, AttributeNames.Y) >= 0 && Array.IndexOf(names, AttributeNames.Z) >= 0;
 
-        /// <summary>Guesses x y z, and then by count and values: intensity, colour, normals, or columns without a name.</summary>
-        /// <param name="unitLength">For each column, the share of sampled rows that have a vector of length 1 from there
-        /// on.</param>
+        // x y z, and then by count and values: intensity, colour, normals, or columns without a name. unitLength: for each
+        // column, the share of sampled rows that have a vector of length 1 from there on.
         public static string[] Guess(XyzColumn[] columns, double[] unitLength)
         {
             int count = columns.Length;
@@ -106,7 +171,7 @@ namespace FastPoints.Text
         static bool IsNormal(XyzColumn[] columns, double[] unitLength, int at) => at + 3 <= columns.Length &&
             unitLength[at] > 0.9 && !(columns[at].IsInteger && columns[at + 1].IsInteger && columns[at + 2].IsInteger);
 
-        /// <summary>Whether the values are whole numbers of 8 or 16 bits, or shares of 1.</summary>
+        // Whole numbers of 8 or 16 bits, or shares of 1.
         static bool IsColor(XyzColumn[] columns, int at)
         {
             if (at + 3 > columns.Length)

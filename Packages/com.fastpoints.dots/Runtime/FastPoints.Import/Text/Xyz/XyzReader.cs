@@ -10,57 +10,35 @@ using Unity.Mathematics;
 
 namespace FastPoints.Text
 {
-    /// <summary>Reads text of one point a line: XYZ, TXT, ASC, CSV, PTS. Separators and columns are guessed, and the guess is
-    /// stated in <see cref="SourceInfo.Facts"/>; names that a caller gives override it.</summary>
-    /// <remarks>Coordinates are decimal numbers and stay exact: X, Y, Z are int64 in steps of a power of ten, chosen by the
-    /// digits in a sample of the file. A block is a segment of <see cref="MaxBlockBytes"/> with the lines that start in it, found
-    /// by counting lines once; a block's count includes comments and bad lines, which decoding leaves out and counts.</remarks>
-    internal sealed class XyzReader : SegmentReader
+    // Text of one point a line: XYZ, TXT, ASC, CSV, PTS. Separators and columns are guessed; names that a caller gives override
+    // the guess. Coordinates are decimal numbers and stay exact: X, Y, Z are int64 in steps of a power of ten, chosen by the
+    // digits in a sample of the file. A block's count includes comments and bad lines, which decoding leaves out and counts.
+    internal sealed class XyzReader : LineReader
     {
         public const int MaxBlockBytes = 256 << 10;
 
-        /// <summary>The last line may extend this many bytes behind its block: longer ones are not points.</summary>
+        // The last line may extend this many bytes behind its block: longer ones are not points.
         public const int MaxLineBytes = 16 << 10;
 
-        /// <summary>Printed digits that are kept even if the sample has zeros there.</summary>
+        // Printed digits that are kept even if the sample has zeros there.
         const int DefaultDecimals = 4;
 
         readonly XyzSniff m_sniff;
         readonly string[] m_names;
         readonly int[] m_decimals = new int[3];
-        readonly int[] m_warningOf = { -1, -1, -1, -1, -1 };
-        readonly long[] m_countOf = new long[5];
-        readonly long[] m_firstOf = new long[5];
-        BitArray m_isReported;
+        readonly RunningWarning[] m_warnings = Array.ConvertAll(new int[5], _ => new RunningWarning());
+        readonly BitArray m_isReported = new BitArray(0);
         string m_firstError;
-        bool m_areAllFound;
-        PointEstimate m_estimate;
-        AsciiSegments m_segments;
 
         XyzReader(XyzSniff sniff, string[] names, SourceInfo info)
+            : base(info, new SourceHandle(info.Path), sniff.DataOffset)
         {
             m_sniff = sniff;
             m_names = names;
-            Info = info;
-            File = new SourceHandle(info.Path);
         }
-
-        public override bool BlocksAreKnown => m_areAllFound;
-
-        /// <summary>Whether lines all over the file can be found by jumping.</summary>
-        public override bool HasPrefixes => !m_areAllFound && Info.FileBytes - m_sniff.DataOffset >= AsciiSegments.MinBytes;
-
-        public override bool PrefixesAreSpread => true;
-        public override int MaxPrefixes => AsciiSegments.Count;
-        internal override PointEstimate EstimatedPoints => m_estimate;
 
         internal XyzDialect Dialect => m_sniff.Dialect;
 
-        internal SourceHandle File { get; }
-
-        /// <summary>Opens a text file, of which it reads little.</summary>
-        /// <returns>Null if the file is not lines of numbers.</returns>
-        /// <exception cref="PointCloudException">The columns are not points: they have no x, y and z.</exception>
         public static XyzReader Open(FileSource source, string[] textColumns)
         {
             var sniff = XyzSniff.Find(source, textColumns);
@@ -110,7 +88,7 @@ namespace FastPoints.Text
                 info.Fact("header lines", NumberText.Of(m_sniff.HeaderLines));
         }
 
-        /// <summary>The digits that the sample has, limited to what a coordinate on the grid has room for.</summary>
+        // The digits that the sample has, limited to what a coordinate on the grid has room for.
         static int DecimalsOf(XyzColumn column)
         {
             int decimals = Math.Max(column.Decimals, Math.Min(column.DecimalsPrinted, DefaultDecimals));
@@ -131,18 +109,7 @@ namespace FastPoints.Text
         static int AxisOf(string name) =>
             name == AttributeNames.X ? 0 : name == AttributeNames.Y ? 1 : name == AttributeNames.Z ? 2 : -1;
 
-        public override IEnumerator<JobStep> FindPrefixes() => FindPrefixes(AsciiSegments.Count);
-
-        public override IEnumerator<JobStep> FindPrefixes(int places)
-        {
-            m_segments ??= new AsciiSegments(File, Info.FileBytes, m_sniff.DataOffset);
-            yield return JobStep.Of(m_segments.Find(places));
-            var reported = m_isReported;
-            Take(m_segments.Blocks);
-            for (int block = 0; reported != null && block < reported.Length; block++)
-                m_isReported[block] = reported[block];
-            m_estimate = m_sniff.CountClaimed >= 0 ? new PointEstimate(m_sniff.CountClaimed, 0) : m_segments.Estimate;
-        }
+        private protected override void BlocksFound() => m_isReported.Length = Blocks.Count;
 
         public override IEnumerator<JobStep> FindBlocks()
         {
@@ -151,25 +118,20 @@ namespace FastPoints.Text
             using var scan = new AsciiRowScan(this, File, m_sniff.DataOffset, MaxBlockBytes, 0, ulong.MaxValue);
             while (scan.Next(out var handle))
                 yield return handle;
-            Take(scan.TakeBlocks());
-            Array.Clear(m_countOf, 0, m_countOf.Length);
-            m_areAllFound = true;
+            Blocks.Take(scan.TakeBlocks());
+            m_isReported.Length = Blocks.Count;
+            m_isReported.SetAll(false);
+            foreach (var warning in m_warnings)
+                warning.Reset();
+            AreAllFound = true;
             Info.PointsReadable = scan.Points;
             if (m_sniff.CountClaimed >= 0 && m_sniff.CountClaimed != scan.Points)
                 Info.Warn(0, "points: wanted " + NumberText.Of(m_sniff.CountClaimed) + ", got " +
                     NumberText.Of(scan.Points) + " lines");
         }
 
-        void Take(SegmentBlock[] blocks)
-        {
-            Blocks.Take(blocks);
-            m_isReported = new BitArray(blocks.Length);
-        }
-
         public override BlockRead CreateRead(PointSchema wanted, int capacity, Allocator allocator) =>
             new XyzRead(this, wanted, capacity, allocator);
-
-        public override void CloseFile() => File.Close();
 
         internal SegmentBlock Block(int block) => Blocks[block];
 
@@ -201,7 +163,7 @@ namespace FastPoints.Text
             return steps;
         }
 
-        /// <summary>Collects the anomalies of a block, once for each block: warnings have running counts.</summary>
+        // Once for each block: warnings have running counts.
         internal void Warn(BlockRange range, in XyzAnomalies found)
         {
             if (m_isReported[range.Block])
@@ -222,17 +184,8 @@ namespace FastPoints.Text
 
         void Warn(int kind, int count, long firstOffset, string text)
         {
-            if (count == 0)
-                return;
-            if (m_warningOf[kind] < 0)
-            {
-                m_warningOf[kind] = Info.Warnings.Count;
-                m_firstOf[kind] = firstOffset;
-                Info.Warn(firstOffset, "");
-            }
-            m_countOf[kind] += count;
-            Info.Warnings[m_warningOf[kind]] = new CloudWarning(Info.Path, m_firstOf[kind],
-                NumberText.Of(m_countOf[kind]) + text);
+            if (count > 0)
+                m_warnings[kind].Add(Info, count, firstOffset, sum => sum + text);
         }
 
         static string TextOf(XyzError error) => error switch
@@ -247,18 +200,16 @@ namespace FastPoints.Text
     sealed class XyzRead : SlotRead
     {
         readonly XyzReader m_reader;
-        readonly NativeFileRead m_file;
-        NativeArray<XyzStep> m_steps;
-        NativeReference<XyzAnomalies> m_anomalies;
+        readonly NativeArray<XyzStep> m_steps;
+        readonly NativeReference<XyzAnomalies> m_anomalies;
 
         public XyzRead(XyzReader reader, PointSchema wanted, int capacity, Allocator allocator)
             : base(reader, wanted, capacity, allocator)
         {
             m_reader = reader;
-            m_file = new NativeFileRead(
-                Math.Min(XyzReader.MaxBlockBytes + XyzReader.MaxLineBytes, reader.Info.FileBytes), allocator);
-            m_steps = new NativeArray<XyzStep>(reader.StepsFor(Points), allocator);
-            m_anomalies = new NativeReference<XyzAnomalies>(allocator);
+            OwnFile(Math.Min(XyzReader.MaxBlockBytes + XyzReader.MaxLineBytes, reader.Info.FileBytes), allocator);
+            m_steps = Own(new NativeArray<XyzStep>(reader.StepsFor(Points), allocator));
+            m_anomalies = Own(new NativeReference<XyzAnomalies>(allocator));
         }
 
         protected override JobHandle Schedule(BlockRange range)
@@ -266,25 +217,16 @@ namespace FastPoints.Text
             var lines = AsciiRange.Of(m_reader.Block(range.Block), range, m_reader.Info.FileBytes, XyzReader.MaxLineBytes);
             return new DecodeXyzJob
             {
-                Input = m_file.Buffer,
+                Input = File.Buffer,
                 Range = lines,
                 Dialect = m_reader.Dialect,
                 Steps = m_steps,
                 Output = Points.Bytes,
                 Result = Result,
                 Anomalies = m_anomalies,
-            }.Schedule(DependencyOf(m_file.Begin(m_reader.File, lines.Offset, lines.Bytes)));
+            }.Schedule(DependencyOf(File.Begin(m_reader.File, lines.Offset, lines.Bytes)));
         }
-
-        protected override void EndRead() => m_file.End();
 
         protected override void Warn(DecodeResult result) => m_reader.Warn(Range, m_anomalies.Value);
-
-        protected override void DisposeMemory()
-        {
-            m_file.Dispose();
-            m_steps.Dispose();
-            m_anomalies.Dispose();
-        }
     }
 }

@@ -6,8 +6,8 @@ using FastPoints.Reading;
 
 namespace FastPoints.Text
 {
-    /// <summary>Finds out whether a file is lines of numbers, and which: separators, header lines, columns and their ranges, from
-    /// its beginning and some segments farther on.</summary>
+    // Finds out whether a file is lines of numbers, and which: separators, header lines, columns and their ranges, from its
+    // beginning and some segments farther on.
     sealed unsafe class XyzSniff
     {
         const int HeadBytes = 64 << 10;
@@ -15,7 +15,7 @@ namespace FastPoints.Text
         const int Segments = 64;
         const int MaxColumns = 256;
 
-        /// <summary>Share of the first lines that must be rows of the same number of values.</summary>
+        // Share of the first lines that must be rows of the same number of values.
         const double MaxRows = 0.8;
 
         readonly FileSource m_source;
@@ -33,30 +33,21 @@ namespace FastPoints.Text
         }
 
         public XyzDialect Dialect => m_dialect;
-
-        /// <summary>Offset of the first row.</summary>
         public long DataOffset { get; private set; }
-
-        /// <summary>Lines with text before it.</summary>
         public int HeaderLines { get; private set; }
 
-        /// <summary>The number that stands alone before the rows (PTS), or -1.</summary>
+        // The number that stands alone before the rows (PTS), or -1.
         public long CountClaimed { get; private set; } = -1;
 
-        /// <summary>Column names in the file, or null.</summary>
         public string[] Names { get; private set; }
-
         public XyzColumn[] Columns { get; private set; }
 
-        /// <summary>For each column, the share of rows that have a vector of length 1 from there on.</summary>
+        // For each column, the share of rows that have a vector of length 1 from there on.
         public double[] UnitLength { get; private set; }
 
-        /// <summary>Number of rows that were examined.</summary>
         public int Rows { get; private set; }
 
-        /// <param name="given">Column names from the caller, or null. Those called "-" may hold anything.</param>
-        /// <returns>Null if the file is something else.</returns>
-        /// <exception cref="PointCloudException">The text is of a kind that is recognised but not supported.</exception>
+        // Null if the file is something else. Columns that the caller names "-" may hold anything.
         public static XyzSniff Find(FileSource source, string[] given)
         {
             byte[] head = source.ReadUpTo(0, HeadBytes).Bytes;
@@ -92,7 +83,6 @@ namespace FastPoints.Text
             return end;
         }
 
-        /// <summary>First and end byte of each line that is not blank.</summary>
         static List<(int First, int End)> LinesOf(byte[] bytes, int first, int end)
         {
             var lines = new List<(int, int)>();
@@ -110,7 +100,6 @@ namespace FastPoints.Text
             return lines;
         }
 
-        /// <summary>Chooses the dialect from the lines that start like a number.</summary>
         bool ChooseDialect(byte[] bytes, List<(int First, int End)> lines)
         {
             bool mayStartWithText = m_given != null && m_given.Length > 0 && m_given[0] == "-";
@@ -139,8 +128,8 @@ namespace FastPoints.Text
             return seen > 0;
         }
 
-        /// <summary>Whether three or more values are separated by blanks, none with more than one comma, none with one at an end.
-        /// A line without commas does not speak against it.</summary>
+        // Three or more values separated by blanks, none with more than one comma, none with one at an end. A line without commas
+        // does not speak against it.
         static bool AreDecimalCommas(byte[] bytes, int first, int end)
         {
             int values = 0;
@@ -257,8 +246,7 @@ namespace FastPoints.Text
 
         int CountValues(byte[] bytes, int first, int end) => Read(bytes, first, end, null, null);
 
-        /// <summary>Reads a line's values; NaN for one that is empty or not finite.</summary>
-        /// <returns>The number of values; 0 if one of them is not a number.</returns>
+        // The number of values; 0 if one of them is not a number. NaN for a value that is empty or not finite.
         int Read(byte[] bytes, int first, int end, DecimalDigits[] numbers, double[] values)
         {
             byte mark = m_dialect.Separator != 0 ? XyzDialect.Mark : (byte)'\n';
@@ -317,7 +305,7 @@ namespace FastPoints.Text
             }
         }
 
-        /// <summary>A line's words as column names; null if it has fewer than three, or numbers among them.</summary>
+        // Null if the line has fewer than three words, or numbers among them.
         string[] NamesIn(string line)
         {
             var separators = m_dialect.Separator == ',' ? new[] { ',' }

@@ -115,7 +115,8 @@ namespace FastPoints.Streaming
         public virtual void BeginFrame() { }
 
         /// <summary>Begins the one upload that may be in flight, of at least one node, if there is memory.</summary>
-        public virtual bool TryBeginUpload() => true;
+        /// <param name="maxBytes">The most that it is to take.</param>
+        public virtual bool TryBeginUpload(int maxBytes) => true;
 
         /// <summary>Where the upload's job writes a range, of a multiple of 16 bytes, front to back without reading. Null if
         /// there is no room.</summary>

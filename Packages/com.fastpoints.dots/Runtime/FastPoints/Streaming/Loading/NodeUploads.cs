@@ -51,7 +51,7 @@ namespace FastPoints.Streaming
                 long size = fetch.Cloud.BytesOf(fetch.Page, node.Node);
                 if (m_slots.Length > 0 && bytes + size > m_state.Settings.UploadBytesPerFrame)
                     break;
-                if (m_slots.Length == 0 && !m_state.Pool.TryBeginUpload())
+                if (m_slots.Length == 0 && !m_state.Pool.TryBeginUpload(m_state.Settings.UploadBytesPerFrame))
                     return;
                 byte* to = m_state.Pool.AddressForUpload(m_state.Cache[node.Slot].Range, size);
                 if (to == null)

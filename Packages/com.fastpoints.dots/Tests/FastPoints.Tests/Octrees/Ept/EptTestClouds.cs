@@ -86,7 +86,7 @@ namespace FastPoints.Tests.Octrees
                     fixed (byte* first = got)
                     fixed (FieldCopy* plan = copies)
                         PointRecords.FromColumns((byte*)read.Points.Bytes.GetUnsafeReadOnlyPtr(), 0,
-                            records.Count, plan, copies.Length, first, folder.RecordBytes);
+                            records.Count, new FieldCopies(plan, copies.Length), first, folder.RecordBytes);
                     Assert.That(LazFileReading.Difference(got, records.SelectMany(r => r).ToArray(), folder.RecordBytes),
                         Is.Null);
                 }

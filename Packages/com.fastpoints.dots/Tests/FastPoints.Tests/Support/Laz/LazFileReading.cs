@@ -71,8 +71,8 @@ namespace FastPoints.Tests.Support
             var copies = FieldCopyPlan.Make(layout.Fields, read.Points);
             fixed (byte* first = records)
             fixed (FieldCopy* plan = copies)
-                PointRecords.FromColumns((byte*)read.Points.Bytes.GetUnsafeReadOnlyPtr(), 0, read.Points.Count, plan,
-                    copies.Length, first + firstPoint * layout.RecordBytes, layout.RecordBytes);
+                PointRecords.FromColumns((byte*)read.Points.Bytes.GetUnsafeReadOnlyPtr(), 0, read.Points.Count,
+                    new FieldCopies(plan, copies.Length), first + firstPoint * layout.RecordBytes, layout.RecordBytes);
         }
 
         internal static LasRecordLayout LayoutOf(string path)

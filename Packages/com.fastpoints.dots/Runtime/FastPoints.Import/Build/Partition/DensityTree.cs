@@ -1,0 +1,330 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Core;
+using FastPoints.Sampling;
+using Unity.Burst;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.Jobs;
+using Unity.Mathematics;
+using static FastPoints.Build.DensityNumbers;
+
+namespace FastPoints.Build
+{
+    /// <summary>Estimated points in the cells of an adaptive grid: a cube whose cells are divided in eight where they have many.
+    /// It knows only the cells' Morton codes, no coordinates.</summary>
+    /// <remarks>Levels come in pairs: a brick has the 8 cells of one level and the 64 of the next; divided ones have a brick of
+    /// their own. The result is the same for any number of threads.</remarks>
+    internal sealed class DensityTree : IDisposable
+    {
+        /// <summary>Points of one slice: about 2 ms of managed code.</summary>
+        const int PointsPerSlice = 1 << 15;
+
+        NativeList<DensitySum> m_sums;
+        NativeList<int> m_childBricks;
+        int m_runs;
+        double m_share;
+
+        DensityTree()
+        {
+            m_sums = new NativeList<DensitySum>(FirstBrick + CellsOfBrick, Allocator.Persistent);
+            m_childBricks = new NativeList<int>(FineCells, Allocator.Persistent);
+            for (int i = 0; i < FirstBrick; i++)
+                m_sums.Add(default);
+            AddBrick(ref m_childBricks, ref m_sums);
+        }
+
+        /// <summary>The estimate for a cell's number.</summary>
+        public DensityCell this[int cell] => m_sums[cell].ToCell(m_runs, m_share);
+
+        /// <summary>The number of the first of a cell's eight parts, in Morton order; -1 if it is not divided.</summary>
+        public int FirstPartOf(int cell)
+        {
+            if (cell == Root)
+                return CoarseCell(0, 0);
+            if (cell == Outside)
+                return -1;
+            int brick = (cell - FirstBrick) / CellsOfBrick, inBrick = (cell - FirstBrick) % CellsOfBrick;
+            if (inBrick < CoarseCells)
+                return FineCell(brick, inBrick * 8);
+            int child = m_childBricks[brick * FineCells + inBrick - CoarseCells];
+            return child < 0 ? -1 : CoarseCell(child, 0);
+        }
+
+        /// <summary>Coroutine: counts a sample.</summary>
+        /// <param name="codes">The Morton code of each point's cell at the last level, or <see cref="OutsideCode"/>.</param>
+        /// <param name="runs">In the file's order.</param>
+        /// <param name="share">The sampled share of the file's points, 0 to 1.</param>
+        /// <param name="maxPoints">Cells with no more points are not divided.</param>
+        /// <param name="coded">Completes when the codes are there.</param>
+        /// <param name="take">Receives the tree at the end; the caller disposes it.</param>
+        public static IEnumerator<JobStep> Count(NativeArray<uint> codes, NativeArray<SampleRun> runs, double share,
+            double maxPoints, JobHandle coded, Action<DensityTree> take)
+        {
+            var tree = new DensityTree { m_share = share, m_runs = runs.Length };
+            var bricks = new NativeArray<int>(Math.Max(1, codes.Length), Allocator.Persistent);
+            var touched = new NativeList<int>(Allocator.Persistent);
+            var bricksOfDepth = new NativeReference<int2>(new int2(0, 1), Allocator.Persistent);
+            try
+            {
+                var begins = new List<int> { 0 };
+                for (int run = 0, points = 0; run < runs.Length; run++)
+                {
+                    points += runs[run].Count;
+                    if (points < PointsPerSlice && run + 1 < runs.Length)
+                        continue;
+                    begins.Add(run + 1);
+                    points = 0;
+                }
+                // Each depth counts in all slices but one, which divides.
+                int slices = begins.Count;
+                yield return JobStep.Of(Slices.Run(0, Levels / 2 * slices - 1, 1, (n, _, after) => n % slices == slices - 1
+                    ? new DivideDensityJob
+                    {
+                        Bricks = bricksOfDepth,
+                        MaxPoints = maxPoints,
+                        ChildBricks = tree.m_childBricks,
+                        Sums = tree.m_sums,
+                    }.Schedule(after)
+                    : new CountDensityJob
+                    {
+                        CodeOfPoint = codes,
+                        BrickOfPoint = bricks,
+                        Runs = runs,
+                        First = begins[n % slices],
+                        End = begins[n % slices + 1],
+                        Depth = n / slices,
+                        Bricks = bricksOfDepth,
+                        ChildBricks = tree.m_childBricks,
+                        Sums = tree.m_sums,
+                        Touched = touched,
+                    }.Schedule(after), 1, coded));
+                take(tree);
+                tree = null;
+            }
+            finally
+            {
+                bricksOfDepth.Dispose();
+                bricks.Dispose();
+                touched.Dispose();
+                tree?.Dispose();
+            }
+        }
+
+        public void Dispose()
+        {
+            if (!m_sums.IsCreated)
+                return;
+            m_sums.Dispose();
+            m_childBricks.Dispose();
+        }
+
+        internal static void AddBrick(ref NativeList<int> childBricks, ref NativeList<DensitySum> sums)
+        {
+            for (int i = 0; i < FineCells; i++)
+                childBricks.Add(-1);
+            for (int i = 0; i < CellsOfBrick; i++)
+                sums.Add(default);
+        }
+    }
+
+    /// <summary>How the cells of a <see cref="DensityTree"/> are numbered.</summary>
+    static class DensityNumbers
+    {
+        /// <summary>Numbers of the first cells: the whole cube and the space outside it; then come the bricks.</summary>
+        public const int Root = 0, Outside = 1;
+
+        /// <summary>The code of a point outside the cube.</summary>
+        public const uint OutsideCode = uint.MaxValue;
+
+        /// <summary>The most levels of cells: a code has three bits for each.</summary>
+        public const int Levels = 8;
+
+        public const int FineCells = 64;
+        public const int CoarseCells = 8, CellsOfBrick = CoarseCells + FineCells, FirstBrick = 2;
+
+        public static int CoarseCell(int brick, int coarse) => FirstBrick + brick * CellsOfBrick + coarse;
+
+        public static int FineCell(int brick, int fine) => FirstBrick + brick * CellsOfBrick + CoarseCells + fine;
+
+        /// <summary>A point's fine cell within its brick at a depth.</summary>
+        public static int FineOf(uint code, int depth) => (int)(code >> 3 * (Levels - 2 * (depth + 1)) & FineCells - 1);
+    }
+
+    /// <summary>Sums over the runs of a sample, one after the other in the file's order, for one cell. Blittable.</summary>
+    internal struct DensitySum
+    {
+        public double Points;
+        public double SquaresOfDifferences;
+
+        /// <summary>Points of the run that is being counted.</summary>
+        public double InRun;
+
+        /// <summary>Points of <see cref="LastRun"/>, the last one that has points here.</summary>
+        public double InLast;
+        public int LastRun;
+        public int Runs;
+
+        /// <summary>Adds <see cref="InRun"/> when its run is counted; runs without points in the cell may be skipped.</summary>
+        public void Close(int run)
+        {
+            if (Runs > 0 && LastRun == run - 1)
+            {
+                SquaresOfDifferences += (InRun - InLast) * (InRun - InLast);
+            }
+            else
+            {
+                SquaresOfDifferences += run > 0 ? InRun * InRun : 0;
+                SquaresOfDifferences += InLast * InLast;
+            }
+            Points += InRun;
+            InLast = InRun;
+            InRun = 0;
+            LastRun = run;
+            Runs++;
+        }
+
+        /// <summary>The estimate after all are counted.</summary>
+        /// <param name="runs">Number of runs in the sample, with or without points here.</param>
+        /// <param name="share">The sampled share of the file's points.</param>
+        /// <remarks>Points of one run are neighbours in space as well: they say hardly more than one of them would, and a
+        /// binomial error would be far too small. Each part of the file has one run, so the variance is estimated by the
+        /// differences of neighbouring ones (Wolter, "Introduction to variance estimation", 2007, 8.2), with the correction for a
+        /// finite population.</remarks>
+        public DensityCell ToCell(int runs, double share)
+        {
+            if (Runs == 0)
+                return new DensityCell(0, double.NaN, 0);
+            double left = Math.Max(0, 1 - share);
+            if (runs < 2)
+                return new DensityCell(Points, left > 0 ? Points : 0, Runs);
+            double squares = SquaresOfDifferences + (LastRun < runs - 1 ? InLast * InLast : 0);
+            return new DensityCell(Points, Math.Sqrt(left * squares * runs / (2.0 * (runs - 1))), Runs);
+        }
+    }
+
+    /// <summary>How many points of a cloud lie in a cell, as far as a sample shows.</summary>
+    internal readonly struct DensityCell
+    {
+        /// <summary>The estimate; also 0 if nothing is known.</summary>
+        public readonly double Points;
+
+        /// <summary>Error of <see cref="Points"/>, in points; NaN if nothing is known.</summary>
+        public readonly double StandardError;
+
+        /// <summary>Runs that have sampled points here.</summary>
+        public readonly int Runs;
+
+        public DensityCell(double points, double standardError, int runs)
+        {
+            Points = points;
+            StandardError = standardError;
+            Runs = runs;
+        }
+
+        /// <summary>False if no sampled point lies here: there may be none, or some that no run reached.</summary>
+        public bool IsKnown => Runs > 0;
+    }
+
+    /// <summary>Counts some runs of a sample into the bricks of one depth.</summary>
+    [BurstCompile]
+    unsafe struct CountDensityJob : IJob
+    {
+        [ReadOnly] public NativeArray<uint> CodeOfPoint;
+
+        /// <summary>The brick that each point was counted in at the previous depth; becomes that of this depth, or -1 if there is
+        /// none.</summary>
+        public NativeArray<int> BrickOfPoint;
+
+        /// <summary>Those from <see cref="First"/> to before <see cref="End"/> are counted.</summary>
+        [ReadOnly] public NativeArray<SampleRun> Runs;
+        public int First;
+        public int End;
+
+        public int Depth;
+
+        /// <summary>The depth's first brick and the end of them.</summary>
+        [ReadOnly] public NativeReference<int2> Bricks;
+        [ReadOnly] public NativeList<int> ChildBricks;
+        public NativeList<DensitySum> Sums;
+
+        /// <summary>Cells in which the current run has points.</summary>
+        public NativeList<int> Touched;
+
+        public void Execute()
+        {
+            if (Bricks.Value.x == Bricks.Value.y)
+                return;
+            var sums = (DensitySum*)Sums.GetUnsafePtr();
+            for (int r = First; r < End; r++)
+            {
+                var run = Runs[r];
+                for (int i = 0; i < run.Count; i++)
+                    Count(sums, run.First + i, run.Weight);
+                for (int i = 0; i < Touched.Length; i++)
+                    sums[Touched[i]].Close(r);
+                Touched.Clear();
+            }
+        }
+
+        void Count(DensitySum* sums, int point, double weight)
+        {
+            uint code = CodeOfPoint[point];
+            if (Depth == 0)
+            {
+                BrickOfPoint[point] = code == OutsideCode ? -1 : 0;
+                Add(sums, code == OutsideCode ? Outside : Root, weight);
+            }
+            int brick = BrickOfPoint[point];
+            if (brick < 0)
+                return;
+            if (Depth > 0)
+            {
+                brick = ChildBricks[brick * FineCells + FineOf(code, Depth - 1)];
+                BrickOfPoint[point] = brick;
+                if (brick < 0)
+                    return;
+            }
+            int fine = FineOf(code, Depth);
+            Add(sums, CoarseCell(brick, fine >> 3), weight);
+            Add(sums, FineCell(brick, fine), weight);
+        }
+
+        void Add(DensitySum* sums, int cell, double weight)
+        {
+            if (sums[cell].InRun == 0)
+                Touched.Add(cell);
+            sums[cell].InRun += weight;
+        }
+    }
+
+    /// <summary>Gives a brick of their own to the cells of one depth that are worth dividing.</summary>
+    [BurstCompile]
+    struct DivideDensityJob : IJob
+    {
+        /// <summary>The depth's first brick and the end of them; becomes the next depth's.</summary>
+        public NativeReference<int2> Bricks;
+
+        /// <summary>A cell with no more is small enough.</summary>
+        public double MaxPoints;
+
+        public NativeList<int> ChildBricks;
+        public NativeList<DensitySum> Sums;
+
+        public void Execute()
+        {
+            var bricks = Bricks.Value;
+            for (int brick = bricks.x; brick < bricks.y; brick++)
+            {
+                for (int fine = 0; fine < FineCells; fine++)
+                {
+                    if (Sums[FineCell(brick, fine)].Points <= MaxPoints)
+                        continue;
+                    ChildBricks[brick * FineCells + fine] = ChildBricks.Length / FineCells;
+                    DensityTree.AddBrick(ref ChildBricks, ref Sums);
+                }
+            }
+            Bricks.Value = new int2(bricks.y, ChildBricks.Length / FineCells);
+        }
+    }
+}

@@ -1,0 +1,210 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Core;
+using Unity.Burst;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.IO.LowLevel.Unsafe;
+using Unity.Jobs;
+
+namespace FastPoints.Reading
+{
+    sealed class FixedRecords
+    {
+        public readonly SourceHandle File;
+        public readonly PointFields Fields;
+        public readonly long DataOffset;
+        public readonly int RecordBytes;
+        public readonly bool IsBigEndian;
+
+        public FixedRecords(SourceHandle file, PointFields fields, long dataOffset, int recordBytes, bool isBigEndian = false)
+        {
+            File = file;
+            Fields = fields;
+            DataOffset = dataOffset;
+            RecordBytes = recordBytes;
+            IsBigEndian = isBigEndian;
+        }
+
+        public long OffsetOf(long point) => DataOffset + point * RecordBytes;
+
+        public NativeArray<FieldCopy> CopiesTo(PointBatch batch, Allocator allocator) =>
+            new NativeArray<FieldCopy>(FieldCopyPlan.Make(Fields, batch, IsBigEndian), allocator);
+    }
+
+    // Blocks of one number of points, but the last: records of one length, any of which can be read alone, or in scattered runs.
+    internal abstract class RecordReader : PointReader
+    {
+        // Measured beside 16,384 and 65,536: blocks in flight stay in the caches, and there are not too many of them.
+        const int MaxBlockPoints = 32768;
+
+        // Records of many fields come in shorter blocks, so that a slot's memory stays small.
+        const int MaxBlockBytes = 4 << 20;
+
+        readonly SourceHandle m_file;
+        readonly int m_blockPoints;
+        readonly int m_recordBytes;
+        FixedRecords m_records;
+        long m_points;
+
+        private protected RecordReader(SourceInfo info, SourceHandle file, int recordBytes)
+        {
+            Info = info;
+            m_file = file;
+            m_recordBytes = recordBytes;
+            m_blockPoints = Math.Max(1, Math.Min(MaxBlockPoints, MaxBlockBytes / recordBytes));
+        }
+
+        private protected void SetRecords(PointFields fields, long dataOffset, bool isBigEndian, long points)
+        {
+            if ((points + m_blockPoints - 1) / m_blockPoints > int.MaxValue)
+                throw PointCloudException.Wanted(FailureCode.Unsupported, Info.Path, -1, "points",
+                    "at most " + (long)int.MaxValue * m_blockPoints, points);
+            m_records = new FixedRecords(m_file, fields, dataOffset, m_recordBytes, isBigEndian);
+            m_points = points;
+        }
+
+        FixedRecords Records => m_records ?? throw new InvalidOperationException("FindBlocks comes first");
+
+        long Points => Records == null ? 0 : m_points;
+
+        public sealed override bool BlocksAreKnown => m_records != null;
+        public sealed override bool HasFixedStride => true;
+        public sealed override int BlockCount => (int)((Points + m_blockPoints - 1) / m_blockPoints);
+        public sealed override int MaxPointsPerBlock => (int)Math.Min(m_blockPoints, Points);
+
+        public sealed override long FirstPointOfBlock(int block) => (uint)block < (uint)BlockCount ? (long)block * m_blockPoints
+            : throw new ArgumentOutOfRangeException(nameof(block), block, "the source has " + BlockCount + " blocks");
+
+        public sealed override int PointsInBlock(int block) => (int)Math.Min(m_blockPoints, m_points - FirstPointOfBlock(block));
+
+        public sealed override long BytesOfRange(BlockRange range) => (long)range.Count * m_recordBytes;
+
+        public sealed override BlockRead CreateRead(PointSchema wanted, int capacity, Allocator allocator) =>
+            new RecordRead(this, Records, wanted, capacity, allocator);
+
+        // A slot for scattered runs: maxRuns and maxBytes are of one request; these bytes are at least those of the longest run.
+        public RunRead CreateRunRead(PointBatch target, int maxRuns, int maxBytes, Allocator allocator) =>
+            new RunRead(Records, target, maxRuns, maxBytes, allocator);
+
+        public sealed override void CloseFile() => m_file.Close();
+
+        // Coroutine: reads ranges of points, in the file's order, into a batch, one behind the other. "then" schedules jobs that
+        // need all ranges, behind those that are given; they are complete in the end.
+        public IEnumerator<JobStep> ReadRuns(IReadOnlyList<BlockRange> ranges, int first, int count, PointBatch target,
+            Func<JobHandle, JobHandle> then)
+        {
+            const int Slots = 8, RunsPerRequest = 256, BytesPerRequest = 2 << 20;
+            var runs = new NativeArray<PointRun>(count, Allocator.Persistent);
+            var reads = new RunRead[Slots];
+            var ring = new SlotRing(Slots);
+            var behind = default(JobHandle);
+            try
+            {
+                int place = 0, longest = 1;
+                for (int i = 0; i < count; i++)
+                {
+                    var range = ranges[first + i];
+                    long from = FirstPointOfBlock(range.Block) + range.First;
+                    runs[i] = new PointRun { First = from, Step = 1, Count = range.Count, Place = place };
+                    place += range.Count;
+                    longest = Math.Max(longest, range.Count);
+                }
+                if (count == 0)
+                    behind = then(default);
+                for (int next = 0; next < count || !ring.IsEmpty;)
+                {
+                    if (next == count || ring.IsFull)
+                    {
+                        yield return reads[ring.Oldest].Decoded;
+                        reads[ring.End()].Complete();
+                        continue;
+                    }
+                    int slot = ring.Begin();
+                    reads[slot] ??= CreateRunRead(target, RunsPerRequest,
+                        Math.Max(BytesPerRequest, longest * m_recordBytes), Allocator.Persistent);
+                    next += reads[slot].Begin(runs, next, RunsPerRequest, 0);
+                    behind = JobHandle.CombineDependencies(behind, reads[slot].Decoded);
+                    if (next == count)
+                        behind = then(behind);
+                    JobHandle.ScheduleBatchedJobs();
+                    // The coroutine checks its budget.
+                    yield return default;
+                }
+                yield return behind;
+            }
+            finally
+            {
+                behind.Complete();
+                foreach (var read in reads)
+                    read?.Dispose();
+                runs.Dispose();
+            }
+        }
+    }
+
+    sealed class RecordRead : SlotRead
+    {
+        readonly FixedRecords m_records;
+        readonly NativeArray<FieldCopy> m_copies;
+
+        public RecordRead(PointReader reader, FixedRecords records, PointSchema wanted, int capacity, Allocator allocator)
+            : base(reader, wanted, CheckCapacity(records, capacity), allocator)
+        {
+            m_records = records;
+            m_copies = Own(records.CopiesTo(Points, allocator));
+            OwnFile((long)capacity * records.RecordBytes, allocator);
+        }
+
+        static int CheckCapacity(FixedRecords records, int capacity) =>
+            capacity >= 0 && (long)capacity * records.RecordBytes <= int.MaxValue - NativeFileRead.PaddingBytes
+                ? capacity
+                : throw new ArgumentOutOfRangeException(nameof(capacity), capacity, "a slot holds at most 2 GiB of records");
+
+        protected override JobHandle Schedule(BlockRange range) => new DecodeRecordsJob
+        {
+            Records = File.Buffer,
+            Copies = m_copies,
+            Columns = Points.Bytes,
+            Result = Result,
+            RecordBytes = m_records.RecordBytes,
+            Count = range.Count,
+        }.Schedule(DependencyOf(File.Begin(m_records.File, m_records.OffsetOf(FirstPoint),
+            range.Count * m_records.RecordBytes)));
+
+        protected override void Cancel() => File.Cancel();
+
+        // The header's claims were checked against the file's size at opening: a short read means that the file has changed
+        // since, an error, not a cloud with fewer points.
+        protected override void EndRead()
+        {
+            var status = File.Close(out long got);
+            if (status == ReadStatus.Complete)
+                return;
+            var result = Result;
+            result.Value = default;
+            bool isShort = status == ReadStatus.Truncated;
+            throw PointCloudException.Wanted(isShort ? FailureCode.Truncated : FailureCode.ReadFailed, m_records.File.Path,
+                File.Offset, isShort ? "the file became shorter" : "the read failed", NumberText.Of(Range.Count) +
+                " points of " + NumberText.Of(m_records.RecordBytes) + " bytes", NumberText.Of(got / m_records.RecordBytes));
+        }
+    }
+
+    [BurstCompile]
+    internal struct DecodeRecordsJob : IJob
+    {
+        [ReadOnly] public NativeArray<byte> Records;
+        [ReadOnly] public NativeArray<FieldCopy> Copies;
+        public NativeArray<byte> Columns;
+        public NativeReference<DecodeResult> Result;
+        public int RecordBytes;
+        public int Count;
+
+        public unsafe void Execute()
+        {
+            PointRecords.ToColumns((byte*)Records.GetUnsafeReadOnlyPtr(), RecordBytes, Count, Copies,
+                (byte*)Columns.GetUnsafePtr());
+            Result.Value = new DecodeResult { Points = Count };
+        }
+    }
+}

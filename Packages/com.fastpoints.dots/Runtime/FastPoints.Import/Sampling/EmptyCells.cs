@@ -1,0 +1,173 @@
+using System.Runtime.CompilerServices;
+using FastPoints.Core;
+using FastPoints.Reading;
+using Unity.Burst;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.Jobs;
+using Unity.Mathematics;
+
+namespace FastPoints.Sampling
+{
+    /// <summary>Tracks which cubic cells of space hold a point, by their hash. Blittable, for jobs.</summary>
+    /// <remarks>Two cells may share a bit: with a million occupied ones, 3 % of cells count as occupied too soon.</remarks>
+    internal struct EmptyCells
+    {
+        const int BitsLog2 = 25;
+
+        /// <summary>Words of the table: 4 MiB.</summary>
+        public const int Words = 1 << BitsLog2 - 6;
+
+        public double3 Corner;
+        public double CellsPerUnit;
+
+        /// <summary>Marks the cell of a position.</summary>
+        /// <returns>Whether it was empty.</returns>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public unsafe bool Mark(ulong* table, double x, double y, double z)
+        {
+            // Far away everything is one cell: a conversion that overflows always gives the same value.
+            long cellX = (long)math.floor((x - Corner.x) * CellsPerUnit);
+            long cellY = (long)math.floor((y - Corner.y) * CellsPerUnit);
+            long cellZ = (long)math.floor((z - Corner.z) * CellsPerUnit);
+            ulong hash = ((ulong)cellX * 0x9E3779B97F4A7C15UL ^ (ulong)cellY) * 0xBF58476D1CE4E5B9UL;
+            hash = (hash ^ hash >> 32 ^ (ulong)cellZ) * 0x94D049BB133111EBUL;
+            hash = (hash ^ hash >> 29) * 0x9E3779B97F4A7C15UL >> 64 - BitsLog2;
+            ulong bit = 1UL << (int)(hash & 63);
+            bool isBare = (table[hash >> 6] & bit) == 0;
+            table[hash >> 6] |= bit;
+            return isBare;
+        }
+    }
+
+    /// <summary>Appends, from decoded points, the first one of each empty cell: a cell with neither a point that stands for a
+    /// stratum, nor one that was appended. These jobs must run one after the other.</summary>
+    [BurstCompile]
+    struct KeepEmptyCellsJob : IJob
+    {
+        const int RunLength = ColumnValues.RunLength;
+
+        [NativeDisableContainerSafetyRestriction] public NativeArray<byte> From;
+        [ReadOnly] public NativeArray<PointColumn> ColumnsOfFrom;
+        [ReadOnly] public NativeReference<DecodeResult> Result;
+
+        /// <summary>The points from <see cref="First"/> to before <see cref="End"/>.</summary>
+        public int First;
+        public int End;
+        public PositionColumns Positions;
+        public PositionTransform Transform;
+
+        /// <summary>Index of the block's first point in the whole source.</summary>
+        public long FirstPoint;
+
+        /// <summary>Empty if the points belong to no range.</summary>
+        public SampleStrata Strata;
+
+        public EmptyCells Cells;
+        public NativeArray<ulong> Table;
+
+        /// <summary>May be the points themselves, if they are kept from the first on.</summary>
+        [NativeDisableContainerSafetyRestriction] public NativeArray<byte> To;
+        [ReadOnly, NativeDisableContainerSafetyRestriction] public NativeArray<PointColumn> ColumnsOfTo;
+        public int Capacity;
+        public NativeReference<int> Kept;
+
+        public unsafe void Execute()
+        {
+            double* x = stackalloc double[RunLength];
+            double* y = stackalloc double[RunLength];
+            double* z = stackalloc double[RunLength];
+            int* from = stackalloc int[RunLength];
+            int* to = stackalloc int[RunLength];
+            var copy = new ColumnCopy
+            {
+                From = (byte*)NativeArrayUnsafeUtility.GetUnsafeBufferPointerWithoutChecks(From),
+                To = (byte*)NativeArrayUnsafeUtility.GetUnsafeBufferPointerWithoutChecks(To),
+                ColumnsOfFrom = ColumnsOfFrom,
+                ColumnsOfTo = ColumnsOfTo,
+            };
+            var table = (ulong*)Table.GetUnsafePtr();
+            int end = math.min(End, Result.Value.Points);
+            MarkChosen(copy.From, table, end, x, y, z);
+            int keptOfAll = Kept.Value;
+            for (int first = First; first < end; first += RunLength)
+            {
+                int run = math.min(end - first, RunLength);
+                Positions.Load(copy.From, first, run, x, y, z);
+                Transform.ToGeo(run, x, y, z);
+                int kept = 0;
+                for (int i = 0; i < run; i++)
+                {
+                    if (!PositionBounds.IsFinite(x[i], y[i], z[i]) || !Cells.Mark(table, x[i], y[i], z[i])
+                        || keptOfAll == Capacity)
+                        continue;
+                    from[kept] = first + i;
+                    to[kept++] = keptOfAll++;
+                }
+                copy.Scatter(from, to, kept);
+            }
+            Kept.Value = keptOfAll;
+        }
+
+        /// <summary>Marks the cells of the points that stand for a stratum.</summary>
+        unsafe void MarkChosen(byte* block, ulong* table, int endOfRange, double* x, double* y, double* z)
+        {
+            long begin = FirstPoint + First;
+            long end = math.min(FirstPoint + endOfRange, Strata.Points);
+            if (Strata.Count == 0 || end <= begin)
+                return;
+            int last = Strata.StratumOf(end - 1);
+            for (int stratum = Strata.StratumOf(begin); stratum <= last; stratum++)
+            {
+                long point = Strata.Chosen(stratum);
+                if (point < begin || point >= end)
+                    continue;
+                Positions.Load(block, (int)(point - FirstPoint), 1, x, y, z);
+                Transform.ToGeo(1, x, y, z);
+                if (PositionBounds.IsFinite(*x, *y, *z))
+                    Cells.Mark(table, *x, *y, *z);
+            }
+        }
+    }
+
+    /// <summary>Marks the cells of those places of a sample that hold a point.</summary>
+    [BurstCompile]
+    struct MarkCellsJob : IJob
+    {
+        const int RunLength = ColumnValues.RunLength;
+
+        [ReadOnly] public NativeArray<byte> Sample;
+        [ReadOnly] public NativeArray<byte> Filled;
+        public PositionColumns Positions;
+        public PositionTransform Transform;
+
+        /// <summary>Places from <see cref="First"/> to before <see cref="End"/>.</summary>
+        public int First;
+        public int End;
+
+        public EmptyCells Cells;
+
+        /// <summary>Cleared before the first place.</summary>
+        public NativeArray<ulong> Table;
+
+        public unsafe void Execute()
+        {
+            double* x = stackalloc double[RunLength];
+            double* y = stackalloc double[RunLength];
+            double* z = stackalloc double[RunLength];
+            var table = (ulong*)Table.GetUnsafePtr();
+            if (First == 0)
+                UnsafeUtility.MemClear(table, Table.Length * sizeof(ulong));
+            byte* sample = (byte*)Sample.GetUnsafeReadOnlyPtr();
+            for (int first = First; first < End; first += RunLength)
+            {
+                int run = math.min(End - first, RunLength);
+                Positions.Load(sample, first, run, x, y, z);
+                Transform.ToGeo(run, x, y, z);
+                for (int i = 0; i < run; i++)
+                    if (Filled[first + i] != 0 && PositionBounds.IsFinite(x[i], y[i], z[i]))
+                        Cells.Mark(table, x[i], y[i], z[i]);
+            }
+        }
+    }
+}

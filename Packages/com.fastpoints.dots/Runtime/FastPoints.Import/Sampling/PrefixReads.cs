@@ -1,0 +1,143 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Core;
+using FastPoints.Reading;
+using Unity.Burst;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.Jobs;
+using Unity.Mathematics;
+
+namespace FastPoints.Sampling
+{
+    /// <summary>Samples prefixes of blocks from all over a source where nothing else is cheap (LAZ chunks): see
+    /// <see cref="PrefixPlan"/> for how many of which.</summary>
+    /// <remarks>A later wave decodes a block's prefix again to reach what follows it: a tenth of its own work if waves are ten
+    /// times as large. Points of one prefix are neighbours, so the sample is coarser than a uniform one of as many
+    /// points.</remarks>
+    sealed class PrefixReads : WaveReads, IBlockConsumer
+    {
+        /// <summary>Shorter prefixes are decoded about as fast as they are read, so more of them are requested at a time, which a
+        /// slow disk needs as well. A LAZ slot takes 1.5 MB.</summary>
+        const int ShortPrefix = 1024, SlotsForShortPrefixes = 12;
+
+        readonly PrefixPlan m_plan;
+        readonly List<NativeArray<PointColumn>> m_columnsOfSlot = new List<NativeArray<PointColumn>>();
+        ReadSlots m_slots;
+        StageProgress m_progress;
+
+        /// <summary>The one that begins.</summary>
+        Prefix m_begun;
+
+        public PrefixReads(PointReader reader, int wanted, uint seed)
+            : base(reader, reader is LineReader && !reader.BlocksAreKnown ? wanted : (int)Math.Min(wanted, reader.PointCount),
+                reader.Tree == null ? "prefixes of blocks, in waves" : "levels of its octree, in waves")
+        {
+            m_plan = new PrefixPlan(reader, seed);
+        }
+
+        /// <summary>Coroutine: finds as many as the wave is spread over, and more if these have too few points.</summary>
+        IEnumerator<JobStep> FindPrefixes(int wanted)
+        {
+            for (long places = wanted / PrefixPlan.MinPoints + 1L; ; places *= 2)
+            {
+                yield return JobStep.Of(((LineReader)Reader).FindPrefixes((int)Math.Min(places, LineReader.MaxPrefixes)));
+                if (Reader.PointCount >= wanted || places >= LineReader.MaxPrefixes)
+                    break;
+            }
+        }
+
+        public override IEnumerator<JobStep> Read(int wanted, int next, int slots, StageProgress progress)
+        {
+            if (Reader is LineReader && !Reader.BlocksAreKnown)
+                yield return JobStep.Of(FindPrefixes(wanted));
+            var prefixes = m_plan.Next(wanted);
+            int longest = 0;
+            foreach (var prefix in prefixes)
+                longest = Math.Max(longest, prefix.Count);
+            if (longest == 0)
+                yield break;
+            int first = longest <= ShortPrefix ? SlotsForShortPrefixes : SourceScan.SlotsFor(Reader, Buffer.Points.Schema);
+            m_progress = progress;
+            m_slots = new ReadSlots(Reader, Buffer.Points.Schema, longest,
+                LimitFor(Reader, Buffer.Points.Schema, slots, first), 0);
+            yield return JobStep.Of(m_slots.Run(this, 0, prefixes.Count, (read, n) =>
+            {
+                m_begun = prefixes[n];
+                read.Begin(new BlockRange(m_begun.Block, m_begun.First, m_begun.Count));
+            }, null));
+            // Slots for prefixes of another length than in this wave are made.
+            yield return JobStep.Of(m_slots.Free());
+            Free();
+            EndPlace = m_plan.Taken;
+        }
+
+        JobHandle IBlockConsumer.Schedule(BlockRead read, int slot, JobHandle decoded)
+        {
+            while (m_columnsOfSlot.Count <= slot)
+                m_columnsOfSlot.Add(SampleBuffer.ColumnsOf(read.Points));
+            return new CopyPrefixJob
+            {
+                Decoded = read.Points.Bytes,
+                ColumnsOfDecoded = m_columnsOfSlot[slot],
+                Result = read.Result,
+                MaxPoints = m_begun.Count,
+                ColumnsOfSample = Buffer.Columns,
+                FirstPlace = m_begun.Place,
+                Sample = Buffer.Points.Bytes,
+                Filled = Buffer.Filled,
+            }.Schedule(decoded);
+        }
+
+        void IBlockConsumer.Completed(BlockRead read, int slot)
+        {
+            BytesRead += Reader.BytesOfRange(read.Range);
+            Report(m_progress);
+        }
+
+        public override void Free()
+        {
+            m_slots?.Dispose();
+            m_slots = null;
+            foreach (var columns in m_columnsOfSlot)
+                columns.Dispose();
+            m_columnsOfSlot.Clear();
+        }
+    }
+
+    /// <summary>Copies the first points of a decoded range to consecutive places of the sample. Ranges go to disjoint places, so
+    /// any number of these may run at the same time.</summary>
+    [BurstCompile]
+    struct CopyPrefixJob : IJob
+    {
+        [ReadOnly] public NativeArray<byte> Decoded;
+        [ReadOnly] public NativeArray<PointColumn> ColumnsOfDecoded;
+        [ReadOnly] public NativeReference<DecodeResult> Result;
+        public int MaxPoints;
+
+        [ReadOnly] public NativeArray<PointColumn> ColumnsOfSample;
+        public int FirstPlace;
+
+        [NativeDisableContainerSafetyRestriction] public NativeArray<byte> Sample;
+
+        /// <summary>Set to 1 at each place that is written.</summary>
+        [NativeDisableContainerSafetyRestriction] public NativeArray<byte> Filled;
+
+        public unsafe void Execute()
+        {
+            int count = math.min(MaxPoints, Result.Value.Points);
+            if (count <= 0)
+                return;
+            byte* from = (byte*)Decoded.GetUnsafeReadOnlyPtr();
+            byte* to = (byte*)NativeArrayUnsafeUtility.GetUnsafeBufferPointerWithoutChecks(Sample);
+            for (int column = 0; column < ColumnsOfSample.Length; column++)
+            {
+                int size = ColumnsOfSample[column].Type.SizeOf();
+                UnsafeUtility.MemCpy(to + ColumnsOfSample[column].OffsetBytes + (long)FirstPlace * size,
+                    from + ColumnsOfDecoded[column].OffsetBytes, (long)count * size);
+            }
+            var filled = (byte*)NativeArrayUnsafeUtility.GetUnsafeBufferPointerWithoutChecks(Filled);
+            UnsafeUtility.MemSet(filled + FirstPlace, 1, count);
+        }
+    }
+}

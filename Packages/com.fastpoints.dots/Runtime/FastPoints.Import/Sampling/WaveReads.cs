@@ -1,0 +1,64 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Core;
+using FastPoints.Reading;
+using Unity.Jobs;
+
+namespace FastPoints.Sampling
+{
+    /// <summary>How the points of a <see cref="PreviewSampler"/>'s waves are read into their places.</summary>
+    internal abstract class WaveReads
+    {
+        /// <summary>Where frames are farther apart, the machine was busy or the work was paused.</summary>
+        const double MaxFrameMs = 250;
+
+        /// <param name="placeCount">Number of places in the sample.</param>
+        /// <param name="method">See <see cref="PreviewSample.Method"/>.</param>
+        protected WaveReads(PointReader reader, int placeCount, string method)
+        {
+            Reader = reader;
+            Buffer = new SampleBuffer(SampleSchema.Of(reader.Info), reader.Info.Transform, placeCount);
+            Method = method;
+        }
+
+        /// <summary>The caller disposes it.</summary>
+        public SampleBuffer Buffer { get; }
+
+        public string Method { get; protected set; }
+
+        public long BytesRead { get; protected set; }
+
+        /// <summary>What fills the places up to <see cref="EndPlace"/>, where <see cref="Read"/> has not awaited it.</summary>
+        public JobHandle Filling { get; protected set; }
+
+        /// <summary>Number of places in the sample that the waves so far have reached.</summary>
+        public int EndPlace { get; protected set; }
+
+        protected PointReader Reader { get; }
+
+        /// <summary>Reads in flight: so many, or at first as many as a coroutine needs that awaits each, and more where frames
+        /// are so far apart that workers run out of them.</summary>
+        public static InFlightLimit LimitFor(PointReader reader, PointSchema schema, int slots, int first) => slots > 0
+            ? new InFlightLimit(slots, slots, () => 0)
+            : new InFlightLimit(first, SourceScan.SlotsIn(reader, schema, 0, SourceScan.MaxSlotBytes), () => MaxFrameMs);
+
+        /// <summary>Coroutine: reads more points into the following places, and moves <see cref="EndPlace"/> behind
+        /// them.</summary>
+        /// <param name="wanted">The approximate number of places to reach; all of them for the last wave.</param>
+        /// <param name="next">The same of the wave after this one, which may be prepared; 0 for none.</param>
+        public abstract IEnumerator<JobStep> Read(int wanted, int next, int slots, StageProgress progress);
+
+        /// <summary>When <see cref="Filling"/> has ended.</summary>
+        /// <exception cref="PointCloudException">A read failed.</exception>
+        public virtual void EndReads() => Filling = default;
+
+        /// <summary>Frees what <see cref="Read"/> needs and awaits jobs in flight. May be called twice.</summary>
+        public abstract void Free();
+
+        public void Report(StageProgress progress)
+        {
+            int count = Buffer.Points.Count;
+            progress?.Report(count / (double)Math.Max(1, Buffer.Places), count, BytesRead);
+        }
+    }
+}
