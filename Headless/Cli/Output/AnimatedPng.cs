@@ -12,32 +12,32 @@ sealed class AnimatedPng(string path, int widthPx, int heightPx, int pictures, i
     {
         if (number == 0)
         {
-            Png.WriteHeader(Stream, WidthPx, HeightPx, true);
+            PngCodec.WriteHeader(Stream, WidthPx, HeightPx, true);
             // Frames, and how often to play them: 0 is for ever.
             var all = new byte[8];
-            Png.WriteBig(all, 0, (uint)Pictures);
-            Png.WriteChunk(Stream, "acTL", all);
+            PngCodec.WriteBig(all, 0, (uint)Pictures);
+            PngCodec.WriteChunk(Stream, "acTL", all);
         }
         var control = new byte[26];
-        Png.WriteBig(control, 0, m_sequence++);
-        Png.WriteBig(control, 4, (uint)WidthPx);
-        Png.WriteBig(control, 8, (uint)HeightPx);
+        PngCodec.WriteBig(control, 0, m_sequence++);
+        PngCodec.WriteBig(control, 4, (uint)WidthPx);
+        PngCodec.WriteBig(control, 8, (uint)HeightPx);
         control[20] = (byte)(m_delayMs >> 8);
         control[21] = (byte)m_delayMs;
         control[22] = 1000 >> 8;
         control[23] = 1000 & 255;
-        Png.WriteChunk(Stream, "fcTL", control);
-        byte[] pixels = Png.CompressOpaque(image);
+        PngCodec.WriteChunk(Stream, "fcTL", control);
+        byte[] pixels = PngCodec.Compress(image.Rgba, image.Width, image.Height, true);
         if (number == 0)
         {
-            Png.WriteChunk(Stream, "IDAT", pixels);
+            PngCodec.WriteChunk(Stream, "IDAT", pixels);
             return;
         }
         var data = new byte[pixels.Length + 4];
-        Png.WriteBig(data, 0, m_sequence++);
+        PngCodec.WriteBig(data, 0, m_sequence++);
         Array.Copy(pixels, 0, data, 4, pixels.Length);
-        Png.WriteChunk(Stream, "fdAT", data);
+        PngCodec.WriteChunk(Stream, "fdAT", data);
     }
 
-    protected override void End() => Png.WriteChunk(Stream, "IEND", []);
+    protected override void End() => PngCodec.WriteChunk(Stream, "IEND", []);
 }

@@ -14,7 +14,7 @@ public static class ErrorReport
         var pictures = new List<(byte[] Png, string Caption)>();
         for (int view = 0; view < s_viewNames.Length; view++)
         {
-            byte[] png = FastPoints.Picture.Png.Encode(step.FullViews[view]);
+            byte[] png = Png.Encode(step.FullViews[view]);
             OutputFile.Write(Path.Combine(folder, "full-" + s_viewNames[view] + ".png"), png);
             pictures.Add((png, "all " + Human.Count(step.PointsInCloud, "point") + ", " + s_viewNames[view]));
         }

@@ -109,7 +109,7 @@ public sealed class ErrorStep
             m_run.RunSteps(m_comparison.Measure(points, wave.Points, taken.Transform, sameCount, error));
             if (curve.Name == ScanName)
                 m_viewsOfScan.TryAdd(wave.Points, error.Views);
-            curve.Waves.Add(new ErrorWave(wave, error, FastPoints.Picture.Png.Encode(error.Views[2])));
+            curve.Waves.Add(new ErrorWave(wave, error, Png.Encode(error.Views[2])));
             error.Views = null;
         }
         m_run.Progress.End();

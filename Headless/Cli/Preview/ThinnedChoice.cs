@@ -25,7 +25,8 @@ public static class ThinnedChoice
             for (int first = 0; first < points.Count; first += RunLength)
             {
                 int run = Math.Min(RunLength, points.Count - first);
-                positions.LoadGeo(bytes, transform, first, run, x, y, z);
+                positions.Load(bytes, first, run, x, y, z);
+                transform.ToGeo(run, x, y, z);
                 for (int i = 0; i < run; i++)
                     if (PositionBounds.IsFinite(x[i], y[i], z[i]) && cells.Mark(table, x[i], y[i], z[i]))
                     {

@@ -196,6 +196,8 @@ public sealed class ThumbnailTests : EditorFixture
         var texture = editor.RenderStaticPreview("Assets/scan.pointcloud", null, 64, 32);
         Assert.That((texture.width, texture.height), Is.EqualTo((64, 32)));
         Assert.That(texture.Bytes.Distinct().Count(), Is.GreaterThan(50));
+        var same = editor.RenderStaticPreview("Assets/scan.pointcloud", null, ThumbnailDrawing.SizePx, ThumbnailDrawing.SizePx);
+        Assert.That(same.Bytes, Is.EqualTo(Png.Read(PictureOf(asset)).RgbaFromBottom()), "the lowest row of a texture is the first");
         File.WriteAllText(CloudThumbnails.PathOf(cloud), "no picture");
         Assert.That(editor.RenderStaticPreview("Assets/scan.pointcloud", null, 64, 32), Is.Null);
         Directory.Delete(cloud, true);
@@ -211,11 +213,13 @@ public sealed class ThumbnailTests : EditorFixture
         for (int x = 0; x < 4; x++)
             for (int y = 0; y < 2; y++)
                 image[x, y] = Palettes.Pack((byte)(x * 10), (byte)(y * 100), 7, 255);
-        Assert.That(ThumbnailImage.Resized(image, 2, 2), Is.EqualTo(new byte[]
+        var texture = new Texture2D(4, 2, TextureFormat.RGBA32, false);
+        texture.SetPixelData(image.RgbaFromBottom(), 0);
+        Assert.That(ThumbnailImage.Resized(texture, 2, 2), Is.EqualTo(new byte[]
         {
             5, 100, 7, 255, 25, 100, 7, 255,
             5, 0, 7, 255, 25, 0, 7, 255,
         }));
-        Assert.That(ThumbnailImage.Resized(image, 8, 1).Length, Is.EqualTo(32), "larger ones repeat");
+        Assert.That(ThumbnailImage.Resized(texture, 8, 1).Length, Is.EqualTo(32), "larger ones repeat");
     }
 }

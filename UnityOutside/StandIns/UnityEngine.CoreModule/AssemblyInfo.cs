@@ -11,5 +11,6 @@
 [assembly: InternalsVisibleTo("UnityEditor.AssetPipelineEditorModule")]
 [assembly: InternalsVisibleTo("UnityEditor.BuildReportingEditorModule")]
 [assembly: InternalsVisibleTo("UnityEditor.TestRunner")]
+[assembly: InternalsVisibleTo("UnityEngine.ImageConversionModule")]
 [assembly: InternalsVisibleTo("UnityEngine.IMGUIModule")]
 [assembly: InternalsVisibleTo("UnityEngine.VRModule")]

@@ -60,7 +60,8 @@ namespace FastPoints.Evaluation
             for (int done = 0; done < count; done += ColumnValues.RunLength)
             {
                 int run = math.min(ColumnValues.RunLength, count - done);
-                positions.LoadGeo(bytes, transform, first + done, run, x, y, z);
+                positions.Load(bytes, first + done, run, x, y, z);
+                transform.ToGeo(run, x, y, z);
                 for (int i = 0; i < run; i++)
                 {
                     if (!grid.TryCell(x[i], y[i], z[i], out uint cell))

@@ -47,6 +47,9 @@ namespace FastPoints.Evaluation
             ulong* values = stackalloc ulong[PlaneShape.MaxPointsPerBlock];
             float* gaps = stackalloc float[PlaneShape.MaxPointsPerBlock];
             var run = Runs[index];
+            var picture = new PictureMemory(Palettes, SizeOfTile, Pixels);
+            picture.Gaps = SizeNodes.Length > 0 ? gaps : null;
+            picture.Sums = Sums.Length > 0 ? (ulong*)NativeArrayUnsafeUtility.GetUnsafeBufferPointerWithoutChecks(Sums) : null;
             var planes = (PlaneView*)Planes.GetUnsafeReadOnlyPtr() + (long)index * PlaneCount;
             for (int block = 0; block < run.BlockCount; block++)
             {
@@ -62,10 +65,7 @@ namespace FastPoints.Evaluation
                     Hide(batch, count);
                 if (SizeNodes.Length > 0)
                     FindGaps(run, batch, count, gaps);
-                Drawing.Draw(batch, (uint*)Palettes.GetUnsafeReadOnlyPtr(), (float*)SizeOfTile.GetUnsafeReadOnlyPtr(), 0, count,
-                    (ulong*)NativeArrayUnsafeUtility.GetUnsafeBufferPointerWithoutChecks(Pixels),
-                    SizeNodes.Length > 0 ? gaps : null,
-                    Sums.Length > 0 ? (ulong*)NativeArrayUnsafeUtility.GetUnsafeBufferPointerWithoutChecks(Sums) : null);
+                Drawing.Draw(batch, 0, count, picture);
             }
         }
 

@@ -112,9 +112,8 @@ namespace FastPoints.Evaluation
             int start = index * RasterizePointsJob.PointsPerPiece;
             int count = math.min(RasterizePointsJob.PointsPerPiece, Result.Value.Points - start);
             if (count > 0)
-                Drawing.Draw((byte*)Block.GetUnsafeReadOnlyPtr(), (uint*)Palettes.GetUnsafeReadOnlyPtr(),
-                    (float*)SizeOfTile.GetUnsafeReadOnlyPtr(), start, count,
-                    (ulong*)NativeArrayUnsafeUtility.GetUnsafeBufferPointerWithoutChecks(Pixels));
+                Drawing.Draw((byte*)Block.GetUnsafeReadOnlyPtr(), start, count,
+                    new PictureMemory(Palettes, SizeOfTile, Pixels));
         }
     }
 }

@@ -114,7 +114,8 @@ namespace FastPoints.Evaluation
             for (int first = 0; first < count; first += ColumnValues.RunLength)
             {
                 int run = math.min(ColumnValues.RunLength, count - first);
-                Columns.LoadGeo(bytes, Transform, first, run, x, y, z);
+                Columns.Load(bytes, first, run, x, y, z);
+                Transform.ToGeo(run, x, y, z);
                 for (int i = 0; i < run; i++)
                 {
                     int slot = PositionHash.SlotOf(slots, states, Slots.Length, new double3(x[i], y[i], z[i]));
@@ -146,7 +147,8 @@ namespace FastPoints.Evaluation
             for (int done = 0; done < Count; done += ColumnValues.RunLength)
             {
                 int run = math.min(ColumnValues.RunLength, Count - done);
-                Positions.LoadGeo(bytes, Transform, First + done, run, x, y, z);
+                Positions.Load(bytes, First + done, run, x, y, z);
+                Transform.ToGeo(run, x, y, z);
                 for (int i = 0; i < run; i++)
                     if (PositionBounds.IsFinite(x[i], y[i], z[i]))
                         Points[loaded++] = new double3(x[i], y[i], z[i]);

@@ -15,26 +15,20 @@ namespace FastPoints.Picture
     internal static class BlendedPixels
     {
         public const int WordsPerPixel = 2;
+        public const int LargestWeight = 32; // Of a point in its middle; 1 at its rim.
 
-        /// <summary>Weight of a point in its middle; 1 at its rim.</summary>
-        public const int LargestWeight = 32;
-
-        /// <summary>The largest sum of weights in a pixel: 255 times it fits 32 bits. Points after the first half a million are
-        /// left out.</summary>
+        // 255 times it fits 32 bits. Points after the first half a million in a pixel are left out.
         const uint MaxWeights = (1u << 24) - 1024;
 
-        /// <summary>How far behind the nearest point others are still blended with it: a point's diameter, in world
-        /// units.</summary>
-        /// <param name="pixelsPerUnit">Pixels of a world unit at the point's depth.</param>
+        // How far behind the nearest point others are still blended with it: a point's diameter, in world units.
         public static double WindowOf(float sizePx, double pixelsPerUnit) => sizePx / pixelsPerUnit;
 
-        /// <param name="distanceSq">Squared distance from the middle, 1 at the rim.</param>
+        // By the squared distance from the middle, 1 at the rim.
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static uint WeightOf(double distanceSq) =>
             (uint)math.max(1, (int)math.floor(LargestWeight * (1 - distanceSq) + 0.5));
 
-        /// <summary>Adds a point; any number of threads may do so at the same time.</summary>
-        /// <param name="pixel">Two words.</param>
+        // Any number of threads may do so at the same time.
         public static unsafe void Add(ulong* pixel, uint color, uint weight)
         {
             if ((uint)(pixel[1] >> 32) > MaxWeights)
@@ -44,7 +38,7 @@ namespace FastPoints.Picture
             Interlocked.Add(ref *(long*)(pixel + 1), (long)((ulong)weight << 32 | blue * weight));
         }
 
-        /// <summary>The mean colour, rounded; that of the nearest point if none was added.</summary>
+        // The mean, rounded; the nearest point's colour if none was added.
         public static uint ColorOf(ulong word0, ulong word1, uint nearest)
         {
             ulong weights = word1 >> 32, half = weights / 2;

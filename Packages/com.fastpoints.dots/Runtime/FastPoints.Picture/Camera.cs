@@ -4,15 +4,13 @@ using Unity.Mathematics;
 
 namespace FastPoints.Picture
 {
-    /// <summary>Where a picture is taken from: a position and three axes in georeferenced space, perspective or orthographic.
-    /// There is no near or far plane: a perspective camera sees everything in front of it, an orthographic one everything along
-    /// its axis, behind it too.</summary>
+    /// <summary>Where a picture is taken from: a position and three axes in georeferenced space. There is no near or far plane:
+    /// a perspective camera sees everything in front of it, an orthographic one everything along its axis.</summary>
     public struct Camera
     {
         public double3 EyeGeo;
 
-        /// <summary>Right, up and forward of the picture (forward goes into it). They are unit vectors, or, if a CRS unit does
-        /// not have the same length along every axis, such vectors times these lengths.</summary>
+        /// <summary>Unit vectors, forward into the picture; times lengths of a CRS unit where these differ by axis.</summary>
         public double3 Right;
         public double3 Up;
         public double3 Forward;
@@ -25,8 +23,7 @@ namespace FastPoints.Picture
         /// <summary>Height in CRS units of what an orthographic camera sees.</summary>
         public double HeightGeo;
 
-        /// <param name="fovDegrees">Vertical field of view, more than 0 and less than 180 degrees.</param>
-        /// <param name="up">Any direction that is not the line of sight.</param>
+        /// <summary>The vertical field of view is more than 0 and less than 180 degrees; up is not the line of sight.</summary>
         public static Camera Perspective(double3 eyeGeo, double3 targetGeo, double3 up, double fovDegrees)
         {
             if (!(fovDegrees > 0 && fovDegrees < 180))
@@ -47,8 +44,7 @@ namespace FastPoints.Picture
             return camera;
         }
 
-        /// <summary>Makes a camera. A direction without length becomes +Y; an up vector along the line of sight becomes the axis
-        /// farthest from it.</summary>
+        // A direction without length becomes +Y; an up vector along it the axis farthest from it.
         static Camera Looking(double3 eyeGeo, double3 direction, double3 up)
         {
             var forward = Unit(direction, new double3(0, 1, 0));
@@ -63,7 +59,7 @@ namespace FastPoints.Picture
             return new Camera { EyeGeo = eyeGeo, Right = right, Up = math.cross(right, forward), Forward = forward };
         }
 
-        /// <summary>Divides by the largest component first, so that lengths near the largest double do not overflow.</summary>
+        // Divides by the largest component first, so that lengths near the largest double do not overflow.
         static double3 Unit(double3 direction, double3 instead)
         {
             double largest = math.cmax(math.abs(direction));

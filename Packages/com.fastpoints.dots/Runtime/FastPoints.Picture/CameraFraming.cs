@@ -6,28 +6,26 @@ using Unity.Mathematics;
 
 namespace FastPoints.Picture
 {
-    /// <summary>Makes cameras that show the whole of a cloud, as large as the picture allows.</summary>
+    // Makes cameras that show the whole of a cloud, as large as the picture allows.
     internal static class CameraFraming
     {
-        /// <summary>Share of the picture's width and height that stays free on each side, if points are not larger.</summary>
+        // Share of the picture's width and height that stays free on each side, if points are not larger.
         const double Margin = 0.03;
 
-        /// <summary>Points are never so large that the cloud gets less than half of the picture.</summary>
+        // Points are never so large that the cloud gets less than half of the picture.
         const double MaxMargin = 0.25;
 
-        /// <summary>This share of the outline on each side may lie outside of a first picture ...</summary>
+        // This share of the outline on each side may lie outside of a first picture ...
         const double OutlierShare = 0.005;
 
-        /// <summary>... and whatever would make it this many times as large stays outside in the end.</summary>
+        // ... and whatever would make it this many times as large stays outside in the end.
         const double MaxWidening = 3;
 
-        /// <summary>Shifts towards the middle: each leaves half the error or less.</summary>
+        // Shifts towards the middle: each leaves half the error or less.
         const int Iterations = 10, IterationsOfAll = 4;
 
-        /// <summary>Makes a camera for a standard view. An empty box counts as a point at 0, a point as a box of one
-        /// unit.</summary>
-        /// <param name="outline">Positions in the box that the camera frames; if null or fewer than eight, it frames the box's
-        /// corners.</param>
+        // An empty box counts as a point at 0, a point as a box of one unit. With fewer than eight positions of an outline the
+        // box's corners are framed.
         public static Camera Frame(ViewDirection view, BoundsGeo bounds, double3[] outline, int widthPx, int heightPx,
             UpAxis upAxis) => Frame(new PictureOptions
             {
@@ -37,10 +35,7 @@ namespace FastPoints.Picture
                 UpAxis = upAxis,
             }, bounds, outline, null, new double3(1, 1, 1));
 
-        /// <param name="rim">Positions at the cloud's surface, in the box or not, which are framed as well unless they are
-        /// outliers; or null.</param>
-        /// <param name="lengthsPerUnit">Length of a CRS unit along each axis: for a cloud in degrees, the horizontal and
-        /// vertical ones differ.</param>
+        // The rim, if any, is framed as well unless it is outliers. For a cloud in degrees, lengths of a unit differ by axis.
         public static Camera Frame(PictureOptions options, BoundsGeo bounds, double3[] outline, double3[] rim,
             double3 lengthsPerUnit)
         {
@@ -96,19 +91,20 @@ namespace FastPoints.Picture
                 1 / ShareOf(options.HeightPx, pointPx));
             var target = bounds.Center;
             int outliers = (int)(outline.Length * OutlierShare);
-            double max = Fit(ref camera, ref target, bounds, outline, outliers, perTan, Iterations);
+            double minDistance = math.cmax(bounds.Size) * 1e-6;
+            double max = Fit(ref camera, ref target, outline, outliers, perTan, (minDistance, Iterations));
             var near = Near(camera, target, outline, rim, perTan, max * MaxWidening);
-            Fit(ref camera, ref target, bounds, near, 0, perTan, IterationsOfAll);
+            Fit(ref camera, ref target, near, 0, perTan, (minDistance, IterationsOfAll));
             if (isFlat)
                 camera.EyeGeo = target - camera.Forward * math.dot(bounds.Size, math.abs(camera.Forward));
             return camera;
         }
 
-        /// <summary>What is left of an edge between the margins.</summary>
+        // What is left of an edge between the margins.
         static double ShareOf(int edgePx, double pointPx) =>
             1 - 2 * math.min(MaxMargin, math.max(Margin, (pointPx / 2 + 1) / edgePx));
 
-        /// <summary>Those of both that a camera at this distance would show.</summary>
+        // Those of both that a camera at this distance would show.
         static double3[] Near(Camera camera, double3 target, double3[] outline, double3[] rim, double2 perTan, double distance)
         {
             camera.EyeGeo = target;
@@ -120,19 +116,17 @@ namespace FastPoints.Picture
             return near.ToArray();
         }
 
-        /// <summary>The distance from which a camera that looks from here shows a position; of an orthographic one, the
-        /// height of its picture.</summary>
+        // How far a camera steps back to show a position; of an orthographic one, the height of its picture.
         static double NeededFor(in Camera camera, double3 position, double2 perTan)
         {
             var view = camera.ToView(position);
             return math.max(math.abs(view.x) * perTan.x, math.abs(view.y) * perTan.y) - (camera.IsOrthographic ? 0 : view.z);
         }
 
-        /// <summary>Moves a camera to the closest place on its line of sight from which the positions, except some outliers, are
-        /// in the picture, and shifts the line until their extent is centred.</summary>
-        /// <returns>The distance to the target, or the height of an orthographic picture.</returns>
-        static double Fit(ref Camera camera, ref double3 target, BoundsGeo bounds, double3[] positions, int outliers,
-            double2 perTan, int rounds)
+        // Moves a camera to the closest place on its line of sight from which the positions, except some outliers, are in the
+        // picture, and shifts the line until their extent is centred. Returns the distance, or the picture's height.
+        static double Fit(ref Camera camera, ref double3 target, double3[] positions, int outliers, double2 perTan,
+            (double MinDistance, int Rounds) limits)
         {
             var needed = new double[positions.Length];
             for (int round = 0; ; round++)
@@ -140,12 +134,12 @@ namespace FastPoints.Picture
                 camera.EyeGeo = target;
                 for (int i = 0; i < positions.Length; i++)
                     needed[i] = NeededFor(camera, positions[i], perTan);
-                double distance = math.max(math.cmax(bounds.Size) * 1e-6, LargestExcept(outliers, needed, 1));
+                double distance = math.max(limits.MinDistance, LargestExcept(outliers, needed, 1));
                 if (camera.IsOrthographic)
                     camera.HeightGeo = distance;
                 else
                     camera.EyeGeo = target - camera.Forward * distance;
-                if (round == rounds)
+                if (round == limits.Rounds)
                     return distance;
                 Extent(camera, positions, outliers, out var min, out var max);
                 var shift = (min + max) / 2 * (camera.IsOrthographic ? 1 : distance);
@@ -153,8 +147,7 @@ namespace FastPoints.Picture
             }
         }
 
-        /// <summary>Extent of the outline in the picture, without the given number of outliers on each side: in units, or, of a
-        /// perspective camera, in tangents of the angle from the axis.</summary>
+        // Without so many outliers on each side: in units, or, of a perspective camera, in tangents of the angle from the axis.
         static void Extent(in Camera camera, double3[] outline, int outliers, out double2 min, out double2 max)
         {
             var x = new double[outline.Length];
@@ -170,9 +163,7 @@ namespace FastPoints.Picture
             max = new double2(LargestExcept(outliers, x, 1), LargestExcept(outliers, y, 1));
         }
 
-        /// <summary>The largest value after leaving out the given number of larger ones. They are few, so not all values need
-        /// sorting.</summary>
-        /// <param name="sign">1, or -1 for the values' negatives.</param>
+        // After leaving out so many larger ones, which are few: not all need sorting. Sign is 1, or -1 for the smallest.
         static double LargestExcept(int outliers, double[] values, double sign)
         {
             // Holds the largest values so far, in rising order.
@@ -205,8 +196,8 @@ namespace FastPoints.Picture
             (corner & 2) == 0 ? bounds.Min.y : bounds.Max.y,
             (corner & 4) == 0 ? bounds.Min.z : bounds.Max.z);
 
-        /// <summary>Makes the box at least a millionth as thick in every direction as it is long; one place becomes a cube of
-        /// a unit, or of what doubles can resolve there.</summary>
+        // At least a millionth as thick in every direction as it is long; one place becomes a cube of a unit, or of what
+        // doubles can resolve there.
         static BoundsGeo Thicken(BoundsGeo bounds)
         {
             if (bounds.IsEmpty || !bounds.IsFinite)

@@ -28,9 +28,8 @@ namespace FastPoints.Picture
             m_budget = budget > 0 ? budget : DefaultBudget;
         }
 
-        /// <summary>Whether camera and colours follow from the ranges in the manifest, without examining points, so that nothing
-        /// occupies the main thread for long. Degrees are then drawn as they are, and if the manifest does not say what to show,
-        /// outlying points make the rest small.</summary>
+        /// <summary>Camera and colours follow from the manifest, without examining points: nothing occupies the main thread for
+        /// long. Degrees are drawn as they are; without ranges to show, outliers make the rest small.</summary>
         public bool PlansByManifest { get; set; }
 
         /// <summary>Points that were drawn, including those outside the picture.</summary>
@@ -41,8 +40,7 @@ namespace FastPoints.Picture
         /// <summary>Null until the work has ended.</summary>
         public RgbaImage Image { get; private set; }
 
-        /// <summary>Coroutine, with the stages <c>select</c> and <c>draw</c>.</summary>
-        /// <exception cref="PointCloudException">The cloud cannot be read.</exception>
+        /// <summary>Coroutine, with the stages <c>select</c> and <c>draw</c>. Throws if the cloud cannot be read.</summary>
         public IEnumerator<JobStep> Run(StageProgress progress)
         {
             progress?.Begin("select");

@@ -110,9 +110,8 @@ namespace FastPoints.Picture
         {
             var page = m_pages[1 + file];
             var chunks = (HierarchyPage*)m_pages.GetUnsafePtr() + 1;
-            HierarchyPageBuilding.Build((NodeRecord*)table.Nodes.GetUnsafeReadOnlyPtr(),
-                (PlaneRange*)table.Planes.GetUnsafeReadOnlyPtr(), table.Nodes.Length, table.PlaneCount, null, 0,
-                new HierarchyGrid(Folder.Manifest), file == UpperFile ? chunks : null, ref page);
+            HierarchyPageBuilding.Build(table.View, default, new HierarchyGrid(Folder.Manifest),
+                file == UpperFile ? chunks : null, ref page);
             m_pages[1 + file] = page;
         }
     }

@@ -9,11 +9,10 @@ using Unity.Mathematics;
 
 namespace FastPoints.Picture
 {
-    /// <summary>A picture while it is drawn: 12 bytes a pixel of native memory. The caller that makes it owns it; main
-    /// thread.</summary>
+    // A picture while it is drawn: 12 bytes a pixel of native memory. Main thread.
     internal sealed class PictureCanvas : IDisposable
     {
-        /// <summary>Limit of both edges: 16,384 pixels, and no more than 2^27 pixels in all (1.6 GB).</summary>
+        // Both edges, and no more than 2^27 pixels in all (1.6 GB).
         public const int MaxEdgePx = 16384;
         const long MaxPixels = 1L << 27;
 
@@ -46,25 +45,24 @@ namespace FastPoints.Picture
         public int WidthPx { get; }
         public int HeightPx { get; }
 
-        /// <summary>Depth and colour of each pixel: see <see cref="PointDrawing"/>.</summary>
+        // Depth and colour: see PointDrawing.
         public NativeArray<ulong> Pixels => m_pixels;
 
-        /// <summary>Sums of blended points: see <see cref="BlendedPixels"/>. Empty before <see cref="BeginBlending"/>.</summary>
+        // Of blended points: see BlendedPixels. Empty before BeginBlending.
         public NativeArray<ulong> Sums => m_isBlending ? m_sums : default;
 
-        /// <summary>Tables of 256 colours in which values are looked up.</summary>
         public NativeArray<uint> Palettes => m_palettes;
 
-        /// <summary>Size of points in each tile, row by row from the top: see <see cref="PointSizing"/>.</summary>
+        // Row by row from the top: see PointSizing.
         public NativeArray<float> SizeOfTile => m_sizeOfTile;
 
-        /// <summary>Size of points in the median tile.</summary>
+        // In the median tile.
         public float TypicalSizePx => m_typicalSizePx.Value;
 
-        /// <summary>The largest size that a tile may have.</summary>
+        // That a tile may have.
         public float LargestPx { get; private set; }
 
-        /// <summary>Gives all points one size, 1 to <see cref="PointDrawing.MaxSizePx"/>. No drawing may be in flight.</summary>
+        // 1 to PointDrawing.MaxSizePx. No drawing may be in flight.
         public void UseSize(float sizePx)
         {
             for (int i = 0; i < m_sizeOfTile.Length; i++)
@@ -73,15 +71,15 @@ namespace FastPoints.Picture
             LargestPx = sizePx;
         }
 
-        /// <summary>Removes all points. No drawing may be in flight.</summary>
+        // No drawing may be in flight.
         public unsafe void Clear()
         {
             UnsafeUtility.MemSet(m_pixels.GetUnsafePtr(), 0xFF, (long)m_pixels.Length * sizeof(ulong));
             m_isBlending = false;
         }
 
-        /// <summary>Begins to blend. The picture so far shows how far away each pixel's nearest point is: drawing the same points
-        /// again blends them with it, at 16 more bytes a pixel. No drawing may be in flight.</summary>
+        // The picture so far shows how far away each pixel's nearest point is: drawing the same points again blends them with
+        // it, at 16 more bytes a pixel. No drawing may be in flight.
         public unsafe void BeginBlending()
         {
             if (!m_sums.IsCreated)
@@ -91,7 +89,7 @@ namespace FastPoints.Picture
             m_isBlending = true;
         }
 
-        /// <summary>Draws some of a batch's points; any number of draws may be in flight.</summary>
+        // Any number of draws may be in flight.
         public JobHandle ScheduleDraw(PointBatch points, int first, int count, PointDrawing drawing, JobHandle inputDeps)
         {
             return new RasterizePointsJob
@@ -106,8 +104,7 @@ namespace FastPoints.Picture
             }.ScheduleParallel(RasterizePointsJob.PieceCount(count), 1, inputDeps);
         }
 
-        /// <summary>Chooses sizes from what was drawn with <see cref="UseSize"/> of 1. Call it after all drawing.</summary>
-        /// <param name="pointsPerPointDrawn">The final picture has this many times as many points.</param>
+        // From what was drawn with UseSize of 1, after all drawing. The final picture has so many points for each.
         public JobHandle ScheduleChooseSizes(double pointsPerPointDrawn, JobHandle inputDeps)
         {
             LargestPx = PointSizing.MaxPx;
@@ -122,10 +119,7 @@ namespace FastPoints.Picture
             }.Schedule(inputDeps);
         }
 
-        /// <summary>Makes the colours that <see cref="ToImage"/> takes. Call it after all drawing.</summary>
-        /// <param name="background">Red, green, blue, alpha from the lowest byte.</param>
-        /// <param name="edlStrength">0 for no eye-dome lighting; 0.25 is usual.</param>
-        /// <param name="fillsHoles">See <see cref="ResolvePictureJob.FillsHoles"/>.</param>
+        // Makes the colours that ToImage takes, after all drawing. Eye-dome lighting of 0 is none, 0.25 usual.
         public JobHandle ScheduleResolve(in PointDrawing drawing, uint background, float edlStrength, JobHandle inputDeps,
             bool fillsHoles = false)
         {
@@ -141,7 +135,6 @@ namespace FastPoints.Picture
             }.ScheduleParallel(HeightPx, 16, inputDeps);
         }
 
-        /// <summary>A copy of the resolved colours.</summary>
         public RgbaImage ToImage()
         {
             var image = new RgbaImage(WidthPx, HeightPx);
@@ -163,7 +156,7 @@ namespace FastPoints.Picture
         }
     }
 
-    /// <summary>Draws a range of a batch's points; index i is its i-th piece of <see cref="PointsPerPiece"/> points.</summary>
+    // Draws a range of a batch's points; index i is its i-th piece of PointsPerPiece points.
     [BurstCompile]
     internal struct RasterizePointsJob : IJobFor
     {
@@ -176,7 +169,7 @@ namespace FastPoints.Picture
         public int First;
         public int Count;
 
-        /// <summary>Written by atomic minimum, so that jobs on other batches may draw at the same time.</summary>
+        // Written by atomic minimum, so that jobs on other batches may draw at the same time.
         [NativeDisableContainerSafetyRestriction] public NativeArray<ulong> Pixels;
 
         public static int PieceCount(int points) => (points + PointsPerPiece - 1) / PointsPerPiece;
@@ -184,9 +177,8 @@ namespace FastPoints.Picture
         public unsafe void Execute(int index)
         {
             int start = index * PointsPerPiece;
-            Drawing.Draw((byte*)Bytes.GetUnsafeReadOnlyPtr(), (uint*)Palettes.GetUnsafeReadOnlyPtr(),
-                (float*)SizeOfTile.GetUnsafeReadOnlyPtr(), First + start, math.min(PointsPerPiece, Count - start),
-                (ulong*)NativeArrayUnsafeUtility.GetUnsafeBufferPointerWithoutChecks(Pixels));
+            Drawing.Draw((byte*)Bytes.GetUnsafeReadOnlyPtr(), First + start, math.min(PointsPerPiece, Count - start),
+                new PictureMemory(Palettes, SizeOfTile, Pixels));
         }
     }
 }

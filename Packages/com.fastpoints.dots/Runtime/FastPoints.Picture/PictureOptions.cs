@@ -10,8 +10,7 @@ namespace FastPoints.Picture
     /// <summary>Options of a picture.</summary>
     public sealed class PictureOptions
     {
-        /// <summary>Default strength of eye-dome lighting: strong enough to read shapes by, not so strong that noise
-        /// shows.</summary>
+        /// <summary>Strong enough to read shapes by, not so strong that noise shows.</summary>
         public const float DefaultEdlStrength = 0.25f;
 
         internal const double DefaultFovDegrees = 45;
@@ -25,15 +24,13 @@ namespace FastPoints.Picture
         /// <summary>Replaces a standard view.</summary>
         public Camera? Camera;
 
-        /// <summary>The most points of <see cref="DisplayRanges.Outline"/> that a standard view frames: all of them take ten
-        /// milliseconds on an editor's main thread.</summary>
+        /// <summary>Points of the outline that a standard view frames: all take ten milliseconds.</summary>
         public int OutlinePoints = int.MaxValue;
 
         public double FovDegrees = DefaultFovDegrees;
         public UpAxis UpAxis = UpAxis.Z;
 
-        /// <summary>Whether a preview of a format that does not say what is up sets <see cref="UpAxis"/>: see
-        /// <see cref="UpGuess"/>.</summary>
+        // A preview of a format that does not say what is up sets UpAxis: see UpGuess.
         internal bool GuessesUpAxis;
 
         public ColorMode Color = ColorMode.Auto;
@@ -42,8 +39,7 @@ namespace FastPoints.Picture
         /// <summary>Size in pixels; 0 makes points as large as surfaces need to look closed.</summary>
         public float PointSizePx;
 
-        /// <summary>Replaces <see cref="PointSizePx"/> with a length in the world, or an adaptive size. Only streamed clouds can
-        /// be adaptive; for others that means 0.</summary>
+        /// <summary>Replaces PointSizePx. Only streamed clouds can be adaptive; for others that means 0.</summary>
         public PointSize? SizeInWorld;
 
         /// <summary>Whether sizes are chosen from a first picture of the points.</summary>
@@ -70,8 +66,7 @@ namespace FastPoints.Picture
         /// <summary>Red, green, blue, alpha from the lowest byte.</summary>
         public uint Background = Palettes.Pack(24, 26, 30);
 
-        /// <summary>Strength of the eye-dome lighting: 0 for none; a negative value means 0 for RGB and the default for the other
-        /// modes.</summary>
+        /// <summary>Eye-dome lighting: 0 for none; negative for none with RGB and the default with other modes.</summary>
         public float EdlStrength = -1;
 
         /// <summary>The strength for a mode that is not <see cref="ColorMode.Auto"/>.</summary>
@@ -88,8 +83,7 @@ namespace FastPoints.Picture
             "classes=N+N+... (shown; of converted clouds), edl=auto|on|off|STRENGTH, holes=fill|keep, " +
             "background=RRGGBB[AA], up=x|y|z|-x|-y|-z";
 
-        /// <summary>Sets one option from text, as the command line's <c>--style</c> has it.</summary>
-        /// <param name="error">What was wanted, or null.</param>
+        /// <summary>Sets one option from text, as <c>--style</c> has it; the error says what was wanted.</summary>
         public bool TrySetStyle(string key, string value, out string error)
         {
             error = null;
@@ -213,8 +207,7 @@ namespace FastPoints.Picture
     /// <summary>Standard views; x is east, y north and z up for a cloud whose up axis is Z.</summary>
     public enum ViewDirection
     {
-        /// <summary>The view that shows most of the cloud: <see cref="Iso"/>, or <see cref="Front"/> for one that is a
-        /// wall.</summary>
+        /// <summary>Iso, or Front for a cloud that is a wall.</summary>
         Auto,
         /// <summary>Orthographic, from above, north at the top.</summary>
         Top,

@@ -6,7 +6,7 @@ using Unity.Mathematics;
 
 namespace FastPoints.Picture
 {
-    /// <summary>A picture's options resolved for one cloud, from the ranges of a sample, before a point is drawn.</summary>
+    // A picture's options resolved for one cloud, from the ranges of a sample, before a point is drawn.
     internal sealed class PicturePlan
     {
         readonly PictureOptions m_options;
@@ -33,7 +33,7 @@ namespace FastPoints.Picture
 
         public Camera Camera { get; }
 
-        /// <summary>The mode, which is never <see cref="ColorMode.Auto"/>.</summary>
+        // Never Auto.
         public ColorMode Mode { get; }
 
         public DisplayRanges Ranges => m_ranges;
@@ -41,22 +41,21 @@ namespace FastPoints.Picture
         public bool FillsHoles => m_options.FillsHoles;
         public Gradient Gradient => m_options.Gradient;
 
-        /// <summary>Hidden classes of a streamed cloud.</summary>
         public ClassMask HiddenClasses => m_options.HiddenClasses;
 
-        /// <summary>Size of a point in pixels; if sizes are chosen, that of the median tile.</summary>
+        // If sizes are chosen, that of the median tile.
         public float SizePx { get; set; }
 
-        /// <summary>Whether <see cref="SizePx"/> is still to be found from a picture of the sample.</summary>
+        // SizePx is still to be found from a picture of the sample.
         public bool UsesAutoSize => m_options.IsAutoSize;
 
-        /// <summary>What was assumed for lack of better data: one line for people each.</summary>
+        // For lack of better data: one line for people each.
         public List<string> Assumptions { get; }
 
-        /// <summary>The mapping from values to colours, whatever columns these are in.</summary>
+        // Whatever columns the values are in.
         public ColorMapping Colors => ColorMapping.Of(Mode, m_ranges, m_transform, Gradient);
 
-        /// <summary>The drawing of points that lie in batches like this one, on a canvas whose sizes are set.</summary>
+        // Of points that lie in batches like this one, on a canvas whose sizes are set.
         public PointDrawing DrawingOf(PointBatch batch, PictureCanvas canvas)
         {
             var world = m_options.SizeInWorld.GetValueOrDefault();

@@ -3,31 +3,31 @@ using FastPoints.Drawing;
 
 namespace FastPoints.Picture
 {
-    /// <summary>Computes the colours of some consecutive points.</summary>
     internal static unsafe class PointColoring
     {
-        /// <param name="bytes">The batch's memory.</param>
-        /// <param name="count">At most <see cref="ColumnValues.RunLength"/>.</param>
-        /// <param name="x">The points' stored coordinates, as are <paramref name="y"/> and <paramref name="z"/>.</param>
-        /// <param name="palettes">See <see cref="Palettes.CreateAll"/>.</param>
-        public static void ColorRun(byte* bytes, in ColorMapping mapping, uint* palettes, int first, int count, double* x,
-            double* y, double* z, uint* colors)
+        public static void ColorRun(byte* bytes, int first, in ColorMapping mapping, uint* palettes, in PointRun run)
         {
+            int count = run.Count;
+            uint* colors = run.Colors;
             double* values = stackalloc double[ColumnValues.RunLength];
             if (mapping.Mode == ColorMode.Rgb)
             {
                 for (int i = 0; i < count; i++)
                     colors[i] = 0xFF000000u;
-                AddChannel(bytes, mapping, mapping.First, first, count, values, 0, colors);
-                AddChannel(bytes, mapping, mapping.Second, first, count, values, 8, colors);
-                AddChannel(bytes, mapping, mapping.Third, first, count, values, 16, colors);
+                for (int channel = 0; channel < 3; channel++)
+                {
+                    var column = channel == 0 ? mapping.First : channel == 1 ? mapping.Second : mapping.Third;
+                    ColumnValues.ToDoubles(bytes + column.OffsetBytes, column.Type, first, count, values);
+                    for (int i = 0; i < count; i++)
+                        colors[i] |= (uint)ToIndex(values[i] * mapping.Scale + mapping.Bias) << 8 * channel;
+                }
                 return;
             }
             if (mapping.Mode == ColorMode.Elevation)
             {
                 var weights = mapping.PositionWeights;
                 for (int i = 0; i < count; i++)
-                    values[i] = x[i] * weights.x + y[i] * weights.y + z[i] * weights.z;
+                    values[i] = run.X[i] * weights.x + run.Y[i] * weights.y + run.Z[i] * weights.z;
                 Lookup(values, count, mapping, palettes, colors);
                 return;
             }
@@ -45,15 +45,16 @@ namespace FastPoints.Picture
             }
         }
 
-        static void AddChannel(byte* bytes, in ColorMapping mapping, PointColumn column, int first, int count, double* values,
-            int shift, uint* colors)
-        {
-            ColumnValues.ToDoubles(bytes + column.OffsetBytes, column.Type, first, count, values);
-            for (int i = 0; i < count; i++)
-                colors[i] |= (uint)ToIndex(values[i] * mapping.Scale + mapping.Bias) << shift;
-        }
-
-        /// <summary>The palette index; NaN becomes 0.</summary>
+        // NaN becomes 0.
         static int ToIndex(double value) => !(value > 0) ? 0 : value < 255 ? (int)value : 255;
+    }
+    // At most ColumnValues.RunLength consecutive points: their stored coordinates, and their colours.
+    internal unsafe struct PointRun
+    {
+        public int Count;
+        public double* X;
+        public double* Y;
+        public double* Z;
+        public uint* Colors;
     }
 }

@@ -2,6 +2,8 @@ using System.Runtime.CompilerServices;
 using System.Threading;
 using FastPoints.Core;
 using FastPoints.Drawing;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
 using Unity.Mathematics;
 
 namespace FastPoints.Picture
@@ -18,7 +20,6 @@ namespace FastPoints.Picture
     /// </summary>
     internal struct PointDrawing
     {
-        /// <summary>A pixel without a point.</summary>
         public const ulong EmptyPixel = ulong.MaxValue;
 
         public const float MaxSizePx = 64;
@@ -26,50 +27,40 @@ namespace FastPoints.Picture
         public PositionColumns Positions;
         public PointProjection Projection;
         public ColorMapping Colors;
-
-        /// <summary>The largest size of any point; a size of 1 is drawn faster.</summary>
-        public float LargestPx;
-
-        /// <summary>Whether the size of points is <see cref="Size"/>, whatever their tiles' size is.</summary>
-        public bool HasOwnSize;
+        public float LargestPx; // A size of 1 is drawn faster.
+        public bool HasOwnSize; // Whatever the tiles' sizes are.
         public PointSize Size;
-
-        /// <summary>Draws discs instead of squares.</summary>
         public bool IsRound;
 
-        /// <summary>Draws discs that bulge towards the camera: paraboloids whose rim is farther away by the radius than the
-        /// middle, which has the point's own depth. Each pixel of overlapping points goes to the nearest centre.</summary>
+        // Discs that bulge towards the camera: paraboloids whose rim is farther away by the radius than the middle, which has
+        // the point's own depth. Each pixel of overlapping points goes to the nearest centre.
         public bool IsDomed;
 
-        /// <summary>Draws the points from <paramref name="first"/> on. Any number of threads may draw at once.</summary>
-        /// <param name="bytes">The batch's memory.</param>
-        /// <param name="sizeOfTile">Edge of a point's square, or diameter of its disc, for the points in each tile of <see
-        /// cref="PointSizing.TileEdgePx"/> pixels: the pixels whose centres lie in it are drawn. At least 1.</param>
-        /// <param name="pixels">The picture's pixels, row by row from the top.</param>
-        /// <param name="gaps">The gap of each drawn point: see <see cref="PointSize.ToPx"/>. Null if no size is adaptive.</param>
-        /// <param name="sums">Null to draw. Once all is drawn, the points are added up here: see <see
-        /// cref="BlendedPixels"/>.</param>
-        public readonly unsafe void Draw(byte* bytes, uint* palettes, float* sizeOfTile, int first, int count,
-            ulong* pixels, float* gaps = null, ulong* sums = null)
+        // Any number of threads may draw at once.
+        public readonly unsafe void Draw(byte* bytes, int first, int count, in PictureMemory picture)
         {
             double* x = stackalloc double[ColumnValues.RunLength];
             double* y = stackalloc double[ColumnValues.RunLength];
             double* z = stackalloc double[ColumnValues.RunLength];
             uint* colors = stackalloc uint[ColumnValues.RunLength];
+            var run = new PointRun { X = x, Y = y, Z = z, Colors = colors };
             for (int done = 0; done < count; done += ColumnValues.RunLength)
             {
-                int run = math.min(ColumnValues.RunLength, count - done);
-                Positions.Load(bytes, first + done, run, x, y, z);
-                PointColoring.ColorRun(bytes, Colors, palettes, first + done, run, x, y, z, colors);
-                if (LargestPx <= 1 && sums == null)
-                    DrawPixels(x, y, z, colors, run, pixels);
+                run.Count = math.min(ColumnValues.RunLength, count - done);
+                Positions.Load(bytes, first + done, run.Count, x, y, z);
+                PointColoring.ColorRun(bytes, first + done, Colors, picture.Palettes, run);
+                if (LargestPx <= 1 && picture.Sums == null)
+                    DrawPixels(run, picture.Pixels);
                 else
-                    DrawSplats(x, y, z, colors, run, sizeOfTile, gaps == null ? null : gaps + done, pixels, sums);
+                    DrawSplats(run, picture, picture.Gaps == null ? null : picture.Gaps + done);
             }
         }
 
-        readonly unsafe void DrawPixels(double* x, double* y, double* z, uint* colors, int count, ulong* pixels)
+        readonly unsafe void DrawPixels(in PointRun run, ulong* pixels)
         {
+            double* x = run.X, y = run.Y, z = run.Z;
+            uint* colors = run.Colors;
+            int count = run.Count;
             int width = Projection.WidthPx;
             double widthPx = width, heightPx = Projection.HeightPx;
             for (int i = 0; i < count; i++)
@@ -82,9 +73,12 @@ namespace FastPoints.Picture
             }
         }
 
-        readonly unsafe void DrawSplats(double* x, double* y, double* z, uint* colors, int count, float* sizeOfTile,
-            float* gaps, ulong* pixels, ulong* sums)
+        readonly unsafe void DrawSplats(in PointRun run, in PictureMemory picture, float* gaps)
         {
+            double* x = run.X, y = run.Y, z = run.Z;
+            uint* colors = run.Colors;
+            ulong* pixels = picture.Pixels, sums = picture.Sums;
+            int count = run.Count;
             int width = Projection.WidthPx, height = Projection.HeightPx;
             int tilesAcross = PointSizing.TilesAlong(width);
             double maxHalf = LargestPx * 0.5;
@@ -103,7 +97,7 @@ namespace FastPoints.Picture
                 {
                     int tileX = math.clamp((int)xPx, 0, width - 1) / PointSizing.TileEdgePx;
                     int tileY = math.clamp((int)yPx, 0, height - 1) / PointSizing.TileEdgePx;
-                    size = sizeOfTile[tileY * tilesAcross + tileX];
+                    size = picture.SizeOfTile[tileY * tilesAcross + tileX];
                 }
                 double half = size * 0.5;
                 uint radiusPx = PointSizing.RadiusOf(size);
@@ -143,13 +137,12 @@ namespace FastPoints.Picture
             }
         }
 
-        /// <summary>The pixel value of a point.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static ulong KeyOf(float depth, uint radiusPx, uint color) =>
             (ulong)PointProjection.DepthToBits(depth) << 32 | radiusPx << 24 | color & 0xFFFFFFu;
 
-        /// <summary>Keeps the smaller of two values while other threads write. Pixels only ever fall, so a value read too early
-        /// costs one more round; the plain read is atomic on 64-bit processors.</summary>
+        // Keeps the smaller of two values while other threads write. Pixels only ever fall, so a value read too early costs one
+        // more round; the plain read is atomic on 64-bit processors.
         static unsafe void Lower(ulong* pixel, ulong key)
         {
             ulong seen = *pixel;
@@ -160,6 +153,29 @@ namespace FastPoints.Picture
                     return;
                 seen = was;
             }
+        }
+    }
+    // What points are drawn with and into.
+    internal unsafe struct PictureMemory
+    {
+        public uint* Palettes;
+
+        // At least 1: the edge of a point's square or the diameter of its disc. Pixels whose centres lie in it are drawn.
+        public float* SizeOfTile;
+        public ulong* Pixels;
+        public float* Gaps; // Of the points from the first on; null if no size is adaptive.
+
+        // Null to draw; once all is drawn, the points are added up here (BlendedPixels).
+        public ulong* Sums;
+
+        public PictureMemory(NativeArray<uint> palettes, NativeArray<float> sizeOfTile, NativeArray<ulong> pixels)
+        {
+            Palettes = (uint*)palettes.GetUnsafeReadOnlyPtr();
+            SizeOfTile = (float*)sizeOfTile.GetUnsafeReadOnlyPtr();
+            // Other jobs may write to it.
+            Pixels = (ulong*)NativeArrayUnsafeUtility.GetUnsafeBufferPointerWithoutChecks(pixels);
+            Gaps = null;
+            Sums = null;
         }
     }
 }

@@ -5,17 +5,16 @@ using Unity.Mathematics;
 
 namespace FastPoints.Picture
 {
-    /// <summary>Maps stored coordinates to pixels in one step: view = X * stored.x + Y * stored.y + Z * stored.z + W, all in
-    /// double, then the division. Blittable, for jobs.</summary>
-    /// <remarks>The eye is subtracted in double as part of W, so that a camera 10 m away from points with UTM coordinates sees
-    /// them to 2 nm; the depth becomes a float only afterwards.</remarks>
+    // Maps stored coordinates to pixels in one step: view = X * stored.x + Y * stored.y + Z * stored.z + W, all in double, then
+    // the division. The eye is subtracted in double as part of W, so that a camera 10 m away from points with UTM coordinates
+    // sees them to 2 nm; the depth becomes a float only afterwards.
     internal struct PointProjection
     {
         public int WidthPx;
         public int HeightPx;
         public bool IsOrthographic;
 
-        /// <summary>Pixels of one unit: at a distance of one unit (perspective), or anywhere (orthographic).</summary>
+        // Pixels of one unit: at a distance of one unit (perspective), or anywhere (orthographic).
         public double ScalePx;
 
         public double3 X;
@@ -35,8 +34,8 @@ namespace FastPoints.Picture
             W = camera.ToView(transform.Offset);
         }
 
-        /// <summary>Pixel coordinates: x to the right, y down, (0, 0) the top left corner of the top left pixel.</summary>
-        /// <returns>Whether the point is in front of the camera; false for coordinates that are not finite.</returns>
+        // x to the right, y down, (0, 0) the top left corner of the top left pixel. False behind the camera and where
+        // coordinates are not finite.
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public readonly bool Project(double x, double y, double z, out double xPx, out double yPx, out float depth)
         {
@@ -50,11 +49,10 @@ namespace FastPoints.Picture
             return (IsOrthographic || forward > 0) & depth - depth == 0;
         }
 
-        /// <summary>Pixels of a unit at a depth.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public readonly double PixelsPerUnitAt(float depth) => IsOrthographic ? ScalePx : ScalePx / depth;
 
-        /// <summary>Float bits that order as the floats do, for either sign: smaller means nearer.</summary>
+        // Order as the floats do, for either sign: smaller means nearer.
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static uint DepthToBits(float depth)
         {
@@ -62,7 +60,6 @@ namespace FastPoints.Picture
             return (bits & 0x80000000u) != 0 ? ~bits : bits | 0x80000000u;
         }
 
-        /// <summary>The inverse of <see cref="DepthToBits"/>.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static float DepthFromBits(uint bits) => math.asfloat((bits & 0x80000000u) != 0 ? bits & 0x7FFFFFFFu : ~bits);
     }

@@ -8,8 +8,8 @@ using Unity.Collections;
 
 namespace FastPoints.Picture
 {
-    /// <summary>Makes a first picture of an open source: it finds the blocks if necessary, takes a sample, measures it, and draws
-    /// it. Owns the sample. If finding blocks takes a pass over the whole file, waves from prefixes come before that.</summary>
+    /// <summary>Makes a first picture of an open source: finds the blocks if necessary, takes a sample, measures and draws it.
+    /// If finding blocks takes a pass over the whole file, waves from prefixes come before that.</summary>
     public sealed class PreviewCloud : IDisposable
     {
         readonly PointReader m_reader;
@@ -23,8 +23,7 @@ namespace FastPoints.Picture
             m_sampling = new PreviewSampling(reader, options);
         }
 
-        /// <summary>Raised on the coroutine's thread when there is a sample to draw, coarse to fine. This object owns it, and it
-        /// belongs to the wave only until the work's next step.</summary>
+        /// <summary>Raised when there is a sample to draw, coarse to fine, the wave's until the next step.</summary>
         public event Action<PreviewSample, SampleWave> WaveReady
         {
             add => m_sampling.WaveReady += value;
@@ -38,15 +37,12 @@ namespace FastPoints.Picture
 
         public DisplayRanges Ranges { get; private set; }
 
-        /// <summary>The chosen camera, colours and size, and what was assumed.</summary>
         internal PicturePlan Plan { get; private set; }
 
         /// <summary>Null until the work has ended.</summary>
         public RgbaImage Image { get; private set; }
 
-        /// <summary>Coroutine, with the stages <c>sample</c>, <see cref="PreviewSampling.FindBlocksStage"/>,
-        /// <see cref="PreviewSampling.RefineStage"/> and <c>draw</c>.</summary>
-        /// <exception cref="PointCloudException">The source cannot be read.</exception>
+        /// <summary>Coroutine, with the stages <c>sample</c>, FindBlocksStage, RefineStage and <c>draw</c>.</summary>
         public IEnumerator<JobStep> Run(StageProgress progress)
         {
             yield return JobStep.Of(TakeSample(progress));

@@ -6,36 +6,29 @@ using Unity.Mathematics;
 
 namespace FastPoints.Picture
 {
-    /// <summary>Turns depth and colour into the picture's colours; index i is row i. Optionally applies eye-dome lighting
-    /// (Boucheny, "Interactive scientific visualization of large datasets", 2009, ch. 2): a pixel is darkened by how far the
-    /// eight pixels around it lie before it.</summary>
-    /// <remarks>Depth differences are taken in pixels (depth over the size of a pixel at that depth), so that the shading is the
-    /// same for any unit, scale and field of view. Neighbours are looked at half a point's size away. The shading multiplies the
-    /// encoded sRGB values, so light falls with its power of 2.2.</remarks>
+    // Turns depth and colour into the picture's colours; index i is row i. Optionally applies eye-dome lighting (Boucheny,
+    // "Interactive scientific visualization of large datasets", 2009, ch. 2): a pixel is darkened by how far the eight pixels
+    // around it lie before it. Depth differences are taken in pixels (depth over the size of a pixel at that depth), so that
+    // the shading is the same for any unit, scale and field of view. Neighbours are looked at half a point's size away. The
+    // shading multiplies the encoded sRGB values, so light falls with its power of 2.2.
     [BurstCompile]
     internal struct ResolvePictureJob : IJobFor
     {
-        /// <summary>A neighbour farther in front counts as this far, so that an outline is dark, not black.</summary>
+        // A neighbour farther in front counts as this far, so that an outline is dark, not black.
         const float MaxDifferencePx = 12;
 
         [ReadOnly] public NativeArray<ulong> Pixels;
 
-        /// <summary>Source of the colours: see <see cref="BlendedPixels"/>. Empty if points were not blended.</summary>
+        // See BlendedPixels; empty if points were not blended.
         [ReadOnly, NativeDisableContainerSafetyRestriction] public NativeArray<ulong> Sums;
         public PointProjection Projection;
+        public uint Background; // Of pixels without a point: bytes red, green, blue, alpha from the lowest.
+        public float EdlStrength; // 0 turns eye-dome lighting off.
 
-        /// <summary>Colour of pixels without a point: bytes red, green, blue, alpha from the lowest.</summary>
-        public uint Background;
-
-        /// <summary>0 turns eye-dome lighting off.</summary>
-        public float EdlStrength;
-
-        /// <summary>Fills a pixel without a point, most of whose neighbours have one, with their mean: it is a gap in a surface,
-        /// not the background beside its edge.</summary>
+        // Fills a pixel without a point, most of whose neighbours have one, with their mean: a gap in a surface.
         public bool FillsHoles;
 
-        /// <summary>A hole has at least this many points among its eight neighbours: at the edge of a surface there are three to
-        /// five.</summary>
+        // At the edge of a surface there are three to five among the eight neighbours.
         public const int MinAroundHole = 6;
 
         [NativeDisableParallelForRestriction] public NativeArray<uint> Colors;
@@ -67,7 +60,7 @@ namespace FastPoints.Picture
             return pixel & ~0xFFFFFFul | BlendedPixels.ColorOf(Sums[index], Sums[index + 1], (uint)pixel & 0xFFFFFF);
         }
 
-        /// <summary>Fills a hole as a point of one pixel would, or leaves the pixel empty.</summary>
+        // As a point of one pixel would, or leaves the pixel empty.
         ulong Fill(int x, int y)
         {
             int count = 0;

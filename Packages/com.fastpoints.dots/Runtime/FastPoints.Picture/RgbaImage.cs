@@ -39,15 +39,13 @@ namespace FastPoints.Picture
             }
         }
 
-        public bool IsOpaque
+        /// <summary>The rows from the bottom up, as textures have them.</summary>
+        public byte[] RgbaFromBottom()
         {
-            get
-            {
-                for (int i = 3; i < Rgba.Length; i += 4)
-                    if (Rgba[i] != 255)
-                        return false;
-                return true;
-            }
+            var rows = new byte[Rgba.Length];
+            for (int y = 0; y < Height; y++)
+                Buffer.BlockCopy(Rgba, y * Width * 4, rows, (Height - 1 - y) * Width * 4, Width * 4);
+            return rows;
         }
     }
 }

@@ -5,14 +5,11 @@ using Unity.Jobs;
 
 namespace FastPoints.Picture
 {
-    /// <summary>Draws a sample in slices.</summary>
     static class SamplePicture
     {
-        /// <summary>Points of one slice: about 4 ms of managed code.</summary>
-        const int PointsPerSlice = 1 << 17;
+        const int PointsPerSlice = 1 << 17; // About 4 ms of managed code.
 
-        /// <summary>Coroutine: draws the points on top of what the canvas has.</summary>
-        /// <param name="then">Schedules what comes behind it, if anything does.</param>
+        // On top of what the canvas has. Then schedules what comes behind it, if anything.
         public static IEnumerator<JobStep> Draw(PictureCanvas canvas, PointBatch points, PicturePlan plan, StageProgress progress,
             Func<JobHandle, JobHandle> then = null)
         {
@@ -20,7 +17,7 @@ namespace FastPoints.Picture
             var all = default(JobHandle);
             try
             {
-                yield return JobStep.Of(Slices.Schedule(0, points.Count, PointsPerSlice, (first, end, after) =>
+                yield return JobStep.Of(Slices.Schedule(points.Count, PointsPerSlice, (first, end, after) =>
                     canvas.ScheduleDraw(points, first, end - first, drawing, after), 1, default, drawn => all = drawn));
                 all = then == null ? all : then(all);
                 yield return all;
@@ -32,9 +29,8 @@ namespace FastPoints.Picture
             progress?.Report(1, points.Count, 0);
         }
 
-        /// <summary>Coroutine: chooses the point size if the options leave it open, from the sample drawn with single
-        /// pixels. The canvas is empty before and after.</summary>
-        /// <param name="pointsToDraw">Points that the picture will have.</param>
+        // Coroutine: chooses the point size if the options leave it open, from the sample drawn with single pixels. The canvas
+        // is empty before and after.
         public static IEnumerator<JobStep> ChooseSize(PictureCanvas canvas, PointBatch points, PicturePlan plan,
             long pointsToDraw)
         {
@@ -47,12 +43,12 @@ namespace FastPoints.Picture
             canvas.Clear();
         }
 
-        /// <summary>Coroutine: <see cref="Draw"/> and <see cref="Resolve"/> in one chain.</summary>
+        // Coroutine: both in one chain.
         public static IEnumerator<JobStep> DrawAndResolve(PictureCanvas canvas, PointBatch points, PicturePlan plan,
             uint background, StageProgress progress) => Draw(canvas, points, plan, progress, drawn =>
                 canvas.ScheduleResolve(plan.DrawingOf(points, canvas), background, plan.EdlStrength, drawn, plan.FillsHoles));
 
-        /// <summary>Coroutine: makes the colours of the picture, for <see cref="PictureCanvas.ToImage"/>.</summary>
+        // Coroutine: the colours for PictureCanvas.ToImage.
         public static IEnumerator<JobStep> Resolve(PictureCanvas canvas, PointBatch points, PicturePlan plan, uint background)
         {
             var resolved = canvas.ScheduleResolve(plan.DrawingOf(points, canvas), background, plan.EdlStrength, default,

@@ -5,21 +5,18 @@ using Unity.Mathematics;
 
 namespace FastPoints.Picture
 {
-    /// <summary>Guesses the up axis of formats that do not say it: across the plane that most points lie in, which is the
-    /// ground or a floor.</summary>
+    // Guesses the up axis of formats that do not say it: across the plane that most points lie in, the ground or a floor.
     static class UpGuess
     {
-        /// <summary>A plane is this share of the longest edge thick.</summary>
-        const double Thickness = 1.0 / 32;
+        const double Thickness = 1.0 / 32; // Of the longest edge.
 
-        /// <summary>So many times as many points lie in it as in the best plane across another axis.</summary>
+        // So many times as many points lie in it as in the best plane across another axis.
         const double MinRatio = 1.5;
 
-        /// <param name="format">All but PLY have Z up, by their standards or by custom.</param>
+        // All but PLY have Z up, by their standards or by custom.
         public static bool Applies(string format) => format != null && format.StartsWith("PLY", StringComparison.Ordinal);
 
-        /// <param name="positions">A fair choice; outliers apart.</param>
-        /// <param name="reason">A line for people.</param>
+        // Positions are a fair choice, outliers apart; the reason is a line for people.
         public static UpAxis Of(double3[] positions, out string reason)
         {
             var shares = new double3();
@@ -48,7 +45,7 @@ namespace FastPoints.Picture
             return isClear ? (UpAxis)best : UpAxis.Z;
         }
 
-        /// <summary>The most of some sorted values that lie within a length.</summary>
+        // The most of some sorted values that lie within a length.
         static int MaxPointsWithin(double[] sorted, double length)
         {
             int max = 0;

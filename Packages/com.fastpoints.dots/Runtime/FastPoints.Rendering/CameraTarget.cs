@@ -12,12 +12,8 @@ namespace FastPoints.Rendering
 
         /// <summary>Whether it is a render texture; some APIs store these upside down.</summary>
         public bool IsTexture;
-
-        /// <summary>Whether it may be the screen in place of a texture: only the engine knows, when it draws.</summary>
-        internal bool MayBeScreen;
-
-        /// <summary>Whether the picture is the lower left part of a target that is larger.</summary>
-        internal bool IsPart;
+        internal bool MayBeScreen; // Only the engine knows, when it draws.
+        internal bool IsPart; // The lower left part of a target that is larger.
 
         /// <summary>Width of the picture; a pipeline may make it larger or smaller than the camera's.</summary>
         public int WidthPx;
@@ -25,8 +21,7 @@ namespace FastPoints.Rendering
 
         public EyeMatrices Eye;
 
-        /// <summary>Whether both of a headset's eyes are drawn at once: <see cref="Eye"/> is the left one, in the target's first
-        /// slice; the right one is in the second.</summary>
+        /// <summary>Eye is the left one, in the target's first slice; the right one is in the second.</summary>
         public bool HasBothEyes;
         public EyeMatrices RightEye;
 

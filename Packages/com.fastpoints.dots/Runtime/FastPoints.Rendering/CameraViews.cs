@@ -6,11 +6,10 @@ using UnityEngine;
 
 namespace FastPoints.Rendering
 {
-    /// <summary>The engine's cameras as streaming and drawing see them: any projection, off-centre and oblique ones
-    /// included.</summary>
+    /// <summary>The engine's cameras as streaming and drawing see them, off-centre and oblique ones included.</summary>
     public static class CameraViews
     {
-        /// <summary>The editor's scene culling mask of a camera, where there is an editor.</summary>
+        // The editor's scene culling mask of a camera, where there is an editor.
         internal static Func<Camera, ulong> SceneMaskOf { get; set; }
 
         static ViewMask MaskOf(Camera camera) => new ViewMask
@@ -23,7 +22,6 @@ namespace FastPoints.Rendering
         /// <summary>What a camera needs of the clouds.</summary>
         public static StreamView StreamViewOf(Camera camera) => StreamViewOf(camera, EyeMatrices.Of(camera), camera.pixelHeight);
 
-        /// <summary>What one of a camera's eyes needs of the clouds that the camera shows.</summary>
         internal static StreamView StreamViewOf(Camera camera, in EyeMatrices eye, int heightPx)
         {
             var view = StreamViewOf(eye, heightPx);
@@ -52,7 +50,6 @@ namespace FastPoints.Rendering
         }
 
         /// <summary>How an eye's picture is drawn, apart from the style.</summary>
-        /// <param name="eye">One of the target's eyes.</param>
         public static RenderView RenderViewOf(in CameraTarget target, in EyeMatrices eye)
         {
             var rotation = RotationOf(eye.View);
@@ -73,10 +70,8 @@ namespace FastPoints.Rendering
             };
         }
 
-        /// <summary>The ray through a place in a camera's picture.</summary>
-        /// <param name="ray">From <c>Camera.ScreenPointToRay</c>, or the editor's <c>GUIPointToWorldRay</c>: from the near
-        /// plane.</param>
-        /// <param name="radiusPx">How far from it a point may be, in pixels of the camera's picture.</param>
+        /// <summary>The ray through a place in a camera's picture, from <c>Camera.ScreenPointToRay</c> or the editor's
+        /// <c>GUIPointToWorldRay</c>: from the near plane. The radius is in pixels of the picture.</summary>
         public static PickRay PickRayOf(Camera camera, Ray ray, double radiusPx)
         {
             var picked = UnmaskedRayOf(camera, ray, radiusPx);
@@ -102,14 +97,14 @@ namespace FastPoints.Rendering
 
         static bool IsOrthographic(in Matrix4x4 projection) => projection.m33 == 1;
 
-        /// <summary>Leaves out a far plane at infinity, which has no direction.</summary>
+        // Leaves out a far plane at infinity, which has no direction.
         static void AddPlane(ref StreamView view, double4 plane)
         {
             if (math.length(plane.xyz) > 1e-6 * math.abs(plane.w) && math.length(plane.xyz) > 0)
                 view.Add(plane.xyz, plane.w);
         }
 
-        /// <summary>The view without the eye's position, which is subtracted in double elsewhere.</summary>
+        // Without the eye's position, which is subtracted in double elsewhere.
         static Matrix4x4 RotationOf(Matrix4x4 view)
         {
             view.m03 = 0;

@@ -6,11 +6,10 @@ using FastPoints.Streaming;
 
 namespace FastPoints.Rendering
 {
-    /// <summary>Translates what a picture decides into what shaders read, so that both colour a point alike.</summary>
+    // Translates what a picture decides into what shaders read, so that both colour a point alike.
     internal static class CloudLooks
     {
-        /// <summary>The planes that a mode streams besides the position.</summary>
-        /// <param name="hidesClasses">Whether points are hidden by class.</param>
+        // Besides the position.
         public static string[] PlanesFor(ColorMode mode, bool hidesClasses)
         {
             var planes = PlanesFor(mode);
@@ -21,13 +20,11 @@ namespace FastPoints.Rendering
             return planes;
         }
 
-        /// <summary>The planes that a mode streams besides the position.</summary>
         public static string[] PlanesFor(ColorMode mode) => mode == ColorMode.Rgb ? new[] { StoreLayout.ColorName }
             : ColorModes.AttributeOf(mode) is string attribute ? new[] { attribute } : new string[0];
 
-        /// <param name="colors">Takes places in grid steps from the corner of the source's root cube.</param>
-        /// <param name="source">Must stream the plane that the mode needs.</param>
-        /// <param name="hidden">Classes; where the source does not stream them, none is hidden.</param>
+        // Colours take places in grid steps from the corner of the source's root cube. The source streams the plane that the
+        // mode needs; where it does not stream classes, none is hidden.
         public static CloudLook Of(in ColorMapping colors, NodeSource source, in ClassMask hidden = default)
         {
             var look = new CloudLook { Scale = colors.Scale, Bias = colors.Bias, Palette = colors.FirstEntry / Palettes.Length };
@@ -54,7 +51,7 @@ namespace FastPoints.Rendering
         static int PlaneOf(NodeSource source, string name) => FindPlane(source, name, out int plane) ? plane
             : throw new ArgumentException(source.Path + ": plane " + name + " is not streamed", nameof(source));
 
-        /// <param name="found">Its index among the streamed planes; 0 if it is not streamed.</param>
+        // Among the streamed planes; 0 if it is not streamed.
         static bool FindPlane(NodeSource source, string name, out int found)
         {
             int plane = source.Layout.PlaneOf(name);

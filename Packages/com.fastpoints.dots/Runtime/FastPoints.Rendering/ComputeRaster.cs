@@ -7,19 +7,16 @@ using UnityEngine.Rendering;
 
 namespace FastPoints.Rendering
 {
-    /// <summary>Draws points of one pixel with a compute shader (RasterPoints.hlsl) into a buffer of 8 bytes a pixel, for one
-    /// camera. It replaces point primitives wherever <see cref="CanDraw"/> allows it.</summary>
+    // Draws points of one pixel with RasterPoints.compute into a buffer of 8 bytes a pixel, for one camera: in place of point
+    // primitives wherever CanDraw allows it.
     sealed class ComputeRaster : IDisposable
     {
         const int BytesPerPixel = 8, ClearThreads = 64;
-
-        /// <summary>The most groups along one axis of a dispatch.</summary>
-        const int MaxGroups = 65535;
+        const int MaxGroups = 65535; // Along one axis of a dispatch.
 
         readonly ComputeShader m_shader;
         readonly int[] m_kernels;
 
-        /// <param name="shader">The package's RasterPoints.compute.</param>
         public ComputeRaster(ComputeShader shader)
         {
             m_shader = shader;
@@ -30,11 +27,11 @@ namespace FastPoints.Rendering
             };
         }
 
-        /// <summary>Depth and colour of each pixel of the largest picture.</summary>
+        // Depth and colour of each pixel of the largest picture.
         public GraphicsBuffer Pixels { get; private set; }
 
-        /// <summary>Whether it can draw this view: the device counts rows from the top, has buffers as large as the picture
-        /// needs, and depth follows from the distance along the view alone, which only oblique projections violate.</summary>
+        // The device counts rows from the top, has buffers as large as the picture needs, and depth follows from the distance
+        // along the view alone, which only oblique projections violate.
         public static bool CanDraw(in RenderView view)
         {
             var depth = (Vector3)view.ViewProjection.GetRow(2);
@@ -44,7 +41,7 @@ namespace FastPoints.Rendering
                 Vector3.Cross(depth, view.Forward).magnitude <= 1e-5f * Math.Max(depth.magnitude, float.Epsilon);
         }
 
-        /// <summary>The device's depth for a distance d along the view: (x d + y) / (z d + w).</summary>
+        // For a distance d along the view: (x d + y) / (z d + w).
         public static Vector4 DeviceOfDepth(in RenderView view)
         {
             var z = view.ViewProjection.GetRow(2);
@@ -52,7 +49,6 @@ namespace FastPoints.Rendering
             return new Vector4(Vector3.Dot(z, view.Forward), z.w, Vector3.Dot(w, view.Forward), w.w);
         }
 
-        /// <param name="lists">What was written of <paramref name="list"/>.</param>
         public void Record(CommandBuffer commands, in RenderView view, DrawList list, ListBuffer lists, GraphicsNodePool pool)
         {
             MakePixels(view);

@@ -14,8 +14,7 @@ namespace FastPoints.Rendering
         public Matrix4x4 Projection;
         public double3 PositionWorld;
 
-        /// <summary>The eye that is being drawn: the camera itself, or, if a headset's eyes are drawn one after the other, that
-        /// eye.</summary>
+        /// <summary>The eye that is being drawn: the camera, or one of a headset's drawn one after the other.</summary>
         public static EyeMatrices Of(Camera camera)
         {
             if (camera.stereoEnabled && camera.stereoActiveEye != Camera.MonoOrStereoscopicEye.Mono)
@@ -46,7 +45,7 @@ namespace FastPoints.Rendering
             PositionWorld = PositionOf(view),
         };
 
-        /// <summary>The position for a matrix that translates, rotates and at most mirrors.</summary>
+        // For a matrix that translates, rotates and at most mirrors.
         static double3 PositionOf(in Matrix4x4 view)
         {
             double3 x = Row(view, 0), y = Row(view, 1), z = Row(view, 2);

@@ -5,27 +5,21 @@ using UnityEngine;
 
 namespace FastPoints.Rendering
 {
-    /// <summary>A pool in graphics memory: one buffer for each bank, which shaders read in place. Uploads go through mapped
-    /// staging buffers; a compute shader copies them into their pages.</summary>
+    /// <summary>A pool in graphics memory: a buffer for each bank, which shaders read in place. A compute shader copies into
+    /// it.</summary>
     public sealed unsafe class GraphicsNodePool : NodePool
     {
         /// <summary>Half a bank is empty on average: clouds of a million points and more take at most 10 bytes a point.</summary>
         public const int DefaultBankBytes = 8 << 20;
-
-        /// <summary>The most that staging has room for, whatever the limit of a frame.</summary>
-        const int MaxUploadBytes = 64 << 20;
-
-        /// <summary>A bank and <see cref="ListBuffer"/>.</summary>
-        const int VertexBuffers = 2;
+        const int MaxUploadBytes = 64 << 20; // That staging has room for, whatever the limit of a frame.
+        const int VertexBuffers = 2; // A bank and ListBuffer.
 
         readonly StagingRing m_upload;
         readonly List<GraphicsBuffer> m_buffers = new List<GraphicsBuffer>();
         long m_frame;
         bool m_isDrawn;
 
-        /// <param name="copyPages">The package's CopyPages.compute.</param>
-        /// <param name="limitBytes">Limit of the banks; upload buffers come on top.</param>
-        /// <param name="bankBytes">No node may be larger.</param>
+        /// <summary>The limit is that of the banks; upload buffers come on top. No node may be larger than a bank.</summary>
         public GraphicsNodePool(ComputeShader copyPages, long limitBytes, int bankBytes = DefaultBankBytes)
             : base(limitBytes, (int)math.min(bankBytes, math.min(LargestBankBytes, SystemInfo.maxGraphicsBufferSize)))
         {
@@ -41,15 +35,13 @@ namespace FastPoints.Rendering
         /// <summary>The bank's raw buffer; null if the bank does not exist.</summary>
         public GraphicsBuffer BufferOf(int bank) => m_buffers[bank];
 
-        /// <summary>Counts a frame where a picture was drawn since the last one: until then the GPU may have been given nothing
-        /// to do.</summary>
+        /// <summary>Counts frames where a picture was drawn: until then the GPU may have had nothing to do.</summary>
         public override void BeginFrame()
         {
             m_frame += m_isDrawn ? 1 : 0;
             m_isDrawn = false;
         }
 
-        /// <summary>A picture is about to be drawn, with whatever is in view.</summary>
         internal void BeginPicture() => m_isDrawn = true;
 
         public override bool TryBeginUpload(int maxBytes) =>

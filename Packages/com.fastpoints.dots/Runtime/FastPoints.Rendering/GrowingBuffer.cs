@@ -7,24 +7,19 @@ using UnityEngine.Rendering;
 
 namespace FastPoints.Rendering
 {
-    /// <summary>A buffer that is rewritten for each picture and grows when it must.</summary>
+    // A buffer that is rewritten for each picture and grows when it must. Elements of raw buffers have 4 bytes.
     internal sealed class GrowingBuffer : IDisposable
     {
         readonly GraphicsBuffer.Target m_target;
         readonly int m_strideBytes;
 
-        /// <param name="strideBytes">Size of an element; 4 for raw buffers.</param>
-        public GrowingBuffer(GraphicsBuffer.Target target, int strideBytes)
-        {
-            m_target = target;
-            m_strideBytes = strideBytes;
-        }
+        public GrowingBuffer(GraphicsBuffer.Target target, int strideBytes) =>
+            (m_target, m_strideBytes) = (target, strideBytes);
 
-        /// <summary>Null until room was made.</summary>
+        // Null until room was made.
         public GraphicsBuffer Buffer { get; private set; }
 
-        /// <summary>Makes room.</summary>
-        /// <returns>Whether the buffer is a new one, which holds nothing.</returns>
+        // Whether the buffer is a new one, which holds nothing.
         public bool Reserve(long bytes)
         {
             if (Buffer != null && (long)Buffer.count * m_strideBytes >= bytes)
@@ -36,8 +31,7 @@ namespace FastPoints.Rendering
             return true;
         }
 
-        /// <summary>Records that the buffer has these values from here on.</summary>
-        /// <param name="atByte">A multiple of a value's size.</param>
+        // At a multiple of a value's size.
         public void Write<T>(CommandBuffer commands, NativeArray<T> values, int atByte = 0) where T : unmanaged
         {
             if (values.Length > 0)

@@ -7,8 +7,7 @@ using UnityEngine.Rendering;
 
 namespace FastPoints.Rendering
 {
-    /// <summary>What a camera's draws read beside the points, in one buffer (PointLists.hlsl): some devices give vertex shaders
-    /// no more than four.</summary>
+    // What a camera's draws read beside the points, in one buffer: some devices give vertex shaders no more than four.
     internal sealed class ListBuffer : IDisposable
     {
         readonly GrowingBuffer m_buffer = new GrowingBuffer(GraphicsBuffer.Target.Raw, sizeof(uint));
@@ -58,7 +57,7 @@ namespace FastPoints.Rendering
                 m_colors.Dispose();
         }
 
-        /// <summary>Buffers are written in whole values: a list begins at a multiple of its values' size.</summary>
+        // Buffers are written in whole values: a list begins at a multiple of its values' size.
         int Place<T>(NativeArray<T> values) where T : unmanaged
         {
             int size = UnsafeUtility.SizeOf<T>();

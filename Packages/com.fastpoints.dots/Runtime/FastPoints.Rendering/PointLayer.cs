@@ -4,13 +4,12 @@ using UnityEngine.Rendering;
 
 namespace FastPoints.Rendering
 {
-    /// <summary>A layer that holds points alone, for styles that look at a point's neighbours: points are drawn into it first,
-    /// then composed into the camera's picture with their depth. It therefore needs nothing from the picture's own
-    /// targets.</summary>
+    // Holds points alone, for styles that look at a point's neighbours: they are then composed into the camera's picture with
+    // their depth. It therefore needs nothing from the picture's own targets.
     sealed class PointLayer
     {
-        /// <summary>Uses floats where the device can blend them: exact for 2,000 points a pixel. With halves, colours are exact
-        /// to a few 255ths for some 20 points.</summary>
+        // Floats where the device can blend them: exact for 2,000 points a pixel. With halves, colours are exact to a few
+        // 255ths for some 20 points.
         static GraphicsFormat Sums =>
             SystemInfo.IsFormatSupported(GraphicsFormat.R32G32B32A32_SFloat, GraphicsFormatUsage.Blend)
                 ? GraphicsFormat.R32G32B32A32_SFloat : GraphicsFormat.R16G16B16A16_SFloat;
@@ -18,7 +17,6 @@ namespace FastPoints.Rendering
         readonly MaterialPropertyBlock m_properties = new MaterialPropertyBlock();
         readonly RenderTargetIdentifier[] m_targets = { ShaderNames.LayerColor, ShaderNames.LayerDepth };
 
-        /// <summary>Draws whatever is recorded from here on into the layer.</summary>
         public void Begin(CommandBuffer commands, in RenderView view)
         {
             commands.GetTemporaryRT(ShaderNames.LayerColor, Describe(view, GraphicsFormat.R8G8B8A8_UNorm, GraphicsFormat.None));
@@ -28,7 +26,7 @@ namespace FastPoints.Rendering
             commands.ClearRenderTarget(true, true, UnityEngine.Color.clear);
         }
 
-        /// <summary>Begins the second drawing of the same points, which adds them up.</summary>
+        // The second drawing of the same points, which adds them up.
         public void BeginBlending(CommandBuffer commands, in RenderView view)
         {
             commands.GetTemporaryRT(ShaderNames.LayerSums, Describe(view, Sums, GraphicsFormat.None));
@@ -36,7 +34,7 @@ namespace FastPoints.Rendering
             commands.ClearRenderTarget(false, true, UnityEngine.Color.clear);
         }
 
-        /// <summary>Draws the layer into the camera's picture and releases it.</summary>
+        // Draws the layer into the camera's picture and releases it.
         public void End(CommandBuffer commands, in RenderView view, Material compose)
         {
             Compose(commands, view, compose);
@@ -47,7 +45,6 @@ namespace FastPoints.Rendering
             commands.ReleaseTemporaryRT(ShaderNames.LayerDevice);
         }
 
-        /// <summary>Draws the result of a <see cref="ComputeRaster"/> into the camera's picture.</summary>
         public void Compose(CommandBuffer commands, in RenderView view, Material compose, ComputeRaster raster)
         {
             m_properties.SetBuffer(ShaderNames.Pixels, raster.Pixels);
@@ -66,7 +63,6 @@ namespace FastPoints.Rendering
             commands.DrawProcedural(Matrix4x4.identity, compose, 0, MeshTopology.Triangles, 3, 1, m_properties);
         }
 
-        /// <summary>Draws whatever is recorded from here on into the camera's picture.</summary>
         public static void SetTarget(CommandBuffer commands, in RenderView view)
         {
             // -1 stands for all slices.

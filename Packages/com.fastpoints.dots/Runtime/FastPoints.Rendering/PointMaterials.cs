@@ -4,8 +4,8 @@ using UnityEngine;
 
 namespace FastPoints.Rendering
 {
-    /// <summary>Keeps one material for each variant in use. Unity reads keywords when it executes commands, not when they are
-    /// recorded, so one material could not draw two looks in a frame. Materials are made on first use.</summary>
+    /// <summary>A material for each variant in use: Unity reads keywords when it executes commands, not when they are recorded,
+    /// so one material could not draw two looks in a frame.</summary>
     public sealed class PointMaterials : IDisposable
     {
         static readonly int[] s_corners = { 0, 1, 2, 2, 1, 3 };
@@ -18,22 +18,14 @@ namespace FastPoints.Rendering
         Material m_composingSums;
         GraphicsBuffer m_squareIndices;
 
-        /// <param name="points">The package's Points.shader.</param>
-        /// <param name="compose">The package's Compose.shader.</param>
-        /// <param name="raster">The package's RasterPoints.compute; null for none.</param>
-        public PointMaterials(Shader points, Shader compose, ComputeShader raster = null)
-        {
-            m_points = points;
-            m_compose = compose;
-            Raster = raster;
-        }
+        public PointMaterials(Shader points, Shader compose, ComputeShader raster = null) =>
+            (m_points, m_compose, Raster) = (points, compose, raster);
 
         internal const int IndicesOfSquare = 6;
 
         internal ComputeShader Raster { get; }
 
-        /// <summary>Two triangles of four vertices for each point of a block: by an index buffer the GPU computes a vertex that
-        /// both have once.</summary>
+        // Two triangles of four vertices for each point of a block: so the GPU computes shared vertices once.
         internal GraphicsBuffer SquareIndices
         {
             get
@@ -49,10 +41,6 @@ namespace FastPoints.Rendering
             }
         }
 
-        /// <summary>Draws points of a style.</summary>
-        /// <param name="isClipped">Whether there are clip boxes.</param>
-        /// <param name="isFiltered">Whether classes are hidden.</param>
-        /// <param name="isStereo">Whether both eyes are drawn at once.</param>
         internal Material For(in PointStyle style, bool isClipped, bool isFiltered, bool isStereo)
         {
             var variant = new PointVariant(style, isClipped, isFiltered, isStereo);
@@ -64,13 +52,10 @@ namespace FastPoints.Rendering
             return m_ofVariant[variant.Number] = material;
         }
 
-        /// <summary>Draws a layer of points into a camera's picture.</summary>
         internal Material ComposeLayer => m_composingLayer != null ? m_composingLayer : m_composingLayer = Make(m_compose);
 
-        /// <summary>Draws a compute shader's result into a camera's picture.</summary>
         internal Material ComposePixels => Composing(ref m_composingPixels, ShaderNames.FromPixelsKeyword);
 
-        /// <summary>Draws a layer of summed points into a camera's picture.</summary>
         internal Material ComposeSums => Composing(ref m_composingSums, ShaderNames.BlendedKeyword);
 
         Material Composing(ref Material material, string keyword)

@@ -9,13 +9,11 @@ using UnityEngine.Rendering;
 
 namespace FastPoints.Rendering
 {
-    /// <summary>Draws the resident nodes for one camera: call <see cref="Prepare"/> after the stream's frame, then
-    /// <see cref="Record"/> into any pipeline's command buffer. It records one indirect draw for each bank of the pool; an
-    /// instance is a block. Main thread, no garbage.</summary>
+    /// <summary>Draws the resident nodes for one camera: Prepare after the stream's frame, then Record into any pipeline's
+    /// command buffer. One indirect draw for each bank of the pool; an instance is a block. Main thread, no garbage.</summary>
     public sealed class PointRenderer : IDisposable
     {
-        /// <summary>A pass of Points.shader.</summary>
-        const int BlendingPass = 1;
+        const int BlendingPass = 1; // Of Points.shader.
 
         readonly GraphicsNodePool m_pool;
         readonly PointMaterials m_materials;
@@ -27,10 +25,7 @@ namespace FastPoints.Rendering
         readonly ComputeRaster m_raster;
         NativeList<GraphicsBuffer.IndirectDrawIndexedArgs> m_drawArguments;
 
-        /// <param name="materials">All cameras' renderers may share them.</param>
-        /// <param name="pool">The pool of the streams' clouds; this renderer does not dispose it.</param>
-        /// <param name="sizes">Adaptive sizes, which all cameras' renderers may share; this renderer does not dispose
-        /// them.</param>
+        /// <summary>Cameras' renderers may share all of these, which others dispose.</summary>
         public PointRenderer(PointMaterials materials, GraphicsNodePool pool, SizeTree sizes)
         {
             List = new DrawList(sizes);
@@ -43,17 +38,14 @@ namespace FastPoints.Rendering
         /// <summary>What the last <see cref="Prepare"/> listed to draw, and how clouds look.</summary>
         public DrawList List { get; }
 
-        /// <summary>Lists what a camera sees of the stream's last frame.</summary>
-        /// <param name="view">A view in the world space of the stream's placements.</param>
-        /// <param name="style">The style to draw with.</param>
+        /// <summary>Lists what a camera in the world of the stream's placements sees of the last frame.</summary>
         public void Prepare(StreamContext stream, in StreamView view, in PointStyle style)
         {
             m_pool.BeginPicture();
             List.Build(stream, view, style.IsAdaptive);
         }
 
-        /// <summary>Lists what either eye sees.</summary>
-        /// <param name="left">Positions are relative to this eye.</param>
+        /// <summary>Lists what either eye sees, relative to the left one.</summary>
         public void Prepare(StreamContext stream, in StreamView left, in StreamView right, in PointStyle style)
         {
             m_pool.BeginPicture();
@@ -70,8 +62,8 @@ namespace FastPoints.Rendering
             RecordInto(commands, view);
         }
 
-        /// <summary>Records what does not draw into the view's target: uploads, and points that a layer or a compute shader
-        /// collects. While the target is set, each of these makes a GPU that draws in tiles store and load all of it.</summary>
+        // Uploads, and points that a layer or a compute shader collects: each makes a GPU that draws in tiles store and load
+        // all of a target that is set.
         internal void RecordBefore(CommandBuffer commands, in RenderView view)
         {
             if (List.Draws.Length == 0)
@@ -80,7 +72,7 @@ namespace FastPoints.Rendering
             RecordLayer(commands, view);
         }
 
-        /// <summary>Records the draws into whatever target is set, after <see cref="RecordBefore"/>.</summary>
+        // Into whatever target is set, after RecordBefore.
         internal void RecordInto(CommandBuffer commands, in RenderView view)
         {
             if (List.Draws.Length == 0)
@@ -96,12 +88,10 @@ namespace FastPoints.Rendering
             }
         }
 
-        /// <summary>Records the draws for both eyes of a headset into the two slices of the target. Both are drawn at once
-        /// (single-pass instanced: each block is two instances), or one eye after the other if the style draws
-        /// through a layer or a compute shader, or if the device's vertex shaders cannot choose a slice.</summary>
-        /// <param name="right">Of the scale and style that <paramref name="left"/> has.</param>
-        /// <param name="pipelineMultiplies">Whether the pipeline has a multiplier of instances of its own, which plain draws then
-        /// do without. The Built-in pipeline has none: 2 would stay and double all that comes later.</param>
+        /// <summary>Records the draws for both eyes of a headset into the two slices of the target: at once (each block is two
+        /// instances), or one after the other if the style draws through a layer or a compute shader, or vertex shaders cannot
+        /// choose a slice. A pipeline that multiplies instances itself multiplies plain draws; the Built-in one has none: 2
+        /// would stay and double all that comes later.</summary>
         public void RecordBothEyes(CommandBuffer commands, in RenderView left, in RenderView right, bool pipelineMultiplies)
         {
             if (List.Draws.Length == 0)
@@ -214,7 +204,7 @@ namespace FastPoints.Rendering
             }
         }
 
-        /// <summary>Vertices of a point, or indices: squares have four vertices, other shapes a triangle around them.</summary>
+        // Or indices: squares have four vertices, other shapes a triangle around them.
         static int VerticesOf(PointShape shape) =>
             shape == PointShape.Pixel ? 1 : shape == PointShape.Square ? PointMaterials.IndicesOfSquare : 3;
 

@@ -8,20 +8,17 @@ using UnityEngine.Rendering;
 
 namespace FastPoints.Rendering
 {
-    /// <summary>All clouds of a world, for every camera that draws them: the link between streaming and a pipeline's pass. A pass
-    /// announces a camera before drawing it, so that the next frame selects for it, and then records the draws. Main
-    /// thread.</summary>
+    // All clouds of a world, for every camera that draws them: the link between streaming and a pipeline's pass. A pass
+    // announces a camera before drawing it, so that the next frame selects for it, and then records the draws. Main thread.
     internal sealed class PointScene : IDisposable
     {
-        /// <summary>A camera that was not drawn for so many frames releases its buffers.</summary>
+        // A camera that was not drawn for so many frames releases its buffers.
         const int FramesToForget = 120;
 
-        /// <summary>Frames select for a camera until so many have come without its picture: it may be drawn at half the rate of
-        /// others, and its nodes would come and go.</summary>
+        // Frames select for a camera until so many have come without its picture: it may be drawn at half the rate of others,
+        // and its nodes would come and go.
         internal const int FramesToKeep = 30;
-
-        /// <summary>The most views of a camera that a frame selects for.</summary>
-        const int MaxViews = 4;
+        const int MaxViews = 4; // Of a camera that a frame selects for.
 
         static readonly CloudLook s_noLook = new CloudLook { Plane = -1 };
 
@@ -33,7 +30,6 @@ namespace FastPoints.Rendering
         NativeList<StreamView> m_nextViews;
         int m_frame;
 
-        /// <summary>One camera's buffers.</summary>
         sealed class SceneCamera
         {
             public Camera Camera;
@@ -41,16 +37,13 @@ namespace FastPoints.Rendering
             public int LastFrame;
             public int AnnouncedFrame;
 
-            /// <summary>What the next frame selects for: as the camera was drawn at each size and with each mask, for an editor
-            /// draws it once more into a small picture, and recorders do, in the last frame that it was drawn in.</summary>
+            // What the next frame selects for: as the camera was drawn at each size and with each mask, for an editor draws it
+            // once more into a small picture, and recorders do, in the last frame that it was drawn in.
             public readonly List<((int, int, ulong, uint) Drawn, StreamView View)> Views =
                 new List<((int, int, ulong, uint), StreamView)>(MaxViews + 1);
         }
 
-        /// <param name="points">The package's Points.shader.</param>
-        /// <param name="compose">The package's Compose.shader.</param>
-        /// <param name="stream">Its pool is in graphics memory; the scene does not dispose it.</param>
-        /// <param name="raster">The package's RasterPoints.compute; null for none.</param>
+        // The stream's pool is in graphics memory; the scene does not dispose it.
         public PointScene(Shader points, Shader compose, StreamContext stream, ComputeShader raster = null)
         {
             Stream = stream;
@@ -59,13 +52,13 @@ namespace FastPoints.Rendering
             m_nextViews = new NativeList<StreamView>(Allocator.Persistent);
         }
 
-        /// <summary>The scene that passes draw; null for none.</summary>
+        // That passes draw; null for none.
         public static PointScene Current { get; set; }
 
         public StreamContext Stream { get; }
         public PointStyle Style { get; set; } = PointStyle.Default;
 
-        /// <summary>Views of the cameras that were announced lately: once for each size and mask of a camera.</summary>
+        // Of the cameras that were announced lately: once for each size and mask of a camera.
         public NativeArray<StreamView> NextViews
         {
             get
@@ -78,10 +71,9 @@ namespace FastPoints.Rendering
             }
         }
 
-        /// <summary>How often a pipeline's pass has recorded the clouds; 0 if no pass draws them.</summary>
+        // How often a pipeline's pass has recorded the clouds; 0 if no pass draws them.
         public long RecordedPictures { get; private set; }
 
-        /// <summary>Sets how a cloud of the stream is coloured.</summary>
         public void SetLook(int cloud, CloudLook look)
         {
             while (m_looks.Count <= cloud)
@@ -89,14 +81,14 @@ namespace FastPoints.Rendering
             m_looks[cloud] = look;
         }
 
-        /// <summary>Has all clouds without colours again, until they are set.</summary>
+        // All clouds are without colours again, until they are set.
         public void ForgetLooks()
         {
             for (int cloud = 0; cloud < m_looks.Count; cloud++)
                 m_looks[cloud] = s_noLook;
         }
 
-        /// <summary>After the views were taken: cameras are announced again, or their views are dropped in the end.</summary>
+        // After the views were taken: cameras are announced again, or their views are dropped in the end.
         public void BeginFrame()
         {
             m_frame++;
@@ -111,8 +103,8 @@ namespace FastPoints.Rendering
             }
         }
 
-        /// <summary>Whether clouds are drawn for a camera. Previews of assets, which have a scene of their own, and reflections
-        /// show none; other cameras do, and overlay cameras where a <see cref="PointCloudCamera"/> asks for it.</summary>
+        // Previews of assets, which have a scene of their own, and reflections show none; other cameras do, and overlay cameras
+        // where a PointCloudCamera asks for it.
         public static bool IsDrawn(Camera camera, bool isOverlay = false)
         {
             if (camera.cameraType == CameraType.Preview && camera.overrideSceneCullingMask == 0 && camera.scene.IsValid() ||
@@ -121,9 +113,8 @@ namespace FastPoints.Rendering
             return camera.TryGetComponent<PointCloudCamera>(out var choice) && choice.enabled ? choice.DrawsClouds : !isOverlay;
         }
 
-        /// <summary>Makes the next frame select for this camera, too, as it was last announced: for both eyes of a headset, even
-        /// if they are drawn one after the other. A camera may be drawn any number of times before that frame comes, if it comes
-        /// at all.</summary>
+        // The next frame selects for this camera, too, as it was last announced: for both eyes of a headset, even if they are
+        // drawn one after the other. A camera may be drawn any number of times before that frame comes, if at all.
         public void AddView(Camera camera)
         {
             var seen = CameraOf(camera);
@@ -150,7 +141,6 @@ namespace FastPoints.Rendering
         static StreamView EyeOf(Camera camera, Camera.StereoscopicEye eye) =>
             CameraViews.StreamViewOf(camera, EyeMatrices.Of(camera, eye), camera.pixelHeight);
 
-        /// <summary>Records the clouds as a camera sees them, into its target.</summary>
         public void Record(CommandBuffer commands, Camera camera, in CameraTarget target) =>
             Record(commands, camera, target, true);
 
@@ -169,7 +159,7 @@ namespace FastPoints.Rendering
             renderer.RecordBothEyes(commands, view, right, pipelineMultiplies);
         }
 
-        /// <summary>The same where the engine sets the target: what comes before it, and what draws into it.</summary>
+        // Where the engine sets the target: what comes before it, and what draws into it.
         public void Record(CommandBuffer before, CommandBuffer into, Camera camera, in CameraTarget target)
         {
             // The engine sets both slices of a headset's target, and what is drawn eye by eye wants one.

@@ -14,17 +14,16 @@ namespace FastPoints.Rendering
         /// picture's size, 12 bytes a pixel and their depth, and one pass over them.</summary>
         public float EdlStrength;
 
-        /// <summary>Fills a pixel without a point, most of whose neighbours have one, with their mean. It uses the same
-        /// layer.</summary>
+        /// <summary>Fills a pixel without a point, most of whose neighbours have one. It uses the same layer.</summary>
         public bool FillsHoles;
 
-        /// <summary>Whether points are drawn into a layer of their own first.</summary>
+        // Into a layer of their own first.
         internal readonly bool IsLayered => EdlStrength > 0 || FillsHoles || IsBlended;
 
-        /// <summary>Whether points are drawn a second time to be summed.</summary>
+        // A second time to be summed.
         internal readonly bool IsBlended => Shape == PointShape.Splat;
 
-        /// <summary>Whether sizes are looked up in the size tree.</summary>
+        // In the size tree.
         internal readonly bool IsAdaptive => Shape != PointShape.Pixel && Size.Mode == PointSizeMode.Adaptive;
 
         public static PointStyle Default => new PointStyle { Shape = PointShape.Square, Size = PointSize.Pixels(2) };
@@ -33,8 +32,7 @@ namespace FastPoints.Rendering
     /// <summary>The shape that a point is drawn as.</summary>
     public enum PointShape
     {
-        /// <summary>The pixel that the point lies in: the fastest shape for dense points. A compute shader draws it where the
-        /// device supports that.</summary>
+        /// <summary>The fastest shape for dense points. A compute shader draws it where the device supports that.</summary>
         Pixel,
 
         /// <summary>A square that faces the camera.</summary>

@@ -10,8 +10,7 @@ namespace FastPoints.Rendering
         /// (<see cref="GL.GetGPUProjectionMatrix(Matrix4x4, bool)"/>). It does not contain the eye's own position.</summary>
         public Matrix4x4 ViewProjection;
 
-        /// <summary>Offset from the eye that the draws were listed for, along the world's axes: from the left eye to the right
-        /// one.</summary>
+        /// <summary>From the eye that draws were listed for, the left one, along the world's axes.</summary>
         public Vector3 EyeOffset;
         public int WidthPx;
         public int HeightPx;
@@ -30,28 +29,21 @@ namespace FastPoints.Rendering
         public RenderTargetIdentifier Color;
         public RenderTargetIdentifier Depth;
         internal TargetEye Eye;
-
-        /// <summary>Whether the picture is the lower left part of a target that is larger.</summary>
-        internal bool IsPart;
-
-        /// <summary>Whether the target may turn out to be the screen, whose rows run the other way from a texture's.</summary>
-        internal bool MayBeScreen;
+        internal bool IsPart; // The lower left part of a target that is larger.
+        internal bool MayBeScreen; // Rows of the screen run the other way from a texture's.
         public PointStyle Style;
 
-        /// <summary>Unity's _ProjectionParams.x for a texture, and whether the shader is to compare its value with it.</summary>
+        // Unity's _ProjectionParams.x for a texture, and whether the shader is to compare its value with it.
         internal readonly Vector4 Flip => new Vector4(SystemInfo.graphicsUVStartsAtTop ? -1 : 1, MayBeScreen ? 1 : 0, 0, 0);
     }
 
-    /// <summary>The slice of a target to draw into.</summary>
     internal enum TargetEye
     {
-        /// <summary>The target as it is.</summary>
         Whole,
 
-        /// <summary>The first slice of two.</summary>
+        // Of two slices.
         Left,
 
-        /// <summary>The second one.</summary>
         Right,
     }
 }

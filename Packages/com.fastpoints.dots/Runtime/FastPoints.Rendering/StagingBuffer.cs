@@ -8,21 +8,18 @@ using UnityEngine;
 
 namespace FastPoints.Rendering
 {
-    /// <summary>One upload in flight: mapped memory into which jobs write nodes, each starting on a page, and a list of the pages
-    /// that they go to. Mapped memory may be uncached: it is written front to back and never read.</summary>
+    // One upload in flight: mapped memory into which jobs write nodes, each starting on a page, and a list of the pages that
+    // they go to. Mapped memory may be uncached: it is written front to back and never read.
     internal sealed unsafe class StagingBuffer : IDisposable
     {
-        /// <summary>The most groups of one dispatch on any GPU.</summary>
-        const int MaxGroups = 65535;
+        const int MaxGroups = 65535; // Of one dispatch on any GPU.
         const int PageEntryBytes = 2 * sizeof(uint);
         const int WordsPerPage = NodePool.PageBytes / sizeof(uint);
 
         GraphicsBuffer m_bytes;
         GraphicsBuffer m_pages;
         NativeArray<uint> m_words;
-
-        /// <summary>Destination of each node, in the order in which they lie here.</summary>
-        NativeList<PoolRange> m_runs;
+        NativeList<PoolRange> m_runs; // In the order in which the nodes lie here.
         int m_pageCount;
 
         /// <summary>Pages that were asked for; a larger node may have made more.</summary>
@@ -49,7 +46,7 @@ namespace FastPoints.Rendering
             IsLocked = true;
         }
 
-        /// <summary>Room for one more node, or null. The first always has room.</summary>
+        // Null if there is no room. The first always has room.
         public byte* Take(PoolRange run)
         {
             if (m_pageCount + run.PageCount > Capacity)
@@ -64,8 +61,7 @@ namespace FastPoints.Rendering
             return at;
         }
 
-        /// <summary>Copies the written pages into the banks, after earlier draws.</summary>
-        /// <param name="endOfBank">Scratch.</param>
+        // After earlier draws. endOfBank is scratch.
         public void CopyTo(List<GraphicsBuffer> banks, ComputeShader copyPages, int kernel, NativeList<int> endOfBank)
         {
             Unlock();
@@ -99,7 +95,7 @@ namespace FastPoints.Rendering
             m_runs.Dispose();
         }
 
-        /// <summary>Lists for each page where it lies here and where it goes, bank by bank.</summary>
+        // Where each lies here and where it goes, bank by bank.
         void ListPages(int bankCount, NativeList<int> endOfBank)
         {
             endOfBank.ResizeUninitialized(bankCount);

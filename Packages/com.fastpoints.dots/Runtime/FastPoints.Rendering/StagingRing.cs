@@ -7,12 +7,12 @@ using UnityEngine.Rendering;
 
 namespace FastPoints.Rendering
 {
-    /// <summary>Uploads through mapped buffers in turn, from which a compute shader copies. A buffer is reused only when the GPU
-    /// has certainly read it.</summary>
+    // Uploads through mapped buffers in turn, from which a compute shader copies. One is reused when the GPU has certainly read
+    // it.
     internal sealed unsafe class StagingRing : IDisposable
     {
-        /// <summary>The most frames that the GPU usually lags behind: an editor or player queues two, or three if asked to. Where
-        /// the GPU reports its progress, it may lag further.</summary>
+        // The most frames that the GPU usually lags behind: an editor or player queues two, or three if asked to. Where the GPU
+        // reports its progress, it may lag further.
         public const int FramesInFlight = 3;
 
         readonly ComputeShader m_copyPages;
@@ -25,7 +25,6 @@ namespace FastPoints.Rendering
         NativeList<int> m_endOfBank;
         int m_next;
 
-        /// <param name="copyPages">The package's CopyPages.compute.</param>
         public StagingRing(ComputeShader copyPages)
         {
             m_copyPages = copyPages;
@@ -35,9 +34,8 @@ namespace FastPoints.Rendering
             m_endOfBank = new NativeList<int>(Allocator.Persistent);
         }
 
-        /// <param name="frame">Counts frames that a picture was drawn in.</param>
-        /// <param name="pages">Room; a larger node makes more.</param>
-        /// <returns>Whether there is memory to write to.</returns>
+        // Frames count where a picture was drawn; a larger node makes more room than the pages. Whether there is memory to write
+        // to.
         public bool TryBegin(long frame, int pages)
         {
             if (m_isSent[m_next] && !HasBeenRead(frame))
@@ -47,11 +45,10 @@ namespace FastPoints.Rendering
             return true;
         }
 
-        /// <summary>Room for one more node, or null. The first always has room.</summary>
+        // The first always has room; null if there is none.
         public byte* Take(PoolRange run) => m_buffers[m_next].Take(run);
 
-        /// <summary>Ends the upload after everything is written: later draws find it in the pool.</summary>
-        /// <param name="banks">The pool's buffers.</param>
+        // After everything is written: later draws find it in the pool.
         public void End(List<GraphicsBuffer> banks, long frame)
         {
             m_buffers[m_next].CopyTo(banks, m_copyPages, m_kernel, m_endOfBank);
@@ -72,8 +69,7 @@ namespace FastPoints.Rendering
             m_endOfBank.Dispose();
         }
 
-        /// <summary>Counting frames is for GPUs without fences alone, which may be longer behind than any setting
-        /// says.</summary>
+        // Counting frames is for GPUs without fences alone, which may be longer behind than any setting says.
         bool HasBeenRead(long frame) => m_hasFences ? m_fences[m_next].passed : m_freeAtFrame[m_next] <= frame;
     }
 }

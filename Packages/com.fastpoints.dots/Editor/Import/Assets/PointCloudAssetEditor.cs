@@ -1,9 +1,10 @@
+using System;
 using System.IO;
-using FastPoints.Core;
 using FastPoints.Entities;
-using FastPoints.Picture;
+using FastPoints.Reading;
 using UnityEditor;
 using UnityEngine;
+using Object = UnityEngine.Object;
 
 namespace FastPoints.Editor
 {
@@ -25,51 +26,60 @@ namespace FastPoints.Editor
             string picture = CloudThumbnails.PathOf(Paths.Absolute(path));
             if (!File.Exists(picture))
                 return null;
+            var stored = new Texture2D(1, 1, TextureFormat.RGBA32, false);
             try
             {
+                if (!stored.LoadImage(File.ReadAllBytes(picture)))
+                    return null;
                 var texture = new Texture2D(width, height, TextureFormat.RGBA32, false);
-                texture.SetPixelData(ThumbnailImage.Resized(Png.Read(picture), width, height), 0);
+                texture.SetPixelData(ThumbnailImage.Resized(stored, width, height), 0);
                 texture.Apply();
                 return texture;
             }
-            catch (PointCloudException)
+            catch (Exception e) when (FileFailures.IsFileFailure(e))
             {
                 return null;
+            }
+            finally
+            {
+                DestroyImmediate(stored);
             }
         }
     }
 
-    /// <summary>Resizes a picture to the layout of a texture.</summary>
     internal static class ThumbnailImage
     {
-        /// <summary>Bytes of an RGBA texture from the bottom row up: each pixel is the mean of what it covers.</summary>
-        public static byte[] Resized(RgbaImage image, int width, int height)
+        /// <summary>Bytes of an RGBA texture of another size: each pixel is the mean of what it covers.</summary>
+        public static byte[] Resized(Texture2D image, int width, int height)
         {
+            var pixels = image.GetPixels32();
             var bytes = new byte[width * height * 4];
             for (int y = 0; y < height; y++)
+            {
+                int low = (int)((long)y * image.height / height);
+                int high = Math.Max(low + 1, (int)((y + 1L) * image.height / height));
                 for (int x = 0; x < width; x++)
                 {
-                    var rows = Covered(y, height, image.Height);
-                    var columns = Covered(x, width, image.Width);
-                    for (int channel = 0; channel < 4; channel++)
-                        bytes[((height - 1 - y) * width + x) * 4 + channel] = Mean(image, columns, rows, channel);
+                    int left = (int)((long)x * image.width / width);
+                    int right = Math.Max(left + 1, (int)((x + 1L) * image.width / width));
+                    int red = 0, green = 0, blue = 0, alpha = 0, count = (right - left) * (high - low);
+                    for (int at = low * image.width; at < high * image.width; at += image.width)
+                        for (int column = left; column < right; column++)
+                        {
+                            var pixel = pixels[at + column];
+                            red += pixel.r;
+                            green += pixel.g;
+                            blue += pixel.b;
+                            alpha += pixel.a;
+                        }
+                    int to = (y * width + x) * 4;
+                    bytes[to] = (byte)((red + count / 2) / count);
+                    bytes[to + 1] = (byte)((green + count / 2) / count);
+                    bytes[to + 2] = (byte)((blue + count / 2) / count);
+                    bytes[to + 3] = (byte)((alpha + count / 2) / count);
                 }
+            }
             return bytes;
-        }
-
-        static (int From, int To) Covered(int at, int count, int size)
-        {
-            int from = (int)((long)at * size / count);
-            return (from, System.Math.Max(from + 1, (int)((at + 1L) * size / count)));
-        }
-
-        static byte Mean(RgbaImage image, (int From, int To) columns, (int From, int To) rows, int channel)
-        {
-            int count = (columns.To - columns.From) * (rows.To - rows.From), sum = 0;
-            for (int y = rows.From; y < rows.To; y++)
-                for (int x = columns.From; x < columns.To; x++)
-                    sum += image.Rgba[(y * image.Width + x) * 4 + channel];
-            return (byte)((sum + count / 2) / count);
         }
     }
 }

@@ -5,6 +5,7 @@ using FastPoints.Core;
 using FastPoints.Picture;
 using FastPoints.Reading;
 using UnityEngine;
+using UnityEngine.Experimental.Rendering;
 
 namespace FastPoints.Editor
 {
@@ -128,7 +129,8 @@ namespace FastPoints.Editor
             try
             {
                 Directory.CreateDirectory(Path.GetDirectoryName(path));
-                Png.Write(temporary, image);
+                File.WriteAllBytes(temporary, ImageConversion.EncodeArrayToPNG(image.RgbaFromBottom(),
+                    GraphicsFormat.R8G8B8A8_SRGB, (uint)image.Width, (uint)image.Height));
                 FileChanges.Retry(() => FileChanges.Replace(temporary, path));
                 return path;
             }

@@ -169,10 +169,11 @@ namespace FastPoints.E57
                 for (int i = 0; i < m_scans.Count; i++)
                 {
                     double steps = (offsets[i] - offset[axis]) / scale[axis];
-                    if (!CommonGrid.TryPlace(scales[i], offsets[i], scale[axis], offset[axis], out long factor, out long whole,
-                        out double loss) || loss > 0 || !(Math.Abs(steps - whole) <= GridToleranceSteps) ||
-                        Math.Abs(whole) > uint.MaxValue)
+                    if (!CommonGrid.TryPlace(scales[i], offsets[i], scale[axis], offset[axis], out var placed) ||
+                        placed.Loss > 0 || !(Math.Abs(steps - placed.Shift) <= GridToleranceSteps) ||
+                        Math.Abs(placed.Shift) > uint.MaxValue)
                         return false;
+                    var (factor, whole, _) = placed;
                     factors[i][axis] = factor;
                     shifts[i][axis] = whole;
                     var field = m_scans[i].Field(E57Names.Cartesian[axis]);

@@ -304,8 +304,9 @@ namespace FastPoints.Laz
                 axis = new Axis { Factor = 1, Shift = isNear ? (long)math.round(shift) : 0 };
                 return isNear;
             }
-            return CommonGrid.TryPlace(scale, offset, step, origin, out axis.Factor, out axis.Shift, out double loss)
-                && loss == 0 && axis.Factor != 0;
+            bool isPlaced = CommonGrid.TryPlace(scale, offset, step, origin, out var placed);
+            axis = new Axis { Factor = placed.Factor, Shift = placed.Shift };
+            return isPlaced && placed.Loss == 0 && axis.Factor != 0;
         }
     }
 }

@@ -93,7 +93,8 @@ namespace FastPoints.Sampling
             for (int first = First; first < end; first += RunLength)
             {
                 int run = math.min(end - first, RunLength);
-                Positions.LoadGeo(copy.From, Transform, first, run, x, y, z);
+                Positions.Load(copy.From, first, run, x, y, z);
+                Transform.ToGeo(run, x, y, z);
                 int kept = 0;
                 for (int i = 0; i < run; i++)
                 {
@@ -121,7 +122,8 @@ namespace FastPoints.Sampling
                 long point = Strata.Chosen(stratum);
                 if (point < begin || point >= end)
                     continue;
-                Positions.LoadGeo(block, Transform, (int)(point - FirstPoint), 1, x, y, z);
+                Positions.Load(block, (int)(point - FirstPoint), 1, x, y, z);
+                Transform.ToGeo(1, x, y, z);
                 if (PositionBounds.IsFinite(*x, *y, *z))
                     Cells.Mark(table, *x, *y, *z);
             }
@@ -160,7 +162,8 @@ namespace FastPoints.Sampling
             for (int first = First; first < End; first += RunLength)
             {
                 int run = math.min(End - first, RunLength);
-                Positions.LoadGeo(sample, Transform, first, run, x, y, z);
+                Positions.Load(sample, first, run, x, y, z);
+                Transform.ToGeo(run, x, y, z);
                 for (int i = 0; i < run; i++)
                     if (Filled[first + i] != 0 && PositionBounds.IsFinite(x[i], y[i], z[i]))
                         Cells.Mark(table, x[i], y[i], z[i]);

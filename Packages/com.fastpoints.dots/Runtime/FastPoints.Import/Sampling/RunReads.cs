@@ -138,15 +138,15 @@ namespace FastPoints.Sampling
             runs.Clear();
             m_plannedEnd = endRank;
             var planned = default(JobHandle);
-            yield return JobStep.Of(Slices.Schedule(firstRank, endRank, RunsPerSlice, (first, end, after) => new RankStrataJob
+            yield return JobStep.Of(Slices.Schedule(endRank - firstRank, RunsPerSlice, (first, end, after) => new RankStrataJob
             {
                 Order = m_plan.Order,
                 NextPlace = m_nextPlace,
-                FirstRank = first,
-                EndRank = end,
+                FirstRank = firstRank + first,
+                EndRank = firstRank + end,
                 Ranks = m_ranks,
             }.Schedule(after), 1, default, ranked => planned = ranked));
-            yield return JobStep.Of(Slices.Schedule(0, m_ranks.Length, RunsPerSlice, (first, end, after) => new PlanWaveJob
+            yield return JobStep.Of(Slices.Schedule(m_ranks.Length, RunsPerSlice, (first, end, after) => new PlanWaveJob
             {
                 Plan = m_plan,
                 FirstRank = firstRank,

@@ -197,7 +197,8 @@ namespace FastPoints.Sampling
             {
                 int start = First + done;
                 int run = math.min(RunLength, Count - done);
-                Positions.LoadGeo(copy.From, Transform, start, run, x, y, z);
+                Positions.Load(copy.From, start, run, x, y, z);
+                Transform.ToGeo(run, x, y, z);
                 int kept = 0;
                 for (int i = 0; i < run; i++)
                 {

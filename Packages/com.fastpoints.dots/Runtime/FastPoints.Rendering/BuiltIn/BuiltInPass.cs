@@ -7,9 +7,8 @@ using UnityEngine.XR;
 
 namespace FastPoints.Rendering.BuiltIn
 {
-    /// <summary>Draws the clouds in the Built-in pipeline: command buffers in each camera, before and after opaque meshes,
-    /// recorded again before each picture. The second draws into what the camera has set, be it the screen, a part of it or a
-    /// texture. It needs no setup.</summary>
+    // Draws the clouds in the Built-in pipeline: command buffers in each camera, before and after opaque meshes, recorded again
+    // before each picture. The second draws into what the camera has set, be it the screen, a part of it or a texture.
     internal static class BuiltInPass
     {
         const CameraEvent Before = CameraEvent.BeforeForwardOpaque, Into = CameraEvent.AfterForwardOpaque;
@@ -19,7 +18,7 @@ namespace FastPoints.Rendering.BuiltIn
         static readonly List<(CommandBuffer Before, CommandBuffer Into)> s_commands =
             new List<(CommandBuffer Before, CommandBuffer Into)>();
 
-        /// <summary>Works with domain reload off, too: adding twice adds once.</summary>
+        // Works with domain reload off, too: adding twice adds once.
         [BeginsPass]
         [RuntimeInitializeOnLoadMethod(RuntimeInitializeLoadType.SubsystemRegistration)]
         public static void Begin()
@@ -28,7 +27,6 @@ namespace FastPoints.Rendering.BuiltIn
             Camera.onPreCull += Draw;
         }
 
-        /// <summary>Removes the command buffers from all cameras.</summary>
         public static void End()
         {
             Camera.onPreCull -= Draw;
@@ -67,8 +65,7 @@ namespace FastPoints.Rendering.BuiltIn
             scene.Record(before, into, camera, target);
         }
 
-        /// <summary>Whether a headset's eyes are drawn at once, into the slices of one texture. Unity 6.5 has this in another
-        /// module.</summary>
+        // A headset's eyes are drawn at once, into the slices of one texture. Unity 6.5 has this in another module.
         static bool IsEyeTextureForBoth =>
 #if FASTPOINTS_VR || FASTPOINTS_XR && UNITY_6000_5_OR_NEWER
             XRSettings.eyeTextureDesc.dimension == TextureDimension.Tex2DArray;

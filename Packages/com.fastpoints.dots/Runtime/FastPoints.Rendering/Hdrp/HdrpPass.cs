@@ -4,7 +4,7 @@ using UnityEngine.Rendering.HighDefinition;
 
 namespace FastPoints.Rendering.Hdrp
 {
-    /// <summary>Draws the clouds in HDRP, before transparent meshes: a custom pass of all cameras, without a volume.</summary>
+    // Draws the clouds in HDRP, before transparent meshes: a custom pass of all cameras, without a volume.
     internal sealed class HdrpPass : CustomPass
     {
         /// <summary>What HDRP draws until then by a depth that has no points in it (fog, volumetric clouds, water) would cover
@@ -13,7 +13,7 @@ namespace FastPoints.Rendering.Hdrp
 
         static HdrpPass s_pass;
 
-        /// <summary>Works with domain reload off, too: adding twice adds once.</summary>
+        // Works with domain reload off, too: adding twice adds once.
         [BeginsPass]
         [RuntimeInitializeOnLoadMethod(RuntimeInitializeLoadType.SubsystemRegistration)]
         public static void Begin()
@@ -47,8 +47,8 @@ namespace FastPoints.Rendering.Hdrp
             scene.Record(ctx.cmd, camera, target);
         }
 
-        /// <summary>The eye that HDRP draws, with the jitter of its temporal anti-aliasing. Its matrix is the device's for a
-        /// texture: of that the first two rows are taken, and depth from the camera.</summary>
+        // With the jitter of HDRP's temporal anti-aliasing. Its matrix is the device's for a texture: of that the first two
+        // rows are taken, and depth from the camera.
         static EyeMatrices EyeOf(HDCamera camera)
         {
             ref readonly var view = ref camera.mainViewConstants;

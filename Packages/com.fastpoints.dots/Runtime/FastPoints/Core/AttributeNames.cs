@@ -1,7 +1,6 @@
 namespace FastPoints.Core
 {
-    /// <summary>Names of the attributes that mean the same in every format; LAS 1.4's names where LAS has them. Any other
-    /// attribute carries the name that its file gives it.</summary>
+    /// <summary>Names of attributes that mean the same in every format: LAS 1.4's, else the file's.</summary>
     public static class AttributeNames
     {
         /// <summary>Position in the file's own numbers: grid units (int) in LAS, CRS units (float, double) in PLY.</summary>

@@ -17,27 +17,22 @@ namespace FastPoints.Core
         Float64,
     }
 
-    /// <summary>What the types are. HPC#: two bits a type, or one, stand in for a table that jobs could not have.</summary>
+    // HPC#: two bits a type, or one, stand in for a table that jobs could not have; the first type is at the right.
     internal static class AttributeTypes
     {
-        /// <summary>By type from the right: the logarithm of its bytes.</summary>
         const int SizeLog2s = 0b_11_10_11_11_10_10_01_01_00_00;
-
-        /// <summary>By type from the right: whether it has a sign.</summary>
         const int Signed = 0b_11_10_10_10_10;
 
-        /// <summary>Bytes of one value.</summary>
         public static int SizeOf(this AttributeType type) => 1 << (SizeLog2s >> 2 * (int)type & 3);
 
         public static bool IsFloat(this AttributeType type) => type >= AttributeType.Float32;
 
         public static bool IsSigned(this AttributeType type) => (Signed >> (int)type & 1) != 0;
 
-        /// <summary>The integer type of 1, 2, 4 or 8 bytes.</summary>
         public static AttributeType Integer(int bytes, bool isSigned) =>
             (AttributeType)(2 * math.tzcnt((uint)bytes) + (isSigned ? 1 : 0));
 
-        /// <summary>What an integer type of 32 bits and less holds; of any other type what 32 bits hold.</summary>
+        // What an integer type of 32 bits and less holds; of any other type what 32 bits hold.
         public static void RangeOf(this AttributeType type, out long min, out long max)
         {
             long values = 1L << 8 * math.min(4, type.SizeOf());

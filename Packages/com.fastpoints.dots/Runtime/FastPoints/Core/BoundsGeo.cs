@@ -2,8 +2,7 @@ using Unity.Mathematics;
 
 namespace FastPoints.Core
 {
-    /// <summary>An axis-aligned box in georeferenced coordinates (CRS units). Empty when any minimum exceeds its
-    /// maximum.</summary>
+    /// <summary>An axis-aligned box in CRS units. Empty when any minimum exceeds its maximum.</summary>
     public struct BoundsGeo
     {
         public double3 Min;
@@ -15,11 +14,7 @@ namespace FastPoints.Core
             Max = new double3(double.NegativeInfinity, double.NegativeInfinity, double.NegativeInfinity),
         };
 
-        public BoundsGeo(double3 min, double3 max)
-        {
-            Min = min;
-            Max = max;
-        }
+        public BoundsGeo(double3 min, double3 max) => (Min, Max) = (min, max);
 
         public bool IsEmpty => !math.all(Min <= Max);
 
@@ -28,8 +23,7 @@ namespace FastPoints.Core
         /// <summary>Zero on every axis for an empty box.</summary>
         public double3 Size => IsEmpty ? new double3(0, 0, 0) : Max - Min;
 
-        /// <summary>The middle; both ends are halved before they are added, so that boxes near the largest double do not
-        /// overflow.</summary>
+        /// <summary>Both ends are halved before they are added, so that the largest doubles do not overflow.</summary>
         public double3 Center => IsEmpty ? new double3(0, 0, 0) : Min * 0.5 + Max * 0.5;
 
         public void Include(double3 point)

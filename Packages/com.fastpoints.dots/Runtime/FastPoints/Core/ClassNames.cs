@@ -11,10 +11,9 @@ namespace FastPoints.Core
             "ignored ground", "snow", "temporal exclusion",
         };
 
-        /// <summary>The first class that users may define.</summary>
         public const int FirstUserDefined = 64;
 
-        /// <returns>Null for numbers that are reserved or defined by the user.</returns>
+        // Null for numbers that are reserved or defined by the user.
         public static string Of(int classification) =>
             classification >= 0 && classification < s_names.Length ? s_names[classification] : null;
     }

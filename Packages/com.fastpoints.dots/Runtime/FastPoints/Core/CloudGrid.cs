@@ -1,9 +1,9 @@
+using System;
 using Unity.Mathematics;
 
 namespace FastPoints.Core
 {
-    /// <summary>The one grid that all points of a cloud lie on: geo = <see cref="Origin"/> + <see cref="Step"/> * grid, in
-    /// double, in CRS units.</summary>
+    /// <summary>The one grid that all points of a cloud lie on: geo = Origin + Step * grid, in double, in CRS units.</summary>
     public struct CloudGrid
     {
         public double3 Origin;
@@ -13,8 +13,77 @@ namespace FastPoints.Core
 
         public double3 ToGeo(Grid3 place) => new double3(place.X, place.Y, place.Z) * Step + Origin;
 
-        /// <summary>The same, for numbers that are stored as offsets from a corner of the grid.</summary>
-        /// <remarks>Rounds once more than <see cref="ToGeo"/>: for pictures, not for proofs.</remarks>
+        /// <summary>For offsets from a corner of the grid. Rounds once more than ToGeo: for pictures, not for proofs.</summary>
         public PositionTransform FromCorner(Grid3 corner) => new PositionTransform { Scale = Step, Offset = ToGeo(corner) };
+    }
+
+    /// <summary>A position on a cloud's grid in whole steps: exact at any distance from the origin.</summary>
+    public struct Grid3 : IEquatable<Grid3>
+    {
+        public long X;
+        public long Y;
+        public long Z;
+
+        public Grid3(long x, long y, long z) => (X, Y, Z) = (x, y, z);
+
+        public static Grid3 operator +(Grid3 a, Grid3 b) => new Grid3(a.X + b.X, a.Y + b.Y, a.Z + b.Z);
+
+        public static Grid3 operator -(Grid3 a, Grid3 b) => new Grid3(a.X - b.X, a.Y - b.Y, a.Z - b.Z);
+
+        public static bool operator ==(Grid3 a, Grid3 b) => a.X == b.X && a.Y == b.Y && a.Z == b.Z;
+
+        public static bool operator !=(Grid3 a, Grid3 b) => !(a == b);
+
+        public static Grid3 Min(Grid3 a, Grid3 b) => new Grid3(math.min(a.X, b.X), math.min(a.Y, b.Y), math.min(a.Z, b.Z));
+
+        public static Grid3 Max(Grid3 a, Grid3 b) => new Grid3(math.max(a.X, b.X), math.max(a.Y, b.Y), math.max(a.Z, b.Z));
+
+        public bool Equals(Grid3 other) => this == other;
+
+        public override bool Equals(object obj) => obj is Grid3 other && this == other;
+
+        public override int GetHashCode() => (X * 73856093 ^ Y * 19349663 ^ Z * 83492791).GetHashCode();
+
+        public override string ToString() => NumberText.Of(X) + ", " + NumberText.Of(Y) + ", " + NumberText.Of(Z);
+    }
+
+    /// <summary>A cube on a cloud's grid: all positions from its corner to less than a power-of-two side beyond it. Sides end
+    /// at 2^62, so that sums of corners and sides stay within a long.</summary>
+    public struct GridCube
+    {
+        /// <summary>Larger sides are refused.</summary>
+        public const int MaxSideLog2 = 62;
+
+        public Grid3 Corner;
+        public int SideLog2;
+
+        public GridCube(Grid3 corner, int sideLog2) => (Corner, SideLog2) = (corner, sideLog2);
+
+        /// <summary>Grid steps along an edge.</summary>
+        public long Side => 1L << SideLog2;
+
+        public bool Contains(Grid3 place) =>
+            (ulong)(place.X - Corner.X) >> SideLog2 == 0 && (ulong)(place.Y - Corner.Y) >> SideLog2 == 0 &&
+            (ulong)(place.Z - Corner.Z) >> SideLog2 == 0;
+
+        public bool Contains(GridCube other) => other.SideLog2 <= SideLog2 && Contains(other.Corner);
+
+        /// <summary>One of the eight cubes of half the side: bit 0 of the octant is x, bit 1 y, bit 2 z.</summary>
+        public GridCube Child(int octant)
+        {
+            long half = 1L << (SideLog2 - 1);
+            return new GridCube(
+                Corner + new Grid3((octant & 1) * half, (octant >> 1 & 1) * half, (octant >> 2 & 1) * half), SideLog2 - 1);
+        }
+
+        /// <summary>The octant of a position inside.</summary>
+        public int OctantOf(Grid3 place)
+        {
+            int bit = SideLog2 - 1;
+            return (int)((place.X - Corner.X) >> bit & 1) | (int)((place.Y - Corner.Y) >> bit & 1) << 1 |
+                (int)((place.Z - Corner.Z) >> bit & 1) << 2;
+        }
+
+        public override string ToString() => "(" + Corner + ") + 2^" + SideLog2;
     }
 }

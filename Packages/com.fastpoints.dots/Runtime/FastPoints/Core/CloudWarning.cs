@@ -12,12 +12,7 @@ namespace FastPoints.Core
         /// <summary>What is odd and what was assumed instead: one line without the path.</summary>
         public readonly string Text;
 
-        public CloudWarning(string path, long byteOffset, string text)
-        {
-            Path = path;
-            ByteOffset = byteOffset;
-            Text = text;
-        }
+        public CloudWarning(string path, long byteOffset, string text) => (Path, ByteOffset, Text) = (path, byteOffset, text);
 
         public override string ToString() =>
             ByteOffset < 0 ? Path + ": " + Text : Path + ": at byte " + NumberText.Of(ByteOffset) + ": " + Text;

@@ -2,15 +2,13 @@ using Unity.Mathematics;
 
 namespace FastPoints.Core
 {
-    /// <summary>Widens columns of any type, some values at a time: the type is examined once for these, and the loops over values
-    /// have no branches.</summary>
+    // Widens columns of any type, a run at a time: the type is examined once for these, and the loops have no branches.
     internal static unsafe class ColumnValues
     {
-        /// <summary>The number of values that callers widen at once, on the stack: three arrays of doubles this long stay in the
-        /// first-level cache.</summary>
+        // Callers widen so many at once, on the stack: three arrays of doubles stay in the first-level cache.
         public const int RunLength = 256;
 
-        /// <summary>Stored values as doubles: exact except for 64-bit integers beyond 2^53.</summary>
+        // Exact except for 64-bit integers beyond 2^53.
         public static void ToDoubles(byte* column, AttributeType type, int first, int count, double* values)
         {
             switch (type)
@@ -58,7 +56,6 @@ namespace FastPoints.Core
             }
         }
 
-        /// <summary>One of them: for few values.</summary>
         public static double ToDouble(byte* column, AttributeType type, int index)
         {
             double value;
@@ -66,7 +63,7 @@ namespace FastPoints.Core
             return value;
         }
 
-        /// <summary>Stored values as 64 bits: integers are sign-extended; floats keep their bits, extended by zeros.</summary>
+        // Integers are sign-extended; floats keep their bits, extended by zeros.
         public static void ToBits(byte* column, AttributeType type, int first, int count, ulong* bits)
         {
             switch (type)
@@ -103,14 +100,13 @@ namespace FastPoints.Core
             }
         }
 
-        /// <summary>A double's bits, changed so that unsigned integers order as the numbers do (not for NaN).</summary>
+        // A double's bits, changed so that unsigned integers order as the numbers do (not for NaN).
         public static ulong OrderedBits(double value)
         {
             ulong bits = math.asulong(value);
             return (bits & 0x8000000000000000UL) != 0 ? ~bits : bits | 0x8000000000000000UL;
         }
 
-        /// <summary>The inverse of <see cref="OrderedBits(double)"/>.</summary>
         public static double FromOrderedBits(ulong ordered)
         {
             ulong bits = (ordered & 0x8000000000000000UL) != 0 ? ordered & 0x7FFFFFFFFFFFFFFFUL : ~ordered;

@@ -3,14 +3,12 @@ using System.Collections.Generic;
 
 namespace FastPoints.Core
 {
-    /// <summary>Finds one axis of the grid that several sources of whole numbers share: the finest scale, or a part of it, that
-    /// divides all scales and all distances between offsets.</summary>
+    // Finds one axis of the grid that several sources of whole numbers share: the finest scale, or a part of it, that divides
+    // all scales and all distances between offsets.
     internal static class CommonGrid
     {
-        /// <summary>Positions farther out are left out, so that sums of positions and sides stay within a long.</summary>
+        // Positions farther out are left out, so that sums of positions and sides stay within a long.
         public const long Limit = 1L << 60;
-
-        /// <summary>Marks an invalid position: far outside <see cref="Limit"/>.</summary>
         public const long InvalidPosition = long.MinValue;
 
         // Finds common steps of decimal scales: 0.01 and 0.025 meet at 0.005.
@@ -19,17 +17,14 @@ namespace FastPoints.Core
             1, 2, 4, 5, 8, 10, 16, 20, 25, 32, 40, 50, 64, 100, 125, 200, 250, 500, 1000, 10000, 100000, 1000000,
         };
 
-        /// <summary>Numbers of steps that differ by less count as equal: scales such as 0.01 are not binary fractions.</summary>
+        // Numbers of steps that differ by less count as equal: scales such as 0.01 are not binary fractions.
         const double ScaleTolerance = 1e-9;
         const double OffsetToleranceSteps = 1e-3;
 
         const long MaxFactor = 1L << 28;
         const double MaxShift = Limit / 2;
 
-        /// <summary>The step that all sources lie on, counted from the first one's offset; the finest scale if there is
-        /// none.</summary>
-        /// <param name="scales">One for each source, not zero; signs are ignored.</param>
-        /// <param name="offsets">One for each source, in the same units.</param>
+        // Counted from the first source's offset; the finest scale if they share none. Scales are not zero; signs are ignored.
         public static double StepOf(IReadOnlyList<double> scales, IReadOnlyList<double> offsets)
         {
             double finest = double.PositiveInfinity;
@@ -50,22 +45,19 @@ namespace FastPoints.Core
             return finest;
         }
 
-        /// <summary>Places a source's numbers on the axis: grid = stored * factor + shift.</summary>
-        /// <param name="loss">The farthest that 32-bit numbers are moved by that, in CRS units; 0 if the grid holds them.</param>
-        /// <returns>False if the grid has no room for them.</returns>
-        public static bool TryPlace(double scale, double offset, double step, double origin, out long factor, out long shift,
-            out double loss)
+        // grid = stored * factor + shift; false if the grid has no room. Loss: how far 32-bit numbers move, in CRS units.
+        public static bool TryPlace(double scale, double offset, double step, double origin,
+            out (long Factor, long Shift, double Loss) placed)
         {
             double exactFactor = scale / step, exactShift = (offset - origin) / step;
-            factor = 0;
-            shift = 0;
-            loss = 0;
+            placed = default;
             if (!(Math.Abs(exactFactor) < MaxFactor) || !(Math.Abs(exactShift) < MaxShift))
                 return false;
-            factor = (long)Math.Round(exactFactor);
-            shift = (long)Math.Round(exactShift);
+            placed.Factor = (long)Math.Round(exactFactor);
+            placed.Shift = (long)Math.Round(exactShift);
             if (!IsWhole(exactFactor, ScaleTolerance) || !IsWhole(exactShift, OffsetToleranceSteps))
-                loss = (Math.Abs(exactFactor - factor) * int.MaxValue + Math.Abs(exactShift - shift)) * step;
+                placed.Loss = step *
+                    (Math.Abs(exactFactor - placed.Factor) * int.MaxValue + Math.Abs(exactShift - placed.Shift));
             return true;
         }
 

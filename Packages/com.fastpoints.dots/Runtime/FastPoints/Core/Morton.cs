@@ -15,23 +15,15 @@ namespace FastPoints.Core
     /// compiler can do several codes at once.</remarks>
     internal static unsafe class Morton
     {
-        /// <summary>Bits of one coordinate.</summary>
         public const int BitsPerAxis = 21;
-
-        /// <summary>Bits of one coordinate that <see cref="EncodeShort"/> takes.</summary>
         public const int ShortBits = 7;
-
-        // One bit for each of three numbers of 21 bits.
-        const ulong Lanes = 1 | 1UL << 21 | 1UL << 42;
-
-        /// <summary>The largest coordinate.</summary>
+        const ulong Lanes = 1 | 1UL << 21 | 1UL << 42; // One bit for each of three numbers of 21 bits.
         public const uint MaxCoordinate = (1u << BitsPerAxis) - 1;
 
-        /// <summary>Interleaves the coordinates; bits above <see cref="MaxCoordinate"/> are ignored.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static ulong Encode(uint x, uint y, uint z) => Spread(x) | Spread(y) << 1 | Spread(z) << 2;
 
-        /// <summary>Interleaves coordinates of at most <see cref="ShortBits"/> bits: three of them fit one number.</summary>
+        // Of at most ShortBits bits: three of them fit one number.
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static int EncodeShort(uint x, uint y, uint z)
         {
@@ -42,17 +34,19 @@ namespace FastPoints.Core
             return (int)(v | v >> 20 | v >> 40) & (1 << 3 * ShortBits) - 1;
         }
 
-        /// <summary>The codes of many positions: coordinates relative to a corner, shifted right. Burst makes vectors of
-        /// it.</summary>
-        public static void Encode(uint* x, uint* y, uint* z, int count, uint3 corner, int shift, ulong* codes)
+        // Burst makes vectors of it.
+        public static void Encode(uint* x, uint* y, uint* z, int count, MortonCells cells, ulong* codes)
         {
+            var corner = cells.Corner;
+            int shift = cells.SideLog2;
             for (int i = 0; i < count; i++)
                 codes[i] = Encode(x[i] - corner.x >> shift, y[i] - corner.y >> shift, z[i] - corner.z >> shift);
         }
 
-        /// <summary>The same for coordinates that have at most <see cref="ShortBits"/> bits when shifted.</summary>
-        public static void EncodeShort(uint* x, uint* y, uint* z, int count, uint3 corner, int shift, uint* codes)
+        public static void EncodeShort(uint* x, uint* y, uint* z, int count, MortonCells cells, uint* codes)
         {
+            var corner = cells.Corner;
+            int shift = cells.SideLog2;
             for (int i = 0; i < count; i++)
                 codes[i] = (uint)EncodeShort(x[i] - corner.x >> shift, y[i] - corner.y >> shift, z[i] - corner.z >> shift);
         }
@@ -65,7 +59,7 @@ namespace FastPoints.Core
             z = Gather(code >> 2);
         }
 
-        /// <summary>Moves bit i of the low 21 to bit 3i.</summary>
+        // Moves bit i of the low 21 to bit 3i.
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static ulong Spread(uint value)
         {
@@ -78,7 +72,7 @@ namespace FastPoints.Core
             return v;
         }
 
-        /// <summary>Moves bit 3i to bit i: the inverse of <see cref="Spread"/>, whatever lies between.</summary>
+        // Moves bit 3i to bit i, whatever lies between.
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static uint Gather(ulong code)
         {
@@ -90,5 +84,13 @@ namespace FastPoints.Core
             v = (v | v >> 32) & MaxCoordinate;
             return (uint)v;
         }
+    }
+    // The cells that coordinates are counted in: relative to a corner, shifted right.
+    internal readonly struct MortonCells
+    {
+        public readonly uint3 Corner;
+        public readonly int SideLog2;
+
+        public MortonCells(uint3 corner, int sideLog2) => (Corner, SideLog2) = (corner, sideLog2);
     }
 }

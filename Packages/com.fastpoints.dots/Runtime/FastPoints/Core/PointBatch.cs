@@ -4,10 +4,8 @@ using Unity.Jobs;
 
 namespace FastPoints.Core
 {
-    /// <summary>Up to <see cref="Capacity"/> points as columns (structure of arrays) in one piece of native memory. The caller
-    /// owns it; readers fill it.</summary>
-    /// <remarks>One allocation, so one safety handle: a job that writes several columns takes <see cref="Bytes"/> whole with the
-    /// <see cref="PointColumn"/>s it needs; any number of read-only columns can be taken as typed views.</remarks>
+    /// <summary>Up to Capacity points as columns in one piece of native memory, which the caller owns and readers fill. One
+    /// allocation is one safety handle: a job that writes several columns takes <see cref="Bytes"/> whole.</summary>
     public sealed class PointBatch : IDisposable
     {
         const int ColumnAlignmentBytes = 64;

@@ -70,19 +70,13 @@ namespace FastPoints.Core
 
         public AttributeType Type { get; }
 
-        /// <summary>Value = stored * <see cref="Scale"/> + <see cref="Offset"/>. They are 1 and 0 except for scaled extra bytes;
-        /// positions keep theirs in the cloud's <see cref="PositionTransform"/>.</summary>
+        /// <summary>Value = stored * Scale + Offset: 1 and 0 except for scaled extra bytes and, elsewhere, positions.</summary>
         public double Scale { get; }
 
         public double Offset { get; }
 
-        public PointAttribute(string name, AttributeType type, double scale = 1, double offset = 0)
-        {
-            Name = name;
-            Type = type;
-            Scale = scale;
-            Offset = offset;
-        }
+        public PointAttribute(string name, AttributeType type, double scale = 1, double offset = 0) =>
+            (Name, Type, Scale, Offset) = (name, type, scale, offset);
 
         public bool Equals(PointAttribute other) =>
             other != null && Name == other.Name && Type == other.Type && Scale.Equals(other.Scale) && Offset.Equals(other.Offset);

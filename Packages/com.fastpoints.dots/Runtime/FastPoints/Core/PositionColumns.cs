@@ -1,16 +1,18 @@
 using System;
+using Unity.Burst;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.Jobs;
 using Unity.Mathematics;
 
 namespace FastPoints.Core
 {
-    /// <summary>Where a batch keeps its positions: blittable, for jobs.</summary>
     internal struct PositionColumns
     {
         public PointColumn X;
         public PointColumn Y;
         public PointColumn Z;
 
-        /// <exception cref="ArgumentException">The batch has no X, Y, Z.</exception>
         public static PositionColumns Of(PointBatch batch)
         {
             int x = batch.Schema.IndexOf(AttributeNames.X);
@@ -21,8 +23,6 @@ namespace FastPoints.Core
             return new PositionColumns { X = batch.Column(x), Y = batch.Column(y), Z = batch.Column(z) };
         }
 
-        /// <summary>Loads the stored coordinates of consecutive points.</summary>
-        /// <param name="bytes">The batch's memory.</param>
         public unsafe void Load(byte* bytes, int first, int count, double* x, double* y, double* z)
         {
             ColumnValues.ToDoubles(bytes + X.OffsetBytes, X.Type, first, count, x);
@@ -30,12 +30,27 @@ namespace FastPoints.Core
             ColumnValues.ToDoubles(bytes + Z.OffsetBytes, Z.Type, first, count, z);
         }
 
-        /// <summary>Loads the georeferenced positions of consecutive points.</summary>
-        public unsafe void LoadGeo(byte* bytes, in PositionTransform transform, int first, int count, double* x, double* y,
-            double* z)
+        public unsafe double3 GeoAt(byte* bytes, in PositionTransform transform, int index)
         {
-            Load(bytes, first, count, x, y, z);
-            double3 scale = transform.Scale, offset = transform.Offset;
+            double3 stored;
+            Load(bytes, index, 1, &stored.x, &stored.y, &stored.z);
+            return transform.ToGeo(stored);
+        }
+    }
+
+    /// <summary>Maps a file's numbers to georeferenced positions: geo = stored * Scale + Offset, in CRS units.</summary>
+    public struct PositionTransform
+    {
+        public double3 Scale;
+        public double3 Offset;
+
+        public static PositionTransform Identity => new PositionTransform { Scale = new double3(1, 1, 1) };
+
+        public readonly double3 ToGeo(double3 stored) => stored * Scale + Offset;
+
+        internal readonly unsafe void ToGeo(int count, double* x, double* y, double* z)
+        {
+            double3 scale = Scale, offset = Offset;
             for (int i = 0; i < count; i++)
             {
                 x[i] = x[i] * scale.x + offset.x;
@@ -45,15 +60,81 @@ namespace FastPoints.Core
         }
     }
 
-    /// <summary>Maps the numbers that a file stores to georeferenced positions: geo = stored * <see cref="Scale"/> +
-    /// <see cref="Offset"/>, in double, in CRS units. It is the identity for files that store coordinates directly.</summary>
-    public struct PositionTransform
+    // Georeferenced bounds of the finite positions among some points, and how many had a coordinate that is not finite.
+    internal struct PositionBounds
     {
-        public double3 Scale;
-        public double3 Offset;
+        public BoundsGeo Bounds;
+        public long NonFinite;
 
-        public static PositionTransform Identity => new PositionTransform { Scale = new double3(1, 1, 1) };
+        public static PositionBounds Empty => new PositionBounds { Bounds = BoundsGeo.Empty };
 
-        public double3 ToGeo(double3 stored) => stored * Scale + Offset;
+        public void Include(in PositionBounds other)
+        {
+            Bounds.Include(other.Bounds);
+            NonFinite += other.NonFinite;
+        }
+
+        // At most ColumnValues.RunLength positions.
+        public unsafe void IncludeRun(double* x, double* y, double* z, int count)
+        {
+            double3 min = Bounds.Min, max = Bounds.Max;
+            for (int i = 0; i < count; i++)
+            {
+                double px = x[i], py = y[i], pz = z[i];
+                if (!IsFinite(px, py, pz))
+                {
+                    NonFinite++;
+                    continue;
+                }
+                min.x = px < min.x ? px : min.x;
+                min.y = py < min.y ? py : min.y;
+                min.z = pz < min.z ? pz : min.z;
+                max.x = px > max.x ? px : max.x;
+                max.y = py > max.y ? py : max.y;
+                max.z = pz > max.z ? pz : max.z;
+            }
+            Bounds = new BoundsGeo(min, max);
+        }
+
+        // x - x is 0 for a finite x and NaN for any other.
+        public static bool IsFinite(double x, double y, double z) => x - x + (y - y) + (z - z) == 0;
+
+        public static unsafe PositionBounds Measure(byte* bytes, in PositionColumns columns, in PositionTransform transform,
+            int first, int count)
+        {
+            double* x = stackalloc double[ColumnValues.RunLength];
+            double* y = stackalloc double[ColumnValues.RunLength];
+            double* z = stackalloc double[ColumnValues.RunLength];
+            var found = Empty;
+            for (int done = 0; done < count; done += ColumnValues.RunLength)
+            {
+                int run = math.min(ColumnValues.RunLength, count - done);
+                columns.Load(bytes, first + done, run, x, y, z);
+                transform.ToGeo(run, x, y, z);
+                found.IncludeRun(x, y, z, run);
+            }
+            return found;
+        }
+
+        public static unsafe PositionBounds RunImmediate(PointBatch points, PositionTransform transform) =>
+            Measure((byte*)points.Bytes.GetUnsafeReadOnlyPtr(), PositionColumns.Of(points), transform, 0, points.Count);
+    }
+
+    [BurstCompile]
+    internal struct MeasureBoundsJob : IJob
+    {
+        [ReadOnly] public NativeArray<byte> Bytes;
+        public PositionColumns Columns;
+        public PositionTransform Transform;
+        public int First;
+        public int Count;
+        public NativeReference<PositionBounds> Found;
+
+        public unsafe void Execute()
+        {
+            var found = Found.Value;
+            found.Include(PositionBounds.Measure((byte*)Bytes.GetUnsafeReadOnlyPtr(), Columns, Transform, First, Count));
+            Found.Value = found;
+        }
     }
 }

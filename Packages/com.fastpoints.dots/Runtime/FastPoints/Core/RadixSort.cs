@@ -2,17 +2,15 @@ using Unity.Collections.LowLevel.Unsafe;
 
 namespace FastPoints.Core
 {
-    /// <summary>Sorts 64-bit keys, each with a 32-bit payload, in a stable order: least significant digit first, eight bits a
-    /// digit, and only the digits in which the keys differ. Time is linear in the count; scratch memory is as large as the
-    /// input.</summary>
+    // Sorts 64-bit keys, each with a 32-bit payload, in a stable order: least significant digit first, eight bits a digit, and
+    // only the digits in which the keys differ. Time is linear in the count; scratch memory is as large as the input.
     internal static unsafe class RadixSort
     {
         const int DigitBits = 8;
         const int DigitValues = 1 << DigitBits;
         const int MaxDigits = 64 / DigitBits;
 
-        /// <summary>Sorts in place, ascending.</summary>
-        /// <param name="payload">Moves with its key; null for keys alone (then <paramref name="payloadScratch"/> is too).</param>
+        // In place, ascending. Null payloads for keys alone.
         public static void Sort(ulong* keys, uint* payload, ulong* keyScratch, uint* payloadScratch, int count)
         {
             if (count < 2)
@@ -26,36 +24,34 @@ namespace FastPoints.Core
             ulong varying = any ^ all;
 
             int* start = stackalloc int[DigitValues];
-            ulong* from = keys;
-            ulong* to = keyScratch;
-            uint* payloadFrom = payload;
-            uint* payloadTo = payloadScratch;
+            var from = new Records { Keys = keys, Payload = payload };
+            var to = new Records { Keys = keyScratch, Payload = payloadScratch };
             for (int digit = 0; digit < MaxDigits; digit++)
             {
                 int shift = digit * DigitBits;
                 if ((varying >> shift & (DigitValues - 1)) == 0)
                     continue;
-                CountDigits(from, count, shift, start);
+                CountDigits(from.Keys, count, shift, start);
                 if (payload != null)
-                    Scatter(from, payloadFrom, to, payloadTo, count, shift, start);
-                else
                     Scatter(from, to, count, shift, start);
-
-                ulong* swap = from;
-                from = to;
-                to = swap;
-                uint* payloadSwap = payloadFrom;
-                payloadFrom = payloadTo;
-                payloadTo = payloadSwap;
+                else
+                    Scatter(from.Keys, to.Keys, count, shift, start);
+                (from, to) = (to, from);
             }
-            if (from == keys)
+            if (from.Keys == keys)
                 return;
-            UnsafeUtility.MemCpy(keys, from, (long)count * sizeof(ulong));
+            UnsafeUtility.MemCpy(keys, from.Keys, (long)count * sizeof(ulong));
             if (payload != null)
-                UnsafeUtility.MemCpy(payload, payloadFrom, (long)count * sizeof(uint));
+                UnsafeUtility.MemCpy(payload, from.Payload, (long)count * sizeof(uint));
         }
 
-        /// <summary>Finds where each digit's values start in the sorted order.</summary>
+        struct Records
+        {
+            public ulong* Keys;
+            public uint* Payload;
+        }
+
+        // Finds where each digit's values start in the sorted order.
         static void CountDigits(ulong* keys, int count, int shift, int* start)
         {
             UnsafeUtility.MemClear(start, DigitValues * sizeof(int));
@@ -70,13 +66,15 @@ namespace FastPoints.Core
             }
         }
 
-        static void Scatter(ulong* from, uint* payloadFrom, ulong* to, uint* payloadTo, int count, int shift, int* start)
+        static void Scatter(Records from, Records to, int count, int shift, int* start)
         {
+            ulong* keysFrom = from.Keys, keysTo = to.Keys;
+            uint* payloadFrom = from.Payload, payloadTo = to.Payload;
             for (int i = 0; i < count; i++)
             {
-                ulong key = from[i];
+                ulong key = keysFrom[i];
                 int at = start[key >> shift & (DigitValues - 1)]++;
-                to[at] = key;
+                keysTo[at] = key;
                 payloadTo[at] = payloadFrom[i];
             }
         }

@@ -2,42 +2,25 @@ using Unity.Mathematics;
 
 namespace FastPoints.Core
 {
-    /// <summary>Directions that follow from the axis that points up.</summary>
     internal static class UpAxes
     {
-        /// <summary>Of X, Y and Z, whichever way it points.</summary>
+        // Of X, Y and Z, whichever way it points.
         public static int Index(this UpAxis axis) => (int)axis % 3;
 
         public static bool IsNegative(this UpAxis axis) => axis >= UpAxis.NegativeX;
 
-        /// <summary>The height of a place, or of a direction's end.</summary>
         public static double Height(this UpAxis axis, double3 geo) => axis.IsNegative() ? -geo[axis.Index()] : geo[axis.Index()];
 
-        /// <summary>Unit vectors of the cloud's space that point east, north and up for people: right-handed, like its
-        /// axes.</summary>
+        // Unit vectors of the cloud's space that point east, north and up for people: right-handed, like its axes.
         public static void Directions(this UpAxis axis, out double3 east, out double3 north, out double3 up)
         {
-            var x = new double3(1, 0, 0);
-            var y = new double3(0, 1, 0);
-            var z = new double3(0, 0, 1);
-            switch ((UpAxis)axis.Index())
+            double3 x = new double3(1, 0, 0), y = new double3(0, 1, 0), z = new double3(0, 0, 1);
+            (east, north, up) = (UpAxis)axis.Index() switch
             {
-                case UpAxis.X:
-                    east = y;
-                    north = z;
-                    up = x;
-                    break;
-                case UpAxis.Y:
-                    east = x;
-                    north = -z;
-                    up = y;
-                    break;
-                default:
-                    east = x;
-                    north = y;
-                    up = z;
-                    break;
-            }
+                UpAxis.X => (y, z, x),
+                UpAxis.Y => (x, -z, y),
+                _ => (x, y, z),
+            };
             // Half a turn about the east.
             if (axis.IsNegative())
                 (north, up) = (-north, -up);

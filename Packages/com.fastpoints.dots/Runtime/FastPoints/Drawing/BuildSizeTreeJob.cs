@@ -10,27 +10,17 @@ using Unity.Mathematics;
 
 namespace FastPoints.Drawing
 {
-    /// <summary>Builds a <see cref="SizeTree"/> from the nodes to draw. If a node is several levels below its parent because
-    /// those between had no points, the levels between get nodes with the parent's gap. A node with its parent's own cube takes
-    /// no place below it.</summary>
+    // Builds a SizeTree from the nodes to draw. If a node is several levels below its parent because those between had no
+    // points, the levels between get nodes with the parent's gap. A node with its parent's own cube takes no place below it.
     [BurstCompile]
     internal unsafe struct BuildSizeTreeJob : IJob
     {
-        /// <summary>Parents come before children.</summary>
         [ReadOnly] public NativeArray<DrawnNode> Drawn;
-
-        /// <summary>Indexed by cloud number.</summary>
         [ReadOnly] public NativeArray<SizeTreeCloud> Clouds;
-
-        /// <summary>Scratch; the first entry stands for nothing.</summary>
-        public NativeList<SizeTreeLink> Links;
-
-        /// <summary>Scratch: links in the order of their nodes.</summary>
-        public NativeList<int> Order;
+        public NativeList<SizeTreeLink> Links; // Scratch; the first entry stands for nothing.
+        public NativeList<int> Order; // Scratch: links in the order of their nodes.
         public NativeList<GpuSizeNode> Nodes;
-
-        /// <summary>Holds the links while the job works.</summary>
-        public NativeList<int> NodeOfDrawn;
+        public NativeList<int> NodeOfDrawn; // Holds the links while the job works.
 
         public void Execute()
         {
@@ -44,7 +34,7 @@ namespace FastPoints.Drawing
                 NodeOfDrawn[i] = Links[NodeOfDrawn[i]].Node;
         }
 
-        /// <summary>Finds or makes the place of a node below its parent's.</summary>
+        // Finds or makes the place of a node below its parent's.
         int Link(int i)
         {
             var drawn = Drawn[i];
@@ -90,7 +80,7 @@ namespace FastPoints.Drawing
             return Links.Length - 1;
         }
 
-        /// <summary>Numbers the nodes in breadth-first order, so that the children of a node follow one another.</summary>
+        // Breadth-first, so that the children of a node follow one another.
         void Number()
         {
             Order.Clear();
@@ -122,9 +112,8 @@ namespace FastPoints.Drawing
             return GapOf(cloud->Pages[drawn.Page].Nodes[drawn.Node]) * cloud->WorldPerUnit;
         }
 
-        /// <summary>The gap between a node's points. A node with others below it has one point in each cell. The last node at its
-        /// place has all remaining points, most often on a surface or a line; the gap is then the larger of what the largest face
-        /// and the longest edge of its box give for that many points.</summary>
+        // A node with others below it has one point in each cell. The last node at its place has all remaining points, most
+        // often on a surface or a line; its gap is the larger of what the box's largest face and longest edge give.
         static float GapOf(in StreamNode node)
         {
             if (node.ChildCount + node.ChunkCount > 0 || node.PointCount == 0)
@@ -136,45 +125,28 @@ namespace FastPoints.Drawing
         }
     }
 
-    /// <summary>One cloud as a <see cref="BuildSizeTreeJob"/> sees it. Blittable.</summary>
     internal unsafe struct SizeTreeCloud
     {
         public HierarchyPage* Pages;
         public NodeCubes Cubes;
-
-        /// <summary>World units of one CRS unit along the axis that is stretched most.</summary>
-        public float WorldPerUnit;
+        public float WorldPerUnit; // World units of one CRS unit along the axis that is stretched most.
     }
 
-    /// <summary>A node of a <see cref="SizeTree"/> while a <see cref="BuildSizeTreeJob"/> works.</summary>
     internal unsafe struct SizeTreeLink
     {
-        /// <summary>The link below for each octant; 0 for none, since no link is below the first.</summary>
-        public fixed int Children[8];
-
-        /// <summary>Distance between points in world units.</summary>
-        public float Gap;
-
-        /// <summary>Whether it stands for a node that is drawn, and not only for a level between two of these.</summary>
-        public bool IsDrawn;
-
-        /// <summary>Whether nothing is above it.</summary>
+        public fixed int Children[8]; // For each octant; 0 for none, since no link is below the first.
+        public float Gap; // World units.
+        public bool IsDrawn; // Not only a level between two nodes that are drawn.
         public bool IsRoot;
-
-        /// <summary>Its place in the tree.</summary>
         public int Node;
     }
 
-    /// <summary>A node of a <see cref="SizeTree"/> as shaders see it.</summary>
     [GenerateHlsl]
     [StructLayout(LayoutKind.Sequential)]
     internal struct GpuSizeNode
     {
-        /// <summary>Bits 0-7: octants with a node of their own, X lowest; bits 8-31: index of the first of these nodes, in the
-        /// order of the octants.</summary>
+        // Bits 0-7: octants with a node of their own, X lowest; bits 8-31: the first of these nodes, in the octants' order.
         public uint Children;
-
-        /// <summary>Distance in world units between points where no deeper node is drawn.</summary>
-        public float Gap;
+        public float Gap; // World units between points where no deeper node is drawn.
     }
 }

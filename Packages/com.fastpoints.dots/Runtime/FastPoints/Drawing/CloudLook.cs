@@ -15,8 +15,7 @@ namespace FastPoints.Drawing
         public double Scale;
         public double Bias;
 
-        /// <summary>For <see cref="ColorSource.Place"/>: palette entries for one CRS unit along each of the cloud's axes;
-        /// <see cref="Bias"/> is then the root corner's entry.</summary>
+        /// <summary>For Place: palette entries for one CRS unit along each axis; Bias is the root corner's entry.</summary>
         public double3 ValuePerUnit;
 
         /// <summary>Number of the palette; the tables lie one behind the other.</summary>

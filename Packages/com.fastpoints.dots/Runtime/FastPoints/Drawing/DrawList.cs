@@ -11,50 +11,37 @@ namespace FastPoints.Drawing
     {
         readonly List<CloudLook> m_looks = new List<CloudLook>();
         readonly SizeTree m_sizes;
-        NativeList<DrawListCloud> m_listed;
-        NativeList<GpuCloud> m_clouds;
-        NativeList<GpuClipBox> m_clipBoxes;
-        NativeList<GpuNode> m_nodes;
-        NativeList<uint> m_nodeOfInstance;
-        NativeList<BankDraw> m_draws;
-        NativeList<int> m_instanceOfBank;
-        NativeList<int> m_seen;
-        NativeReference<long> m_points;
+        NativeList<DrawListCloud> m_listed = new NativeList<DrawListCloud>(Allocator.Persistent);
+        NativeList<GpuCloud> m_clouds = new NativeList<GpuCloud>(Allocator.Persistent);
+        NativeList<GpuClipBox> m_clipBoxes = new NativeList<GpuClipBox>(Allocator.Persistent);
+        NativeList<GpuNode> m_nodes = new NativeList<GpuNode>(1024, Allocator.Persistent);
+        NativeList<uint> m_nodeOfInstance = new NativeList<uint>(16384, Allocator.Persistent);
+        NativeList<BankDraw> m_draws = new NativeList<BankDraw>(Allocator.Persistent);
+        NativeList<int> m_instanceOfBank = new NativeList<int>(Allocator.Persistent);
+        NativeList<int> m_seen = new NativeList<int>(1024, Allocator.Persistent);
+        NativeReference<long> m_points = new NativeReference<long>(Allocator.Persistent);
 
         /// <param name="sizes">The tree of all cameras; this list does not dispose it.</param>
-        public DrawList(SizeTree sizes)
-        {
-            m_sizes = sizes;
-            m_listed = new NativeList<DrawListCloud>(Allocator.Persistent);
-            m_clouds = new NativeList<GpuCloud>(Allocator.Persistent);
-            m_clipBoxes = new NativeList<GpuClipBox>(Allocator.Persistent);
-            m_nodes = new NativeList<GpuNode>(1024, Allocator.Persistent);
-            m_nodeOfInstance = new NativeList<uint>(16384, Allocator.Persistent);
-            m_draws = new NativeList<BankDraw>(Allocator.Persistent);
-            m_instanceOfBank = new NativeList<int>(Allocator.Persistent);
-            m_seen = new NativeList<int>(1024, Allocator.Persistent);
-            m_points = new NativeReference<long>(Allocator.Persistent);
-        }
+        public DrawList(SizeTree sizes) => m_sizes = sizes;
 
         public bool IsCreated => m_nodes.IsCreated;
 
-        /// <summary>Indexed by cloud number.</summary>
+        // Indexed by cloud number.
         internal NativeArray<GpuCloud> Clouds => m_clouds.AsArray();
         internal NativeArray<GpuNode> Nodes => m_nodes.AsArray();
 
         /// <summary>Index in <see cref="Nodes"/> of each block's node.</summary>
         public NativeArray<uint> NodeOfInstance => m_nodeOfInstance.AsArray();
 
-        /// <summary>One draw for each bank that has something to draw.</summary>
+        // One for each bank that has something to draw.
         internal NativeArray<BankDraw> Draws => m_draws.AsArray();
 
-        /// <summary>The boxes that points are clipped by.</summary>
         internal NativeArray<GpuClipBox> ClipBoxes => m_clipBoxes.AsArray();
 
         /// <summary>Whether any cloud hides points by their class.</summary>
         public bool HidesClasses { get; private set; }
 
-        /// <summary>The nodes in which adaptive sizes are looked up; empty if no size is adaptive.</summary>
+        // Adaptive sizes are looked up in these; empty if there are none.
         internal NativeArray<GpuSizeNode> SizeNodes => m_sizes.Nodes;
 
         /// <summary>Points of the nodes that the camera sees.</summary>
@@ -69,11 +56,8 @@ namespace FastPoints.Drawing
             m_looks[cloud] = look;
         }
 
-        /// <summary>Fills the list from the stream's last frame.</summary>
-        /// <param name="view">Positions are relative to its eye.</param>
-        /// <param name="isAdaptive">Whether sizes are adaptive; if not, <see cref="SizeNodes"/> is empty.</param>
-        /// <param name="rightEye">A headset's right eye, where <paramref name="view"/> is the left one: everything that either
-        /// eye sees is listed.</param>
+        /// <summary>Fills the list from the stream's last frame, relative to the view's eye. With a headset's right eye beside
+        /// the left one, everything that either sees is listed.</summary>
         public void Build(StreamContext stream, in StreamView view, bool isAdaptive = false, StreamView? rightEye = null)
         {
             if (isAdaptive)

@@ -5,29 +5,23 @@ using Unity.Mathematics;
 
 namespace FastPoints.Drawing
 {
-    /// <summary>One cloud as a <see cref="ListBlocksJob"/> sees it for one camera. Blittable.</summary>
     internal unsafe struct DrawListCloud
     {
         public HierarchyPage* Pages;
         public CloudView View;
-
-        /// <summary>A headset's right eye: nodes that it alone sees are drawn, too.</summary>
-        public CloudView RightView;
+        public CloudView RightView; // A headset's right eye: nodes that it alone sees are drawn, too.
         public bool HasBothEyes;
         public CloudPlacement Placement;
         public NodeCubes Cubes;
         public CloudLook Look;
         public double3 Step;
         public double3 EyeWorld;
-
-        /// <summary>Number of streamed planes.</summary>
         public int PlaneCount;
 
         public readonly bool IntersectsFrustum(double3 center, double3 half) =>
             View.IntersectsFrustum(center, half) || (HasBothEyes && RightView.IntersectsFrustum(center, half));
 
-        /// <summary>The node's record without its first instance, tint and place in the size tree.</summary>
-        /// <param name="firstWord">First word of the node's planes in its bank.</param>
+        // Without its first instance, tint and place in the size tree. The planes begin at the bank's first word.
         public readonly GpuNode Place(int cloud, int page, int node, uint firstWord)
         {
             var from = Pages + page;
@@ -62,10 +56,7 @@ namespace FastPoints.Drawing
             return firstWord;
         }
 
-        /// <summary>Makes the cloud's record.</summary>
-        /// <param name="layout">The cloud's layout.</param>
-        /// <param name="plane">Index in the layout of the plane that points are coloured by.</param>
-        /// <param name="classPlane">Index in the layout of the plane of classes, used if some are hidden.</param>
+        // Planes are those in the layout that colour the points, and that has the classes if some are hidden.
         public readonly GpuCloud Describe(StoreLayout layout, int plane, int classPlane)
         {
             var linear = Placement.Linear;
@@ -96,7 +87,7 @@ namespace FastPoints.Drawing
             return cloud;
         }
 
-        /// <summary>The position in the node's box that is nearest to the camera, in grid steps from the node's corner.</summary>
+        // The position in the node's box that is nearest to the camera, in grid steps from the node's corner.
         readonly Grid3 AnchorOf(in StreamNode node, double3 corner, bool isWide)
         {
             double largest = isWide ? 1L << 60 : uint.MaxValue;

@@ -6,24 +6,22 @@ using Unity.Jobs;
 
 namespace FastPoints.Drawing
 {
-    /// <summary>Lists what one camera's draws read: the nodes that it sees, and each block's node, bank by bank.</summary>
+    // Lists the nodes that one camera sees, and each block's node, bank by bank.
     [BurstCompile]
     internal unsafe struct ListBlocksJob : IJob
     {
         [ReadOnly] public NativeArray<DrawnNode> Drawn;
 
-        /// <summary>Indexed by cloud number; clouds without pages are not drawn.</summary>
+        // By cloud number; clouds without pages are not drawn.
         [ReadOnly] public NativeArray<DrawListCloud> Clouds;
 
-        /// <summary>Size nodes of the drawn nodes; empty if no size is adaptive.</summary>
+        // Of the drawn nodes; empty if no size is adaptive.
         [ReadOnly] public NativeArray<int> SizeNodeOfDrawn;
 
         public NativeList<GpuNode> Nodes;
         public NativeList<uint> NodeOfInstance;
         public NativeList<BankDraw> Draws;
-
-        /// <summary>Scratch: indexed by bank, then by visible node.</summary>
-        public NativeList<int> InstanceOfBank;
+        public NativeList<int> InstanceOfBank; // Scratch: by bank, then by visible node.
         public NativeList<int> Seen;
         public NativeReference<long> Points;
 
@@ -94,13 +92,10 @@ namespace FastPoints.Drawing
         }
     }
 
-    /// <summary>The blocks of one bank of the pool, which are one draw.</summary>
     internal struct BankDraw
     {
         public int Bank;
         public int FirstInstance;
-
-        /// <summary>Blocks of up to 128 points.</summary>
-        public int InstanceCount;
+        public int InstanceCount; // Blocks of up to 128 points.
     }
 }

@@ -15,8 +15,7 @@ namespace FastPoints.Drawing
         public float MinPx;
         public float MaxPx;
 
-        /// <summary>Adaptive: squares of this many gaps leave few pixels open. See
-        /// Documentation~/error-against-time.md.</summary>
+        /// <summary>Adaptive: squares of so many gaps leave few pixels open (Documentation~/error-against-time.md).</summary>
         public const float DefaultGaps = 1.5f;
 
         /// <summary>The largest size in pixels unless another is set; sizes in pixels have no limit.</summary>
@@ -37,9 +36,7 @@ namespace FastPoints.Drawing
         /// <summary>The smallest and largest size in pixels, with invalid limits corrected.</summary>
         public readonly float2 LimitsPx => new float2(math.max(1, MinPx), math.max(math.max(1, MinPx), MaxPx));
 
-        /// <summary>The size in pixels.</summary>
-        /// <param name="gap">Distance between points at that place in world units, used if the size is adaptive.</param>
-        /// <param name="pixelsPerUnit">Pixels of a world unit at the point's depth.</param>
+        /// <summary>In pixels, by the gap between points (if adaptive) and the pixels of a world unit at their depth.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public readonly float ToPx(float gap, float pixelsPerUnit)
         {

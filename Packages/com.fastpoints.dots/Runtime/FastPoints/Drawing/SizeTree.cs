@@ -15,22 +15,13 @@ namespace FastPoints.Drawing
         /// <summary>The most levels below a node that are searched: a float cannot resolve more.</summary>
         public const int MaxLevels = 22;
 
-        NativeList<SizeTreeCloud> m_clouds;
-        NativeList<GpuSizeNode> m_nodes;
-        NativeList<int> m_nodeOfDrawn;
-        NativeList<SizeTreeLink> m_links;
-        NativeList<int> m_order;
+        NativeList<SizeTreeCloud> m_clouds = new NativeList<SizeTreeCloud>(Allocator.Persistent);
+        NativeList<GpuSizeNode> m_nodes = new NativeList<GpuSizeNode>(1024, Allocator.Persistent);
+        NativeList<int> m_nodeOfDrawn = new NativeList<int>(1024, Allocator.Persistent);
+        NativeList<SizeTreeLink> m_links = new NativeList<SizeTreeLink>(1024, Allocator.Persistent);
+        NativeList<int> m_order = new NativeList<int>(1024, Allocator.Persistent);
         StreamContext m_stream;
         uint m_frame;
-
-        public SizeTree()
-        {
-            m_clouds = new NativeList<SizeTreeCloud>(Allocator.Persistent);
-            m_nodes = new NativeList<GpuSizeNode>(1024, Allocator.Persistent);
-            m_nodeOfDrawn = new NativeList<int>(1024, Allocator.Persistent);
-            m_links = new NativeList<SizeTreeLink>(1024, Allocator.Persistent);
-            m_order = new NativeList<int>(1024, Allocator.Persistent);
-        }
 
         internal NativeArray<GpuSizeNode> Nodes => m_nodes.AsArray();
 
@@ -77,9 +68,7 @@ namespace FastPoints.Drawing
             m_nodeOfDrawn.Clear();
         }
 
-        /// <summary>The distance between points at a place.</summary>
-        /// <param name="node">The node that the point is drawn with.</param>
-        /// <param name="place">Position of the point in the node's cube: from 0 to 1 along each axis.</param>
+        // The node is the one that the point is drawn with, the place that in its cube: from 0 to 1 along each axis.
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         internal static float GapAt(GpuSizeNode* nodes, int node, float3 place)
         {

@@ -10,8 +10,7 @@ using Unity.Jobs;
 
 namespace FastPoints.Picking
 {
-    /// <summary>Reads all that a cloud has of one point: every plane of its node except the position's, at once; or has these
-    /// made.</summary>
+    // Reads all that a cloud has of one point: every plane of its node except the position's, at once; or has these made.
     sealed class PickDetails : IDisposable
     {
         readonly StreamedCloud m_cloud;
@@ -22,8 +21,7 @@ namespace FastPoints.Picking
 
         sealed class Plane
         {
-            /// <summary>Index among the planes that are streamed or made.</summary>
-            public int Number;
+            public int Number; // Among the planes that are streamed or made.
             public StoreLayout.Plane Of;
             public StoreRead Read = new StoreRead();
             public NativeArray<ulong> Values;
@@ -44,7 +42,7 @@ namespace FastPoints.Picking
                 });
         }
 
-        /// <summary>The handle to await before the next call.</summary>
+        // To await before the next call.
         public JobHandle Done { get; private set; }
 
         NodeSource Source => m_cloud.Source;
@@ -69,8 +67,7 @@ namespace FastPoints.Picking
             }
         }
 
-        /// <summary>Continues with the planes that were made, if any. After <see cref="Done"/> it can then be ended.</summary>
-        /// <exception cref="PointCloudException">The node cannot be read, or is damaged.</exception>
+        // With the planes that were made, if any. After Done it can then be ended.
         public void Continue()
         {
             if (!m_isTranscoding)
@@ -82,8 +79,7 @@ namespace FastPoints.Picking
                 Schedule(plane, m_transcoder.PlaneOf(plane.Number), 0, default);
         }
 
-        /// <returns>The values in the order of the source's attributes.</returns>
-        /// <exception cref="PointCloudException">A plane cannot be read, or is damaged.</exception>
+        // In the order of the source's attributes.
         public PickedAttribute[] End()
         {
             Done.Complete();
@@ -106,7 +102,6 @@ namespace FastPoints.Picking
             return attributes;
         }
 
-        /// <summary>Awaits unfinished work whose result is no longer wanted.</summary>
         public void Abandon()
         {
             Done.Complete();
@@ -145,24 +140,17 @@ namespace FastPoints.Picking
             }.Schedule(inputDeps));
     }
 
-    /// <summary>Reads one point's values from one plane of a node.</summary>
     [BurstCompile]
     internal unsafe struct ReadPointJob : IJob
     {
         [ReadOnly] public NativeArray<byte> Plane;
         public PlaneShape Shape;
         public ulong Hash;
-
-        /// <summary>Whether the plane was made in memory, so that there is no hash.</summary>
-        public bool IsTranscoded;
+        public bool IsTranscoded; // Made in memory, so that there is no hash.
         public int BlockCount;
         public int Block;
-
-        /// <summary>Index in its block.</summary>
-        public int Index;
-
-        /// <summary>The packed value of each column.</summary>
-        public NativeArray<ulong> Values;
+        public int Index; // In its block.
+        public NativeArray<ulong> Values; // Packed, of each column.
         public NativeReference<bool> IsDamaged;
 
         public void Execute()

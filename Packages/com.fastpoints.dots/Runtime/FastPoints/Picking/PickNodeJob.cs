@@ -10,8 +10,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Picking
 {
-    /// <summary>Finds the first hit of a ray among the points of one node and its inlined leaves, at most a few times 50,000,
-    /// block by block. It checks what was read before unpacking it.</summary>
+    // Finds the first hit of a ray among the points of one node and its inlined leaves, at most a few times 50,000, block by
+    // block. It checks what was read before unpacking it.
     [BurstCompile]
     internal unsafe struct PickNodeJob : IJob
     {
@@ -20,27 +20,23 @@ namespace FastPoints.Picking
         public PlaneShape PositionShape;
         public ulong PositionHash;
 
-        /// <summary>Shape of the plane of classes, if some are <see cref="Hidden"/>; otherwise anything.</summary>
+        // Of the plane of classes, if some are Hidden; otherwise anything.
         [ReadOnly] public NativeArray<byte> Classes;
         public PlaneShape ClassShape;
         public ulong ClassHash;
         public ClassMask Hidden;
         public int BlockCount;
-
-        /// <summary>Whether the planes were made in memory, so that there are no hashes.</summary>
-        public bool IsTranscoded;
+        public bool IsTranscoded; // Made in memory, so that there are no hashes.
 
         public PickSpace Space;
         [ReadOnly] public NativeArray<LocalClip> Clips;
-
-        /// <summary>CRS units of a grid step.</summary>
-        public double3 Step;
+        public double3 Step; // CRS units.
         public Grid3 RootCorner;
         public NodeAddress Place;
         public int Page;
         public int Node;
 
-        /// <summary>In: the limit that a hit must beat. Out: the first hit, or the unchanged limit.</summary>
+        // In: the limit that a hit must beat. Out: the first hit, or the unchanged limit.
         public NativeReference<PickHit> Best;
         public NativeReference<bool> IsDamaged;
 
@@ -69,8 +65,7 @@ namespace FastPoints.Picking
             return new PlaneView(start, shape, BlockCount);
         }
 
-        /// <returns>The centre of the box that the columns' minima and widths allow, in CRS units from the root's
-        /// corner.</returns>
+        // The centre of the box that the columns' minima and widths allow, in CRS units from the root's corner.
         double3 BoxOf(in PlaneView positions, int block, out double3 half)
         {
             var min = new double3(positions.MinimumOf(block, 0), positions.MinimumOf(block, 1), positions.MinimumOf(block, 2));
@@ -119,5 +114,39 @@ namespace FastPoints.Picking
         }
 
         static double3 ToDouble(Grid3 place) => new double3(place.X, place.Y, place.Z);
+    }
+
+    internal struct PickHit
+    {
+        public double Distance; // World units along the ray; infinity if nothing was found.
+        public double RayDistanceSq;
+        public Grid3 Place; // On the cloud's grid.
+        public int Page;
+        public int Node; // Its planes hold the point.
+        public int Block;
+        public int Index; // In its block.
+
+        public static PickHit None => new PickHit { Distance = double.PositiveInfinity };
+
+        public readonly bool IsFound => Distance < double.PositiveInfinity;
+
+        // Nearer to the camera, or, at equal distance, nearer to the ray. Ties are decided by position, so that no reading
+        // order matters; of several points at one position, the first one wins.
+        public readonly bool IsBefore(in PickHit other)
+        {
+            if (Distance != other.Distance)
+                return Distance < other.Distance;
+            if (RayDistanceSq != other.RayDistanceSq)
+                return RayDistanceSq < other.RayDistanceSq;
+            if (Place.X != other.Place.X)
+                return Place.X < other.Place.X;
+            if (Place.Y != other.Place.Y)
+                return Place.Y < other.Place.Y;
+            if (Place.Z != other.Place.Z)
+                return Place.Z < other.Place.Z;
+            if (Page != other.Page)
+                return Page < other.Page;
+            return Node != other.Node ? Node < other.Node : Block != other.Block ? Block < other.Block : Index < other.Index;
+        }
     }
 }

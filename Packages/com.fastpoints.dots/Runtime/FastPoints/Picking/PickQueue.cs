@@ -2,14 +2,13 @@ using System.Collections.Generic;
 
 namespace FastPoints.Picking
 {
-    /// <summary>The candidates of a search, nearest first: a binary heap that keeps its memory.</summary>
+    // The candidates of a search, nearest first: a binary heap that keeps its memory.
     sealed class PickQueue
     {
         readonly List<PickCandidate> m_items = new List<PickCandidate>();
 
         public int Count => m_items.Count;
 
-        /// <summary>The nearest candidate.</summary>
         public PickCandidate Next => m_items[0];
 
         public void Clear() => m_items.Clear();
@@ -44,19 +43,14 @@ namespace FastPoints.Picking
         }
     }
 
-    /// <summary>A node, or a page that is not loaded, in which a ray might hit something.</summary>
+    // A node, or a page that is not loaded, in which a ray might hit something.
     struct PickCandidate
     {
-        /// <summary>Takes the place of a <see cref="Node"/>.</summary>
         public const int WholePage = -1;
-
-        /// <summary>Distance along the ray: no hit in it or below it is nearer.</summary>
-        public double Distance;
+        public double Distance; // Along the ray: no hit in it or below it is nearer.
         public int Page;
         public int Node;
-
-        /// <summary>Spacing of the points above it in CRS units.</summary>
-        public double SpacingAbove;
+        public double SpacingAbove; // Of the points above it, in CRS units.
 
         public readonly bool IsPage => Node == WholePage;
 

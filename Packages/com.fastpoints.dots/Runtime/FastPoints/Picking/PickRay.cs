@@ -3,8 +3,7 @@ using Unity.Mathematics;
 
 namespace FastPoints.Picking
 {
-    /// <summary>The ray of a pointer on a screen, in world space and in double, with a width. It hits the points that are no
-    /// farther from it than <see cref="RadiusAt"/> at their nearest place on the ray. Blittable.</summary>
+    /// <summary>The ray of a pointer on a screen, in world space, with a width: it hits points within RadiusAt.</summary>
     public struct PickRay
     {
         public double3 OriginWorld;
@@ -21,15 +20,10 @@ namespace FastPoints.Picking
         /// <summary>Hits lie between these distances along the ray in world units: a camera's clip planes, for example.</summary>
         public double From;
         public double To;
-
-        /// <summary>Of the view that the ray is through.</summary>
         internal ViewMask Mask;
 
-        /// <summary>Makes the ray of a perspective camera.</summary>
-        /// <param name="direction">A vector of any length.</param>
-        /// <param name="scalePx">Pixels of one unit at a distance of one unit (<see
-        /// cref="StreamView.ScalePx"/>).</param>
-        /// <param name="radiusPx">Must be above 0: a ray without width hits nothing.</param>
+        /// <summary>Of a perspective camera. The radius is more than 0, the scale pixels of a unit at a distance of
+        /// 1.</summary>
         public static PickRay FromEye(double3 eyeWorld, double3 direction, double scalePx, double radiusPx) => new PickRay
         {
             OriginWorld = eyeWorld,
@@ -38,9 +32,7 @@ namespace FastPoints.Picking
             To = double.PositiveInfinity,
         };
 
-        /// <summary>Makes the ray of an orthographic camera.</summary>
-        /// <param name="originWorld">Where the pixel's line crosses the camera's plane.</param>
-        /// <param name="scalePx">Pixels of one unit.</param>
+        /// <summary>The ray of an orthographic camera from where the pixel's line crosses the camera's plane.</summary>
         public static PickRay Parallel(double3 originWorld, double3 direction, double scalePx, double radiusPx) => new PickRay
         {
             OriginWorld = originWorld,

@@ -8,44 +8,34 @@ using Unity.Jobs;
 
 namespace FastPoints.Picking
 {
-    /// <summary>Examines one candidate of a search at a time: reads a page's table or a node's planes, or has these made,
-    /// searches them in a job and takes the result. Its memory is reused.</summary>
+    // Examines one candidate of a search at a time: reads a page's table or a node's planes, or has these made, searches them
+    // in a job and takes the result. Its memory is reused.
     sealed class PickSlot : IDisposable
     {
         readonly StreamedCloud m_cloud;
         readonly StoreRead m_first = new StoreRead();
         readonly StoreRead m_classes = new StoreRead();
-        NativeReference<HierarchyPage> m_built;
-        NativeReference<TableProblem> m_problem;
-        NativeReference<PickHit> m_best;
-        NativeReference<bool> m_isDamaged;
+        NativeReference<HierarchyPage> m_built = new NativeReference<HierarchyPage>(Allocator.Persistent);
+        NativeReference<TableProblem> m_problem = new NativeReference<TableProblem>(Allocator.Persistent);
+        NativeReference<PickHit> m_best = new NativeReference<PickHit>(Allocator.Persistent);
+        NativeReference<bool> m_isDamaged = new NativeReference<bool>(Allocator.Persistent);
         PickCandidate m_candidate;
         NodeTranscoder m_transcoder;
         bool m_isTranscoding;
-
-        /// <summary>The search of the node that is being made.</summary>
-        PickNodeJob m_job;
+        PickNodeJob m_job; // Of the node that is being made.
         int m_classPlane;
 
-        public PickSlot(StreamedCloud cloud)
-        {
-            m_cloud = cloud;
-            m_built = new NativeReference<HierarchyPage>(Allocator.Persistent);
-            m_problem = new NativeReference<TableProblem>(Allocator.Persistent);
-            m_best = new NativeReference<PickHit>(Allocator.Persistent);
-            m_isDamaged = new NativeReference<bool>(Allocator.Persistent);
-        }
+        public PickSlot(StreamedCloud cloud) => m_cloud = cloud;
 
-        /// <summary>The handle to await before the next call.</summary>
+        // To await before the next call.
         public JobHandle Done { get; private set; }
 
         NodeSource Source => m_cloud.Source;
 
-        /// <summary>Bytes of what was begun last.</summary>
+        // Of what was begun last.
         public long Bytes { get; private set; }
 
-        /// <summary>Takes a candidate over.</summary>
-        /// <returns>False if the node would have to be made while enough are being made already; true if none is.</returns>
+        // False if the node would have to be made while enough are being made already.
         public unsafe bool TryTake(in PickCandidate candidate)
         {
             m_candidate = candidate;
@@ -55,7 +45,6 @@ namespace FastPoints.Picking
             return m_transcoder != null;
         }
 
-        /// <summary>Begins to read a page.</summary>
         public void BeginPage()
         {
             Bytes = 0;
@@ -67,9 +56,7 @@ namespace FastPoints.Picking
             Done = m_first.Done;
         }
 
-        /// <summary>Continues with what was read or made, if there is more to do. After <see cref="Done"/> it can then be
-        /// ended.</summary>
-        /// <exception cref="PointCloudException">It cannot be read, or is damaged.</exception>
+        // With what was read or made, if there is more to do. After Done it can then be ended.
         public void Continue()
         {
             if (m_candidate.IsPage)
@@ -78,7 +65,6 @@ namespace FastPoints.Picking
                 SearchTranscoded();
         }
 
-        /// <exception cref="PointCloudException">The table is damaged.</exception>
         public void EndPage()
         {
             Done.Complete();
@@ -89,8 +75,7 @@ namespace FastPoints.Picking
             m_built.Value = default;
         }
 
-        /// <summary>Begins to search a node.</summary>
-        /// <param name="classPlane">Index among the streamed planes; used if classes are hidden.</param>
+        // The plane of classes is an index among the streamed ones.
         public unsafe void BeginNode(in PickSpace space, NativeArray<LocalClip> clips, in ClassMask hidden, int classPlane,
             in PickHit best)
         {
@@ -120,8 +105,7 @@ namespace FastPoints.Picking
                 BeginReading();
         }
 
-        /// <summary>Returns the node's first hit, or the one that the search began with.</summary>
-        /// <exception cref="PointCloudException">It cannot be read, or is damaged.</exception>
+        // The node's first hit, or the one that the search began with.
         public PickHit EndNode()
         {
             Done.Complete();
@@ -135,7 +119,6 @@ namespace FastPoints.Picking
             return m_best.Value;
         }
 
-        /// <summary>Awaits unfinished work whose result is no longer wanted.</summary>
         public unsafe void Abandon()
         {
             Done.Complete();

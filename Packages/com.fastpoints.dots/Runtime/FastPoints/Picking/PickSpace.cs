@@ -3,22 +3,19 @@ using Unity.Mathematics;
 
 namespace FastPoints.Picking
 {
-    /// <summary>A ray relative to one cloud, which may be moved, rotated, scaled and sheared: lengths are in world units.
-    /// Blittable, for jobs.</summary>
+    // A ray relative to one cloud, which may be moved, rotated, scaled and sheared: lengths are in world units.
     internal struct PickSpace
     {
-        /// <summary>Boxes are enlarged by this share of their coordinates, so that rounding loses no point.</summary>
+        // Boxes are enlarged by this share of their coordinates, so that rounding loses no point.
         const double Slack = 1e-14;
 
         PickRay m_ray;
         double3x3 m_linear;
-
-        /// <summary>Vector in the world from the ray's origin to the corner of the cloud's root cube.</summary>
-        double3 m_fromOrigin;
+        double3 m_fromOrigin; // In the world, from the ray's origin to the corner of the cloud's root cube.
         double3 m_originLocal;
         double3 m_directionLocal;
 
-        /// <summary>How far a ball of radius 1 in the world reaches along each of the cloud's axes.</summary>
+        // How far a ball of radius 1 in the world reaches along each of the cloud's axes.
         double3 m_reachLocal;
 
         public PickSpace(in PickRay ray, in CloudPlacement placement)
@@ -33,17 +30,13 @@ namespace FastPoints.Picking
             m_reachLocal = new double3(math.length(rows.c0), math.length(rows.c1), math.length(rows.c2));
         }
 
-        /// <summary>Transforms a position of the cloud (CRS units from the corner of its root cube) to the world, relative to the
-        /// ray's origin.</summary>
+        // From CRS units from the corner of the root cube to the world, relative to the ray's origin.
         public double3 FromRay(double3 local) => math.mul(m_linear, local) + m_fromOrigin;
 
-        /// <summary>The same for a difference of places.</summary>
+        // The same for a difference of places.
         public double3 Rotate(double3 local) => math.mul(m_linear, local);
 
-        /// <summary>Whether a position is hit.</summary>
-        /// <param name="fromRay">See <see cref="FromRay"/>.</param>
-        /// <param name="distance">Distance along the ray.</param>
-        /// <param name="rayDistanceSq">Squared distance from the ray.</param>
+        // Of a position FromRay.
         public bool IntersectsPoint(double3 fromRay, out double distance, out double rayDistanceSq)
         {
             distance = math.dot(fromRay, m_ray.DirectionWorld);
@@ -53,9 +46,7 @@ namespace FastPoints.Picking
             return distance >= m_ray.From && distance <= m_ray.To && radius >= 0 && rayDistanceSq <= radius * radius;
         }
 
-        /// <summary>Whether the ray might hit a position within a box. It may be true for a box without hits.</summary>
-        /// <param name="center">CRS units from the corner of the root cube.</param>
-        /// <param name="distance">No hit in the box is nearer.</param>
+        // It may be true for a box without hits; no hit in it is nearer than distance. CRS units from the root's corner.
         public bool IntersectsBox(double3 center, double3 half, out double distance)
         {
             var direction = m_ray.DirectionWorld;

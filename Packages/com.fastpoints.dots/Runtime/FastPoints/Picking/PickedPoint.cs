@@ -1,5 +1,6 @@
 using System.Collections.Generic;
 using FastPoints.Core;
+using FastPoints.Store;
 using Unity.Mathematics;
 
 namespace FastPoints.Picking
@@ -23,8 +24,7 @@ namespace FastPoints.Picking
         /// <summary>The grid of the point's cloud.</summary>
         public CloudGrid Grid { get; }
 
-        /// <summary>Georeferenced position in CRS units: the exact one, rounded as every use of the file's own numbers rounds
-        /// it.</summary>
+        /// <summary>In CRS units: the exact position, rounded as the file's own numbers are.</summary>
         public double3 PositionGeo => Grid.ToGeo(Position);
 
         /// <summary>Position in the world as the cloud stood when it was picked.</summary>
@@ -37,17 +37,58 @@ namespace FastPoints.Picking
         public IReadOnlyList<PickedAttribute> Attributes { get; }
     }
 
-    /// <summary>The result of a search.</summary>
     internal sealed class PickResult
     {
-        /// <summary>Null if nothing was hit.</summary>
+        // Null if nothing was hit.
         public PickedPoint Point { get; internal set; }
 
-        /// <summary>Whether the search ended at <see cref="PickOptions.MaxBytes"/>, so that there may be a nearer
-        /// point.</summary>
+        // The search ended at PickOptions.MaxBytes, so that there may be a nearer point.
         public bool IsPartial { get; internal set; }
 
         public int NodesRead { get; internal set; }
         public long BytesRead { get; internal set; }
+    }
+
+    /// <summary>One value of a picked point, exactly as the cloud keeps it.</summary>
+    public readonly struct PickedAttribute
+    {
+        readonly ulong m_bits;
+
+        /// <summary>Takes the value as it lies in a plane, and what the plane's numbers mean.</summary>
+        public unsafe PickedAttribute(PointAttribute attribute, ulong packed, in StoredColumn column)
+        {
+            Attribute = attribute;
+            ulong value = 0, bits;
+            OrderedBits.Store(packed * (ulong)column.Divisor, column.Type, (byte*)&value);
+            ColumnValues.ToBits((byte*)&value, column.Type, 0, 1, &bits);
+            m_bits = bits;
+        }
+
+        public PointAttribute Attribute { get; }
+
+        /// <summary>The stored number, scaled and offset; rounded if a whole number has more than 53 bits.</summary>
+        public double Value => Stored * Attribute.Scale + Attribute.Offset;
+
+        unsafe double Stored
+        {
+            get
+            {
+                ulong bits = m_bits;
+                return ColumnValues.ToDouble((byte*)&bits, Attribute.Type, 0);
+            }
+        }
+
+        /// <summary>The value with all of its digits.</summary>
+        public override string ToString()
+        {
+            if (Attribute.Scale != 1 || Attribute.Offset != 0 || Attribute.Type == AttributeType.Float64)
+                return NumberText.Of(Value);
+            return Attribute.Type switch
+            {
+                AttributeType.Float32 => NumberText.Of(math.asfloat((uint)m_bits)),
+                AttributeType.UInt64 => NumberText.Of(m_bits),
+                _ => NumberText.Of((long)m_bits),
+            };
+        }
     }
 }

@@ -9,15 +9,14 @@ using Unity.Mathematics;
 
 namespace FastPoints.Picking
 {
-    /// <summary>Finds the first point of a cloud that a ray hits, among all points on disk and not only those that are shown. It
-    /// reads or makes nodes from the nearest on, until none of the rest can have a nearer hit. Main thread; it waits only when it
-    /// is disposed or a search is broken off.</summary>
+    // Finds the first point of a cloud that a ray hits, among all points on disk and not only those that are shown. It reads or
+    // makes nodes from the nearest on, until none of the rest can have a nearer hit. Main thread; it waits only when it is
+    // disposed or a search is broken off.
     internal sealed class PointPicker : IDisposable
     {
-        /// <summary>Nodes and tables that are read at the same time.</summary>
-        const int SlotCount = 8;
+        const int SlotCount = 8; // Nodes and tables that are read at the same time.
 
-        /// <summary>Tables of chunks are kept between searches up to this size.</summary>
+        // Tables of chunks are kept between searches up to this size.
         const long MaxHierarchyBytes = 64 << 20;
 
         readonly StreamedCloud m_cloud;
@@ -25,12 +24,8 @@ namespace FastPoints.Picking
         readonly List<PickSlot> m_slots = new List<PickSlot>();
         readonly List<PickCandidate> m_taken = new List<PickCandidate>();
         readonly PickDetails m_details;
-
-        /// <summary>Index among the streamed planes; -1 if there are no classes.</summary>
-        readonly int m_classPlane = -1;
-
-        // State of the search in progress.
-        bool m_isSearching;
+        readonly int m_classPlane = -1; // Among the streamed planes; -1 if there are no classes.
+        bool m_isSearching; // State of the search in progress.
         PickRay m_ray;
         PickSpace m_space;
         double m_largestScale;
@@ -38,8 +33,7 @@ namespace FastPoints.Picking
         PickResult m_result;
         PickHit m_best;
 
-        /// <param name="source">The picker owns it; it has the planes that <see cref="NodeSource.OpenForPicking"/>
-        /// promises.</param>
+        // Owns the source, which has the planes that NodeSource.OpenForPicking promises.
         public PointPicker(NodeSource source)
         {
             m_cloud = new StreamedCloud(source, default);
@@ -53,11 +47,7 @@ namespace FastPoints.Picking
 
         public NodeSource Source => m_cloud.Source;
 
-        /// <summary>Searches as a coroutine, one search at a time.</summary>
-        /// <param name="placement">Where the cloud stands; one without volume is never hit.</param>
-        /// <param name="options">Null for the defaults; must not change until the work is done.</param>
-        /// <param name="result">A new object that receives the result.</param>
-        /// <exception cref="PointCloudException">A file cannot be read, or is damaged.</exception>
+        // Coroutine, one search at a time. A cloud without volume is never hit; the options must not change meanwhile.
         public IEnumerator<JobStep> Find(PickRay ray, CloudPlacement placement, PickOptions options, PickResult result)
         {
             if (m_isSearching)
@@ -114,7 +104,7 @@ namespace FastPoints.Picking
             }
         }
 
-        /// <summary>Awaits unfinished work. A search in progress must be ended by its coroutine first.</summary>
+        // A search in progress must be ended by its coroutine first.
         public void Dispose()
         {
             foreach (var slot in m_slots)
@@ -123,7 +113,7 @@ namespace FastPoints.Picking
             m_cloud.Dispose();
         }
 
-        /// <returns>Whether a candidate remains that might have a nearer hit.</returns>
+        // Whether a candidate remains that might have a nearer hit.
         bool TakeNearest()
         {
             m_taken.Clear();
@@ -141,8 +131,7 @@ namespace FastPoints.Picking
             return m_taken.Count > 0;
         }
 
-        /// <summary>Whether all pages that were taken can be built; if not, the source continues to read them.</summary>
-        /// <exception cref="PointCloudException">The source's hierarchy cannot be read.</exception>
+        // Whether all pages that were taken can be built; if not, the source continues to read them.
         bool ArePagesKnown()
         {
             bool areKnown = true;
@@ -153,7 +142,7 @@ namespace FastPoints.Picking
             return areKnown;
         }
 
-        /// <returns>Whether there is more to do before it can be ended.</returns>
+        // Whether there is more to do before it can be ended.
         bool Begin(NativeArray<LocalClip> clips)
         {
             bool hasMore = Source.TranscodesNodes;
@@ -233,7 +222,6 @@ namespace FastPoints.Picking
                 Push(page, index, node.Center, node.Half, spacingAbove);
         }
 
-        /// <param name="spacingAbove">Spacing of the points above, in CRS units.</param>
         void Push(int page, int node, double3 center, double3 half, double spacingAbove)
         {
             if (!m_space.IntersectsBox(center, half, out double distance) || distance > m_best.Distance ||
@@ -258,20 +246,16 @@ namespace FastPoints.Picking
         }
     }
 
-    /// <summary>Options of a search: what a ray may hit, and how much may be read.</summary>
     internal sealed class PickOptions
     {
-        /// <summary>The boxes that the cloud is clipped by: what is not shown is not hit.</summary>
-        public List<ClipBox> ClipBoxes = new List<ClipBox>();
-
-        /// <summary>Classes whose points are not shown. Ignored if the cloud has no classes.</summary>
+        public List<ClipBox> ClipBoxes = new List<ClipBox>(); // What is not shown is not hit.
         public ClassMask HiddenClasses;
 
-        /// <summary>Nothing below a node is searched if its points lie nearer to each other than this share of the ray's radius:
-        /// a screen shows no more. 0 searches every point.</summary>
+        // Nothing below a node is searched if its points lie nearer to each other than this share of the ray's radius: a screen
+        // shows no more. 0 searches every point.
         public double FinestSpacing = 0.1;
 
-        /// <summary>A search that has read this many bytes ends with what it has found.</summary>
+        // A search that has read this many bytes ends with what it has found.
         public long MaxBytes = 256 << 20;
     }
 }

@@ -7,7 +7,7 @@ using FastPoints.Streaming;
 
 namespace FastPoints.Picking
 {
-    /// <summary>Finds the first point that a ray hits among all clouds of a stream, beside its frames: call <see cref="Begin"/>,
+    /// <summary>Finds the first point that a ray hits among all clouds of a stream, beside its frames: <see cref="Begin"/>,
     /// then <see cref="Update"/> once a frame until it returns true. Main thread; it waits only when a search is broken
     /// off.</summary>
     public sealed class StreamPicker : IDisposable
@@ -15,9 +15,7 @@ namespace FastPoints.Picking
         struct Target
         {
             public int Cloud;
-
-            /// <summary>The stream's source, which may have been disposed since.</summary>
-            public NodeSource Source;
+            public NodeSource Source; // May have been disposed since.
             public CloudPlacement Placement;
             public ClassMask HiddenClasses;
         }
@@ -37,9 +35,8 @@ namespace FastPoints.Picking
 
         public bool IsSearching { get; private set; }
 
-        /// <summary>Begins a search of the clouds as they are now; a search in progress is broken off.</summary>
-        /// <param name="hiddenOf">Gives for a cloud's number the classes whose points are not shown; null for none.</param>
-        /// <param name="isSearched">Tells by a cloud's number whether it is one of those to search; null for all.</param>
+        /// <summary>Begins a search of all clouds, or of those that are to be searched; a search in progress is broken off.
+        /// Points of hidden classes are not hit. Both functions take a cloud's number.</summary>
         public void Begin(StreamContext stream, PickRay ray, Func<int, ClassMask> hiddenOf = null,
             Func<int, bool> isSearched = null)
         {
@@ -75,9 +72,7 @@ namespace FastPoints.Picking
             IsSearching = true;
         }
 
-        /// <summary>Continues the search; called once a frame.</summary>
-        /// <param name="budgetMs">Time on the main thread.</param>
-        /// <returns>Whether the search is done, and <see cref="Pick"/> its result.</returns>
+        /// <summary>Continues the search once a frame. Returns whether it is done, and <see cref="Pick"/> its result.</summary>
         public bool Update(double budgetMs = 1)
         {
             while (IsSearching)
@@ -111,7 +106,7 @@ namespace FastPoints.Picking
             m_pickers.Clear();
         }
 
-        /// <returns>Whether the cloud is done.</returns>
+        // Whether the cloud is done.
         bool Step(in Target target, double budgetMs)
         {
             if (!m_pickers.TryGetValue(target.Source, out var picker))
@@ -141,7 +136,7 @@ namespace FastPoints.Picking
             return true;
         }
 
-        /// <returns>Whether <see cref="m_opened"/> is ready, or will never be.</returns>
+        // Whether m_opened is ready, or will never be.
         bool TryOpen(NodeSource streamed, double budgetMs)
         {
             m_opening ??= new JobCoroutine(streamed.OpenForPicking(opened => m_opened = opened));
@@ -171,5 +166,36 @@ namespace FastPoints.Picking
             m_opening = null;
             IsSearching = false;
         }
+    }
+
+    /// <summary>What a ray has hit among the clouds of a stream.</summary>
+    public sealed class StreamPick
+    {
+        /// <summary>Null if nothing was hit.</summary>
+        public PickedPoint Point { get; internal set; }
+
+        /// <summary>Number of the point's cloud in the stream, as it was when the search began.</summary>
+        public int Cloud { get; internal set; }
+
+        /// <summary>A converted folder, finished or not, without the suffix of one in the making; or a file.</summary>
+        public string Path { get; internal set; }
+
+        /// <summary>Units and coordinate system of the point's cloud.</summary>
+        public CloudCrs Crs { get; internal set; }
+
+        /// <summary>Metres of a horizontal unit, 0 if unknown, NaN if it is an angle, unless overridden.</summary>
+        public double MetresPerUnit { get; set; }
+
+        /// <summary>The axis of the cloud that points up: Z, unless it is overridden.</summary>
+        public UpAxis Up { get; set; } = UpAxis.Z;
+
+        /// <summary>A preview or a build in progress: not all of the cloud's points could be hit.</summary>
+        public bool IsPreview { get; internal set; }
+
+        /// <summary>Whether a search ended before it had covered everything, so that there may be a nearer point.</summary>
+        public bool IsPartial { get; internal set; }
+
+        /// <summary>The message of the first cloud that could not be searched; null if all could.</summary>
+        public string Failure { get; internal set; }
     }
 }

@@ -8,8 +8,7 @@ namespace FastPoints.Store
     /// (frame of reference). Any value can be read on its own. The layout is that of <see cref="PlaneShape"/>.</summary>
     internal static unsafe class BlockCodec
     {
-        // 32-bit values of a vector.
-        const int Lanes = 8;
+        const int Lanes = 8; // 32-bit values of a vector.
 
         /// <summary>Bits that a number needs: 0 for 0, 64 for the largest.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -151,21 +150,20 @@ namespace FastPoints.Store
                 uint* found = stackalloc uint[2 * Lanes];
                 X86.Avx.mm256_storeu_si256(found, low);
                 X86.Avx.mm256_storeu_si256(found + Lanes, high);
-                FindRangePlain(found, 0, 2 * Lanes, found[0], found[0], out min, out max);
+                FindRangePlain(found, 2 * Lanes, found[0], found[0], out min, out max);
             }
             else
             {
                 min = max = values[0];
             }
-            FindRangePlain(values, first, count, min, max, out min, out max);
+            FindRangePlain(values + first, count - first, min, max, out min, out max);
         }
 
         /// <summary>The same for some of the values and a range that is known: Burst makes vectors of it.</summary>
-        internal static void FindRangePlain(uint* values, int first, int end, uint knownMin, uint knownMax, out uint min,
-            out uint max)
+        internal static void FindRangePlain(uint* values, int count, uint knownMin, uint knownMax, out uint min, out uint max)
         {
             uint low = knownMin, high = knownMax;
-            for (int i = first; i < end; i++)
+            for (int i = 0; i < count; i++)
             {
                 low = math.min(low, values[i]);
                 high = math.max(high, values[i]);

@@ -4,11 +4,11 @@ using System.IO;
 
 namespace FastPoints.Store
 {
-    /// <summary>Which planes of a cloud's files had the bytes that were written, so that each is hashed once in a run of the
-    /// application. Opening a cloud again keeps this for files whose size and time are the same.</summary>
+    // Which planes of a cloud's files had the bytes that were written, so that each is hashed once in a run of the application,
+    // also if the cloud is opened again, as long as the files' sizes and times are the same.
     internal sealed class CheckedPlanes
     {
-        /// <summary>Of the finished clouds that were opened, by folder.</summary>
+        // Of the finished clouds that were opened, by folder.
         static readonly Dictionary<string, CheckedPlanes> s_opened = new Dictionary<string, CheckedPlanes>();
 
         readonly ulong m_cloudId;
@@ -19,8 +19,6 @@ namespace FastPoints.Store
         {
             public long Bytes;
             public DateTime WrittenUtc;
-
-            /// <summary>A bit for each plane of each node.</summary>
             public ulong[] Bits;
         }
 
@@ -42,10 +40,8 @@ namespace FastPoints.Store
             }
         }
 
-        /// <summary>Looks at the files of a folder. Any thread; a plane that is checked later was written before the look or has
-        /// changed the file's time.</summary>
-        /// <param name="files">The file of the upper levels, then those of the chunks.</param>
-        /// <param name="folder">Whose planes are remembered; null for a cloud in the making.</param>
+        // The first file is that of the upper levels; planes of a null folder are not remembered. Any thread: a plane that is
+        // checked later was written before this look or has changed the file's time.
         public static CheckedPlanes Of(ulong cloudId, int planeCount, IReadOnlyList<(string Path, int Nodes)> files,
             string folder)
         {
@@ -62,14 +58,12 @@ namespace FastPoints.Store
             return now;
         }
 
-        /// <param name="file">0 for the upper levels, 1 and on for the chunks.</param>
-        /// <param name="plane">Index in the cloud's layout.</param>
         public bool Has(int file, int node, int plane) => (m_files[file].Bits[WordOf(node, plane)] & BitOf(node, plane)) != 0;
 
-        /// <summary>Main thread, as other streams may show the same cloud.</summary>
+        // Main thread, as other streams may show the same cloud.
         public void Add(int file, int node, int plane) => m_files[file].Bits[WordOf(node, plane)] |= BitOf(node, plane);
 
-        /// <summary>Has a file checked again, since something in it was damaged.</summary>
+        // Has a file checked again, since something in it was damaged.
         public void Forget(int file) => Array.Clear(m_files[file].Bits, 0, m_files[file].Bits.Length);
 
         long WordOf(int node, int plane) => ((long)node * m_planeCount + plane) >> 6;

@@ -7,8 +7,8 @@ using Unity.Collections.LowLevel.Unsafe;
 
 namespace FastPoints.Store
 {
-    /// <summary>An opened cloud: its manifest, its upper nodes and one record for each chunk; chunks' tables are loaded on
-    /// request. Everything is checked before it is used.</summary>
+    /// <summary>An opened cloud: its manifest, its upper nodes and a record for each chunk, whose tables are loaded on request.
+    /// Everything is checked before it is used.</summary>
     public sealed unsafe class CloudFolder : IDisposable
     {
         CloudFolder(string path, CloudManifest manifest)
@@ -21,15 +21,14 @@ namespace FastPoints.Store
         public string FolderPath { get; }
         public CloudManifest Manifest { get; }
 
-        /// <summary>Whether the folder is about to change: it is being built, or does not have its final name yet, which will
-        /// change all paths in it.</summary>
+        /// <summary>It is being built, or does not have its final name yet: paths in it will change.</summary>
         public bool IsUnfinished => Manifest.IsBuilding || FolderPath.EndsWith(StoreFormat.PartSuffix, StringComparison.Ordinal);
         public StoreLayout Layout { get; }
 
         /// <summary>The nodes of the upper levels; their planes are in upper.bin.</summary>
         public NodeTable Upper { get; private set; }
 
-        /// <summary>Which planes were hashed before; null unless the folder was opened to be shown.</summary>
+        // Null unless the folder was opened to be shown.
         internal CheckedPlanes Checked { get; private set; }
 
         /// <summary>Chunk records, in the order of the upper nodes that they are attached to.</summary>
@@ -80,8 +79,7 @@ namespace FastPoints.Store
             return folder;
         }
 
-        /// <summary>Opens a folder that is complete except for cloud.json.</summary>
-        /// <exception cref="PointCloudException">Its hierarchy is not the one that the manifest describes.</exception>
+        /// <summary>Opens a folder that is complete except for cloud.json. Throws if its hierarchy is another one.</summary>
         public static CloudFolder Open(string path, CloudManifest manifest)
         {
             var folder = new CloudFolder(path, manifest);
@@ -108,7 +106,7 @@ namespace FastPoints.Store
         /// <summary>The nodes of one chunk; the caller disposes the table.</summary>
         public NodeTable LoadTable(int chunk) => LoadTable(ChunkPath(chunk), Chunks[chunk]);
 
-        /// <summary>The same on any thread, even while the folder is disposed.</summary>
+        // On any thread, even while the folder is disposed.
         internal NodeTable LoadTable(string path, in ChunkRecord record)
         {
             var header = StoreFile.ReadHeader(path, StoreFormat.ChunkMagic);

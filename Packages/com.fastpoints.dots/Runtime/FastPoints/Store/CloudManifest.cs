@@ -59,8 +59,7 @@ namespace FastPoints.Store
         /// <summary>By attribute.</summary>
         public Range[] Ranges;
 
-        /// <summary>Null where nobody has looked: of clouds in the making, and of those that were converted before there were
-        /// such.</summary>
+        // Null for clouds in the making, and for those that were converted before there were such.
         internal ShownRanges? Shown;
 
         public int NodeCount;
@@ -95,8 +94,7 @@ namespace FastPoints.Store
         public ulong HierarchyHash;
         public long UpperBytes;
 
-        /// <summary>Names of the two files: a generation of a cloud in the making has its own, so that none changes under a
-        /// reader.</summary>
+        /// <summary>A generation of a cloud in the making has its own files, so that none changes under a reader.</summary>
         public string HierarchyName => IsBuilding ? StoreFormat.GenerationName(StoreFormat.HierarchyName, Generation)
             : StoreFormat.HierarchyName;
         public string UpperName => IsBuilding ? StoreFormat.GenerationName(StoreFormat.UpperName, Generation)
@@ -153,8 +151,7 @@ namespace FastPoints.Store
             return json.EndObject().ToString();
         }
 
-        /// <exception cref="PointCloudException">It is no cloud's JSON, or a member is missing or senseless: it names
-        /// it.</exception>
+        /// <summary>Throws a <see cref="PointCloudException"/> that names the member which is missing or senseless.</summary>
         public static CloudManifest FromJson(string text, string path)
         {
             var json = JsonMembers.Parse(text, path);
@@ -258,20 +255,13 @@ namespace FastPoints.Store
         }
     }
 
-    /// <summary>Where nearly all points of a cloud and their values are, outliers apart: what displays frame and colour by. From
-    /// a sample of the octree's upper levels.</summary>
+    // Where nearly all points and their values are, outliers apart: what displays frame and colour by. From a sample of the
+    // octree's upper levels.
     internal struct ShownRanges
     {
-        /// <summary>Georeferenced.</summary>
         public BoundsGeo BoundsGeo;
-
-        /// <summary>Along Z, in CRS units.</summary>
-        public CloudManifest.Range Elevation;
-
-        /// <summary>Stored values; both 0 where there is no intensity.</summary>
-        public CloudManifest.Range Intensity;
-
-        /// <summary>Whether there is colour, and more than outliers have it.</summary>
-        public bool HasColor;
+        public CloudManifest.Range Elevation; // Along Z, in CRS units.
+        public CloudManifest.Range Intensity; // Stored values; both 0 where there is no intensity.
+        public bool HasColor; // More than outliers have it.
     }
 }

@@ -3,8 +3,8 @@ using Unity.Collections.LowLevel.Unsafe;
 
 namespace FastPoints.Store
 {
-    /// <summary>The 64-bit hash that guards each byte range of a stored cloud: XXH64 with seed 0, as its published specification
-    /// defines it. It detects damage, not tampering.</summary>
+    // Guards each byte range of a stored cloud: XXH64 with seed 0, as its published specification defines it. It detects
+    // damage, not tampering.
     internal static unsafe class ContentHash
     {
         const ulong P1 = 0x9E3779B185EBCA87UL;
@@ -27,8 +27,8 @@ namespace FastPoints.Store
             return End(a, b, c, d, at, count);
         }
 
-        /// <summary>Copies bytes and hashes them on the way: multiplying takes most of a hash's time, moving most of a copy's, so
-        /// that one hides in the other. The target is written front to back and not read.</summary>
+        // Copies and hashes on the way: multiplying takes most of a hash's time, moving most of a copy's, so that one hides in
+        // the other. The target is written front to back and not read.
         public static ulong Copy(void* target, void* bytes, long count)
         {
             byte* at = (byte*)bytes;
@@ -50,7 +50,7 @@ namespace FastPoints.Store
             return End(a, b, c, d, at, count);
         }
 
-        /// <param name="at">The last bytes, fewer than 32.</param>
+        // The last bytes are fewer than 32.
         static ulong End(ulong a, ulong b, ulong c, ulong d, byte* at, long count)
         {
             ulong hash = P5;

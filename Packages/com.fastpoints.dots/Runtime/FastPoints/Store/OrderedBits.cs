@@ -3,12 +3,12 @@ using FastPoints.Core;
 
 namespace FastPoints.Store
 {
-    /// <summary>Converts values of any attribute type to unsigned numbers in the same order, so that neighbours differ by little:
-    /// signed ones have their sign bit flipped; positive floats too, and negative floats have all bits flipped. No bit is lost,
-    /// not even NaN payloads and negative zero.</summary>
+    // Any attribute type as unsigned numbers in the same order, so that neighbours differ by little: signed ones have their
+    // sign bit flipped; positive floats too, and negative floats have all bits flipped. No bit is lost, even of NaN and
+    // negative zero.
     internal static unsafe class OrderedBits
     {
-        /// <summary>Reads the value at an address of any alignment.</summary>
+        // At an address of any alignment.
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static ulong Load(byte* value, AttributeType type)
         {
@@ -31,7 +31,6 @@ namespace FastPoints.Store
             }
         }
 
-        /// <summary>The inverse of <see cref="Load"/>.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static void Store(ulong bits, AttributeType type, byte* value)
         {

@@ -34,11 +34,7 @@ namespace FastPoints.Store
         /// <summary>Bit c: column c holds 64-bit values.</summary>
         public int WideColumns;
 
-        public PlaneShape(int columnCount, int wideColumns)
-        {
-            ColumnCount = columnCount;
-            WideColumns = wideColumns;
-        }
+        public PlaneShape(int columnCount, int wideColumns) => (ColumnCount, WideColumns) = (columnCount, wideColumns);
 
         /// <summary>Words of one block's descriptor.</summary>
         public int DescriptorWords => 2 + ColumnCount + (WideColumns & 1) + (WideColumns >> 1 & 1) + (WideColumns >> 2 & 1);

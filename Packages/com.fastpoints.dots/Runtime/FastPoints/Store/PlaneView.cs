@@ -3,7 +3,6 @@ using Unity.Collections.LowLevel.Unsafe;
 
 namespace FastPoints.Store
 {
-    /// <summary>One plane of one node in memory, which <see cref="IsValid"/> has checked. Blittable, for jobs.</summary>
     internal unsafe struct PlaneView
     {
         [NativeDisableUnsafePtrRestriction] public uint* Words;
@@ -33,18 +32,14 @@ namespace FastPoints.Store
             return Shape.IsWide(column) ? minimum[0] | (ulong)minimum[1] << 32 : minimum[0];
         }
 
-        /// <summary>Unpacks a block's column of 32-bit values.</summary>
-        /// <param name="values">Must have room for the block's points.</param>
         public void Unpack(int block, int column, uint* values) =>
             BlockCodec.Unpack(Packed(block, column), (uint)MinimumOf(block, column), PointsOf(block), WidthOf(block, column),
                 values);
 
-        /// <summary>Unpacks a block's column of any width.</summary>
         public void UnpackWide(int block, int column, ulong* values) =>
             BlockCodec.UnpackWide(Packed(block, column), MinimumOf(block, column), PointsOf(block), WidthOf(block, column),
                 values);
 
-        /// <summary>Reads one value.</summary>
         public ulong ValueAt(int block, int column, int index) =>
             BlockCodec.ValueAt(Packed(block, column), MinimumOf(block, column), WidthOf(block, column), index);
 
@@ -59,8 +54,8 @@ namespace FastPoints.Store
             return Words + word;
         }
 
-        /// <summary>Whether every block's descriptor and words lie inside the plane, one after the other, with widths that its
-        /// columns can have. Check this for everything read from disk before unpacking it.</summary>
+        // Whether every block's descriptor and words lie inside the plane, one after the other, with widths that its columns
+        // can have. Check this for everything read from disk before unpacking it.
         public static bool IsValid(void* bytes, long lengthBytes, PlaneShape shape, int blockCount)
         {
             long descriptorWords = (long)blockCount * shape.DescriptorWords;

@@ -18,20 +18,14 @@ namespace FastPoints.Store
         const ulong K2 = 0xE7037ED1A0B428DBUL;
         const ulong K3 = 0x8EBC6AF09C88C6E3UL;
         const ulong K4 = 0x589965CC75374CC3UL;
+        public const ulong ChecksumSeed = 0; // Also chooses the point that represents a cell.
 
-        /// <summary>The seed of the checksum, and of the choice of the point that represents a cell.</summary>
-        public const ulong ChecksumSeed = 0;
-
-        /// <summary>A second, independent hash: two sums make the 128 bits that prove equality.</summary>
+        // Two independent sums make the 128 bits that prove equality.
         public const ulong SecondSeed = 0x5851F42D4C957F2DUL;
 
-        /// <summary>Bytes that attributes take in a record, rounded up to whole 32-bit words.</summary>
         public static int PaddedBytes(int attributeBytes) => (attributeBytes + 3) & ~3;
 
-        /// <param name="place">The position on the cloud's grid.</param>
-        /// <param name="attributes">The attributes' bytes, padded with zeros.</param>
-        /// <param name="paddedBytes">A multiple of 4.</param>
-        /// <param name="seed">One of the seeds above.</param>
+        // The attributes are padded with zeros, to a multiple of 4 bytes.
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static ulong Of(Grid3 place, byte* attributes, int paddedBytes, ulong seed)
         {

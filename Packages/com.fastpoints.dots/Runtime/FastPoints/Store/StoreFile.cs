@@ -6,14 +6,11 @@ using Unity.Collections.LowLevel.Unsafe;
 
 namespace FastPoints.Store
 {
-    /// <summary>Reads small parts of a stored cloud's files on the calling thread: headers and tables. Planes are read in the
-    /// background.</summary>
+    // Reads headers and tables on the calling thread. Planes are read in the background.
     internal static unsafe class StoreFile
     {
-        /// <summary>The longest text of a manifest.</summary>
         const int MaxTextBytes = 16 << 20;
 
-        /// <exception cref="PointCloudException">The file does not exist or cannot be read.</exception>
         public static string ReadText(string path) =>
             Reading(path, file =>
             {
@@ -24,11 +21,9 @@ namespace FastPoints.Store
                 return reader.ReadToEnd();
             });
 
-        /// <summary>A file's size.</summary>
         public static long SizeOf(string path) => Reading(path, file => file.Length);
 
-        /// <summary>Reads exactly this many bytes from an offset, into memory that the caller disposes.</summary>
-        /// <exception cref="PointCloudException">The file does not exist, cannot be read, or ends before.</exception>
+        // Exactly so many bytes, in memory that the caller disposes.
         public static NativeArray<byte> Read(string path, long offset, long count, Allocator allocator)
         {
             return Reading(path, file =>
@@ -55,7 +50,6 @@ namespace FastPoints.Store
             });
         }
 
-        /// <summary>Reads the header of a binary file and checks it against itself and the file's size.</summary>
         public static FileHeader ReadHeader(string path, ulong magic)
         {
             using var bytes = Read(path, 0, FileHeader.SizeBytes, Allocator.Persistent);
@@ -66,7 +60,6 @@ namespace FastPoints.Store
             return header;
         }
 
-        /// <summary>Describes what is wrong with a header, or returns null.</summary>
         public static string FindProblem(FileHeader header, ulong magic, long fileBytes)
         {
             if (header.Magic != magic)

@@ -1,11 +1,11 @@
 using System;
 using System.Globalization;
+using System.Runtime.InteropServices;
 using FastPoints.Core;
 
 namespace FastPoints.Store
 {
-    /// <summary>The on-disk format of a converted cloud: the folder's names, and the records of its binary files, little-endian.
-    /// It does no I/O. The byte tables are in <c>Documentation~/disk-format.md</c>.</summary>
+    /// <summary>The names of a converted cloud's files; their bytes are in <c>Documentation~/disk-format.md</c>.</summary>
     public static class StoreFormat
     {
         public const uint Version = 2;
@@ -39,5 +39,26 @@ namespace FastPoints.Store
         /// <summary>Path of a chunk's file in the folder.</summary>
         public static string ChunkPath(int number) =>
             ChunkFolderName + "/" + number.ToString("D6", CultureInfo.InvariantCulture) + ".bin";
+    }
+
+    [DiskFormat]
+    [StructLayout(LayoutKind.Explicit, Size = SizeBytes)]
+    internal struct FileHeader
+    {
+        public const int SizeBytes = 80;
+
+        [FieldOffset(0)] public ulong Magic;
+        [FieldOffset(8)] public uint Version;
+        [FieldOffset(12)] public int Number;
+        [FieldOffset(16)] public int PlaneCount;
+        [FieldOffset(20)] public int NodeCount;
+        [FieldOffset(24)] public int ChunkCount;
+        [FieldOffset(28)] public int Reserved;
+        [FieldOffset(32)] public long PointCount;
+        [FieldOffset(40)] public long TableOffset;
+        [FieldOffset(48)] public ulong TableHash;
+        [FieldOffset(56)] public long FileBytes;
+        [FieldOffset(64)] public ulong CloudId;
+        [FieldOffset(72)] public ulong HeaderHash;
     }
 }

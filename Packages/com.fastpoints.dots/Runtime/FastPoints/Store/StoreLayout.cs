@@ -5,8 +5,8 @@ using Unity.Collections;
 
 namespace FastPoints.Store
 {
-    /// <summary>The planes of a cloud: first position, then colour (red, green, blue as one), then each other attribute on its
-    /// own, so that a scene reads and keeps only what it draws.</summary>
+    /// <summary>The planes of a cloud: position, colour (red, green, blue as one), then each other attribute on its own, so
+    /// that a scene reads and keeps only what it draws.</summary>
     public sealed class StoreLayout
     {
         public const int PositionPlane = 0;
@@ -23,22 +23,18 @@ namespace FastPoints.Store
         {
             public string Name;
 
-            /// <summary>Index of its first column in <see cref="StoreLayout.Columns"/>; the position plane has none
-            /// there.</summary>
+            /// <summary>Of its columns in StoreLayout.Columns; the position plane has none there.</summary>
             public int FirstColumn;
             public int ColumnCount;
 
             /// <summary>Shape of its blocks; that of the position plane depends on the node.</summary>
             public PlaneShape Shape;
 
-            /// <summary>The plane whose values it averages over the points that each point represents; -1 for plain values. Both
-            /// have the same shape and types.</summary>
+            /// <summary>The plane whose values it averages over what each point stands for; -1 for plain values.</summary>
             public int AverageOf = -1;
         }
 
-        /// <param name="attributes">All attributes except X, Y, Z.</param>
-        /// <param name="divisors">One for each attribute; null for 1 everywhere.</param>
-        /// <param name="hasAverages">Whether averaged planes of colour and intensity follow all others.</param>
+        /// <summary>All attributes except X, Y, Z, with a divisor each (null for 1). Averages come last.</summary>
         public StoreLayout(PointSchema attributes, int[] divisors = null, bool hasAverages = false)
         {
             Attributes = attributes;
@@ -149,8 +145,7 @@ namespace FastPoints.Store
     {
         public AttributeType Type;
 
-        /// <summary>A common divisor of all values of the cloud; the quotients are packed. It is 256 or 257 where 8-bit colours
-        /// fill 16-bit fields, and 1 for everything except 16-bit unsigned attributes.</summary>
+        /// <summary>Quotients are packed. 256 or 257 where 8-bit colours fill 16-bit fields, else 1.</summary>
         public int Divisor;
 
         /// <summary>Offset of the value in a record, which holds the values of all attributes one after the other.</summary>

@@ -7,26 +7,21 @@ using Unity.Jobs;
 
 namespace FastPoints.Store
 {
-    /// <summary>Reads consecutive bytes of a file in the background, into memory of its own that is reused from read to
-    /// read.</summary>
+    // Reads consecutive bytes of a file in the background, into memory of its own that is reused from read to read.
     internal sealed unsafe class StoreRead : IDisposable
     {
         // The read manager keeps the pointer to its command until the read has ended.
-        NativeArray<ReadCommand> m_command;
+        NativeArray<ReadCommand> m_command = new NativeArray<ReadCommand>(1, Allocator.Persistent);
         NativeArray<byte> m_bytes;
         ReadHandle m_read;
         bool m_isReading;
         string m_path;
         int m_count;
 
-        public StoreRead() => m_command = new NativeArray<ReadCommand>(1, Allocator.Persistent);
-
-        /// <summary>The bytes read; jobs that use them depend on <see cref="Done"/>.</summary>
         public NativeArray<byte> Bytes => m_bytes.GetSubArray(0, m_count);
 
         public JobHandle Done { get; private set; }
 
-        /// <summary>Starts a read; the one before must be complete.</summary>
         public void Begin(string path, long offset, long count)
         {
             if (count > int.MaxValue)
@@ -46,7 +41,7 @@ namespace FastPoints.Store
             Done = m_read.JobHandle;
         }
 
-        /// <exception cref="PointCloudException">Not all of it could be read.</exception>
+        // Throws where not all of it could be read.
         public void Complete()
         {
             Done.Complete();
@@ -61,7 +56,7 @@ namespace FastPoints.Store
                     m_command[0].Offset, "wanted " + m_count + " bytes, the read ended as " + status);
         }
 
-        /// <summary>Cancels the read and awaits it, whatever its result; jobs that depend on it must be complete.</summary>
+        // Awaits the read, whatever its result; jobs that depend on it must be complete.
         public void Abandon()
         {
             if (!m_isReading)

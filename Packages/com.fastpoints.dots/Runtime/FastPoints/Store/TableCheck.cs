@@ -3,28 +3,17 @@ using Unity.Mathematics;
 
 namespace FastPoints.Store
 {
-    /// <summary>Checks whether a table of nodes is consistent before anything in it is used. It reads memory alone, so that a job
-    /// can use it as well.</summary>
+    // Whether a table of nodes is consistent, before anything in it is used. Reads memory alone: for jobs as well.
     internal unsafe struct TableCheck
     {
         public NodeRecord* Nodes;
-
-        /// <summary>Indexed by node times <see cref="PlaneCount"/>, plus plane.</summary>
-        public PlaneRange* Planes;
+        public PlaneRange* Planes; // By node times PlaneCount, plus plane.
         public int NodeCount;
         public int PlaneCount;
-
-        /// <summary>One for each plane; the position's is that of nodes that are not wide.</summary>
-        public PlaneShape* Shapes;
-
-        /// <summary>Contains all nodes.</summary>
+        public PlaneShape* Shapes; // The position's is that of nodes that are not wide.
         public GridCube Region;
-
-        /// <summary>Planes lie between the header and this offset.</summary>
-        public long DataBytes;
-
-        /// <summary>Whether several nodes may have no parent.</summary>
-        public bool IsChunk;
+        public long DataBytes; // Planes lie between the header and this offset.
+        public bool IsChunk; // Several nodes may have no parent.
 
         public TableProblem Find()
         {
@@ -127,5 +116,48 @@ namespace FastPoints.Store
             }
             return default;
         }
+    }
+
+    /// <summary>The first thing that is wrong with a table. Blittable, for jobs.</summary>
+    public struct TableProblem
+    {
+        public TableFault Fault;
+        public int Node;
+
+        /// <summary>The expected or actual value, depending on the fault.</summary>
+        public long Wanted;
+        public long Got;
+
+        public TableProblem(TableFault fault, int node = 0, long wanted = 0, long got = 0) =>
+            (Fault, Node, Wanted, Got) = (fault, node, wanted, got);
+
+        public bool IsNone => Fault == TableFault.None;
+    }
+
+    /// <summary>The faults that a file's table of nodes can have.</summary>
+    public enum TableFault : byte
+    {
+        None,
+        /// <summary>The bytes differ from those that were written.</summary>
+        Hash,
+        Roots,
+        Orphans,
+        PointSum,
+        Side,
+        OutsideRegion,
+        NotOfOctree,
+        Parent,
+        ParentCube,
+        NotAChild,
+        Children,
+        PointCount,
+        BlockCount,
+        Bounds,
+        InlinedLeaf,
+        FirstBlock,
+        InlinedBlocks,
+        PlaneBlocks,
+        InlinedPlane,
+        Plane,
     }
 }

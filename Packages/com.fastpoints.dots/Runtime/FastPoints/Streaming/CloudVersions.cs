@@ -5,12 +5,12 @@ namespace FastPoints.Streaming
     /// <summary>One cloud in several states, each better than the one before: waves of a preview, generations of a build, the
     /// finished cloud. A newer state is streamed beside the shown one and replaces it when nearly all of its selected nodes are
     /// loaded. A preview stays beside a build in progress, whose unfinished regions have fewer points, until the whole cloud
-    /// replaces both, so that each region only ever gains. Main thread.</summary>
+    /// replaces both: each region only ever gains. Main thread.</summary>
     public sealed class CloudVersions
     {
         public const int None = -1;
 
-        /// <summary>The older state goes when this share of the newer one's selected nodes is drawn.</summary>
+        // The older state goes when this share of the newer one's selected nodes is drawn.
         const double ReadyShare = 0.95;
 
         readonly StreamContext m_stream;
@@ -32,9 +32,7 @@ namespace FastPoints.Streaming
         /// <summary>Whether the newest state is the shown one.</summary>
         public bool IsCurrent => Next == None;
 
-        /// <summary>Adds a newer state. An earlier one that is not shown yet is dropped.</summary>
-        /// <param name="source">The stream owns it.</param>
-        /// <param name="placement">Null for the place of the shown state, or georeferenced space if there is none.</param>
+        /// <summary>Adds a newer state, which the stream owns. An earlier one that is not shown yet is dropped.</summary>
         public void Add(NodeSource source, CloudPlacement? placement = null, CloudStage stage = CloudStage.Whole)
         {
             int added = m_stream.Add(source, placement ?? PlacementFor(source));
@@ -51,8 +49,7 @@ namespace FastPoints.Streaming
             m_nextStage = stage;
         }
 
-        /// <summary>Moves all states in the stream.</summary>
-        /// <param name="placement">The placement of the shown state.</param>
+        /// <summary>Moves all states in the stream: the placement is the shown one's.</summary>
         public void Place(in CloudPlacement placement)
         {
             var shown = m_stream.Clouds[Cloud];
@@ -63,8 +60,7 @@ namespace FastPoints.Streaming
                 m_stream.Clouds[Next].Placement = placement.ForVersion(shown.Source, m_stream.Clouds[Next].Source);
         }
 
-        /// <summary>Updates the states; called once after each frame.</summary>
-        /// <returns>Whether <see cref="Cloud"/> has changed.</returns>
+        /// <summary>Updates the states once after each frame. Returns whether <see cref="Cloud"/> has changed.</summary>
         public bool Update()
         {
             if (Next == None || !IsReady(Next))
@@ -95,9 +91,7 @@ namespace FastPoints.Streaming
             return true;
         }
 
-        /// <summary>Withdraws a build that was broken off: its shown state is replaced by the preview beside it, or by the next
-        /// one.</summary>
-        /// <returns>Whether <see cref="Cloud"/> has changed.</returns>
+        /// <summary>Withdraws a build that was broken off. Returns whether <see cref="Cloud"/> has changed.</summary>
         public bool DropBuild()
         {
             if (Next != None && m_nextStage == CloudStage.Building)
@@ -116,7 +110,6 @@ namespace FastPoints.Streaming
             return true;
         }
 
-        /// <summary>Removes all states from the stream.</summary>
         internal void Remove()
         {
             Remove(Cloud);
@@ -135,7 +128,6 @@ namespace FastPoints.Streaming
             ? CloudPlacement.Geo(source.Grid, source.Root)
             : m_stream.Clouds[Cloud].Placement.ForVersion(m_stream.Clouds[Cloud].Source, source);
 
-        /// <summary>Whether a node that has points could not be read.</summary>
         unsafe bool HasFailed(SelectedNode node)
         {
             var page = m_stream.Clouds[node.Cloud].Pages + node.Page;

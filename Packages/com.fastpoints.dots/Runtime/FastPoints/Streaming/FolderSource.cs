@@ -8,21 +8,16 @@ using Unity.Jobs;
 
 namespace FastPoints.Streaming
 {
-    /// <summary>The source of a cloud's folder, finished or in the making; in the latter case, of the opened
-    /// generation.</summary>
+    /// <summary>The source of a cloud's folder, finished or in the making; then of the generation that was opened.</summary>
     public sealed class FolderSource : NodeSource
     {
         readonly CloudFolder m_folder;
         readonly HierarchyGrid m_grid;
-
-        /// <summary>Made once: a new path for each read would be garbage.</summary>
-        readonly string[] m_pathOfPage;
+        readonly string[] m_pathOfPage; // Made once: a new path for each read would be garbage.
         NativeArray<int> m_planes;
         NativeArray<PlaneShape> m_shapes;
 
-        /// <param name="folder">This source owns it.</param>
-        /// <param name="planes">Names of planes that are streamed besides the position (<see cref="StoreLayout"/>); those that
-        /// the cloud lacks are left out.</param>
+        /// <summary>Owns the folder. Streams the position and the named planes, as far as the cloud has them.</summary>
         public FolderSource(CloudFolder folder, params string[] planes)
         {
             m_folder = folder;
@@ -41,9 +36,7 @@ namespace FastPoints.Streaming
             m_shapes = folder.Layout.CreateShapes(Allocator.Persistent);
         }
 
-        /// <summary>Opens a folder, finished or in the making, with all planes except averages. Reads two small files, on any
-        /// thread.</summary>
-        /// <exception cref="PointCloudException">It is not a cloud, or is damaged.</exception>
+        /// <summary>Opens a folder with all planes except averages: two small files, on any thread.</summary>
         public static FolderSource OpenWhole(string path)
         {
             var folder = CloudFolder.Open(path);
@@ -72,11 +65,8 @@ namespace FastPoints.Streaming
         {
             for (int chunk = 0; chunk < m_folder.Chunks.Length; chunk++)
                 pages[1 + chunk] = HierarchyPage.OfChunk(m_folder.Chunks[chunk], m_grid);
-            var upper = m_folder.Upper;
             pages[0] = default;
-            HierarchyPageBuilding.Build((NodeRecord*)upper.Nodes.GetUnsafeReadOnlyPtr(),
-                (PlaneRange*)upper.Planes.GetUnsafeReadOnlyPtr(), upper.Nodes.Length, upper.PlaneCount,
-                (int*)m_planes.GetUnsafeReadOnlyPtr(), m_planes.Length, m_grid, pages + 1, ref pages[0]);
+            HierarchyPageBuilding.Build(m_folder.Upper.View, m_planes, m_grid, pages + 1, ref pages[0]);
         }
 
         internal override bool KeepsFilesOpen => !m_folder.IsUnfinished;

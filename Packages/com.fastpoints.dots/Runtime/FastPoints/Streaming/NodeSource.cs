@@ -31,8 +31,7 @@ namespace FastPoints.Streaming
         /// <summary>One for each plane of <see cref="Layout"/>; the position's is that of nodes that are not wide.</summary>
         public abstract NativeArray<PlaneShape> Shapes { get; }
 
-        /// <summary>Number of known pages. Where nodes are made, building a page may make more known, behind the
-        /// others.</summary>
+        /// <summary>Where nodes are made, building a page may make more known, behind the others.</summary>
         public abstract int PageCount { get; }
 
         /// <summary>Whether nodes are made on demand, from pages of the part of the hierarchy that the source has read so far.
@@ -41,16 +40,13 @@ namespace FastPoints.Streaming
         public virtual bool TranscodesNodes => false;
 
         /// <summary>Creates the boxes of all pages and the nodes of the first one. The caller frees the pages.</summary>
-        /// <param name="pages">Must have room for <see cref="PageCount"/> pages.</param>
         public abstract unsafe void CreatePages(HierarchyPage* pages);
 
-        /// <summary>Whether its files stay as they are, so that they may be kept open between reads.</summary>
         internal virtual bool KeepsFilesOpen => false;
 
         /// <summary>The file that holds the planes of a page's nodes.</summary>
         public abstract string PathOf(int page);
 
-        /// <summary>The bytes to read before a page can be built.</summary>
         internal abstract FilePiece TableOf(int page);
 
         /// <summary>Checks the bytes read and makes a page of them.</summary>
@@ -60,18 +56,14 @@ namespace FastPoints.Streaming
         /// <summary>Describes the problem that <see cref="ScheduleBuild"/> found.</summary>
         public abstract string Describe(int page, NativeArray<byte> table, TableProblem problem);
 
-        /// <summary>Whether a plane of a node was found to be as written before, so that its hash need not be checked again.
-        /// Main thread.</summary>
-        /// <param name="plane">Index among the streamed planes.</param>
+        // Whether a plane was found to be as written before, so that its hash need not be checked again. Main thread.
         internal virtual bool IsChecked(int page, int node, int plane) => false;
 
         internal virtual void SetChecked(int page, int node, int plane) { }
 
-        /// <summary>Has all planes of a page's file checked again.</summary>
         internal virtual void ForgetChecked(int page) { }
 
-        /// <summary>For sources that make nodes: whether a page can be built now. If not, the call makes the source read what is
-        /// missing.</summary>
+        /// <summary>For sources that make nodes: if a page cannot be built now, the source reads what is missing.</summary>
         public virtual bool CanBuild(int page) => true;
 
         /// <summary>For sources that make nodes: registers a page that was built, and numbers the pages attached to it.</summary>
@@ -80,37 +72,31 @@ namespace FastPoints.Streaming
         /// <summary>For sources that make nodes: the box of a page that was not built yet.</summary>
         public virtual HierarchyPage EmptyPage(int page) => default;
 
-        /// <summary>Called once a frame; it never waits.</summary>
-        /// <returns>The failure, or null.</returns>
+        /// <summary>Called once a frame; it never waits. Returns the failure, or null.</summary>
         public virtual PointCloudException Update() => null;
 
-        /// <summary>Whether <see cref="Update"/> has something to do.</summary>
         internal virtual bool IsReading => false;
 
         /// <summary>The handle of what <see cref="Update"/> has in flight.</summary>
         public virtual JobHandle Reading => default;
 
-        /// <summary>For sources that make nodes: lends an idle transcoder. Null while enough are busy.</summary>
-        /// <param name="points">Number of points of the node that it shall make.</param>
+        /// <summary>For sources that make nodes: an idle transcoder for so many points. Null while enough are busy.</summary>
         public virtual NodeTranscoder RentTranscoder(int points) => null;
 
         public virtual void ReturnTranscoder(NodeTranscoder transcoder) { }
 
-        /// <summary>For sources that make nodes: creates a transcoder of every plane of <see cref="Layout"/>, whichever are
-        /// streamed. The caller owns it and disposes it before the source.</summary>
+        /// <summary>For sources that make nodes: a transcoder of every plane, to be disposed before the source.</summary>
         public virtual NodeTranscoder CreateFullTranscoder() => throw new NotSupportedException();
 
-        /// <summary>Opens the same cloud once more to examine single points, as a coroutine: with positions and classes, and
-        /// all other planes of attributes if they lie in files or <see cref="CreateFullTranscoder"/> makes them. It opens files
-        /// on another thread. It has no result if the cloud was in memory alone and its source is disposed.</summary>
-        /// <param name="opened">Receives the source and owns it.</param>
-        /// <exception cref="PointCloudException">The cloud no longer exists, or is damaged.</exception>
+        /// <summary>Coroutine: opens the same cloud once more, on another thread, to examine single points: with positions and
+        /// classes, and all other planes if they lie in files or <see cref="CreateFullTranscoder"/> makes them. The receiver
+        /// owns the source; there is none if the cloud was in memory alone and is disposed. Throws if it is gone or
+        /// damaged.</summary>
         public abstract IEnumerator<JobStep> OpenForPicking(Action<NodeSource> opened);
 
         public abstract void Dispose();
     }
 
-    /// <summary>Consecutive bytes of a file.</summary>
     internal struct FilePiece
     {
         public string Path;

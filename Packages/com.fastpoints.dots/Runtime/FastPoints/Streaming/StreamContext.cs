@@ -5,12 +5,12 @@ using Unity.Collections;
 
 namespace FastPoints.Streaming
 {
-    /// <summary>Everything that streaming keeps from frame to frame, and its lifetime: clouds come and go,
-    /// <see cref="FrameStep"/> runs each frame, and <see cref="Dispose"/> ends it (on a domain reload or on quitting): it cancels
-    /// and awaits reads and frees all memory. Main thread.</summary>
+    /// <summary>Everything that streaming keeps from frame to frame: clouds come and go, <see cref="FrameStep"/> runs each
+    /// frame, and Dispose ends it (on a domain reload or on quitting): it awaits reads and frees all memory. Main
+    /// thread.</summary>
     public sealed unsafe class StreamContext : IDisposable
     {
-        /// <summary>A hierarchy page must be out of view for this many frames before it is unloaded.</summary>
+        // A hierarchy page must be out of view for this many frames before it is unloaded.
         const uint FramesToUnload = 300;
 
         readonly StreamState m_state;
@@ -23,10 +23,6 @@ namespace FastPoints.Streaming
             m_state = new StreamState(pool);
             Uploads = new NodeUploads(m_state);
             Reads = new NodeReads(m_state);
-            ClipBoxes = new NativeList<ClipBox>(Allocator.Persistent);
-            Drawn = new NativeList<DrawnNode>(1024, Allocator.Persistent);
-            DrawnOfSelected = new NativeList<int>(1024, Allocator.Persistent);
-            DrawnTotals = new NativeReference<DrawnTotals>(Allocator.Persistent);
         }
 
         public StreamSettings Settings => m_state.Settings;
@@ -37,22 +33,20 @@ namespace FastPoints.Streaming
         internal StreamFiles Files => m_state.Files;
         internal NodeUploads Uploads { get; }
         internal NativeArray<CloudPages> CloudPages => m_state.CloudPages;
-        internal NativeReference<DrawnTotals> DrawnTotals { get; }
+        internal NativeReference<DrawnTotals> DrawnTotals { get; } = new NativeReference<DrawnTotals>(Allocator.Persistent);
         internal CameraMotion Motion { get; } = new CameraMotion();
 
-        /// <summary>Indexed by number; null for a removed cloud.</summary>
+        // Indexed by number; null for a removed cloud.
         internal IReadOnlyList<StreamedCloud> Clouds => m_state.Clouds;
 
-        /// <summary>The boxes that all clouds are clipped by: nothing outside is selected, loaded or drawn. They may change from
-        /// frame to frame.</summary>
-        public NativeList<ClipBox> ClipBoxes { get; }
+        /// <summary>Nothing outside is selected, loaded or drawn. They may change from frame to frame.</summary>
+        public NativeList<ClipBox> ClipBoxes { get; } = new NativeList<ClipBox>(Allocator.Persistent);
 
         /// <summary>What to draw after the last frame: parents before children.</summary>
-        public NativeList<DrawnNode> Drawn { get; }
+        public NativeList<DrawnNode> Drawn { get; } = new NativeList<DrawnNode>(1024, Allocator.Persistent);
 
-        /// <summary>For each selected node, its index in <see cref="Drawn"/>, or <see cref="NotDrawn"/>, or
-        /// <see cref="NotShown"/>.</summary>
-        public NativeList<int> DrawnOfSelected { get; }
+        /// <summary>By selected node: its index in Drawn, or NotDrawn, or NotShown.</summary>
+        public NativeList<int> DrawnOfSelected { get; } = new NativeList<int>(1024, Allocator.Persistent);
 
         /// <summary>The node is a hole or hidden, but what is below it can be drawn.</summary>
         public const int NotDrawn = -1;
@@ -65,7 +59,7 @@ namespace FastPoints.Streaming
         /// <summary>Whether a removed cloud still has reads or uploads in flight.</summary>
         public bool IsRemovingAny => m_state.Clouds.Exists(c => c != null && c.IsRemoving);
 
-        /// <summary>Whether a source reads what its pages are built of, which no read of the stream's is.</summary>
+        // Whether a source reads what its pages are built of, which no read of the stream's is.
         internal bool IsReadingHierarchy => m_state.Clouds.Exists(c => c != null && c.Source.IsReading);
 
         /// <summary>Replaces <see cref="ClipBoxes"/>.</summary>
@@ -76,8 +70,7 @@ namespace FastPoints.Streaming
                 ClipBoxes.Add(box);
         }
 
-        /// <param name="source">This context owns it.</param>
-        /// <returns>The cloud's number until it is removed.</returns>
+        /// <summary>Owns the source. Returns the cloud's number until it is removed.</summary>
         public int Add(NodeSource source, CloudPlacement placement)
         {
             var cloud = new StreamedCloud(source, placement);
@@ -89,8 +82,7 @@ namespace FastPoints.Streaming
             return free < 0 ? m_state.Clouds.Count - 1 : free;
         }
 
-        /// <summary>Removes a cloud from what is shown. Its reads and uploads are cancelled; its source is disposed when these
-        /// have ended.</summary>
+        /// <summary>The cloud's reads and uploads are cancelled; its source is disposed when these have ended.</summary>
         public void Remove(int cloud)
         {
             var removing = m_state.Clouds[cloud];
@@ -186,7 +178,7 @@ namespace FastPoints.Streaming
             Pool.FreeEmptyBanks();
         }
 
-        /// <summary>Examines one page each frame while there are more than there should be.</summary>
+        // Examines one page each frame while there are more than there should be.
         void UnloadPage()
         {
             long bytes = 0;

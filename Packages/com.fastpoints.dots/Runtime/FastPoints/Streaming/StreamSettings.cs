@@ -11,8 +11,7 @@ namespace FastPoints.Streaming
         /// <summary>Bytes of one read, unless a single node has more: neighbours in a file are read together.</summary>
         public int BytesPerRead = 1 << 20;
 
-        /// <summary>Gaps of up to this many bytes between two planes of one file are read along, because another read would take
-        /// longer.</summary>
+        /// <summary>Gaps between two planes of one file up to this are read along: another read would take longer.</summary>
         public int GapBytes = 32 << 10;
 
         /// <summary>The most bytes and nodes that are copied into the pool in one frame; one node always is.</summary>
@@ -36,5 +35,30 @@ namespace FastPoints.Streaming
 
         /// <summary>Bytes of hierarchy pages that are kept even if they have been out of view for a while.</summary>
         public long HierarchyBytes = 256L << 20;
+    }
+
+    /// <summary>Limits of a selection. Blittable, for jobs.</summary>
+    public struct LodSettings
+    {
+        /// <summary>The point budget of all clouds together. The first root is chosen however many points it has.</summary>
+        public long PointBudget;
+
+        /// <summary>A node is left out if the points above it lie closer on the screen: it would add nothing.</summary>
+        public float MinScreenErrorPx;
+
+        /// <summary>A node is left out if its box is smaller than this on the screen.</summary>
+        public float SmallestNodePx;
+
+        /// <summary>Nodes chosen last time count as so many times as coarse, so that none flickers at the edge of the
+        /// budget.</summary>
+        public float Hysteresis;
+
+        public static LodSettings Default => new LodSettings
+        {
+            PointBudget = 2_000_000,
+            MinScreenErrorPx = 0.4f,
+            SmallestNodePx = 1,
+            Hysteresis = 1.15f,
+        };
     }
 }

@@ -5,7 +5,6 @@ using Unity.Collections.LowLevel.Unsafe;
 
 namespace FastPoints.Streaming
 {
-    /// <summary>A cloud while it is streamed: its source, its hierarchy and its placement.</summary>
     internal sealed unsafe class StreamedCloud : IDisposable
     {
         NativeList<HierarchyPage> m_pages;
@@ -24,19 +23,15 @@ namespace FastPoints.Streaming
         public NodeSource Source { get; }
         public CloudPlacement Placement { get; set; }
 
-        /// <summary>Whether it is no longer shown; it goes when its reads and uploads have ended.</summary>
+        // It goes when its reads and uploads have ended.
         public bool IsRemoving { get; set; }
-
-        /// <summary>Number of reads and uploads that still need the source.</summary>
-        public int Users { get; set; }
 
         public int PageCount => m_pages.Length;
         public long HierarchyBytes { get; private set; }
 
-        /// <summary>Their address, valid until a page is loaded.</summary>
+        // Valid until a page is loaded.
         public HierarchyPage* Pages => m_pages.GetUnsafePtr();
 
-        /// <summary>Bytes of the planes that are streamed of a node.</summary>
         public long BytesOf(int page, int node)
         {
             long bytes = 0;
@@ -45,14 +40,12 @@ namespace FastPoints.Streaming
             return bytes;
         }
 
-        /// <param name="plane">Index among the streamed planes.</param>
         public PlaneRange RangeOf(int page, int node, int plane) => Pages[page].Planes[node * Source.Planes.Length + plane];
 
         public PlaneShape ShapeOf(int page, int node, int plane) => plane == 0 && Pages[page].Places[node].IsWide
             ? new PlaneShape(3, 7)
             : Source.Shapes[Source.Planes[plane]];
 
-        /// <summary>Records the lengths of a node that was made.</summary>
         public void SetLengths(int page, int node, NodeTranscoder made)
         {
             for (int p = 0; p < Source.Planes.Length; p++)
@@ -60,7 +53,6 @@ namespace FastPoints.Streaming
             Pages[page].States[node].WasTranscoded = true;
         }
 
-        /// <summary>Takes over the nodes of a page.</summary>
         public void Load(int page, in HierarchyPage built)
         {
             Source.RegisterPage(page, built);
@@ -77,7 +69,7 @@ namespace FastPoints.Streaming
             AddNewPages();
         }
 
-        /// <summary>Frees the nodes of a page, none of which may be in the cache.</summary>
+        // None of its nodes may be in the cache.
         public void Unload(int page)
         {
             HierarchyBytes -= BytesOf(Pages[page]);

@@ -69,8 +69,8 @@ namespace FastPoints.Tests.Core
                     y[i] = corner.y + (random.NextUInt() & (1 << 30) - 1);
                     z[i] = corner.z + (random.NextUInt() & (1 << 30) - 1);
                 }
-                Morton.Encode(x, y, z, count, corner, shift, codes);
-                Morton.EncodeShort(x, y, z, count, corner, 30 - Morton.ShortBits, few);
+                Morton.Encode(x, y, z, count, new MortonCells(corner, shift), codes);
+                Morton.EncodeShort(x, y, z, count, new MortonCells(corner, 30 - Morton.ShortBits), few);
                 for (int i = 0; i < count; i++)
                 {
                     uint dx = x[i] - corner.x, dy = y[i] - corner.y, dz = z[i] - corner.z;

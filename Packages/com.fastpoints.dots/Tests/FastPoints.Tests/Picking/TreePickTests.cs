@@ -109,13 +109,8 @@ namespace FastPoints.Tests.Picking
                 ReadPoints.EachBlock(reader, reader.Info.Schema.Select("X", "Y", "Z"), read =>
                 {
                     var positions = PositionColumns.Of(read.Points);
-                    double3 geo;
                     for (int i = 0; i < read.Points.Count; i++)
-                    {
-                        positions.LoadGeo((byte*)read.Points.Bytes.GetUnsafeReadOnlyPtr(), reader.Info.Transform, i, 1, &geo.x,
-                            &geo.y, &geo.z);
-                        places.Add(geo);
-                    }
+                        places.Add(positions.GeoAt((byte*)read.Points.Bytes.GetUnsafeReadOnlyPtr(), reader.Info.Transform, i));
                 });
             }
             return places;

@@ -94,7 +94,7 @@ namespace FastPoints.Tests.Store
                     fixed (uint* v = values)
                     {
                         BlockCodec.FindRange(v, count, out uint min, out uint max);
-                        BlockCodec.FindRangePlain(v, 0, count, v[0], v[0], out uint plainMin, out uint plainMax);
+                        BlockCodec.FindRangePlain(v, count, v[0], v[0], out uint plainMin, out uint plainMax);
                         Assert.That((min, max), Is.EqualTo((plainMin, plainMax)));
                         Assert.That((min, max), Is.EqualTo((values.Min(), values.Max())));
                     }

@@ -82,8 +82,7 @@ namespace FastPoints.Tests.Streaming
             var positions = PositionColumns.Of(points);
             for (int i = 0; i < points.Count; i++)
             {
-                double3 geo;
-                positions.LoadGeo(bytes, transform, i, 1, &geo.x, &geo.y, &geo.z);
+                var geo = positions.GeoAt(bytes, transform, i);
                 var place = math.round((geo - grid.Origin) / grid.Step);
                 ulong hash = Hash(Hash(Hash(1, (ulong)(long)place.x), (ulong)(long)place.y), (ulong)(long)place.z);
                 foreach (string name in names)

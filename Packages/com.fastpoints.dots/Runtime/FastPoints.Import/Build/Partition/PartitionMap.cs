@@ -177,8 +177,8 @@ namespace FastPoints.Build
         {
             uint* x = offsets, y = offsets + stride, z = offsets + 2 * stride;
             var corner = m_cells.Corner - origin;
-            Morton.EncodeShort(x, y, z, count, new uint3((uint)corner.X, (uint)corner.Y, (uint)corner.Z), m_cells.CellLog2,
-                (uint*)chunks);
+            Morton.EncodeShort(x, y, z, count,
+                new MortonCells(new uint3((uint)corner.X, (uint)corner.Y, (uint)corner.Z), m_cells.CellLog2), (uint*)chunks);
             for (int i = 0; i < count; i++)
             {
                 int chunk = chunkOfCell[chunks[i]];

@@ -68,7 +68,7 @@ namespace FastPoints.Export
             foreach (bool isOfPlanes in new[] { true, false })
             {
                 var slices = isOfPlanes ? m_nodeSlices : m_partSlices;
-                yield return JobStep.Of(Slices.Schedule(0, slices.Count - 1, 1, (slice, _, after) =>
+                yield return JobStep.Of(Slices.Schedule(slices.Count - 1, 1, (slice, _, after) =>
                 {
                     job.ChecksPlanes = isOfPlanes;
                     job.First = slices[slice];

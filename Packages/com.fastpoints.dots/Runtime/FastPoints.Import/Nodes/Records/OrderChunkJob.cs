@@ -214,7 +214,7 @@ namespace FastPoints.Nodes
             {
                 int run = math.min(PointsOfRun, count - first);
                 Layout.LoadPositions(records + first * Layout.StrideBytes, run, x, y, z);
-                Morton.EncodeShort(x, y, z, run, CornerOffset, shift, bucketOf + first);
+                Morton.EncodeShort(x, y, z, run, new MortonCells(CornerOffset, shift), bucketOf + first);
             }
         }
 
@@ -283,7 +283,7 @@ namespace FastPoints.Nodes
                 if (IsNarrow)
                 {
                     Layout.LoadPositions(record, end - m_now.Point, x, y, z);
-                    Morton.Encode(x, y, z, end - m_now.Point, CornerOffset, shift, keys + m_now.Point);
+                    Morton.Encode(x, y, z, end - m_now.Point, new MortonCells(CornerOffset, shift), keys + m_now.Point);
                 }
                 for (int i = m_now.Point; i < end; i++, record += stride)
                 {

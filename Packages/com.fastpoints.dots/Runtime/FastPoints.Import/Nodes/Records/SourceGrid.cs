@@ -235,11 +235,12 @@ namespace FastPoints.Nodes
             var result = new SourceAxis { Scale = scale, Offset = offset, Origin = origin, Step = step };
             if (info.Schema[info.Schema.IndexOf(name)].Type.IsFloat())
                 return result;
-            if (!CommonGrid.TryPlace(scale, offset, step, origin, out result.Factor, out result.Shift, out double loss))
+            if (!CommonGrid.TryPlace(scale, offset, step, origin, out var placed))
             {
                 throw new PointCloudException(FailureCode.Unsupported, info.Path, -1,
                     "scale and offset of " + name + ": no grid holds them together with the other files'");
             }
+            (result.Factor, result.Shift, double loss) = placed;
             result.IsInteger = true;
             if (loss > 0)
                 info.Warn(-1, name + " does not fit the common grid: moved by up to " + NumberText.Of(loss));

@@ -69,8 +69,10 @@ namespace FastPoints.Reading
                     return column;
                 column.Kind = to.Type.IsFloat() ? TileColumnKind.Real : TileColumnKind.Place;
                 if (column.Kind == TileColumnKind.Place)
-                    CommonGrid.TryPlace(scale, offset, cloud.Scale[axis], cloud.Offset[axis], out column.Factor,
-                        out column.Shift, out _);
+                {
+                    CommonGrid.TryPlace(scale, offset, cloud.Scale[axis], cloud.Offset[axis], out var placed);
+                    (column.Factor, column.Shift, _) = placed;
+                }
                 else if (!isSame)
                 {
                     column.Scale = scale;
@@ -132,13 +134,13 @@ namespace FastPoints.Reading
             double step = CommonGrid.StepOf(scales, offsets), worst = 0;
             for (int i = 0; i < scales.Length; i++)
             {
-                if (!CommonGrid.TryPlace(scales[i], offsets[i], step, offsets[0], out _, out _, out double loss))
+                if (!CommonGrid.TryPlace(scales[i], offsets[i], step, offsets[0], out var placed))
                 {
                     m_info.Warn(-1, name + ": no grid holds the scale and offset of " + m_tiles[i].Path +
                         " together with the other files': all are read as floats of 64 bits");
                     return AttributeType.Float64;
                 }
-                worst = Math.Max(worst, loss);
+                worst = Math.Max(worst, placed.Loss);
             }
             if (worst > 0)
                 m_info.Warn(-1, name + ": scales and offsets of the files have no common step: moved by up to " +

@@ -4,21 +4,15 @@ using Unity.Mathematics;
 
 namespace FastPoints.Core
 {
-    /// <summary>Members of a JSON object, each as what it must be. One that is missing or of another kind is a failure that names
-    /// the file and the member.</summary>
+    // Members of a JSON object, each as what it must be; else a failure names the file and the member.
     internal sealed class JsonMembers
     {
         readonly Dictionary<string, object> m_members;
         readonly string m_prefix = "";
         readonly bool m_isForeign;
 
-        JsonMembers(Dictionary<string, object> members, string path, bool isForeign, long fileBytes)
-        {
-            m_members = members;
-            m_isForeign = isForeign;
-            Path = path;
-            FileBytes = fileBytes;
-        }
+        JsonMembers(Dictionary<string, object> members, string path, bool isForeign, long fileBytes) =>
+            (m_members, m_isForeign, Path, FileBytes) = (members, isForeign, path, fileBytes);
 
         JsonMembers(Dictionary<string, object> members, JsonMembers parent, string name)
             : this(members, parent.Path, parent.m_isForeign, parent.FileBytes)
@@ -28,10 +22,7 @@ namespace FastPoints.Core
                 m_prefix = parent.m_prefix + name + ".";
         }
 
-        /// <summary>Of the file.</summary>
         public string Path { get; }
-
-        /// <summary>Of the file, where <see cref="Parse"/> was told.</summary>
         public long FileBytes { get; }
 
         public IEnumerable<string> Names
@@ -43,9 +34,8 @@ namespace FastPoints.Core
             }
         }
 
-        /// <param name="isForeign">Whether others write such files: trailing commas pass, as they are edited by hand, and control
-        /// characters in text become blanks, as it is shown to people as one line.</param>
-        /// <exception cref="PointCloudException">It is no JSON object.</exception>
+        // Foreign files may have trailing commas, as they are edited by hand, and control characters, which become blanks: text
+        // is shown to people as one line.
         public static JsonMembers Parse(string text, string path, bool isForeign = false, long fileBytes = 0)
         {
             try
@@ -68,7 +58,6 @@ namespace FastPoints.Core
 
         public bool IsList(string name) => Find(name) is List<object>;
 
-        /// <summary>Whether <see cref="Numbers"/> would give so many.</summary>
         public bool IsNumbers(string name, int count) =>
             Find(name) is List<object> list && list.Count == count && list.TrueForAll(JsonReader.IsNumber);
 
@@ -78,28 +67,23 @@ namespace FastPoints.Core
 
         public int Int(string name) => Read(name, v => (int)InRange(v, int.MinValue, int.MaxValue));
 
-        /// <summary>A whole number from 0 to <paramref name="max"/>.</summary>
         public long Count(string name, long max = long.MaxValue) => Read(name, v => InRange(v, 0, max));
 
         public ulong Hex(string name) => Read(name, JsonReader.ToHex);
 
-        /// <summary>NaN for null: JSON has no word for it.</summary>
+        // NaN for null: JSON has no word for it.
         public double Double(string name) => Read(name, v => v == null ? double.NaN : JsonReader.ToDouble(v));
 
-        /// <summary>A finite number.</summary>
         public double Number(string name) => Read(name, Finite);
 
         public double Number(string name, double otherwise) => Has(name) ? Number(name) : otherwise;
 
         public string Text(string name) => Shown(Read(name, JsonReader.ToText));
 
-        /// <summary>Text, or what stands in where there is none.</summary>
         public string Text(string name, string otherwise) => IsText(name) ? Text(name) : otherwise;
 
-        /// <summary>Text, or null where it is null or not there.</summary>
         public string TextOrNull(string name) => Find(name) == null ? null : Text(name);
 
-        /// <summary>False where there is no such member.</summary>
         public bool Flag(string name) => Has(name) &&
             Read(name, v => v is bool flag ? flag : throw new FormatException("wanted true or false"));
 
@@ -108,7 +92,6 @@ namespace FastPoints.Core
 
         public List<string> Texts(string name) => Read(name, _ => List(name).ConvertAll(i => Shown(JsonReader.ToText(i))));
 
-        /// <summary>A list of finite numbers, exactly so many.</summary>
         public double[] Numbers(string name, int count)
         {
             var list = List(name);
@@ -117,13 +100,11 @@ namespace FastPoints.Core
                 : throw Wrong(name, "wanted " + NumberText.Of(count) + " numbers, got a list of " + NumberText.Of(list.Count));
         }
 
-        /// <summary>A list of whole numbers; exactly so many unless <paramref name="count"/> is negative.</summary>
+        // Exactly so many unless count is negative.
         public long[] Longs(string name, int count = -1) => Read(name, v => ToLongs(v, count));
 
-        /// <summary>A list of such lists.</summary>
         public List<long[]> Lists(string name, int count) => Read(name, _ => List(name).ConvertAll(i => ToLongs(i, count)));
 
-        /// <summary>A list of three finite numbers.</summary>
         public double3 Vector(string name)
         {
             double[] numbers = Numbers(name, 3);
@@ -132,7 +113,6 @@ namespace FastPoints.Core
 
         public JsonMembers Object(string name) => ToObject(Find(name), name);
 
-        /// <summary>An object, or null where it is null or not there.</summary>
         public JsonMembers ObjectOrNull(string name) => Find(name) == null ? null : Object(name);
 
         public List<JsonMembers> Objects(string name)
@@ -141,7 +121,6 @@ namespace FastPoints.Core
             return List(name).ConvertAll(i => ToObject(i, name + "[" + NumberText.Of(at++) + "]"));
         }
 
-        /// <summary>Checks a version, and says what to do about another one.</summary>
         public void RequireVersion(long wanted)
         {
             long got = Long("version");
@@ -149,11 +128,9 @@ namespace FastPoints.Core
                 throw PointCloudException.Wanted(FailureCode.Unsupported, Path, -1, "\"version\"", wanted, got);
         }
 
-        /// <summary>The failure of a member that is not what it must be.</summary>
         public PointCloudException Bad(string name, string wanted) =>
             Wrong(name, Has(name) ? "wanted " + wanted + ", got " + JsonReader.Describe(Find(name)) : "missing");
 
-        /// <summary>What is wrong with a member.</summary>
         public PointCloudException Wrong(string name, string what, Exception inner = null) =>
             new PointCloudException(FailureCode.BadInput, Path, -1, "\"" + m_prefix + name + "\": " + what, inner);
 

@@ -5,15 +5,13 @@ using System.Text;
 
 namespace FastPoints.Core
 {
-    /// <summary>A strict reader of small JSON texts (RFC 8259): objects become dictionaries and arrays become lists. Numbers stay
-    /// text until they are converted to a type, so that 64-bit counts are exact.</summary>
-    /// <remarks>The package has its own reader because players should carry no JSON library, and Unity's fills the fields of a
-    /// class without saying what was missing or had the wrong type.</remarks>
+    // A strict reader of small JSON texts (RFC 8259): objects become dictionaries and arrays lists. Numbers stay text until
+    // they are converted, so that 64-bit counts are exact. Players should carry no JSON library, and Unity's fills the fields
+    // of a class without saying what was missing or had the wrong type.
     internal sealed class JsonReader
     {
         const int MaxDepth = 64;
 
-        /// <summary>A number as it was written.</summary>
         sealed class Number
         {
             public string Text;
@@ -23,16 +21,9 @@ namespace FastPoints.Core
         readonly bool m_allowsTrailingCommas;
         int m_at;
 
-        JsonReader(string text, bool allowsTrailingCommas)
-        {
-            m_text = text;
-            m_allowsTrailingCommas = allowsTrailingCommas;
-        }
+        JsonReader(string text, bool allowsTrailingCommas) => (m_text, m_allowsTrailingCommas) = (text, allowsTrailingCommas);
 
-        /// <param name="allowTrailingCommas">Whether a comma may stand behind the last item, as JavaScript lets it.</param>
-        /// <returns>Dictionary, List, string, bool, null, or a number for <see cref="ToLong"/> and <see
-        /// cref="ToDouble"/>.</returns>
-        /// <exception cref="FormatException">The text is not JSON; the message says where.</exception>
+        // Dictionary, List, string, bool, null, or a number for ToLong and ToDouble. A FormatException says where it is none.
         public static object Parse(string text, bool allowTrailingCommas = false)
         {
             var reader = new JsonReader(text, allowTrailingCommas);
@@ -43,35 +34,30 @@ namespace FastPoints.Core
             return value;
         }
 
-        /// <summary>A value that must be a whole number in the range of a long.</summary>
         public static long ToLong(object value) =>
             value is Number n && long.TryParse(n.Text, NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture,
                 out long result)
                 ? result
                 : throw new FormatException("wanted a whole number, got " + Describe(value));
 
-        /// <summary>A value that must be a number.</summary>
         public static double ToDouble(object value) =>
             value is Number n && NumberText.TryRead(n.Text, out double result)
                 ? result
                 : throw new FormatException("wanted a number, got " + Describe(value));
 
-        /// <summary>A value that must be what <see cref="JsonWriter.AddHex"/> writes.</summary>
         public static ulong ToHex(object value) =>
             value is string text && text.Length == 16 &&
             ulong.TryParse(text, NumberStyles.AllowHexSpecifier, CultureInfo.InvariantCulture, out ulong result)
                 ? result
                 : throw new FormatException("wanted 16 hexadecimal digits in a string, got " + Describe(value));
 
-        /// <summary>Whether <see cref="ToDouble"/> gives a finite number.</summary>
+        // Whether ToDouble gives a finite number.
         public static bool IsNumber(object value) =>
             value is Number n && NumberText.TryRead(n.Text, out double result) && !double.IsInfinity(result);
 
-        /// <summary>A value that must be text.</summary>
         public static string ToText(object value) =>
             value as string ?? throw new FormatException("wanted text, got " + Describe(value));
 
-        /// <summary>A value as messages name it.</summary>
         public static string Describe(object value) => value switch
         {
             null => "null",
@@ -81,7 +67,7 @@ namespace FastPoints.Core
             _ => value is List<object> ? "a list" : "an object",
         };
 
-        /// <summary>Text without control characters, for messages and names.</summary>
+        // Text without control characters, for messages and names.
         public static string OneLine(string text)
         {
             char[] line = text.ToCharArray();
@@ -239,7 +225,7 @@ namespace FastPoints.Core
             return true;
         }
 
-        /// <summary>Whether the comma just read ended its object or array, and may do so.</summary>
+        // Whether the comma just read ended its object or array, and may do so.
         bool IsTrailing(char end)
         {
             if (!m_allowsTrailingCommas)

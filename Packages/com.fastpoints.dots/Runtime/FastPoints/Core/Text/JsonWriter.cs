@@ -3,8 +3,7 @@ using System.Text;
 
 namespace FastPoints.Core
 {
-    /// <summary>Writes JSON for people: two spaces a level, arrays of numbers on one line, and doubles with enough digits to read
-    /// back the same.</summary>
+    // JSON for people: two spaces a level, arrays of numbers on one line, doubles with enough digits to read back the same.
     internal sealed class JsonWriter
     {
         readonly StringBuilder m_text = new StringBuilder();
@@ -25,7 +24,7 @@ namespace FastPoints.Core
 
         public JsonWriter Add(string name, bool value) => Raw(name, value ? "true" : "false");
 
-        /// <summary>Writes null if the value is not finite: JSON has no word for that.</summary>
+        // Null if the value is not finite: JSON has no word for that.
         public JsonWriter Add(string name, double value) => Raw(name, Text(value));
 
         public JsonWriter Add(string name, double x, double y, double z) =>
@@ -34,7 +33,7 @@ namespace FastPoints.Core
         public JsonWriter Add(string name, long x, long y, long z) =>
             Raw(name, string.Format(CultureInfo.InvariantCulture, "[{0}, {1}, {2}]", x, y, z));
 
-        /// <summary>Writes sixteen hexadecimal digits as a string, which readers that only know doubles do not round.</summary>
+        // Sixteen hexadecimal digits as a string, which readers that only know doubles do not round.
         public JsonWriter AddHex(string name, ulong value) => Add(name, value.ToString("x16", CultureInfo.InvariantCulture));
 
         public override string ToString() => m_text + "\n";

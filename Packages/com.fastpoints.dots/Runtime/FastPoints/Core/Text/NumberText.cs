@@ -4,12 +4,11 @@ using Unity.Mathematics;
 
 namespace FastPoints.Core
 {
-    /// <summary>Writes numbers as the same text on every runtime: the fewest digits that read back as the same number, and of
-    /// these the nearest to it. Also reads the number nearest to a text.</summary>
-    /// <remarks>It calculates with whole numbers alone. .NET's own text has these digits, too, but one too few for some powers of
-    /// two (2^-25). Mono, which Unity's editor runs, writes up to 17 ("848935.20000000007") and reads many long texts one unit in
-    /// the last place too low. After Steele and White, "How to print floating-point numbers accurately", 1990; this is slow and
-    /// plain, since files have few numbers.</remarks>
+    // Writes numbers as the same text on every runtime: the fewest digits that read back as the same number, and of these the
+    // nearest to it. It calculates with whole numbers alone. .NET's own text has these digits, too, but one too few for some
+    // powers of two (2^-25). Mono, which Unity's editor runs, writes up to 17 ("848935.20000000007") and reads many long texts
+    // one unit in the last place too low. After Steele and White, "How to print floating-point numbers accurately", 1990; this
+    // is slow and plain, since files have few numbers.
     internal static class NumberText
     {
         public static string Of(long value) => value.ToString(CultureInfo.InvariantCulture);
@@ -28,11 +27,9 @@ namespace FastPoints.Core
             return Of(bits >> 31 != 0, (int)(bits >> 23) & 0xFF, bits & 0x7FFFFF, 23, -149, 9);
         }
 
-        /// <summary>The three numbers with commas between.</summary>
         public static string Of(double3 values) => Of(values.x) + ", " + Of(values.y) + ", " + Of(values.z);
 
-        /// <summary>Reads a number as <see cref="AsciiNumber"/> takes it, with nothing around it. The value is infinite if it
-        /// exceeds the doubles.</summary>
+        // As AsciiNumber takes it, with nothing around it; infinite beyond the doubles.
         public static unsafe bool TryRead(string text, out double value)
         {
             var bytes = new byte[text.Length + 1];
@@ -60,7 +57,7 @@ namespace FastPoints.Core
             return sign + Write(digits.ToString(CultureInfo.InvariantCulture), power, maxPlainDigits);
         }
 
-        /// <summary>Finds the text with the fewest digits that reads back as mantissa * 2^exponent: digits * 10^power.</summary>
+        // The fewest digits that read back as mantissa * 2^exponent: digits * 10^power.
         static ulong Shortest(ulong mantissa, int exponent, bool isCloseBelow, out int power)
         {
             // In quarters of the mantissa's unit, the number and the ends of its rounding interval are whole.
@@ -98,7 +95,7 @@ namespace FastPoints.Core
             }
         }
 
-        /// <summary>Writes them as .NET does: with an exponent of at least two digits instead of many zeros.</summary>
+        // As .NET writes them: with an exponent of at least two digits instead of many zeros.
         static string Write(string digits, int power, int maxPlainDigits)
         {
             int whole = digits.Length + power;

@@ -3,13 +3,10 @@ using Unity.Jobs;
 
 namespace FastPoints.Core
 {
-    /// <summary>Runs several pieces of work side by side, so that workers have the jobs of all of them at once.</summary>
     internal static class CoroutineGroup
     {
-        /// <summary>Coroutine: steps in turn all that are ready, and awaits the oldest where none is. It begins them in
-        /// their order; which ends first depends on their jobs.</summary>
-        /// <param name="coroutines">Taken when there is room for one more; each is disposed when it ends.</param>
-        /// <param name="maxInFlight">The most at work, which determine the memory.</param>
+        // Coroutine: steps in turn all that are ready, and awaits the oldest where none is, so that workers have the jobs of
+        // all of them. They begin in their order, when there is room, and end as their jobs do.
         public static IEnumerator<JobStep> Run(IEnumerable<IEnumerator<JobStep>> coroutines, int maxInFlight)
         {
             var running = new List<CoroutineStack>();
@@ -51,7 +48,7 @@ namespace FastPoints.Core
             }
         }
 
-        /// <summary>The first from a place on, in a circle, whose jobs have ended; -1 for none.</summary>
+        // The first from a place on, in a circle, whose jobs have ended; -1 for none.
         static int FindReady(List<CoroutineStack> coroutines, int from)
         {
             for (int i = 0; i < coroutines.Count; i++)

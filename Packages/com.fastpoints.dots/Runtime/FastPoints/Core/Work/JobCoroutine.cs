@@ -14,20 +14,15 @@ namespace FastPoints.Core
         internal readonly JobHandle Jobs;
         internal readonly IEnumerator<JobStep> Inner;
 
-        JobStep(JobHandle jobs, IEnumerator<JobStep> inner)
-        {
-            Jobs = jobs;
-            Inner = inner;
-        }
+        JobStep(JobHandle jobs, IEnumerator<JobStep> inner) => (Jobs, Inner) = (jobs, inner);
 
-        /// <summary>Runs all steps of <paramref name="inner"/>, which is disposed when it ends or when the work that yields it is
-        /// disposed.</summary>
+        /// <summary>Runs all steps of another piece of work, which is disposed when it ends or its parent is.</summary>
         public static JobStep Of(IEnumerator<JobStep> inner) => new JobStep(default, inner);
 
         public static implicit operator JobStep(JobHandle jobs) => new JobStep(jobs, null);
     }
 
-    /// <summary>Iterates the steps of work and of all work nested in it; each is the handle to await.</summary>
+    // Iterates the steps of work and of all work nested in it, as handles to await. It disposes from the inside out.
     internal sealed class CoroutineStack : IEnumerator<JobHandle>
     {
         readonly Stack<IEnumerator<JobStep>> m_stack = new Stack<IEnumerator<JobStep>>();
@@ -38,7 +33,6 @@ namespace FastPoints.Core
 
         object IEnumerator.Current => Current;
 
-        /// <summary>Runs the next step. If it throws, everything is disposed from the inside out.</summary>
         public bool MoveNext()
         {
             bool isWhole = false;
@@ -55,7 +49,6 @@ namespace FastPoints.Core
             }
         }
 
-        /// <summary>Disposes what has not ended, from the inside out.</summary>
         public void Dispose()
         {
             if (m_stack.Count == 0)
@@ -97,19 +90,17 @@ namespace FastPoints.Core
     }
 
     /// <summary>Drives work that is written as an iterator: each step schedules jobs and yields the handle that must complete
-    /// before the next step can run, or work to do first. An editor calls <see cref="Tick"/> once an update and never waits; the
-    /// converter calls <see cref="RunToEnd"/>, which waits.</summary>
-    /// <remarks>Work owns what it allocates: its <c>finally</c> blocks run when it ends, when it throws and when
-    /// <see cref="Cancel"/> disposes it, and they complete the jobs that are still in flight before they free memory.</remarks>
+    /// before the next step, or work to do first. An editor calls <see cref="Tick"/> once an update and never waits; a
+    /// converter calls <see cref="RunToEnd"/>. Work owns what it allocates: its <c>finally</c> blocks, which also Cancel runs,
+    /// complete jobs in flight and free memory.</summary>
     public sealed class JobCoroutine
     {
-        /// <summary>How long a tick looks whether a job that it began has ended, and after how many looks in vain, one after
-        /// another, the ticks between two of them no longer double.</summary>
+        // How long a tick looks whether a job that it began has ended, and after how many looks in vain, one after another, the
+        // ticks between two of them no longer double.
         const double SpinMs = 1;
         const int MaxFailedSpins = 4;
 
-        /// <summary>A tick that gets more than this is no part of a smooth frame: an editor's without focus, of which there are
-        /// few. It waits for jobs as long as its budget.</summary>
+        // A tick with more is no part of a smooth frame, but an editor's without focus: it waits for jobs all along.
         const double MaxFrameMs = 16;
 
         static readonly Func<double> s_nowMs = () => Stopwatch.GetTimestamp() * (1000.0 / Stopwatch.Frequency);
@@ -124,7 +115,6 @@ namespace FastPoints.Core
         {
         }
 
-        /// <param name="nowMs">The clock that budgets go by, in milliseconds.</param>
         internal JobCoroutine(IEnumerator<JobStep> work, Func<double> nowMs)
         {
             m_work = new CoroutineStack(work);
@@ -132,12 +122,9 @@ namespace FastPoints.Core
         }
 
         public bool IsDone { get; private set; }
-
-        /// <summary>Ticks that waited for a job that did not end.</summary>
         internal int FailedSpins { get; private set; }
 
-        /// <summary>Whether a job has ended. Without worker threads only who waits runs jobs: it is run here and now. Main
-        /// thread.</summary>
+        // Without worker threads only who waits runs jobs: it is run here and now. Main thread.
         internal static bool HasEnded(JobHandle job)
         {
             if (JobsUtility.JobWorkerCount == 0)
@@ -145,10 +132,9 @@ namespace FastPoints.Core
             return job.IsCompleted;
         }
 
-        /// <summary>Runs steps whose jobs are finished until <paramref name="budgetMs"/> is used up or a job is still running.
-        /// For a job that a step of this tick began it waits a moment, within the budget, as long as that has not been in
-        /// vain: many short jobs in a row would else take a tick each.</summary>
-        /// <returns>Whether the work is done.</returns>
+        /// <summary>Runs steps until the budget is used up or a job is still running. For a job that a step of this tick began
+        /// it waits a moment as long as that has not been in vain: many short jobs in a row would else take a tick each.
+        /// Returns whether the work is done.</summary>
         public bool Tick(double budgetMs)
         {
             double beginMs = m_nowMs();
@@ -193,8 +179,7 @@ namespace FastPoints.Core
             m_work.Dispose();
         }
 
-        /// <summary>Runs the work on the calling thread until it is done.</summary>
-        /// <exception cref="OperationCanceledException">The token was cancelled; everything is freed.</exception>
+        /// <summary>Runs the work on the calling thread until it is done, or is cancelled and all is freed.</summary>
         public static void RunToEnd(IEnumerator<JobStep> work, CancellationToken cancellation = default)
         {
             var coroutine = new JobCoroutine(work);

@@ -5,21 +5,15 @@ using System.Threading.Tasks;
 
 namespace FastPoints.Core
 {
-    /// <summary>Examines files off the main thread: opens them, asks for their lengths, reads what AsyncReadManager does not
-    /// suit. Whatever is thrown there reaches the caller as a <see cref="PointCloudException"/>.</summary>
+    /// <summary>Examines files on threads of the pool. What is thrown reaches the caller as a PointCloudException.</summary>
     public static class PoolTask
     {
-        /// <summary>Begins work on a thread of the thread pool.</summary>
-        /// <param name="path">The file or folder that it works on, for messages.</param>
-        /// <param name="work">Must not use anything that other code changes: it continues even when its result is no longer
-        /// wanted.</param>
-        /// <param name="unwanted">Frees a result that nobody took before the work was disposed, on any thread.</param>
+        /// <summary>Begins work, which must not use anything that other code changes: it continues even when its result is no
+        /// longer wanted. Unwanted results are freed on any thread. The path is for messages.</summary>
         public static PoolTask<T> Begin<T>(string path, Func<T> work, Action<T> unwanted = null) =>
             new PoolTask<T>(path, work, unwanted);
 
-        /// <summary>The same as a coroutine; it runs in place if the coroutine runs on a thread of the pool.</summary>
-        /// <param name="done">Takes the result, on the coroutine's thread.</param>
-        /// <param name="unwanted">Frees a result that came too late for that, on any thread.</param>
+        /// <summary>The same as a coroutine, whose thread takes the result; on the pool it runs in place.</summary>
         public static IEnumerator<JobStep> Run<T>(string path, Func<T> work, Action<T> done, Action<T> unwanted = null)
         {
             if (Thread.CurrentThread.IsThreadPoolThread)
@@ -51,9 +45,7 @@ namespace FastPoints.Core
 
         public bool IsDone => m_task.IsCompleted;
 
-        /// <summary>Hands over the result, which the caller owns from now on. Waits while the work is running.</summary>
-        /// <exception cref="PointCloudException">What was thrown; any other exception becomes one with <see
-        /// cref="FailureCode.Unexpected"/>.</exception>
+        /// <summary>Hands over the result; waits while the work is running. Throws what was thrown there.</summary>
         public T Take()
         {
             m_isTaken = true;

@@ -5,19 +5,17 @@ using Unity.Profiling.LowLevel.Unsafe;
 
 namespace FastPoints.Core
 {
-    /// <summary>Measures how long single runs of jobs took: Unity's queue has no priorities, so a run blocks its worker for
-    /// everything else in the frame. Jobs that follow one another share one; each adds its run.</summary>
+    // How long single runs of jobs took: Unity's queue has no priorities, so a run blocks its worker for everything else in the
+    // frame. Jobs that follow one another share one.
     internal struct SliceTimes : IDisposable
     {
-        /// <summary>One bucket is 0.1 ms; the last one has all longer runs.</summary>
-        const int Buckets = 8192;
+        const int Buckets = 8192; // One bucket is 0.1 ms; the last one has all longer runs.
         const long NanosecondsPerBucket = 100000;
 
         NativeArray<int> m_runsOfBucket;
 
         public SliceTimes(Allocator allocator) => m_runsOfBucket = new NativeArray<int>(Buckets, allocator);
 
-        /// <summary>Call it at the beginning of a run, for <see cref="End"/>.</summary>
         public static long Begin() => ProfilerUnsafeUtility.Timestamp;
 
         public void End(long begin)
@@ -27,7 +25,6 @@ namespace FastPoints.Core
             m_runsOfBucket[(int)math.clamp(nanoseconds / NanosecondsPerBucket, 0, Buckets - 1)]++;
         }
 
-        /// <summary>Adds the measurements of another one, which is reset.</summary>
         public void Take(SliceTimes other)
         {
             var from = other.m_runsOfBucket;
@@ -38,7 +35,7 @@ namespace FastPoints.Core
             }
         }
 
-        /// <summary>The time in ms that a share of the runs does not exceed: 1 for the longest. 0 if nothing ran.</summary>
+        // 1 for the longest; 0 if nothing ran.
         public double QuantileMs(double share)
         {
             long all = 0;

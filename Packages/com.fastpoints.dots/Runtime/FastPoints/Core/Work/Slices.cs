@@ -5,31 +5,24 @@ using Unity.Jobs.LowLevel.Unsafe;
 
 namespace FastPoints.Core
 {
-    /// <summary>Work on a range that is cut into short jobs. All of them are scheduled ahead: if each were awaited before the
-    /// next one, a tick of the coroutine would bring it on by one slice.</summary>
+    // Work on a range that is cut into short jobs. All are scheduled ahead: if each were awaited before the next one, a tick of
+    // the coroutine would bring it on by one slice.
     internal static class Slices
     {
-        /// <summary>Jobs to schedule in one step: a fraction of a millisecond of the main thread.</summary>
-        const int JobsPerStep = 16;
+        const int JobsPerStep = 16; // A fraction of a millisecond of the main thread.
+        const int MaxStepsInFlight = 32; // About a second's work.
 
-        /// <summary>Steps whose jobs are in flight at most: about a second's work.</summary>
-        const int MaxStepsInFlight = 32;
-
-        /// <summary>Chains that all workers, and a thread that waits, can run side by side.</summary>
+        // As all workers, and a thread that waits, can run side by side.
         public static int MaxChains => Math.Max(1, JobsUtility.JobWorkerCount) + 1;
 
-        /// <summary>Coroutine: the range in slices, each after the one before in its lane.</summary>
-        /// <param name="schedule">Schedules the slice from its first to before its second argument, after the third.</param>
-        /// <param name="chains">Chains side by side.</param>
-        /// <param name="inputDeps">What the first slices come behind; it is complete in the end.</param>
         public static IEnumerator<JobStep> Run(int begin, int end, int perSlice, Func<int, int, JobHandle, JobHandle> schedule,
             int chains = 1, JobHandle inputDeps = default)
         {
             var all = inputDeps;
             try
             {
-                yield return JobStep.Of(Schedule(begin, end, perSlice, schedule, chains, inputDeps, scheduled =>
-                    all = scheduled));
+                yield return JobStep.Of(Schedule(end - begin, perSlice, (first, stop, after) =>
+                    schedule(begin + first, begin + stop, after), chains, inputDeps, scheduled => all = scheduled));
                 yield return all;
             }
             finally
@@ -38,10 +31,8 @@ namespace FastPoints.Core
             }
         }
 
-        /// <summary>The same without awaiting the last slices.</summary>
-        /// <param name="scheduled">Receives the handle of all slices.</param>
-        public static IEnumerator<JobStep> Schedule(int begin, int end, int perSlice,
-            Func<int, int, JobHandle, JobHandle> schedule, int chains, JobHandle inputDeps, Action<JobHandle> scheduled)
+        public static IEnumerator<JobStep> Schedule(int count, int perSlice, Func<int, int, JobHandle, JobHandle> schedule,
+            int chains, JobHandle inputDeps, Action<JobHandle> scheduled)
         {
             var last = new JobHandle[chains];
             var steps = new Queue<JobHandle>();
@@ -50,10 +41,10 @@ namespace FastPoints.Core
             {
                 for (int chain = 0; chain < chains; chain++)
                     last[chain] = inputDeps;
-                for (int first = begin, n = 1; first < end; first += Math.Min(perSlice, end - first), n++)
+                for (int first = 0, n = 1; first < count; first += Math.Min(perSlice, count - first), n++)
                 {
                     int chain = n % chains;
-                    last[chain] = schedule(first, first + Math.Min(perSlice, end - first), last[chain]);
+                    last[chain] = schedule(first, first + Math.Min(perSlice, count - first), last[chain]);
                     if (n % JobsPerStep != 0)
                         continue;
                     JobHandle.ScheduleBatchedJobs();

@@ -4,8 +4,7 @@ using System.Diagnostics;
 
 namespace FastPoints.Core
 {
-    /// <summary>Progress of a long piece of work: its stages with their times, and the share of the running one that is done. The
-    /// thread that pumps the work writes it and may alone read it.</summary>
+    /// <summary>The stages of a long piece of work, and the share that is done. For the thread of the work alone.</summary>
     public sealed class StageProgress
     {
         /// <summary>The name, time and amounts of one stage.</summary>

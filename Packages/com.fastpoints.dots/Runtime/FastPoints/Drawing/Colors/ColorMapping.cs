@@ -3,55 +3,38 @@ using Unity.Mathematics;
 
 namespace FastPoints.Drawing
 {
-    /// <summary>Maps a point's stored values to its colour, for one batch layout. Blittable, for jobs.</summary>
+    // Maps a point's stored values to its colour, for one batch layout.
     internal struct ColorMapping
     {
-        /// <summary>The mode, which is never <see cref="ColorMode.Auto"/>.</summary>
-        public ColorMode Mode;
-
-        /// <summary>The three columns for RGB; for modes of one attribute, the first one is its column.</summary>
-        public PointColumn First;
+        public ColorMode Mode; // Never Auto.
+        public PointColumn First; // Three columns for RGB; modes of one attribute have the first alone.
         public PointColumn Second;
         public PointColumn Third;
-
-        /// <summary>The first entry of its table among all (<see cref="Palettes.CreateAll"/>); meaningless for RGB.</summary>
-        public int FirstEntry;
-
-        /// <summary>Whether the palette repeats: entries beyond 255 count from 0 again.</summary>
-        public bool Wraps;
-
-        /// <summary>Byte (or palette entry) = floor(value * Scale + Bias), clamped to 0 to 255.</summary>
-        public double Scale;
+        public int FirstEntry; // Of its table in Palettes.CreateAll; meaningless for RGB.
+        public bool Wraps; // Entries beyond 255 count from 0 again.
+        public double Scale; // Byte (or palette entry) = floor(value * Scale + Bias), clamped to 0 to 255.
         public double Bias;
 
-        /// <summary>For elevation: weights of the stored x, y and z in the value; otherwise 0.</summary>
+        // For elevation: weights of the stored x, y and z in the value; otherwise 0.
         public double3 PositionWeights;
 
-        /// <summary>The mapping for a mode that the batch has the columns for (see
-        /// <see cref="DisplayRanges.Resolve"/>).</summary>
-        /// <param name="gradient">The gradient for amounts.</param>
+        // For a mode that the batch has the columns for (DisplayRanges.Resolve).
         public static ColorMapping For(ColorMode mode, DisplayRanges ranges, PointBatch batch, in PositionTransform transform,
             Gradient gradient = Gradient.Auto)
         {
             var mapping = Of(mode, ranges, transform, gradient);
             var schema = batch.Schema;
-            switch (mode)
-            {
-                case ColorMode.Rgb:
-                    mapping.First = batch.Column(schema.IndexOf(AttributeNames.Red));
-                    mapping.Second = batch.Column(schema.IndexOf(AttributeNames.Green));
-                    mapping.Third = batch.Column(schema.IndexOf(AttributeNames.Blue));
-                    break;
-                default:
-                    if (ColorModes.AttributeOf(mode) is string attribute)
-                        mapping.First = batch.Column(schema.IndexOf(attribute));
-                    break;
-            }
+            if (ColorModes.AttributeOf(mode) is string attribute)
+                mapping.First = batch.Column(schema.IndexOf(attribute));
+            if (mode != ColorMode.Rgb)
+                return mapping;
+            mapping.First = batch.Column(schema.IndexOf(AttributeNames.Red));
+            mapping.Second = batch.Column(schema.IndexOf(AttributeNames.Green));
+            mapping.Third = batch.Column(schema.IndexOf(AttributeNames.Blue));
             return mapping;
         }
 
-        /// <summary>The mapping for a mode, without columns.</summary>
-        /// <param name="gradient">The gradient for amounts.</param>
+        // Without columns.
         public static ColorMapping Of(ColorMode mode, DisplayRanges ranges, in PositionTransform transform,
             Gradient gradient = Gradient.Auto)
         {
@@ -86,7 +69,7 @@ namespace FastPoints.Drawing
             return mapping;
         }
 
-        /// <summary>Maps low to entry 0 and high to entry 255; a single value maps to the middle.</summary>
+        // A single value maps to the middle.
         void SetRange(double low, double high)
         {
             double extent = high - low;

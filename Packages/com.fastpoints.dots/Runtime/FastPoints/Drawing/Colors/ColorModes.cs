@@ -3,16 +3,15 @@ using FastPoints.Core;
 
 namespace FastPoints.Drawing
 {
-    /// <summary>The attributes that each mode needs.</summary>
     internal static class ColorModes
     {
-        /// <summary>Modes whose values are names rather than amounts: there is nothing to measure.</summary>
+        // Modes whose values are names rather than amounts: there is nothing to measure.
         public static readonly IReadOnlyList<ColorMode> Categories = new[]
         {
             ColorMode.Classification, ColorMode.ReturnNumber, ColorMode.PointSource,
         };
 
-        /// <summary>The one attribute that a mode looks its colours up by; null for the others.</summary>
+        // The one attribute that a mode looks its colours up by; null for the others.
         public static string AttributeOf(ColorMode mode) => mode switch
         {
             ColorMode.Intensity => AttributeNames.Intensity,
@@ -22,8 +21,7 @@ namespace FastPoints.Drawing
             _ => null,
         };
 
-        /// <summary>The attributes to read before a mode can be chosen: colour, intensity, classes, and whatever else the wanted
-        /// mode needs.</summary>
+        // Read before a mode can be chosen: colour, intensity, classes, and whatever else the wanted mode needs.
         public static string[] AttributesToMeasure(ColorMode wanted)
         {
             var names = new List<string>

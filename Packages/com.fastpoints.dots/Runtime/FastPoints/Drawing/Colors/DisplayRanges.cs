@@ -12,39 +12,33 @@ namespace FastPoints.Drawing
     /// <summary>What a display needs to know of a cloud, found from all points of a sample.</summary>
     public sealed class DisplayRanges
     {
-        /// <summary>Of the values, this share at either end is taken for outliers.</summary>
-        const double OutlierShare = 0.005;
+        const double OutlierShare = 0.005; // Of the values, this share at either end is taken for outliers.
         const double IntensityOutlierShare = 0.01;
 
-        /// <summary>Outliers apart, the bounds are widened by this share of their size on either side.</summary>
+        // Outliers apart, the bounds are widened by this share of their size on either side.
         const double Widening = 0.1;
 
-        /// <summary>What lies farther from the middle half than so many times its longest edge is not framed, however many points
-        /// that are: scanners put what they did not hit at 0, and a hundredth of such points would make the rest one
-        /// pixel.</summary>
+        // What lies farther from the middle half than so many times its longest edge is not framed, however many points that
+        // are: scanners put what they did not hit at 0, and a hundredth of such points would make the rest one pixel.
         const double FarInInterquartileRanges = 50;
 
-        /// <summary>Bounds so many times as large as those that are framed are told of.</summary>
+        // Bounds so many times as large as those that are framed are told of.
         const double FarBoundsFactor = 10;
 
-        /// <summary>Within the degrees of the earth, so many times as high as they are wide: no object is, a place in degrees and
-        /// metres is a thousand times.</summary>
+        // Within the degrees of the earth, so many times as high as they are wide: no object is; degrees and metres are, a
+        // thousand times.
         const double MaxHeightPerDegree = 200;
 
         const double MetresPerDegree = 111_320;
 
-        /// <summary>Of 255: colours that are darker but for outliers cannot be told from the background.</summary>
+        // Of 255: colours that are darker but for outliers cannot be told from the background.
         const double DarkestColor = 12;
 
         const int MaxOutlinePoints = 4096;
+        const int SignalParts = 4; // A millisecond each.
+        const int PointsPerSlice = 1 << 17; // Less than a millisecond of managed code.
 
-        /// <summary>A millisecond each.</summary>
-        const int SignalParts = 4;
-
-        /// <summary>Of one slice of measuring: less than a millisecond of managed code.</summary>
-        const int PointsPerSlice = 1 << 17;
-
-        /// <summary>What is measured: the position first.</summary>
+        // The position first.
         static readonly string[] s_columns =
         {
             AttributeNames.X, AttributeNames.Y, AttributeNames.Z, AttributeNames.Intensity, AttributeNames.Red,
@@ -54,8 +48,7 @@ namespace FastPoints.Drawing
 
         bool m_hasFar;
 
-        /// <summary>Of the points that are not far out: less than 1 where only the largest of parts far apart is
-        /// framed.</summary>
+        // Of the points that are not far out: less than 1 where only the largest of parts far apart is framed.
         double m_shareFramed = 1;
 
         /// <summary>Whether the CRS says that X and Y are angles; otherwise it is guessed from the bounds.</summary>
@@ -75,15 +68,14 @@ namespace FastPoints.Drawing
         /// <summary>Some positions within <see cref="Robust"/>, at most 4,096: what a camera frames.</summary>
         public double3[] Outline = new double3[0];
 
-        /// <summary>The farthest positions in many directions, as far as they are not far outside of <see cref="Robust"/>: a
-        /// camera that shows them cuts nothing off. See <see cref="MeasureRimJob"/>.</summary>
+        /// <summary>The farthest positions in many directions, but for those far out of Robust: what a camera is to
+        /// show.</summary>
         public double3[] Rim = new double3[0];
 
         /// <summary>Points with a position that is not finite: in no range.</summary>
         public long NonFinite;
 
-        /// <summary>Heights along <see cref="UpAxis"/>, in CRS units: of a negative axis, coordinates with the other
-        /// sign.</summary>
+        /// <summary>Heights along UpAxis in CRS units: of a negative axis, coordinates with the other sign.</summary>
         public double ElevationLow;
         public double ElevationHigh;
 
@@ -94,8 +86,7 @@ namespace FastPoints.Drawing
 
         public bool HasIntensity;
 
-        /// <summary>Whether neighbours have more alike intensity than any two points, and not nearly all the same: a picture by
-        /// it shows something.</summary>
+        /// <summary>Whether neighbours have more alike intensity than any two points, and not nearly all the same.</summary>
         public bool IsIntensityUseful;
 
         /// <summary>Those of <see cref="ColorModes.Categories"/> whose attributes are there.</summary>
@@ -110,7 +101,7 @@ namespace FastPoints.Drawing
         /// <summary>What was assumed, and from what: a line for people each.</summary>
         public readonly List<string> Assumptions = new List<string>();
 
-        /// <summary>For a cloud's manifest; null where nothing was measured. The up axis is Z.</summary>
+        // For a manifest; null where nothing was measured. The up axis is Z.
         internal ShownRanges? ToShown() => Robust.IsEmpty ? (ShownRanges?)null : new ShownRanges
         {
             BoundsGeo = Robust,
@@ -119,8 +110,7 @@ namespace FastPoints.Drawing
             HasColor = Color != ColorDepth.None,
         };
 
-        /// <summary>What a converted cloud says of itself, without a look at its points: what is shown of it, or, where it does
-        /// not tell, bounds and ranges of its attributes, outliers included.</summary>
+        /// <summary>What a manifest says: what is shown of the cloud, or else bounds and ranges with outliers.</summary>
         public static DisplayRanges Of(CloudManifest manifest)
         {
             var bounds = manifest.BoundsGeo;
@@ -300,7 +290,7 @@ namespace FastPoints.Drawing
             return all;
         }
 
-        /// <summary>Chooses what is looked at, of the outline of all.</summary>
+        // Of the outline of all.
         void Frame()
         {
             var part = LargestPart.Of(Outline);
@@ -361,7 +351,7 @@ namespace FastPoints.Drawing
             Frame(low, high);
         }
 
-        /// <param name="low">What nearly all points lie between, and <paramref name="high"/>.</param>
+        // Nearly all points lie between these.
         void Frame(double3 low, double3 high)
         {
             SetElevation(low, high);
@@ -375,7 +365,6 @@ namespace FastPoints.Drawing
             ElevationHigh = UpAxis.Height(UpAxis.IsNegative() ? low : high);
         }
 
-        /// <summary>What is left where far points are left out, by the outline.</summary>
         void FrameOutline()
         {
             var low = new double3();
@@ -403,8 +392,7 @@ namespace FastPoints.Drawing
                 + ": these are framed");
         }
 
-        /// <summary>A degree of longitude is shorter by the cosine of the latitude; to whole degrees, so that another sample of
-        /// the cloud gives the same.</summary>
+        // A degree of longitude is shorter by the cosine of the latitude; to whole degrees, so that any sample gives the same.
         void SetLengths()
         {
             LengthsPerUnit = new double3(1, 1, 1);
@@ -428,8 +416,7 @@ namespace FastPoints.Drawing
             int step = (points.Count + MaxOutlinePoints - 1) / MaxOutlinePoints;
             for (long i = 0; i < points.Count; i += step)
             {
-                double3 position;
-                columns.LoadGeo(bytes, transform, (int)i, 1, &position.x, &position.y, &position.z);
+                var position = columns.GeoAt(bytes, transform, (int)i);
                 if (Robust.Contains(position))
                     outline.Add(position);
             }
@@ -460,11 +447,7 @@ namespace FastPoints.Drawing
             var column = points.Column(at);
             byte* bytes = (byte*)points.Bytes.GetUnsafeReadOnlyPtr();
             for (long i = 0; i < points.Count; i += step)
-            {
-                double value;
-                ColumnValues.ToDoubles(bytes + column.OffsetBytes, column.Type, (int)i, 1, &value);
-                Classes.Add((int)value);
-            }
+                Classes.Add((int)ColumnValues.ToDouble(bytes + column.OffsetBytes, column.Type, (int)i));
         }
 
         unsafe void AddSignal(SpatialSignal signal, PointBatch points, PositionTransform transform, int part)
@@ -475,10 +458,8 @@ namespace FastPoints.Drawing
             int step = (points.Count + SpatialSignal.MaxPoints - 1) / SpatialSignal.MaxPoints;
             for (long i = (long)part * step; i < points.Count; i += (long)SignalParts * step)
             {
-                double3 position;
-                double value;
-                columns.LoadGeo(bytes, transform, (int)i, 1, &position.x, &position.y, &position.z);
-                ColumnValues.ToDoubles(bytes + intensity.OffsetBytes, intensity.Type, (int)i, 1, &value);
+                var position = columns.GeoAt(bytes, transform, (int)i);
+                double value = ColumnValues.ToDouble(bytes + intensity.OffsetBytes, intensity.Type, (int)i);
                 if (Robust.Contains(position) && value - value == 0)
                     signal.Add(position, math.clamp(value, IntensityLow, IntensityHigh));
             }
@@ -513,7 +494,7 @@ namespace FastPoints.Drawing
             }
         }
 
-        /// <param name="max">Of all channels, more than 0.</param>
+        // The maximum is that of all channels, more than 0.
         static ColorDepth DepthOf(AttributeType type, double max) => type == AttributeType.UInt8 ? ColorDepth.Bits8
             : type.IsFloat() && max <= 1 ? ColorDepth.Unit : max <= byte.MaxValue ? ColorDepth.Bits8 : ColorDepth.Bits16;
     }

@@ -4,26 +4,16 @@ using Unity.Mathematics;
 
 namespace FastPoints.Drawing
 {
-    /// <summary>Chooses which of a cloud's parts to look at if they lie so far apart that all of them together cover a few
-    /// pixels.</summary>
+    // Chooses which part of a cloud to look at if all of them, far apart, would cover a few pixels together.
     static class LargestPart
     {
-        /// <summary>The whole is at least this many times as long as the part: each part is a few hundredths of a picture of
-        /// all.</summary>
+        // The whole is at least this many times as long as the part: a few hundredths of a picture of all.
         const double FarInSizes = 25;
-
-        /// <summary>The smallest gap between parts, as a share of the whole length.</summary>
-        const double MinGap = 1.0 / 16;
-
-        /// <summary>Fewer points do not make a part.</summary>
+        const double MinGap = 1.0 / 16; // As a share of the whole length.
         const int MinPoints = 100;
-
-        /// <summary>The deepest nesting of parts.</summary>
         const int MaxSplits = 16;
 
-        /// <param name="points">Evenly chosen points, in the file's order.</param>
-        /// <returns>The points of the part that has most of them (of equal parts, the first in the file); all points if no
-        /// parts are far apart.</returns>
+        // Points are evenly chosen, in the file's order. Of equal parts the first in the file; all points if none is far off.
         public static double3[] Of(double3[] points)
         {
             for (int split = 0; split < MaxSplits; split++)
@@ -38,7 +28,7 @@ namespace FastPoints.Drawing
             return points;
         }
 
-        /// <summary>The largest of the parts between wide gaps along an axis, or null if these are not small.</summary>
+        // The largest of the parts between wide gaps along an axis, or null if these are not small.
         static double3[] Split(double3[] points, int axis)
         {
             var values = new double[points.Length];
@@ -73,7 +63,6 @@ namespace FastPoints.Drawing
             return size > 0 && length >= FarInSizes * size ? largest.ToArray() : null;
         }
 
-        /// <summary>The longest edge of the points' box.</summary>
         static double SizeOf(List<double3> points)
         {
             double3 min = points[0], max = points[0];

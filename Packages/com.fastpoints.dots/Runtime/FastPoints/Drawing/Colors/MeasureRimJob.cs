@@ -7,16 +7,15 @@ using Unity.Mathematics;
 
 namespace FastPoints.Drawing
 {
-    /// <summary>Finds the farthest of some points in each of many directions from the middle of a box: those of a cube map whose
-    /// faces are those of the box. Of equally far points the first counts.</summary>
+    // Finds the farthest of some points in each of many directions from the middle of a box: those of a cube map whose faces
+    // are those of the box. Of equally far points the first counts.
     [BurstCompile]
     internal struct MeasureRimJob : IJob
     {
         const int EdgeOfFace = 16;
         public const int Directions = 6 * EdgeOfFace * EdgeOfFace;
 
-        /// <summary>A box counts as this share of its longest edge thick: thinner ones would leave few directions to their
-        /// sides.</summary>
+        // A box counts as this share of its longest edge thick: thinner ones would leave few directions to their sides.
         const double MinThickness = 0.05;
 
         [ReadOnly] public NativeArray<byte> Bytes;
@@ -24,12 +23,9 @@ namespace FastPoints.Drawing
         public PositionTransform Transform;
         public int First;
         public int Count;
+        public BoundsGeo Around; // Points that are farther outside than its longest edge do not count.
 
-        /// <summary>Points that are farther outside than its longest edge do not count.</summary>
-        public BoundsGeo Around;
-
-        /// <summary>Position, and its squared distance from the middle, as a multiple of the box's half edges; 0 for
-        /// none.</summary>
+        // Position, and its squared distance from the middle, as a multiple of the box's half edges; 0 for none.
         public NativeArray<double4> Farthest;
 
         public unsafe void Execute()
@@ -46,7 +42,8 @@ namespace FastPoints.Drawing
             for (int done = 0; done < Count; done += ColumnValues.RunLength)
             {
                 int run = math.min(ColumnValues.RunLength, Count - done);
-                Columns.LoadGeo((byte*)Bytes.GetUnsafeReadOnlyPtr(), Transform, First + done, run, x, y, z);
+                Columns.Load((byte*)Bytes.GetUnsafeReadOnlyPtr(), First + done, run, x, y, z);
+                Transform.ToGeo(run, x, y, z);
                 for (int i = 0; i < run; i++)
                 {
                     var from = new double3(x[i], y[i], z[i]) - middle;

@@ -3,48 +3,34 @@ using Unity.Collections;
 
 namespace FastPoints.Drawing
 {
-    /// <summary>Tables of 256 sRGB colours, one byte each from the lowest: red, green, blue, alpha.</summary>
+    // Tables of 256 sRGB colours, one byte each from the lowest: red, green, blue, alpha.
     internal static class Palettes
     {
         public const int Length = 256;
+        public const int Count = 6; // Three ramps, three of categories.
 
-        /// <summary>The number of tables: three ramps, three of categories.</summary>
-        public const int Count = 6;
-
-        /// <summary>Where ramps start: darker values would be lost against a dark background.</summary>
+        // Where ramps start: darker values would be lost against a dark background.
         const double DarkestShare = 0.12, DarkestLight = 0.03;
 
-        /// <summary>The table that a mode looks its colours up in; grey for <see cref="ColorMode.Rgb"/>, which needs
-        /// none.</summary>
-        /// <param name="gradient">The gradient for amounts; categories have colours of their own.</param>
+        // Grey for Rgb, which needs none. The gradient is for amounts alone.
         public static NativeArray<uint> Create(ColorMode mode, Allocator allocator, Gradient gradient = Gradient.Auto)
         {
             gradient = Resolve(mode, gradient);
             var palette = new NativeArray<uint>(Length, allocator, NativeArrayOptions.UninitializedMemory);
             for (int i = 0; i < Length; i++)
             {
-                double share = i / (Length - 1.0);
-                switch (mode)
+                palette[i] = mode switch
                 {
-                    case ColorMode.Classification:
-                        palette[i] = s_classes[i < s_classes.Length ? i : s_classes.Length - 1];
-                        break;
-                    case ColorMode.ReturnNumber:
-                        palette[i] = Hue(0.1 + 0.13 * i, 0.75, 0.95);
-                        break;
-                    case ColorMode.PointSource:
-                        // Steps of the golden ratio make neighbours differ, and no hue comes twice.
-                        palette[i] = Hue(i * 0.6180339887, 0.45 + 0.4 * (i % 3) / 2, 0.95 - 0.3 * (i % 2));
-                        break;
-                    default:
-                        palette[i] = Ramp(gradient, share);
-                        break;
-                }
+                    ColorMode.Classification => s_classes[Math.Min(i, s_classes.Length - 1)],
+                    ColorMode.ReturnNumber => Hue(0.1 + 0.13 * i, 0.75, 0.95),
+                    // Steps of the golden ratio make neighbours differ, and no hue comes twice.
+                    ColorMode.PointSource => Hue(i * 0.6180339887, 0.45 + 0.4 * (i % 3) / 2, 0.95 - 0.3 * (i % 2)),
+                    _ => Ramp(gradient, i / (Length - 1.0)),
+                };
             }
             return palette;
         }
 
-        /// <summary>Index in <see cref="CreateAll"/> of the table that a mode looks its colours up in.</summary>
         public static int IndexOf(ColorMode mode, Gradient gradient = Gradient.Auto) => mode switch
         {
             ColorMode.Classification => 3,
@@ -53,7 +39,6 @@ namespace FastPoints.Drawing
             _ => (int)Resolve(mode, gradient) - (int)Gradient.Viridis,
         };
 
-        /// <summary>All tables, one behind the other.</summary>
         public static NativeArray<uint> CreateAll(Allocator allocator)
         {
             var all = new NativeArray<uint>(Count * Length, allocator, NativeArrayOptions.UninitializedMemory);
@@ -80,10 +65,8 @@ namespace FastPoints.Drawing
             _ => Gray(DarkestLight + (1 - DarkestLight) * share),
         };
 
-        /// <summary>A colour of the hue circle (Smith, "Color gamut transform pairs", 1978).</summary>
-        /// <param name="turns">Around the circle: red, green at a third, blue at two.</param>
-        /// <param name="saturation">0 for grey, to 1.</param>
-        /// <param name="value">The value of the brightest channel, sRGB.</param>
+        // The hue circle (Smith, "Color gamut transform pairs", 1978): a turn is red, green at a third, blue at two; saturation
+        // 0 is grey, value that of the brightest channel, sRGB.
         static uint Hue(double turns, double saturation, double value)
         {
             byte Channel(double shift)
@@ -98,7 +81,7 @@ namespace FastPoints.Drawing
         public static uint Pack(byte red, byte green, byte blue, byte alpha = 255) =>
             red | (uint)green << 8 | (uint)blue << 16 | (uint)alpha << 24;
 
-        /// <summary>Grey with a share of white's light: linear in light, then encoded as sRGB (IEC 61966-2-1).</summary>
+        // Linear in light, then encoded as sRGB (IEC 61966-2-1).
         public static uint Gray(double light)
         {
             double encoded = light <= 0.0031308 ? 12.92 * light : 1.055 * Math.Pow(light, 1 / 2.4) - 0.055;
@@ -106,9 +89,8 @@ namespace FastPoints.Drawing
             return Pack(value, value, value);
         }
 
-        /// <summary>Viridis (Smith and van der Walt, 2015): even steps of lightness and hue in CAM02-UCS. Polynomials of degree
-        /// six over its sRGB values (fit by M. Zucker, CC0), at most 5 of 255 off; evaluated at each entry, so nothing is
-        /// interpolated.</summary>
+        // Viridis (Smith and van der Walt, 2015): even steps of lightness and hue in CAM02-UCS. Polynomials of degree six over
+        // its sRGB values (fit by M. Zucker, CC0), at most 5 of 255 off; evaluated at each entry, so nothing is interpolated.
         public static uint Viridis(double share)
         {
             double red = Polynomial(share, 0.27772733, 0.10509304, -0.33086183, -4.63423050, 6.22826994, 4.77638500, -5.43545586);
@@ -119,23 +101,27 @@ namespace FastPoints.Drawing
             return Pack(ToByte(red), ToByte(green), ToByte(blue));
         }
 
-        /// <summary>Turbo (Mikhailov, 2019): the rainbow with smooth lightness. Polynomials of degree five over its sRGB values
-        /// (fit by R. Du), at most an eighth off, at the ends.</summary>
+        // Turbo (Mikhailov, 2019): the rainbow with smooth lightness. Polynomials of degree five over its sRGB values (fit by
+        // R. Du), at most an eighth off, at the ends.
         public static uint Turbo(double share)
         {
-            double red = Polynomial(share, 0.13572138, 4.61539260, -42.66032258, 132.13108234, -152.94239396, 59.28637943, 0);
-            double green = Polynomial(share, 0.09140261, 2.19418839, 4.84296658, -14.18503333, 4.27729857, 2.82956604, 0);
-            double blue = Polynomial(share, 0.10667330, 12.64194608, -60.58204836, 110.36276771, -89.90310912, 27.34824973, 0);
+            double red = Polynomial(share, 0.13572138, 4.61539260, -42.66032258, 132.13108234, -152.94239396, 59.28637943);
+            double green = Polynomial(share, 0.09140261, 2.19418839, 4.84296658, -14.18503333, 4.27729857, 2.82956604);
+            double blue = Polynomial(share, 0.10667330, 12.64194608, -60.58204836, 110.36276771, -89.90310912, 27.34824973);
             return Pack(ToByte(red), ToByte(green), ToByte(blue));
         }
 
-        static double Polynomial(double x, double c0, double c1, double c2, double c3, double c4, double c5, double c6) =>
-            c0 + x * (c1 + x * (c2 + x * (c3 + x * (c4 + x * (c5 + x * c6)))));
+        static double Polynomial(double x, params double[] coefficients)
+        {
+            double sum = 0;
+            for (int i = coefficients.Length - 1; i >= 0; i--)
+                sum = coefficients[i] + x * sum;
+            return sum;
+        }
 
         static byte ToByte(double share) => (byte)Math.Min(255, Math.Max(0, share * 255 + 0.5));
 
-        /// <summary>Colours as viewers usually have them, indexed by ASPRS class number (LAS 1.4 R15, table 17); the last one is
-        /// for all classes that are reserved or the user's.</summary>
+        // As viewers usually have them, by ASPRS class (LAS 1.4 R15, table 17); the last is for all others.
         static readonly uint[] s_classes =
         {
             Pack(160, 160, 160), // 0 created, never classified

@@ -4,24 +4,17 @@ using Unity.Mathematics;
 
 namespace FastPoints.Drawing
 {
-    /// <summary>Tells values that depend on the place from noise, and from values that are nearly all the same: whether they vary
-    /// less within cubes of space than throughout.</summary>
+    // Tells values that depend on the place from noise, and from values that are nearly all the same: whether they vary less
+    // within cubes of space than throughout.
     sealed class SpatialSignal
     {
-        /// <summary>Of a sample, spread over it: a few milliseconds of managed code.</summary>
+        // Of a sample, spread over it: a few milliseconds of managed code.
         public const int MaxPoints = 16_384;
+        const int Cubes = 24; // Along the longest edge.
 
-        /// <summary>Along the longest edge.</summary>
-        const int Cubes = 24;
-
-        /// <summary>Noise varies within cubes as much as throughout, give or take two hundredths; returns of a dense forest
-        /// are hardly better.</summary>
+        // Noise varies within cubes as much as throughout, give or take two hundredths; a dense forest is hardly better.
         const double MaxVarianceWithin = 0.9;
-
-        /// <summary>With more points of one value, what is left is outliers.</summary>
-        const double MaxShareAlike = 0.75;
-
-        /// <summary>Too few to tell.</summary>
+        const double MaxShareAlike = 0.75; // With more points of one value, what is left is outliers.
         const int MinPoints = 64;
 
         readonly BoundsGeo m_bounds;
@@ -66,7 +59,7 @@ namespace FastPoints.Drawing
             }
         }
 
-        /// <summary>Of the differences from the mean.</summary>
+        // Of the differences from the mean.
         static double Squares(double3 sums) => math.max(0, sums.z - sums.y * sums.y / sums.x);
     }
 }

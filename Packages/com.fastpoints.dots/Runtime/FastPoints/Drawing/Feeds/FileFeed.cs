@@ -6,8 +6,8 @@ using FastPoints.Streaming;
 
 namespace FastPoints.Drawing
 {
-    /// <summary>The states of a cloud that has files and, now or later, a converted folder. The files are shown until the folder
-    /// exists, which takes over as it is built. When a build is broken off, the files are shown again.</summary>
+    // The states of a cloud that has files and, now or later, a converted folder. The files are shown until the folder exists,
+    // which takes over as it is built. When a build is broken off, the files are shown again.
     internal sealed class FileFeed : CloudFeed
     {
         readonly string m_folder;
@@ -19,11 +19,8 @@ namespace FastPoints.Drawing
         bool m_isSourceWhole;
         bool m_isBuildAborted;
 
-        /// <param name="folder">The converted cloud's folder, which may not exist.</param>
-        /// <param name="files">The files that it is made of; empty if unknown.</param>
-        /// <param name="source">The feed of the files, or null; this feed owns it.</param>
-        /// <param name="converted">The feed of the folder; this feed owns it.</param>
-        /// <param name="open">Opens the files again, on a pool thread, where a build is gone.</param>
+        // Owns both feeds. The folder may not exist, the files may be unknown (empty) and their feed null. open opens the files
+        // again, on a pool thread, where a build is gone.
         public FileFeed(string folder, IReadOnlyList<string> files, CloudFeed source, FolderFeed converted,
             Func<IReadOnlyList<string>, CloudFeed> open)
         {

@@ -3,14 +3,13 @@ using FastPoints.Streaming;
 
 namespace FastPoints.Drawing
 {
-    /// <summary>The states of a converted cloud: the finished one, or the generations of a build in progress.</summary>
+    // The states of a converted cloud: the finished one, or the generations of a build in progress, which this feed owns.
     internal sealed class FolderFeed : CloudFeed
     {
         readonly FolderGenerations m_generations;
         CloudFacts m_facts;
         CloudFolder m_described;
 
-        /// <param name="generations">This feed owns them.</param>
         public FolderFeed(FolderGenerations generations) => m_generations = generations;
 
         public override CloudFacts Newest
@@ -26,7 +25,7 @@ namespace FastPoints.Drawing
             }
         }
 
-        /// <summary>Whether a state was found and still exists.</summary>
+        // A state was found and still exists.
         public bool IsFound => m_generations.IsFound;
 
         public override bool IsEnded => !m_generations.IsBuilding && IsIdle;
@@ -35,7 +34,6 @@ namespace FastPoints.Drawing
 
         public override NodeSource Take(params string[] planes) => new FolderSource(m_generations.Take(), planes);
 
-        /// <summary>Discards the newest state.</summary>
         public void Skip() => m_generations.Take()?.Dispose();
 
         public override void Update(double budgetMs) => m_generations.Update();

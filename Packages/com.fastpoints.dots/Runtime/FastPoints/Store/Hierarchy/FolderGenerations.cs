@@ -4,14 +4,14 @@ using FastPoints.Core;
 
 namespace FastPoints.Store
 {
-    /// <summary>Follows the generations of a cloud's folder that may still be in the making: looks for a newer one once a second,
-    /// on a thread of the pool, and keeps it until it is taken. Main thread; only <see cref="Dispose"/> waits.</summary>
+    // Follows a cloud's folder that may still be in the making: looks for a newer generation once a second, on a thread of the
+    // pool, and keeps it until it is taken. Main thread; only Dispose waits.
     internal sealed class FolderGenerations : IDisposable
     {
-        /// <summary>Between two looks at the folder, however many frames come: in edit mode some come at rest, or none.</summary>
+        // However many frames come: in edit mode some come at rest, or none.
         public static readonly TimeSpan PollInterval = TimeSpan.FromSeconds(1);
 
-        /// <summary>For a moment after a build, neither it nor its result may exist.</summary>
+        // For a moment after a build, neither it nor its result may exist.
         const int MissesUntilDeleted = 2;
 
         readonly string m_path;
@@ -22,48 +22,40 @@ namespace FastPoints.Store
         int m_misses;
         bool m_isRequested;
 
-        /// <summary>The result of one look.</summary>
         struct Poll
         {
             public bool Exists;
 
-            /// <summary>Null if there is no newer one, or if it cannot be opened at this moment.</summary>
+            // Null if there is no newer one, or if it cannot be opened at this moment.
             public CloudFolder Newer;
         }
 
-        /// <param name="first">This object owns it; it is the first to be taken.</param>
+        // Owns the first, which is the first to be taken.
         public FolderGenerations(CloudFolder first) : this(first.FolderPath)
         {
             Keep(first);
         }
 
-        /// <summary>Follows a folder that may not exist yet.</summary>
-        /// <param name="path">With or without the suffix of a folder in the making.</param>
+        // The folder may not exist yet; with or without the suffix of one in the making.
         public FolderGenerations(string path)
         {
             m_path = StoreFormat.FinishedPath(path);
             IsBuilding = true;
         }
 
-        /// <summary>Number of the newest generation; 0 before the first.</summary>
+        // 0 before the first.
         public long Generation { get; private set; }
-
-        /// <summary>Whether any generation was found.</summary>
         public bool IsFound { get; private set; }
-
-        /// <summary>Whether it looks for newer ones.</summary>
         public bool IsBuilding { get; private set; }
 
-        /// <summary>Whether the folder no longer exists: the build was broken off, or the folder was deleted.</summary>
+        // The build was broken off, or the folder was deleted.
         public bool IsDeleted => m_misses >= MissesUntilDeleted;
 
-        /// <summary>Whether no look is asked for or in progress, and no generation waits to be taken.</summary>
+        // No look is asked for or in progress, and no generation waits to be taken.
         public bool IsIdle => m_polling == null && m_newest == null && !m_isRequested;
 
-        /// <summary>The newest generation that was not taken; null for none.</summary>
         public CloudFolder Newest => m_newest;
 
-        /// <summary>Hands over <see cref="Newest"/>.</summary>
         public CloudFolder Take()
         {
             var taken = m_newest;
@@ -71,11 +63,10 @@ namespace FastPoints.Store
             return taken;
         }
 
-        /// <summary>Looks again with the next update, even at a finished cloud, which may have been rebuilt.</summary>
+        // Looks again with the next update, even at a finished cloud, which may have been rebuilt.
         public void Refresh() => m_isRequested = true;
 
-        /// <summary>Called once a frame. It does not look while a generation waits to be taken, and never waits itself.</summary>
-        /// <exception cref="PointCloudException">A look failed unexpectedly.</exception>
+        // Called once a frame; it never waits. Throws where a look failed unexpectedly.
         public void Update()
         {
             if (m_polling != null && m_polling.IsDone)
@@ -96,7 +87,7 @@ namespace FastPoints.Store
 
         bool IsPollDue => (Stopwatch.GetTimestamp() - m_lastPoll) / (double)Stopwatch.Frequency >= PollInterval.TotalSeconds;
 
-        /// <summary>This is a method of its own because a lambda's closure is allocated where its method begins.</summary>
+        // A method of its own because a lambda's closure is allocated where its method begins.
         void BeginPoll()
         {
             string path = m_path;
@@ -106,7 +97,6 @@ namespace FastPoints.Store
             m_polling = PoolTask.Begin(path, () => PollFolder(path, cloudId, generation, wasBuilding));
         }
 
-        /// <summary>Waits if a folder is being opened.</summary>
         public void Dispose()
         {
             m_polling?.TakeOrDefault().Newer?.Dispose();

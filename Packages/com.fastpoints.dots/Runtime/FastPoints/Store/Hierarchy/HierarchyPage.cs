@@ -6,8 +6,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Store
 {
-    /// <summary>A part of a cloud's hierarchy that is loaded as a whole: the upper levels (page 0), or one chunk (pages 1 and
-    /// on). Its box is known before its nodes are. Blittable; owns its memory.</summary>
+    /// <summary>A part of a hierarchy that is loaded as a whole: the upper levels (page 0), or one chunk. Its box is known
+    /// before its nodes are. Owns its memory.</summary>
     public unsafe struct HierarchyPage
     {
         /// <summary>Null while the page is not loaded, as are the other pointers.</summary>
@@ -32,8 +32,7 @@ namespace FastPoints.Store
         /// <summary>Number of its nodes in flight or in the cache.</summary>
         public int NodesInCache;
 
-        /// <summary>Consecutive failed reads of its file, the frame of the last failure, and the frame until which none is
-        /// tried.</summary>
+        /// <summary>Consecutive failed reads of its file, the last one's frame, and that until which none is tried.</summary>
         public int Failures;
         public uint LastFailureFrame;
         public uint RetryFrame;
@@ -44,8 +43,7 @@ namespace FastPoints.Store
 
         public bool IsLoaded => Status == HierarchyPageStatus.Loaded;
 
-        /// <summary>Whether a node will never be loaded: it takes nothing of the budget, and what is below it is shown without
-        /// it.</summary>
+        /// <summary>A node that will never be loaded takes nothing of the budget; what is below it is shown.</summary>
         public bool IsHole(int node) =>
             States[node].Slot == NodeState.NoSlot && (IsBroken || States[node].Failures == NodeState.IsHole);
 
@@ -77,7 +75,7 @@ namespace FastPoints.Store
             Status = HierarchyPageStatus.Absent;
         }
 
-        /// <summary>Makes the page of a chunk, whose box is cut to the cloud's bounds.</summary>
+        // The chunk's box is cut to the cloud's bounds.
         internal static HierarchyPage OfChunk(in ChunkRecord chunk, in HierarchyGrid grid)
         {
             var page = new HierarchyPage();
@@ -99,7 +97,6 @@ namespace FastPoints.Store
         Failed,
     }
 
-    /// <summary>A page that a selection reached and found not loaded.</summary>
     internal struct MissingHierarchyPage
     {
         public int Cloud;
@@ -144,8 +141,7 @@ namespace FastPoints.Store
     /// <summary>What the selection knows of a node: 64 bytes, one line of the cache.</summary>
     public struct StreamNode
     {
-        /// <summary>Centre of the box around the points of the node and all below it, from the corner of the root cube, in CRS
-        /// units.</summary>
+        /// <summary>Of the box around all points from the node down, from the root's corner, in CRS units.</summary>
         public double3 Center;
         public float3 Half;
 
@@ -160,11 +156,46 @@ namespace FastPoints.Store
         public int FirstChunk;
         public int ChunkCount;
 
-        /// <summary>Points of the node and its inlined leaves; 0 for an inlined leaf, which is read, kept and drawn with its
-        /// parent.</summary>
+        /// <summary>With inlined leaves; 0 for an inlined leaf, which is read, kept and drawn with its parent.</summary>
         public int PointCount;
 
         /// <summary>Blocks in the node's planes.</summary>
         public int BlockCount;
+    }
+
+    // Maps grid positions to a cloud's own space: CRS units from the corner of the root cube.
+    internal struct HierarchyGrid
+    {
+        public Grid3 Corner;
+        public double3 Step;
+        public int RootSideLog2;
+        public Grid3 BoundsMin;
+        public Grid3 BoundsMax;
+
+        public HierarchyGrid(CloudManifest manifest)
+        {
+            Corner = manifest.Root.Corner;
+            Step = manifest.Grid.Step;
+            RootSideLog2 = manifest.Root.SideLog2;
+            BoundsMin = manifest.BoundsMin;
+            BoundsMax = manifest.BoundsMax;
+        }
+
+        public double3 ToLocal(Grid3 place)
+        {
+            var from = place - Corner;
+            return new double3(from.X, from.Y, from.Z) * Step;
+        }
+
+        // Both ends are included; rounded outwards.
+        public void Box(Grid3 min, Grid3 max, out double3 center, out float3 half) =>
+            Box(ToLocal(min), ToLocal(max), out center, out half);
+
+        public static void Box(double3 min, double3 max, out double3 center, out float3 half)
+        {
+            center = (min + max) * 0.5;
+            // The last digit of a float is 1.2e-7 of its value; the centre's rounding in double is far smaller.
+            half = (float3)((max - min) * (0.5 * (1 + 2.4e-7)));
+        }
     }
 }

@@ -1,20 +1,21 @@
 using FastPoints.Core;
+using Unity.Burst;
 using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.Jobs;
 using Unity.Mathematics;
 
 namespace FastPoints.Store
 {
-    /// <summary>Builds a page of the hierarchy from the records of a checked table. For jobs and for the main thread.</summary>
     internal static unsafe class HierarchyPageBuilding
     {
-        /// <param name="records">Records of a table without problems, as are <paramref name="ranges"/>.</param>
-        /// <param name="planesInTable">Number of planes of each node in the table.</param>
-        /// <param name="wanted">The streamed planes.</param>
-        /// <param name="chunks">The pages of all chunks, whose boxes are read. Null if no chunk is attached to the page.</param>
-        public static void Build(NodeRecord* records, PlaneRange* ranges, int nodeCount, int planesInTable, int* wanted,
-            int wantedCount, in HierarchyGrid grid, HierarchyPage* chunks, ref HierarchyPage page)
+        // From a table without problems. The pages of all chunks, whose boxes are read, are null if it has no chunks.
+        public static void Build(in TableCheck table, NativeArray<int> wanted, in HierarchyGrid grid, HierarchyPage* chunks,
+            ref HierarchyPage page)
         {
-            page.Allocate(nodeCount, wantedCount);
+            int nodeCount = table.NodeCount;
+            var records = table.Nodes;
+            page.Allocate(nodeCount, wanted.Length);
             var boxes = new NativeArray<LocalBox>(nodeCount, Allocator.Temp, NativeArrayOptions.UninitializedMemory);
             for (int n = 0; n < nodeCount; n++)
                 boxes[n] = OwnBox(records[n], grid);
@@ -42,8 +43,8 @@ namespace FastPoints.Store
                     IsWide = records[n].IsWide,
                     Level = (byte)(grid.RootSideLog2 - records[n].SideLog2),
                 };
-                for (int p = 0; p < wantedCount; p++)
-                    page.Planes[n * wantedCount + p] = ranges[(long)n * planesInTable + wanted[p]];
+                for (int p = 0; p < wanted.Length; p++)
+                    page.Planes[n * wanted.Length + p] = table.Planes[(long)n * table.PlaneCount + wanted[p]];
             }
             boxes.Dispose();
             page.Status = HierarchyPageStatus.Loaded;
@@ -86,11 +87,58 @@ namespace FastPoints.Store
             public double3 Min;
             public double3 Max;
 
-            public LocalBox(double3 min, double3 max)
-            {
-                Min = min;
-                Max = max;
-            }
+            public LocalBox(double3 min, double3 max) => (Min, Max) = (min, max);
+        }
+    }
+
+    // Checks everything of a chunk's table before it builds a page.
+    [BurstCompile]
+    internal unsafe struct BuildHierarchyPageJob : IJob
+    {
+        [ReadOnly] public NativeArray<byte> Table; // Node records, then each node's plane ranges.
+        public ChunkRecord Chunk;
+        public HierarchyGrid Grid;
+        [ReadOnly] public NativeArray<PlaneShape> Shapes;
+        [ReadOnly] public NativeArray<int> Wanted;
+
+        // The page, if Problem is none; the code that takes it owns its memory.
+        public NativeReference<HierarchyPage> Built;
+        public NativeReference<TableProblem> Problem;
+
+        public TableCheck Check => new TableCheck
+        {
+            Nodes = (NodeRecord*)Table.GetUnsafeReadOnlyPtr(),
+            Planes = (PlaneRange*)((byte*)Table.GetUnsafeReadOnlyPtr() + (long)Chunk.NodeCount * NodeRecord.SizeBytes),
+            NodeCount = Chunk.NodeCount,
+            PlaneCount = Shapes.Length,
+            Shapes = (PlaneShape*)Shapes.GetUnsafeReadOnlyPtr(),
+            Region = Chunk.Cube,
+            DataBytes = Chunk.TableOffset,
+            IsChunk = true,
+        };
+
+        public void Execute()
+        {
+            var check = Check;
+            Problem.Value = Find(check);
+            if (!Problem.Value.IsNone)
+                return;
+            var page = new HierarchyPage();
+            HierarchyPageBuilding.Build(check, Wanted, Grid, null, ref page);
+            Built.Value = page;
+        }
+
+        TableProblem Find(in TableCheck check)
+        {
+            if (ContentHash.Of(Table.GetUnsafeReadOnlyPtr(), Table.Length) != Chunk.TableHash)
+                return new TableProblem(TableFault.Hash);
+            var problem = check.Find();
+            long points = 0;
+            for (int n = 0; problem.IsNone && n < check.NodeCount; n++)
+                points += check.Nodes[n].PointCount;
+            if (problem.IsNone && points != Chunk.PointCount)
+                problem = new TableProblem(TableFault.PointSum, 0, Chunk.PointCount, points);
+            return problem;
         }
     }
 }

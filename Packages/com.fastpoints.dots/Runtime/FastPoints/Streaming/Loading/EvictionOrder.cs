@@ -3,13 +3,11 @@ using Unity.Collections;
 
 namespace FastPoints.Streaming
 {
-    /// <summary>The slots of a cache and their order, from the least to the most useful. Blittable, for jobs.</summary>
+    // The slots of a cache and their order, from the least to the most useful.
     internal struct EvictionOrder : IDisposable
     {
         public NativeList<CachedNode> Slots;
-
-        /// <summary>The least and the most useful slot, or <see cref="NodeCache.None"/>.</summary>
-        NativeReference<Ends> m_ends;
+        NativeReference<Ends> m_ends; // The least and the most useful slot, or NodeCache.None.
 
         struct Ends
         {
@@ -25,7 +23,6 @@ namespace FastPoints.Streaming
 
         public int NextToEvict => m_ends.Value.First;
 
-        /// <summary>Makes it the most useful.</summary>
         public void Touch(int slot, uint frame, int rank)
         {
             ref var used = ref Slots.ElementAt(slot);
@@ -73,7 +70,6 @@ namespace FastPoints.Streaming
         }
     }
 
-    /// <summary>A node that has memory in the pool.</summary>
     internal struct CachedNode
     {
         public const uint White = 0xFFFFFFFF;
@@ -84,37 +80,28 @@ namespace FastPoints.Streaming
         public PoolRange Range;
         public CachePhase Phase;
 
-        /// <summary>Must be remembered along with a slot's number: it rises when the slot is released.</summary>
+        // Must be remembered along with a slot's number: it rises when the slot is released.
         public int Version;
 
-        /// <summary>Frame of the last selection or prefetch that wanted it, and its rank there: 0 is the most needed.</summary>
+        // Frame of the last selection or prefetch that wanted it, and its rank there: 0 is the most needed.
         public uint UsedFrame;
         public int Rank;
+        public bool IsHidden; // Not drawn even if it is loaded.
+        public bool IsPinned; // Kept as long as there is any memory for it.
 
-        /// <summary>Whether it is not drawn even if it is loaded.</summary>
-        public bool IsHidden;
-
-        /// <summary>Whether it is kept as long as there is any memory for it.</summary>
-        public bool IsPinned;
-
-        /// <summary>Multiplies its points' colours: sRGB, with red, green, blue, alpha from the lowest byte; white leaves them
-        /// unchanged.</summary>
+        // Multiplies its points' colours: sRGB, with red, green, blue, alpha from the lowest byte.
         public uint Tint;
-
-        /// <summary>Neighbours in the order of usefulness.</summary>
         public int EvictedBefore;
         public int EvictedAfter;
     }
 
-    /// <summary>The state of a node in the cache.</summary>
     internal enum CachePhase : byte
     {
         Free,
-        /// <summary>Its bytes are in flight, or wait to be copied.</summary>
+        // Its bytes are in flight, or wait to be copied.
         Requested,
-        /// <summary>A job writes to its memory.</summary>
+        // A job writes to its memory.
         Uploading,
-        /// <summary>It is complete and can be drawn.</summary>
         Resident,
     }
 }

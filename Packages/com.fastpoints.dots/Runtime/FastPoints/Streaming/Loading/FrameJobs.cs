@@ -9,8 +9,7 @@ namespace FastPoints.Streaming
     // They run on the main thread, between steps that need their results at once: a job that is scheduled and awaited costs more
     // than all of one of them.
 
-    /// <summary>Orders the cache by what a frame has chosen: it evicts foreseen nodes before chosen ones, and those before
-    /// pinned ones.</summary>
+    // Orders the cache by what a frame has chosen: foreseen nodes go before chosen ones, and those before pinned ones.
     [BurstCompile]
     internal struct TouchNodesJob : IJob
     {
@@ -40,16 +39,13 @@ namespace FastPoints.Streaming
         }
     }
 
-    /// <summary>Lists nodes without a slot in the cache that can be requested now.</summary>
     [BurstCompile]
     internal unsafe struct ListWantedJob : IJob
     {
         [ReadOnly] public NativeArray<CloudPages> Clouds;
         [ReadOnly] public NativeArray<SelectedNode> Nodes;
         public uint Frame;
-
-        /// <summary><see cref="SelectedNode.Parent"/> of a listed node is its rank.</summary>
-        public NativeList<SelectedNode> Wanted;
+        public NativeList<SelectedNode> Wanted; // The parent of a listed node is its rank.
 
         public void Execute()
         {
@@ -67,7 +63,7 @@ namespace FastPoints.Streaming
         }
     }
 
-    /// <summary>Lists complete nodes whose ancestors are complete. A hole or a hidden node hides only itself.</summary>
+    // Lists complete nodes whose ancestors are complete. A hole or a hidden node hides only itself.
     [BurstCompile]
     internal unsafe struct ListDrawnJob : IJob
     {
@@ -115,16 +111,12 @@ namespace FastPoints.Streaming
         }
     }
 
-    /// <summary>The sums of a list of what to draw.</summary>
     internal struct DrawnTotals
     {
         public long Points;
-
-        /// <summary>Whether all chosen nodes are complete.</summary>
         public bool IsAll;
     }
 
-    /// <summary>The pages of one cloud, by its number. Blittable, for jobs.</summary>
     internal unsafe struct CloudPages
     {
         /// <summary>Null for a removed cloud.</summary>

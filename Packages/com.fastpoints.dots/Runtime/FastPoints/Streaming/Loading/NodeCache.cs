@@ -3,45 +3,34 @@ using Unity.Collections;
 
 namespace FastPoints.Streaming
 {
-    /// <summary>The nodes that have memory, from the least to the most useful: first those that no selection has wanted for
-    /// longest, then those that the last one wanted, in reverse order. Main thread.</summary>
+    // The nodes that have memory, from the least to the most useful: first those that no selection has wanted for longest, then
+    // those that the last one wanted, in reverse order. Main thread.
     internal sealed class NodeCache : IDisposable
     {
         public const int None = -1;
 
-        EvictionOrder m_order;
-        NativeList<int> m_free;
-        NativeList<int> m_pinned;
-
-        public NodeCache()
-        {
-            m_order = new EvictionOrder(Allocator.Persistent);
-            m_free = new NativeList<int>(1024, Allocator.Persistent);
-            m_pinned = new NativeList<int>(Allocator.Persistent);
-        }
+        EvictionOrder m_order = new EvictionOrder(Allocator.Persistent);
+        NativeList<int> m_free = new NativeList<int>(1024, Allocator.Persistent);
+        NativeList<int> m_pinned = new NativeList<int>(Allocator.Persistent);
 
         public int Count { get; private set; }
 
-        /// <summary>The first node to evict, or <see cref="None"/>.</summary>
         public int NextToEvict => m_order.NextToEvict;
 
-        /// <summary>For jobs of the main thread.</summary>
         public EvictionOrder Order => m_order;
 
-        /// <summary>The slots that are kept as long as there is any memory for them.</summary>
+        // Kept as long as there is any memory for them.
         public NativeArray<int> Pinned => m_pinned.AsArray();
 
         public CachedNode this[int slot] => m_order.Slots[slot];
 
-        /// <summary>All slots, including free ones.</summary>
         public NativeArray<CachedNode> Slots => m_order.Slots.AsArray();
 
-        /// <summary>Number of slots that were ever in use, including free ones.</summary>
+        // Slots that were ever in use, including free ones.
         public int SlotCount => m_order.Slots.Length;
 
         public bool IsValid(int slot, int version) => m_order.Slots[slot].Version == version;
 
-        /// <summary>Adds a slot as the most useful of all.</summary>
         public int Add(int cloud, int page, int node, PoolRange run)
         {
             int slot;
@@ -104,7 +93,6 @@ namespace FastPoints.Streaming
 
         public void SetRange(int slot, PoolRange run) => m_order.Slots.ElementAt(slot).Range = run;
 
-        /// <summary>Makes it the most useful.</summary>
         public void Touch(int slot, uint frame, int rank) => m_order.Touch(slot, frame, rank);
 
         public void Dispose()

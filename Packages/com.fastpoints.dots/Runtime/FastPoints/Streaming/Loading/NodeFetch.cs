@@ -8,42 +8,29 @@ using Unity.Jobs;
 
 namespace FastPoints.Streaming
 {
-    /// <summary>One read, from its beginning until its memory can be reused: a page's table, some nodes of one file, whose planes
-    /// are read in as few pieces as possible, or a node that is made. Main thread; where there are job workers, only
-    /// <see cref="Await"/> waits.</summary>
+    // One read, from its beginning until its memory can be reused: a page's table, some nodes of one file, whose planes are
+    // read in as few pieces as possible, or a node that is made. Main thread; where there are workers, only Await waits.
     internal sealed unsafe class NodeFetch : IDisposable
     {
         readonly StreamState m_state;
         NativeArray<byte> m_bytes;
-        NativeList<ReadCommand> m_commands;
-        NativeList<FetchPart> m_parts;
-        NativeList<FetchPart> m_sorted;
-        NativeList<FetchedNode> m_nodes;
+        NativeList<ReadCommand> m_commands = new NativeList<ReadCommand>(64, Allocator.Persistent);
+        NativeList<FetchPart> m_parts = new NativeList<FetchPart>(256, Allocator.Persistent);
+        NativeList<FetchPart> m_sorted = new NativeList<FetchPart>(256, Allocator.Persistent);
+        NativeList<FetchedNode> m_nodes = new NativeList<FetchedNode>(64, Allocator.Persistent);
 
-        /// <summary>Offset of each plane's bytes in what was read, indexed by node times planes, plus plane.</summary>
-        NativeList<long> m_offsets;
-        NativeReference<HierarchyPage> m_built;
-        NativeReference<TableProblem> m_problem;
+        // Of each plane's bytes in what was read, by node times planes, plus plane.
+        NativeList<long> m_offsets = new NativeList<long>(256, Allocator.Persistent);
+        NativeReference<HierarchyPage> m_built = new NativeReference<HierarchyPage>(Allocator.Persistent);
+        NativeReference<TableProblem> m_problem = new NativeReference<TableProblem>(Allocator.Persistent);
         ReadHandle m_read;
         JobHandle m_building;
         NodeTranscoder m_transcoder;
         long m_readBytes;
 
-        public NodeFetch(StreamState state)
-        {
-            m_state = state;
-            m_commands = new NativeList<ReadCommand>(64, Allocator.Persistent);
-            m_parts = new NativeList<FetchPart>(256, Allocator.Persistent);
-            m_sorted = new NativeList<FetchPart>(256, Allocator.Persistent);
-            m_nodes = new NativeList<FetchedNode>(64, Allocator.Persistent);
-            m_offsets = new NativeList<long>(256, Allocator.Persistent);
-            m_built = new NativeReference<HierarchyPage>(Allocator.Persistent);
-            m_problem = new NativeReference<TableProblem>(Allocator.Persistent);
-        }
+        public NodeFetch(StreamState state) => m_state = state;
 
         public FetchPhase Phase { get; private set; }
-
-        /// <summary>Rises from read to read.</summary>
         public long Number { get; private set; }
         public int CloudIndex { get; private set; }
         public StreamedCloud Cloud { get; private set; }
@@ -51,15 +38,12 @@ namespace FastPoints.Streaming
         public bool IsTable { get; private set; }
         public bool IsCancelled { get; private set; }
 
-        /// <summary>Index of the first node whose copying has not begun.</summary>
+        // The first node whose copying has not begun.
         public int FirstWaiting { get; set; }
-
-        /// <summary>Whether a job copies from this read's memory.</summary>
         public bool IsBeingCopied { get; set; }
 
         public NativeArray<FetchedNode> Nodes => m_nodes.AsArray();
 
-        /// <summary>Begins to read a page's table.</summary>
         public void BeginTable(long number, int cloudIndex, StreamedCloud cloud, int page)
         {
             Begin(number, cloudIndex, cloud, page, true);
@@ -73,12 +57,11 @@ namespace FastPoints.Streaming
             Read(piece.Path, piece.LengthBytes);
         }
 
-        /// <summary>Begins an empty read: <see cref="Add"/> some nodes, then call <see cref="ReadNodes"/>.</summary>
+        // Begins an empty read: Add some nodes, then call ReadNodes.
         public void BeginNodes(long number, int cloudIndex, StreamedCloud cloud, int page) =>
             Begin(number, cloudIndex, cloud, page, false);
 
-        /// <summary>Begins to make a node.</summary>
-        /// <param name="transcoder">A transcoder of the cloud's source, which this fetch gives back.</param>
+        // The transcoder is of the cloud's source; this fetch gives it back.
         public void BeginTranscoding(long number, int cloudIndex, StreamedCloud cloud, int page, FetchedNode node,
             NodeTranscoder transcoder)
         {
@@ -105,8 +88,7 @@ namespace FastPoints.Streaming
             m_nodes.Add(node);
         }
 
-        /// <summary>Begins to read the nodes.</summary>
-        /// <param name="gapBytes">Pieces that are no farther apart than this are read as one.</param>
+        // Pieces that are no farther apart than the gap are read as one.
         public void ReadNodes(int gapBytes)
         {
             SortParts();
@@ -133,7 +115,7 @@ namespace FastPoints.Streaming
             Read(Cloud.Source.PathOf(Page), total);
         }
 
-        /// <summary>Cancels the read, which continues until it reports its end.</summary>
+        // The read continues until it reports its end.
         public void Cancel()
         {
             if (Phase == FetchPhase.Reading && !IsCancelled)
@@ -141,7 +123,6 @@ namespace FastPoints.Streaming
             IsCancelled = true;
         }
 
-        /// <returns>Whether the read has ended, with <paramref name="status"/>.</returns>
         public bool TryEndRead(out ReadStatus status, out long bytes)
         {
             status = default;
@@ -157,7 +138,6 @@ namespace FastPoints.Streaming
             return true;
         }
 
-        /// <returns>Whether the node is made or has failed.</returns>
         public bool TryEndTranscoding(out TranscodeResult outcome, out StreamFailure failure, out long bytes)
         {
             outcome = default;
@@ -173,14 +153,14 @@ namespace FastPoints.Streaming
             return true;
         }
 
-        /// <summary>Begins to make a page from the table that was read, or from what the source knows.</summary>
+        // From the table that was read, or from what the source knows.
         public void Build()
         {
             m_building = Cloud.Source.ScheduleBuild(Page, Table, m_built, m_problem);
             Phase = FetchPhase.Building;
         }
 
-        /// <returns>Whether the page is made or has failed, and this read is free for another.</returns>
+        // Whether the page is made or has failed, and this read is free for another.
         public bool TryEndBuild(out HierarchyPage page, out TableProblem problem)
         {
             page = default;
@@ -195,8 +175,6 @@ namespace FastPoints.Streaming
 
         public string Describe(TableProblem problem) => Cloud.Source.Describe(Page, Table, problem);
 
-        /// <summary>Adds the planes of one node as parts of an upload.</summary>
-        /// <param name="to">The node's memory.</param>
         public void AddParts(int index, byte* to, int upload, NativeList<UploadPart> parts)
         {
             int node = m_nodes[index].Node;
@@ -222,7 +200,6 @@ namespace FastPoints.Streaming
             }
         }
 
-        /// <summary>Releases it for the next read.</summary>
         public void End()
         {
             Phase = FetchPhase.Idle;
@@ -232,7 +209,6 @@ namespace FastPoints.Streaming
             Cloud = null;
         }
 
-        /// <summary>Waits for unfinished work and ends it.</summary>
         public void Await()
         {
             if (Phase == FetchPhase.Reading)
@@ -272,7 +248,7 @@ namespace FastPoints.Streaming
 
         NativeArray<byte> Table => m_readBytes > 0 ? m_bytes.GetSubArray(0, (int)m_readBytes) : default;
 
-        /// <summary>Sorts by offset in the file. It merges, since nodes come in sequences that are already sorted.</summary>
+        // By offset in the file. It merges, since nodes come in sequences that are already sorted.
         void SortParts()
         {
             int count = m_parts.Length;
@@ -330,33 +306,25 @@ namespace FastPoints.Streaming
         }
     }
 
-    /// <summary>The state of a read.</summary>
     internal enum FetchPhase : byte
     {
         Idle,
         Reading,
-        /// <summary>A job makes a page from the table that was read.</summary>
         Building,
-        /// <summary>A node is read and made by a <see cref="NodeTranscoder"/>.</summary>
         Transcoding,
-        /// <summary>Its nodes wait to be copied into the pool, or are being copied.</summary>
+        // Its nodes wait to be copied into the pool, or are being copied.
         Arrived,
     }
 
-    /// <summary>One plane of one node in a read.</summary>
     internal struct FetchPart
     {
         public long OffsetBytes;
         public long LengthBytes;
-
-        /// <summary>Index among the read's nodes.</summary>
         public int Node;
-
-        /// <summary>Index among the streamed planes.</summary>
         public int Plane;
     }
 
-    /// <summary>A node in a read; its slot shows whether it is still wanted.</summary>
+    // Its slot shows whether it is still wanted.
     internal struct FetchedNode
     {
         public int Node;

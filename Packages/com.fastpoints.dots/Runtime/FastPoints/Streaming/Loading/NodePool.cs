@@ -1,11 +1,12 @@
 using System;
+using System.Collections.Generic;
 using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
 
 namespace FastPoints.Streaming
 {
     /// <summary>The memory that nodes are drawn from: banks of one size, cut into pages, which are allocated when needed and
-    /// freed when empty. It never exceeds its limit. The derived class decides where the memory lies (here, or on a graphics
-    /// card).</summary>
+    /// freed when empty, within a limit. Derived classes decide where the memory lies.</summary>
     public abstract unsafe class NodePool : IDisposable
     {
         /// <summary>Bytes of a page. A node's last page is half empty on average, which is 1 % of a node of 50 KB.</summary>
@@ -30,8 +31,7 @@ namespace FastPoints.Streaming
 
         public int BankBytes => m_pagesPerBank * PageBytes;
 
-        /// <summary>The limit; banks are always whole. After lowering it, nodes in banks beyond <see cref="BankLimit"/> must be
-        /// released.</summary>
+        /// <summary>Banks are whole. After lowering it, nodes in banks beyond BankLimit must be released.</summary>
         public long LimitBytes
         {
             get => m_limitBytes;
@@ -91,8 +91,7 @@ namespace FastPoints.Streaming
                 Free(run.Bank);
         }
 
-        /// <summary>Keeps as much of a range as these bytes need, and takes the rest back.</summary>
-        /// <returns>Whether the range is long enough.</returns>
+        /// <summary>Keeps as much of a range as these bytes need. Returns whether it is long enough.</summary>
         public bool TryShorten(ref PoolRange run, long bytes)
         {
             int pages = PagesFor(bytes);
@@ -115,14 +114,12 @@ namespace FastPoints.Streaming
         /// <summary>Called once a frame, before everything else.</summary>
         public virtual void BeginFrame() { }
 
-        /// <summary>Begins the one upload that may be in flight, if there is memory to write to. It takes at least one
-        /// node.</summary>
+        /// <summary>Begins the one upload that may be in flight, of at least one node, if there is memory.</summary>
         /// <param name="maxBytes">The most that it is to take.</param>
         public virtual bool TryBeginUpload(int maxBytes) => true;
 
-        /// <summary>The address where the upload's job writes the contents of a range, front to back and without reading. Null if
-        /// the upload has no more room.</summary>
-        /// <param name="bytes">A multiple of 16.</param>
+        /// <summary>Where the upload's job writes a range, of a multiple of 16 bytes, front to back without reading. Null if
+        /// there is no room.</summary>
         public abstract byte* AddressForUpload(PoolRange run, long bytes);
 
         /// <summary>Ends the upload after its job is complete: its nodes can be drawn from now on.</summary>
@@ -181,5 +178,33 @@ namespace FastPoints.Streaming
         public int PageCount;
 
         public bool IsNone => PageCount == 0;
+    }
+
+    /// <summary>A pool in ordinary memory, for software pictures.</summary>
+    public sealed unsafe class MemoryNodePool : NodePool
+    {
+        readonly List<NativeArray<byte>> m_memory = new List<NativeArray<byte>>();
+
+        public MemoryNodePool(long limitBytes, int bankBytes = 16 << 20) : base(limitBytes, bankBytes) { }
+
+        /// <summary>The address of a range's bytes.</summary>
+        public byte* AddressOf(PoolRange run) =>
+            (byte*)NativeArrayUnsafeUtility.GetUnsafeBufferPointerWithoutChecks(m_memory[run.Bank]) +
+            (long)run.FirstPage * PageBytes;
+
+        public override byte* AddressForUpload(PoolRange run, long bytes) => AddressOf(run);
+
+        protected override void CreateBank(int bank)
+        {
+            while (m_memory.Count <= bank)
+                m_memory.Add(default);
+            m_memory[bank] = new NativeArray<byte>(BankBytes, Allocator.Persistent, NativeArrayOptions.UninitializedMemory);
+        }
+
+        protected override void DisposeBank(int bank)
+        {
+            m_memory[bank].Dispose();
+            m_memory[bank] = default;
+        }
     }
 }

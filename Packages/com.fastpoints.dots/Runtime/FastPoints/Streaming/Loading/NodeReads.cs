@@ -9,27 +9,21 @@ using Unity.Jobs;
 
 namespace FastPoints.Streaming
 {
-    /// <summary>The reads of all clouds. Only a few are in flight at a time, so that the most needed data never waits long. Reads
-    /// are cancelled when their data is no longer wanted; failed ones are retried, then reported.</summary>
+    // The reads of all clouds. Only a few are in flight at a time, so that the most needed data never waits long. Reads are
+    // cancelled when their data is no longer wanted; failed ones are retried, then reported.
     internal sealed unsafe class NodeReads : IDisposable
     {
-        /// <summary>Foreseen nodes rank behind all selected ones.</summary>
-        public const int FirstPrefetchRank = 1 << 30;
+        public const int FirstPrefetchRank = 1 << 30; // Foreseen nodes rank behind all selected ones.
 
         readonly StreamState m_state;
         readonly List<NodeFetch> m_fetches = new List<NodeFetch>();
-        NativeList<SelectedNode> m_wanted;
+        NativeList<SelectedNode> m_wanted = new NativeList<SelectedNode>(1024, Allocator.Persistent);
         long m_count;
 
-        public NodeReads(StreamState state)
-        {
-            m_state = state;
-            m_wanted = new NativeList<SelectedNode>(1024, Allocator.Persistent);
-        }
+        public NodeReads(StreamState state) => m_state = state;
 
         public List<NodeFetch> Fetches => m_fetches;
 
-        /// <summary>Number of reads that are not free for another.</summary>
         public int InFlightCount
         {
             get
@@ -49,7 +43,6 @@ namespace FastPoints.Streaming
             return false;
         }
 
-        /// <summary>Takes reads that have ended.</summary>
         public void Receive(ref FrameStats stats)
         {
             foreach (var fetch in m_fetches)
@@ -79,8 +72,8 @@ namespace FastPoints.Streaming
             }
         }
 
-        /// <summary>Begins reads: first the tables that the selection missed, then its missing nodes, then what will be needed
-        /// soon. It makes room in the pool for each node first.</summary>
+        // First the tables that the selection missed, then its missing nodes, then what will be needed soon. It makes room in
+        // the pool for each node first.
         public void Request(ref FrameStats stats)
         {
             // All are made at once in the first frame, so that later ones make no garbage.
@@ -111,7 +104,7 @@ namespace FastPoints.Streaming
             RequestNodes(FirstPrefetchRank, ref stats);
         }
 
-        /// <summary>Cancels all reads of a cloud, or of all clouds.</summary>
+        // Of one cloud, or of all if it is null.
         public void Cancel(StreamedCloud cloud)
         {
             foreach (var fetch in m_fetches)
@@ -143,7 +136,7 @@ namespace FastPoints.Streaming
             Wanted = m_wanted,
         }.Run();
 
-        /// <returns>Whether the pool had room for everything requested.</returns>
+        // Whether the pool had room for everything requested.
         bool RequestNodes(int firstRank, ref FrameStats stats)
         {
             for (int i = 0; i < m_wanted.Length; i++)
@@ -192,8 +185,7 @@ namespace FastPoints.Streaming
             return true;
         }
 
-        /// <summary>Begins to make a node if its source has an idle transcoder.</summary>
-        /// <returns>Whether the pool had room for it.</returns>
+        // Begins if the source has an idle transcoder. Returns whether the pool had room.
         bool TryBeginTranscoding(NodeFetch fetch, StreamedCloud cloud, SelectedNode node, int firstRank, ref FrameStats stats)
         {
             var transcoder = cloud.Source.RentTranscoder(cloud.Pages[node.Page].Nodes[node.Node].PointCount);
@@ -334,7 +326,7 @@ namespace FastPoints.Streaming
             fetch.End();
         }
 
-        /// <summary>Drops what the read was to bring; it is requested again if it is still wanted.</summary>
+        // What the read was to bring is requested again if it is still wanted.
         void Drop(NodeFetch fetch, HierarchyPage* page)
         {
             if (fetch.IsTable)

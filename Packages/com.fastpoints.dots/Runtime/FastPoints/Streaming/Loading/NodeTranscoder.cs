@@ -7,7 +7,7 @@ using Unity.Jobs;
 namespace FastPoints.Streaming
 {
     /// <summary>Makes nodes of a source whose files do not hold them packed, one at a time: a read, then jobs that decode and
-    /// pack, in memory that is reused from node to node. Main thread; only <see cref="Dispose"/> waits.</summary>
+    /// pack, in memory that is reused. Main thread; only Dispose waits.</summary>
     public abstract class NodeTranscoder : IDisposable
     {
         /// <summary>The handle of what was begun last.</summary>
@@ -16,19 +16,15 @@ namespace FastPoints.Streaming
         /// <summary>Bytes read from files for the node that was made last.</summary>
         public abstract long BytesRead { get; }
 
-        /// <summary>The planes that it makes, one behind the other with space after them, valid until the next node
-        /// begins.</summary>
+        /// <summary>One behind the other with space after them, valid until the next node begins.</summary>
         public abstract NativeArray<byte> Planes { get; }
 
         /// <summary>Begins a node; the one before must have ended.</summary>
         public abstract void Begin(in HierarchyPage page, int node);
 
-        /// <summary>Ends a node whose work is done.</summary>
-        /// <param name="failure">The failure, if the outcome is not <see cref="TranscodeResult.Done"/>.</param>
         internal abstract TranscodeResult End(out StreamFailure failure);
 
-        /// <summary>Ends a node whose work is done, for a caller that needs it.</summary>
-        /// <exception cref="PointCloudException">The outcome is not <see cref="TranscodeResult.Done"/>.</exception>
+        /// <summary>Ends a node whose work is done, or throws a <see cref="PointCloudException"/>.</summary>
         public void EndOrThrow()
         {
             var outcome = End(out var failure);
@@ -41,8 +37,7 @@ namespace FastPoints.Streaming
         /// <param name="plane">Index among the planes that it makes.</param>
         public abstract long LengthOf(int plane);
 
-        /// <summary>One of <see cref="Planes"/>.</summary>
-        /// <param name="plane">Index among the planes that it makes.</param>
+        /// <summary>One of Planes, by its index among those that it makes.</summary>
         public NativeArray<byte> PlaneOf(int plane)
         {
             long start = 0;
@@ -55,13 +50,12 @@ namespace FastPoints.Streaming
         public abstract void Dispose();
     }
 
-    /// <summary>The outcome of making a node.</summary>
     internal enum TranscodeResult : byte
     {
         Done,
-        /// <summary>The node's bytes are wrong or missing.</summary>
+        // The node's bytes are wrong or missing.
         Damaged,
-        /// <summary>The file, which also holds other nodes, cannot be read.</summary>
+        // The file, which also holds other nodes, cannot be read.
         Unreadable,
     }
 
@@ -74,12 +68,8 @@ namespace FastPoints.Streaming
         public readonly long OffsetBytes;
         public readonly string What;
 
-        public StreamFailure(string path, long offsetBytes, string what)
-        {
-            Path = path;
-            OffsetBytes = offsetBytes;
-            What = what;
-        }
+        public StreamFailure(string path, long offsetBytes, string what) =>
+            (Path, OffsetBytes, What) = (path, offsetBytes, what);
 
         public override string ToString() => Path + (OffsetBytes >= 0 ? " at " + NumberText.Of(OffsetBytes) : "") + ": " + What;
     }

@@ -1,39 +1,35 @@
 using System;
 using System.Collections.Generic;
 using FastPoints.Core;
+using FastPoints.Store;
+using Unity.Burst;
 using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
 using Unity.Jobs;
 
 namespace FastPoints.Streaming
 {
-    /// <summary>Moves nodes from reads into the pool: one job at a time, with as much as a frame may copy.</summary>
+    // Moves nodes from reads into the pool: one job at a time, with as much as a frame may copy.
     internal sealed unsafe class NodeUploads : IDisposable
     {
         readonly StreamState m_state;
         readonly List<NodeFetch> m_copied = new List<NodeFetch>();
-        NativeList<int> m_slots;
-        NativeList<UploadPart> m_parts;
-        NativeList<bool> m_isDamaged;
+        NativeList<int> m_slots = new NativeList<int>(256, Allocator.Persistent);
+        NativeList<UploadPart> m_parts = new NativeList<UploadPart>(512, Allocator.Persistent);
+        NativeList<bool> m_isDamaged = new NativeList<bool>(512, Allocator.Persistent);
         JobHandle m_job;
 
-        public NodeUploads(StreamState state)
-        {
-            m_state = state;
-            m_slots = new NativeList<int>(256, Allocator.Persistent);
-            m_parts = new NativeList<UploadPart>(512, Allocator.Persistent);
-            m_isDamaged = new NativeList<bool>(512, Allocator.Persistent);
-        }
+        public NodeUploads(StreamState state) => m_state = state;
 
         public bool IsInFlight { get; private set; }
 
-        /// <summary>Completes what the last frames' job copied, if the job is done.</summary>
         public void TryEnd(ref FrameStats stats)
         {
             if (IsInFlight && JobCoroutine.HasEnded(m_job))
                 End(ref stats);
         }
 
-        /// <summary>Begins to copy what has arrived, the oldest reads first, within the frame's budget.</summary>
+        // The oldest reads first, within the frame's budget.
         public void Begin(List<NodeFetch> fetches)
         {
             if (IsInFlight)
@@ -76,7 +72,6 @@ namespace FastPoints.Streaming
             IsInFlight = true;
         }
 
-        /// <summary>Waits for the job.</summary>
         public void Await()
         {
             var stats = new FrameStats();
@@ -133,6 +128,47 @@ namespace FastPoints.Streaming
                     oldest = fetch;
             }
             return oldest;
+        }
+    }
+
+    internal unsafe struct UploadPart
+    {
+        public byte* From;
+        public byte* To;
+        public long LengthBytes;
+        public ulong Hash;
+        public UploadCheck Check;
+        public PlaneShape Shape;
+        public int BlockCount;
+        public int Upload;
+    }
+
+    internal enum UploadCheck : byte
+    {
+        // It was just made in memory.
+        None,
+        // Its hash was right before. No bytes of a file may lead outside of it, whatever became of the file.
+        Shape,
+        Hash,
+    }
+
+    // Copies planes into the pool unchanged, and reports of each whether it is what was written and can be drawn.
+    [BurstCompile]
+    internal unsafe struct UploadPlanesJob : IJobFor
+    {
+        [ReadOnly] public NativeArray<UploadPart> Parts;
+        public NativeArray<bool> IsDamaged;
+
+        public void Execute(int index)
+        {
+            var part = Parts[index];
+            bool isValid = true;
+            if (part.Check == UploadCheck.Hash)
+                isValid = ContentHash.Copy(part.To, part.From, part.LengthBytes) == part.Hash;
+            else
+                UnsafeUtility.MemCpy(part.To, part.From, part.LengthBytes);
+            IsDamaged[index] = !isValid || part.Check != UploadCheck.None &&
+                !PlaneView.IsValid(part.From, part.LengthBytes, part.Shape, part.BlockCount);
         }
     }
 }

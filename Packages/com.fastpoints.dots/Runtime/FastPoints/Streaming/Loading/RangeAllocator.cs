@@ -4,17 +4,16 @@ using Unity.Mathematics;
 
 namespace FastPoints.Streaming
 {
-    /// <summary>Gives out ranges of consecutive slots and takes them back: it keeps books on abstract indices, whatever memory
-    /// they stand for. Free ranges lie in lists by the power of two of their length; a range that is given back merges with its
-    /// free neighbours. Both take constant time.</summary>
-    /// <remarks>The first and the last slot of a range hold its length: positive if it is taken, negative if it is
-    /// free.</remarks>
+    // Gives out ranges of consecutive slots and takes them back: it keeps books on abstract indices, whatever memory they stand
+    // for. Free ranges lie in lists by the power of two of their length; a range that is given back merges with its free
+    // neighbours. Both take constant time. The first and the last slot of a range hold its length: positive if it is taken,
+    // negative if it is free.
     internal struct RangeAllocator : IDisposable
     {
         const int None = -1;
         const int BinCount = 31;
 
-        /// <summary>How many ranges of the wanted length's own list are tried: all in longer lists are long enough.</summary>
+        // How many ranges of the wanted length's own list are tried: all in longer lists are long enough.
         const int MaxTries = 8;
 
         NativeArray<int> m_length;
@@ -22,9 +21,7 @@ namespace FastPoints.Streaming
         NativeArray<int> m_previous;
         NativeArray<int> m_firstOfBin;
         uint m_occupiedBins;
-
-        /// <summary>No free range is as long as this; nothing was given back since it was found out.</summary>
-        int m_tooLong;
+        int m_tooLong; // No free range is as long as this; nothing was given back since it was found out.
 
         public RangeAllocator(int capacity, Allocator allocator)
         {
@@ -43,10 +40,9 @@ namespace FastPoints.Streaming
         }
 
         public bool IsCreated => m_length.IsCreated;
-        public int Capacity => m_length.Length;
         public int UsedSlots { get; private set; }
 
-        /// <returns>The first slot, or -1 if no free range is long enough.</returns>
+        // The first slot, or -1 if no free range is long enough.
         public int Allocate(int count)
         {
             int run = count < m_tooLong ? Find(count) : None;
@@ -66,7 +62,6 @@ namespace FastPoints.Streaming
             return run;
         }
 
-        /// <param name="first">First slot of a range that was taken and not given back.</param>
         public void Free(int first)
         {
             int length = first >= 0 && first < m_length.Length ? m_length[first] : 0;
@@ -91,9 +86,7 @@ namespace FastPoints.Streaming
             AddFree(begin, end - begin);
         }
 
-        /// <summary>Keeps the beginning of a range and gives the rest back.</summary>
-        /// <param name="first">First slot of a range that was taken and not given back.</param>
-        /// <param name="count">At least one, at most the length of the range.</param>
+        // Keeps the first slots of a range, at least one, and gives the rest back.
         public void Shorten(int first, int count)
         {
             int length = first >= 0 && first < m_length.Length ? m_length[first] : 0;
@@ -117,7 +110,7 @@ namespace FastPoints.Streaming
             m_firstOfBin.Dispose();
         }
 
-        /// <summary>Describes an inconsistency in the bookkeeping, or returns null. It examines every slot.</summary>
+        // An inconsistency in the bookkeeping, or null. It examines every slot.
         public string FindProblem()
         {
             int used = 0, free = 0;

@@ -6,39 +6,31 @@ using Unity.Jobs;
 
 namespace FastPoints.Streaming
 {
-    /// <summary>The files of finished clouds that a stream keeps open between reads: opening one costs as much as reading a node.
-    /// Only a few are open, and none that was not read for a while, so that folders can be replaced. Main thread.</summary>
+    // The files of finished clouds that a stream keeps open between reads: opening one costs as much as reading a node.
+    // Only a few are open, and none that was not read for a while, so that folders can be replaced. Main thread.
     internal sealed unsafe class StreamFiles : IOpenFiles, IDisposable
     {
-        /// <summary>The most files of one stream.</summary>
         internal int MaxOpenFiles = 64;
-
-        /// <summary>A file that was not read for this many frames is closed.</summary>
         internal const uint FramesToClose = 30;
 
         readonly List<OpenedFile> m_kept = new List<OpenedFile>(64);
-
-        /// <summary>Reads of files that are not kept open.</summary>
-        JobHandle m_loose;
+        JobHandle m_loose; // Reads of files that are not kept open.
 
         struct OpenedFile
         {
             public StreamedCloud Cloud;
             public string Path;
             public FileHandle Handle;
-
-            /// <summary>All reads that were begun: the file is closed after them.</summary>
-            public JobHandle Reads;
+            public JobHandle Reads; // The file is closed after them.
             public uint UsedFrame;
         }
 
         public StreamFiles() => FolderReleases.Add(this);
 
-        /// <summary>For tests.</summary>
+        // For tests.
         public List<string> OpenPaths => m_kept.ConvertAll(k => k.Path);
 
-        /// <summary>Begins a read, of a file that stays open if the source allows it.</summary>
-        /// <param name="commands">They stay where they are until the read has ended, as does the memory that they name.</param>
+        // The file stays open if the source allows it. Commands and their memory stay where they are until the read has ended.
         public ReadHandle Read(StreamedCloud cloud, string path, uint frame, ReadCommand* commands, int count)
         {
             // A build renames and deletes its files while they are shown.
@@ -60,7 +52,6 @@ namespace FastPoints.Streaming
             return read;
         }
 
-        /// <summary>Closes what was not read for a while.</summary>
         public void CloseIdle(uint frame)
         {
             for (int i = m_kept.Count - 1; i >= 0; i--)
@@ -68,8 +59,7 @@ namespace FastPoints.Streaming
                     Close(i);
         }
 
-        /// <summary>Closes a file whose bytes were wrong or missing: it is opened again, in case another lies there
-        /// now.</summary>
+        // Its bytes were wrong or missing: it is opened again, in case another lies there now.
         public void Close(StreamedCloud cloud, string path)
         {
             int at = IndexOf(cloud, path);
@@ -77,7 +67,6 @@ namespace FastPoints.Streaming
                 Close(at);
         }
 
-        /// <summary>Closes the files of a cloud.</summary>
         public void Close(StreamedCloud cloud)
         {
             for (int i = m_kept.Count - 1; i >= 0; i--)

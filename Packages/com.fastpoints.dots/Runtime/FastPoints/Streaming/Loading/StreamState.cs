@@ -5,11 +5,9 @@ using Unity.Collections;
 
 namespace FastPoints.Streaming
 {
-    /// <summary>What the parts of a stream have in common: clouds, the nodes that have memory, and what could not be shown. Main
-    /// thread.</summary>
+    // What the parts of a stream have in common: clouds, the nodes that have memory, and failures. Main thread.
     internal sealed unsafe class StreamState : IDisposable
     {
-        /// <summary>The most failures that are kept until they are taken.</summary>
         const int MaxFailures = 1000;
 
         NativeList<CloudPages> m_cloudPages = new NativeList<CloudPages>(Allocator.Persistent);
@@ -23,10 +21,10 @@ namespace FastPoints.Streaming
         public StreamFiles Files { get; } = new StreamFiles();
         public LodSelector Selector { get; } = new LodSelector();
 
-        /// <summary>Indexed by number; null for a removed cloud.</summary>
+        // Indexed by number; null for a removed cloud.
         public List<StreamedCloud> Clouds { get; } = new List<StreamedCloud>();
 
-        /// <summary>The pages of all clouds, by number; valid until a page is loaded or a cloud comes or goes.</summary>
+        // By number; valid until a page is loaded or a cloud comes or goes.
         public NativeArray<CloudPages> CloudPages
         {
             get
@@ -38,11 +36,9 @@ namespace FastPoints.Streaming
             }
         }
 
-        /// <summary>Takes the oldest failure that was not taken yet.</summary>
         public bool TryTakeFailure(out StreamFailure failure) => m_failures.TryDequeue(out failure);
 
-        /// <summary>Finds room for a node by evicting less useful ones.</summary>
-        /// <param name="rank">Its rank among the needed nodes.</param>
+        // Evicts less useful nodes than one of this rank.
         public bool TryPlace(SelectedNode node, int rank, long bytes, ref FrameStats stats, out int slot)
         {
             PoolRange run;
@@ -66,7 +62,7 @@ namespace FastPoints.Streaming
             return true;
         }
 
-        /// <summary>Frees a node's memory; no job may be writing to it.</summary>
+        // No job may be writing to it.
         public void Release(int slot)
         {
             var gone = Cache[slot];
@@ -77,8 +73,7 @@ namespace FastPoints.Streaming
             Cache.Remove(slot);
         }
 
-        /// <summary>Drops a node whose bytes differ from those written: it is retried, then reported and left as a
-        /// hole.</summary>
+        // Its bytes differ from those written: it is retried, then reported and left as a hole.
         public void DropDamaged(int slot)
         {
             var node = Cache[slot];
@@ -87,7 +82,6 @@ namespace FastPoints.Streaming
                 cloud.RangeOf(node.Page, node.Node, 0).OffsetBytes, "node " + node.Node + " is damaged"));
         }
 
-        /// <param name="failure">The failure to report in the end.</param>
         public void DropDamaged(int slot, in StreamFailure failure)
         {
             var node = Cache[slot];
@@ -103,10 +97,9 @@ namespace FastPoints.Streaming
             Report(failure);
         }
 
-        /// <summary>Whether something has not been wanted for so long that its read is cancelled.</summary>
+        // Not wanted for so long that its read is cancelled.
         public bool IsStale(uint usedFrame) => Selector.Frame - usedFrame > (uint)Settings.FramesToCancel;
 
-        /// <summary>Whether a frame number has been reached.</summary>
         public bool IsDue(uint frame) => (int)(Selector.Frame - frame) >= 0;
 
         public void Report(StreamFailure failure)

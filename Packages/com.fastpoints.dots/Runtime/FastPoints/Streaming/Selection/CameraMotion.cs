@@ -4,27 +4,18 @@ using Unity.Mathematics;
 
 namespace FastPoints.Streaming
 {
-    /// <summary>Predicts where cameras will be if they continue to move as they do.</summary>
     internal sealed class CameraMotion : IDisposable
     {
-        /// <summary>A step this many times as long as the one before is a cut, not a motion.</summary>
+        // A step this many times as long as the one before is a cut, not a motion.
         const double MaxSpeedUp = 4;
 
-        NativeList<StreamView> m_last;
-        NativeList<StreamView> m_predicted;
+        NativeList<StreamView> m_last = new NativeList<StreamView>(Allocator.Persistent);
+        NativeList<StreamView> m_predicted = new NativeList<StreamView>(Allocator.Persistent);
         double m_lastStep;
 
-        public CameraMotion()
-        {
-            m_last = new NativeList<StreamView>(Allocator.Persistent);
-            m_predicted = new NativeList<StreamView>(Allocator.Persistent);
-        }
-
-        /// <summary>The views that <see cref="TryPredictView"/> predicted.</summary>
         public NativeArray<StreamView> Predicted => m_predicted.AsArray();
 
-        /// <summary>Takes this frame's views.</summary>
-        /// <returns>Whether they move other than by a cut.</returns>
+        // Whether the views move other than by a cut.
         public bool TryPredictView(NativeArray<StreamView> views, int frames)
         {
             double step = 0;

@@ -3,8 +3,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Streaming
 {
-    /// <summary>A box in the world, freely rotated and sheared, that clouds are clipped by. Boxes that cut remove what is inside;
-    /// other boxes keep only what is inside at least one of them. Blittable.</summary>
+    /// <summary>A box in the world, freely rotated and sheared. Boxes that cut remove what is inside; other boxes keep only
+    /// what is inside at least one of them.</summary>
     public struct ClipBox
     {
         public double3 CenterWorld;
@@ -22,8 +22,7 @@ namespace FastPoints.Streaming
         }
     }
 
-    /// <summary>A <see cref="ClipBox"/> in one cloud's own space: inside the box, no coordinate of <see cref="ToBox"/> * place +
-    /// <see cref="Offset"/> is farther than a half from 0. Blittable, for jobs.</summary>
+    // Inside the box, no coordinate of ToBox * place + Offset, in one cloud's own space, is farther than a half from 0.
     internal unsafe struct LocalClip
     {
         public double3x3 ToBox;
@@ -38,8 +37,7 @@ namespace FastPoints.Streaming
             Cuts = box.Cuts;
         }
 
-        /// <summary>Whether clips leave anything of a box. It may be true for a box of which nothing is left.</summary>
-        /// <param name="half">0 for a single position, where the answer is exact.</param>
+        // Whether clips leave anything of a box; perhaps true where nothing is left, but exact for a position (half is 0).
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static bool MayKeep(LocalClip* clips, int count, double3 center, double3 half)
         {

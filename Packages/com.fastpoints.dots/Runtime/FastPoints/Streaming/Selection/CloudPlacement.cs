@@ -3,9 +3,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Streaming
 {
-    /// <summary>Where a cloud stands in the world: world = <see cref="Linear"/> * local + <see cref="OriginWorld"/>, in double,
-    /// where local is in CRS units from the corner of the cloud's root cube. Any affine transform is allowed: moves, rotations,
-    /// mirrors, scales.</summary>
+    /// <summary>Where a cloud stands: world = Linear * local + OriginWorld, in double, where local is in CRS units from the
+    /// corner of the root cube. Any affine transform is allowed.</summary>
     public struct CloudPlacement
     {
         public double3x3 Linear;
@@ -39,5 +38,26 @@ namespace FastPoints.Streaming
                 return math.all(math.isfinite(OriginWorld)) && volume - volume == 0 && volume != 0;
             }
         }
+    }
+
+    // Which views see a cloud; by default all.
+    internal struct CloudVisibility
+    {
+        public uint Layer; // A bit; 0 for one that no culling mask hides.
+        public ulong Scenes; // The editor's scene culling mask; 0 for any scene.
+        public bool IsHiddenInSceneViews; // By the eye in the editor's hierarchy.
+
+        public bool IsHidden;
+    }
+
+    internal struct ViewMask
+    {
+        public uint HiddenLayers; // A bit for each layer that the camera's culling mask has not.
+        public ulong Scenes;
+
+        public bool IsSceneView;
+
+        public readonly bool Shows(in CloudVisibility cloud) => !cloud.IsHidden && (cloud.Layer & HiddenLayers) == 0 &&
+            (Scenes == 0 || cloud.Scenes == 0 || (Scenes & cloud.Scenes) != 0) && !(IsSceneView && cloud.IsHiddenInSceneViews);
     }
 }

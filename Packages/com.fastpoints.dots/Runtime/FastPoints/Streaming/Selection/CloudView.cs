@@ -3,20 +3,16 @@ using Unity.Mathematics;
 
 namespace FastPoints.Streaming
 {
-    /// <summary>A <see cref="StreamView"/> in one cloud's own space, where boxes are aligned with the axes. Planes stay exact
-    /// under any affine transform. Blittable, for jobs.</summary>
+    // A view in one cloud's own space, where boxes are aligned with the axes. Planes stay exact under any affine transform.
     internal unsafe struct CloudView
     {
         public double3 Eye;
         public bool IsOrthographic;
-
-        /// <summary>Whether the view shows the cloud at all.</summary>
         public bool IsShown;
         public int PlaneCount;
         public double ScalePx;
 
-        /// <summary>World length of a unit along each of the cloud's axes. If the transform shears, distances are those of the
-        /// cloud without shear.</summary>
+        // World length of a unit along each axis. If the transform shears, distances are those without shear.
         public double3 AxisScale;
         public double LargestScale;
 
@@ -46,7 +42,7 @@ namespace FastPoints.Streaming
             }
         }
 
-        /// <summary>Whether a box reaches inside every plane. It may be true for one just outside an edge of the view.</summary>
+        // It may be true for a box just outside an edge of the view.
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public bool IntersectsFrustum(double3 center, double3 half)
         {
@@ -62,13 +58,12 @@ namespace FastPoints.Streaming
             return true;
         }
 
-        /// <summary>World distance from the eye to a box, 0 inside; 1 for an orthographic view.</summary>
+        // 0 inside; 1 for an orthographic view.
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public double DistanceTo(double3 center, double3 half) =>
             IsOrthographic ? 1 : math.length(math.max(math.abs(Eye - center) - half, 0) * AxisScale);
 
-        /// <summary>Length on the screen of something at a distance. Nearer than its own length it counts as
-        /// <see cref="ScalePx"/>: nodes around a camera are ordered by their size.</summary>
+        // Nearer than its own length something counts as ScalePx: nodes around a camera are ordered by their size.
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public double LengthPx(double lengthWorld, double distanceWorld) =>
             lengthWorld * ScalePx / (IsOrthographic ? 1 : math.max(distanceWorld, lengthWorld));

@@ -5,56 +5,36 @@ using Unity.Jobs;
 
 namespace FastPoints.Streaming
 {
-    /// <summary>The memory of selections from frame to frame: it takes clouds and views, and produces chosen nodes and missing
-    /// pages. Main thread.</summary>
+    // The memory of selections from frame to frame. Main thread.
     internal sealed unsafe class LodSelector : IDisposable
     {
-        NativeList<SelectionCloud> m_clouds;
-        NativeList<CloudPlacement> m_placements;
-        NativeList<CloudView> m_views;
-        NativeList<LocalClip> m_clips;
+        NativeList<SelectionCloud> m_clouds = new NativeList<SelectionCloud>(Allocator.Persistent);
+        NativeList<CloudPlacement> m_placements = new NativeList<CloudPlacement>(Allocator.Persistent);
+        NativeList<CloudView> m_views = new NativeList<CloudView>(Allocator.Persistent);
+        NativeList<LocalClip> m_clips = new NativeList<LocalClip>(Allocator.Persistent);
         NativeArray<ClipBox> m_clipBoxes;
-        NativeList<SelectedNode> m_selected;
-        NativeList<SelectedNode> m_prefetched;
-        NativeList<MissingHierarchyPage> m_missing;
-        NativeList<MissingHierarchyPage> m_missingOfPrefetch;
-        NativeReference<long> m_points;
-        NativeReference<long> m_pointsOfPrefetch;
-        SelectionHeap m_heap;
+        NativeList<SelectedNode> m_selected = new NativeList<SelectedNode>(1024, Allocator.Persistent);
+        NativeList<SelectedNode> m_prefetched = new NativeList<SelectedNode>(256, Allocator.Persistent);
+        NativeList<MissingHierarchyPage> m_missing = new NativeList<MissingHierarchyPage>(Allocator.Persistent);
+        NativeList<MissingHierarchyPage> m_missingOfPrefetch = new NativeList<MissingHierarchyPage>(Allocator.Persistent);
+        NativeReference<long> m_points = new NativeReference<long>(Allocator.Persistent);
+        NativeReference<long> m_pointsOfPrefetch = new NativeReference<long>(Allocator.Persistent);
+        SelectionHeap m_heap = new SelectionHeap(Allocator.Persistent);
 
-        public LodSelector()
-        {
-            m_clouds = new NativeList<SelectionCloud>(Allocator.Persistent);
-            m_placements = new NativeList<CloudPlacement>(Allocator.Persistent);
-            m_views = new NativeList<CloudView>(Allocator.Persistent);
-            m_clips = new NativeList<LocalClip>(Allocator.Persistent);
-            m_selected = new NativeList<SelectedNode>(1024, Allocator.Persistent);
-            m_prefetched = new NativeList<SelectedNode>(256, Allocator.Persistent);
-            m_missing = new NativeList<MissingHierarchyPage>(Allocator.Persistent);
-            m_missingOfPrefetch = new NativeList<MissingHierarchyPage>(Allocator.Persistent);
-            m_points = new NativeReference<long>(Allocator.Persistent);
-            m_pointsOfPrefetch = new NativeReference<long>(Allocator.Persistent);
-            m_heap = new SelectionHeap(Allocator.Persistent);
-        }
-
-        /// <summary>Begins at 2, so that a node's initial 0 is neither this selection's frame nor the one before.</summary>
+        // Begins at 2, so that a node's initial 0 is neither this selection's frame nor the one before.
         public uint Frame { get; private set; } = 1;
 
-        /// <summary>Chosen nodes, parents before children, the most needed first.</summary>
+        // Parents before children, the most needed first.
         public NativeArray<SelectedNode> Selected => m_selected.AsArray();
 
-        /// <summary>Nodes of the last <see cref="Prefetch"/> that were not chosen already; their parent indices mean
-        /// nothing.</summary>
+        // Those of the last Prefetch that were not chosen already; their parent indices mean nothing.
         public NativeArray<SelectedNode> Prefetched => m_prefetched.AsArray();
 
-        /// <summary>Missing pages, the most needed first.</summary>
         public NativeArray<MissingHierarchyPage> Missing => m_missing.AsArray();
 
-        /// <summary>Number of points in all chosen nodes.</summary>
         public long Points => m_points.Value;
 
-        /// <summary>Begins a new frame without clouds.</summary>
-        /// <param name="clipBoxes">The clip boxes of all clouds; they must not change before the frame's last selection.</param>
+        // The clip boxes must not change before the frame's last selection.
         public void Begin(NativeArray<ClipBox> clipBoxes = default)
         {
             Frame++;
@@ -64,9 +44,8 @@ namespace FastPoints.Streaming
             m_prefetched.Clear();
         }
 
-        /// <param name="cloud">Its number in what is chosen; clouds are added in rising order.</param>
-        /// <param name="pages">They must stay in place until the frame's last selection.</param>
-        /// <param name="placement">A cloud without volume is left out.</param>
+        // In rising order of clouds. The pages stay in place until the frame's last selection; clouds without volume are left
+        // out.
         public void Add(int cloud, HierarchyPage* pages, in CloudPlacement placement)
         {
             if (!placement.IsValid)
@@ -75,7 +54,6 @@ namespace FastPoints.Streaming
             m_placements.Add(placement);
         }
 
-        /// <param name="missingToStopAt">See <see cref="SelectNodesJob.MissingToStopAt"/>.</param>
         public void Choose(NativeArray<StreamView> views, in LodSettings settings, int missingToStopAt = int.MaxValue)
         {
             var job = JobFor(views, settings);
@@ -86,8 +64,7 @@ namespace FastPoints.Streaming
             job.Run();
         }
 
-        /// <summary>Chooses what the same clouds need for future views, beyond what this frame has chosen.</summary>
-        /// <param name="points">The approximate limit of points.</param>
+        // Of the same clouds for future views, beyond what this frame has chosen: about so many points.
         public void Prefetch(NativeArray<StreamView> views, in LodSettings settings, long points)
         {
             var job = JobFor(views, settings);

@@ -3,16 +3,16 @@ using Unity.Mathematics;
 
 namespace FastPoints.Streaming
 {
-    /// <summary>The cubes that divide a cloud among its nodes: each level halves those of the one above. In CRS units from the
-    /// corner of the cloud's root cube. Blittable.</summary>
+    /// <summary>The cubes that divide a cloud among its nodes: each level halves those above. CRS units from the root's
+    /// corner.</summary>
     public unsafe struct NodeCubes
     {
         /// <summary>Corner of the cube of level 0.</summary>
         public double3 Corner;
         public double3 Size;
 
-        /// <summary>CRS units of a grid step if <see cref="NodeAddress.Corner"/> is that of the node's cube; otherwise 0, and the
-        /// middle of a node's box lies in its cube.</summary>
+        /// <summary>Of the grid if NodeAddress.Corner is the cube's; else 0, and the middle of a node's box is in its
+        /// cube.</summary>
         public double3 Step;
 
         /// <summary>Some position in a node's cube.</summary>

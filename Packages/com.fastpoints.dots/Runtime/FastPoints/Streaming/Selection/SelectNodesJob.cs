@@ -41,8 +41,6 @@ namespace FastPoints.Streaming
         public SelectionHeap Heap;
         public NativeList<SelectedNode> Selected;
         public NativeList<MissingHierarchyPage> Missing;
-
-        /// <summary>Number of points of all chosen nodes.</summary>
         public NativeReference<long> Points;
 
         public void Execute()
@@ -108,7 +106,6 @@ namespace FastPoints.Streaming
             return Selected.Length - 1;
         }
 
-        /// <param name="spacing">Spacing of the points above.</param>
         void PushNode(int cloud, HierarchyPage* page, int pageIndex, int index, float spacing, int parent)
         {
             var node = page->Nodes + index;
@@ -148,7 +145,7 @@ namespace FastPoints.Streaming
             }
         }
 
-        /// <param name="screenErrorPx">Spacing in the view that shows it largest.</param>
+        // Returns the spacing in the view that shows it largest.
         bool IntersectsAnyFrustum(int cloud, double3 center, double3 half, float spacing, out float screenErrorPx)
         {
             screenErrorPx = 0;
@@ -182,13 +179,10 @@ namespace FastPoints.Streaming
         public int Parent;
     }
 
-    /// <summary>One cloud as a selection sees it. Blittable, for jobs.</summary>
     internal unsafe struct SelectionCloud
     {
         /// <summary>Page 0, then one page for each chunk.</summary>
         public HierarchyPage* Pages;
-
-        /// <summary>Its number in what is chosen.</summary>
         public int Cloud;
     }
 }

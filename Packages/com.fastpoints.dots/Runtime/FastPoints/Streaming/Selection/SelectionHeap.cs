@@ -4,8 +4,7 @@ using Unity.Collections.LowLevel.Unsafe;
 
 namespace FastPoints.Streaming
 {
-    /// <summary>The candidates of a selection, best on top: a binary heap in a list that keeps its memory from frame to
-    /// frame.</summary>
+    // The candidates of a selection, best on top: a binary heap that keeps its memory from frame to frame.
     internal unsafe struct SelectionHeap
     {
         NativeList<SelectionCandidate> m_items;
@@ -51,19 +50,16 @@ namespace FastPoints.Streaming
         }
     }
 
-    /// <summary>A node that can be chosen next, or a page whose nodes are not known yet.</summary>
     internal struct SelectionCandidate
     {
-        /// <summary>Spacing on the screen of the points above: the gaps that the node would fill.</summary>
+        // Spacing on the screen of the points above: the gaps that the node would fill.
         public float ScreenErrorPx;
         public int Cloud;
         public int Page;
-
-        /// <summary>-1 for the page itself.</summary>
-        public int Node;
+        public int Node; // -1 for the page itself.
         public int Parent;
 
-        /// <summary>Whether its gaps are wider. Ties are decided by position, so that a choice can be repeated.</summary>
+        // Ties are decided by position, so that a choice can be repeated.
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public bool IsBefore(in SelectionCandidate other)
         {

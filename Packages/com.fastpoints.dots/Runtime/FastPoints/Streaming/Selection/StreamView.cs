@@ -27,13 +27,10 @@ namespace FastPoints.Streaming
 
         internal ViewMask Mask;
 
-        /// <summary>A view without a position that sees everything: a length of one unit has <paramref name="scalePx"/>
-        /// pixels.</summary>
+        /// <summary>A view without a position that sees everything; a length of one unit has so many pixels.</summary>
         public static StreamView Everything(double scalePx) => new StreamView { IsOrthographic = true, ScalePx = scalePx };
 
-        /// <param name="right">Unit vector, as are <paramref name="up"/> and <paramref name="forward"/> (into the
-        /// picture).</param>
-        /// <param name="fovRadians">Vertical field of view.</param>
+        /// <summary>Unit vectors, forward into the picture; the field of view is vertical.</summary>
         public static StreamView Perspective(double3 eyeWorld, double3 right, double3 up, double3 forward, double fovRadians,
             double widthPx, double heightPx)
         {
@@ -47,8 +44,7 @@ namespace FastPoints.Streaming
             return view;
         }
 
-        /// <summary>Sees everything along the axis, behind the eye too.</summary>
-        /// <param name="heightWorld">Height of what the picture shows.</param>
+        /// <summary>Sees everything along the axis, behind the eye too; the height is that of what the picture shows.</summary>
         public static StreamView Orthographic(double3 eyeWorld, double3 right, double3 up, double heightWorld, double widthPx,
             double heightPx)
         {

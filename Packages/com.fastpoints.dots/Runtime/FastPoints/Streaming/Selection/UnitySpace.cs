@@ -4,8 +4,7 @@ using Unity.Mathematics;
 namespace FastPoints.Streaming
 {
     /// <summary>A cloud's own space in Unity's axes: left-handed, Y up, in metres if the unit is known, from an origin near the
-    /// cloud, so that a scan with map coordinates stands where its transform is. East is Unity's X, north its Z, up its Y
-    /// (<see cref="UpAxes"/>).</summary>
+    /// cloud. East is Unity's X, north its Z, up its Y.</summary>
     public struct UnitySpace
     {
         /// <summary>The georeferenced position that lies at (0, 0, 0).</summary>
@@ -17,9 +16,8 @@ namespace FastPoints.Streaming
         /// <summary>The cloud's axis that is Unity's Y.</summary>
         public UpAxis Up;
 
-        /// <param name="boundsGeo">The cloud's bounds; the middle of their floor becomes the origin, rounded to a whole CRS
-        /// unit.</param>
-        /// <param name="metresPerUnit">0 if unknown, NaN if it is an angle; units then stay as they are.</param>
+        /// <summary>The middle of the bounds' floor becomes the origin, rounded to a whole unit. Units stay as they are if
+        /// metres are unknown (0) or they are angles (NaN).</summary>
         public static UnitySpace Of(BoundsGeo boundsGeo, double metresPerUnit, UpAxis up = UpAxis.Z)
         {
             bool isKnown = metresPerUnit > 0 && metresPerUnit <= double.MaxValue;
@@ -33,8 +31,7 @@ namespace FastPoints.Streaming
             };
         }
 
-        /// <summary>The cloud's placement under a transform.</summary>
-        /// <param name="localToWorld">The transform from this space to the world.</param>
+        /// <summary>The cloud's placement under a transform from this space to the world.</summary>
         public CloudPlacement Place(CloudGrid grid, GridCube root, double4x4 localToWorld)
         {
             Up.Directions(out var east, out var north, out var up);
