@@ -87,7 +87,8 @@ namespace FastPoints.Octrees
                     "wanted " + (m_like.Laz == null ? "LAS" : "LAZ") + " of point format " + header.PointFormat
                         + " in records of " + header.RecordBytes + " bytes, with the items of the others", 0);
             else if (result.Error == LazError.OffGrid)
-                Reader.WarnBroken(Range.Block, "its positions do not lie on the cloud's grid: they are left out from there",
+                Reader.WarnBroken(Range.Block, "its positions do not lie on the " + (m_isPotree ? "cloud's" : "root's")
+                        + " grid: they are left out from there",
                     "wanted scale and offset that are whole steps of the grid, and places within 32 bits; " + got,
                     result.ErrorOffset);
             else if (result.Error != LazError.None)

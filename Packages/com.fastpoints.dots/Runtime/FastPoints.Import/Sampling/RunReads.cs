@@ -97,8 +97,8 @@ namespace FastPoints.Sampling
                     continue;
                 m_plan.RunOf(stratum, rank, out var run, out _);
                 m_runs.Add(run);
-                m_reads[rank] = ((RecordReader)Reader).CreateRunRead(Buffer.Points, 1, m_plan.MaxSegmentPoints * Reader.Info.RecordBytes,
-                    Allocator.Persistent);
+                m_reads[rank] = ((RecordReader)Reader).CreateRunRead(Buffer.Points, 1,
+                    m_plan.MaxSegmentPoints * Reader.Info.RecordBytes, Allocator.Persistent);
                 m_reads[rank].Begin(m_runs.AsArray(), rank, 1, 0);
                 rank++;
             }

@@ -88,7 +88,8 @@ namespace FastPoints.Octrees
         // bytes: of all its points in the file; bytesPerPoint: if fixed, so that a long node can be cut; otherwise 0.
         private protected void AddNode(int level, int3 cell, long points, long offset, long bytes, int bytesPerPoint) =>
             AddNode(new SourceNode { Level = level, Cell = cell }, points,
-                bytesPerPoint > 0 ? Math.Min(MaxBlockPoints, MaxBlockBytes / bytesPerPoint) : points, offset, bytes, bytesPerPoint);
+                bytesPerPoint > 0 ? Math.Min(MaxBlockPoints, MaxBlockBytes / bytesPerPoint) : points, offset, bytes,
+                bytesPerPoint);
 
         private protected bool IsFull(long next)
         {

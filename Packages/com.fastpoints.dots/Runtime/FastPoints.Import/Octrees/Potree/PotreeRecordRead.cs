@@ -54,7 +54,8 @@ namespace FastPoints.Octrees
         protected override void Report(DecodeResult result)
         {
             if (result.Error != PotreeError.None)
-                Reader.WarnBroken(Range.Block, "has positions beyond the 32-bit grid of the cloud: they are at its edge", null, -1);
+                Reader.WarnBroken(Range.Block, "has positions beyond the 32-bit grid of the cloud: they are at its edge",
+                    null, -1);
         }
     }
 
