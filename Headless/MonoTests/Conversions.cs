@@ -5,10 +5,10 @@ using System.Linq;
 using System.Security.Cryptography;
 using FastPoints.Build;
 using FastPoints.Core;
-using FastPoints.Import;
 using FastPoints.Nodes;
 using FastPoints.Reading;
 using FastPoints.Scenes;
+using FastPoints.Sources;
 using FastPoints.Tests;
 
 namespace FastPoints.MonoTests

@@ -1,6 +1,5 @@
-using FastPoints.Import;
-using FastPoints.Octrees;
 using FastPoints.Sampling;
+using FastPoints.Sources;
 
 namespace FastPoints.Cli.Draw;
 

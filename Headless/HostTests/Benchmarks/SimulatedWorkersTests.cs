@@ -1,8 +1,8 @@
 using FastPoints.Benchmarks;
 using FastPoints.Build;
 using FastPoints.Core;
-using FastPoints.Import;
 using FastPoints.Nodes;
+using FastPoints.Sources;
 using StandIns.Scheduling;
 
 namespace FastPoints.HostTests.Benchmarks;

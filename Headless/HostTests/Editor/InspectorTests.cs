@@ -19,7 +19,7 @@ public sealed class InspectorTests
     }
 
     static IEnumerable<Type> Shown => new[] { typeof(PointCloudSystemGroup), typeof(PointCloudCamera), typeof(ScenePicking),
-            typeof(FastPoints.Import.PointFileReaders) }
+            typeof(FastPoints.Sources.PointFileReaders) }
         .SelectMany(t => t.Assembly.GetTypes()).Where(t => !t.IsAbstract && (t.IsPublic
             ? typeof(MonoBehaviour).IsAssignableFrom(t) || typeof(ScriptableObject).IsAssignableFrom(t)
             : typeof(UnityEditor.AssetImporters.ScriptedImporter).IsAssignableFrom(t)));

@@ -199,7 +199,7 @@ public sealed class PlayerCloudTests : EditorFixture
         var kept = XDocument.Load(link).Root.Element("assembly");
         Assert.That(System.Reflection.Assembly.Load((string)kept.Attribute("fullname"))
             .GetType((string)kept.Element("type").Attribute("fullname")),
-            Is.EqualTo(typeof(FastPoints.Import.PointFileReaders)));
+            Is.EqualTo(typeof(FastPoints.Sources.PointFileReaders)));
         File.Delete(source);
         Assert.That(Build, Throws.TypeOf<BuildFailedException>().With.Message.Contains("neither converted"));
     }

@@ -197,7 +197,8 @@ public sealed class ThumbnailTests : EditorFixture
         Assert.That((texture.width, texture.height), Is.EqualTo((64, 32)));
         Assert.That(texture.Bytes.Distinct().Count(), Is.GreaterThan(50));
         var same = editor.RenderStaticPreview("Assets/scan.pointcloud", null, ThumbnailDrawing.SizePx, ThumbnailDrawing.SizePx);
-        Assert.That(same.Bytes, Is.EqualTo(Png.Read(PictureOf(asset)).RgbaFromBottom()), "the lowest row of a texture is the first");
+        Assert.That(same.Bytes, Is.EqualTo(Png.Read(PictureOf(asset)).RgbaFromBottom()),
+            "the lowest row of a texture is the first");
         File.WriteAllText(CloudThumbnails.PathOf(cloud), "no picture");
         Assert.That(editor.RenderStaticPreview("Assets/scan.pointcloud", null, 64, 32), Is.Null);
         Directory.Delete(cloud, true);

@@ -1,6 +1,6 @@
 using FastPoints.Build;
-using FastPoints.Import;
 using FastPoints.Scenes;
+using FastPoints.Sources;
 using FastPoints.Store;
 using StandIns.Io;
 

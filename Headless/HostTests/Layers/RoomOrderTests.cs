@@ -24,7 +24,7 @@ public sealed class RoomOrderTests
     [TestCase("FastPoints.Import", "Nodes/A.cs", "using FastPoints.Store;\nnamespace FastPoints.Nodes { }")]
     [TestCase("FastPoints", "Core/A.cs", "// after FastPoints.Store\nnamespace FastPoints.Core { }")]
     [TestCase("FastPoints", "AssemblyInfo.cs", "")]
-    [TestCase("FastPoints.Import", "A.cs", "using FastPoints.Octrees;\nnamespace FastPoints.Import { }")]
+    [TestCase("FastPoints.Picture", "A.cs", "using FastPoints.Sources;\nnamespace FastPoints.Picture { }")]
     public void CheckSource_OwnAndEarlierRooms_NoProblem(string assembly, string path, string text) =>
         Assert.That(RoomOrder.CheckSource(assembly, path, text), Is.Empty);
 

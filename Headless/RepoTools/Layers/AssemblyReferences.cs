@@ -40,15 +40,16 @@ public static class AssemblyReferences
             "FastPoints.Samples", "Unity.Collections", "Unity.Entities", "Unity.Mathematics",
         },
         ["FastPoints.UnityTests"] = s_shared.Concat(s_testRunner)
-            .Concat(new[] { "FastPoints.Picture", "FastPoints.Rendering", "FastPoints.Entities", "FastPoints.Editor", "FastPoints.Benchmarks" })
-            .Concat(new[] { "Unity.Entities", "Unity.Scenes" })
+            .Concat(new[] { "FastPoints.Picture", "FastPoints.Rendering", "FastPoints.Entities", "FastPoints.Editor" })
+            .Concat(new[] { "FastPoints.Benchmarks", "Unity.Entities", "Unity.Scenes" })
             .ToArray(),
         ["FastPoints.UnityTests.Performance"] = s_testRunner
             .Concat(new[] { "FastPoints.Editor", "FastPoints.Entities", "FastPoints.UnityTests", "Unity.PerformanceTesting" })
             .ToArray(),
         ["FastPoints.Evaluation"] = s_shared.Append("FastPoints.Picture").ToArray(),
         ["FastPoints.Benchmarks"] = s_shared.Concat(s_entities)
-            .Concat(new[] { "FastPoints.Entities", "FastPoints.Evaluation", "FastPoints.Picture", "FastPoints.Scenes" }).ToArray(),
+            .Concat(new[] { "FastPoints.Entities", "FastPoints.Evaluation", "FastPoints.Picture", "FastPoints.Scenes" })
+            .ToArray(),
         ["FastPoints.Benchmarks.Unity"] = new[] { "FastPoints.Benchmarks", "Unity.Burst", "Unity.PerformanceTesting" }
             .Concat(s_testRunner).ToArray(),
     };

@@ -7,7 +7,7 @@ public static class RoomOrder
         ("FastPoints", new[] { "Core", "Store", "Streaming", "Drawing", "Picking" }),
         ("FastPoints.Import", new[]
         {
-            "Reading", "Las", "Laz", "Ply", "E57", "Text", "Sampling", "Nodes", "Octrees", "Build", "Export", "Import",
+            "Reading", "Las", "Laz", "Ply", "E57", "Text", "Sampling", "Nodes", "Sources", "Build", "Export",
         }),
         ("FastPoints.Picture", new[] { "Picture" }),
     };

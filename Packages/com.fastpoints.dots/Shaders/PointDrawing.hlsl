@@ -1,5 +1,5 @@
-// A point of a block: where it is and what colour it has. An instance is a block; see FastPoints.Drawing.DrawList. Functions return
-// at their end only: Direct3D's compiler takes what they return for uninitialized otherwise, and Unity shows its warnings.
+// A point of a block: where it is and what colour it has. An instance is a block; see FastPoints.Drawing.DrawList. Functions
+// return at their end only: Direct3D's compiler takes what they return for uninitialized otherwise, and Unity shows its warnings.
 #ifndef FASTPOINTS_POINT_DRAWING_INCLUDED
 #define FASTPOINTS_POINT_DRAWING_INCLUDED
 

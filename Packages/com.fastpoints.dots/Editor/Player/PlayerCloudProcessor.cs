@@ -81,7 +81,7 @@ namespace FastPoints.Editor
     internal sealed class PlayerReaders : IUnityLinkerProcessor
     {
         const string LinkXml = "<linker>\n" + "  <assembly fullname=\"FastPoints.Import\">\n" +
-            "    <type fullname=\"FastPoints.Import.PointFileReaders\" preserve=\"all\" />\n" +
+            "    <type fullname=\"FastPoints.Sources.PointFileReaders\" preserve=\"all\" />\n" +
             "  </assembly>\n" +
             "</linker>\n";
 

@@ -4,8 +4,8 @@ using System.IO;
 using FastPoints.Build;
 using FastPoints.Core;
 using FastPoints.Entities;
-using FastPoints.Import;
 using FastPoints.Reading;
+using FastPoints.Sources;
 using FastPoints.Store;
 using UnityEngine;
 

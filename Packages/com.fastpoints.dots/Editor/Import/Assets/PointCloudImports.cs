@@ -1,7 +1,7 @@
 using System;
 using System.IO;
 using FastPoints.Entities;
-using FastPoints.Import;
+using FastPoints.Sources;
 using UnityEditor;
 using UnityEngine;
 

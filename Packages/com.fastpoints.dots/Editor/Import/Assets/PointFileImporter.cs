@@ -1,6 +1,6 @@
 using System;
 using System.Collections.Generic;
-using FastPoints.Import;
+using FastPoints.Sources;
 using UnityEditor;
 using UnityEditor.AssetImporters;
 

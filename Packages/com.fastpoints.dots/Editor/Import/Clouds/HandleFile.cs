@@ -1,8 +1,8 @@
 using System.Collections.Generic;
 using System.IO;
 using FastPoints.Core;
-using FastPoints.Import;
 using FastPoints.Reading;
+using FastPoints.Sources;
 using FastPoints.Store;
 using FastPoints.Streaming;
 using Unity.Mathematics;

@@ -3,8 +3,8 @@ using System.Collections.Generic;
 using System.Diagnostics;
 using FastPoints.Build;
 using FastPoints.Core;
-using FastPoints.Import;
 using FastPoints.Reading;
+using FastPoints.Sources;
 
 namespace FastPoints.Editor
 {

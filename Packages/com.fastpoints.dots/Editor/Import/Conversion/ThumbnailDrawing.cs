@@ -1,8 +1,8 @@
 using System;
 using System.Collections.Generic;
 using FastPoints.Core;
-using FastPoints.Import;
 using FastPoints.Picture;
+using FastPoints.Sources;
 using FastPoints.Store;
 
 namespace FastPoints.Editor

@@ -41,7 +41,7 @@ namespace FastPoints.Export
             var info = reader.Info;
             m_isOnDegrees = double.IsNaN(info.Crs.MetresPerUnit);
             SetAxes(AttributeType.Int32);
-            var las = reader.Las;
+            var las = (reader as ILasSource)?.Las;
             m_header = las != null ? HeaderOf(las) : new LasHeader { VersionMinor = 4 };
             m_header.GeneratingSoftware = "FastPoints";
             if (maxPoints > uint.MaxValue && m_header.VersionMinor < 4)

@@ -4,6 +4,12 @@ using FastPoints.Reading;
 
 namespace FastPoints.Las
 {
+    // A LAS or LAZ source, which has more than points.
+    internal interface ILasSource
+    {
+        LasFile Las { get; }
+    }
+
     internal sealed class LasFile
     {
         public LasHeader Header { get; private set; }
@@ -104,7 +110,7 @@ namespace FastPoints.Las
         static bool IsFinite(double value) => !double.IsNaN(value) && !double.IsInfinity(value);
     }
 
-    internal sealed class LasReader : RecordReader
+    internal sealed class LasReader : RecordReader, ILasSource
     {
         readonly LasFile m_las;
 
@@ -121,7 +127,7 @@ namespace FastPoints.Las
             return new LasReader(las);
         }
 
-        internal override LasFile Las => m_las;
+        LasFile ILasSource.Las => m_las;
 
         public LasHeader Header => m_las.Header;
         public LasVlrTable Vlrs => m_las.Vlrs;

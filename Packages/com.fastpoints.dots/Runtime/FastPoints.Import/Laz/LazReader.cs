@@ -157,7 +157,7 @@ namespace FastPoints.Laz
     }
 
     // Points in LAZ chunks, listed in a chunk table (LazReader) or in the hierarchy of an octree (CopcReader).
-    internal abstract class LazChunkReader : PointReader
+    internal abstract class LazChunkReader : PointReader, ILasSource
     {
         // Of a decoder and its tile.
         internal sealed override long DecoderBytes => 512 << 10;
@@ -173,7 +173,7 @@ namespace FastPoints.Laz
 
         private protected LazBlocks Blocks { get; }
 
-        internal sealed override LasFile Las => Blocks.Las;
+        LasFile ILasSource.Las => Blocks.Las;
 
         public LasHeader Header => Blocks.Las.Header;
         public LazFormat Format => Blocks.Format;

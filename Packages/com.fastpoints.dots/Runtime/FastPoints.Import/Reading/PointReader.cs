@@ -1,8 +1,6 @@
 using System;
 using System.Collections.Generic;
 using FastPoints.Core;
-using FastPoints.Import;
-using FastPoints.Las;
 using Unity.Collections;
 using Unity.Jobs;
 using Unity.Mathematics;
@@ -11,7 +9,7 @@ namespace FastPoints.Reading
 {
     /// <summary>An open source of points: its description, and its natural blocks (LAZ chunks, COPC and Potree nodes, ranges of a
     /// fixed-stride file), which can be read in any order, several at once.</summary>
-    /// <remarks>All members belong to the main thread, but any thread may open a reader (<see cref="PointReaders"/>). Reading
+    /// <remarks>All members belong to the main thread, but any thread may open a reader (<c>PointReaders</c>). Reading
     /// happens through <see cref="BlockRead"/> slots: the reader makes as many as the caller wants in flight, and these slots
     /// hold all of its memory, whatever the file's size. Dispose the slots before the reader.</remarks>
     public abstract class PointReader : IDisposable
@@ -34,9 +32,6 @@ namespace FastPoints.Reading
 
         // The octree that the source contains, or null. Its blocks come level by level within each page of the hierarchy.
         internal virtual SourceTree Tree => null;
-
-        /// <summary>What a LAS or LAZ file has beside its points; null for other sources.</summary>
-        internal virtual LasFile Las => null;
 
         public abstract int BlockCount { get; }
 

@@ -33,7 +33,9 @@ namespace FastPoints.Sampling
         {
             m_reader = reader;
             wanted = Math.Max(0, Math.Min(wanted, PreviewSample.MaxPoints(SampleSchema.Of(reader.Info))));
-            m_reads = reader is RecordReader ? (WaveReads)new RunReads(reader, wanted, seed) : new PrefixReads(reader, wanted, seed);
+            m_reads = reader is RecordReader
+                ? (WaveReads)new RunReads(reader, wanted, seed)
+                : new PrefixReads(reader, wanted, seed);
             m_buffer = m_reads.Buffer;
             m_sample = m_buffer.ShareSample();
             m_sample.Method = m_reads.Method;

@@ -48,7 +48,7 @@ namespace FastPoints.Picking
             m_options.ClipBoxes.Clear();
             foreach (var box in stream.ClipBoxes.AsArray())
                 m_options.ClipBoxes.Add(box);
-            var gone = new List<NodeSource>(m_pickers.Keys);
+            var removed = new List<NodeSource>(m_pickers.Keys);
             for (int c = 0; c < stream.Clouds.Count; c++)
             {
                 var cloud = stream.Clouds[c];
@@ -62,9 +62,9 @@ namespace FastPoints.Picking
                     Placement = cloud.Placement,
                     HiddenClasses = hiddenOf != null ? hiddenOf(c) : default,
                 });
-                gone.Remove(cloud.Source);
+                removed.Remove(cloud.Source);
             }
-            foreach (var source in gone)
+            foreach (var source in removed)
             {
                 m_pickers[source].Dispose();
                 m_pickers.Remove(source);

@@ -5,8 +5,8 @@ using System.Linq;
 using FastPoints.Build;
 using FastPoints.Core;
 using FastPoints.Export;
-using FastPoints.Import;
 using FastPoints.Reading;
+using FastPoints.Sources;
 using FastPoints.Tests.Support;
 using NUnit.Framework;
 

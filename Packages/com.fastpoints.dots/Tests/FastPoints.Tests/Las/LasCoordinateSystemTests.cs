@@ -1,8 +1,8 @@
 using System;
 using System.Collections.Generic;
 using System.Text;
-using FastPoints.Import;
 using FastPoints.Reading;
+using FastPoints.Sources;
 using NUnit.Framework;
 
 namespace FastPoints.Tests.Las

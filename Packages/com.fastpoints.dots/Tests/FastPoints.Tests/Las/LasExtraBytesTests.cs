@@ -2,9 +2,9 @@ using System;
 using System.Linq;
 using System.Text;
 using FastPoints.Core;
-using FastPoints.Import;
 using FastPoints.Las;
 using FastPoints.Reading;
+using FastPoints.Sources;
 using FastPoints.Tests.Reading;
 using NUnit.Framework;
 

@@ -1,7 +1,7 @@
 using System;
 using System.Linq;
-using FastPoints.Import;
 using FastPoints.Las;
+using FastPoints.Sources;
 using NUnit.Framework;
 
 namespace FastPoints.Tests.Las

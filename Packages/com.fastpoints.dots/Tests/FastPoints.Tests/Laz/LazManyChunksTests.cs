@@ -1,9 +1,9 @@
 using System;
 using System.Collections.Generic;
 using System.IO;
-using FastPoints.Import;
 using FastPoints.Laz;
 using FastPoints.Reading;
+using FastPoints.Sources;
 using FastPoints.Tests.Support;
 using NUnit.Framework;
 

@@ -1,8 +1,8 @@
 using System;
 using System.Collections.Generic;
 using FastPoints.Core;
-using FastPoints.Import;
 using FastPoints.Reading;
+using FastPoints.Sources;
 using FastPoints.Tests.Support;
 using NUnit.Framework;
 using Unity.Collections;

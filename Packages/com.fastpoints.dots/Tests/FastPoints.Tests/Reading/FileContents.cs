@@ -3,9 +3,9 @@ using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using FastPoints.Core;
-using FastPoints.Import;
 using FastPoints.Ply;
 using FastPoints.Reading;
+using FastPoints.Sources;
 using FastPoints.Tests.Support;
 
 namespace FastPoints.Tests.Reading

@@ -3,7 +3,7 @@ using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using System.Text.RegularExpressions;
-using FastPoints.Import;
+using FastPoints.Sources;
 using FastPoints.Tests.Support;
 using NUnit.Framework;
 

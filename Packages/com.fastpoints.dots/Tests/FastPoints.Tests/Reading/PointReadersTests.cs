@@ -5,7 +5,7 @@ using System.Linq;
 using System.Text;
 using System.Threading.Tasks;
 using FastPoints.Core;
-using FastPoints.Import;
+using FastPoints.Sources;
 using FastPoints.Tests.Support;
 using NUnit.Framework;
 

@@ -2,8 +2,8 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using FastPoints.Core;
-using FastPoints.Import;
 using FastPoints.Reading;
+using FastPoints.Sources;
 using Unity.Collections;
 
 namespace FastPoints.Tests.Reading

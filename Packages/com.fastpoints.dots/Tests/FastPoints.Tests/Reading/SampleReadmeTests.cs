@@ -3,9 +3,9 @@ using System.Globalization;
 using System.IO;
 using System.Text.RegularExpressions;
 using FastPoints.Core;
-using FastPoints.Import;
 using FastPoints.Las;
 using FastPoints.Reading;
+using FastPoints.Sources;
 using NUnit.Framework;
 using Unity.Mathematics;
 

@@ -1,6 +1,6 @@
 using System.Collections.Generic;
 using FastPoints.Core;
-using FastPoints.Import;
+using FastPoints.Sources;
 using FastPoints.Store;
 using FastPoints.Streaming;
 using FastPoints.Tests.Reading;

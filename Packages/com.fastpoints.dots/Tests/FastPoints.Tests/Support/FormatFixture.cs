@@ -3,7 +3,7 @@ using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using System.Text;
-using FastPoints.Octrees;
+using FastPoints.Sources;
 using FastPoints.Tests.Las;
 using FastPoints.Tests.Ply;
 

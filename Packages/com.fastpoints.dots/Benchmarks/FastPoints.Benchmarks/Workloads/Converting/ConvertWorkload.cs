@@ -2,8 +2,8 @@ using System.Collections.Generic;
 using System.IO;
 using FastPoints.Build;
 using FastPoints.Core;
-using FastPoints.Import;
 using FastPoints.Nodes;
+using FastPoints.Sources;
 
 namespace FastPoints.Benchmarks
 {

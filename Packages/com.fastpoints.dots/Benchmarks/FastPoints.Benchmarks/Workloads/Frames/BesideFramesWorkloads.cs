@@ -6,11 +6,10 @@ using System.Linq;
 using FastPoints.Build;
 using FastPoints.Core;
 using FastPoints.Export;
-using FastPoints.Import;
 using FastPoints.Nodes;
-using FastPoints.Octrees;
 using FastPoints.Picture;
 using FastPoints.Reading;
+using FastPoints.Sources;
 using Unity.Jobs.LowLevel.Unsafe;
 
 namespace FastPoints.Benchmarks

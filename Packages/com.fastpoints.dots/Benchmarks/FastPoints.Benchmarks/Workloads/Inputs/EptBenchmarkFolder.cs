@@ -4,9 +4,8 @@ using System.IO;
 using System.Text;
 using FastPoints.Core;
 using FastPoints.Export;
-using FastPoints.Import;
 using FastPoints.Las;
-using FastPoints.Octrees;
+using FastPoints.Sources;
 using Unity.Mathematics;
 
 namespace FastPoints.Benchmarks

@@ -2,8 +2,8 @@ using System;
 using System.IO;
 using FastPoints.Build;
 using FastPoints.Core;
-using FastPoints.Import;
 using FastPoints.Las;
+using FastPoints.Sources;
 using FastPoints.Store;
 using Unity.Mathematics;
 

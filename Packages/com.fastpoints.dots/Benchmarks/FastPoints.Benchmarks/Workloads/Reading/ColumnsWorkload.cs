@@ -1,7 +1,7 @@
 using System;
 using FastPoints.Core;
-using FastPoints.Import;
 using FastPoints.Reading;
+using FastPoints.Sources;
 using Unity.Jobs;
 using Unity.Jobs.LowLevel.Unsafe;
 

@@ -2,7 +2,7 @@ using System;
 using System.IO;
 using FastPoints.Core;
 using FastPoints.Export;
-using FastPoints.Import;
+using FastPoints.Sources;
 
 namespace FastPoints.Benchmarks
 {

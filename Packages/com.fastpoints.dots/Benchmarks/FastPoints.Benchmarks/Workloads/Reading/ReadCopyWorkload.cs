@@ -1,7 +1,7 @@
 using System;
 using System.IO;
 using FastPoints.Core;
-using FastPoints.Import;
+using FastPoints.Sources;
 
 namespace FastPoints.Benchmarks
 {

@@ -2,7 +2,7 @@ using System;
 using System.Threading;
 using FastPoints.Core;
 using FastPoints.Entities;
-using FastPoints.Import;
+using FastPoints.Sources;
 using FastPoints.Streaming;
 using Unity.Collections;
 using Unity.Entities;

@@ -1,5 +1,4 @@
 using FastPoints.Core;
-using FastPoints.Streaming;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
 using Unity.Mathematics;
@@ -22,7 +21,7 @@ namespace FastPoints.Store
         /// <summary>This many nodes at the start have no parent in the page.</summary>
         public int RootCount;
 
-        /// <summary>Centre of the box around all points of the page: see <see cref="StreamNode.Center"/>.</summary>
+        /// <summary>Centre of the box around all points of the page: see <c>StreamNode.Center</c>.</summary>
         public double3 Center;
         public float3 Half;
 
@@ -112,7 +111,7 @@ namespace FastPoints.Store
         /// <summary>Whether positions are 64-bit columns.</summary>
         public bool IsWide;
 
-        /// <summary>Level of the node's cube: see <see cref="NodeCubes"/>.</summary>
+        /// <summary>Level of the node's cube: see <c>NodeCubes</c>.</summary>
         public byte Level;
     }
 

@@ -51,15 +51,15 @@ namespace FastPoints.Streaming
         public void Unlink(int slot)
         {
             var ends = m_ends.Value;
-            var gone = Slots[slot];
-            if (gone.EvictedBefore != NodeCache.None)
-                Slots.ElementAt(gone.EvictedBefore).EvictedAfter = gone.EvictedAfter;
+            var removed = Slots[slot];
+            if (removed.EvictedBefore != NodeCache.None)
+                Slots.ElementAt(removed.EvictedBefore).EvictedAfter = removed.EvictedAfter;
             else
-                ends.First = gone.EvictedAfter;
-            if (gone.EvictedAfter != NodeCache.None)
-                Slots.ElementAt(gone.EvictedAfter).EvictedBefore = gone.EvictedBefore;
+                ends.First = removed.EvictedAfter;
+            if (removed.EvictedAfter != NodeCache.None)
+                Slots.ElementAt(removed.EvictedAfter).EvictedBefore = removed.EvictedBefore;
             else
-                ends.Last = gone.EvictedBefore;
+                ends.Last = removed.EvictedBefore;
             m_ends.Value = ends;
         }
 

@@ -65,11 +65,11 @@ namespace FastPoints.Streaming
         // No job may be writing to it.
         public void Release(int slot)
         {
-            var gone = Cache[slot];
-            var page = Clouds[gone.Cloud].Pages + gone.Page;
-            page->States[gone.Node].Slot = NodeState.NoSlot;
+            var removed = Cache[slot];
+            var page = Clouds[removed.Cloud].Pages + removed.Page;
+            page->States[removed.Node].Slot = NodeState.NoSlot;
             page->NodesInCache--;
-            Pool.Release(gone.Range);
+            Pool.Release(removed.Range);
             Cache.Remove(slot);
         }
 

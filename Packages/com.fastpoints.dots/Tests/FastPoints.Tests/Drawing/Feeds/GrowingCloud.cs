@@ -3,7 +3,7 @@ using System.IO;
 using FastPoints.Build;
 using FastPoints.Core;
 using FastPoints.Drawing;
-using FastPoints.Octrees;
+using FastPoints.Sources;
 using FastPoints.Store;
 using FastPoints.Tests.Nodes;
 using FastPoints.Tests.Streaming;

@@ -3,7 +3,7 @@ using System.Collections.Generic;
 using System.IO;
 using System.Text;
 using FastPoints.Las;
-using FastPoints.Octrees;
+using FastPoints.Sources;
 using Unity.Mathematics;
 
 namespace FastPoints.Tests.Support

@@ -5,7 +5,7 @@ using System.IO;
 using System.Linq;
 using System.Text;
 using FastPoints.Las;
-using FastPoints.Octrees;
+using FastPoints.Sources;
 
 namespace FastPoints.Tests.Support
 {

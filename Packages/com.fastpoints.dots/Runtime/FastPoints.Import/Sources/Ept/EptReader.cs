@@ -1,0 +1,127 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using FastPoints.Core;
+using FastPoints.Las;
+using FastPoints.Laz;
+using FastPoints.Reading;
+using Unity.Collections;
+using Unity.Mathematics;
+
+namespace FastPoints.Sources
+{
+    // Entwine Point Tiles (EPT 0.0.0 and 1.x): ept.json, pages of a hierarchy, and a file a node: plain records, zstandard or
+    // LAZ. A node's file is opened for its range and closed behind it. A node with more points than a slot should hold becomes
+    // several blocks; if it is compressed, each block decodes its file from the start.
+    internal sealed class EptReader : NodeReader
+    {
+        const string DataFolder = "ept-data";
+        const int MaxBlockPoints = 1 << 20;
+        const int MaxBlockBytes = 32 << 20;
+
+        readonly EptHierarchy m_hierarchy;
+        readonly int m_blockPoints;
+
+        // A LAZ file like those of the nodes, if they are LAZ; otherwise null.
+        readonly LasTemplate m_like;
+
+        EptReader(EptIndex index, LasTemplate like) : base(index.Info, index.Cube, index.Spacing)
+        {
+            Index = index;
+            m_like = like;
+            int pointBytes = Math.Max(Info.Schema.BytesPerPoint, like?.Las.Header.RecordBytes ?? index.RecordBytes);
+            m_blockPoints = Math.Max(1, Math.Min(MaxBlockPoints, MaxBlockBytes / pointBytes));
+            m_hierarchy = new EptHierarchy(this);
+        }
+
+        internal static EptReader Open(JsonMembers json)
+        {
+            var index = EptIndex.Read(json);
+            if (index.DataType != EptDataType.Laszip)
+                return new EptReader(index, null);
+            // Nodes have a scale and offset of their own, which count even if ept.json gives others.
+            var like = new LasTemplate(AnyNode(index));
+            var las = like.Las;
+            if (like.Laz == null)
+                throw PointCloudException.Wanted(FailureCode.BadInput, las.Info.Path, LasHeader.At.PointFormat,
+                    "a node of an EPT of data type laszip", "LAZ", "LAS");
+            index.Info.Schema = las.Info.Schema;
+            index.Info.Transform = las.Info.Transform;
+            index.Info.PointFormat = las.Header.PointFormat;
+            if (!index.Info.Crs.IsKnown)
+                index.Info.Crs = las.Info.Crs;
+            like.Laz.AddFacts(index.Info);
+            return new EptReader(index, like);
+        }
+
+        // The root's file, or another one if it is missing.
+        static string AnyNode(EptIndex index)
+        {
+            string folder = Path.Combine(index.Folder, DataFolder);
+            string root = Path.Combine(folder, "0-0-0-0.laz");
+            if (File.Exists(root) || !Directory.Exists(folder))
+                return root;
+            foreach (string path in Directory.EnumerateFiles(folder, "*.laz"))
+                return path;
+            return root;
+        }
+
+        internal EptIndex Index { get; }
+
+        public override bool HasFixedStride => Index.DataType == EptDataType.Binary;
+
+        internal override string NameOf(int level, int3 cell) => EptEntry.NameOf(level, cell);
+
+        public string PathOf(int level, int3 cell) => Path.Combine(Index.Folder, DataFolder, EptEntry.NameOf(level, cell)
+            + (HasFixedStride ? ".bin" : Index.DataType == EptDataType.Laszip ? ".laz" : ".zst"));
+
+        public override string FileOfBlock(int block, out long byteOffset)
+        {
+            byteOffset = 0;
+            var node = NodeOf(block);
+            return PathOf(node.Level, node.Cell);
+        }
+
+        public void Add(EptEntry entry, long points, long fileBytes) =>
+            AddNode(new SourceNode { Level = entry.Level, Cell = entry.Cell }, points, m_blockPoints, 0, fileBytes, 0);
+
+        public override long BytesOfRange(BlockRange range)
+        {
+            var block = Block(range.Block);
+            double share = HasFixedStride ? range.Count : Index.DataType == EptDataType.Laszip ? block.NodePoints
+                : block.FirstInNode + range.First + range.Count;
+            return (long)(block.Bytes * Math.Min(1, share / block.NodePoints));
+        }
+
+        public override IEnumerator<JobStep> FindBelow(int4 node, int levels) => m_hierarchy.Read(node, Math.Max(1, levels));
+
+        public override bool IsKnownBelow(int4 node, int levels) => Tree.IsWhole || m_hierarchy.IsKnown(node, levels);
+
+        public override IEnumerator<JobStep> FindBlocks()
+        {
+            if (Tree.IsWhole)
+                yield break;
+            yield return JobStep.Of(m_hierarchy.Read(default, int.MaxValue));
+            string found = "ept.json claims " + NumberText.Of(Info.PointsClaimed)
+                + " points, the nodes that are there hold " + NumberText.Of(PointCount);
+            if (PointCount == 0 && Info.PointsClaimed > 0)
+                throw new PointCloudException(FailureCode.Truncated, Info.Path, -1, found);
+            if ((ulong)PointCount != Info.PointsClaimed)
+                Info.Warn(-1, found);
+            Info.PointsReadable = PointCount;
+            Tree.IsWhole = true;
+        }
+
+        public override BlockRead CreateRead(PointSchema wanted, int capacity, Allocator allocator)
+        {
+            if (m_like != null)
+                return new LasNodeRead(this, m_like, false, wanted, capacity, allocator);
+            if (Index.DataType == EptDataType.Zstandard && Decompressors.Zstandard == null)
+                throw new PointCloudException(FailureCode.Unsupported, Info.Path, -1, "its points are compressed by "
+                    + "zstandard, for which .NET Standard 2.1 has nothing: set Decompressors.Zstandard to a decompressor "
+                    + "(the command line takes the system's libzstd), or convert it (./fastpoints convert, or pdal "
+                    + "translate to LAZ)");
+            return new EptRecordRead(this, HasFixedStride ? null : Decompressors.Zstandard, wanted, capacity, allocator);
+        }
+    }
+}

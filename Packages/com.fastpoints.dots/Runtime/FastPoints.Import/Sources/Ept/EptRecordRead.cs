@@ -1,0 +1,152 @@
+using System;
+using FastPoints.Core;
+using FastPoints.Reading;
+using Unity.Burst;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.Jobs;
+
+namespace FastPoints.Sources
+{
+    [BurstCompile]
+    unsafe struct DecodeEptJob : IJob
+    {
+        [ReadOnly] public NativeArray<byte> Records;
+
+        // Of making the records; if broken, there are none.
+        [ReadOnly] public NativeReference<DecompressState> State;
+
+        [ReadOnly] public NativeArray<FieldCopy> Copies;
+        public NativeArray<byte> Columns;
+        public NativeReference<DecodeResult> Result;
+        public int RecordBytes;
+        public int FirstRecord;
+        public int First;
+        public int Count;
+
+        public void Execute()
+        {
+            var result = First == 0 ? default : Result.Value;
+            if (State.Value.IsBroken)
+            {
+                if (result.Error == 0)
+                {
+                    result.Error = EptError.Broken;
+                    result.ErrorOffset = State.Value.Consumed;
+                }
+            }
+            else
+            {
+                byte* records = (byte*)Records.GetUnsafeReadOnlyPtr() + (long)FirstRecord * RecordBytes;
+                PointRecords.ToColumns(records, RecordBytes, Count, Copies, (byte*)Columns.GetUnsafePtr(), First);
+                result.Points = First + Count;
+            }
+            Result.Value = result;
+        }
+    }
+
+    static class EptError
+    {
+        public const int Broken = 1;
+    }
+
+    // Nodes of records, plain or in a zstandard frame, which is decompressed tile by tile, as far as the range goes.
+    sealed class EptRecordRead : NodeRead
+    {
+        // About a millisecond of copying.
+        const int SlicePoints = 1 << 16;
+
+        // Less than a millisecond of decompression.
+        const int TileBytes = 256 << 10;
+
+        readonly DecompressorHandle m_decompressor;
+        readonly int m_recordBytes;
+        readonly int m_tilePoints;
+        readonly NativeArray<FieldCopy> m_copies;
+        readonly NativeArray<byte> m_tile;
+        readonly NativeReference<DecompressState> m_state;
+
+        public EptRecordRead(EptReader reader, Func<StreamDecompressor> decompressor, PointSchema wanted, int capacity,
+            Allocator allocator)
+            : base(reader, wanted, capacity, allocator)
+        {
+            m_recordBytes = reader.Index.RecordBytes;
+            m_tilePoints = Math.Max(1, TileBytes / m_recordBytes);
+            try
+            {
+                m_copies = Own(new NativeArray<FieldCopy>(FieldCopyPlan.Make(reader.Index.Fields, Points), allocator));
+                if (decompressor != null)
+                    m_decompressor = Own(new DecompressorHandle(decompressor()));
+            }
+            catch
+            {
+                Dispose();
+                throw;
+            }
+            m_state = Own(new NativeReference<DecompressState>(allocator));
+            if (decompressor != null)
+                m_tile = OwnArray<byte>(m_tilePoints * m_recordBytes, allocator);
+        }
+
+        protected override JobHandle Schedule(BlockRange range, in NodeBlock block)
+        {
+            if (m_decompressor != null)
+                return Decompress(range, block);
+            var decoded = BeginRead(range.Block, (block.FirstInNode + range.First) * m_recordBytes, range.Count * m_recordBytes);
+            for (int first = 0; first < range.Count; first += SlicePoints)
+                decoded = Decode(File.Buffer, first, first, Math.Min(SlicePoints, range.Count - first)).Schedule(decoded);
+            return decoded;
+        }
+
+        JobHandle Decompress(BlockRange range, in NodeBlock block)
+        {
+            long begin = block.FirstInNode + range.First, end = begin + range.Count;
+            var decoded = BeginRead(range.Block, 0, (int)block.Bytes);
+            for (long first = 0; first < end; first += m_tilePoints)
+            {
+                int count = (int)Math.Min(m_tilePoints, end - first);
+                decoded = new DecompressJob
+                {
+                    Input = File.Buffer,
+                    InputBytes = (int)block.Bytes,
+                    Output = m_tile,
+                    Wanted = count * m_recordBytes,
+                    IsFirst = first == 0,
+                    Slot = m_decompressor.Handle,
+                    State = m_state,
+                }.Schedule(decoded);
+                long from = Math.Max(first, begin);
+                if (from < first + count)
+                    decoded = Decode(m_tile, (int)(from - first), (int)(from - begin), (int)(first + count - from))
+                        .Schedule(decoded);
+            }
+            return decoded;
+        }
+
+        DecodeEptJob Decode(NativeArray<byte> records, int firstRecord, int first, int count) => new DecodeEptJob
+        {
+            Records = records,
+            State = m_state,
+            Copies = m_copies,
+            Columns = Points.Bytes,
+            Result = Result,
+            RecordBytes = m_recordBytes,
+            FirstRecord = firstRecord,
+            First = first,
+            Count = count,
+        };
+
+        protected override void Report(DecodeResult result)
+        {
+            if (m_decompressor == null)
+                return;
+            var failure = m_decompressor.Failure;
+            m_decompressor.Failure = null;
+            if (result.Error != 0)
+                Reader.WarnBroken(Range.Block, "its zstandard stream is broken: points are left out",
+                    "wanted " + Range.Count + " points, got " + result.Points
+                        + (failure != null ? " (" + failure.Message + ")" : ""),
+                    result.ErrorOffset);
+        }
+    }
+}

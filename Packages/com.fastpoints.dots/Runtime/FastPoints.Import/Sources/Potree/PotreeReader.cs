@@ -1,0 +1,135 @@
+using System;
+using System.Collections.Generic;
+using System.Threading;
+using FastPoints.Core;
+using FastPoints.Reading;
+using Unity.Mathematics;
+
+namespace FastPoints.Sources
+{
+    // The octrees of PotreeConverter, 1.4 to 1.8 and 2.x. A hierarchy's claims are checked against the existing files: missing or
+    // short ones are holes with warnings. Each byte of a hierarchy is used only once, so that loops end.
+    internal abstract class PotreeReader : NodeReader
+    {
+        // Cells of deeper levels do not fit 32-bit coordinates; converters stop far above.
+        internal const int MaxLevels = 30;
+
+        // More than the largest clouds have: it bounds the memory of a hierarchy.
+        internal const int MaxNodes = 1 << 21;
+
+        // Of a block that can be cut.
+        internal const int MaxBlockPoints = 1 << 20;
+
+        // Of a node that cannot be cut.
+        internal const int MaxNodePoints = 1 << 22;
+
+        // In the columns of a node that cannot be cut: it bounds a slot, whatever a file claims.
+        internal const int MaxNodeBytes = 1 << 27;
+
+        // In the records of a block that can be cut.
+        const int MaxBlockBytes = 1 << 26;
+
+        private protected PotreeReader(SourceInfo info, BoundsGeo cube, double spacing) : base(info, cube, spacing) { }
+
+        // Null for nodes that are LAS or LAZ files.
+        internal abstract PotreeLayout Layout { get; }
+
+        // Grid steps from a block's corner to the cloud's.
+        internal abstract int3 ShiftOf(int block);
+
+        internal sealed override string NameOf(int level, int3 cell) => PotreeNames.NameOf(level, cell);
+
+        // According to the hierarchy, as far as it has been read.
+        private protected long PointsClaimed { get; set; }
+
+        public override long BytesOfRange(BlockRange range)
+        {
+            var block = Block(range.Block);
+            long points = HasFixedStride ? range.Count : range.First + range.Count;
+            return (long)(block.Bytes * (points / (double)Math.Max(1, block.Points)));
+        }
+
+        private protected UnreadPages Pages { get; } = new UnreadPages(MaxLevels + 1);
+
+        // A reader that knows the first level of its tree.
+        private protected static T Opened<T>(T reader) where T : PotreeReader
+        {
+            try
+            {
+                using (var steps = new CoroutineStack(reader.FindBelow(default, 1)))
+                    while (steps.MoveNext())
+                        Thread.Yield();
+                return reader;
+            }
+            catch
+            {
+                reader.DisposeUnread();
+                throw;
+            }
+        }
+
+        public override IEnumerator<JobStep> FindBlocks() => FindBelow(default, MaxLevels + 1);
+
+        public override IEnumerator<JobStep> FindBelow(int4 node, int levels)
+        {
+            if (!Tree.IsWhole)
+                yield return JobStep.Of(ReadPages(node, levels));
+            if (!Tree.IsWhole)
+                yield break;
+            Info.PointsReadable = PointCount;
+            if (Info.PointsClaimed == 0)
+                Info.PointsClaimed = (ulong)PointsClaimed;
+        }
+
+        // Coroutine, which can be abandoned and begun again for another node: reads the parts of the hierarchy that the first
+        // levels need for a node and what is below it. Steps take some milliseconds at most.
+        private protected abstract IEnumerator<JobStep> ReadPages(int4 node, int levels);
+
+        // bytes: of all its points in the file; bytesPerPoint: if fixed, so that a long node can be cut; otherwise 0.
+        private protected void AddNode(int level, int3 cell, long points, long offset, long bytes, int bytesPerPoint) =>
+            AddNode(new SourceNode { Level = level, Cell = cell }, points,
+                bytesPerPoint > 0 ? Math.Min(MaxBlockPoints, MaxBlockBytes / bytesPerPoint) : points, offset, bytes,
+                bytesPerPoint);
+
+        private protected bool IsFull(long next)
+        {
+            if (Tree.NodeCount < MaxNodes)
+                return false;
+            Info.Warn(next, "the hierarchy has more than " + NumberText.Of(MaxNodes) + " nodes: the others are left out");
+            return true;
+        }
+    }
+
+    // r, then a digit a level: 4 x + 2 y + z, each 0 for the lower half of the axis.
+    internal static class PotreeNames
+    {
+        public static string NameOf(int level, int3 cell)
+        {
+            var name = new char[level + 1];
+            name[0] = 'r';
+            for (int i = 1; i <= level; i++)
+                name[i] = (char)('0' + ChildOf(cell >> level - i));
+            return new string(name);
+        }
+
+        public static bool TryParse(string name, int maxLevels, out int level, out int3 cell)
+        {
+            level = name.Length - 1;
+            cell = default;
+            if (level < 0 || level > maxLevels || name[0] != 'r')
+                return false;
+            for (int i = 1; i < name.Length; i++)
+            {
+                int child = name[i] - '0';
+                if (child < 0 || child > 7)
+                    return false;
+                cell = Child(cell, child);
+            }
+            return true;
+        }
+
+        public static int3 Child(int3 cell, int child) => cell * 2 + new int3(child >> 2 & 1, child >> 1 & 1, child & 1);
+
+        static int ChildOf(int3 cell) => (cell.x & 1) << 2 | (cell.y & 1) << 1 | cell.z & 1;
+    }
+}

@@ -1,0 +1,238 @@
+using System;
+using FastPoints.Core;
+using FastPoints.Reading;
+using FastPoints.Store;
+using FastPoints.Streaming;
+using Unity.Collections;
+using Unity.Jobs;
+using Unity.Mathematics;
+
+namespace FastPoints.Sources
+{
+    // A slot of the source's reader decodes the attributes of some planes, then slices of at most about 4 ms order and pack them.
+    sealed unsafe class TreeNodeTranscoder : NodeTranscoder
+    {
+        // Nodes up to this size share one size of memory, which is doubled for larger ones.
+        const int MinCapacity = 1 << 12;
+
+        readonly PointReader m_reader;
+        readonly TreeGrid m_grid;
+        readonly int m_planesOfPage;
+        readonly TreePlanes m_planes;
+        BlockRead m_read;
+        int m_capacity;
+        NativeArray<byte> m_offsets;
+        NativeArray<uint> m_pointOfRank;
+        NativeArray<ulong> m_keys;
+        NativeArray<ulong> m_keyScratch;
+        NativeArray<uint> m_pointScratch;
+        NativeArray<byte> m_packed;
+        NativeArray<long> m_lengthOfPlane;
+        NativeReference<PackState> m_state;
+        JobHandle m_done;
+        PointCloudException m_refused;
+        SourceNode m_node;
+        TranscoderChain m_chain;
+        int m_pointsInChain;
+
+        // planes: those that it makes, which the source still owns; planesOfPage: of a node in the source's pages.
+        public TreeNodeTranscoder(PointReader reader, TreeGrid grid, TreePlanes planes, int planesOfPage)
+        {
+            m_reader = reader;
+            m_grid = grid;
+            m_planesOfPage = planesOfPage;
+            m_planes = planes;
+            m_lengthOfPlane = new NativeArray<long>(planes.Count, Allocator.Persistent);
+            m_state = new NativeReference<PackState>(Allocator.Persistent);
+        }
+
+        // All nodes lie in one file, whose failure is then reported once.
+        bool IsOneFile => m_reader is CopcReader || m_reader is Potree2Reader;
+
+        public int Capacity => m_capacity;
+
+        public void Join(TranscoderChain chain, int points)
+        {
+            (m_chain, m_pointsInChain) = (chain, points);
+            chain.Points += points;
+        }
+
+        public int LeaveChain()
+        {
+            m_chain.Points -= m_pointsInChain;
+            m_chain = null;
+            return m_pointsInChain;
+        }
+
+        public override JobHandle Done => m_done;
+        public override long BytesRead => m_reader.BytesOfRange(new BlockRange(m_node.Block, 0, m_node.PointCount));
+        public override NativeArray<byte> Planes => m_packed;
+
+        public override long LengthOf(int plane) => m_lengthOfPlane[plane];
+
+        public override void Begin(in HierarchyPage page, int node)
+        {
+            m_node = m_reader.Tree[(int)page.Planes[node * m_planesOfPage].OffsetBytes];
+            m_refused = null;
+            try
+            {
+                if (m_node.PointCount > m_capacity)
+                    Reserve(m_node.PointCount);
+                m_read.Dependency = m_chain?.End ?? default;
+                m_read.Begin(new BlockRange(m_node.Block, 0, m_node.PointCount));
+                m_done = Schedule(m_read.Decoded);
+                if (m_chain != null)
+                    m_chain.End = m_done;
+            }
+            catch (PointCloudException refused)
+            {
+                m_refused = refused;
+                m_done = default;
+            }
+        }
+
+        internal override TranscodeResult End(out StreamFailure failure)
+        {
+            failure = default;
+            m_done.Complete();
+            m_done = default;
+            try
+            {
+                if (m_refused != null)
+                    throw m_refused;
+                m_read.Complete();
+            }
+            catch (PointCloudException broken)
+            {
+                failure = new StreamFailure(broken.Path, broken.ByteOffset, broken.What);
+                return broken.Code == FailureCode.ReadFailed && IsOneFile ? TranscodeResult.Unreadable : TranscodeResult.Damaged;
+            }
+            if (!m_state.Value.IsDamaged)
+                return TranscodeResult.Done;
+            var cell = m_node.Cell;
+            string name = NumberText.Of(m_node.Level) + "-" + NumberText.Of(cell.x) + "-" + NumberText.Of(cell.y) + "-"
+                + NumberText.Of(cell.z);
+            string path = m_reader.FileOfBlock(m_node.Block, out long offset);
+            failure = new StreamFailure(path, offset, "node " + name + " is damaged: wanted " + NumberText.Of(m_node.PointCount) +
+                " points, got " + NumberText.Of(m_read.Points.Count));
+            return TranscodeResult.Damaged;
+        }
+
+        public override void Dispose()
+        {
+            m_done.Complete();
+            m_done = default;
+            FreeBuffers();
+            if (m_lengthOfPlane.IsCreated)
+                m_lengthOfPlane.Dispose();
+            if (m_state.IsCreated)
+                m_state.Dispose();
+        }
+
+        JobHandle Schedule(JobHandle decoded)
+        {
+            var grid = m_grid;
+            int count = m_node.PointCount;
+            var order = new OrderNodeJob
+            {
+                Columns = m_read.Points.Bytes,
+                Decoded = m_read.Result,
+                Positions = PositionColumns.Of(m_read.Points),
+                Grid = grid.Source,
+                Corner = grid.Corner,
+                IsWide = grid.IsWide,
+                CubePosition = grid.PositionOf(m_node.Key),
+                CubeBits = math.min(grid.BitsOf(m_node.Level), 62),
+                Count = count,
+                Capacity = m_capacity,
+                Offsets = m_offsets,
+                PointOfRank = m_pointOfRank,
+                State = m_state,
+                Keys = m_keys,
+                KeyScratch = m_keyScratch,
+                PointScratch = m_pointScratch,
+            };
+            for (; order.First < count; order.First += OrderNodeJob.PointsOfSlice)
+                decoded = order.Schedule(decoded);
+            for (int p = 0; p < m_planes.Count; p++)
+                decoded = SchedulePlane(p, decoded);
+            return decoded;
+        }
+
+        JobHandle SchedulePlane(int plane, JobHandle inputDeps)
+        {
+            var pack = new PackPlaneJob
+            {
+                Columns = m_read.Points.Bytes,
+                Offsets = m_offsets,
+                PointOfRank = m_pointOfRank,
+                Shape = ShapeOf(plane),
+                Plane = plane,
+                Count = m_node.PointCount,
+                Capacity = m_capacity,
+                Packed = m_packed,
+                LengthOfPlane = m_lengthOfPlane,
+                State = m_state,
+            };
+            if (plane > 0)
+            {
+                pack.Column0 = ColumnOf(plane, 0);
+                pack.Column1 = pack.Shape.ColumnCount > 1 ? ColumnOf(plane, 1) : default;
+                pack.Column2 = pack.Shape.ColumnCount > 2 ? ColumnOf(plane, 2) : default;
+            }
+            int blocks = PlaneShape.BlocksOf(m_node.PointCount);
+            for (; pack.FirstBlock < blocks; pack.FirstBlock += PackPlaneJob.BlocksOfSlice)
+                inputDeps = pack.Schedule(inputDeps);
+            return inputDeps;
+        }
+
+        PlaneShape ShapeOf(int plane) => plane == 0 ? new PlaneShape(3, m_grid.IsWide ? 7 : 0) : m_planes.Shapes[plane];
+
+        PointColumn ColumnOf(int plane, int column) =>
+            m_read.Points.Column(m_read.Points.Schema.IndexOf(m_planes.AttributeOf(plane, column)));
+
+        void Reserve(int points)
+        {
+            FreeBuffers();
+            int capacity = Math.Max(MinCapacity, math.ceilpow2(points));
+            int slice = Math.Min(capacity, OrderNodeJob.PointsOfSlice);
+            m_read = m_reader.CreateRead(m_planes.Decoded, capacity, Allocator.Persistent);
+            m_offsets = Allocate<byte>((m_grid.IsWide ? 24L : 12L) * capacity);
+            m_pointOfRank = Allocate<uint>(capacity);
+            m_keys = Allocate<ulong>(slice);
+            m_keyScratch = Allocate<ulong>(slice);
+            m_pointScratch = Allocate<uint>(slice);
+            long bytes = 0;
+            for (int p = 0; p < m_planes.Count; p++)
+                bytes += ShapeOf(p).LongestBytes(PlaneShape.BlocksOf(capacity), capacity);
+            m_packed = Allocate<byte>(bytes);
+            m_capacity = capacity;
+        }
+
+        static NativeArray<T> Allocate<T>(long count) where T : unmanaged =>
+            new NativeArray<T>(checked((int)count), Allocator.Persistent, NativeArrayOptions.UninitializedMemory);
+
+        void FreeBuffers()
+        {
+            m_capacity = 0;
+            m_read?.Dispose();
+            m_read = null;
+            if (!m_offsets.IsCreated)
+                return;
+            m_offsets.Dispose();
+            m_pointOfRank.Dispose();
+            m_keys.Dispose();
+            m_keyScratch.Dispose();
+            m_pointScratch.Dispose();
+            m_packed.Dispose();
+        }
+    }
+
+    // Transcoders whose nodes are decoded one after the other, while the next is read: as many chains as workers leave frames'
+    // own jobs their turn, however many nodes are begun.
+    sealed class TranscoderChain
+    {
+        public JobHandle End;
+        public long Points;
+    }
+}
