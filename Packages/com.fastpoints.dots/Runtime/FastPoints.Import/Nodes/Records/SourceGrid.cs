@@ -240,7 +240,8 @@ namespace FastPoints.Nodes
                 throw new PointCloudException(FailureCode.Unsupported, info.Path, -1,
                     "scale and offset of " + name + ": no grid holds them together with the other files'");
             }
-            (result.Factor, result.Shift, double loss) = placed;
+            double loss;
+            (result.Factor, result.Shift, loss) = placed;
             result.IsInteger = true;
             if (loss > 0)
                 info.Warn(-1, name + " does not fit the common grid: moved by up to " + NumberText.Of(loss));
