@@ -35,21 +35,13 @@ namespace FastPoints.Core
             string below = Below(folder);
             lock (s_openFiles)
                 s_released = new List<string>(s_released) { below }.ToArray();
+            // Of reads by name nobody knows the folder; what is begun later is of others.
             foreach (var files in s_openFiles)
-                s_closing = Combine(s_closing, files.CloseBelow(below));
+                s_closing = Combine(Combine(s_closing, files.OtherReads), files.CloseBelow(below));
         }
 
         /// <summary>Whether reads that were in flight in released folders have ended, and their files are closed.</summary>
-        public static bool HasReleased
-        {
-            get
-            {
-                bool hasReleased = JobCoroutine.HasEnded(s_closing);
-                foreach (var files in s_openFiles)
-                    hasReleased &= JobCoroutine.HasEnded(files.OtherReads);
-                return hasReleased;
-            }
-        }
+        public static bool HasReleased => JobCoroutine.HasEnded(s_closing);
 
         /// <summary>The folder may be read again. On any thread.</summary>
         public static void Reacquire(string folder)
