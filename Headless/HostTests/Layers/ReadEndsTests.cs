@@ -6,6 +6,7 @@ using StandIns.Io;
 
 namespace FastPoints.HostTests.Layers;
 
+/// <summary>Reads as the manual of Unity's FileHandle and of AsyncReadManager.CloseCachedFileAsync has them.</summary>
 public sealed class ReadEndsTests
 {
     static readonly Regex s_wrong = new Regex(@"\bReadStatus\.InProgress\b|\bAsyncReadManager\.Read\((?!kept\.Handle\b|file\b)");
@@ -25,7 +26,35 @@ public sealed class ReadEndsTests
     }
 
     [Test]
-    public void Frames_WhileFilesAreBeingOpened_LoseNothing()
+    public void Frames_WhileFilesAreBeingOpened_LoseNothing() => Show("", (stream, views) =>
+    {
+        Assert.That(FramesWithoutDisk(stream, views), Is.GreaterThan(0));
+        for (int frame = 0; frame < 100_000 && !FrameStep.Run(stream, views).IsSettled; frame++)
+            System.Threading.Thread.Yield();
+        Assert.That(stream.TryTakeFailure(out var failure), Is.False, failure.ToString());
+        Assert.That(stream.Drawn.Length, Is.GreaterThan(0));
+    });
+
+    /// <summary>Another build, whose cloud is shown all the time, keeps none from its last rename.</summary>
+    [Test]
+    public void HasReleased_OfOneFolderWhileAnotherIsRead_IsTrue() => Show(StoreFormat.PartSuffix, (stream, views) =>
+    {
+        const string Released = "released" + StoreFormat.PartSuffix;
+        FolderReleases.Release(Released);
+        try
+        {
+            bool hasReleased = false;
+            Assert.That(FramesWithoutDisk(stream, views, () => hasReleased = FolderReleases.HasReleased), Is.GreaterThan(0));
+            Assert.That(hasReleased);
+        }
+        finally
+        {
+            FolderReleases.Reacquire(Released);
+        }
+    });
+
+    /// <summary>Shows a cloud whose folder's name ends so.</summary>
+    static void Show(string suffix, Action<StreamContext, NativeArray<StreamView>> act)
     {
         string folder = Directory.CreateTempSubdirectory("fastpoints-").FullName;
         try
@@ -34,6 +63,8 @@ public sealed class ReadEndsTests
             JobCoroutine.RunToEnd(LasScan.Run(las, 50_000, 1, ScanOrder.Strip, null));
             using (var reader = PointReaders.Open(las))
                 JobCoroutine.RunToEnd(ConvertCloud.Run([reader], cloud, new ConvertSettings(), _ => { }, null));
+            if (suffix.Length > 0)
+                Directory.Move(cloud, cloud += suffix);
             using var stream = new StreamContext(new MemoryNodePool(64 << 20, 1 << 20));
             stream.Settings.MaxTries = 1;
             var source = new FolderSource(CloudFolder.Open(cloud));
@@ -42,28 +73,31 @@ public sealed class ReadEndsTests
             {
                 [0] = StreamView.Everything(1),
             };
-            IoThreads.Pause(true);
-            // A frame that waits for a read would wait for ever.
-            using var end = new System.Threading.Timer(_ => IoThreads.Pause(false), null, 5000, -1);
-            int underWay = 0;
-            try
-            {
-                for (int frame = 0; frame < 5; frame++)
-                    underWay = FrameStep.Run(stream, views).ReadsInFlight;
-            }
-            finally
-            {
-                IoThreads.Pause(false);
-            }
-            Assert.That(underWay, Is.GreaterThan(0));
-            for (int frame = 0; frame < 100_000 && !FrameStep.Run(stream, views).IsSettled; frame++)
-                System.Threading.Thread.Yield();
-            Assert.That(stream.TryTakeFailure(out var failure), Is.False, failure.ToString());
-            Assert.That(stream.Drawn.Length, Is.GreaterThan(0));
+            act(stream, views);
         }
         finally
         {
             Directory.Delete(folder, true);
         }
+    }
+
+    /// <returns>How many reads were begun meanwhile.</returns>
+    static int FramesWithoutDisk(StreamContext stream, NativeArray<StreamView> views, Action then = null)
+    {
+        IoThreads.Pause(true);
+        // A frame that waits for a read would wait for ever.
+        using var end = new System.Threading.Timer(_ => IoThreads.Pause(false), null, 5000, -1);
+        int inFlight = 0;
+        try
+        {
+            for (int frame = 0; frame < 5; frame++)
+                inFlight = FrameStep.Run(stream, views).ReadsInFlight;
+            then?.Invoke();
+        }
+        finally
+        {
+            IoThreads.Pause(false);
+        }
+        return inFlight;
     }
 }
