@@ -1,3 +1,4 @@
+using Mono.Cecil.Cil;
 using UnityOutside.Hpc;
 
 namespace FastPoints.HostTests.Hpc;
@@ -28,5 +29,17 @@ public sealed class PackageHpcTests(string generation)
             .SelectMany(HpcEntries.Jobs).Where(j => !HpcEntries.IsCompiled(j)).Select(j => j.FullName);
 
         Assert.That(without, Is.EquivalentTo(s_managedJobs));
+    }
+
+    /// <summary>ARMv7 faults on some loads of eight bytes that are not aligned.</summary>
+    [Test]
+    public void PackedColumns_AreReadWordByWord()
+    {
+        using GenerationBuilds builds = Checkout.Builds(m_generation);
+        MethodDefinition reads = builds.Package.Select(m => m.GetType(typeof(BlockCodec).FullName)).Single(t => t != null)
+            .Methods.Single(m => m.Name == "OffsetAt");
+
+        Assert.That(reads.Body.Instructions.Select(i => i.OpCode.Code),
+            Has.None.EqualTo(Code.Ldind_I8).And.Some.EqualTo(Code.Ldind_U4));
     }
 }
