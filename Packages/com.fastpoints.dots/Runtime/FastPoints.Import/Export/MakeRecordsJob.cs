@@ -87,7 +87,7 @@ namespace FastPoints.Export
                 int points = math.min(run, count - first);
                 if (needsPlaces)
                     Positions.Load(columns, First + first, points, x, y, z);
-                    Position.From.ToGeo(points, x, y, z);
+                Position.From.ToGeo(points, x, y, z);
                 if (Classes.Length > 0)
                     ColumnValues.ToDoubles(columns + Classification.OffsetBytes, Classification.Type, First + first, points,
                         classes);
