@@ -189,7 +189,7 @@ public sealed class BuildSessionTests
         Assert.That(session.State, Is.EqualTo(BuildState.Failed));
         Assert.That(session.Failure, Has.Property("Code").EqualTo(FailureCode.Unexpected));
         Assert.That(session.Failure,
-            Has.Property("Story").Contains("InvalidOperationException: planted").And.Property("Story")
+            Has.Property("FullMessage").Contains("InvalidOperationException: planted").And.Property("FullMessage")
             .Contains(nameof(BuildSessionTests)));
     }
 
