@@ -128,7 +128,7 @@ public sealed class HouseTests
     [TestCase("class A { int Page; } // a page", 0, TestName = "words with a row of their own")]
     [TestCase("class A { int File, Heap; }", 0, TestName = "remarks and other tables")]
     [TestCase("/// <summary>Spans.</summary>\nclass A { } // a slice\n/* bare cells */", 0, TestName = "comments")]
-    [TestCase("class A { int MaxFrameMs, m_max; bool Sees() { } bool See(); }", 3, TestName = "first words, verbs")]
+    [TestCase("class A { int MostFrameMs, m_most; bool Sees() { } bool See(); }", 3, TestName = "first words, verbs")]
     [TestCase("class A { void TryPredictView() { } void Try() { } void ForeseeTry() { } }", 1, TestName = "words in their order")]
     [TestCase("class A { string b = \"span\"; }", 0, TestName = "literals")]
     public void Figure_WordsThatTheGlossaryRefuses(string code, int figure) =>
