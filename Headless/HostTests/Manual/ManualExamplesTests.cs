@@ -12,7 +12,8 @@ public sealed class ManualExamplesTests
 
     static readonly string[] s_package =
     {
-        "FastPoints", "FastPoints.Import", "FastPoints.Rendering", "FastPoints.Entities", "FastPoints.Editor",
+        "FastPoints", "FastPoints.Import", "FastPoints.Picture", "FastPoints.Rendering", "FastPoints.Entities",
+        "FastPoints.Editor",
     };
 
     // As Unity compiles it.

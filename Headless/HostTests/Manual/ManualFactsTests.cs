@@ -9,7 +9,7 @@ public sealed class ManualFactsTests
     static readonly Assembly[] s_assemblies =
     {
         typeof(JobCoroutine).Assembly, typeof(PointReaders).Assembly, typeof(PointRenderer).Assembly,
-        typeof(PointCloudSettings).Assembly, typeof(EditorImports).Assembly,
+        typeof(PointCloudSettings).Assembly, typeof(EditorImports).Assembly, typeof(PreviewCloud).Assembly,
     };
 
     static readonly Lazy<Dictionary<string, Type>> s_types = new(() => s_assemblies.SelectMany(a => a.GetTypes())

@@ -13,6 +13,25 @@ public static class FileCycles
     {
         ("Authoring/PointCloud.cs, Authoring/PointCloudOrigin.cs", "origins place clouds that set them; Unity wants a file each"),
         ("Reading/Tiles/TiledRead.cs, Reading/Tiles/TiledReader.cs", "a slot enters and leaves the tiles that its reader counts"),
+        ("Drawing/Feeds/CloudFeed.cs, Drawing/Feeds/FileFeed.cs, Drawing/Feeds/FolderFeed.cs", "a feed opens the feed that fits"),
+        ("E57/E57Section.cs, E57/E57Walk.cs", "a reader, its slots and its lists are one thing in files of a readable length"),
+        ("Las/LasHeader.cs, Las/LasPointFormat.cs",
+            "a reader, its slots and its lists are one thing in files of a readable length"),
+        ("Reading/Blocks/AsciiLines.cs, Reading/Blocks/AsciiSegments.cs, Reading/Blocks/SegmentBlocks.cs",
+            "a reader, its slots and its lists are one thing in files of a readable length"),
+        ("Reading/Blocks/BlockRead.cs, Reading/PointReader.cs, Reading/SourceTree.cs",
+            "a reader, its slots and its lists are one thing in files of a readable length"),
+        ("Reading/Blocks/RecordReader.cs, Reading/Blocks/RunRead.cs, Reading/SourceScan.cs",
+            "a reader, its slots and its lists are one thing in files of a readable length"),
+        ("Sources/Copc/CopcHierarchy.cs, Sources/Copc/CopcReader.cs",
+            "a reader, its slots and its lists are one thing in files of a readable length"),
+        ("Sources/Ept/EptHierarchy.cs, Sources/Ept/EptReader.cs, Sources/Ept/EptRecordRead.cs",
+            "a reader, its slots and its lists are one thing in files of a readable length"),
+        ("Streaming/Loading/NodeFetch.cs, Streaming/Loading/NodeUploads.cs", "the queue and the uploads take from one another"),
+        ("Text/Pcd/PcdLzfReader.cs, Text/Pcd/PcdReader.cs",
+            "a reader, its slots and its lists are one thing in files of a readable length"),
+        ("Text/Ptx/DecodePtxJob.cs, Text/Ptx/PtxReader.cs",
+            "a reader, its slots and its lists are one thing in files of a readable length"),
     };
 
     public static IEnumerable<string> Check(ModuleDefinition module, string folder) => Check(module, FilesIn(folder), s_kept
