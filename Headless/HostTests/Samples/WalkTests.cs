@@ -369,23 +369,9 @@ public sealed class WalkTests : GraphicsFixture
         m_world.Update();
         if (Camera.main != null && Camera.main.targetTexture != null)
         {
-            Camera.main.worldToCameraMatrix = ViewFrom(Camera.main.transform.localToWorldMatrix);
             Camera.main.Render();
         }
         HeadlessGraphics.EndFrame();
-    }
-
-    /// <summary>Unity's views look along -Z.</summary>
-    static Matrix4x4 ViewFrom(Matrix4x4 place)
-    {
-        var view = Matrix4x4.identity;
-        var eye = (Vector3)place.GetColumn(3);
-        for (int row = 0; row < 3; row++)
-        {
-            var axis = (Vector3)place.GetColumn(row) * (row == 2 ? -1 : 1);
-            view.SetRow(row, new Vector4(axis.x, axis.y, axis.z, -Vector3.Dot(axis, eye)));
-        }
-        return view;
     }
 
     void Until(Func<bool> isDone)

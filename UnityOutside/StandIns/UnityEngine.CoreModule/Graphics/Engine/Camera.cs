@@ -11,6 +11,7 @@ public sealed class Camera : Behaviour
     public static CameraCallback onPreCull;
 
     readonly List<(CameraEvent Event, CommandBuffer Commands)> m_commands = new List<(CameraEvent, CommandBuffer)>();
+    Matrix4x4? m_view;
 
     /// <summary>The one that a host or a new scene made last.</summary>
     public static Camera main { get; internal set; }
@@ -24,7 +25,10 @@ public sealed class Camera : Behaviour
     public ulong overrideSceneCullingMask { get; set; }
 
     public SceneManagement.Scene scene { get; set; }
-    public Matrix4x4 worldToCameraMatrix { get; set; } = Matrix4x4.identity;
+
+    /// <summary>Of the transform without its scale, until it is set.</summary>
+    public Matrix4x4 worldToCameraMatrix { get => m_view ?? Matrix4x4.Scale(new Vector3(1, 1, -1)) * Placed.inverse; set => m_view = value; }
+
     public Matrix4x4 projectionMatrix { get; set; } = Matrix4x4.identity;
 
     /// <summary>A host's headset says it.</summary>
@@ -32,6 +36,17 @@ public sealed class Camera : Behaviour
 
     public MonoOrStereoscopicEye stereoActiveEye { get; internal set; } = MonoOrStereoscopicEye.Mono;
     internal (Matrix4x4 View, Matrix4x4 Projection)[] Eyes { get; set; }
+
+    Matrix4x4 Placed
+    {
+        get
+        {
+            var placed = transform.localToWorldMatrix;
+            for (int axis = 0; axis < 3; axis++)
+                placed.SetColumn(axis, ((Vector3)placed.GetColumn(axis)).normalized);
+            return placed;
+        }
+    }
 
     public Matrix4x4 GetStereoViewMatrix(StereoscopicEye eye) => Eyes[(int)eye].View;
     public Matrix4x4 GetStereoProjectionMatrix(StereoscopicEye eye) => Eyes[(int)eye].Projection;
