@@ -1,6 +1,5 @@
 using System;
 using System.Runtime.CompilerServices;
-using FastPoints.Core;
 using StandIns.Io;
 
 namespace FastPoints.HostTests;

@@ -1,6 +1,5 @@
 using FastPoints.Benchmarks;
 using FastPoints.Build;
-using FastPoints.Core;
 using FastPoints.Nodes;
 using FastPoints.Sources;
 using StandIns.Scheduling;

@@ -224,6 +224,6 @@ public sealed class PlayerCloudTests : EditorFixture
         clouds.Add("Assets/again.pointcloud", a, "PointClouds/a.fastpoints");
         Assert.That(clouds.Entries, Has.Count.EqualTo(1));
         Assert.That(() => clouds.Add("Assets/b.pointcloud", b, "pointclouds/A.fastpoints"),
-            Throws.TypeOf<FastPoints.Core.PointCloudException>().With.Message.StartsWith("Assets/b.pointcloud: "));
+            Throws.TypeOf<FastPoints.PointCloudException>().With.Message.StartsWith("Assets/b.pointcloud: "));
     }
 }

@@ -20,20 +20,20 @@ public sealed class RoomOrderTests
         Assert.That(builds.Package.SelectMany(RoomOrder.CheckIl), Is.Empty);
     }
 
-    [TestCase("FastPoints", "Store/A.cs", "using FastPoints.Core;\nnamespace FastPoints.Store { }")]
+    [TestCase("FastPoints", "Store/A.cs", "using FastPoints;\nnamespace FastPoints.Store { }")]
     [TestCase("FastPoints.Import", "Nodes/A.cs", "using FastPoints.Store;\nnamespace FastPoints.Nodes { }")]
-    [TestCase("FastPoints", "Core/A.cs", "// after FastPoints.Store\nnamespace FastPoints.Core { }")]
+    [TestCase("FastPoints", "Core/A.cs", "// after FastPoints.Store\nnamespace FastPoints { }")]
     [TestCase("FastPoints", "AssemblyInfo.cs", "")]
     [TestCase("FastPoints.Picture", "A.cs", "using FastPoints.Sources;\nnamespace FastPoints.Picture { }")]
     public void CheckSource_OwnAndEarlierRooms_NoProblem(string assembly, string path, string text) =>
         Assert.That(RoomOrder.CheckSource(assembly, path, text), Is.Empty);
 
-    [TestCase("FastPoints", "Core/A.cs", "using FastPoints.Store;\nnamespace FastPoints.Core { }", "uses FastPoints.Store")]
+    [TestCase("FastPoints", "Core/A.cs", "using FastPoints.Store;\nnamespace FastPoints { }", "uses FastPoints.Store")]
     [TestCase("FastPoints", "Picking/A.cs", "namespace FastPoints.Picking { class A : FastPoints.Reading.B { } }",
         "uses FastPoints.Reading")]
     [TestCase("FastPoints.Import", "Reading/A.cs", "using FastPoints.Nodes;\nnamespace FastPoints.Reading { }",
         "comes after Reading")]
-    [TestCase("FastPoints", "Core/A.cs", "namespace FastPoints.Store { }", "wanted FastPoints.Core")]
+    [TestCase("FastPoints", "Core/A.cs", "namespace FastPoints.Store { }", "wanted FastPoints")]
     [TestCase("FastPoints", "Attic/A.cs", "namespace FastPoints.Attic { }", "no room Attic")]
     [TestCase("FastPoints", "A.cs", "namespace FastPoints { }", "has no room FastPoints")]
     public void CheckSource_PlantedFault_IsReported(string assembly, string path, string text, string reported) =>
@@ -46,13 +46,13 @@ public sealed class RoomOrderTests
             new AssemblyNameDefinition("FastPoints", new System.Version(1, 0)), "FastPoints", ModuleKind.Dll);
         ModuleDefinition module = planted.MainModule;
         var late = new TypeDefinition("FastPoints.Picking", "Late", TypeAttributes.Public, module.TypeSystem.Object);
-        var early = new TypeDefinition("FastPoints.Core", "Early", TypeAttributes.Public, module.TypeSystem.Object);
+        var early = new TypeDefinition("FastPoints", "Early", TypeAttributes.Public, module.TypeSystem.Object);
         early.Fields.Add(new FieldDefinition("Lates", FieldAttributes.Public, new ArrayType(late)));
         module.Types.Add(late);
         module.Types.Add(early);
 
         Assert.That(RoomOrder.CheckIl(module),
-            Has.Some.Contains("FastPoints.Core.Early.Lates (Core) names FastPoints.Picking.Late"));
+            Has.Some.Contains("FastPoints.Early.Lates (Core) names FastPoints.Picking.Late"));
     }
 
     [Test]
@@ -67,7 +67,7 @@ public sealed class RoomOrderTests
     }
 
     [TestCase("Core/A.cs", "Core/B.cs", "Core/C.cs", "",
-        "Core/A.cs, Core/B.cs, Core/C.cs name one another: B.cs in FastPoints.Core.A.B")]
+        "Core/A.cs, Core/B.cs, Core/C.cs name one another: B.cs in FastPoints.A.B")]
     [TestCase("Core/A.cs", "Core/B.cs", "Core/A.cs", "", "Core/A.cs, Core/B.cs name one another")]
     [TestCase("Core/A.cs", "Core/B.cs", "Core/A.cs", "Core/A.cs, Core/B.cs", null)]
     [TestCase("Core/A.cs", "Core/B.cs", "Store/C.cs", "", null)]
@@ -78,7 +78,7 @@ public sealed class RoomOrderTests
         using AssemblyDefinition planted = AssemblyDefinition.CreateAssembly(
             new AssemblyNameDefinition("FastPoints", new System.Version(1, 0)), "FastPoints", ModuleKind.Dll);
         ModuleDefinition module = planted.MainModule;
-        TypeDefinition[] types = new[] { "A", "B", "C" }.Select(n => new TypeDefinition("FastPoints.Core", n,
+        TypeDefinition[] types = new[] { "A", "B", "C" }.Select(n => new TypeDefinition("FastPoints", n,
             TypeAttributes.Public, module.TypeSystem.Object)).ToArray();
         for (int i = 0; i < types.Length; i++)
         {
@@ -88,9 +88,9 @@ public sealed class RoomOrderTests
         }
         var files = new Dictionary<string, string>
         {
-            ["FastPoints.Core.A"] = a,
-            ["FastPoints.Core.B"] = b,
-            ["FastPoints.Core.C"] = c,
+            ["FastPoints.A"] = a,
+            ["FastPoints.B"] = b,
+            ["FastPoints.C"] = c,
         };
 
         IEnumerable<string> problems = FileCycles.Check(module, files, kept.Length > 0 ? new[] { kept } : Array.Empty<string>());

@@ -40,14 +40,14 @@ public sealed class ManualExamplesTests
 
     [TestCase("using FastPoints.Sources;\nPointReaders.Opens(\"a\");\n", "'Opens'", TestName = "a member that is not there")]
     [TestCase("PointReaders.Open(\"a\");\n", "'PointReaders' does not exist", TestName = "a namespace that is not named")]
-    [TestCase("using FastPoints.Core;\nnew CoroutineStack(null).Dispose();\n", "inaccessible", TestName = "what is internal")]
+    [TestCase("using FastPoints;\nnew CoroutineStack(null).Dispose();\n", "inaccessible", TestName = "what is internal")]
     [TestCase("pump.Tick(4);\n", "'pump' does not exist", TestName = "a variable from nowhere")]
     [TestCase("class A\n{\n    int B() => \"c\";\n}\n", "'string' to 'int'", TestName = "a type")]
     public void Problems_PlantedExample_IsFound(string code, string problem) =>
         Assert.That(Problems(new ManualPage("a.md", "Text.\n\n```csharp\n" + code + "```\n")), Has.Some.Contains(problem));
 
     [TestCase("using FastPoints.Sources;\n\nusing var reader = PointReaders.Open(\"a\");\n", TestName = "statements")]
-    [TestCase("class A\n{\n    FastPoints.Core.JobCoroutine m_coroutine = null;\n}\n", TestName = "a type of its own")]
+    [TestCase("class A\n{\n    FastPoints.JobCoroutine m_coroutine = null;\n}\n", TestName = "a type of its own")]
     public void Problems_GoodExample_AreNone(string code) =>
         Assert.That(Problems(new ManualPage("a.md", "```csharp\n" + code + "```\n")), Is.Empty);
 

@@ -1,6 +1,5 @@
 using FastPoints.Picture;
 using FastPoints.Sampling;
-using FastPoints.Tests.Support;
 using StandIns.Scheduling;
 
 namespace FastPoints.HostTests.Preview;

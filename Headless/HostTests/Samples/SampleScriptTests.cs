@@ -2,7 +2,6 @@ using FastPoints.Samples.AttributeColours;
 using FastPoints.Samples.EntitiesOnly;
 using FastPoints.Samples.RunTimeLoading;
 using FastPoints.Samples.StreamingFlight;
-using CloudGrid = FastPoints.Samples.ManyClouds.CloudGrid;
 
 namespace FastPoints.HostTests.Samples;
 
@@ -126,7 +125,7 @@ public sealed class SampleScriptTests
     public void CloudGrid_NineClouds_ShareTheStreamAndGoWithTheGrid()
     {
         var asset = m_world.Asset(3000);
-        var grid = m_world.Add<CloudGrid>(g => (g.Cloud, g.Side) = (asset, 3));
+        var grid = m_world.Add<FastPoints.Samples.ManyClouds.CloudGrid>(g => (g.Cloud, g.Side) = (asset, 3));
 
         m_world.Frames(() => m_world.Count<StreamedPointCloud>() == 9);
         var before = m_world.Group.Stream.Clouds.Select(c => c.Placement.OriginWorld).ToArray();

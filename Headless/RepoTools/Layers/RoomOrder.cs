@@ -53,8 +53,8 @@ public static class RoomOrder
         string code = WithoutCommentsAndStrings(text);
         foreach (Match declared in Regex.Matches(code, @"^\s*namespace\s+([\w.]+)", RegexOptions.Multiline))
         {
-            if (declared.Groups[1].Value != "FastPoints." + room)
-                yield return $"{shown}: namespace {declared.Groups[1].Value}, wanted FastPoints.{room}";
+            if (declared.Groups[1].Value != NamespaceOf(room))
+                yield return $"{shown}: namespace {declared.Groups[1].Value}, wanted {NamespaceOf(room)}";
         }
         foreach (string used in Regex.Matches(code, @"\bFastPoints\.(\w+)").Select(m => m.Groups[1].Value).Distinct())
         {
@@ -63,6 +63,9 @@ public static class RoomOrder
                 yield return $"{shown} uses FastPoints.{used}, which comes after {room}";
         }
     }
+
+    // What all rooms use needs no using: the core has the namespace around them.
+    private static string NamespaceOf(string room) => room == "Core" ? "FastPoints" : "FastPoints." + room;
 
     public static IEnumerable<string> CheckIl(ModuleDefinition module)
     {
@@ -110,7 +113,7 @@ public static class RoomOrder
         while (outer.DeclaringType != null)
             outer = outer.DeclaringType;
         string[] parts = outer.Namespace.Split('.');
-        return parts.Length > 1 && parts[0] == "FastPoints" ? parts[1] : "";
+        return parts[0] != "FastPoints" ? "" : parts.Length > 1 ? parts[1] : "Core";
     }
 
     private static string WithoutCommentsAndStrings(string text) =>

@@ -5,7 +5,7 @@ namespace FastPoints.RepoTools.Threads;
 public static class ThreadCommand
 {
     public static readonly NestedWork NestedWork =
-        new NestedWork("FastPoints.Core.Work", "FastPoints.Core.CoroutineStack", "FastPoints.Core.JobCoroutine");
+        new NestedWork("FastPoints.Work", "FastPoints.CoroutineStack", "FastPoints.JobCoroutine");
 
     public static ToolResult Run(Repository repository, bool check)
     {

@@ -4,7 +4,7 @@
 
 #include "PointLists.hlsl"
 
-// FastPoints.Core.AttributeType.
+// FastPoints.AttributeType.
 #define FASTPOINTS_UINT8 0u
 #define FASTPOINTS_INT8 1u
 #define FASTPOINTS_UINT16 2u

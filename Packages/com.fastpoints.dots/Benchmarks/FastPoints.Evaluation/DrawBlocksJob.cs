@@ -1,4 +1,3 @@
-using FastPoints.Core;
 using FastPoints.Drawing;
 using FastPoints.Picture;
 using FastPoints.Store;

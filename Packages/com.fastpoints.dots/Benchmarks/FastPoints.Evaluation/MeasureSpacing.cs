@@ -1,7 +1,6 @@
 using System;
 using System.Collections.Generic;
 using FastPoints.Build;
-using FastPoints.Core;
 using FastPoints.Store;
 using Unity.Burst;
 using Unity.Collections;

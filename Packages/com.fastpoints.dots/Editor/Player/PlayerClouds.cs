@@ -3,7 +3,6 @@ using System.Collections.Generic;
 using System.Globalization;
 using System.IO;
 using System.Text;
-using FastPoints.Core;
 using FastPoints.Store;
 
 namespace FastPoints.Editor

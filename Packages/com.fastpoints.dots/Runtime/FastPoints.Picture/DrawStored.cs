@@ -1,6 +1,5 @@
 using System.Collections.Generic;
 using FastPoints.Build;
-using FastPoints.Core;
 using FastPoints.Drawing;
 using FastPoints.Store;
 using Unity.Collections;

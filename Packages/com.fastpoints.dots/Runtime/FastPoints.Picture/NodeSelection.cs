@@ -1,6 +1,5 @@
 using System.Collections.Generic;
 using FastPoints.Build;
-using FastPoints.Core;
 using FastPoints.Store;
 using FastPoints.Streaming;
 using Unity.Collections;

@@ -1,6 +1,5 @@
 using System.Runtime.CompilerServices;
 using System.Threading;
-using FastPoints.Core;
 using FastPoints.Drawing;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;

@@ -1,5 +1,4 @@
 using System.Runtime.CompilerServices;
-using FastPoints.Core;
 using FastPoints.Drawing;
 using Unity.Mathematics;
 

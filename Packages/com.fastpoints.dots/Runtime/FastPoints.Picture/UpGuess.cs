@@ -1,6 +1,5 @@
 using System;
 using System.Globalization;
-using FastPoints.Core;
 using Unity.Mathematics;
 
 namespace FastPoints.Picture

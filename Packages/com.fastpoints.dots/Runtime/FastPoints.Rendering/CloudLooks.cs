@@ -1,5 +1,4 @@
 using System;
-using FastPoints.Core;
 using FastPoints.Drawing;
 using FastPoints.Store;
 using FastPoints.Streaming;

@@ -1,4 +1,3 @@
-using FastPoints.Core;
 using UnityEngine;
 
 namespace FastPoints.Rendering

@@ -2,7 +2,6 @@ using System.Collections.Generic;
 using System.Globalization;
 using System.IO;
 using FastPoints.Build;
-using FastPoints.Core;
 using FastPoints.Entities;
 using FastPoints.Reading;
 using FastPoints.Sources;

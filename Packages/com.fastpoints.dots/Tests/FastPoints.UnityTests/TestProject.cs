@@ -2,7 +2,6 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using FastPoints.Benchmarks;
-using FastPoints.Core;
 using FastPoints.Editor;
 using FastPoints.Entities;
 using NUnit.Framework;

@@ -1,7 +1,6 @@
 using System;
 using System.Globalization;
 using System.IO;
-using FastPoints.Core;
 using UnityEditor;
 using UnityEditor.AssetImporters;
 using UnityEngine;

@@ -4,7 +4,6 @@ using System.IO;
 using System.Threading;
 using System.Threading.Tasks;
 using FastPoints.Build;
-using FastPoints.Core;
 using FastPoints.Reading;
 using FastPoints.Store;
 using UnityEditor;

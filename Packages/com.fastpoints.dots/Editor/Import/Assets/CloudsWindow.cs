@@ -3,7 +3,6 @@ using System.Collections.Generic;
 using System.Globalization;
 using System.IO;
 using System.Threading;
-using FastPoints.Core;
 using FastPoints.Entities;
 using UnityEditor;
 using UnityEngine;

@@ -3,7 +3,6 @@ using System.Globalization;
 using System.IO;
 using System.Reflection;
 using FastPoints.Build;
-using FastPoints.Core;
 using FastPoints.Entities;
 using FastPoints.Nodes;
 using UnityEditor;

@@ -2,7 +2,6 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Text;
-using FastPoints.Core;
 using FastPoints.Reading;
 using UnityEditor;
 using UnityEditor.AssetImporters;

@@ -2,7 +2,6 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using FastPoints.Build;
-using FastPoints.Core;
 using FastPoints.Reading;
 using FastPoints.Store;
 using UnityEngine;

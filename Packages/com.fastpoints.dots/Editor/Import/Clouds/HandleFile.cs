@@ -1,6 +1,5 @@
 using System.Collections.Generic;
 using System.IO;
-using FastPoints.Core;
 using FastPoints.Reading;
 using FastPoints.Sources;
 using FastPoints.Store;

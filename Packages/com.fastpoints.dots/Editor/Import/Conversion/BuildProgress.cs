@@ -1,7 +1,6 @@
 using System;
 using System.Globalization;
 using FastPoints.Build;
-using FastPoints.Core;
 
 namespace FastPoints.Editor
 {

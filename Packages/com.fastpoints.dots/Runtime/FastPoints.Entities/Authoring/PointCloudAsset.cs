@@ -1,4 +1,3 @@
-using FastPoints.Core;
 using FastPoints.Streaming;
 using Unity.Mathematics;
 using UnityEngine;

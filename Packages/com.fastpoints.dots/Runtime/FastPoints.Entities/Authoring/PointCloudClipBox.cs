@@ -1,4 +1,3 @@
-using FastPoints.Core;
 using Unity.Entities;
 using Unity.Transforms;
 using UnityEngine;

@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using FastPoints.Core;
 using FastPoints.Nodes;
 using FastPoints.Sampling;
 using Unity.Burst;

@@ -1,7 +1,6 @@
 using System;
 using System.Collections.Generic;
 using System.Diagnostics;
-using FastPoints.Core;
 using FastPoints.Reading;
 
 namespace FastPoints.Build

@@ -106,7 +106,7 @@ namespace FastPoints.Build
         }
 
         /// <summary>Checks what is written by now.</summary>
-        /// <exception cref="FastPoints.Core.PointCloudException">Something could not be written.</exception>
+        /// <exception cref="FastPoints.PointCloudException">Something could not be written.</exception>
         public void Poll(int waitMs)
         {
             while (m_pendingWrites.Count > 0 && m_pendingWrites.Peek().Ticket.IsDone(waitMs))

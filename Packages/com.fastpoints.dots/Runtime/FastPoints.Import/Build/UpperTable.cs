@@ -138,7 +138,7 @@ namespace FastPoints.Build
     /// <summary>The merge's next input: a chunk's top, or a region's.</summary>
     internal sealed class UpperItem
     {
-        public FastPoints.Core.GridCube Cube;
+        public FastPoints.GridCube Cube;
         public ChunkTop Top;
         public int TopPoints;
 

@@ -1,4 +1,3 @@
-using FastPoints.Core;
 using FastPoints.Reading;
 using Unity.Burst;
 using Unity.Collections;

@@ -1,5 +1,3 @@
-
-
 namespace FastPoints.E57
 {
     // Header of a packet (ASTM E2807, 9.3 to 9.5): kind, flags, length less one (16 bits); in data packets the number of

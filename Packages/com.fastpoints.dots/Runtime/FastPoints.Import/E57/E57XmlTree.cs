@@ -4,7 +4,6 @@ using System.Globalization;
 using System.IO;
 using System.Text;
 using System.Xml;
-using FastPoints.Core;
 
 namespace FastPoints.E57
 {

@@ -1,7 +1,6 @@
 using System;
 using System.Collections.Generic;
 using System.Text;
-using FastPoints.Core;
 using FastPoints.Las;
 using FastPoints.Laz;
 using FastPoints.Reading;

@@ -1,4 +1,3 @@
-using FastPoints.Core;
 using FastPoints.Reading;
 using FastPoints.Streaming;
 using Unity.Burst;

@@ -1,6 +1,5 @@
 using System;
 using System.Text;
-using FastPoints.Core;
 using FastPoints.Ply;
 using FastPoints.Reading;
 

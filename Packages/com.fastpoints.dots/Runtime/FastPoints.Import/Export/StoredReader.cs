@@ -1,7 +1,6 @@
 using System;
 using System.Collections.Generic;
 using System.IO;
-using FastPoints.Core;
 using FastPoints.Reading;
 using FastPoints.Store;
 using Unity.Burst;

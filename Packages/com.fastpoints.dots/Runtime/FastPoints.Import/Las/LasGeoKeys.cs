@@ -1,5 +1,4 @@
 using System.Collections.Generic;
-using FastPoints.Core;
 using FastPoints.Reading;
 
 namespace FastPoints.Las

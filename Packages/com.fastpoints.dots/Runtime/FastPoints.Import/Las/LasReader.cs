@@ -1,5 +1,4 @@
 using System.Text;
-using FastPoints.Core;
 using FastPoints.Reading;
 
 namespace FastPoints.Las

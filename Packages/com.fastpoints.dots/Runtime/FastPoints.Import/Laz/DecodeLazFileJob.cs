@@ -1,4 +1,3 @@
-using FastPoints.Core;
 using FastPoints.Las;
 using FastPoints.Reading;
 using Unity.Burst;

@@ -1,5 +1,4 @@
 using System;
-using FastPoints.Core;
 using FastPoints.Las;
 using FastPoints.Reading;
 using Unity.Collections;

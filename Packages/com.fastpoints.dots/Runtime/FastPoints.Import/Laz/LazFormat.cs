@@ -2,7 +2,6 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Text;
-using FastPoints.Core;
 using FastPoints.Las;
 using FastPoints.Reading;
 using Unity.Collections;

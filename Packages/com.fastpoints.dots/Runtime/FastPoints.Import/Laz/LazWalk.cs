@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using FastPoints.Core;
 using FastPoints.Las;
 using FastPoints.Reading;
 

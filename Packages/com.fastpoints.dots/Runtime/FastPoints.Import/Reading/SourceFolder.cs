@@ -1,7 +1,6 @@
 using System;
 using System.IO;
 using System.Text;
-using FastPoints.Core;
 using FastPoints.Store;
 
 namespace FastPoints.Reading

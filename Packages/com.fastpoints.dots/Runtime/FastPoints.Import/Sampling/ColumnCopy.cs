@@ -1,4 +1,3 @@
-using FastPoints.Core;
 using Unity.Collections;
 
 namespace FastPoints.Sampling

@@ -1,5 +1,4 @@
 using System;
-using FastPoints.Core;
 
 namespace FastPoints.Sampling
 {

@@ -1,5 +1,4 @@
 using System;
-using FastPoints.Core;
 using FastPoints.Laz;
 using FastPoints.Reading;
 using Unity.Collections;

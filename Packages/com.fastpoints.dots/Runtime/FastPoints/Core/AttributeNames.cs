@@ -1,4 +1,4 @@
-namespace FastPoints.Core
+namespace FastPoints
 {
     /// <summary>Names of attributes that mean the same in every format: LAS 1.4's, else the file's.</summary>
     public static class AttributeNames

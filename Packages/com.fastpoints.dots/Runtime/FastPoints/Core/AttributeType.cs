@@ -1,6 +1,6 @@
 using Unity.Mathematics;
 
-namespace FastPoints.Core
+namespace FastPoints
 {
     /// <summary>Type of one component of one attribute, as it lies in a column.</summary>
     public enum AttributeType : byte

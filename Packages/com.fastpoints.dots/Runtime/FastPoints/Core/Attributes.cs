@@ -1,7 +1,7 @@
 using System;
 using UnityEngine;
 
-namespace FastPoints.Core
+namespace FastPoints
 {
     // Marks a struct that lies on disk as in memory: a check keeps it equal to its table in Documentation~/disk-format.md.
     [AttributeUsage(AttributeTargets.Struct)]

@@ -1,6 +1,6 @@
 using Unity.Mathematics;
 
-namespace FastPoints.Core
+namespace FastPoints
 {
     /// <summary>An axis-aligned box in CRS units. Empty when any minimum exceeds its maximum.</summary>
     public struct BoundsGeo

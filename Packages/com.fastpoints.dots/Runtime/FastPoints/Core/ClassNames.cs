@@ -1,4 +1,4 @@
-namespace FastPoints.Core
+namespace FastPoints
 {
     /// <summary>The names of <see cref="AttributeNames.Classification"/> numbers: ASPRS, LAS 1.4 R15, table 17.</summary>
     internal static class ClassNames

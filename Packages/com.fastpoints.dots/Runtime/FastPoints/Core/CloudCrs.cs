@@ -1,4 +1,4 @@
-namespace FastPoints.Core
+namespace FastPoints
 {
     /// <summary>What a cloud says of its coordinate system, as far as it says anything.</summary>
     public sealed class CloudCrs

@@ -1,7 +1,7 @@
 using System;
 using Unity.Mathematics;
 
-namespace FastPoints.Core
+namespace FastPoints
 {
     /// <summary>The one grid that all points of a cloud lie on: geo = Origin + Step * grid, in double, in CRS units.</summary>
     public struct CloudGrid

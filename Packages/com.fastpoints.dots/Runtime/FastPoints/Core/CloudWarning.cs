@@ -1,5 +1,4 @@
-
-namespace FastPoints.Core
+namespace FastPoints
 {
     /// <summary>Something in the input that is not as it should be, although the points can still be read.</summary>
     public readonly struct CloudWarning

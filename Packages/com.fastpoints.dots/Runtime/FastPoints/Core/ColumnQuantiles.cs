@@ -4,7 +4,7 @@ using Unity.Collections.LowLevel.Unsafe;
 using Unity.Jobs;
 using Unity.Mathematics;
 
-namespace FastPoints.Core
+namespace FastPoints
 {
     // The range of a column's finite values, and the values below which given shares of them lie. They come from at most 65,536
     // values taken at even distances: the share below each is right within 0.2 % of all values (4 sigma of a binomial at a

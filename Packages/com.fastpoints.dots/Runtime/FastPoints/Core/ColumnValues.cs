@@ -1,6 +1,6 @@
 using Unity.Mathematics;
 
-namespace FastPoints.Core
+namespace FastPoints
 {
     // Widens columns of any type, a run at a time: the type is examined once for these, and the loops have no branches.
     internal static unsafe class ColumnValues

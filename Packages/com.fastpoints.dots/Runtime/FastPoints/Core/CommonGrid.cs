@@ -1,7 +1,7 @@
 using System;
 using System.Collections.Generic;
 
-namespace FastPoints.Core
+namespace FastPoints
 {
     // Finds one axis of the grid that several sources of whole numbers share: the finest scale, or a part of it, that divides
     // all scales and all distances between offsets.

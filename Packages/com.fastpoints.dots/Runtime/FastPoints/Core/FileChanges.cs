@@ -5,7 +5,7 @@ using System.IO;
 using System.Threading;
 using System.Threading.Tasks;
 
-namespace FastPoints.Core
+namespace FastPoints
 {
     // All that replaces, moves or deletes files and folders, and opens files that others may replace meanwhile. Windows changes
     // nothing that somebody has open, be it a virus scanner for a moment: what is refused is tried again.

@@ -1,7 +1,7 @@
 using Unity.IO.LowLevel.Unsafe;
 using Unity.Jobs;
 
-namespace FastPoints.Core
+namespace FastPoints
 {
     internal static unsafe class FileReads
     {

@@ -3,7 +3,7 @@ using System.Collections.Generic;
 using System.IO;
 using Unity.Jobs;
 
-namespace FastPoints.Core
+namespace FastPoints
 {
     /// <summary>What keeps files open between reads. Main thread.</summary>
     internal interface IOpenFiles

@@ -1,7 +1,7 @@
 using System.Runtime.CompilerServices;
 using Unity.Mathematics;
 
-namespace FastPoints.Core
+namespace FastPoints
 {
     /// <summary>
     /// Three coordinates of 21 bits and one 63-bit code whose order is the Z curve's:

@@ -2,7 +2,7 @@ using System;
 using Unity.Collections;
 using Unity.Jobs;
 
-namespace FastPoints.Core
+namespace FastPoints
 {
     /// <summary>Up to Capacity points as columns in one piece of native memory, which the caller owns and readers fill. One
     /// allocation is one safety handle: a job that writes several columns takes <see cref="Bytes"/> whole.</summary>

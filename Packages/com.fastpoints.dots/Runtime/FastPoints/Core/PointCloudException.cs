@@ -1,7 +1,7 @@
 using System;
 using System.Globalization;
 
-namespace FastPoints.Core
+namespace FastPoints
 {
     /// <summary>A failure at the boundary (a file, the public API), described in one line: which file, at which byte, what was
     /// expected and what was found.</summary>

@@ -2,7 +2,7 @@ using System;
 using System.Collections;
 using System.Collections.Generic;
 
-namespace FastPoints.Core
+namespace FastPoints
 {
     /// <summary>The attributes of a cloud, a file or a batch, in the order of its columns. Immutable.</summary>
     public sealed class PointSchema : IReadOnlyList<PointAttribute>, IEquatable<PointSchema>

@@ -5,7 +5,7 @@ using Unity.Collections.LowLevel.Unsafe;
 using Unity.Jobs;
 using Unity.Mathematics;
 
-namespace FastPoints.Core
+namespace FastPoints
 {
     internal struct PositionColumns
     {

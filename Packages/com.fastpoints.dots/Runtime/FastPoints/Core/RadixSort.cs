@@ -1,6 +1,6 @@
 using Unity.Collections.LowLevel.Unsafe;
 
-namespace FastPoints.Core
+namespace FastPoints
 {
     // Sorts 64-bit keys, each with a 32-bit payload, in a stable order: least significant digit first, eight bits a digit, and
     // only the digits in which the keys differ. Time is linear in the count; scratch memory is as large as the input.

@@ -1,6 +1,6 @@
 using Unity.Mathematics;
 
-namespace FastPoints.Core
+namespace FastPoints
 {
     internal static class UpAxes
     {

@@ -1,5 +1,4 @@
 using System.Runtime.InteropServices;
-using FastPoints.Core;
 using FastPoints.Store;
 using FastPoints.Streaming;
 using Unity.Burst;

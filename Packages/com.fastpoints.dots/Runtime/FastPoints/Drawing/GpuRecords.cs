@@ -1,5 +1,4 @@
 using System.Runtime.InteropServices;
-using FastPoints.Core;
 using FastPoints.Streaming;
 using Unity.Mathematics;
 

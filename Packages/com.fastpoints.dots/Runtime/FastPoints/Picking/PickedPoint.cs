@@ -1,5 +1,4 @@
 using System.Collections.Generic;
-using FastPoints.Core;
 using FastPoints.Store;
 using Unity.Mathematics;
 

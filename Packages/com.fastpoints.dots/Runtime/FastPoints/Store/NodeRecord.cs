@@ -1,5 +1,4 @@
 using System.Runtime.InteropServices;
-using FastPoints.Core;
 
 namespace FastPoints.Store
 {

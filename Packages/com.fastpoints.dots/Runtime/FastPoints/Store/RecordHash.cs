@@ -1,5 +1,4 @@
 using System.Runtime.CompilerServices;
-using FastPoints.Core;
 using Unity.Burst.Intrinsics;
 
 namespace FastPoints.Store

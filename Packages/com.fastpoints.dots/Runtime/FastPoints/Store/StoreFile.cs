@@ -1,6 +1,5 @@
 using System;
 using System.IO;
-using FastPoints.Core;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
 

@@ -1,4 +1,3 @@
-using FastPoints.Core;
 using Unity.Mathematics;
 
 namespace FastPoints.Store

@@ -3,11 +3,9 @@ using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using FastPoints.Build;
-using FastPoints.Core;
 using FastPoints.Export;
 using FastPoints.Reading;
 using FastPoints.Sources;
-using FastPoints.Tests.Support;
 using NUnit.Framework;
 
 namespace FastPoints.Tests.Build

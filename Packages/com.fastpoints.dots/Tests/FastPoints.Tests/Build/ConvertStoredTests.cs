@@ -3,13 +3,11 @@ using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using FastPoints.Build;
-using FastPoints.Core;
 using FastPoints.Export;
 using FastPoints.Nodes;
 using FastPoints.Reading;
 using FastPoints.Store;
 using FastPoints.Tests.Nodes;
-using FastPoints.Tests.Support;
 using NUnit.Framework;
 using Unity.Mathematics;
 

@@ -1,8 +1,6 @@
 using System;
 using System.Globalization;
 using System.Text;
-using FastPoints.Core;
-using FastPoints.Tests.Support;
 using NUnit.Framework;
 using Unity.Mathematics;
 using Random = System.Random;

@@ -1,8 +1,6 @@
 using System;
 using FastPoints.Build;
-using FastPoints.Core;
 using FastPoints.Store;
-using FastPoints.Tests.Support;
 using NUnit.Framework;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;

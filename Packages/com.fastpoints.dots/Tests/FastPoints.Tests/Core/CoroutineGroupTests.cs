@@ -1,8 +1,6 @@
 using System;
 using System.Collections.Generic;
 using System.Threading;
-using FastPoints.Core;
-using FastPoints.Tests.Support;
 using NUnit.Framework;
 using Unity.Jobs;
 

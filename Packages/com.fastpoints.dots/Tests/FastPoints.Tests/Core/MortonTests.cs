@@ -1,4 +1,3 @@
-using FastPoints.Core;
 using NUnit.Framework;
 
 namespace FastPoints.Tests.Core

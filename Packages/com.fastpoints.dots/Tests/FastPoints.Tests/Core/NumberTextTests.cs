@@ -1,6 +1,4 @@
 using System.Globalization;
-using FastPoints.Core;
-using FastPoints.Tests.Support;
 using NUnit.Framework;
 using Unity.Mathematics;
 using Random = System.Random;

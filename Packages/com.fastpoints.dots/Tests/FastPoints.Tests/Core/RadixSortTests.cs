@@ -1,5 +1,4 @@
 using System.Linq;
-using FastPoints.Core;
 using NUnit.Framework;
 
 namespace FastPoints.Tests.Core

@@ -1,6 +1,5 @@
 using System.Collections.Generic;
 using System.Linq;
-using FastPoints.Core;
 using FastPoints.Drawing;
 using FastPoints.Reading;
 using FastPoints.Store;

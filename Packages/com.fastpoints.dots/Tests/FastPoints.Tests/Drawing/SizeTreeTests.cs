@@ -1,5 +1,4 @@
 using System.Collections.Generic;
-using FastPoints.Core;
 using FastPoints.Drawing;
 using FastPoints.Streaming;
 using FastPoints.Tests.Nodes;

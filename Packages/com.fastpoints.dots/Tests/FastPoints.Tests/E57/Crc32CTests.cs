@@ -1,6 +1,5 @@
 using System.Text;
 using FastPoints.E57;
-using FastPoints.Tests.Support;
 using NUnit.Framework;
 using Unity.Collections;
 

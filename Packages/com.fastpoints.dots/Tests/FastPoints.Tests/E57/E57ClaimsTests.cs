@@ -1,9 +1,7 @@
 using System;
 using System.Linq;
 using System.Text;
-using FastPoints.Core;
 using FastPoints.Tests.Reading;
-using FastPoints.Tests.Support;
 using NUnit.Framework;
 
 namespace FastPoints.Tests.E57

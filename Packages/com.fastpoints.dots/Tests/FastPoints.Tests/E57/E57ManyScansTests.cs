@@ -1,8 +1,6 @@
 using System;
 using System.Linq;
-using FastPoints.Core;
 using FastPoints.Tests.Reading;
-using FastPoints.Tests.Support;
 using NUnit.Framework;
 using static FastPoints.Tests.E57.E57TestScans;
 

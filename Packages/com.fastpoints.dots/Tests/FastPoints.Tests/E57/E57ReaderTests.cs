@@ -1,10 +1,8 @@
 using System;
 using System.Linq;
-using FastPoints.Core;
 using FastPoints.E57;
 using FastPoints.Reading;
 using FastPoints.Tests.Reading;
-using FastPoints.Tests.Support;
 using NUnit.Framework;
 using Unity.Collections;
 using static FastPoints.Tests.E57.E57TestScans;

@@ -1,8 +1,6 @@
 using System;
 using System.Linq;
-using FastPoints.Core;
 using FastPoints.Tests.Reading;
-using FastPoints.Tests.Support;
 
 namespace FastPoints.Tests.E57
 {

@@ -3,7 +3,6 @@ using System.Diagnostics;
 using System.IO;
 using System.Linq;
 using System.Threading;
-using FastPoints.Core;
 using FastPoints.Entities;
 using FastPoints.Streaming;
 using FastPoints.Tests.Streaming;

@@ -1,9 +1,7 @@
 using System;
 using System.Linq;
-using FastPoints.Core;
 using FastPoints.Evaluation;
 using FastPoints.Picture;
-using FastPoints.Tests.Support;
 using NUnit.Framework;
 using Unity.Mathematics;
 

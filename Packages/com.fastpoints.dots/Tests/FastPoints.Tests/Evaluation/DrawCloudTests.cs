@@ -1,10 +1,8 @@
 using System;
 using System.Linq;
-using FastPoints.Core;
 using FastPoints.Drawing;
 using FastPoints.Evaluation;
 using FastPoints.Picture;
-using FastPoints.Tests.Support;
 using NUnit.Framework;
 using Unity.Mathematics;
 

@@ -1,9 +1,7 @@
 using System.Collections.Generic;
 using System.Linq;
-using FastPoints.Core;
 using FastPoints.Evaluation;
 using FastPoints.Reading;
-using FastPoints.Tests.Support;
 using NUnit.Framework;
 
 namespace FastPoints.Tests.Evaluation

@@ -1,7 +1,5 @@
 using System;
-using FastPoints.Core;
 using FastPoints.Evaluation;
-using FastPoints.Tests.Support;
 using NUnit.Framework;
 using Unity.Mathematics;
 

@@ -2,14 +2,12 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Linq;
-using FastPoints.Core;
 using FastPoints.Export;
 using FastPoints.Las;
 using FastPoints.Reading;
 using FastPoints.Sources;
 using FastPoints.Streaming;
 using FastPoints.Tests.Reading;
-using FastPoints.Tests.Support;
 using NUnit.Framework;
 using Unity.Mathematics;
 

@@ -1,7 +1,6 @@
 using System;
 using System.Linq;
 using System.Text;
-using FastPoints.Core;
 using FastPoints.Las;
 using FastPoints.Reading;
 using FastPoints.Sources;

@@ -1,10 +1,8 @@
 using System;
 using System.Collections.Generic;
-using FastPoints.Core;
 using FastPoints.Reading;
 using FastPoints.Sources;
 using FastPoints.Tests.Reading;
-using FastPoints.Tests.Support;
 using NUnit.Framework;
 using Unity.Collections;
 using Unity.Mathematics;

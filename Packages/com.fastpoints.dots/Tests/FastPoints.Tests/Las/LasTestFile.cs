@@ -2,7 +2,6 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Text;
-using FastPoints.Tests.Support;
 
 namespace FastPoints.Tests.Las
 {

@@ -4,7 +4,6 @@ using System.IO;
 using FastPoints.Laz;
 using FastPoints.Reading;
 using FastPoints.Sources;
-using FastPoints.Tests.Support;
 using NUnit.Framework;
 
 namespace FastPoints.Tests.Laz

@@ -1,6 +1,5 @@
 using System;
 using FastPoints.Laz;
-using FastPoints.Tests.Support;
 using NUnit.Framework;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;

@@ -1,7 +1,6 @@
 using System;
 using System.Collections.Generic;
 using FastPoints.Laz;
-using FastPoints.Tests.Support;
 using NUnit.Framework;
 
 namespace FastPoints.Tests.Laz

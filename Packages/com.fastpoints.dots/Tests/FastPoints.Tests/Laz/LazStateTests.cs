@@ -1,9 +1,7 @@
 using System;
 using System.Collections.Generic;
-using FastPoints.Core;
 using FastPoints.Reading;
 using FastPoints.Sources;
-using FastPoints.Tests.Support;
 using NUnit.Framework;
 using Unity.Collections;
 

@@ -1,4 +1,3 @@
-using FastPoints.Core;
 using FastPoints.Nodes;
 using NUnit.Framework;
 using Unity.Collections;

@@ -1,7 +1,5 @@
 using System;
-using FastPoints.Core;
 using FastPoints.Reading;
-using FastPoints.Tests.Support;
 using Unity.Collections;
 using Unity.Mathematics;
 

@@ -1,7 +1,6 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
-using FastPoints.Core;
 using FastPoints.Nodes;
 using FastPoints.Store;
 using NUnit.Framework;

@@ -1,5 +1,4 @@
 using System;
-using FastPoints.Core;
 using FastPoints.Picking;
 using FastPoints.Streaming;
 using FastPoints.Tests.Nodes;

@@ -1,7 +1,6 @@
 using System;
 using System.IO;
 using System.Linq;
-using FastPoints.Core;
 using FastPoints.Drawing;
 using FastPoints.Picking;
 using FastPoints.Store;

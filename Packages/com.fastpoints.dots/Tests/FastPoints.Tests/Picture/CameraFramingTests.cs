@@ -1,5 +1,4 @@
 using System;
-using FastPoints.Core;
 using FastPoints.Picture;
 using NUnit.Framework;
 using Unity.Mathematics;

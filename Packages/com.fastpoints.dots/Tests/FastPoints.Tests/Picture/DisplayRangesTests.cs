@@ -1,7 +1,5 @@
-using FastPoints.Core;
 using FastPoints.Drawing;
 using FastPoints.Picture;
-using FastPoints.Tests.Support;
 using NUnit.Framework;
 using Unity.Mathematics;
 

@@ -1,8 +1,6 @@
 using System.Linq;
-using FastPoints.Core;
 using FastPoints.Drawing;
 using FastPoints.Picture;
-using FastPoints.Tests.Support;
 using NUnit.Framework;
 using Unity.Collections;
 using Unity.Jobs;

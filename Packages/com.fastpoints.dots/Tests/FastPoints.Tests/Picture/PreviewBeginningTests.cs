@@ -1,11 +1,9 @@
 using System.Linq;
-using FastPoints.Core;
 using FastPoints.Las;
 using FastPoints.Laz;
 using FastPoints.Picture;
 using FastPoints.Reading;
 using FastPoints.Sampling;
-using FastPoints.Tests.Support;
 using NUnit.Framework;
 
 namespace FastPoints.Tests.Picture

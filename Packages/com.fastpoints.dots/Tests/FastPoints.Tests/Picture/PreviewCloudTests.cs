@@ -1,11 +1,9 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
-using FastPoints.Core;
 using FastPoints.Drawing;
 using FastPoints.Picture;
 using FastPoints.Sampling;
-using FastPoints.Tests.Support;
 using NUnit.Framework;
 using Unity.Mathematics;
 

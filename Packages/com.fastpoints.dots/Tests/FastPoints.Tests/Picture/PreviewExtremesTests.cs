@@ -2,13 +2,11 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Linq;
-using FastPoints.Core;
 using FastPoints.Las;
 using FastPoints.Picture;
 using FastPoints.Reading;
 using FastPoints.Sampling;
 using FastPoints.Sources;
-using FastPoints.Tests.Support;
 using NUnit.Framework;
 using Unity.Mathematics;
 

@@ -1,12 +1,10 @@
 using System;
 using System.IO;
 using System.Linq;
-using FastPoints.Core;
 using FastPoints.Picture;
 using FastPoints.Reading;
 using FastPoints.Sampling;
 using FastPoints.Sources;
-using FastPoints.Tests.Support;
 using NUnit.Framework;
 
 namespace FastPoints.Tests.Picture

@@ -1,8 +1,6 @@
 using System;
 using System.Text;
-using FastPoints.Core;
 using FastPoints.Tests.Reading;
-using FastPoints.Tests.Support;
 using NUnit.Framework;
 
 namespace FastPoints.Tests.Ply

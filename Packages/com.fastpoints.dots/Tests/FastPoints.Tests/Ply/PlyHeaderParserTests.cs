@@ -1,5 +1,4 @@
 using System.Text;
-using FastPoints.Core;
 using FastPoints.Ply;
 using NUnit.Framework;
 
@@ -30,7 +29,7 @@ namespace FastPoints.Tests.Ply
             Assert.That(header.Elements[0].Count, Is.EqualTo(5));
             Assert.That(header.Elements[0].Properties[0].Name, Is.EqualTo("x"));
             Assert.That(header.Elements[0].Properties[1].IsList, Is.True);
-            Assert.That(header.Elements[0].Properties[1].CountType, Is.EqualTo(FastPoints.Core.AttributeType.UInt8));
+            Assert.That(header.Elements[0].Properties[1].CountType, Is.EqualTo(FastPoints.AttributeType.UInt8));
             Assert.That(header.Elements[0].FixedBytes, Is.EqualTo(-1));
             Assert.That(header.Comments[0].Key, Is.EqualTo("comment"));
             Assert.That(header.Comments[0].Value, Is.EqualTo("one  two"));

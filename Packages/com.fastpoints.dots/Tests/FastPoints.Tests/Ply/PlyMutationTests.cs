@@ -1,7 +1,5 @@
 using System;
-using FastPoints.Core;
 using FastPoints.Tests.Reading;
-using FastPoints.Tests.Support;
 using NUnit.Framework;
 
 namespace FastPoints.Tests.Ply

@@ -1,7 +1,6 @@
 using System;
 using System.IO;
 using System.Text;
-using FastPoints.Tests.Support;
 
 namespace FastPoints.Tests.Ply
 {

@@ -2,11 +2,9 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Linq;
-using FastPoints.Core;
 using FastPoints.Ply;
 using FastPoints.Reading;
 using FastPoints.Sources;
-using FastPoints.Tests.Support;
 
 namespace FastPoints.Tests.Reading
 {

@@ -2,7 +2,6 @@ using System.Collections.Generic;
 using System.Globalization;
 using System.IO;
 using System.Text.RegularExpressions;
-using FastPoints.Core;
 using FastPoints.Las;
 using FastPoints.Reading;
 using FastPoints.Sources;

@@ -1,8 +1,6 @@
 using System.Collections.Generic;
 using System.Linq;
-using FastPoints.Core;
 using FastPoints.Sampling;
-using FastPoints.Tests.Support;
 using NUnit.Framework;
 using Unity.Jobs;
 

@@ -2,12 +2,10 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Text;
-using FastPoints.Core;
 using FastPoints.Reading;
 using FastPoints.Sampling;
 using FastPoints.Sources;
 using FastPoints.Tests.Las;
-using FastPoints.Tests.Support;
 using NUnit.Framework;
 using Unity.Mathematics;
 

@@ -1,9 +1,7 @@
 using System.Collections.Generic;
 using System.Linq;
-using FastPoints.Core;
 using FastPoints.Reading;
 using FastPoints.Sampling;
-using FastPoints.Tests.Support;
 using NUnit.Framework;
 using Unity.Mathematics;
 

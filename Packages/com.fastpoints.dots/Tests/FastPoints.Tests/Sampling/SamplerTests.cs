@@ -1,6 +1,4 @@
-using FastPoints.Core;
 using FastPoints.Sampling;
-using FastPoints.Tests.Support;
 using NUnit.Framework;
 using Unity.Mathematics;
 

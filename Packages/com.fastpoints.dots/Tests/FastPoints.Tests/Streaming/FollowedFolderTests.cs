@@ -3,10 +3,8 @@ using System.Diagnostics;
 using System.IO;
 using System.Threading;
 using FastPoints.Build;
-using FastPoints.Core;
 using FastPoints.Store;
 using FastPoints.Tests.Nodes;
-using FastPoints.Tests.Support;
 using NUnit.Framework;
 using Unity.Mathematics;
 

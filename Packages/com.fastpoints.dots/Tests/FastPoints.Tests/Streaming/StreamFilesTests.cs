@@ -1,6 +1,5 @@
 using System.IO;
 using System.Linq;
-using FastPoints.Core;
 using FastPoints.Store;
 using FastPoints.Streaming;
 using NUnit.Framework;

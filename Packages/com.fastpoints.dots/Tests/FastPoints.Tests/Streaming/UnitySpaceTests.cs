@@ -1,4 +1,3 @@
-using FastPoints.Core;
 using FastPoints.Streaming;
 using NUnit.Framework;
 using Unity.Mathematics;

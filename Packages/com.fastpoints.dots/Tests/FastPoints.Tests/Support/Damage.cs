@@ -2,7 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Text;
 
-namespace FastPoints.Tests.Support
+namespace FastPoints.Tests
 {
     static class Damage
     {

@@ -3,7 +3,7 @@ using System.Globalization;
 using System.Numerics;
 using Unity.Mathematics;
 
-namespace FastPoints.Tests.Support
+namespace FastPoints.Tests
 {
     /// <summary>Compares texts with numbers in whole numbers of any size, since the parsers of run times differ: Mono's is not
     /// exact.</summary>

@@ -1,7 +1,6 @@
-using FastPoints.Core;
 using NUnit.Framework;
 
-namespace FastPoints.Tests.Support
+namespace FastPoints.Tests
 {
     static class Failures
     {

@@ -2,7 +2,7 @@ using System;
 using FastPoints.Store;
 using FastPoints.Streaming;
 
-namespace FastPoints.Tests.Support
+namespace FastPoints.Tests
 {
     /// <summary>A cloud's folder that may still be in the making, streamed as it grows: each new generation is added beside the
     /// one that is shown, and takes its place when nearly all that is selected of it is there. Main thread, but for opening

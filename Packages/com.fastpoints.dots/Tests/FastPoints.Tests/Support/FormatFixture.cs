@@ -7,7 +7,7 @@ using FastPoints.Sources;
 using FastPoints.Tests.Las;
 using FastPoints.Tests.Ply;
 
-namespace FastPoints.Tests.Support
+namespace FastPoints.Tests
 {
     public sealed class FormatFixture
     {

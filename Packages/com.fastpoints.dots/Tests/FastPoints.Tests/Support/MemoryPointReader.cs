@@ -1,12 +1,11 @@
 using System;
-using FastPoints.Core;
 using FastPoints.Reading;
 using Unity.Burst;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
 using Unity.Jobs;
 
-namespace FastPoints.Tests.Support
+namespace FastPoints.Tests
 {
     /// <summary>A reader of points that lie in memory, in blocks of any size. Owns its batch.</summary>
     public sealed class MemoryPointReader : PointReader

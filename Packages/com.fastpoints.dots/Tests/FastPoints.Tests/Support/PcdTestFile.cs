@@ -4,7 +4,7 @@ using System.IO;
 using System.Linq;
 using System.Text;
 
-namespace FastPoints.Tests.Support
+namespace FastPoints.Tests
 {
     static class PcdTestFile
     {

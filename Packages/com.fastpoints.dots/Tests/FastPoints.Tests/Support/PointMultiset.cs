@@ -1,13 +1,12 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
-using FastPoints.Core;
 using FastPoints.Reading;
 using FastPoints.Tests.Reading;
 using NUnit.Framework;
 using Unity.Mathematics;
 
-namespace FastPoints.Tests.Support
+namespace FastPoints.Tests
 {
     /// <summary>All points of a source as sorted hashes, to hold two files with the same points in another order against each
     /// other.</summary>

@@ -1,7 +1,7 @@
 using System.Globalization;
 using System.Text;
 
-namespace FastPoints.Tests.Support
+namespace FastPoints.Tests
 {
     /// <summary>Scans in PTX: each third place has no return. The matrix turns by 90 degrees about z and shifts.</summary>
     static class PtxTestFile

@@ -3,7 +3,7 @@ using System.Collections.Generic;
 using System.Linq;
 using System.Text;
 
-namespace FastPoints.Tests.Support
+namespace FastPoints.Tests
 {
     static class TellingPlaces
     {

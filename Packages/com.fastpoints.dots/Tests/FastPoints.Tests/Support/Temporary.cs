@@ -1,10 +1,9 @@
 using System;
 using System.IO;
 using System.Text;
-using FastPoints.Core;
 using NUnit.Framework;
 
-namespace FastPoints.Tests.Support
+namespace FastPoints.Tests
 {
     /// <summary>A name in the temporary folder; a file of that name is gone when disposed.</summary>
     public class TemporaryFile : IDisposable

@@ -1,9 +1,8 @@
-using FastPoints.Core;
 using FastPoints.Reading;
 using Unity.Collections;
 using Unity.Mathematics;
 
-namespace FastPoints.Tests.Support
+namespace FastPoints.Tests
 {
     public sealed class VirtualReader : PointReader
     {

@@ -1,7 +1,7 @@
 using System;
 using Unity.Jobs.LowLevel.Unsafe;
 
-namespace FastPoints.Tests.Support
+namespace FastPoints.Tests
 {
     public readonly struct WorkerCount : IDisposable
     {

@@ -5,12 +5,10 @@ using System.IO;
 using System.Linq;
 using System.Text;
 using FastPoints.Build;
-using FastPoints.Core;
 using FastPoints.Export;
 using FastPoints.Reading;
 using FastPoints.Sources;
 using FastPoints.Tests.Reading;
-using FastPoints.Tests.Support;
 using NUnit.Framework;
 using Unity.Collections;
 

@@ -27,7 +27,11 @@ public sealed class Camera : Behaviour
     public SceneManagement.Scene scene { get; set; }
 
     /// <summary>Of the transform without its scale, until it is set.</summary>
-    public Matrix4x4 worldToCameraMatrix { get => m_view ?? Matrix4x4.Scale(new Vector3(1, 1, -1)) * Placed.inverse; set => m_view = value; }
+    public Matrix4x4 worldToCameraMatrix
+    {
+        get => m_view ?? Matrix4x4.Scale(new Vector3(1, 1, -1)) * Placed.inverse;
+        set => m_view = value;
+    }
 
     public Matrix4x4 projectionMatrix { get; set; } = Matrix4x4.identity;
 

@@ -1,7 +1,6 @@
 using System.Collections.Generic;
 using System.IO;
 using FastPoints.Build;
-using FastPoints.Core;
 using FastPoints.Nodes;
 using FastPoints.Sources;
 

@@ -4,7 +4,6 @@ using System.Globalization;
 using System.IO;
 using System.Linq;
 using FastPoints.Build;
-using FastPoints.Core;
 using FastPoints.Export;
 using FastPoints.Nodes;
 using FastPoints.Picture;

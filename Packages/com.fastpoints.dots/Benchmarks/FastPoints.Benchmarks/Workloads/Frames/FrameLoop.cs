@@ -3,7 +3,6 @@ using System.Collections.Generic;
 using System.Diagnostics;
 using System.Globalization;
 using System.Threading;
-using FastPoints.Core;
 using Unity.Burst;
 using Unity.Collections;
 using Unity.Jobs;

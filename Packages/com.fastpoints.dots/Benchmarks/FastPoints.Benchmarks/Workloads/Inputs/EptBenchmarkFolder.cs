@@ -2,7 +2,6 @@ using System;
 using System.Globalization;
 using System.IO;
 using System.Text;
-using FastPoints.Core;
 using FastPoints.Export;
 using FastPoints.Las;
 using FastPoints.Sources;

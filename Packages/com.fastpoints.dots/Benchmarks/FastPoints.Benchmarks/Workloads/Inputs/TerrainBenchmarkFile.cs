@@ -1,7 +1,6 @@
 using System;
 using System.IO;
 using FastPoints.Build;
-using FastPoints.Core;
 using FastPoints.Las;
 using FastPoints.Sources;
 using FastPoints.Store;

@@ -1,4 +1,3 @@
-using FastPoints.Core;
 using FastPoints.E57;
 
 namespace FastPoints.Benchmarks

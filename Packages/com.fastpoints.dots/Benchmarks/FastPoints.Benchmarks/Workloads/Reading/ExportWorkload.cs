@@ -1,6 +1,5 @@
 using System;
 using System.IO;
-using FastPoints.Core;
 using FastPoints.Export;
 using FastPoints.Sources;
 

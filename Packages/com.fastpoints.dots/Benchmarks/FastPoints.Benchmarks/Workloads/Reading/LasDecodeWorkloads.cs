@@ -1,6 +1,5 @@
 using System;
 using System.Runtime.InteropServices;
-using FastPoints.Core;
 using FastPoints.Las;
 using FastPoints.Reading;
 using Unity.Collections;

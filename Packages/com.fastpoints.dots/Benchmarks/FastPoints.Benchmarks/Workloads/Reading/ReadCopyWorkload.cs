@@ -1,6 +1,5 @@
 using System;
 using System.IO;
-using FastPoints.Core;
 using FastPoints.Sources;
 
 namespace FastPoints.Benchmarks

@@ -1,6 +1,5 @@
 using System;
 using System.Threading;
-using FastPoints.Core;
 using FastPoints.Entities;
 using FastPoints.Sources;
 using FastPoints.Streaming;

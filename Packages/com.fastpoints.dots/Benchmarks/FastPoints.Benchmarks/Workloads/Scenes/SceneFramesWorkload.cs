@@ -1,5 +1,4 @@
 using System.Globalization;
-using FastPoints.Core;
 using FastPoints.Streaming;
 using Unity.Mathematics;
 using Camera = FastPoints.Picture.Camera;

@@ -1,7 +1,6 @@
 using System.Collections.Generic;
 using System.Diagnostics;
 using System.Globalization;
-using FastPoints.Core;
 using FastPoints.Streaming;
 using Unity.Collections;
 using Unity.Mathematics;

@@ -2,7 +2,6 @@ using System;
 using System.Collections.Generic;
 using System.Diagnostics;
 using System.Threading;
-using FastPoints.Core;
 using FastPoints.Sources;
 using FastPoints.Store;
 using FastPoints.Streaming;

@@ -1,4 +1,3 @@
-using FastPoints.Core;
 using Unity.Burst.Intrinsics;
 using Unity.Mathematics;
 

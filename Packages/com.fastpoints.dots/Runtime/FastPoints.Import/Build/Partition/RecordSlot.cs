@@ -1,5 +1,4 @@
 using System;
-using FastPoints.Core;
 using FastPoints.Nodes;
 using FastPoints.Reading;
 using Unity.Burst;

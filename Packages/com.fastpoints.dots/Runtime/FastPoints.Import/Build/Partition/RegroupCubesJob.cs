@@ -1,4 +1,3 @@
-using FastPoints.Core;
 using FastPoints.Nodes;
 using Unity.Burst;
 using Unity.Collections;

@@ -4,7 +4,6 @@ using System.Diagnostics;
 using System.Globalization;
 using System.IO;
 using System.Text;
-using FastPoints.Core;
 using FastPoints.Nodes;
 using FastPoints.Reading;
 using FastPoints.Store;

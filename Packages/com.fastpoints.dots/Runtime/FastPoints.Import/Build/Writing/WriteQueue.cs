@@ -2,7 +2,6 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Threading;
-using FastPoints.Core;
 using FastPoints.Nodes;
 using FastPoints.Reading;
 using Unity.Collections;
@@ -240,7 +239,7 @@ namespace FastPoints.Build
         public WriteTicket(Action stopRetrying) => m_stopRetrying = stopRetrying;
 
         /// <summary>Whether the file is complete on disk; waits at most this long for it.</summary>
-        /// <exception cref="FastPoints.Core.PointCloudException">It could not be written.</exception>
+        /// <exception cref="FastPoints.PointCloudException">It could not be written.</exception>
         public bool IsDone(int waitMs)
         {
             lock (m_lock)

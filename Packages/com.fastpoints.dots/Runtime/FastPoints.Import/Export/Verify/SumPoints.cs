@@ -1,7 +1,6 @@
 using System;
 using System.Collections.Generic;
 using FastPoints.Build;
-using FastPoints.Core;
 using FastPoints.Nodes;
 using FastPoints.Reading;
 using FastPoints.Store;

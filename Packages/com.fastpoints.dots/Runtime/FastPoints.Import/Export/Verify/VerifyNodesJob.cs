@@ -1,4 +1,3 @@
-using FastPoints.Core;
 using FastPoints.Store;
 using Unity.Burst;
 using Unity.Collections;

@@ -1,5 +1,4 @@
 using System;
-using FastPoints.Core;
 using FastPoints.Store;
 using Unity.Burst;
 using Unity.Collections;

@@ -1,5 +1,4 @@
 using System.Runtime.CompilerServices;
-using FastPoints.Core;
 using FastPoints.Store;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;

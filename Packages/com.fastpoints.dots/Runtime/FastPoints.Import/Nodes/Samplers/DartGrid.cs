@@ -1,6 +1,5 @@
 using System;
 using System.Runtime.CompilerServices;
-using FastPoints.Core;
 using Unity.Burst.Intrinsics;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;

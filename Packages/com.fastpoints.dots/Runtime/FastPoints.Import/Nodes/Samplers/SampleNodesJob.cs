@@ -1,4 +1,3 @@
-using FastPoints.Core;
 using Unity.Burst;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;

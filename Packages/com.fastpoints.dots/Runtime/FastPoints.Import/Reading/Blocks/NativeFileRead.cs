@@ -1,5 +1,4 @@
 using System;
-using FastPoints.Core;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
 using Unity.IO.LowLevel.Unsafe;

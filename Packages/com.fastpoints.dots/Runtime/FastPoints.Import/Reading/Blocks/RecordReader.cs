@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using FastPoints.Core;
 using Unity.Burst;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;

@@ -2,7 +2,6 @@ using System;
 using System.Collections.Generic;
 using System.Globalization;
 using System.IO;
-using FastPoints.Core;
 using FastPoints.Reading;
 using Unity.Mathematics;
 

@@ -2,7 +2,6 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Threading;
-using FastPoints.Core;
 using FastPoints.Reading;
 using Unity.Collections;
 using Unity.IO.LowLevel.Unsafe;

@@ -1,4 +1,3 @@
-using FastPoints.Core;
 using FastPoints.Nodes;
 using FastPoints.Reading;
 using FastPoints.Store;

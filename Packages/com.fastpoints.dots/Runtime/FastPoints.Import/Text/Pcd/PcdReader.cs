@@ -2,7 +2,6 @@ using System;
 using System.Collections.Generic;
 using System.Globalization;
 using System.Text;
-using FastPoints.Core;
 using FastPoints.Ply;
 using FastPoints.Reading;
 

@@ -2,7 +2,6 @@ using System;
 using System.Collections;
 using System.Collections.Generic;
 using System.Globalization;
-using FastPoints.Core;
 using FastPoints.Reading;
 using Unity.Collections;
 using Unity.Jobs;

@@ -1,7 +1,7 @@
 using System.Runtime.CompilerServices;
 using Unity.Mathematics;
 
-namespace FastPoints.Core
+namespace FastPoints
 {
     /// <summary>Parses the numbers of a text file. HPC#. Every result is the nearest value of its type (ties to even), as the
     /// usual parsers give.</summary>

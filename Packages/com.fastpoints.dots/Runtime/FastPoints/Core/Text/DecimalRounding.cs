@@ -1,7 +1,7 @@
 using Unity.Burst.Intrinsics;
 using Unity.Mathematics;
 
-namespace FastPoints.Core
+namespace FastPoints
 {
     /// <summary>Converts decimal numbers to the nearest binary ones (ties to even), exactly, for any number of digits and any
     /// exponent. HPC#.</summary>

@@ -2,7 +2,7 @@ using System;
 using System.Collections.Generic;
 using Unity.Mathematics;
 
-namespace FastPoints.Core
+namespace FastPoints
 {
     // Members of a JSON object, each as what it must be; else a failure names the file and the member.
     internal sealed class JsonMembers

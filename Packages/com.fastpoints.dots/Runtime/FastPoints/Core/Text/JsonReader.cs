@@ -3,7 +3,7 @@ using System.Collections.Generic;
 using System.Globalization;
 using System.Text;
 
-namespace FastPoints.Core
+namespace FastPoints
 {
     // A strict reader of small JSON texts (RFC 8259): objects become dictionaries and arrays lists. Numbers stay text until
     // they are converted, so that 64-bit counts are exact. Players should carry no JSON library, and Unity's fills the fields

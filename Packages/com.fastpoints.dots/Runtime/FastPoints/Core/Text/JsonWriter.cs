@@ -1,7 +1,7 @@
 using System.Globalization;
 using System.Text;
 
-namespace FastPoints.Core
+namespace FastPoints
 {
     // JSON for people: two spaces a level, arrays of numbers on one line, doubles with enough digits to read back the same.
     internal sealed class JsonWriter

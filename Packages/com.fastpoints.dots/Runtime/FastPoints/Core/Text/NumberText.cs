@@ -2,7 +2,7 @@ using System.Globalization;
 using System.Numerics;
 using Unity.Mathematics;
 
-namespace FastPoints.Core
+namespace FastPoints
 {
     // Writes numbers as the same text on every runtime: the fewest digits that read back as the same number, and of these the
     // nearest to it. It calculates with whole numbers alone. .NET's own text has these digits, too, but one too few for some

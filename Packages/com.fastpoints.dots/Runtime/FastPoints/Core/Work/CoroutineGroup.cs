@@ -1,7 +1,7 @@
 using System.Collections.Generic;
 using Unity.Jobs;
 
-namespace FastPoints.Core
+namespace FastPoints
 {
     internal static class CoroutineGroup
     {

@@ -1,7 +1,7 @@
 using System;
 using Unity.Profiling.LowLevel.Unsafe;
 
-namespace FastPoints.Core
+namespace FastPoints
 {
     // How many pieces of work are in flight, so that workers have some until the next tick of a coroutine: at first as many as
     // quick ones would take, then twice as many each time that they ran out of them. What is made never depends on it.

@@ -6,7 +6,7 @@ using System.Threading;
 using Unity.Jobs;
 using Unity.Jobs.LowLevel.Unsafe;
 
-namespace FastPoints.Core
+namespace FastPoints
 {
     /// <summary>One step of work: jobs that must finish before the next step can run, or other work to do first.</summary>
     public readonly struct JobStep

@@ -3,7 +3,7 @@ using System.Collections.Generic;
 using System.Threading;
 using System.Threading.Tasks;
 
-namespace FastPoints.Core
+namespace FastPoints
 {
     /// <summary>Examines files on threads of the pool. What is thrown reaches the caller as a PointCloudException.</summary>
     public static class PoolTask

@@ -3,7 +3,7 @@ using Unity.Collections;
 using Unity.Mathematics;
 using Unity.Profiling.LowLevel.Unsafe;
 
-namespace FastPoints.Core
+namespace FastPoints
 {
     // How long single runs of jobs took: Unity's queue has no priorities, so a run blocks its worker for everything else in the
     // frame. Jobs that follow one another share one.

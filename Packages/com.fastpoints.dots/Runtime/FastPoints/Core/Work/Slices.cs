@@ -3,7 +3,7 @@ using System.Collections.Generic;
 using Unity.Jobs;
 using Unity.Jobs.LowLevel.Unsafe;
 
-namespace FastPoints.Core
+namespace FastPoints
 {
     // Work on a range that is cut into short jobs. All are scheduled ahead: if each were awaited before the next one, a tick of
     // the coroutine would bring it on by one slice.

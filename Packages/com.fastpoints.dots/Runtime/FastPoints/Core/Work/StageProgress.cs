@@ -2,7 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Diagnostics;
 
-namespace FastPoints.Core
+namespace FastPoints
 {
     /// <summary>The stages of a long piece of work, and the share that is done. For the thread of the work alone.</summary>
     public sealed class StageProgress

@@ -1,6 +1,5 @@
 using System.Collections.Generic;
 using System.Globalization;
-using FastPoints.Core;
 using FastPoints.Store;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;

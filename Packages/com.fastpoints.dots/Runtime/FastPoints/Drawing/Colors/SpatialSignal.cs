@@ -1,5 +1,4 @@
 using System.Collections.Generic;
-using FastPoints.Core;
 using Unity.Mathematics;
 
 namespace FastPoints.Drawing

@@ -1,6 +1,5 @@
 using System;
 using System.Diagnostics;
-using FastPoints.Core;
 
 namespace FastPoints.Store
 {

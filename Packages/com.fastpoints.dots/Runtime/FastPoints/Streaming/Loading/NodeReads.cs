@@ -1,7 +1,6 @@
 using System;
 using System.Collections.Generic;
 using System.IO;
-using FastPoints.Core;
 using FastPoints.Store;
 using Unity.Collections;
 using Unity.IO.LowLevel.Unsafe;

@@ -4,7 +4,6 @@ using System.Diagnostics;
 using System.IO;
 using System.Linq;
 using System.Threading;
-using FastPoints.Core;
 using FastPoints.Drawing;
 using FastPoints.Sources;
 using FastPoints.Store;

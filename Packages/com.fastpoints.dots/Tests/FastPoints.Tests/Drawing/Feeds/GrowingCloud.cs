@@ -1,13 +1,11 @@
 using System;
 using System.IO;
 using FastPoints.Build;
-using FastPoints.Core;
 using FastPoints.Drawing;
 using FastPoints.Sources;
 using FastPoints.Store;
 using FastPoints.Tests.Nodes;
 using FastPoints.Tests.Streaming;
-using FastPoints.Tests.Support;
 using Unity.Mathematics;
 
 namespace FastPoints.Tests.Drawing

@@ -1,8 +1,6 @@
 using System;
 using System.Threading;
 using System.Threading.Tasks;
-using FastPoints.Core;
-using FastPoints.Tests.Support;
 using NUnit.Framework;
 
 namespace FastPoints.Tests.Drawing

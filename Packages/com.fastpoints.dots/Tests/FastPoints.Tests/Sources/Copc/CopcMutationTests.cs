@@ -1,9 +1,7 @@
 using System;
 using System.Collections.Generic;
-using FastPoints.Core;
 using FastPoints.Sources;
 using FastPoints.Tests.Reading;
-using FastPoints.Tests.Support;
 using NUnit.Framework;
 
 namespace FastPoints.Tests.Sources

@@ -3,7 +3,6 @@ using System.IO;
 using FastPoints.Las;
 using FastPoints.Sources;
 using FastPoints.Tests.Reading;
-using FastPoints.Tests.Support;
 using NUnit.Framework;
 using Unity.Mathematics;
 using static FastPoints.Tests.Sources.EptTestClouds;

@@ -1,11 +1,9 @@
 using System;
 using System.IO;
 using System.Linq;
-using FastPoints.Core;
 using FastPoints.Reading;
 using FastPoints.Sources;
 using FastPoints.Tests.Reading;
-using FastPoints.Tests.Support;
 using NUnit.Framework;
 using Unity.Collections;
 using Unity.Mathematics;

@@ -1,8 +1,6 @@
 using System;
-using FastPoints.Core;
 using FastPoints.Reading;
 using FastPoints.Sources;
-using FastPoints.Tests.Support;
 
 namespace FastPoints.Tests.Sources
 {

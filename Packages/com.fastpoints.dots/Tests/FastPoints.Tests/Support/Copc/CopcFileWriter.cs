@@ -6,7 +6,7 @@ using FastPoints.Las;
 using FastPoints.Sources;
 using Unity.Mathematics;
 
-namespace FastPoints.Tests.Support
+namespace FastPoints.Tests
 {
     /// <summary>A whole COPC file from records of point format 6 to 8: an octree over their X, Y, Z, in which a node takes some
     /// of the points of its cell and its children the others; nodes as chunks, the hierarchy in an EVLR.</summary>

@@ -5,7 +5,7 @@ using System.IO;
 using System.Text;
 using FastPoints.Tests.Ply;
 
-namespace FastPoints.Tests.Support
+namespace FastPoints.Tests
 {
     /// <summary>Writes E57 files for tests, after ASTM E2807-11 and with none of the reader's code: pages with CRC-32C,
     /// bit-packed bytestreams in data packets, index and ignored packets, the XML section behind the binary ones.</summary>

@@ -2,7 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Globalization;
 
-namespace FastPoints.Tests.Support
+namespace FastPoints.Tests
 {
     sealed class E57TestScan
     {

@@ -7,7 +7,7 @@ using System.Text;
 using FastPoints.Las;
 using FastPoints.Sources;
 
-namespace FastPoints.Tests.Support
+namespace FastPoints.Tests
 {
     /// <summary>An EPT octree in a folder of its own, gone when disposed. Records start with X, Y, Z as int32.</summary>
     sealed class EptFolder : IDisposable

@@ -2,7 +2,7 @@ using System;
 using System.IO;
 using FastPoints.Reading;
 
-namespace FastPoints.Tests.Support
+namespace FastPoints.Tests
 {
     /// <summary>Zstandard frames of raw blocks only (RFC 8878, 3.1.1): enough to test all around a decompressor without
     /// one.</summary>

@@ -2,7 +2,6 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using System.IO.Compression;
-using FastPoints.Core;
 using FastPoints.Las;
 using FastPoints.Laz;
 using FastPoints.Reading;
@@ -11,7 +10,7 @@ using FastPoints.Tests.Reading;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
 
-namespace FastPoints.Tests.Support
+namespace FastPoints.Tests
 {
     /// <summary>Reads LAS and LAZ back into records, through columns: every bit of a record is in one.</summary>
     public static unsafe class LazFileReading

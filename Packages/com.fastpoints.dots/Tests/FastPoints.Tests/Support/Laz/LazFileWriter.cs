@@ -5,7 +5,7 @@ using FastPoints.Las;
 using FastPoints.Laz;
 using Unity.Mathematics;
 
-namespace FastPoints.Tests.Support
+namespace FastPoints.Tests
 {
     public enum LazTablePlace
     {

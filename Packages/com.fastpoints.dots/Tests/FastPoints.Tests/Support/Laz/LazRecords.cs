@@ -2,7 +2,7 @@ using System;
 using System.Collections.Generic;
 using FastPoints.Las;
 
-namespace FastPoints.Tests.Support
+namespace FastPoints.Tests
 {
     static class LazRecords
     {

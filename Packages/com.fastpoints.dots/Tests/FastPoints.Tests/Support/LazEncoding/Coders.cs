@@ -1,6 +1,6 @@
 using System.Collections.Generic;
 
-namespace FastPoints.Tests.Support
+namespace FastPoints.Tests
 {
     /// <summary>The range coder that <see cref="FastPoints.Laz.RangeCode"/> decodes: 32-bit base and length, carries taken back
     /// into the bytes already written.</summary>

@@ -1,6 +1,6 @@
 using System;
 
-namespace FastPoints.Tests.Support
+namespace FastPoints.Tests
 {
     /// <summary>GPS times, as their bits: GPSTIME11 version 2, and the layer of POINT14, which codes changed times
     /// only.</summary>

@@ -1,8 +1,8 @@
 using System;
 using System.Collections.Generic;
-using static FastPoints.Tests.Support.RecordFields;
+using static FastPoints.Tests.RecordFields;
 
-namespace FastPoints.Tests.Support
+namespace FastPoints.Tests
 {
     /// <summary>An item of layered chunks beside POINT14.</summary>
     interface ILayeredItemEncoder

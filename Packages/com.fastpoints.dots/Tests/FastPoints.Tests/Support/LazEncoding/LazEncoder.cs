@@ -2,9 +2,9 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using FastPoints.Laz;
-using static FastPoints.Tests.Support.RecordFields;
+using static FastPoints.Tests.RecordFields;
 
-namespace FastPoints.Tests.Support
+namespace FastPoints.Tests
 {
     public static class LazEncoder
     {

@@ -1,4 +1,4 @@
-namespace FastPoints.Tests.Support
+namespace FastPoints.Tests
 {
     /// <summary>What <see cref="FastPoints.Laz.Median5"/> computes, in plain steps: sorted values, of which the largest or the
     /// smallest leaves for the new one.</summary>

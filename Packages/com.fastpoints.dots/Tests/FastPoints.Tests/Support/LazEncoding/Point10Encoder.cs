@@ -1,6 +1,6 @@
-using static FastPoints.Tests.Support.RecordFields;
+using static FastPoints.Tests.RecordFields;
 
-namespace FastPoints.Tests.Support
+namespace FastPoints.Tests
 {
     interface IItemEncoder
     {

@@ -1,8 +1,8 @@
 using System;
 using System.Collections.Generic;
-using static FastPoints.Tests.Support.RecordFields;
+using static FastPoints.Tests.RecordFields;
 
-namespace FastPoints.Tests.Support
+namespace FastPoints.Tests
 {
     /// <summary>Item POINT14: nine layers. Gives each point's scanner channel and whether it changed, for the other
     /// items.</summary>

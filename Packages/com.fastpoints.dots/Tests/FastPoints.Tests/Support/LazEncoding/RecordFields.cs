@@ -1,6 +1,6 @@
 using System;
 
-namespace FastPoints.Tests.Support
+namespace FastPoints.Tests
 {
     public static class RecordFields
     {

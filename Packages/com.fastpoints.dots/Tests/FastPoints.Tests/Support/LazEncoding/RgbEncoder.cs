@@ -1,7 +1,7 @@
 using System;
-using static FastPoints.Tests.Support.RecordFields;
+using static FastPoints.Tests.RecordFields;
 
-namespace FastPoints.Tests.Support
+namespace FastPoints.Tests
 {
     /// <summary>Colours: RGB12 version 2, and the layers of RGB14 and RGBNIR14 (whose last colour the caller may
     /// choose).</summary>

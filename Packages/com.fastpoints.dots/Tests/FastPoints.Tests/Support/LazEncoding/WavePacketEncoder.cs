@@ -1,7 +1,7 @@
 using System;
-using static FastPoints.Tests.Support.RecordFields;
+using static FastPoints.Tests.RecordFields;
 
-namespace FastPoints.Tests.Support
+namespace FastPoints.Tests
 {
     /// <summary>Wave packets: WAVEPACKET13, and the layer of WAVEPACKET14.</summary>
     sealed class WavePacketEncoder : IItemEncoder

@@ -6,7 +6,7 @@ using System.Linq;
 using System.Text;
 using Unity.Mathematics;
 
-namespace FastPoints.Tests.Support
+namespace FastPoints.Tests
 {
     /// <summary>Writes Potree 1 trees of BIN nodes as PotreeConverter 1.4 to 1.8 did.</summary>
     public sealed class Potree1Writer

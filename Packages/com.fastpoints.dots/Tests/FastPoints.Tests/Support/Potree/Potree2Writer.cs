@@ -5,10 +5,9 @@ using System.IO;
 using System.IO.Compression;
 using System.Linq;
 using System.Text;
-using FastPoints.Core;
 using Unity.Mathematics;
 
-namespace FastPoints.Tests.Support
+namespace FastPoints.Tests
 {
     /// <summary>Writes Potree 2 trees as PotreeConverter 2 does, in pages of the hierarchy of few levels.</summary>
     public sealed class Potree2Writer

@@ -2,7 +2,7 @@ using System.Collections.Generic;
 using Unity.Mathematics;
 using Random = System.Random;
 
-namespace FastPoints.Tests.Support
+namespace FastPoints.Tests
 {
     /// <summary>A seeded cloud in an octree: points on a grid of steps, each in a node of a hashed level. A point's values follow
     /// from its number, which it carries, so that what a reader gives can be held against it.</summary>
