@@ -6,6 +6,7 @@ public sealed class CliRun(TextWriter output, TextWriter error, RunSettings sett
 {
     readonly Stopwatch m_watch = Stopwatch.StartNew();
     readonly HashSet<string> m_warned = [];
+    public TextWriter StandardOutput { get; } = output;
     public TextWriter Out { get; } = settings.Json == "-" ? TextWriter.Null : output;
     public RunSettings Settings => settings;
     public StageProgress Progress { get; } = new();

@@ -49,7 +49,7 @@ public static class CommandLine
             Discard = discard,
             Line = "./fastpoints " + string.Join(" ", args.Select(Quoted)),
         };
-        return Run(chosen, parsed, common, run, output, error, errorIsTerminal);
+        return Run(chosen, parsed, common, run, error, errorIsTerminal);
     }
 
     static List<Verb> AllVerbs() =>
@@ -123,8 +123,7 @@ public static class CommandLine
         return row[^1];
     }
 
-    static int Run(Verb verb, ParseResult parsed, CommonOptions common, CliRun run, TextWriter output, TextWriter error,
-        bool errorIsTerminal)
+    static int Run(Verb verb, ParseResult parsed, CommonOptions common, CliRun run, TextWriter error, bool errorIsTerminal)
     {
         string? json = run.Settings.Json;
         using var display = run.Settings.IsQuiet ? null : new ProgressDisplay(run.Progress, error, errorIsTerminal);
@@ -158,7 +157,7 @@ public static class CommandLine
             return status;
         try
         {
-            Summary.Write(json, output, verb.Command is RootCommand ? "" : verb.Command.Name, run, failure);
+            Summary.Write(json, run.StandardOutput, verb.Command is RootCommand ? "" : verb.Command.Name, run, failure);
         }
         catch (PointCloudException e)
         {

@@ -38,7 +38,7 @@ public sealed class RowChart(string title, string xLabel, string textHead, param
         if (Reference is { } reference)
             ChartSvg.Line(svg, "axis dash", x.At(reference), Top, x.At(reference), bottom);
         for (int i = 0; i < m_rows.Count; i++)
-            Draw(svg, m_rows[i], Top + i * rowPx, rowPx, left, right, x);
+            Draw(svg, m_rows[i], Top + i * rowPx, rowPx, left, x);
         svg.Append(s_c, $"<rect class=\"axis\" x=\"{left}\" y=\"{Top}\" width=\"{PlotWidth}\" height=\"{bottom - Top}\"/>\n");
         return svg.Append("</svg>\n").ToString();
     }
@@ -55,11 +55,11 @@ public sealed class RowChart(string title, string xLabel, string textHead, param
         }
     }
 
-    static void Draw(StringBuilder svg, Row row, double top, int rowPx, int left, int right, ChartAxis x)
+    static void Draw(StringBuilder svg, Row row, double top, int rowPx, int left, ChartAxis x)
     {
         double middle = top + rowPx / 2.0;
         ChartSvg.Text(svg, left - Gap, middle + 4, "end", row.Name);
-        ChartSvg.Text(svg, right + Gap, middle + 4, "start", row.Text);
+        ChartSvg.Text(svg, left + PlotWidth + Gap, middle + 4, "start", row.Text);
         for (int i = 0; i < row.Lanes.Length; i++)
         {
             double[] lane = row.Lanes[i];

@@ -117,10 +117,9 @@ public sealed class SamplerReport(PointReader reader, string folder, ConvertSett
         foreach (var view in views)
         {
             page.Heading("View: " + view.Name);
-            Chart(page, "psnr-" + view.Name, "PSNR, view " + view.Name, "points", "dB", built, view.Name, e => e.Psnr);
-            Chart(page, "ssim-" + view.Name, "SSIM, view " + view.Name, "points", "SSIM", built, view.Name, e => e.Ssim);
-            Chart(page, "uncovered-" + view.Name, "Uncovered pixels, view " + view.Name, "points", "%", built, view.Name,
-                e => 100 * e.Uncovered);
+            Chart(page, "PSNR", "dB", built, view.Name, e => e.Psnr);
+            Chart(page, "SSIM", "SSIM", built, view.Name, e => e.Ssim);
+            Chart(page, "Uncovered pixels", "%", built, view.Name, e => 100 * e.Uncovered);
             page.Picture(Png.Encode(view.Reference), "all points");
         }
         page.Heading("Evenness");
@@ -146,13 +145,12 @@ public sealed class SamplerReport(PointReader reader, string folder, ConvertSett
 
     static Drawn At(Built built, string view) => built.Pictures.First(p => p.View == view && p.Budget == 1_000_000);
 
-    void Chart(ReportPage page, string file, string title, string x, string y, List<Built> built, string view,
-        Func<ImageError, double> of)
+    void Chart(ReportPage page, string name, string unit, List<Built> built, string view, Func<ImageError, double> of)
     {
-        var chart = new LineChart(title, x, y) { LogX = true };
+        var chart = new LineChart(name + ", view " + view, "points", unit) { LogX = true };
         foreach (var b in built)
             chart.Add(b.Name, b.Pictures.Where(p => p.View == view).Select(p => ((double)p.Points, of(p.Error))));
-        Add(page, file, chart);
+        Add(page, name.Split(' ')[0].ToLowerInvariant() + "-" + view, chart);
     }
 
     void Add(ReportPage page, string file, LineChart chart)

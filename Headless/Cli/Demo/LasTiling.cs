@@ -40,7 +40,7 @@ public static class LasTiling
                 $"--times {times}: beyond what 32-bit coordinates hold; this file has room for "
                     + $"{1 + (int.MaxValue - maxX) / shift}"));
         long total = checked(points * times);
-        long tailAt = PatchHead(source, head, points, total, times, recordBytes, pointsAt, shift * (times - 1));
+        long tailAt = PatchHead(source, head, points, times, (pointsAt, recordBytes), shift * (times - 1));
 
         progress.Begin("tile");
         using var output = new OutputFile(destination);
@@ -104,9 +104,9 @@ public static class LasTiling
     }
 
     /// <returns>Where it begins in the source, or 0 where nothing follows.</returns>
-    internal static long PatchHead(string source, byte[] head, long points, long total, int times,
-        int recordBytes, long pointsAt, long shift)
+    internal static long PatchHead(string source, byte[] head, long points, int times, (long At, int Bytes) records, long shift)
     {
+        long total = checked(points * times);
         double scale = BitConverter.ToDouble(head, ScaleX);
         // A negative scale turns the axis around: the copies lie below.
         int grown = scale < 0 ? MinX : MaxX;
@@ -130,14 +130,14 @@ public static class LasTiling
             var count = head.AsSpan(ByReturn64 + 8 * i);
             BinaryPrimitives.WriteUInt64LittleEndian(count, BinaryPrimitives.ReadUInt64LittleEndian(count) * (ulong)times);
         }
-        long pointsEnd = pointsAt + points * recordBytes;
+        long pointsEnd = records.At + points * records.Bytes;
         long tailAt = 0;
         foreach (int field in new[] { WaveformStart, EvlrStart })
         {
             long start = BinaryPrimitives.ReadInt64LittleEndian(head.AsSpan(field));
             if (start < pointsEnd)
                 continue;
-            BinaryPrimitives.WriteInt64LittleEndian(head.AsSpan(field), start + (total - points) * recordBytes);
+            BinaryPrimitives.WriteInt64LittleEndian(head.AsSpan(field), start + (total - points) * records.Bytes);
             tailAt = pointsEnd;
         }
         return tailAt;

@@ -41,7 +41,7 @@ public static class LazTiling
         if (head[VersionMinor] >= 4 && head.Length >= EvlrEnd)
             Array.Clear(head, EvlrStart, EvlrEnd - EvlrStart);
         long total = checked(points * times);
-        LasTiling.PatchHead(path, head, points, total, times, 0, 0, shift * (times - 1));
+        LasTiling.PatchHead(path, head, points, times, default, shift * (times - 1));
         int vlrAt = (int)las.Vlrs.Find(LazFormat.UserId, LazFormat.RecordId).DataOffset;
         BinaryPrimitives.WriteUInt32LittleEndian(head.AsSpan(vlrAt + ChunkPointsAt), LazFormat.VariableChunkPoints);
 

@@ -63,7 +63,7 @@ public sealed class DrawStep
         Legend? legend = null;
         foreach (string path in paths)
         {
-            var plan = FlightCloud.Add(path, stream, options, run.Cancellation, out _, out int number, out double unit);
+            var (plan, _, number, unit) = FlightCloud.Add(path, stream, options, run.Cancellation);
             legend ??= Legend.Of(plan, options, unit);
             picture.Add(number, plan);
             assumptions.AddRange(plan.Assumptions);

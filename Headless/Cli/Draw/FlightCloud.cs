@@ -3,36 +3,31 @@ using FastPoints.Sources;
 
 namespace FastPoints.Cli.Draw;
 
-public static class FlightCloud
+/// <summary>A cloud that is flown over: its number in the stream, and how it is drawn.</summary>
+sealed record FlightCloud(PicturePlan Plan, DisplayRanges Ranges, int Number, double MetresPerUnit)
 {
     const int PointsToPlanWith = DrawStored.PointsToPlanWith;
 
-    internal static PicturePlan Add(string path, StreamContext stream, PictureOptions options, CancellationToken cancellation,
-        out DisplayRanges ranges, out int number, out double metresPerUnit)
-    {
-        if (CloudFolder.IsCloud(path) || !Path.Exists(path))
-            return AddFolder(path, stream, options, cancellation, out ranges, out number, out metresPerUnit);
-        var reader = PointReaders.Open(path);
-        metresPerUnit = reader.Info.Crs.MetresPerUnit;
-        return AddSource(reader, stream, options, cancellation, out ranges, out number);
-    }
+    internal static FlightCloud Add(string path, StreamContext stream, PictureOptions options, CancellationToken cancellation) =>
+        CloudFolder.IsCloud(path) || !Path.Exists(path) ? AddFolder(path, stream, options, cancellation)
+            : AddSource(PointReaders.Open(path), stream, options, cancellation);
 
-    internal static PicturePlan AddSource(PointReader reader, StreamContext stream, PictureOptions options,
-        CancellationToken cancellation, out DisplayRanges ranges, out int number)
+    internal static FlightCloud AddSource(PointReader reader, StreamContext stream, PictureOptions options,
+        CancellationToken cancellation)
     {
         try
         {
             if (reader.Tree == null)
-                return AddSample(reader, stream, options, cancellation, out ranges, out number);
+                return AddSample(reader, stream, options, cancellation);
             JobCoroutine.RunToEnd(TreeSource.FindTop(reader), cancellation);
-            ranges = new DisplayRanges { IsInDegrees = double.IsNaN(reader.Info.Crs.MetresPerUnit) };
+            var ranges = new DisplayRanges { IsInDegrees = double.IsNaN(reader.Info.Crs.MetresPerUnit) };
             using (var batch = ReadTop(reader, ColorModes.AttributesToMeasure(options.Color), cancellation))
                 JobCoroutine.RunToEnd(ranges.Measure(batch, reader.Info.Transform, options.UpAxis), cancellation);
             var source = new TreeSource(reader,
                 CloudLooks.PlanesFor(ranges.Resolve(options.Color), !options.HiddenClasses.IsEmpty));
             var plan = new PicturePlan(options, ranges, source.Grid.FromCorner(source.Root.Corner));
-            number = stream.Add(source, CloudPlacement.Geo(source.Grid, source.Root));
-            return plan;
+            return new FlightCloud(plan, ranges, stream.Add(source, CloudPlacement.Geo(source.Grid, source.Root)),
+                reader.Info.Crs.MetresPerUnit);
         }
         catch
         {
@@ -41,8 +36,8 @@ public static class FlightCloud
         }
     }
 
-    static PicturePlan AddSample(PointReader reader, StreamContext stream, PictureOptions options,
-        CancellationToken cancellation, out DisplayRanges ranges, out int number)
+    static FlightCloud AddSample(PointReader reader, StreamContext stream, PictureOptions options,
+        CancellationToken cancellation)
     {
         var settings = new PreviewOptions
         {
@@ -50,6 +45,7 @@ public static class FlightCloud
             Points = (int)Math.Min(stream.Settings.Selection.PointBudget, int.MaxValue),
         };
         SampleReader sample;
+        DisplayRanges ranges;
         using (reader)
         using (var preview = new PreviewCloud(reader, settings))
         {
@@ -59,20 +55,18 @@ public static class FlightCloud
             sample = new SampleReader(preview.Sample, reader.Info.Path);
         }
         var source = new TreeSource(sample, CloudLooks.PlanesFor(ranges.Resolve(options.Color), !options.HiddenClasses.IsEmpty));
-        number = stream.Add(source, CloudPlacement.Geo(source.Grid, source.Root));
-        return new PicturePlan(options, ranges, source.Grid.FromCorner(source.Root.Corner));
+        return new FlightCloud(new PicturePlan(options, ranges, source.Grid.FromCorner(source.Root.Corner)), ranges,
+            stream.Add(source, CloudPlacement.Geo(source.Grid, source.Root)), reader.Info.Crs.MetresPerUnit);
     }
 
-    static PicturePlan AddFolder(string path, StreamContext stream, PictureOptions options, CancellationToken cancellation,
-        out DisplayRanges ranges, out int number, out double metresPerUnit)
+    static FlightCloud AddFolder(string path, StreamContext stream, PictureOptions options, CancellationToken cancellation)
     {
         var folder = CloudFolder.Open(path);
-        metresPerUnit = folder.Manifest.MetresPerUnit;
         try
         {
             var schema = LoadNodes.SchemaFor(folder, ColorModes.AttributesToMeasure(options.Color));
             var transform = folder.Manifest.Grid.FromCorner(folder.Manifest.Root.Corner);
-            ranges = new DisplayRanges();
+            var ranges = new DisplayRanges();
             using (var selection = new NodeSelection(folder))
             {
                 selection.Choose(null, PointsToPlanWith);
@@ -82,8 +76,8 @@ public static class FlightCloud
             }
             var plan = new PicturePlan(options, ranges, transform);
             var source = new FolderSource(folder, CloudLooks.PlanesFor(plan.Mode, !options.HiddenClasses.IsEmpty));
-            number = stream.Add(source, CloudPlacement.Geo(source.Grid, source.Root));
-            return plan;
+            return new FlightCloud(plan, ranges, stream.Add(source, CloudPlacement.Geo(source.Grid, source.Root)),
+                folder.Manifest.MetresPerUnit);
         }
         catch
         {

@@ -14,11 +14,11 @@ public sealed class FlightLog
 
     readonly List<Frame> m_frames;
 
-    public FlightLog(int frames)
-    {
-        // So that the list itself makes no garbage between frames.
-        m_frames = new List<Frame>(frames);
-    }
+    // The list itself makes no garbage between frames.
+    public FlightLog(int frames) => m_frames = new List<Frame>(Frames = frames);
+
+    /// <summary>That are to be flown; those that have been are counted.</summary>
+    public int Frames { get; }
 
     public int Count => m_frames.Count;
     public long GarbageBytes => m_frames.Sum(f => f.GarbageBytes);

@@ -8,6 +8,9 @@ sealed partial class FlightPictures : IDisposable
     readonly string m_singles = "";
     int m_count;
 
+    /// <summary>Frames from one picture to the next.</summary>
+    public int Every { get; init; } = 1;
+
     /// <param name="output">A folder, NAME.webp, NAME.png, or NAME%04d.png for single pictures.</param>
     public FlightPictures(string output, PictureOptions options, int pictures, int delayMs, bool canWebp)
     {

@@ -23,8 +23,7 @@ public static class StreamedPictureStep
         var assumptions = new List<string>();
         foreach (string cloud in clouds)
         {
-            var plan = FlightCloud.Add(cloud, stream, options, run.Cancellation, out var ranges, out int number,
-                out double unit);
+            var (plan, ranges, number, unit) = FlightCloud.Add(cloud, stream, options, run.Cancellation);
             legend ??= (plan, ranges, unit);
             picture.Add(new StreamedBlocks(stream, number, plan), plan.Mode);
             assumptions.AddRange(plan.Assumptions.Where(a => !assumptions.Contains(a)));

@@ -44,7 +44,7 @@ static class CardStage
     static RgbaImage Draw(string target, StreamContext stream, FlightPicture picture, PictureOptions options,
         List<string> problems)
     {
-        var plan = FlightCloud.Add(target, stream, options, CancellationToken.None, out _, out int cloud, out _);
+        var (plan, _, cloud, _) = FlightCloud.Add(target, stream, options, CancellationToken.None);
         picture.Add(cloud, plan);
         StreamStage.Settle(stream, plan.Camera.ToStreamView(options.WidthPx, options.HeightPx), problems, picture.EndFrame);
         return picture.Draw(plan.Camera);

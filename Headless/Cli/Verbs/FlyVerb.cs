@@ -103,7 +103,7 @@ public sealed class FlyVerb : Verb
         var bounds = BoundsGeo.Empty;
         foreach (string cloud in clouds)
         {
-            var plan = FlightCloud.Add(cloud, stream, options, run.Cancellation, out var ranges, out int number, out _);
+            var (plan, ranges, number, _) = FlightCloud.Add(cloud, stream, options, run.Cancellation);
             picture.Add(number, plan);
             if (!ranges.Robust.IsEmpty)
                 bounds = bounds.IsEmpty ? ranges.Robust
@@ -121,9 +121,12 @@ public sealed class FlyVerb : Verb
         // The end of each stretch is drawn: at its beginning the first has nothing to show yet.
         every = Math.Min(every, frames);
         using var pictures = output == null ? null
-            : new FlightPictures(output, options, frames / every, (int)(every * FrameSeconds * 1000), AnimatedWebp.CanWrite);
+            : new FlightPictures(output, options, frames / every, (int)(every * FrameSeconds * 1000), AnimatedWebp.CanWrite)
+            {
+                Every = every,
+            };
         run.WriteKeys = json => WriteKeys(json, log, pictures, disposeMs);
-        var last = Fly(stream, path, frames, picture, pictures, every, log, run);
+        var last = Fly(stream, path, picture, pictures, log, run);
         pictures?.Keep();
         if (folder != null)
             OutputFile.Write(Path.Combine(folder, "frames.csv"), System.Text.Encoding.UTF8.GetBytes(log.ToCsv()));
@@ -142,9 +145,10 @@ public sealed class FlyVerb : Verb
         Describe(run, log, stream.Settings.UploadBytesPerFrame, disposeMs);
     }
 
-    static RgbaImage? Fly(StreamContext stream, CameraPath path, int frames, FlightPicture picture, FlightPictures? pictures,
-        int every, FlightLog log, CliRun run)
+    static RgbaImage? Fly(StreamContext stream, CameraPath path, FlightPicture picture, FlightPictures? pictures,
+        FlightLog log, CliRun run)
     {
+        int frames = log.Frames;
         run.Progress.Begin("fly");
         using var views = new NativeArray<StreamView>(1, Allocator.Persistent);
         var view = views;
@@ -161,10 +165,10 @@ public sealed class FlyVerb : Verb
             double mainThreadMs = Stopwatch.GetElapsedTime(start).TotalMilliseconds;
             garbage = GC.GetAllocatedBytesForCurrentThread() - garbage;
             JobHandle.ScheduleBatchedJobs();
-            if (pictures != null && ((frame + 1) % every == 0 || frame == frames - 1))
+            if (pictures != null && ((frame + 1) % pictures.Every == 0 || frame == frames - 1))
             {
                 last = picture.Draw(camera);
-                if ((frame + 1) % every == 0)
+                if ((frame + 1) % pictures.Every == 0)
                     pictures.Add(last);
             }
             picture.EndFrame();

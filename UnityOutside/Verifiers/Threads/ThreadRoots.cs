@@ -27,10 +27,10 @@ internal static class ThreadRoots
 
     /// <summary>The delegates that a call may be given: where it is not to be seen which, all of that type that are made
     /// anywhere.</summary>
-    internal static IEnumerable<Value> Delegates(CodeIndex code, ValueOrigins origins, MethodDefinition method, Value? self,
-        Instruction call, int argument, TypeReference wanted)
+    internal static IEnumerable<Value> Delegates(CodeIndex code, ValueOrigins origins, Site call, Value? self, int argument,
+        TypeReference wanted)
     {
-        foreach (Value value in origins.Argument(method, self, call, argument))
+        foreach (Value value in origins.Argument(call.Method, self, call.At, argument))
         {
             if (value.Target != null)
             {
@@ -64,7 +64,7 @@ internal static class ThreadRoots
             TypeReference type = called.Parameters[i].ParameterType;
             if (!TypeRelations.IsDelegate(type))
                 continue;
-            List<Value> targets = Delegates(code, origins, method, null, at, first + i, type).ToList();
+            List<Value> targets = Delegates(code, origins, new Site(method, at), null, first + i, type).ToList();
             if (targets.Count == 0)
                 yield return new ThreadRoot(name, within, null);
             foreach (Value target in targets)

@@ -214,8 +214,8 @@ public sealed class ThreadVerifier
 
         private void Invoke(Instruction at, int argument, TypeReference type)
         {
-            foreach (Value made in ThreadRoots.Delegates(m_verifier.m_code, m_verifier.m_origins, Method, m_visit!.Self, at,
-                argument, type))
+            foreach (Value made in ThreadRoots.Delegates(m_verifier.m_code, m_verifier.m_origins, new Site(Method, at),
+                m_visit!.Self, argument, type))
                 Run(made.Target!, made.Place == Method ? Scope : GenericScope.None, made.Inner);
         }
 

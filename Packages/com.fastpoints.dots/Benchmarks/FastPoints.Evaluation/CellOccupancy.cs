@@ -47,29 +47,16 @@ namespace FastPoints.Evaluation
         public NativeArray<ulong> CellsOf128th;
         public NativeArray<long> PointsOfBlock;
 
-        public unsafe void Execute() => Count((byte*)Block.GetUnsafeReadOnlyPtr(), Positions, Transform, 0,
-            Result.Value.Points, Grid, (ulong*)CellsOf128th.GetUnsafePtr(), (long*)PointsOfBlock.GetUnsafePtr());
-
-        internal static unsafe void Count(byte* bytes, in PositionColumns positions, in PositionTransform transform, int first,
-            int count, in ErrorGrid grid, ulong* cellsOf128th, long* pointsOfBlock)
+        public void Execute() => new CountSampledCellsJob
         {
-            double* x = stackalloc double[ColumnValues.RunLength];
-            double* y = stackalloc double[ColumnValues.RunLength];
-            double* z = stackalloc double[ColumnValues.RunLength];
-            for (int done = 0; done < count; done += ColumnValues.RunLength)
-            {
-                int run = math.min(ColumnValues.RunLength, count - done);
-                positions.Load(bytes, first + done, run, x, y, z);
-                transform.ToGeo(run, x, y, z);
-                for (int i = 0; i < run; i++)
-                {
-                    if (!grid.TryCell(x[i], y[i], z[i], out uint cell))
-                        continue;
-                    cellsOf128th[cell >> 6] |= 1UL << (int)(cell & 63);
-                    pointsOfBlock[cell >> 9]++;
-                }
-            }
-        }
+            Sample = Block,
+            Positions = Positions,
+            Transform = Transform,
+            Count = Result.Value.Points,
+            Grid = Grid,
+            CellsOf128th = CellsOf128th,
+            PointsOfBlock = PointsOfBlock,
+        }.Execute();
     }
 
     [BurstCompile]
@@ -85,7 +72,27 @@ namespace FastPoints.Evaluation
         public NativeArray<ulong> CellsOf128th;
         public NativeArray<long> PointsOfBlock;
 
-        public unsafe void Execute() => CountOccupancyJob.Count((byte*)Sample.GetUnsafeReadOnlyPtr(), Positions, Transform,
-            First, Count, Grid, (ulong*)CellsOf128th.GetUnsafePtr(), (long*)PointsOfBlock.GetUnsafePtr());
+        public unsafe void Execute()
+        {
+            byte* bytes = (byte*)Sample.GetUnsafeReadOnlyPtr();
+            ulong* cellsOf128th = (ulong*)CellsOf128th.GetUnsafePtr();
+            long* pointsOfBlock = (long*)PointsOfBlock.GetUnsafePtr();
+            double* x = stackalloc double[ColumnValues.RunLength];
+            double* y = stackalloc double[ColumnValues.RunLength];
+            double* z = stackalloc double[ColumnValues.RunLength];
+            for (int done = 0; done < Count; done += ColumnValues.RunLength)
+            {
+                int run = math.min(ColumnValues.RunLength, Count - done);
+                Positions.Load(bytes, First + done, run, x, y, z);
+                Transform.ToGeo(run, x, y, z);
+                for (int i = 0; i < run; i++)
+                {
+                    if (!Grid.TryCell(x[i], y[i], z[i], out uint cell))
+                        continue;
+                    cellsOf128th[cell >> 6] |= 1UL << (int)(cell & 63);
+                    pointsOfBlock[cell >> 9]++;
+                }
+            }
+        }
     }
 }

@@ -58,7 +58,8 @@ namespace FastPoints.Scenes
 
         float Between(float low, float high) => low + (high - low) * SceneHash.Next(ref m_random);
 
-        void Add(SceneShape shape, float3 center, float3 half, float heading, float3 color, byte classification, float slope = 0)
+        void Add(SceneShape shape, float3 center, float3 half, (float3 Color, byte Class) surface, float heading = 0,
+            float slope = 0)
         {
             m_objects.Add(new SceneObject
             {
@@ -66,8 +67,8 @@ namespace FastPoints.Scenes
                 Center = center,
                 Half = half,
                 Heading = new float2(math.cos(heading), math.sin(heading)),
-                Color = color,
-                Classification = classification,
+                Color = surface.Color,
+                Classification = surface.Class,
                 Slope = slope,
                 Seed = (uint)(Between(0, 1) * 16777216),
             });
@@ -83,7 +84,7 @@ namespace FastPoints.Scenes
                 var half = new float3(Between(5, 8.5f), Between(4.5f, 6.5f), 3 * (Between(0, 1) < 0.6f ? 2 : 3) + 0.3f);
                 float y = side * (SceneGround.PavementHalf + Between(3.5f, 6.5f) + half.y);
                 var color = s_wallColors[(int)Between(0, s_wallColors.Length - 0.01f)];
-                Add(SceneShape.House, OnGround(x + half.x, y), half, Between(-0.04f, 0.04f), color, SceneTrace.Building,
+                Add(SceneShape.House, OnGround(x + half.x, y), half, (color, SceneTrace.Building), Between(-0.04f, 0.04f),
                     Between(0.55f, 1));
                 for (float bush = 1.5f; bush < 2 * half.x; bush += Between(1.6f, 4))
                     Bush(x + bush, side * (SceneGround.PavementHalf + Between(0.8f, 2.2f)));
@@ -94,8 +95,8 @@ namespace FastPoints.Scenes
         void Bush(float x, float y)
         {
             var half = new float3(Between(0.5f, 1), Between(0.4f, 0.6f), Between(0.4f, 0.75f));
-            Add(SceneShape.Crown, OnGround(x, y) + new float3(0, 0, half.z * 0.8f), half, 0,
-                new float3(Between(0.05f, 0.10f), Between(0.16f, 0.24f), 0.03f), SceneTrace.LowVegetation, 5);
+            Add(SceneShape.Crown, OnGround(x, y) + new float3(0, 0, half.z * 0.8f), half,
+                (new float3(Between(0.05f, 0.10f), Between(0.16f, 0.24f), 0.03f), SceneTrace.LowVegetation), slope: 5);
         }
 
         void Tree(float x, float y, float size)
@@ -103,11 +104,11 @@ namespace FastPoints.Scenes
             var foot = OnGround(x, y);
             float trunk = Between(2.2f, 3) * size;
             var half = new float3(Between(1.9f, 2.6f), Between(1.9f, 2.6f), Between(2.2f, 3.2f)) * size;
-            Add(SceneShape.Pole, foot, new float3(0.11f * size + 0.05f, 0, trunk + half.z), 0, new float3(0.17f, 0.12f, 0.08f),
-                SceneTrace.HighVegetation);
-            Add(SceneShape.Crown, foot + new float3(0, 0, trunk + half.z * 0.85f), half, 0,
-                new float3(Between(0.07f, 0.16f), Between(0.20f, 0.30f), Between(0.03f, 0.05f)), SceneTrace.HighVegetation,
-                Between(2.2f, 3.4f));
+            Add(SceneShape.Pole, foot, new float3(0.11f * size + 0.05f, 0, trunk + half.z),
+                (new float3(0.17f, 0.12f, 0.08f), SceneTrace.HighVegetation));
+            Add(SceneShape.Crown, foot + new float3(0, 0, trunk + half.z * 0.85f), half,
+                (new float3(Between(0.07f, 0.16f), Between(0.20f, 0.30f), Between(0.03f, 0.05f)), SceneTrace.HighVegetation),
+                slope: Between(2.2f, 3.4f));
         }
 
         void StreetTrees(int side)
@@ -118,13 +119,12 @@ namespace FastPoints.Scenes
 
         void Lamps(int side)
         {
-            var steel = new float3(0.32f, 0.34f, 0.35f);
+            var steel = (new float3(0.32f, 0.34f, 0.35f), SceneTrace.StreetFurniture);
             for (float x = -HalfLength + (side > 0 ? 8 : 23); x < HalfLength; x += 30)
             {
                 var foot = OnGround(x, side * (SceneGround.RoadHalf + 0.5f));
-                Add(SceneShape.Pole, foot, new float3(0.07f, 0, 6.6f), 0, steel, SceneTrace.StreetFurniture);
-                Add(SceneShape.Box, foot + new float3(0, -side * 0.6f, 6.5f), new float3(0.13f, 0.7f, 0.1f), 0, steel,
-                    SceneTrace.StreetFurniture);
+                Add(SceneShape.Pole, foot, new float3(0.07f, 0, 6.6f), steel);
+                Add(SceneShape.Box, foot + new float3(0, -side * 0.6f, 6.5f), new float3(0.13f, 0.7f, 0.1f), steel);
             }
         }
 
@@ -137,15 +137,15 @@ namespace FastPoints.Scenes
                 float heading = Between(-0.03f, 0.03f);
                 var color = s_carColors[(int)Between(0, s_carColors.Length - 0.01f)];
                 float scale = Between(0.92f, 1.12f);
-                Add(SceneShape.Box, foot + new float3(0, 0, 0.22f), new float3(2.1f, 0.86f, 0.62f) * scale, heading, color,
-                    SceneTrace.Vehicle);
+                Add(SceneShape.Box, foot + new float3(0, 0, 0.22f), new float3(2.1f, 0.86f, 0.62f) * scale,
+                    (color, SceneTrace.Vehicle), heading);
                 Add(SceneShape.Box, foot + new float3(0, 0, 0.22f + 0.62f * scale), new float3(1.15f, 0.74f, 0.55f) * scale,
-                    heading, color * 0.25f, SceneTrace.Vehicle);
+                    (color * 0.25f, SceneTrace.Vehicle), heading);
                 for (int wheel = 0; wheel < 4; wheel++)
                 {
                     var at = new float3((wheel & 1) == 0 ? 1.35f : -1.35f, (wheel & 2) == 0 ? 0.72f : -0.72f, 0) * scale;
-                    Add(SceneShape.Box, foot + at, new float3(0.3f, 0.12f, 0.5f), heading, new float3(0.03f, 0.03f, 0.03f),
-                        SceneTrace.Vehicle);
+                    Add(SceneShape.Box, foot + at, new float3(0.3f, 0.12f, 0.5f),
+                        (new float3(0.03f, 0.03f, 0.03f), SceneTrace.Vehicle), heading);
                 }
             }
         }

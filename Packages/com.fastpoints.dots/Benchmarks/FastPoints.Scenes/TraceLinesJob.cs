@@ -55,25 +55,26 @@ namespace FastPoints.Scenes
             int start = index * RaysPerLine * MaxReturns;
             int end = start;
             for (int ray = 0; ray < RaysPerLine; ray++)
-                Pulse(line, ray, azimuth, origin, near, nearCount, ref end);
+                Pulse(new Beam { Line = line, Ray = ray, Origin = origin }, azimuth, near, nearCount, ref end);
             CountOfLine[index] = end - start;
         }
 
-        unsafe void Pulse(int line, int ray, float azimuth, float3 origin, int* near, int nearCount, ref int end)
+        unsafe void Pulse(Beam beam, float azimuth, int* near, int nearCount, ref int end)
         {
-            uint random = SceneHash.Of(Seed + StationNumber, (uint)line, (uint)ray);
+            beam.Random = SceneHash.Of(Seed + StationNumber, (uint)beam.Line, (uint)beam.Ray);
             float step = (HighestElevation - LowestElevation) / RaysPerLine;
-            float elevation = LowestElevation + (ray + 0.5f + 0.2f * (SceneHash.Next(ref random) - 0.5f)) * step;
-            float heading = azimuth + 0.2f * (SceneHash.Next(ref random) - 0.5f) * step;
-            var direction = new float3(math.cos(heading) * math.cos(elevation), math.sin(heading) * math.cos(elevation),
-                math.sin(elevation));
+            float elevation = LowestElevation + (beam.Ray + 0.5f + 0.2f * (SceneHash.Next(ref beam.Random) - 0.5f)) * step;
+            float heading = azimuth + 0.2f * (SceneHash.Next(ref beam.Random) - 0.5f) * step;
+            float3 origin = beam.Origin, direction = new float3(math.cos(heading) * math.cos(elevation),
+                math.sin(heading) * math.cos(elevation), math.sin(elevation));
+            (beam.Elevation, beam.Direction) = (elevation, direction);
 
             var hit = SceneHit.None;
             float ground = SceneGround.Hit(origin, direction, Reach);
             if (ground < Reach)
                 GroundHit(origin + direction * ground, ground, ref hit);
             for (int i = 0; i < nearCount; i++)
-                SceneTrace.Solid(Objects[near[i]], origin, direction, random, ref hit);
+                SceneTrace.Solid(Objects[near[i]], origin, direction, beam.Random, ref hit);
 
             // Leaves in front of the solid hit, nearest first.
             float* leaf = stackalloc float[MaxReturns];
@@ -82,24 +83,34 @@ namespace FastPoints.Scenes
             float limit = math.min(hit.Distance, Reach);
             for (int i = 0; i < nearCount; i++)
                 if (Objects[near[i]].Shape == SceneShape.Crown)
-                    Leaves(near[i], origin, direction, limit, leaf, crown, ref leaves, ref random);
+                    Leaves(near[i], ref beam, limit, leaf, crown, ref leaves);
 
             // Each leaf takes a part of the pulse, which continues behind the first one with even odds only.
             int returns = leaves;
             for (int i = 0; i < leaves; i++)
-                if (SceneHash.Next(ref random) < 0.5f)
+                if (SceneHash.Next(ref beam.Random) < 0.5f)
                 {
                     returns = i + 1;
                     break;
                 }
-            bool endsInLeaves = leaves > 0 && (returns < leaves || SceneHash.Next(ref random) < 0.35f);
+            bool endsInLeaves = leaves > 0 && (returns < leaves || SceneHash.Next(ref beam.Random) < 0.35f);
             bool hasSolid = !endsInLeaves && hit.Distance < Reach && !hit.IsLost && returns < MaxReturns;
             int all = returns + (hasSolid ? 1 : 0);
             for (int i = 0; i < all; i++)
             {
-                var at = i < returns ? LeafHit(Objects[crown[i]], leaf[i], origin + direction * leaf[i], ref random) : hit;
-                ReturnsOfLine[end++] = Return(at, origin, direction, elevation, line, ray, i + 1, all, ref random);
+                var at = i < returns ? LeafHit(Objects[crown[i]], leaf[i], origin + direction * leaf[i], ref beam.Random) : hit;
+                ReturnsOfLine[end++] = Return(at, ref beam, i + 1, all);
             }
+        }
+
+        struct Beam
+        {
+            public int Line;
+            public int Ray;
+            public float3 Origin;
+            public float3 Direction;
+            public float Elevation;
+            public uint Random;
         }
 
         void GroundHit(float3 at, float distance, ref SceneHit hit)
@@ -114,19 +125,18 @@ namespace FastPoints.Scenes
 
         /// <summary>Samples free paths between leaves by delta tracking (Woodcock): steps for the densest place, accepted with
         /// the density at hand.</summary>
-        unsafe void Leaves(int index, float3 origin, float3 direction, float limit, float* leaf, int* crown, ref int leaves,
-            ref uint random)
+        unsafe void Leaves(int index, ref Beam beam, float limit, float* leaf, int* crown, ref int leaves)
         {
             var o = Objects[index];
-            if (!SceneTrace.CrownSpan(o, origin, direction, out var span))
+            if (!SceneTrace.CrownSpan(o, beam.Origin, beam.Direction, out var span))
                 return;
             float t = span.x, last = math.min(span.y, limit);
             for (int guard = 0; guard < 64; guard++)
             {
-                t -= math.log(1 - SceneHash.Next(ref random)) / o.Slope;
+                t -= math.log(1 - SceneHash.Next(ref beam.Random)) / o.Slope;
                 if (!(t < last))
                     return;
-                if (SceneHash.Next(ref random) > SceneTrace.LeafDensity(o, origin + direction * t))
+                if (SceneHash.Next(ref beam.Random) > SceneTrace.LeafDensity(o, beam.Origin + beam.Direction * t))
                     continue;
                 int place = math.min(leaves, MaxReturns - 1);
                 if (leaves == MaxReturns && leaf[place] <= t)
@@ -159,30 +169,29 @@ namespace FastPoints.Scenes
             };
         }
 
-        ScanReturn Return(in SceneHit hit, float3 origin, float3 direction, float elevation, int line, int ray, int number,
-            int count, ref uint random)
+        ScanReturn Return(in SceneHit hit, ref Beam beam, int number, int count)
         {
-            float incidence = math.abs(math.dot(hit.Normal, direction));
+            float incidence = math.abs(math.dot(hit.Normal, beam.Direction));
             // A slanted or far surface spreads the echo.
             float noise = 0.0015f + 0.00003f * hit.Distance + 0.002f * (1 - incidence);
-            float distance = hit.Distance + noise * SceneHash.NextNormal(ref random);
-            var at = origin + direction * distance;
+            float distance = hit.Distance + noise * SceneHash.NextNormal(ref beam.Random);
+            var at = beam.Origin + beam.Direction * distance;
 
             var sun = SunShadow.Sun;
             float light = 0.32f + 0.14f * hit.Normal.z, towards = math.dot(hit.Normal, sun);
             if (towards > 0 && SunShadow.Reaches(TopOfShadow, at + hit.Normal * 0.05f))
                 light += 1.05f * towards;
             var tint = math.lerp(new float3(0.86f, 0.95f, 1.12f), new float3(1.05f, 1, 0.9f), math.saturate(light));
-            var color = math.saturate(hit.Color * tint * light * (1.35f + 0.05f * SceneHash.NextNormal(ref random)));
+            var color = math.saturate(hit.Color * tint * light * (1.35f + 0.05f * SceneHash.NextNormal(ref beam.Random)));
             // The sRGB curve, to 16 bits.
             color = math.select(1.055f * math.pow(color, 1 / 2.4f) - 0.055f, 12.92f * color, color <= 0.0031308f);
             color = math.round(color * 65535);
 
             float echo = hit.Reflectance * (0.25f + 0.75f * incidence) / (1 + math.lengthsq(distance / 70)) / math.sqrt(count);
-            echo *= 1 + 0.06f * SceneHash.NextNormal(ref random);
+            echo *= 1 + 0.06f * SceneHash.NextNormal(ref beam.Random);
 
             var toGrid = 1 / ScanReturn.Step;
-            double pulse = (double)line * RaysPerLine + ray;
+            double pulse = (double)beam.Line * RaysPerLine + beam.Ray;
             return new ScanReturn
             {
                 GpsTime = GpsTimeOfStart + (StationNumber - 1) * SecondsPerStation + pulse * SecondsPerPulse,
@@ -193,7 +202,7 @@ namespace FastPoints.Scenes
                 Red = (ushort)color.x,
                 Green = (ushort)color.y,
                 Blue = (ushort)color.z,
-                ScanAngle = (short)math.round(math.degrees(elevation) / 0.006f),
+                ScanAngle = (short)math.round(math.degrees(beam.Elevation) / 0.006f),
                 Station = StationNumber,
                 ReturnNumber = (byte)number,
                 NumberOfReturns = (byte)count,

@@ -75,7 +75,7 @@ namespace FastPoints.Picture
 
         /// <summary>The same camera for choosing nodes, where the world is the cloud's georeferenced space.</summary>
         public StreamView ToStreamView(int widthPx, int heightPx) => IsOrthographic
-            ? StreamView.Orthographic(EyeGeo, Right, Up, HeightGeo, widthPx, heightPx)
-            : StreamView.Perspective(EyeGeo, Right, Up, Forward, FovRadians, widthPx, heightPx);
+            ? StreamView.Orthographic(EyeGeo, Right, Up, HeightGeo, new double2(widthPx, heightPx))
+            : StreamView.Perspective(EyeGeo, Right, Up, Forward, FovRadians, new double2(widthPx, heightPx));
     }
 }

@@ -70,14 +70,14 @@ namespace FastPoints.Tests.Drawing
                     var shape = new PlaneShape(3, node.IsWide != 0 ? 7 : 0);
                     var plane = new PlaneView(bank + node.PositionWord * 4L, shape, block + 1);
                     for (int point = 0; point < plane.PointsOf(block); point++)
-                        places.Add(PlaceOf(stream, list, eyeWorld, node, plane, block, point));
+                        places.Add(PlaceOf(stream, list, eyeWorld, node, axis => (long)plane.ValueAt(block, axis, point)));
                 }
             }
             return places;
         }
 
-        static (double3, double3) PlaceOf(StreamContext stream, DrawList list, double3 eyeWorld, GpuNode node, PlaneView plane,
-            int block, int point)
+        static (double3, double3) PlaceOf(StreamContext stream, DrawList list, double3 eyeWorld, GpuNode node,
+            System.Func<int, long> valueOf)
         {
             var cloud = stream.Clouds[0];
             var step = cloud.Source.Grid.Step;
@@ -87,7 +87,7 @@ namespace FastPoints.Tests.Drawing
             for (int axis = 0; axis < 3; axis++)
             {
                 long anchor = (long)((ulong)node.AnchorHigh[axis] << 32 | node.Anchor[axis]);
-                long value = (long)plane.ValueAt(block, axis, point);
+                long value = valueOf(axis);
                 steps[axis] = value >= anchor ? (float)(ulong)(value - anchor) : -(float)(ulong)(anchor - value);
                 offset[axis] = value - anchor;
             }

@@ -40,7 +40,7 @@ namespace FastPoints.Tests.Nodes
             ulong sum = 0;
             foreach (int costPerSlice in new[] { 1, 100000, int.MaxValue })
             {
-                var found = Run(places, layout, expected, costPerSlice, out var common, out var priority, out ulong checksum);
+                var (found, common, priority, checksum) = Run(places, layout, expected, costPerSlice);
                 Assert.That(found.AsSpan().SequenceEqual(sorted), "in slices of " + costPerSlice);
                 sum = 0;
                 fixed (byte* records = sorted)
@@ -87,8 +87,8 @@ namespace FastPoints.Tests.Nodes
             return order;
         }
 
-        static byte[] Run(Grid3[] places, RecordLayout layout, byte[] records, int costPerSlice, out byte[] common,
-            out uint[] priority, out ulong checksum)
+        static (byte[] Sorted, byte[] Common, uint[] Priority, ulong Checksum) Run(Grid3[] places, RecordLayout layout,
+            byte[] records, int costPerSlice)
         {
             int count = places.Length, side = 0;
             foreach (var place in places)
@@ -123,10 +123,7 @@ namespace FastPoints.Tests.Nodes
                 job.Schedule().Complete();
             while (!scratch.IsDone);
             pool.FreeAll();
-            common = commonCube.ToArray();
-            priority = priorities.ToArray();
-            checksum = sum.Value;
-            return sorted.ToArray();
+            return (sorted.ToArray(), commonCube.ToArray(), priorities.ToArray(), sum.Value);
         }
     }
 }

@@ -18,12 +18,12 @@ namespace FastPoints.Tests.Picture
         static Camera FromAbove(double size) => Camera.Orthographic(new double3(size / 2, size / 2, 10),
             new double3(size / 2, size / 2, 0), new double3(0, 1, 0), size);
 
-        static PointDrawing DrawingOf(PointBatch batch, Camera camera, PositionTransform transform, int width, int height,
+        static PointDrawing DrawingOf(PointBatch batch, Camera camera, PositionTransform transform, int2 size,
             float largestPx = 1, bool round = false) =>
             new PointDrawing
             {
                 Positions = PositionColumns.Of(batch),
-                Projection = new PointProjection(camera, transform, width, height),
+                Projection = new PointProjection(camera, transform, size.x, size.y),
                 Colors = ColorMapping.For(ColorMode.Rgb, new DisplayRanges { Color = ColorDepth.Bits8 }, batch, transform),
                 LargestPx = largestPx,
                 IsRound = round,
@@ -33,7 +33,7 @@ namespace FastPoints.Tests.Picture
         {
             using var canvas = new PictureCanvas(width, height, Allocator.Persistent);
             canvas.UseSize(sizePx);
-            var drawing = DrawingOf(batch, camera, PositionTransform.Identity, width, height, sizePx, round);
+            var drawing = DrawingOf(batch, camera, PositionTransform.Identity, new int2(width, height), sizePx, round);
             var drawn = canvas.ScheduleDraw(batch, 0, batch.Count, drawing, default);
             canvas.ScheduleResolve(drawing, 0, 0, drawn).Complete();
             return canvas.ToImage();
@@ -163,7 +163,7 @@ namespace FastPoints.Tests.Picture
             }
             var camera = Camera.Perspective(corner + new double3(0, 0, 2), corner, new double3(0, 1, 0), 0.5);
             using var canvas = new PictureCanvas(101, 101, Allocator.Persistent);
-            var drawing = DrawingOf(batch, camera, transform, 101, 101);
+            var drawing = DrawingOf(batch, camera, transform, 101);
             canvas.ScheduleResolve(drawing, 0, 0, canvas.ScheduleDraw(batch, 0, 3, drawing, default)).Complete();
             var image = canvas.ToImage();
             // 2 m * tan(0.5 degrees) / 101 pixels = 0.1728 mm a pixel: 1 mm is 5.79 pixels.
@@ -198,7 +198,7 @@ namespace FastPoints.Tests.Picture
                 using var count = new WorkerCount(workers);
                 using var canvas = new PictureCanvas(160, 120, Allocator.Persistent);
                 canvas.UseSize(2.5f);
-                var drawing = DrawingOf(batch, camera, transform, 160, 120, 2.5f);
+                var drawing = DrawingOf(batch, camera, transform, new int2(160, 120), 2.5f);
                 drawing.Colors.Scale = 1 / 256.0;
                 JobHandle drawn = default;
                 for (int start = 0; start < batch.Count; start += 10_000)

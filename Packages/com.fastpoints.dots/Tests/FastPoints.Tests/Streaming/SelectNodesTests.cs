@@ -39,7 +39,8 @@ namespace FastPoints.Tests.Streaming
         {
             forward = math.normalize(forward);
             var right = math.normalize(math.cross(forward, new double3(0.01, 0.02, 1)));
-            return StreamView.Perspective(eye, right, math.cross(right, forward), forward, math.radians(fovDegrees), 1280, 720);
+            return StreamView.Perspective(eye, right, math.cross(right, forward), forward, math.radians(fovDegrees),
+                new double2(1280, 720));
         }
 
         static CloudPlacement At(double3 origin) => new CloudPlacement(double3x3.identity, origin);
@@ -91,7 +92,7 @@ namespace FastPoints.Tests.Streaming
             var forward = math.normalize(new double3(0.8, -1, -0.3));
             var right = math.normalize(math.cross(forward, new double3(0, 0, 1)));
             var up = math.cross(right, forward);
-            var view = StreamView.Perspective(eye, right, up, forward, math.radians(50.0), 1000, 500);
+            var view = StreamView.Perspective(eye, right, up, forward, math.radians(50.0), new double2(1000, 500));
             var chosen = new HashSet<(int, int, int)>(Choose(view, At(0)));
 
             double tanY = math.tan(math.radians(25.0)), tanX = 2 * tanY;
@@ -147,7 +148,7 @@ namespace FastPoints.Tests.Streaming
             var f = math.normalize(forward);
             var r = math.normalize(math.cross(f, new double3(0.01, 0.02, 1)));
             var view = StreamView.Perspective(math.mul(linear, eye) + moved.OriginWorld, math.mul(turn, r),
-                math.mul(turn, math.cross(r, f)), math.mul(turn, f), math.radians(60.0), 1280, 720);
+                math.mul(turn, math.cross(r, f)), math.mul(turn, f), math.radians(60.0), new double2(1280, 720));
             Assert.That(Choose(view, moved), Is.EqualTo(wanted));
         }
 

@@ -12,17 +12,16 @@ namespace FastPoints.Tests
         public static bool IsNearest(string text, double value)
         {
             ulong bits = math.asulong(value);
-            return IsNearest(text, bits >> 63 != 0, (int)(bits >> 52) & 0x7FF, bits & 0xFFFFFFFFFFFFF, 52, -1074, 0x7FF);
+            return IsNearest(text, bits >> 63 != 0, (int)(bits >> 52) & 0x7FF, bits & 0xFFFFFFFFFFFFF, 52, 0x7FF);
         }
 
         public static bool IsNearest(string text, float value)
         {
             uint bits = math.asuint(value);
-            return IsNearest(text, bits >> 31 != 0, (int)(bits >> 23) & 0xFF, bits & 0x7FFFFF, 23, -149, 0xFF);
+            return IsNearest(text, bits >> 31 != 0, (int)(bits >> 23) & 0xFF, bits & 0x7FFFFF, 23, 0xFF);
         }
 
-        static bool IsNearest(string text, bool isNegative, int biased, ulong fraction, int fractionBits, int minExponent,
-            int infinite)
+        static bool IsNearest(string text, bool isNegative, int biased, ulong fraction, int fractionBits, int infinite)
         {
             if (text.StartsWith("-", StringComparison.Ordinal) != isNegative || biased == infinite && fraction != 0)
                 return false;
@@ -40,7 +39,7 @@ namespace FastPoints.Tests
                 return size > 400 ? biased == infinite : biased == 0 && fraction == 0;
 
             ulong mantissa = biased == 0 ? fraction : fraction | 1ul << fractionBits;
-            int exponent = minExponent + math.max(biased, 1) - 1 - 2;
+            int exponent = 1 - infinite / 2 - fractionBits + math.max(biased, 1) - 1 - 2;
             BigInteger low = new BigInteger(mantissa) * 4 - (fraction == 0 && biased > 1 ? 1 : 2);
             BigInteger high = new BigInteger(mantissa) * 4 + 2;
             // What is divided by on one side is multiplied by on the other.

@@ -82,7 +82,7 @@ namespace FastPoints.Benchmarks
             double angle = 2 * math.PI_DBL * frame / FramesPerRound;
             var forward = new double3(math.cos(angle), 0, -math.sin(angle));
             var right = new double3(math.sin(angle), 0, math.cos(angle));
-            return StreamView.Perspective(0, right, new double3(0, 1, 0), forward, FovRadians, 1e7, 1e7);
+            return StreamView.Perspective(0, right, new double3(0, 1, 0), forward, FovRadians, 1e7);
         }
     }
 }

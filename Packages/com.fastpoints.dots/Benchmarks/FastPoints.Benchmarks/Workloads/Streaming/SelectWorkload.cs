@@ -90,7 +90,8 @@ namespace FastPoints.Benchmarks
             var eye = new double3(4_000_000 + x, 5_000_000 + y, SimulatedHierarchy.HeightAt(x, y) + 40);
             var forward = math.normalize(new double3(-math.sin(way), math.cos(way), -0.2));
             var right = math.normalize(math.cross(forward, new double3(0, 0, 1)));
-            return StreamView.Perspective(eye, right, math.cross(right, forward), forward, math.radians(60.0), 1920, 1080);
+            return StreamView.Perspective(eye, right, math.cross(right, forward), forward, math.radians(60.0),
+                new double2(1920, 1080));
         }
 
         public void Dispose()

@@ -32,10 +32,10 @@ namespace FastPoints.Streaming
 
         /// <summary>Unit vectors, forward into the picture; the field of view is vertical.</summary>
         public static StreamView Perspective(double3 eyeWorld, double3 right, double3 up, double3 forward, double fovRadians,
-            double widthPx, double heightPx)
+            double2 sizePx)
         {
-            double tanY = math.tan(fovRadians / 2), tanX = tanY * widthPx / heightPx;
-            var view = new StreamView { EyeWorld = eyeWorld, ScalePx = heightPx * 0.5 / tanY };
+            double tanY = math.tan(fovRadians / 2), tanX = tanY * sizePx.x / sizePx.y;
+            var view = new StreamView { EyeWorld = eyeWorld, ScalePx = sizePx.y * 0.5 / tanY };
             view.Add(right + forward * tanX, 0);
             view.Add(forward * tanX - right, 0);
             view.Add(up + forward * tanY, 0);
@@ -45,11 +45,10 @@ namespace FastPoints.Streaming
         }
 
         /// <summary>Sees everything along the axis, behind the eye too; the height is that of what the picture shows.</summary>
-        public static StreamView Orthographic(double3 eyeWorld, double3 right, double3 up, double heightWorld, double widthPx,
-            double heightPx)
+        public static StreamView Orthographic(double3 eyeWorld, double3 right, double3 up, double heightWorld, double2 sizePx)
         {
-            double halfHeight = heightWorld / 2, halfWidth = halfHeight * widthPx / heightPx;
-            var view = new StreamView { EyeWorld = eyeWorld, IsOrthographic = true, ScalePx = heightPx / heightWorld };
+            double halfHeight = heightWorld / 2, halfWidth = halfHeight * sizePx.x / sizePx.y;
+            var view = new StreamView { EyeWorld = eyeWorld, IsOrthographic = true, ScalePx = sizePx.y / heightWorld };
             view.Add(right, halfWidth);
             view.Add(-right, halfWidth);
             view.Add(up, halfHeight);

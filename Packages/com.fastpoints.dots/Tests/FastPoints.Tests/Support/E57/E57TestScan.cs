@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Globalization;
+using System.Linq;
 
 namespace FastPoints.Tests
 {
@@ -20,12 +21,12 @@ namespace FastPoints.Tests
 
         public int Count => Fields[0].Count;
 
-        public static string Pose(double w, double x, double y, double z, double tx, double ty, double tz) =>
-            string.Format(System.Globalization.CultureInfo.InvariantCulture,
+        /// <param name="numbers">The rotation's w, x, y and z, then the translation.</param>
+        public static string Pose(params double[] numbers) => string.Format(CultureInfo.InvariantCulture,
                 "<pose type=\"Structure\"><rotation type=\"Structure\"><w type=\"Float\">{0:R}</w><x type=\"Float\">{1:R}</x>" +
                 "<y type=\"Float\">{2:R}</y><z type=\"Float\">{3:R}</z></rotation><translation type=\"Structure\">" +
                 "<x type=\"Float\">{4:R}</x><y type=\"Float\">{5:R}</y><z type=\"Float\">{6:R}</z></translation></pose>",
-                w, x, y, z, tx, ty, tz);
+                numbers.Cast<object>().ToArray());
     }
 
     sealed class E57TestField
