@@ -1,7 +1,5 @@
 using FastPoints.Benchmarks;
-using FastPoints.Build;
 using FastPoints.Nodes;
-using FastPoints.Sources;
 using StandIns.Scheduling;
 
 namespace FastPoints.HostTests.Benchmarks;

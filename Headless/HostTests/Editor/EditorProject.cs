@@ -1,5 +1,4 @@
 using System.Diagnostics;
-using FastPoints.Drawing;
 using UnityEditor.AssetImporters;
 
 namespace FastPoints.HostTests.Editor;

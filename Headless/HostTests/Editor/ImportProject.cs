@@ -1,5 +1,4 @@
 using System.Diagnostics;
-using FastPoints.Build;
 
 namespace FastPoints.HostTests.Editor;
 

@@ -1,5 +1,4 @@
 using System.Reflection;
-using FastPoints.Rendering;
 
 namespace FastPoints.HostTests.Editor;
 

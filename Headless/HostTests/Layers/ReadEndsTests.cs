@@ -1,7 +1,4 @@
-using FastPoints.Build;
 using FastPoints.Scenes;
-using FastPoints.Sources;
-using FastPoints.Store;
 using StandIns.Io;
 
 namespace FastPoints.HostTests.Layers;

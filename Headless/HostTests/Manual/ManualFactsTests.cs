@@ -1,6 +1,5 @@
 using System.Reflection;
 using FastPoints.RepoTools.Reference;
-using FastPoints.Scenes;
 
 namespace FastPoints.HostTests.Manual;
 

@@ -1,5 +1,3 @@
-using FastPoints.Picture;
-using FastPoints.Sampling;
 using StandIns.Scheduling;
 
 namespace FastPoints.HostTests.Preview;

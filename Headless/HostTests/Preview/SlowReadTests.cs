@@ -1,4 +1,3 @@
-using FastPoints.Sampling;
 using StandIns.Io;
 
 namespace FastPoints.HostTests.Preview;

@@ -2,10 +2,7 @@ using FastPoints.Evaluation;
 using FastPoints.Export;
 using FastPoints.Nodes;
 using FastPoints.Scenes;
-using NUnit.Framework;
 using StandIns.Scheduling;
-using Unity.Collections;
-using Unity.Mathematics;
 
 namespace FastPoints.HostTests.Preview
 {

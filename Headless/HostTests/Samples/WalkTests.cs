@@ -6,7 +6,6 @@ using FastPoints.Samples.AttributeColours;
 using FastPoints.Samples.EntitiesOnly;
 using FastPoints.Samples.RunTimeLoading;
 using UnityEditor.Build;
-using UnityEditor.SceneManagement;
 using UnityOutside.Tests.StandIns.Graphics;
 using PointCloud = FastPoints.Entities.PointCloud;
 

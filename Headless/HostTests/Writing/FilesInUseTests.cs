@@ -1,4 +1,3 @@
-using FastPoints.Build;
 using StandIns.Io;
 
 namespace FastPoints.HostTests.Writing;

@@ -6,7 +6,6 @@ using FastPoints.Drawing;
 using FastPoints.Entities;
 using FastPoints.Picking;
 using FastPoints.Rendering;
-using Unity.Entities;
 using UnityEditor;
 using UnityEditor.SceneManagement;
 using UnityEngine;

@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using FastPoints.Drawing;
 using Unity.Mathematics;
 
 namespace FastPoints.Picture

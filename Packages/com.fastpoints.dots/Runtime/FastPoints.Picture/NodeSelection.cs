@@ -1,4 +1,3 @@
-using System.Collections.Generic;
 using FastPoints.Build;
 using FastPoints.Store;
 using FastPoints.Streaming;

@@ -1,5 +1,4 @@
 using System.Runtime.CompilerServices;
-using FastPoints.Drawing;
 using Unity.Mathematics;
 
 namespace FastPoints.Picture

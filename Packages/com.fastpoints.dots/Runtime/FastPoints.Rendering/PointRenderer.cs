@@ -3,7 +3,6 @@ using FastPoints.Drawing;
 using FastPoints.Store;
 using FastPoints.Streaming;
 using Unity.Collections;
-using Unity.Collections.LowLevel.Unsafe;
 using UnityEngine;
 using UnityEngine.Rendering;
 

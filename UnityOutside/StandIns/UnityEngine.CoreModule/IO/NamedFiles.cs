@@ -1,4 +1,3 @@
-using System.Runtime.InteropServices;
 using Unity.IO.LowLevel.Unsafe;
 
 namespace StandIns.Io;

@@ -1,6 +1,5 @@
 using System;
 using System.Text;
-using FastPoints.Drawing;
 using Unity.Entities;
 using UnityEngine;
 

@@ -7,7 +7,6 @@ using FastPoints.Reading;
 using FastPoints.Sampling;
 using FastPoints.Store;
 using Unity.Collections;
-using Unity.Jobs;
 
 namespace FastPoints.Build
 {

@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using System.IO;
 using FastPoints.Build;
 using FastPoints.Laz;
 using Unity.Collections;

@@ -2,7 +2,6 @@ using System;
 using FastPoints.Las;
 using FastPoints.Reading;
 using Unity.Collections;
-using Unity.Collections.LowLevel.Unsafe;
 using Unity.Jobs;
 
 namespace FastPoints.Laz

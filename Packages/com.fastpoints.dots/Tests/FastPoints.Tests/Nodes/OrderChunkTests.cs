@@ -4,7 +4,6 @@ using FastPoints.Nodes;
 using FastPoints.Store;
 using NUnit.Framework;
 using Unity.Collections;
-using Unity.Collections.LowLevel.Unsafe;
 using Unity.Jobs;
 
 namespace FastPoints.Tests.Nodes

@@ -7,7 +7,6 @@ using FastPoints.Reading;
 using FastPoints.Tests.Reading;
 using FastPoints.Text;
 using NUnit.Framework;
-using Unity.Collections;
 
 namespace FastPoints.Tests.Text
 {

@@ -4,7 +4,6 @@ using FastPoints.Nodes;
 using FastPoints.Store;
 using Unity.Collections;
 using Unity.Jobs;
-using Unity.Mathematics;
 
 namespace FastPoints.Export
 {

@@ -5,7 +5,6 @@ using FastPoints.Build;
 using FastPoints.Nodes;
 using FastPoints.Reading;
 using FastPoints.Store;
-using Unity.Collections;
 using Unity.Mathematics;
 
 namespace FastPoints.Export

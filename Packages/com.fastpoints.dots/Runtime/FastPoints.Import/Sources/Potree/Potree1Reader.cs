@@ -1,11 +1,9 @@
 using System;
 using System.Collections.Generic;
-using System.Threading;
 using FastPoints.Las;
 using FastPoints.Laz;
 using FastPoints.Reading;
 using Unity.Collections;
-using Unity.Jobs;
 using Unity.Mathematics;
 
 namespace FastPoints.Sources

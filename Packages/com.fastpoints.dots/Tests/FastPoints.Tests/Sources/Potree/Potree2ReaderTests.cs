@@ -8,7 +8,6 @@ using FastPoints.Tests.Reading;
 using NUnit.Framework;
 using Unity.Collections;
 using Unity.Mathematics;
-using Random = System.Random;
 
 namespace FastPoints.Tests.Sources
 {

@@ -7,7 +7,6 @@ using FastPoints.Laz;
 using FastPoints.Reading;
 using FastPoints.Sources;
 using FastPoints.Tests.Reading;
-using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
 
 namespace FastPoints.Tests
