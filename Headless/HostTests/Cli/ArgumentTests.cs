@@ -1,19 +1,11 @@
 namespace FastPoints.HostTests.Cli;
 
-public sealed class ArgumentTests
+public sealed class ArgumentTests : ScratchTests
 {
-    ScratchFolder m_scratch;
     string m_demo;
 
     [OneTimeSetUp]
-    public void MakeDemo()
-    {
-        m_scratch = new ScratchFolder();
-        m_demo = m_scratch.Demo();
-    }
-
-    [OneTimeTearDown]
-    public void RemoveDemo() => m_scratch.Dispose();
+    public void MakeDemo() => m_demo = Scratch.Demo();
 
     [Test]
     public void CommonOption_BeforeTheVerb_IsHonoured()
@@ -27,10 +19,10 @@ public sealed class ArgumentTests
     public void File_BehindTwoDashes_MayBeCalledAnything()
     {
         string before = Environment.CurrentDirectory;
-        File.Copy(m_demo, m_scratch["--help"]);
+        File.Copy(m_demo, Scratch["--help"]);
         try
         {
-            Environment.CurrentDirectory = m_scratch.Root;
+            Environment.CurrentDirectory = Scratch.Root;
             var call = CliCall.Of("info", "--json", "-", "--", "--help");
             Assert.That(call.Status, Is.Zero, call.Error);
             Assert.That(call.Json.GetProperty("inputs")[0].GetString(), Is.EqualTo("--help"));
@@ -49,7 +41,7 @@ public sealed class ArgumentTests
     [TestCase("0.002M", 2000)]
     public void Points_InAnySpelling_AreMade(string written, long points)
     {
-        var call = CliCall.Of("demo-cloud", "-o", m_scratch["n.las"], "--points", written, "--json", "-");
+        var call = CliCall.Of("demo-cloud", "-o", Scratch["n.las"], "--points", written, "--json", "-");
         Assert.That(call.Json.GetProperty("points").GetInt64(), Is.EqualTo(points));
     }
 
@@ -68,7 +60,7 @@ public sealed class ArgumentTests
     {
         foreach (string name in new[] { "-o", "--output", "--out" })
         {
-            string folder = m_scratch["folder" + name];
+            string folder = Scratch["folder" + name];
             Assert.That(CliCall.Of(args.Append(name).Append(folder).ToArray()).Status, Is.Zero, name);
             Assert.That(Directory.GetFiles(folder), Is.Not.Empty);
         }

@@ -1,21 +1,16 @@
 namespace FastPoints.HostTests.Cli;
 
-public sealed class BatchTests
+public sealed class BatchTests : ScratchPerTest
 {
-    ScratchFolder m_scratch;
     string m_demo, m_bad;
 
     [SetUp]
     public void MakeClouds()
     {
-        m_scratch = new ScratchFolder();
-        m_demo = m_scratch.Demo("a.las", 500);
-        m_bad = m_scratch["bad.las"];
+        m_demo = Scratch.Demo("a.las", 500);
+        m_bad = Scratch["bad.las"];
         File.WriteAllText(m_bad, "LASF");
     }
-
-    [TearDown]
-    public void RemoveClouds() => m_scratch.Dispose();
 
     static void HasOutcomes(CliCall call, params int[] wanted)
     {
@@ -55,7 +50,7 @@ public sealed class BatchTests
     [Test]
     public void MainJob_WithABadFile_GoesOn()
     {
-        string other = m_scratch.Demo("b.las", 500), reports = m_scratch["reports"];
+        string other = Scratch.Demo("b.las", 500), reports = Scratch["reports"];
         var call = CliCall.Of(m_bad, m_demo, other, "-o", reports, "--json", "-");
         HasOutcomes(call, 3, 0, 0);
         Assert.That(Directory.GetDirectories(reports).Select(Path.GetFileName),
@@ -67,18 +62,18 @@ public sealed class BatchTests
     [Test]
     public void MainJob_OfFilesOfOneName_WritesAReportForEach()
     {
-        string laz = m_scratch.Demo("a.laz", 600);
-        Directory.CreateDirectory(m_scratch["sub"]);
-        File.Copy(m_demo, m_scratch["sub/a.las"]);
-        HasOutcomes(CliCall.Of(m_demo, laz, m_scratch["sub/a.las"], "-o", m_scratch["r"], "--json", "-"), 0, 0, 0);
-        Assert.That(Directory.GetDirectories(m_scratch["r"]).Select(Path.GetFileName),
+        string laz = Scratch.Demo("a.laz", 600);
+        Directory.CreateDirectory(Scratch["sub"]);
+        File.Copy(m_demo, Scratch["sub/a.las"]);
+        HasOutcomes(CliCall.Of(m_demo, laz, Scratch["sub/a.las"], "-o", Scratch["r"], "--json", "-"), 0, 0, 0);
+        Assert.That(Directory.GetDirectories(Scratch["r"]).Select(Path.GetFileName),
             Is.EquivalentTo(new[] { "a.las-report", "a.laz-report", "a.las-report-2" }));
     }
 
     [Test]
     public void MainJob_OverTheReportOnAnotherFile_NeedsForce()
     {
-        string laz = m_scratch.Demo("a.laz", 600), folder = m_scratch["r"];
+        string laz = Scratch.Demo("a.laz", 600), folder = Scratch["r"];
         Assert.That(CliCall.Of(m_demo, "-o", folder).Status, Is.Zero);
         byte[] page = File.ReadAllBytes(Path.Combine(folder, "report.html"));
         var refused = CliCall.Of(laz, "-o", folder);

@@ -7,27 +7,22 @@ namespace FastPoints.HostTests.Cli;
 
 /// <summary>A run of workloads: its results as Unity's package would write them, its page, and runs beside earlier
 /// ones.</summary>
-public sealed class BenchTests
+public sealed class BenchTests : ScratchTests
 {
-    ScratchFolder m_scratch;
     string m_results;
 
     [OneTimeSetUp]
     public void RunTwoWorkloads()
     {
-        m_scratch = new ScratchFolder();
         Bench("first");
-        m_results = Path.Combine(m_scratch["first"], PerformanceResults.FileName);
+        m_results = Path.Combine(Scratch["first"], PerformanceResults.FileName);
     }
-
-    [OneTimeTearDown]
-    public void RemoveScratch() => m_scratch.Dispose();
 
     CliCall Bench(string folder, params string[] more) => Bench(folder, "2000", more);
 
     CliCall Bench(string folder, string points, string[] more)
     {
-        string[] typical = ["bench", "loop over", "--runs", "4", "--points", points, "--out", m_scratch[folder]];
+        string[] typical = ["bench", "loop over", "--runs", "4", "--points", points, "--out", Scratch[folder]];
         var call = CliCall.Of([.. typical, .. more]);
         Assert.That(call.Status, Is.EqualTo(ExitStatus.Done), call.Error);
         return call;
@@ -79,7 +74,7 @@ public sealed class BenchTests
     [Test]
     public void Page_OfARun_HasAChartAndTheErrorBesideTheTime()
     {
-        string html = File.ReadAllText(Path.Combine(m_scratch["first"], "report.html"));
+        string html = File.ReadAllText(Path.Combine(Scratch["first"], "report.html"));
         int from = html.IndexOf("<svg", System.StringComparison.Ordinal);
         var svg = XElement.Parse(html[from..(html.IndexOf("</svg>", from, System.StringComparison.Ordinal) + 6)]);
         var texts = svg.Descendants().Where(e => e.Name.LocalName == "text").Select(e => e.Value).ToList();
@@ -97,7 +92,7 @@ public sealed class BenchTests
 
         Assert.That(call.Output,
             Does.Contain("x baseline (95 %)").And.Match(@"\d\.\d\d \(\d\.\d\d to \d+\.\d\d\)").And.Contain("by chance"));
-        Assert.That(File.ReadAllText(Path.Combine(m_scratch["second"], "report.html")), Does.Contain("Against the earlier run"));
+        Assert.That(File.ReadAllText(Path.Combine(Scratch["second"], "report.html")), Does.Contain("Against the earlier run"));
     }
 
     static BaselineRow[] Compare(double ownNow, double othersNow)
@@ -133,7 +128,7 @@ public sealed class BenchTests
     [Test]
     public void Baseline_ASummary_HasMediansAndNoNoise()
     {
-        string summary = m_scratch["summary.json"];
+        string summary = Scratch["summary.json"];
         Bench("fourth", "--json", summary);
 
         Assert.That(Bench("fifth", "--baseline", summary).Output,
@@ -145,11 +140,11 @@ public sealed class BenchTests
     [TestCase("no json")]
     public void Baseline_NoRunOfWorkloads_IsBadInput(string text)
     {
-        string path = m_scratch["bad.json"];
+        string path = Scratch["bad.json"];
         File.WriteAllText(path, text);
 
         var call = CliCall.Of("bench", "loop over native arrays", "--runs", "1", "--points", "1000", "--out",
-            m_scratch["none"], "--baseline", path);
+            Scratch["none"], "--baseline", path);
 
         Assert.That(call.Status, Is.EqualTo(ExitStatus.BadInput));
         Assert.That(call.Error, Does.Contain("bad.json").And.Contain("is neither a PerformanceTestResults.json nor"));

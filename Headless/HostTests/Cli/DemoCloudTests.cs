@@ -1,25 +1,17 @@
 namespace FastPoints.HostTests.Cli;
 
-public sealed class DemoCloudTests
+public sealed class DemoCloudTests : ScratchPerTest
 {
-    ScratchFolder m_scratch;
-
-    [SetUp]
-    public void MakeScratch() => m_scratch = new ScratchFolder();
-
-    [TearDown]
-    public void RemoveScratch() => m_scratch.Dispose();
-
     JsonElement Scan(string name)
     {
-        var call = CliCall.Of("info", m_scratch[name], "--scan", "--json", "-");
+        var call = CliCall.Of("info", Scratch[name], "--scan", "--json", "-");
         Assert.That(call.Status, Is.EqualTo(0), call.Error);
         return call.Json;
     }
 
     void Make(string name, params string[] args)
     {
-        var call = CliCall.Of(new[] { "demo-cloud", "-o", m_scratch[name] }.Concat(args).ToArray());
+        var call = CliCall.Of(new[] { "demo-cloud", "-o", Scratch[name] }.Concat(args).ToArray());
         Assert.That(call.Status, Is.EqualTo(0), call.Error);
     }
 
@@ -39,9 +31,9 @@ public sealed class DemoCloudTests
         Make("one.las", "--points", "20000", "--threads", "1");
         Make("three.las", "--points", "20000", "--threads", "3");
         Make("other.las", "--points", "20000", "--seed", "2");
-        var one = File.ReadAllBytes(m_scratch["one.las"]);
-        Assert.That(File.ReadAllBytes(m_scratch["three.las"]), Is.EqualTo(one));
-        Assert.That(File.ReadAllBytes(m_scratch["other.las"]), Is.Not.EqualTo(one));
+        var one = File.ReadAllBytes(Scratch["one.las"]);
+        Assert.That(File.ReadAllBytes(Scratch["three.las"]), Is.EqualTo(one));
+        Assert.That(File.ReadAllBytes(Scratch["other.las"]), Is.Not.EqualTo(one));
     }
 
     [Test]
@@ -54,8 +46,8 @@ public sealed class DemoCloudTests
         foreach (string key in new[] { "points", "columnSums", "bounds", "boundsClaimed", "attributes", "crs" })
             Assert.That(laz.GetProperty(key).GetRawText(), Is.EqualTo(las.GetProperty(key).GetRawText()), key);
         Assert.That(laz.GetProperty("warnings").GetArrayLength(), Is.Zero);
-        Assert.That(new FileInfo(m_scratch["a.laz"]).Length, Is.LessThan(new FileInfo(m_scratch["a.las"]).Length / 2));
-        Assert.That(Directory.GetFiles(Path.GetDirectoryName(m_scratch["a.laz"])!).Length,
+        Assert.That(new FileInfo(Scratch["a.laz"]).Length, Is.LessThan(new FileInfo(Scratch["a.las"]).Length / 2));
+        Assert.That(Directory.GetFiles(Path.GetDirectoryName(Scratch["a.laz"])!).Length,
             Is.EqualTo(2), "nothing is left beside");
     }
 
@@ -90,8 +82,8 @@ public sealed class DemoCloudTests
         {
             Make(order + ".las", "--points", "30000", "--order", order);
             Assert.That(Scan(order + ".las").GetProperty("columnSums").GetRawText(), Is.EqualTo(sums), order);
-            Assert.That(File.ReadAllBytes(m_scratch[order + ".las"]),
-                Is.Not.EqualTo(File.ReadAllBytes(m_scratch["strip.las"])), order);
+            Assert.That(File.ReadAllBytes(Scratch[order + ".las"]),
+                Is.Not.EqualTo(File.ReadAllBytes(Scratch["strip.las"])), order);
         }
     }
 
@@ -112,7 +104,7 @@ public sealed class DemoCloudTests
     public void Tile_RepeatsThePointsSideBySide()
     {
         Make("a.las", "--points", "4000");
-        Make("b.las", "--tile", m_scratch["a.las"], "--times", "3");
+        Make("b.las", "--tile", Scratch["a.las"], "--times", "3");
         var one = Scan("a.las");
         var three = Scan("b.las");
         Assert.That(three.GetProperty("points").GetInt32(), Is.EqualTo(12_000));
@@ -134,8 +126,8 @@ public sealed class DemoCloudTests
     public void Tile_OfLaz_IsThatOfItsRecords()
     {
         Make("a.laz", "--points", "60000");
-        Make("b.laz", "--tile", m_scratch["a.laz"], "--times", "3");
-        Make("b.las", "--tile", m_scratch["a.laz"], "--times", "3");
+        Make("b.laz", "--tile", Scratch["a.laz"], "--times", "3");
+        Make("b.las", "--tile", Scratch["a.laz"], "--times", "3");
         var laz = Scan("b.laz");
         Assert.That(laz.GetProperty("points").GetInt32(), Is.EqualTo(180_000));
         Assert.That(laz.GetProperty("warnings").GetArrayLength(), Is.Zero);

@@ -1,25 +1,20 @@
 namespace FastPoints.HostTests.Cli;
 
-public sealed class ExportTests
+public sealed class ExportTests : ScratchTests
 {
-    ScratchFolder m_scratch;
     string m_demo, m_cloud;
 
     [OneTimeSetUp]
     public void MakeCloud()
     {
-        m_scratch = new ScratchFolder();
-        m_demo = m_scratch.Demo(points: 60_000);
-        m_cloud = m_scratch["cloud.fastpoints"];
+        m_demo = Scratch.Demo(points: 60_000);
+        m_cloud = Scratch["cloud.fastpoints"];
         Assert.That(CliCall.Of("convert", m_demo, "-o", m_cloud).Status, Is.Zero);
     }
 
-    [OneTimeTearDown]
-    public void RemoveCloud() => m_scratch.Dispose();
-
     JsonElement Export(string output, params string[] args)
     {
-        var call = CliCall.Of(["export", .. args, "-o", m_scratch[output], "--json", "-", "--quiet"]);
+        var call = CliCall.Of(["export", .. args, "-o", Scratch[output], "--json", "-", "--quiet"]);
         Assert.That(call.Status, Is.Zero, call.Error);
         return call.Json;
     }
@@ -32,9 +27,9 @@ public sealed class ExportTests
         var json = Export(output, m_demo);
         Assert.That(json.GetProperty("points").GetInt64(), Is.EqualTo(60_000));
         Assert.That(json.GetProperty("pointsLost").GetInt64(), Is.Zero);
-        Assert.That(json.GetProperty("bytes").GetInt64(), Is.EqualTo(new FileInfo(m_scratch[output]).Length));
+        Assert.That(json.GetProperty("bytes").GetInt64(), Is.EqualTo(new FileInfo(Scratch[output]).Length));
         Assert.That(json.GetProperty("positionError").GetDouble(), Is.Zero);
-        var made = Scan(m_scratch[output]);
+        var made = Scan(Scratch[output]);
         var source = Scan(m_demo);
         foreach (string key in new[] { "columnSums", "scale", "offset", "crs", "crsWkt", "bounds", "pointFormat" })
             Assert.That(made.GetProperty(key).GetRawText(), Is.EqualTo(source.GetProperty(key).GetRawText()), key);
@@ -44,8 +39,8 @@ public sealed class ExportTests
     public void Export_OfAConvertedCloud_IsTheCloud(string output)
     {
         Assert.That(Export(output, m_cloud).GetProperty("points").GetInt64(), Is.EqualTo(60_000));
-        Assert.That(CliCall.Of("verify", m_cloud, "--against", m_scratch[output]).Error, Is.Empty);
-        Assert.That(Scan(m_scratch[output]).GetProperty("crsEpsg").GetInt32(), Is.EqualTo(32632));
+        Assert.That(CliCall.Of("verify", m_cloud, "--against", Scratch[output]).Error, Is.Empty);
+        Assert.That(Scan(Scratch[output]).GetProperty("crsEpsg").GetInt32(), Is.EqualTo(32632));
     }
 
     [Test]
@@ -73,7 +68,7 @@ public sealed class ExportTests
     {
         Export("one.laz", m_cloud, "--threads", "1");
         Export("two.laz", m_cloud, "--threads", "2");
-        Assert.That(File.ReadAllBytes(m_scratch["one.laz"]), Is.EqualTo(File.ReadAllBytes(m_scratch["two.laz"])));
+        Assert.That(File.ReadAllBytes(Scratch["one.laz"]), Is.EqualTo(File.ReadAllBytes(Scratch["two.laz"])));
     }
 
     [TestCase("out.e57", "wanted a name that ends in .las, .laz or .ply")]
@@ -83,10 +78,10 @@ public sealed class ExportTests
     [TestCase("out.las", "--level: wanted a whole number from 0", "--level", "-1")]
     public void Export_WrongArguments_AreUsage(string output, string message, params string[] more)
     {
-        var call = CliCall.Of(["export", m_cloud, "-o", m_scratch[output], .. more]);
+        var call = CliCall.Of(["export", m_cloud, "-o", Scratch[output], .. more]);
         Assert.That(call.Status, Is.EqualTo(ExitStatus.Usage), call.Error);
         Assert.That(call.Error, Does.Contain(message));
-        Assert.That(File.Exists(m_scratch[output]), Is.False);
+        Assert.That(File.Exists(Scratch[output]), Is.False);
     }
 
     [Test]
@@ -100,16 +95,16 @@ public sealed class ExportTests
     [TestCase("killed.las"), TestCase("killed.laz")]
     public void Export_Killed_LeavesNothingUnderTheNameAndTheNextRunWorks(string output)
     {
-        string target = m_scratch[output], whole = "whole-" + output;
-        bool IsWhole() => File.ReadAllBytes(target).AsSpan().SequenceEqual(File.ReadAllBytes(m_scratch[whole]));
+        string target = Scratch[output], whole = "whole-" + output;
+        bool IsWhole() => File.ReadAllBytes(target).AsSpan().SequenceEqual(File.ReadAllBytes(Scratch[whole]));
         for (int points = 600_000; ; points *= 2)
         {
-            string large = m_scratch.Demo($"large{points}.las", points);
+            string large = Scratch.Demo($"large{points}.las", points);
             Export(whole, large, "--force");
             File.Delete(target);
             using var process = System.Diagnostics.Process.Start(new System.Diagnostics.ProcessStartInfo(
                 Path.Combine(AppContext.BaseDirectory, "FastPoints.Cli"), ["export", large, "-o", target, "--quiet"]));
-            while (Directory.GetFiles(m_scratch.Root, output + "*").Length == 0 && !process.HasExited)
+            while (Directory.GetFiles(Scratch.Root, output + "*").Length == 0 && !process.HasExited)
                 Thread.Yield();
             process.Kill();
             process.WaitForExit();
@@ -121,7 +116,7 @@ public sealed class ExportTests
             }
             Export(output, large);
             Assert.That(IsWhole(), Is.True);
-            Assert.That(Directory.GetFiles(m_scratch.Root, output + "*"), Has.Length.EqualTo(1), "nothing is left beside it");
+            Assert.That(Directory.GetFiles(Scratch.Root, output + "*"), Has.Length.EqualTo(1), "nothing is left beside it");
             return;
         }
     }
@@ -131,8 +126,8 @@ public sealed class ExportTests
     {
         using var cancelled = new CancellationTokenSource();
         cancelled.Cancel();
-        string output = m_scratch["cancelled.laz"];
+        string output = Scratch["cancelled.laz"];
         Assert.That(CliCall.Of(cancelled.Token, "export", m_demo, "-o", output).Status, Is.EqualTo(ExitStatus.Cancelled));
-        Assert.That(Directory.GetFiles(m_scratch.Root, "cancelled*"), Is.Empty);
+        Assert.That(Directory.GetFiles(Scratch.Root, "cancelled*"), Is.Empty);
     }
 }

@@ -1,15 +1,7 @@
 namespace FastPoints.HostTests.Cli;
 
-public class FirstPictureTests
+public class FirstPictureTests : ScratchPerTest
 {
-    ScratchFolder m_scratch;
-
-    [SetUp]
-    public void MakeFolder() => m_scratch = new ScratchFolder();
-
-    [TearDown]
-    public void DeleteFolder() => m_scratch.Dispose();
-
     static void ExpectEmptyEdges(string path)
     {
         var image = Png.Read(path);
@@ -29,8 +21,8 @@ public class FirstPictureTests
     [Test]
     public void MainJob_Street_CutsNothingOff()
     {
-        string folder = m_scratch["report"];
-        var call = CliCall.Of(m_scratch.Demo(points: 60_000), "-o", folder, "--plain", "--quiet");
+        string folder = Scratch["report"];
+        var call = CliCall.Of(Scratch.Demo(points: 60_000), "-o", folder, "--plain", "--quiet");
         Assert.That(call.Status, Is.EqualTo(ExitStatus.Done), call.Error);
         foreach (string name in new[] { "preview.png", "picture.png", "gpu.png" })
             if (File.Exists(Path.Combine(folder, name)))
@@ -40,23 +32,23 @@ public class FirstPictureTests
     [TestCase("top"), TestCase("front"), TestCase("iso")]
     public void Preview_StreetFromAnySide_CutsNothingOff(string view)
     {
-        string picture = m_scratch["p.png"];
-        CliCall.Of("preview", m_scratch.Demo(points: 60_000), "-o", picture, "--view", view, "--plain", "--quiet");
+        string picture = Scratch["p.png"];
+        CliCall.Of("preview", Scratch.Demo(points: 60_000), "-o", picture, "--view", view, "--plain", "--quiet");
         ExpectEmptyEdges(picture);
     }
 
     [Test]
     public void Preview_LargePoints_FitWithTheirSize()
     {
-        string picture = m_scratch["p.png"];
-        CliCall.Of("preview", m_scratch.Demo(points: 60_000), "-o", picture, "--style", "size=60", "--plain", "--quiet");
+        string picture = Scratch["p.png"];
+        CliCall.Of("preview", Scratch.Demo(points: 60_000), "-o", picture, "--style", "size=60", "--plain", "--quiet");
         ExpectEmptyEdges(picture);
     }
 
     [Test]
     public void Preview_Legend_IsLeftOutOfPlainPictures()
     {
-        string scan = m_scratch.Demo(points: 20_000), plain = m_scratch["plain.png"], with = m_scratch["with.png"];
+        string scan = Scratch.Demo(points: 20_000), plain = Scratch["plain.png"], with = Scratch["with.png"];
         CliCall.Of("preview", scan, "-o", plain, "--plain", "--style", "color=elevation");
         CliCall.Of("preview", scan, "-o", with, "--style", "color=elevation");
         var (a, b) = (Png.Read(plain), Png.Read(with));
@@ -76,7 +68,7 @@ public class FirstPictureTests
     [Test]
     public void Picture_ScaleBarFromAbove_IsAsLongAsItSays()
     {
-        string file = m_scratch["square.xyz"], picture = m_scratch["p.png"];
+        string file = Scratch["square.xyz"], picture = Scratch["p.png"];
         File.WriteAllLines(file, Enumerable.Range(0, 10_201).Select(i => $"{i % 101} {i / 101} {i % 7 / 10.0}"));
         CliCall.Of("preview", file, "-o", picture, "--view", "top", "--style", "size=1", "--quiet");
         var image = Png.Read(picture);
@@ -91,7 +83,7 @@ public class FirstPictureTests
     [TestCase("", "Y is taken for up"), TestCase("z", "coloured by")]
     public void Picture_PlyWithYUp_IsGuessedUnlessItIsSaid(string up, string expected)
     {
-        string file = m_scratch["y.ply"];
+        string file = Scratch["y.ply"];
         var random = new Unity.Mathematics.Random(3);
         var lines = new List<string> { "ply", "format ascii 1.0", "element vertex 3000", "property float x", "property float y",
             "property float z", "end_header" };
@@ -99,7 +91,7 @@ public class FirstPictureTests
             lines.Add(string.Create(CultureInfo.InvariantCulture, $"{random.NextDouble(0, 9):0.###} {(i % 2 == 0 ? 0
                 : random.NextDouble(0, 4)):0.###} {random.NextDouble(0, 8):0.###}"));
         File.WriteAllLines(file, lines);
-        string[] line = ["picture", file, "-o", m_scratch["p.png"]];
+        string[] line = ["picture", file, "-o", Scratch["p.png"]];
         var call = CliCall.Of(up == "" ? line : [.. line, "--up", up]);
         Assert.That(call.Status, Is.EqualTo(ExitStatus.Done), call.Error);
         Assert.That(call.Output, Does.Contain(expected));
@@ -110,8 +102,8 @@ public class FirstPictureTests
     public void Picture_NegativeUp_IsThatOfTheTurnedCloud(string axis, int x, int y, int z)
     {
         var random = new System.Random(5);
-        string[] files = [m_scratch["down.xyz"], m_scratch["turned.xyz"]];
-        string[] pictures = [m_scratch["down.png"], m_scratch["turned.png"]];
+        string[] files = [Scratch["down.xyz"], Scratch["turned.xyz"]];
+        string[] pictures = [Scratch["down.png"], Scratch["turned.png"]];
         var places = Enumerable.Range(0, 4000)
             .Select(_ => (x: random.Next(900), y: random.Next(700), z: random.Next(200))).ToList();
         File.WriteAllLines(files[0], places.Select(p => $"{p.x} {p.y} {p.z}"));
@@ -128,5 +120,5 @@ public class FirstPictureTests
 
     [Test]
     public void MainJob_UpOfNoAxis_IsWrongUsage() =>
-        Assert.That(CliCall.Of(m_scratch.Demo(), "--up", "w").Status, Is.EqualTo(ExitStatus.Usage));
+        Assert.That(CliCall.Of(Scratch.Demo(), "--up", "w").Status, Is.EqualTo(ExitStatus.Usage));
 }

@@ -3,27 +3,19 @@ using FastPoints.Cli.Output;
 
 namespace FastPoints.HostTests.Cli;
 
-public sealed class FlyTests
+public sealed class FlyTests : ScratchTests
 {
     const int Points = 30_000;
 
-    ScratchFolder m_scratch;
     string m_cloud;
 
     [OneTimeSetUp]
-    public void MakeCloud()
-    {
-        m_scratch = new ScratchFolder();
-        m_cloud = m_scratch.Converted(points: Points);
-    }
-
-    [OneTimeTearDown]
-    public void RemoveCloud() => m_scratch.Dispose();
+    public void MakeCloud() => m_cloud = Scratch.Converted(points: Points);
 
     [Test]
     public void Fly_TwoClouds_WritesPicturesFramesAndTheKeys()
     {
-        string folder = m_scratch["flight"];
+        string folder = Scratch["flight"];
         var call = CliCall.Of("fly", m_cloud, m_cloud, "--frames", "40", "--every", "10", "--size", "160x90",
             "-o", folder, "--json", "-");
         Assert.That(call.Status, Is.EqualTo(ExitStatus.Done), call.Error);
@@ -64,7 +56,7 @@ public sealed class FlyTests
     [Test]
     public void Fly_PathOfOnesOwn_HasItsFramesAndCuts()
     {
-        string path = m_scratch["way.txt"];
+        string path = Scratch["way.txt"];
         File.WriteAllText(path, "# a comment\n0 -50 -50 30 0 0 0\n10, 50,-50,30, 0,0,0\n12 0 0 5 10 10 0 "
             + "cut\n20 1 0 5 10 10 0\n");
         var call = CliCall.Of("fly", m_cloud, "--path", path, "--json", "-");
@@ -77,13 +69,13 @@ public sealed class FlyTests
     [Test]
     public void Fly_FewerFramesThanAPictureTakes_DrawsTheLast()
     {
-        string[] outputs = [m_scratch["short"], m_scratch["short.png"], m_scratch["single-%04d.png"]];
+        string[] outputs = [Scratch["short"], Scratch["short.png"], Scratch["single-%04d.png"]];
         foreach (string output in outputs)
             Assert.That(CliCall.Of("fly", m_cloud, "--frames", "3", "--every", "10", "--size", "32x18", "-o", output).Status,
                 Is.EqualTo(ExitStatus.Done), output);
         byte[] last = Png.Read(Path.Combine(outputs[0], "last.png")).Rgba;
         Assert.That(Png.Read(outputs[1]).Rgba, Is.EqualTo(last));
-        Assert.That(Png.Read(m_scratch["single-0000.png"]).Rgba, Is.EqualTo(last));
+        Assert.That(Png.Read(Scratch["single-0000.png"]).Rgba, Is.EqualTo(last));
     }
 
     [Test]
@@ -91,7 +83,7 @@ public sealed class FlyTests
     {
         if (!AnimatedWebp.CanWrite)
             Assert.Ignore("no libwebp here, WebP is not tried; with root: apt-get install libwebp7");
-        string output = m_scratch["flight.webp"];
+        string output = Scratch["flight.webp"];
         // The second is written over the first, which is the tool's own.
         for (int i = 0; i < 2; i++)
             Assert.That(CliCall.Of("fly", m_cloud, "--frames", "35", "--every", "10", "--size", "33x17", "-o", output).Status,
@@ -115,9 +107,9 @@ public sealed class FlyTests
     public void FlightPictures_WithoutLibwebp_IsAPngUnlessTheNameSaysWebp()
     {
         var options = new PictureOptions { WidthPx = 32, HeightPx = 18 };
-        Assert.That(() => new FlightPictures(m_scratch["x.webp"], options, 1, 100, canWebp: false),
+        Assert.That(() => new FlightPictures(Scratch["x.webp"], options, 1, 100, canWebp: false),
             Throws.TypeOf<UsageException>().With.Message.Contains("libwebp"));
-        string folder = Directory.CreateDirectory(m_scratch["without"]).FullName;
+        string folder = Directory.CreateDirectory(Scratch["without"]).FullName;
         using var pictures = new FlightPictures(folder, options, 1, 100, canWebp: false);
         pictures.Add(new RgbaImage(32, 18));
         pictures.Keep();
@@ -131,7 +123,7 @@ public sealed class FlyTests
     [TestCase("# nothing\n", "no line")]
     public void Fly_PathThatIsNone_SaysWhere(string text, string said)
     {
-        string path = m_scratch["bad.txt"];
+        string path = Scratch["bad.txt"];
         File.WriteAllText(path, text);
         var call = CliCall.Of("fly", m_cloud, "--path", path);
         Assert.That(call.Status, Is.EqualTo(ExitStatus.BadInput));
@@ -141,7 +133,7 @@ public sealed class FlyTests
     [Test]
     public void Fly_NoCloud_ReportsIt()
     {
-        var call = CliCall.Of("fly", m_scratch["none.fastpoints"]);
+        var call = CliCall.Of("fly", Scratch["none.fastpoints"]);
         Assert.That(call.Status, Is.EqualTo(ExitStatus.Failed));
         Assert.That(call.Error, Does.Contain("none.fastpoints"));
     }
@@ -172,7 +164,7 @@ public sealed class FlyTests
     [Test]
     public void Fly_FileWithoutAnOctree_FliesOverItsPreview()
     {
-        var call = CliCall.Of("fly", m_scratch.Demo(points: 20_000), "--budget", "5000", "--frames", "60", "--json", "-");
+        var call = CliCall.Of("fly", Scratch.Demo(points: 20_000), "--budget", "5000", "--frames", "60", "--json", "-");
         Assert.That(call.Status, Is.EqualTo(ExitStatus.Done), call.Error);
         Assert.That(call.Json.GetProperty("pointsDrawn").GetInt64(), Is.InRange(1, 5000));
     }
@@ -195,7 +187,7 @@ public sealed class FlyTests
             "--eye", Place(-0.2, -0.5, 3), "--target", Place(0.5, 0.5, 0.5), "--size", "320x180",
             "--style", "color=" + color + ",size=2,edl=0",
         ];
-        string whole = m_scratch["whole.png"], streamed = m_scratch["streamed.png"];
+        string whole = Scratch["whole.png"], streamed = Scratch["streamed.png"];
         Assert.That(CliCall.Of(["picture", cloud, "-o", whole, .. camera]).Status, Is.EqualTo(ExitStatus.Done));
         var call = CliCall.Of(["picture", cloud, "-o", streamed, "--budget", "1000000", "--against",
             whole, "--json", "-", .. camera]);
@@ -209,9 +201,9 @@ public sealed class FlyTests
     [Test]
     public void Picture_KindsTogether_AreOnePicture()
     {
-        string copc = TestData.SampleOrIgnore("copc/simple_with_page.copc.laz"), converted = m_scratch["page.fastpoints"];
+        string copc = TestData.SampleOrIgnore("copc/simple_with_page.copc.laz"), converted = Scratch["page.fastpoints"];
         Assert.That(CliCall.Of("convert", copc, "-o", converted, "--quiet").Status, Is.EqualTo(ExitStatus.Done));
-        var call = CliCall.Of("picture", converted, copc, "-o", m_scratch["both.png"], "--size", "320x180", "--json", "-");
+        var call = CliCall.Of("picture", converted, copc, "-o", Scratch["both.png"], "--size", "320x180", "--json", "-");
         Assert.That(call.Status, Is.EqualTo(ExitStatus.Done), call.Error);
         Assert.That(call.Json.GetProperty("points").GetInt64(), Is.InRange(1066, 2 * 1065));
     }

@@ -1,28 +1,23 @@
 namespace FastPoints.HostTests.Cli;
 
-public sealed class LostPointsTests
+public sealed class LostPointsTests : ScratchTests
 {
     const int Points = 3000, RecordBytes = 36;
 
-    ScratchFolder m_scratch;
     string m_whole, m_short;
 
     [OneTimeSetUp]
     public void MakeClouds()
     {
-        m_scratch = new ScratchFolder();
-        m_whole = m_scratch.Demo("whole.las", Points);
-        m_short = m_scratch["short.las"];
+        m_whole = Scratch.Demo("whole.las", Points);
+        m_short = Scratch["short.las"];
         byte[] bytes = File.ReadAllBytes(m_whole);
         // The last thousand records are cut off.
         File.WriteAllBytes(m_short, bytes[..^(1000 * RecordBytes)]);
     }
 
-    [OneTimeTearDown]
-    public void RemoveClouds() => m_scratch.Dispose();
-
     string[] Args(string file, string[] args) =>
-        args.Select(a => a == "FILE" ? file : a.Replace("OUT", m_scratch["out"], StringComparison.Ordinal)).ToArray();
+        args.Select(a => a == "FILE" ? file : a.Replace("OUT", Scratch["out"], StringComparison.Ordinal)).ToArray();
 
     static readonly string[][] s_verbs =
     [
@@ -64,8 +59,8 @@ public sealed class LostPointsTests
     [Test]
     public void Source_WithoutAClaim_HasNothingToLose()
     {
-        File.WriteAllText(m_scratch["a.txt"], "1 2 3\n4 5 6\n");
-        var json = CliCall.Of("info", "--scan", m_scratch["a.txt"], "--json", "-").Json;
+        File.WriteAllText(Scratch["a.txt"], "1 2 3\n4 5 6\n");
+        var json = CliCall.Of("info", "--scan", Scratch["a.txt"], "--json", "-").Json;
         Assert.That(json.GetProperty("pointsClaimed").ValueKind, Is.EqualTo(JsonValueKind.Null));
         Assert.That(json.GetProperty("pointsFound").GetInt64(), Is.EqualTo(2));
         Assert.That(json.GetProperty("pointsLost").ValueKind, Is.EqualTo(JsonValueKind.Null));
@@ -74,9 +69,9 @@ public sealed class LostPointsTests
     [Test]
     public void Garbage_ThatIsLeftOut_IsIncompleteWithStrict()
     {
-        File.WriteAllText(m_scratch["odd.ply"], "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+        File.WriteAllText(Scratch["odd.ply"], "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
             + "property float z\nend_header\n1 2 3\nnan 2 3\n4 5 6\n");
-        string[] args = ["convert", m_scratch["odd.ply"], "-o", m_scratch["odd.fastpoints"], "--json", "-"];
+        string[] args = ["convert", Scratch["odd.ply"], "-o", Scratch["odd.fastpoints"], "--json", "-"];
         var call = CliCall.Of(args);
         Assert.That(call.Status, Is.Zero, call.Error);
         Assert.That(call.Json.GetProperty("pointsLeftOut").GetInt64(), Is.EqualTo(1));

@@ -1,22 +1,16 @@
 namespace FastPoints.HostTests.Cli;
 
-public sealed class OutputNameTests
+public sealed class OutputNameTests : ScratchPerTest
 {
-    ScratchFolder m_scratch;
-
     [SetUp]
     public void MakeInputs()
     {
-        m_scratch = new ScratchFolder();
-        Directory.CreateDirectory(m_scratch["tiles"]);
-        Assert.That(CliCall.Of("demo-cloud", "-o", m_scratch["scan.las"], "--points", "100").Status, Is.Zero);
-        File.Copy(m_scratch["scan.las"], m_scratch["tiles/a.las"]);
-        File.WriteAllText(m_scratch["scan.txt"], "1 2 3\n4 5 6\n");
-        File.CreateSymbolicLink(m_scratch["link.txt"], m_scratch["scan.txt"]);
+        Directory.CreateDirectory(Scratch["tiles"]);
+        Assert.That(CliCall.Of("demo-cloud", "-o", Scratch["scan.las"], "--points", "100").Status, Is.Zero);
+        File.Copy(Scratch["scan.las"], Scratch["tiles/a.las"]);
+        File.WriteAllText(Scratch["scan.txt"], "1 2 3\n4 5 6\n");
+        File.CreateSymbolicLink(Scratch["link.txt"], Scratch["scan.txt"]);
     }
-
-    [TearDown]
-    public void RemoveScratch() => m_scratch.Dispose();
 
     [TestCase("preview", "@scan.las", "-o", "@scan.las")]
     [TestCase("preview", "@scan.txt", "-o", "@tiles/../scan.txt")]
@@ -37,7 +31,7 @@ public sealed class OutputNameTests
     public void Output_OfAnInput_IsWrongUsageAndNothingIsWritten(params string[] args)
     {
         byte[][] before = Contents();
-        var call = CliCall.Of(args.Select(a => a.StartsWith('@') ? m_scratch[a[1..]] : a).ToArray());
+        var call = CliCall.Of(args.Select(a => a.StartsWith('@') ? Scratch[a[1..]] : a).ToArray());
         Assert.That(call.Status, Is.EqualTo(ExitStatus.Usage), call.Error);
         Assert.That(Contents(), Is.EqualTo(before));
     }
@@ -48,22 +42,22 @@ public sealed class OutputNameTests
     [TestCase("convert", "@scan.las", "-o", "@new.copc.laz")]
     public void Output_NamedAsAPointCloud_IsWrongUsage(params string[] args)
     {
-        var call = CliCall.Of(args.Select(a => a.StartsWith('@') ? m_scratch[a[1..]] : a).ToArray());
+        var call = CliCall.Of(args.Select(a => a.StartsWith('@') ? Scratch[a[1..]] : a).ToArray());
         Assert.That(call.Status, Is.EqualTo(ExitStatus.Usage), call.Error);
         Assert.That(call.Error, Does.Contain(args[^1][1..]));
-        Assert.That(File.Exists(m_scratch[args[^1][1..]]), Is.False);
+        Assert.That(File.Exists(Scratch[args[^1][1..]]), Is.False);
     }
 
     [Test]
     public void DemoCloud_OverAScanOfSomebody_NeedsForce()
     {
-        string[] demo = ["demo-cloud", "-o", m_scratch["scan.las"], "--points", "50"];
+        string[] demo = ["demo-cloud", "-o", Scratch["scan.las"], "--points", "50"];
         Assert.That(CliCall.Of(demo).Status, Is.Zero, "its own scan is replaced");
-        File.WriteAllBytes(m_scratch["scan.las"], new byte[600]);
+        File.WriteAllBytes(Scratch["scan.las"], new byte[600]);
         var refused = CliCall.Of(demo);
         Assert.That(refused.Status, Is.EqualTo(ExitStatus.Usage));
         Assert.That(refused.Error, Does.Contain("--force"));
-        Assert.That(new FileInfo(m_scratch["scan.las"]).Length, Is.EqualTo(600));
+        Assert.That(new FileInfo(Scratch["scan.las"]).Length, Is.EqualTo(600));
         Assert.That(CliCall.Of(demo.Append("--force").ToArray()).Status, Is.Zero);
     }
 
@@ -93,23 +87,23 @@ public sealed class OutputNameTests
     public void Folder_WithOtherThings_NeedsForce(string made, params string[] args)
     {
         args = args.Select(Real).ToArray();
-        Directory.CreateDirectory(m_scratch["d"]);
-        File.WriteAllText(m_scratch["d/notes.txt"], "of somebody else");
+        Directory.CreateDirectory(Scratch["d"]);
+        File.WriteAllText(Scratch["d/notes.txt"], "of somebody else");
         var refused = CliCall.Of(args);
         Assert.That(refused.Status, Is.EqualTo(ExitStatus.Usage), refused.Error);
-        Assert.That(Directory.GetFiles(m_scratch["d"]), Has.Length.EqualTo(1));
+        Assert.That(Directory.GetFiles(Scratch["d"]), Has.Length.EqualTo(1));
         Assert.That(CliCall.Of(args.Prepend("--force").ToArray()).Status, Is.Zero);
-        Assert.That(File.Exists(m_scratch["d/" + made]), Is.True);
+        Assert.That(File.Exists(Scratch["d/" + made]), Is.True);
         Assert.That(CliCall.Of(args).Status, Is.Zero, "its own folder is filled again");
-        Assert.That(File.ReadAllText(m_scratch["d/notes.txt"]), Is.EqualTo("of somebody else"));
+        Assert.That(File.ReadAllText(Scratch["d/notes.txt"]), Is.EqualTo("of somebody else"));
     }
 
     [Test]
     public void Convert_ToAPointCloud_SaysThatThisIsAnExport() => Assert.That(
-        CliCall.Of("convert", m_scratch["scan.las"], "-o", m_scratch["new.laz"]).Error, Does.Contain("export"));
+        CliCall.Of("convert", Scratch["scan.las"], "-o", Scratch["new.laz"]).Error, Does.Contain("export"));
 
-    string Real(string arg) => arg.StartsWith('@') ? m_scratch[arg[1..]] : arg;
+    string Real(string arg) => arg.StartsWith('@') ? Scratch[arg[1..]] : arg;
 
-    byte[][] Contents() => Directory.GetFiles(m_scratch.Root, "*", SearchOption.AllDirectories).Order()
+    byte[][] Contents() => Directory.GetFiles(Scratch.Root, "*", SearchOption.AllDirectories).Order()
         .Select(File.ReadAllBytes).ToArray();
 }

@@ -2,24 +2,19 @@ using System.Diagnostics;
 
 namespace FastPoints.HostTests.Cli;
 
-public sealed class StopTests
+public sealed class StopTests : ScratchPerTest
 {
     const string LittleMemory = "160MiB";
 
-    ScratchFolder m_scratch;
     string m_cloud, m_target, m_part;
 
     [SetUp]
     public void MakeCloud()
     {
-        m_scratch = new ScratchFolder();
-        m_cloud = m_scratch.Demo("cloud.las", 20_000);
-        m_target = m_scratch["cloud.fastpoints"];
+        m_cloud = Scratch.Demo("cloud.las", 20_000);
+        m_target = Scratch["cloud.fastpoints"];
         m_part = m_target + ".part";
     }
-
-    [TearDown]
-    public void RemoveCloud() => m_scratch.Dispose();
 
     string[] Convert(params string[] more) => ["convert", m_cloud, "-o", m_target, "--memory", LittleMemory, "--quiet", .. more];
 
@@ -70,9 +65,9 @@ public sealed class StopTests
     {
         for (int times = 40; ; times *= 2)
         {
-            Assert.That(CliCall.Of("demo-cloud", "-o", m_scratch["many.las"], "--tile", m_cloud, "--times", times.ToString(),
+            Assert.That(CliCall.Of("demo-cloud", "-o", Scratch["many.las"], "--tile", m_cloud, "--times", times.ToString(),
                 "--quiet").Status, Is.Zero);
-            string[] args = ["convert", m_scratch["many.las"], "-o", m_target, "--memory", LittleMemory, "--quiet"];
+            string[] args = ["convert", Scratch["many.las"], "-o", m_target, "--memory", LittleMemory, "--quiet"];
             using var process = Process.Start(new ProcessStartInfo(Path.Combine(AppContext.BaseDirectory, "FastPoints.Cli"), args)
             {
                 RedirectStandardError = true,
@@ -89,7 +84,7 @@ public sealed class StopTests
                 continue;
             }
             Assert.That(process.ExitCode, Is.EqualTo(ExitStatus.Cancelled), said);
-            Assert.That(said, Does.Contain("this goes on: ./fastpoints convert " + m_scratch["many.las"]));
+            Assert.That(said, Does.Contain("this goes on: ./fastpoints convert " + Scratch["many.las"]));
             var next = CliCall.Of(args.Where(a => a != "--quiet").ToArray());
             Assert.That(next.Status, Is.Zero, next.Error);
             Assert.That(next.Output, Does.Contain("continued a build that was broken off"));

@@ -1,21 +1,16 @@
 namespace FastPoints.HostTests.Cli;
 
-public sealed class StoredInfoTests
+public sealed class StoredInfoTests : ScratchTests
 {
-    ScratchFolder m_scratch;
     string m_demo, m_cloud;
 
     [OneTimeSetUp]
     public void MakeCloud()
     {
-        m_scratch = new ScratchFolder();
-        m_demo = m_scratch.Demo(points: 20_000);
-        m_cloud = m_scratch["cloud.fastpoints"];
+        m_demo = Scratch.Demo(points: 20_000);
+        m_cloud = Scratch["cloud.fastpoints"];
         Assert.That(CliCall.Of("convert", m_demo, "-o", m_cloud).Status, Is.Zero);
     }
-
-    [OneTimeTearDown]
-    public void RemoveCloud() => m_scratch.Dispose();
 
     [Test]
     public void Info_OfAConvertedCloud_IsWhatItsSourceHas()
@@ -63,7 +58,7 @@ public sealed class StoredInfoTests
     [Test]
     public void Info_OfADamagedCloud_IsBadInput()
     {
-        string broken = m_scratch["broken.fastpoints"];
+        string broken = Scratch["broken.fastpoints"];
         Directory.CreateDirectory(broken);
         File.Copy(Path.Combine(m_cloud, "cloud.json"), Path.Combine(broken, "cloud.json"));
         Assert.That(CliCall.Of("info", broken).Status, Is.EqualTo(ExitStatus.BadInput));
@@ -72,8 +67,8 @@ public sealed class StoredInfoTests
     [Test]
     public void Json_HasTheFactsOfTheText()
     {
-        var call = CliCall.Of("info", m_demo, "--json", m_scratch["facts.json"]);
-        var facts = JsonDocument.Parse(File.ReadAllBytes(m_scratch["facts.json"])).RootElement.GetProperty("facts");
+        var call = CliCall.Of("info", m_demo, "--json", Scratch["facts.json"]);
+        var facts = JsonDocument.Parse(File.ReadAllBytes(Scratch["facts.json"])).RootElement.GetProperty("facts");
         Assert.That(facts.GetArrayLength(), Is.GreaterThan(3));
         foreach (var fact in facts.EnumerateArray())
             Assert.That(call.Output, Does.Contain(fact.GetProperty("name").GetString())
@@ -89,8 +84,8 @@ public sealed class StoredInfoTests
         var records = Enumerable.Range(0, 20_000).Select(i => first + i * record).ToArray();
         foreach (string threads in new[] { "1", "2" })
         {
-            var call = CliCall.Of("info", "--scan", m_demo, "--json", m_scratch["scan.json"], "--threads", threads);
-            var json = JsonDocument.Parse(File.ReadAllBytes(m_scratch["scan.json"])).RootElement;
+            var call = CliCall.Of("info", "--scan", m_demo, "--json", Scratch["scan.json"], "--threads", threads);
+            var json = JsonDocument.Parse(File.ReadAllBytes(Scratch["scan.json"])).RootElement;
             HasCounts(json.GetProperty("classes"), records.Select(at => (int)las[at + 16]));
             HasCounts(json.GetProperty("returns"), records.Select(at => las[at + 14] & 15));
             Assert.That(call.Output, Does.Match(@"class +points").And.Match(@"return +points"));
@@ -105,8 +100,8 @@ public sealed class StoredInfoTests
         byte[] las = File.ReadAllBytes(m_demo);
         int first = BitConverter.ToInt32(las, 96), record = BitConverter.ToUInt16(las, 105);
         var records = Enumerable.Range(0, 20_000).Select(i => first + i * record).ToArray();
-        var call = CliCall.Of("info", "--scan", m_demo, "--json", m_scratch["spread.json"]);
-        var json = JsonDocument.Parse(File.ReadAllBytes(m_scratch["spread.json"])).RootElement;
+        var call = CliCall.Of("info", "--scan", m_demo, "--json", Scratch["spread.json"]);
+        var json = JsonDocument.Parse(File.ReadAllBytes(Scratch["spread.json"])).RootElement;
         var box = json.GetProperty("boundsNearlyAll");
         for (int axis = 0; axis < 3; axis++)
         {
@@ -133,18 +128,18 @@ public sealed class StoredInfoTests
     [Test]
     public void MainJob_OfAConvertedCloud_ReportsOnIt()
     {
-        var call = CliCall.Of(m_cloud, "-o", m_scratch["stored"], "--json", m_scratch["stored.json"]);
+        var call = CliCall.Of(m_cloud, "-o", Scratch["stored"], "--json", Scratch["stored.json"]);
         Assert.That(call.Status, Is.Zero, call.Error);
-        var info = JsonDocument.Parse(File.ReadAllBytes(m_scratch["stored.json"])).RootElement.GetProperty("info");
+        var info = JsonDocument.Parse(File.ReadAllBytes(Scratch["stored.json"])).RootElement.GetProperty("info");
         Assert.That(info.GetProperty("points").GetInt64(), Is.EqualTo(20_000));
         Assert.That(info.GetProperty("isWhole").GetBoolean(), Is.True);
-        string page = File.ReadAllText(m_scratch["stored/report.html"]);
+        string page = File.ReadAllText(Scratch["stored/report.html"]);
         foreach (string text in new[] { "20,000", "32632", "spacing", "Classification", "bytes a point",
             "random", "demo.las", "yes" })
             Assert.That(page, Does.Contain(text));
-        Assert.That(Png.Read(m_scratch["stored/picture.png"]).Rgba.Distinct().Count(), Is.GreaterThan(10));
-        Assert.That(CliCall.Of(m_cloud, "-o", m_scratch["stored"]).Status, Is.Zero, "the same report again");
-        Assert.That(CliCall.Of(m_demo, "-o", m_scratch["stored"]).Status, Is.EqualTo(ExitStatus.Usage), "another's");
+        Assert.That(Png.Read(Scratch["stored/picture.png"]).Rgba.Distinct().Count(), Is.GreaterThan(10));
+        Assert.That(CliCall.Of(m_cloud, "-o", Scratch["stored"]).Status, Is.Zero, "the same report again");
+        Assert.That(CliCall.Of(m_demo, "-o", Scratch["stored"]).Status, Is.EqualTo(ExitStatus.Usage), "another's");
     }
 
     [Test]
@@ -170,7 +165,7 @@ public sealed class StoredInfoTests
     public void MainJob_OfCopc_CountsItsNodes()
     {
         string copc = TestData.SampleOrIgnore("copc/example.copc.laz");
-        var tree = CliCall.Of(copc, "-o", m_scratch["copc"], "--json", "-").Json.GetProperty("info").GetProperty("tree");
+        var tree = CliCall.Of(copc, "-o", Scratch["copc"], "--json", "-").Json.GetProperty("info").GetProperty("tree");
         Assert.That(tree.GetProperty("nodes").GetInt32(), Is.GreaterThan(0));
         Assert.That(tree.GetProperty("isWhole").GetBoolean(), Is.True);
     }
@@ -191,7 +186,7 @@ public sealed class StoredInfoTests
         if (!OperatingSystem.IsLinux())
             Assert.Ignore("no bash");
         string script = CliCall.Of("completion", "bash").Output;
-        File.WriteAllText(m_scratch["ask.sh"], script + """
+        File.WriteAllText(Scratch["ask.sh"], script + """
             COMP_LINE="$1" COMP_POINT=${#1} COMP_WORDS=($1) COMP_CWORD=$((${#COMP_WORDS[@]} - 1))
             _fastpoints
             printf '%s\n' "${COMPREPLY[@]}"
@@ -200,7 +195,7 @@ public sealed class StoredInfoTests
         foreach (var (line, wanted) in new[] { ("conv", "convert"), ("info --sc", "--scan"), ("picture --bud", "--budget") })
         {
             using var bash = System.Diagnostics.Process.Start(new System.Diagnostics.ProcessStartInfo("bash",
-                [m_scratch["ask.sh"], program + " " + line])
+                [Scratch["ask.sh"], program + " " + line])
             { RedirectStandardOutput = true });
             Assert.That(bash.StandardOutput.ReadToEnd().Trim(), Is.EqualTo(wanted), line);
             bash.WaitForExit();

@@ -1,19 +1,11 @@
 namespace FastPoints.HostTests.Cli;
 
-public sealed class SummaryTests
+public sealed class SummaryTests : ScratchTests
 {
-    ScratchFolder m_scratch;
     string m_demo;
 
     [OneTimeSetUp]
-    public void MakeDemo()
-    {
-        m_scratch = new ScratchFolder();
-        m_demo = m_scratch.Demo();
-    }
-
-    [OneTimeTearDown]
-    public void RemoveDemo() => m_scratch.Dispose();
+    public void MakeDemo() => m_demo = Scratch.Demo();
 
     static void HasKey(JsonElement of, string name, params JsonValueKind[] kinds)
     {
@@ -104,7 +96,7 @@ public sealed class SummaryTests
     [Test]
     public void Preview_HasItsKeysAndAPicture()
     {
-        string png = m_scratch["preview.png"];
+        string png = Scratch["preview.png"];
         var json = Summary("preview", "preview", m_demo, "-o", png, "--size", "160x90");
         HasPreviewKeys(json);
         Assert.That(File.ReadAllBytes(png).Take(4), Is.EqualTo(new byte[] { 0x89, 0x50, 0x4E, 0x47 }));
@@ -113,8 +105,8 @@ public sealed class SummaryTests
     [Test]
     public void PreviewReport_WritesErrorsOverTime()
     {
-        string folder = m_scratch["errors"];
-        var json = Summary("preview", "preview", m_demo, "-o", m_scratch["p.png"], "--size", "160x90",
+        string folder = Scratch["errors"];
+        var json = Summary("preview", "preview", m_demo, "-o", Scratch["p.png"], "--size", "160x90",
             "--report", "--out", folder);
         HasPreviewKeys(json);
         var error = json.GetProperty("error");
@@ -160,7 +152,7 @@ public sealed class SummaryTests
     [Test]
     public void Picture_AgainstItself_HasNoError()
     {
-        string first = m_scratch["first.png"], second = m_scratch["second.png"];
+        string first = Scratch["first.png"], second = Scratch["second.png"];
         HasPictureKeys(Summary("picture", "picture", m_demo, "-o", first, "--size", "160x90", "--view", "iso"));
         var json = Summary("picture", "picture", m_demo, "-o", second, "--size", "160x90", "--view", "iso", "--against", first);
         HasPictureKeys(json);
@@ -172,7 +164,7 @@ public sealed class SummaryTests
     [Test]
     public void ConvertVerifyPicture_OfACloud_HaveTheirKeys()
     {
-        string cloud = m_scratch["keys.fastpoints"];
+        string cloud = Scratch["keys.fastpoints"];
         HasConvertKeys(Summary("convert", "convert", m_demo, "-o", cloud));
         var json = Summary("verify", "verify", cloud, "--against", m_demo);
         Assert.That(json.GetProperty("ok").GetBoolean(), Is.True);
@@ -185,14 +177,14 @@ public sealed class SummaryTests
             // Leaves keep all their points: a level of leaves alone has no distance to keep.
             HasKey(level, "minDistance", JsonValueKind.Number, JsonValueKind.Null);
         }
-        HasPictureKeys(Summary("picture", "picture", cloud, "-o", m_scratch["cloud.png"], "--size", "160x90"),
+        HasPictureKeys(Summary("picture", "picture", cloud, "-o", Scratch["cloud.png"], "--size", "160x90"),
             JsonValueKind.Number);
     }
 
     [Test]
     public void Verify_OfADamagedCloud_IsBadInput()
     {
-        string cloud = m_scratch["damaged.fastpoints"];
+        string cloud = Scratch["damaged.fastpoints"];
         Assert.That(CliCall.Of("convert", m_demo, "-o", cloud).Status, Is.EqualTo(ExitStatus.Done));
         string upper = Path.Combine(cloud, "upper.bin");
         byte[] bytes = File.ReadAllBytes(upper);
@@ -216,7 +208,7 @@ public sealed class SummaryTests
     [Test]
     public void DemoCloud_HasItsKeys()
     {
-        string file = m_scratch["keys.las"];
+        string file = Scratch["keys.las"];
         var json = Summary("demo-cloud", "demo-cloud", "-o", file, "--points", "1000");
         Assert.That(json.GetProperty("points").GetInt64(), Is.EqualTo(1000));
         Assert.That(json.GetProperty("bytes").GetInt64(), Is.EqualTo(new FileInfo(file).Length));
@@ -225,7 +217,7 @@ public sealed class SummaryTests
     [Test]
     public void Bench_HasItsKeys()
     {
-        var json = Summary("bench", "bench", "job chain", "--runs", "1", "--points", "1000", "--out", m_scratch["bench"]);
+        var json = Summary("bench", "bench", "job chain", "--runs", "1", "--points", "1000", "--out", Scratch["bench"]);
         var workload = json.GetProperty("workloads").EnumerateArray().Single();
         HasKey(workload, "name", JsonValueKind.String);
         foreach (string number in new[] { "ms", "pointsPerSecond", "bytesPerSecond", "error", "garbageBytes" })
@@ -235,7 +227,7 @@ public sealed class SummaryTests
     [Test]
     public void MainJob_OfAFile_WritesItsReport()
     {
-        string folder = m_scratch["report"];
+        string folder = Scratch["report"];
         var json = Summary("", m_demo, "--out", folder);
         HasInfoKeys(json.GetProperty("info"), false);
         HasPreviewKeys(json.GetProperty("preview"));
@@ -255,7 +247,7 @@ public sealed class SummaryTests
     [Test]
     public void MainJob_WithoutAFile_MakesItsOwn()
     {
-        string folder = m_scratch["own"];
+        string folder = Scratch["own"];
         var json = Summary("", "--out", folder, "--points", "3000");
         HasInfoKeys(json.GetProperty("info"), false);
         Assert.That(File.Exists(Path.Combine(folder, "demo.las")), Is.True);
@@ -264,7 +256,7 @@ public sealed class SummaryTests
     [Test]
     public void JsonFile_IsWrittenBesideTheTextForPeople()
     {
-        string file = m_scratch["summary.json"];
+        string file = Scratch["summary.json"];
         var call = CliCall.Of("info", m_demo, "--json", file);
         Assert.That(call.Output, Does.Contain("LAS 1.4, point format 7"));
         Assert.That(JsonDocument.Parse(File.ReadAllBytes(file)).RootElement.GetProperty("verb").GetString(), Is.EqualTo("info"));

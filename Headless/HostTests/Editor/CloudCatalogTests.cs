@@ -1,27 +1,22 @@
 namespace FastPoints.HostTests.Editor;
 
-public sealed class CloudCatalogTests
+public sealed class CloudCatalogTests : ScratchPerTest
 {
-    ScratchFolder m_scratch;
     ProjectPaths m_paths;
     CloudCatalog m_catalog;
 
     [SetUp]
     public void MakeProject()
     {
-        m_scratch = new ScratchFolder();
-        m_paths = new ProjectPaths(m_scratch["project"]);
+        m_paths = new ProjectPaths(Scratch["project"]);
         m_catalog = new CloudCatalog(m_paths);
     }
-
-    [TearDown]
-    public void DeleteProject() => m_scratch.Dispose();
 
     string Convert(string name, int points)
     {
         string target = Path.Combine(m_paths.Clouds, name + StoreFormat.FolderExtension);
         Directory.CreateDirectory(m_paths.Clouds);
-        return m_scratch.Converted(target, points);
+        return Scratch.Converted(target, points);
     }
 
     CloudHandle Handle(string target) => new CloudHandle { CloudPath = m_paths.Stored(target) };
@@ -60,7 +55,7 @@ public sealed class CloudCatalogTests
     [Test]
     public void Find_CloudOutsideTheProjectsPlace_IsFoundByPath()
     {
-        string inside = Convert("one", 2000), outside = m_scratch["far.fastpoints"];
+        string inside = Convert("one", 2000), outside = Scratch["far.fastpoints"];
         Directory.Move(inside, outside);
         m_catalog.Refresh();
 
@@ -112,7 +107,7 @@ public sealed class CloudCatalogTests
     [Test]
     public void Copy_Cloud_IsTheSameInTheOtherProject()
     {
-        string from = Convert("one", 2000), to = m_scratch["other.fastpoints"];
+        string from = Convert("one", 2000), to = Scratch["other.fastpoints"];
 
         using (var copy = new CloudCopy(from, to))
         {
@@ -120,7 +115,7 @@ public sealed class CloudCatalogTests
             Assert.That(copy.Share, Is.EqualTo(1));
         }
 
-        var verified = CliCall.Of("verify", to, "--against", m_scratch["s2000.las"], "--quiet");
+        var verified = CliCall.Of("verify", to, "--against", Scratch["s2000.las"], "--quiet");
         Assert.That(verified.Status, Is.EqualTo(ExitStatus.Done), verified.Output + verified.Error);
     }
 
@@ -131,7 +126,7 @@ public sealed class CloudCatalogTests
 
         Assert.That(() => new CloudCopy(from, to).Work.GetAwaiter().GetResult(),
             Throws.TypeOf<PointCloudException>().With.Message.Contains("already exists"));
-        Assert.That(() => new CloudCopy(from + "-none", m_scratch["x"]).Work.GetAwaiter().GetResult(),
+        Assert.That(() => new CloudCopy(from + "-none", Scratch["x"]).Work.GetAwaiter().GetResult(),
             Throws.TypeOf<PointCloudException>().With.Property("Code").EqualTo(FailureCode.NotFound));
         FileChanges.AwaitDeletes();
         Assert.That(Directory.GetDirectories(m_paths.Clouds), Has.Length.EqualTo(2));

@@ -4,9 +4,8 @@ using PointCloud = FastPoints.Entities.PointCloud;
 
 namespace FastPoints.HostTests.Editor;
 
-public sealed class MeasureTests
+public sealed class MeasureTests : ScratchTests
 {
-    ScratchFolder m_scratch;
     string m_path;
     CloudFolder m_folder;
     World m_world;
@@ -16,8 +15,7 @@ public sealed class MeasureTests
     [OneTimeSetUp]
     public void MakeCloud()
     {
-        m_scratch = new ScratchFolder();
-        m_path = m_scratch.Converted(points: 20_000);
+        m_path = Scratch.Converted(points: 20_000);
         m_folder = CloudFolder.Open(m_path);
     }
 
@@ -25,7 +23,6 @@ public sealed class MeasureTests
     public void DeleteCloud()
     {
         m_folder.Dispose();
-        m_scratch.Dispose();
     }
 
     [SetUp]

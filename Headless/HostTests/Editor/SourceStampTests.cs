@@ -2,26 +2,21 @@ using Random = System.Random;
 
 namespace FastPoints.HostTests.Editor;
 
-public sealed class SourceStampTests
+public sealed class SourceStampTests : ScratchPerTest
 {
     static readonly DateTime s_then = new DateTime(2020, 1, 2, 3, 4, 5, DateTimeKind.Utc);
 
-    ScratchFolder m_scratch;
     string m_file;
 
     [SetUp]
     public void MakeFile()
     {
-        m_scratch = new ScratchFolder();
-        m_file = m_scratch["scan.las"];
+        m_file = Scratch["scan.las"];
         var bytes = new byte[3 * SourceStamp.EdgeBytes];
         new Random(1).NextBytes(bytes);
         File.WriteAllBytes(m_file, bytes);
         File.SetLastWriteTimeUtc(m_file, s_then);
     }
-
-    [TearDown]
-    public void DeleteFile() => m_scratch.Dispose();
 
     void Flip(long offset)
     {
@@ -80,7 +75,7 @@ public sealed class SourceStampTests
     [Test]
     public void Compare_Folder_SeesNewAndRenamedFiles()
     {
-        string folder = m_scratch["tiles"];
+        string folder = Scratch["tiles"];
         Directory.CreateDirectory(folder);
         File.Copy(m_file, Path.Combine(folder, "a.las"));
         File.WriteAllBytes(Path.Combine(folder, "b.las"), Array.Empty<byte>());

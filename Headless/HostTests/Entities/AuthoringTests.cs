@@ -3,22 +3,14 @@ using Unity.Transforms;
 
 namespace FastPoints.HostTests.Entities;
 
-public sealed class AuthoringTests
+public sealed class AuthoringTests : ScratchTests
 {
-    ScratchFolder m_scratch;
     World m_world;
     PointCloudSystemGroup m_group;
     string m_cloud;
 
     [OneTimeSetUp]
-    public void MakeCloud()
-    {
-        m_scratch = new ScratchFolder();
-        m_cloud = m_scratch.Converted(points: 5000);
-    }
-
-    [OneTimeTearDown]
-    public void DeleteCloud() => m_scratch.Dispose();
+    public void MakeCloud() => m_cloud = Scratch.Converted(points: 5000);
 
     [SetUp]
     public void MakeWorld()
@@ -321,7 +313,7 @@ public sealed class AuthoringTests
         Changed("colour", () => Look().Source == ColorSource.Attribute);
         authoring.HiddenClasses = new[] { 7 };
         Changed("classes", () => Look().HiddenClasses.Has(7));
-        string other = m_scratch.Converted("other.fastpoints", 4000);
+        string other = Scratch.Converted("other.fastpoints", 4000);
         authoring.Path = other;
         Changed("path", () => m_group.Stream.Clouds[Number()].Source.Path == other);
         authoring.Path = "nowhere";

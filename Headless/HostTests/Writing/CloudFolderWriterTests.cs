@@ -1,23 +1,18 @@
 namespace FastPoints.HostTests.Writing;
 
-public sealed class CloudFolderWriterTests
+public sealed class CloudFolderWriterTests : ScratchPerTest
 {
-    ScratchFolder m_scratch;
     string m_target;
     string m_part;
     string m_lock;
 
     [SetUp]
-    public void MakeScratch()
+    public void NamePaths()
     {
-        m_scratch = new ScratchFolder();
-        m_target = m_scratch["cloud.fastpoints"];
+        m_target = Scratch["cloud.fastpoints"];
         m_part = m_target + StoreFormat.PartSuffix;
         m_lock = Path.Combine(m_part, "build.lock");
     }
-
-    [TearDown]
-    public void DeleteScratch() => m_scratch.Dispose();
 
     [Test]
     public void Create_WhileAnotherWriterHasTheFolder_IsRefusedAndTakesNothing()

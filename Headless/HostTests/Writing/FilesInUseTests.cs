@@ -4,7 +4,7 @@ namespace FastPoints.HostTests.Writing;
 
 /// <summary>Builds by Windows' rules: what somebody reads is neither renamed nor deleted.</summary>
 [NonParallelizable]
-public sealed class FilesInUseTests
+public sealed class FilesInUseTests : ScratchPerTest
 {
     /// <summary>What a reader is in the way of, by the operation that it has refused.</summary>
     static readonly (string Name, FileChange Change, Func<string, string, bool> IsIt)[] s_operations =
@@ -17,13 +17,11 @@ public sealed class FilesInUseTests
 
     readonly Dictionary<string, int> m_refused = new Dictionary<string, int>();
     readonly List<Timer> m_timers = new List<Timer>();
-    ScratchFolder m_scratch;
     IDisposable m_windows;
 
     [SetUp]
     public void BeWindows()
     {
-        m_scratch = new ScratchFolder();
         m_windows = WindowsRules.On();
         m_refused.Clear();
     }
@@ -35,7 +33,6 @@ public sealed class FilesInUseTests
         foreach (var timer in m_timers)
             timer.Dispose();
         m_timers.Clear();
-        m_scratch.Dispose();
     }
 
     static ConvertSettings Settings() => new ConvertSettings
@@ -88,7 +85,7 @@ public sealed class FilesInUseTests
 
     void Conversions(int count)
     {
-        string source = m_scratch.Demo("a.las", 6000), target = m_scratch["a.fastpoints"];
+        string source = Scratch.Demo("a.las", 6000), target = Scratch["a.fastpoints"];
         for (int i = 0; i < count; i++)
         {
             ReadAt(30);
@@ -102,7 +99,7 @@ public sealed class FilesInUseTests
         Assert.That(m_refused.Values, Is.EqualTo(Enumerable.Repeat(count, s_operations.Length)));
         FileChanges.Intercept = WindowsRules.Check;
         FileChanges.AwaitDeletes();
-        Assert.That(Directory.GetDirectories(m_scratch.Root), Is.EqualTo(new[] { target }));
+        Assert.That(Directory.GetDirectories(Scratch.Root), Is.EqualTo(new[] { target }));
         Assert.That(CliCall.Of("verify", target, "--against", source, "--quiet").Status, Is.EqualTo(ExitStatus.Done));
     }
 
@@ -111,7 +108,7 @@ public sealed class FilesInUseTests
     [TestCase(1L << 30)]
     public void Convert_FolderIsReadToTheEnd_ReportsItAndTheNextBuildGoesOn(long memory)
     {
-        string source = m_scratch.Demo("a.las", 6000), target = m_scratch["a.fastpoints"];
+        string source = Scratch.Demo("a.las", 6000), target = Scratch["a.fastpoints"];
         string part = target + StoreFormat.PartSuffix;
         var settings = Settings();
         settings.MemoryBytes = memory;
@@ -130,7 +127,7 @@ public sealed class FilesInUseTests
     [Test]
     public void Convert_TheCloudItReplacesIsReadToTheEnd_LeavesThat()
     {
-        string source = m_scratch.Demo("a.las", 6000), target = m_scratch.Converted("a.fastpoints", 3000);
+        string source = Scratch.Demo("a.las", 6000), target = Scratch.Converted("a.fastpoints", 3000);
         using (WindowsFiles.Hold(Path.Combine(target, StoreFormat.ManifestName)))
             Assert.Throws<PointCloudException>(() => Convert(source, target, Settings()));
         using (var folder = CloudFolder.Open(target))
@@ -141,19 +138,19 @@ public sealed class FilesInUseTests
     [Test]
     public void BeginDelete_ProcessEndedBeforeItWasThrough_TheNextDeletesThatToo()
     {
-        string folder = m_scratch["a.fastpoints"];
+        string folder = Scratch["a.fastpoints"];
         foreach (string name in new[] { folder, folder + ".deleted", folder + ".deleted2" })
             File.WriteAllText(Path.Combine(Directory.CreateDirectory(name).FullName, "a"), "a");
         FileChanges.BeginDelete(folder, _ => { });
         Assert.That(Directory.Exists(folder), Is.False);
         FileChanges.AwaitDeletes();
-        Assert.That(Directory.GetFileSystemEntries(m_scratch.Root), Is.Empty);
+        Assert.That(Directory.GetFileSystemEntries(Scratch.Root), Is.Empty);
     }
 
     [Test]
     public void BeginDelete_FileInUse_RetriesUntilItIsClosed()
     {
-        string folder = Directory.CreateDirectory(m_scratch["a.fastpoints"]).FullName, file = Path.Combine(folder, "a");
+        string folder = Directory.CreateDirectory(Scratch["a.fastpoints"]).FullName, file = Path.Combine(folder, "a");
         File.WriteAllText(file, "a");
         Exception failure = null;
         bool isMoved = false;
@@ -164,14 +161,14 @@ public sealed class FilesInUseTests
         }
         FileChanges.AwaitDeletes();
         Assert.That((failure, isMoved), Is.EqualTo(((Exception)null, true)));
-        Assert.That(Directory.GetFileSystemEntries(m_scratch.Root), Is.Empty);
+        Assert.That(Directory.GetFileSystemEntries(Scratch.Root), Is.Empty);
     }
 
     /// <summary>What the rules themselves are: a test in Windows' mode would show nothing without them.</summary>
     [Test]
     public void Rules_OfFilesThatAreOpen_AreWindows()
     {
-        string a = m_scratch["a"], b = m_scratch["b"], folder = m_scratch["folder"];
+        string a = Scratch["a"], b = Scratch["b"], folder = Scratch["folder"];
         File.WriteAllText(a, "a");
         File.WriteAllText(b, "b");
         File.WriteAllText(Path.Combine(Directory.CreateDirectory(folder).FullName, "c"), "c");
@@ -198,6 +195,6 @@ public sealed class FilesInUseTests
         }
         // The ninth differs in case from a file that is there.
         foreach (string name in new[] { "con", "NUL.txt", "a.", "a ", "a:b", "a?", "a\u0001", new string('x', 260), "A" })
-            Assert.Throws<IOException>(() => FileChanges.OpenToWrite(m_scratch[name], FileMode.Create), name);
+            Assert.Throws<IOException>(() => FileChanges.OpenToWrite(Scratch[name], FileMode.Create), name);
     }
 }

@@ -2,20 +2,12 @@ using System.Diagnostics;
 
 namespace FastPoints.HostTests.Writing;
 
-public sealed class FolderLockTests
+public sealed class FolderLockTests : ScratchPerTest
 {
-    ScratchFolder m_scratch;
     string m_path;
 
     [SetUp]
-    public void MakeScratch()
-    {
-        m_scratch = new ScratchFolder();
-        m_path = Path.Combine(m_scratch["PointClouds"], "imports.lock");
-    }
-
-    [TearDown]
-    public void DeleteScratch() => m_scratch.Dispose();
+    public void NamePaths() => m_path = Path.Combine(Scratch["PointClouds"], "imports.lock");
 
     static (int, long) Dead()
     {
@@ -51,7 +43,7 @@ public sealed class FolderLockTests
         Assert.That(crashed.Renew(DateTime.UtcNow + FolderLock.RenewAfter), Is.False);
         Assert.That(next.Renew(DateTime.UtcNow + FolderLock.RenewAfter), Is.True);
         next.Dispose();
-        Assert.That(Directory.GetFileSystemEntries(m_scratch["PointClouds"]), Is.Empty);
+        Assert.That(Directory.GetFileSystemEntries(Scratch["PointClouds"]), Is.Empty);
     }
 
     [Test]
@@ -130,6 +122,6 @@ public sealed class FolderLockTests
             Assert.That(taken.Count(t => t != null), Is.EqualTo(1));
             taken.Single(t => t != null).Dispose();
         }
-        Assert.That(Directory.GetFileSystemEntries(m_scratch["PointClouds"]), Is.Empty);
+        Assert.That(Directory.GetFileSystemEntries(Scratch["PointClouds"]), Is.Empty);
     }
 }
