@@ -346,7 +346,7 @@ namespace FastPoints.Export
             if (ExtraBytes > LazFormat.MaxExtraBytes)
                 throw PointCloudException.Wanted(FailureCode.Unsupported, reader.Info.Path, -1, "extra bytes of a point in LAZ",
                     "at most " + NumberText.Of(LazFormat.MaxExtraBytes), ExtraBytes);
-            m_form = new LazChunkForm(Header.PointFormat, RecordBytes);
+            m_form = LazChunkForm.Of(Header.PointFormat, RecordBytes);
             BufferPoints = m_form.ChunkPoints;
             Header.IsCompressed = true;
             AddVlr(LazItems.Vlr(m_form.Items, m_form.IsLayered ? LazCompressor.LayeredChunked : LazCompressor.PointwiseChunked,

@@ -76,11 +76,15 @@ namespace FastPoints.Laz
         public readonly int RecordBytes;
         public readonly int ChunkPoints;
 
-        public LazChunkForm(int pointFormat, int recordBytes)
+        public static LazChunkForm Of(int pointFormat, int recordBytes) => new LazChunkForm(LazItems.Of(pointFormat,
+            pointFormat >= LasPointFormat.FirstExtended ? 3 : 2, recordBytes - LasPointFormat.Of(pointFormat).RecordBytes),
+            recordBytes);
+
+        public LazChunkForm(LazItem[] items, int recordBytes)
         {
             RecordBytes = recordBytes;
-            IsLayered = pointFormat >= LasPointFormat.FirstExtended;
-            Items = LazItems.Of(pointFormat, IsLayered ? 3 : 2, recordBytes - LasPointFormat.Of(pointFormat).RecordBytes);
+            IsLayered = items[0].IsLayered;
+            Items = items;
             Layers = IsLayered ? LazLayer.Of(Items) : Array.Empty<LazLayer>();
             ChunkPoints = (int)Math.Max(1, Math.Min(DefaultPoints, MaxOutputBytes * 1000 / BytesOf(1000)));
         }

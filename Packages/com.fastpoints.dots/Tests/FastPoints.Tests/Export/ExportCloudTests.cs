@@ -59,7 +59,7 @@ namespace FastPoints.Tests.Export
                 Assert.That(LazFileReading.Difference(LazFileReading.Records(reader, LazFileReading.LayoutOf(path)), truth,
                     writer.RecordBytes), Is.Null, path);
             }
-            // The other encoder shares nothing with this one.
+            // LazModelTests has what these bytes must be.
             var chunk = LazEncoder.Chunk(writer.Items(), records);
             var bytes = File.ReadAllBytes(laz);
             int at = (int)BitConverter.ToUInt32(bytes, 96) + 8;

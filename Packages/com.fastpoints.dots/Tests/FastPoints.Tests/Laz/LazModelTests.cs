@@ -1,5 +1,6 @@
 using System;
 using FastPoints.Laz;
+using FastPoints.Store;
 using NUnit.Framework;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
@@ -151,6 +152,34 @@ namespace FastPoints.Tests.Laz
         {
             Array.Resize(ref bytes, bytes.Length + RangeCode.PaddingBytes);
             return bytes;
+        }
+
+        /// <summary>The hashes are those of an encoder that was written after the format's description alone and agreed with
+        /// LASzip's files: of 9,000 points without and with three extra bytes.</summary>
+        [TestCase(0, 2, 0x8230E8A3A246F42Cul, 0x8E9311E2B728944Ful)]
+        [TestCase(1, 2, 0x2EC69652952B46E9ul, 0xE0AD99D615B4CBC2ul)]
+        [TestCase(2, 2, 0x060A5A42386C2784ul, 0x6BE31B0ADF2D1602ul)]
+        [TestCase(3, 2, 0x761AAA29A0CB31B9ul, 0xE857A367E0A691EEul)]
+        [TestCase(4, 2, 0x9AAA78D79E402623ul, 0x71E36C90C1500DDBul)]
+        [TestCase(5, 2, 0x26C60BA0ED16628Ful, 0x1F8857E94F3B18E5ul)]
+        [TestCase(6, 3, 0x15410D602940EA82ul, 0x0B11D59C3555FBA5ul)]
+        [TestCase(6, 4, 0x15410D602940EA82ul, 0x903F2B8AC7B63A7Bul)]
+        [TestCase(7, 3, 0xF8F26F485FB11E27ul, 0x3A1E89D9A8453473ul)]
+        [TestCase(7, 4, 0xFE5A3C78E1367CC3ul, 0xBDF26BBB855017DDul)]
+        [TestCase(8, 3, 0xF475E113A74C8BB1ul, 0xE4F64212E3077490ul)]
+        [TestCase(8, 4, 0x0F75400F586F4BFEul, 0xEBFE73FA566FB811ul)]
+        [TestCase(9, 3, 0x0DC4242B4AB052CEul, 0x7B3A0AD69BF28817ul)]
+        [TestCase(9, 4, 0x620B0C089B57D42Aul, 0x584D6A5D6339A4D6ul)]
+        [TestCase(10, 3, 0xA936644C9D8EFFF9ul, 0x0318C1D5CB69A7E6ul)]
+        [TestCase(10, 4, 0xC9E8F095F3680323ul, 0xCFF2546BD913890Eul)]
+        public void Chunk_OfEachFormatAndVersion_HasTheRecordedBytes(int format, int version, ulong plain, ulong withExtra)
+        {
+            foreach (int extra in new[] { 0, 3 })
+            {
+                var chunk = LazEncoder.Chunk(LazItems.Of(format, version, extra), LazRecords.Make(format, extra, 9000, 7 + format));
+                fixed (byte* bytes = chunk)
+                    Assert.That(ContentHash.Of(bytes, chunk.Length), Is.EqualTo(extra == 0 ? plain : withExtra));
+            }
         }
     }
 }

@@ -1,17 +1,27 @@
 using System;
 using System.Collections.Generic;
 using System.IO;
+using System.Linq;
 using FastPoints.Laz;
+using Unity.Collections;
 using static FastPoints.Tests.RecordFields;
 
 namespace FastPoints.Tests
 {
     public static class LazEncoder
     {
-        internal static byte[] Chunk(LazItem[] items, IReadOnlyList<byte[]> records) =>
-            items[0].Type == LazItemType.Point14 ? LayeredChunk(items, records) : PointwiseChunk(items, records);
+        /// <summary>By the package's own writer, but for version 1 of items, which it does not write.</summary>
+        internal static byte[] Chunk(LazItem[] items, IReadOnlyList<byte[]> records)
+        {
+            if (items[0].Version == 1)
+                return FirstVersion(items, records);
+            using var writer = new LazChunkWriter(new LazChunkForm(items, records[0].Length));
+            using var bytes = new NativeArray<byte>(records.SelectMany(r => r).ToArray(), Allocator.Persistent);
+            writer.Schedule(bytes, records.Count).Complete();
+            return writer.Chunk.ToArray();
+        }
 
-        static byte[] PointwiseChunk(LazItem[] items, IReadOnlyList<byte[]> records)
+        static byte[] FirstVersion(LazItem[] items, IReadOnlyList<byte[]> records)
         {
             var first = records[0];
             var encoders = new List<IItemEncoder>();
@@ -30,73 +40,16 @@ namespace FastPoints.Tests
 
         static IItemEncoder Encoder(LazItem item, byte[] first)
         {
-            bool isV1 = item.Version == 1;
             int at = item.RecordOffset;
             return item.Type switch
             {
-                LazItemType.Point10 => isV1 ? (IItemEncoder)new Point10EncoderV1(first) : new Point10Encoder(first),
-                LazItemType.GpsTime11 => isV1 ? (IItemEncoder)new GpsTimeEncoderV1(Int64(first, at), at)
-                    : new GpsTimeEncoder(Int64(first, at), at, false),
-                LazItemType.Rgb12 => isV1 ? (IItemEncoder)new RgbEncoderV1(first, at) : new RgbEncoder(first, at),
+                LazItemType.Point10 => new Point10EncoderV1(first),
+                LazItemType.GpsTime11 => new GpsTimeEncoderV1(Int64(first, at), at),
+                LazItemType.Rgb12 => new RgbEncoderV1(first, at),
                 LazItemType.WavePacket13 => new WavePacketEncoder(first, at),
-                LazItemType.Bytes => new BytesEncoder(first, at, item.Bytes, isV1),
+                LazItemType.Bytes => new BytesEncoderV1(first, at, item.Bytes),
                 _ => throw new ArgumentException(item.Type + " does not go into pointwise chunks"),
             };
-        }
-
-        static byte[] LayeredChunk(LazItem[] items, IReadOnlyList<byte[]> records)
-        {
-            var first = records[0];
-            var point = new Point14Encoder(first);
-            var others = new List<ILayeredItemEncoder>();
-            foreach (var item in items)
-                AddEncoders(others, item, first, point.Channel);
-            for (int i = 1; i < records.Count; i++)
-            {
-                point.Encode(records[i]);
-                foreach (var other in others)
-                    other.Encode(records[i], point.Channel, point.ChannelChanged);
-            }
-            var layers = new List<byte[]>();
-            point.Finish(layers);
-            foreach (var other in others)
-                other.Finish(layers);
-
-            var chunk = new BinaryWriter(new MemoryStream());
-            chunk.Write(first);
-            chunk.Write((uint)records.Count);
-            foreach (var layer in layers)
-                chunk.Write((uint)layer.Length);
-            foreach (var layer in layers)
-                chunk.Write(layer);
-            return ((MemoryStream)chunk.BaseStream).ToArray();
-        }
-
-        static void AddEncoders(List<ILayeredItemEncoder> encoders, LazItem item, byte[] first, int channel)
-        {
-            bool isV4 = item.Version == 4;
-            int at = item.RecordOffset;
-            switch (item.Type)
-            {
-                case LazItemType.Point14:
-                    break;
-                case LazItemType.Rgb14:
-                    encoders.Add(new RgbLayerEncoder(first, at, channel, isV4));
-                    break;
-                case LazItemType.RgbNir14:
-                    encoders.Add(new RgbLayerEncoder(first, at, channel, isV4));
-                    encoders.Add(new InfraredLayerEncoder(first, at + 6, channel, isV4));
-                    break;
-                case LazItemType.WavePacket14:
-                    encoders.Add(new WaveLayerEncoder(first, at, channel, isV4));
-                    break;
-                case LazItemType.Bytes14:
-                    for (int i = 0; i < item.Bytes; i++)
-                        encoders.Add(new ByteLayerEncoder(first, at + i, channel, isV4));
-                    break;
-                default:
-                    throw new ArgumentException(item.Type + " does not go into layered chunks");
-            }
         }
 
         /// <param name="points">Of each chunk; null where all are of the size that the VLR names.</param>

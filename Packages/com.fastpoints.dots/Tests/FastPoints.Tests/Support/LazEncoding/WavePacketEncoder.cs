@@ -3,7 +3,7 @@ using static FastPoints.Tests.RecordFields;
 
 namespace FastPoints.Tests
 {
-    /// <summary>Wave packets: WAVEPACKET13, and the layer of WAVEPACKET14.</summary>
+    /// <summary>Item WAVEPACKET13.</summary>
     sealed class WavePacketEncoder : IItemEncoder
     {
         readonly int m_recordOffset;
@@ -13,6 +13,7 @@ namespace FastPoints.Tests
         readonly IntegerEncoder m_size = new IntegerEncoder(32, 1);
         readonly IntegerEncoder m_location = new IntegerEncoder(32, 1);
         readonly IntegerEncoder m_direction = new IntegerEncoder(32, 3);
+        byte[] m_last;
         int m_lastStep, m_lastKind;
 
         public WavePacketEncoder(byte[] first, int recordOffset)
@@ -20,21 +21,16 @@ namespace FastPoints.Tests
             m_recordOffset = recordOffset;
             for (int i = 0; i < 4; i++)
                 m_offsetKind[i] = new SymbolEncoder(4);
-            Last = Slice(first, recordOffset, 29);
+            m_last = Slice(first, recordOffset, 29);
         }
 
-        /// <summary>29 bytes, changed in place.</summary>
-        public byte[] Last { get; }
-
-        public void Encode(RangeEncoder encoder, byte[] record) => Encode(encoder, record, Last);
-
-        public void Encode(RangeEncoder encoder, byte[] record, byte[] last)
+        public void Encode(RangeEncoder encoder, byte[] record)
         {
             var packet = Slice(record, m_recordOffset, 29);
             m_index.Encode(encoder, packet[0]);
-            long difference = unchecked(Int64(packet, 1) - Int64(last, 1));
+            long difference = unchecked(Int64(packet, 1) - Int64(m_last, 1));
             int kind = difference == 0 ? 0
-                : difference == BitConverter.ToUInt32(last, 9) ? 1 : difference == (int)difference ? 2 : 3;
+                : difference == BitConverter.ToUInt32(m_last, 9) ? 1 : difference == (int)difference ? 2 : 3;
             m_offsetKind[m_lastKind].Encode(encoder, kind);
             m_lastKind = kind;
             if (kind == 2)
@@ -47,41 +43,33 @@ namespace FastPoints.Tests
                 encoder.UInt32((uint)Int64(packet, 1));
                 encoder.UInt32((uint)(Int64(packet, 1) >> 32));
             }
-            m_size.Encode(encoder, Int32(last, 9), Int32(packet, 9), 0);
-            m_location.Encode(encoder, Int32(last, 13), Int32(packet, 13), 0);
+            m_size.Encode(encoder, Int32(m_last, 9), Int32(packet, 9), 0);
+            m_location.Encode(encoder, Int32(m_last, 13), Int32(packet, 13), 0);
             for (int i = 0; i < 3; i++)
-                m_direction.Encode(encoder, Int32(last, 17 + 4 * i), Int32(packet, 17 + 4 * i), i);
-            packet.CopyTo(last, 0);
+                m_direction.Encode(encoder, Int32(m_last, 17 + 4 * i), Int32(packet, 17 + 4 * i), i);
+            m_last = packet;
         }
     }
 
-    sealed class BytesEncoder : IItemEncoder
+    /// <summary>Item BYTE, version 1.</summary>
+    sealed class BytesEncoderV1 : IItemEncoder
     {
         readonly int m_recordOffset;
-        readonly SymbolEncoder[] m_models;
         readonly IntegerEncoder m_integer;
         byte[] m_last;
 
-        public BytesEncoder(byte[] first, int recordOffset, int bytes, bool isV1)
+        public BytesEncoderV1(byte[] first, int recordOffset, int bytes)
         {
             m_recordOffset = recordOffset;
             m_last = Slice(first, recordOffset, bytes);
-            m_integer = isV1 ? new IntegerEncoder(8, bytes) : null;
-            m_models = new SymbolEncoder[bytes];
-            for (int i = 0; i < bytes; i++)
-                m_models[i] = new SymbolEncoder(256);
+            m_integer = new IntegerEncoder(8, bytes);
         }
 
         public void Encode(RangeEncoder encoder, byte[] record)
         {
             var bytes = Slice(record, m_recordOffset, m_last.Length);
             for (int i = 0; i < bytes.Length; i++)
-            {
-                if (m_integer != null)
-                    m_integer.Encode(encoder, m_last[i], bytes[i], i);
-                else
-                    m_models[i].Encode(encoder, bytes[i] - m_last[i] & 255);
-            }
+                m_integer.Encode(encoder, m_last[i], bytes[i], i);
             m_last = bytes;
         }
     }
