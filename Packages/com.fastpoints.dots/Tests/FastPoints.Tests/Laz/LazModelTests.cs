@@ -176,7 +176,8 @@ namespace FastPoints.Tests.Laz
         {
             foreach (int extra in new[] { 0, 3 })
             {
-                var chunk = LazEncoder.Chunk(LazItems.Of(format, version, extra), LazRecords.Make(format, extra, 9000, 7 + format));
+                var records = LazRecords.Make(format, extra, 9000, 7 + format);
+                var chunk = LazEncoder.Chunk(LazItems.Of(format, version, extra), records);
                 fixed (byte* bytes = chunk)
                     Assert.That(ContentHash.Of(bytes, chunk.Length), Is.EqualTo(extra == 0 ? plain : withExtra));
             }

@@ -30,8 +30,8 @@ sealed unsafe class GpuImage
     internal VkImageAspectFlags Aspect => IsDepth ? VkImageAspectFlags.Depth : VkImageAspectFlags.Color;
 
     /// <summary>An image, or null where there is no memory for it.</summary>
-    internal static GpuImage TryCreate(GpuDevice device, VkFormat format, int width, int height, int slices, bool isArray,
-        bool isWritten)
+    internal static GpuImage TryCreate(GpuDevice device, VkFormat format, (int Width, int Height) size, int slices,
+        bool isArray, bool isWritten)
     {
         bool isDepth = format == VkFormat.D32Sfloat;
         var create = new VkImageCreateInfo
@@ -39,7 +39,7 @@ sealed unsafe class GpuImage
             sType = VkStructureType.ImageCreateInfo,
             imageType = VkImageType.Type2d,
             format = format,
-            extent = new VkExtent3D { width = (uint)width, height = (uint)height, depth = 1 },
+            extent = new VkExtent3D { width = (uint)size.Width, height = (uint)size.Height, depth = 1 },
             mipLevels = 1,
             arrayLayers = (uint)slices,
             samples = 1,

@@ -99,11 +99,11 @@ public class RenderTexture : Texture
         if (hasColor && sRGB && enableRandomWrite)
             throw new ArgumentException($"{name}: an sRGB texture cannot be written at random");
         if (hasColor)
-            m_color = GpuImage.TryCreate(device, TextureFormats.Vulkan(graphicsFormat), width, height, volumeDepth, isArray,
+            m_color = GpuImage.TryCreate(device, TextureFormats.Vulkan(graphicsFormat), (width, height), volumeDepth, isArray,
                 enableRandomWrite);
         if (depthStencilFormat != GraphicsFormat.None)
             m_depth =
-                GpuImage.TryCreate(device, TextureFormats.Vulkan(depthStencilFormat), width, height, volumeDepth, isArray,
+                GpuImage.TryCreate(device, TextureFormats.Vulkan(depthStencilFormat), (width, height), volumeDepth, isArray,
                 isWritten: false);
         if (hasColor == (m_color != null) && depthStencilFormat != GraphicsFormat.None == (m_depth != null))
             return true;
