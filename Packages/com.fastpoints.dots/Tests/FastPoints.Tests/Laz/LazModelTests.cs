@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using FastPoints.Laz;
 using FastPoints.Store;
 using NUnit.Framework;
@@ -181,6 +182,25 @@ namespace FastPoints.Tests.Laz
                 fixed (byte* bytes = chunk)
                     Assert.That(ContentHash.Of(bytes, chunk.Length), Is.EqualTo(extra == 0 ? plain : withExtra));
             }
+        }
+    }
+
+    /// <summary>What <see cref="FastPoints.Laz.Median5"/> computes, in plain steps: sorted values, of which the largest or the
+    /// smallest leaves for the new one.</summary>
+    sealed class MedianOfFive
+    {
+        readonly List<int> m_values = new List<int> { 0, 0, 0, 0, 0 };
+        bool m_dropsLargest = true;
+
+        public int Value => m_values[2];
+
+        public void Add(int value)
+        {
+            int middle = Value;
+            m_values.RemoveAt(m_dropsLargest ? 4 : 0);
+            m_values.Add(value);
+            m_values.Sort();
+            m_dropsLargest = m_dropsLargest ? value < middle : value <= middle;
         }
     }
 }
