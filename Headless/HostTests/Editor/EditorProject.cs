@@ -50,16 +50,22 @@ sealed class EditorProject : IDisposable
     {
         string data = Paths.Absolute("PointClouds/" + name + ".fastpoints"), asset = "Assets/" + name + ".pointcloud";
         Imports.CreateAsset(Scratch.Demo(name + ".las", 1000), "Assets");
-        UpdateToTheEnd();
+        Rest();
         Directory.Move(data, Scratch["old"]);
         Scratch.Demo(name + ".las", 3000);
         Imports.Convert(asset);
-        UpdateToTheEnd();
-        ImportProject.Updates(() => Imports.Update(DateTime.UtcNow),
-            () => !Imports.Thumbnails.IsDrawing && !Imports.Missing.IsSearching);
+        Rest();
         Directory.Delete(data, true);
         Directory.Move(Scratch["old"], data);
         AssetDatabase.ImportAsset(asset, ImportAssetOptions.ForceUpdate);
+    }
+
+    /// <summary>Nobody looks at the data any more: they may be moved as if they had never been here.</summary>
+    void Rest()
+    {
+        UpdateToTheEnd();
+        ImportProject.Updates(() => Imports.Update(DateTime.UtcNow),
+            () => !Imports.Thumbnails.IsDrawing && !Imports.Missing.IsSearching);
     }
 
     public static void Frames(World world, Func<bool> isDone)
