@@ -1,5 +1,5 @@
 using FastPoints.HostTests.Manual;
-using StandIns.Vulkan;
+using Silk.NET.Vulkan;
 
 namespace FastPoints.HostTests.Shaders;
 
@@ -118,5 +118,5 @@ public sealed class CrossTests
     static int SureBuffers(string stage) => stage == "comp" ? 4 : 0;
 
     static int Buffers(ShaderStage stage) =>
-        new SpirvModule(stage.Compile()).Resources().Count(r => r.Kind == VkDescriptorType.StorageBuffer);
+        new SpirvModule(stage.Compile()).Resources().Count(r => r.Kind == DescriptorType.StorageBuffer);
 }

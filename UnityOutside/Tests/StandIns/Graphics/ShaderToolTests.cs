@@ -1,4 +1,4 @@
-using StandIns.Vulkan;
+using Silk.NET.Vulkan;
 
 namespace UnityOutside.Tests.StandIns.Graphics;
 
@@ -51,8 +51,8 @@ public sealed class ShaderToolTests
             + Pass + " } }\nSubShader { Pass { " + Pass + " } } CustomEditor \"Some.Editor\" Fallback Off");
         Assert.That((shader.Name, shader.Passes.Count, shader.Passes[0].Name), Is.EqualTo(("A", 2, "ONE")));
         var scope = new PropertyScope(null, shader.Defaults);
-        Assert.That(shader.Passes[0].State.Evaluate(scope).Cull, Is.EqualTo(VkCullModeFlags.None));
-        Assert.That(shader.Passes[1].State.Evaluate(scope).Cull, Is.EqualTo(VkCullModeFlags.Front));
+        Assert.That(shader.Passes[0].State.Evaluate(scope).Cull, Is.EqualTo(CullModeFlags.None));
+        Assert.That(shader.Passes[1].State.Evaluate(scope).Cull, Is.EqualTo(CullModeFlags.FrontBit));
         Assert.That(shader.Passes[1].Tags["LightMode"], Is.EqualTo("X"));
         shader.Defaults.TryGet(PropertyNames.IdOf("_B"), out PropertyValue vector);
         Assert.That(vector.Vector, Is.EqualTo(new Vector4(1, 2, 3, -4)));
@@ -128,7 +128,7 @@ public sealed class ShaderToolTests
         Dictionary<string, ShaderResource> resources = module.Resources().ToDictionary(r => r.Name);
         Assert.That(module.GroupSize, Is.EqualTo((4u, 2u, 1u)));
         Assert.That((resources["_In"].Kind, resources["_In"].Stride, resources["_In"].IsWritten),
-            Is.EqualTo((VkDescriptorType.StorageBuffer, 32, false)));
+            Is.EqualTo((DescriptorType.StorageBuffer, 32, false)));
         Assert.That((resources["_Out"].Stride, resources["_Out"].IsWritten), Is.EqualTo((4, true)));
         Assert.That(resources["_Slices"].IsArray, Is.True);
         Assert.That(resources["Given"].Members.Select(m => (m.Name, m.Offset, m.Count, m.End)),

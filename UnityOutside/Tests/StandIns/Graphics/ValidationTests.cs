@@ -1,4 +1,4 @@
-using StandIns.Vulkan;
+using Silk.NET.Vulkan;
 
 namespace UnityOutside.Tests.StandIns.Graphics;
 
@@ -10,17 +10,13 @@ public sealed unsafe class ValidationTests : GraphicsFixture
     {
         if (!HeadlessGraphics.Validate)
             Assert.Ignore("The validation layer is not installed (Debian, Ubuntu: apt-get install vulkan-validationlayers)");
-        var create = new VkBufferCreateInfo
-        {
-            sType = VkStructureType.BufferCreateInfo,
-            usage = VkBufferUsageFlags.TransferSrc,
-        };
-        ulong handle;
-        Vk.vkCreateBuffer(GpuDevice.Current.Handle, &create, null, &handle);
+        var create = new BufferCreateInfo(usage: BufferUsageFlags.TransferSrcBit);
+        Silk.NET.Vulkan.Buffer handle;
+        Vulkan.Api.CreateBuffer(GpuDevice.Current.Handle, &create, null, &handle);
         Assert.That(HeadlessGraphics.TakeValidationMessages(), Has.Some.Contains("VUID-VkBufferCreateInfo-size-00912"));
     }
 
     [Test]
-    public void Check_AnError_NamesTheCall() => Assert.That(() => Vk.Check(VkResult.ErrorDeviceLost, "vkQueueSubmit2"),
+    public void Check_AnError_NamesTheCall() => Assert.That(() => Vulkan.Check(Result.ErrorDeviceLost, "vkQueueSubmit2"),
         Throws.InstanceOf<InvalidOperationException>().With.Message.Contains("vkQueueSubmit2: Vulkan says ErrorDeviceLost"));
 }

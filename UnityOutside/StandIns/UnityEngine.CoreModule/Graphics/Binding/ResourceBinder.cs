@@ -10,7 +10,7 @@ sealed unsafe class ResourceBinder(GpuDevice device)
     internal static void MakeTextures(GpuRecording recording, RenderTargets targets, ShaderLayout layout, in PropertyScope scope)
     {
         foreach (ShaderResource resource in layout.Resources)
-            if ((resource.Kind == VkDescriptorType.SampledImage || resource.Kind == VkDescriptorType.StorageImage)
+            if ((resource.Kind == DescriptorType.SampledImage || resource.Kind == DescriptorType.StorageImage)
                 && scope.TryGet(resource.NameId, out PropertyValue value) && value.Reference is RenderTexture texture
                 && !texture.IsCreated())
             {
@@ -19,58 +19,51 @@ sealed unsafe class ResourceBinder(GpuDevice device)
             }
     }
 
-    internal void Bind(GpuRecording recording, VkPipelineBindPoint point, string shader, ShaderLayout layout,
+    internal void Bind(GpuRecording recording, PipelineBindPoint point, string shader, ShaderLayout layout,
         in PropertyScope scope)
     {
         int count = layout.Resources.Length;
         if (count == 0)
             return;
-        VkWriteDescriptorSet* writes = stackalloc VkWriteDescriptorSet[count];
-        VkDescriptorBufferInfo* buffers = stackalloc VkDescriptorBufferInfo[count];
-        VkDescriptorImageInfo* images = stackalloc VkDescriptorImageInfo[count];
+        WriteDescriptorSet* writes = stackalloc WriteDescriptorSet[count];
+        DescriptorBufferInfo* buffers = stackalloc DescriptorBufferInfo[count];
+        DescriptorImageInfo* images = stackalloc DescriptorImageInfo[count];
         for (int i = 0; i < count; i++)
         {
             ShaderResource resource = layout.Resources[i];
             buffers[i] = default;
-            images[i] = new VkDescriptorImageInfo { imageLayout = VkImageLayout.General };
+            images[i] = new DescriptorImageInfo { ImageLayout = ImageLayout.General };
             switch (resource.Kind)
             {
-                case VkDescriptorType.UniformBuffer:
+                case DescriptorType.UniformBuffer:
                     buffers[i] = Constants(recording, resource, scope);
                     break;
-                case VkDescriptorType.StorageBuffer:
+                case DescriptorType.StorageBuffer:
                     buffers[i] = Storage(recording, shader, resource, scope);
                     break;
-                case VkDescriptorType.Sampler:
-                    images[i].sampler = m_samplers.Find(resource, scope);
+                case DescriptorType.Sampler:
+                    images[i].Sampler = m_samplers.Find(resource, scope);
                     break;
                 default:
-                    images[i].imageView = Image(shader, resource, scope);
+                    images[i].ImageView = Image(shader, resource, scope);
                     break;
             }
-            writes[i] = new VkWriteDescriptorSet
-            {
-                sType = VkStructureType.WriteDescriptorSet,
-                dstBinding = (uint)resource.Binding,
-                descriptorCount = 1,
-                descriptorType = resource.Kind,
-                pBufferInfo = &buffers[i],
-                pImageInfo = &images[i],
-            };
+            writes[i] = new WriteDescriptorSet(dstBinding: (uint)resource.Binding, descriptorCount: 1,
+                descriptorType: resource.Kind, pBufferInfo: &buffers[i], pImageInfo: &images[i]);
         }
         m_device.PushDescriptors(recording.Commands, point, layout.Pipeline, 0, (uint)count, writes);
     }
 
-    static VkDescriptorBufferInfo Constants(GpuRecording recording, ShaderResource resource, in PropertyScope scope)
+    static DescriptorBufferInfo Constants(GpuRecording recording, ShaderResource resource, in PropertyScope scope)
     {
         ulong bytes = (ulong)resource.Size;
         byte* target = recording.Uploads.Take(bytes, out GpuBuffer buffer, out ulong offset);
         UnsafeUtility.MemClear(target, (long)bytes);
         ConstantWriter.Write(resource, scope, target);
-        return new VkDescriptorBufferInfo { buffer = buffer.Handle, offset = offset, range = bytes };
+        return new DescriptorBufferInfo { Buffer = buffer.Handle, Offset = offset, Range = bytes };
     }
 
-    static VkDescriptorBufferInfo Storage(GpuRecording recording, string shader, ShaderResource resource, in PropertyScope scope)
+    static DescriptorBufferInfo Storage(GpuRecording recording, string shader, ShaderResource resource, in PropertyScope scope)
     {
         if (!scope.TryGet(resource.NameId, out PropertyValue value) || !(value.Reference is GraphicsBuffer buffer))
             throw new InvalidOperationException($"{shader}: no buffer is set as {resource.Name}");
@@ -91,16 +84,16 @@ sealed unsafe class ResourceBinder(GpuDevice device)
                 + $"{buffer.Label} {buffer.stride}");
         GpuBuffer memory = buffer.ForDevice();
         memory.LastUse = recording.Number;
-        return new VkDescriptorBufferInfo { buffer = memory.Handle, range = Vk.WholeSize };
+        return new DescriptorBufferInfo { Buffer = memory.Handle, Range = Vk.WholeSize };
     }
 
-    static ulong Image(string shader, ShaderResource resource, in PropertyScope scope)
+    static ImageView Image(string shader, ShaderResource resource, in PropertyScope scope)
     {
         if (!scope.TryGet(resource.NameId, out PropertyValue value) || !(value.Reference is Texture texture))
             throw new InvalidOperationException($"{shader}: no texture is set as {resource.Name}");
         if (texture == null)
             throw new InvalidOperationException($"{shader}: the texture set as {resource.Name} was destroyed");
-        if (resource.Kind == VkDescriptorType.StorageImage && !(texture is RenderTexture { enableRandomWrite: true }))
+        if (resource.Kind == DescriptorType.StorageImage && !(texture is RenderTexture { enableRandomWrite: true }))
             throw new InvalidOperationException($"{shader}: {resource.Name} is written, and {texture.name} was made without "
                 + "enableRandomWrite");
         if (resource.IsArray != (texture.dimension == UnityEngine.Rendering.TextureDimension.Tex2DArray))
@@ -108,7 +101,7 @@ sealed unsafe class ResourceBinder(GpuDevice device)
                 + "textures, "
                 + $"{texture.name} is {texture.dimension}");
         GpuImage image = texture.ImageFor(value.IsDepth);
-        if (resource.Format != VkFormat.Undefined && resource.Format != image.Format)
+        if (resource.Format != Format.Undefined && resource.Format != image.Format)
             throw new InvalidOperationException($"{shader}: {resource.Name} is {resource.Format} in the shader, and "
                 + $"{texture.name} is {image.Format}");
         return image.View;

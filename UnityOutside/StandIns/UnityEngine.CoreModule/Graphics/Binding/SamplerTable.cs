@@ -7,11 +7,11 @@ sealed unsafe class SamplerTable(GpuDevice device)
     const string Prefix = "sampler";
 
     readonly GpuDevice m_device = device;
-    readonly Dictionary<(FilterMode, TextureWrapMode), ulong> m_samplers = new Dictionary<(FilterMode, TextureWrapMode), ulong>();
+    readonly Dictionary<(FilterMode, TextureWrapMode), Sampler> m_samplers = new();
     // By the name of the sampler: of the texture, or -1.
     readonly Dictionary<int, int> m_textureOf = new Dictionary<int, int>();
 
-    internal ulong Find(ShaderResource sampler, in PropertyScope scope)
+    internal Sampler Find(ShaderResource sampler, in PropertyScope scope)
     {
         if (!m_textureOf.TryGetValue(sampler.NameId, out int name))
         {
@@ -27,23 +27,16 @@ sealed unsafe class SamplerTable(GpuDevice device)
 
     static bool Says(string name, string word) => name.IndexOf(word, StringComparison.OrdinalIgnoreCase) >= 0;
 
-    ulong Find(FilterMode filter, TextureWrapMode wrap)
+    Sampler Find(FilterMode filter, TextureWrapMode wrap)
     {
-        if (m_samplers.TryGetValue((filter, wrap), out ulong sampler))
+        if (m_samplers.TryGetValue((filter, wrap), out Sampler sampler))
             return sampler;
-        VkFilter texels = filter == FilterMode.Point ? VkFilter.Nearest : VkFilter.Linear;
-        VkSamplerAddressMode edge = wrap == TextureWrapMode.Repeat ? VkSamplerAddressMode.Repeat
-            : wrap == TextureWrapMode.Mirror ? VkSamplerAddressMode.MirroredRepeat : VkSamplerAddressMode.ClampToEdge;
-        var create = new VkSamplerCreateInfo
-        {
-            sType = VkStructureType.SamplerCreateInfo,
-            magFilter = texels,
-            minFilter = texels,
-            addressModeU = edge,
-            addressModeV = edge,
-            addressModeW = edge,
-        };
-        Vk.Check(Vk.vkCreateSampler(m_device.Handle, &create, null, &sampler), "vkCreateSampler");
+        Filter texels = filter == FilterMode.Point ? Filter.Nearest : Filter.Linear;
+        SamplerAddressMode edge = wrap == TextureWrapMode.Repeat ? SamplerAddressMode.Repeat
+            : wrap == TextureWrapMode.Mirror ? SamplerAddressMode.MirroredRepeat : SamplerAddressMode.ClampToEdge;
+        var create = new SamplerCreateInfo(magFilter: texels, minFilter: texels, addressModeU: edge, addressModeV: edge,
+            addressModeW: edge);
+        Check(Api.CreateSampler(m_device.Handle, &create, null, &sampler), "vkCreateSampler");
         m_samplers.Add((filter, wrap), sampler);
         return sampler;
     }

@@ -19,25 +19,25 @@ static class TextureFormats
 
     internal static GraphicsFormat DepthOf(int bits) => bits == 0 ? GraphicsFormat.None : GraphicsFormat.D32_SFloat;
 
-    internal static VkFormat Vulkan(GraphicsFormat format) => format switch
+    internal static Format Vulkan(GraphicsFormat format) => format switch
     {
-        GraphicsFormat.R8G8B8A8_SRGB => VkFormat.R8g8b8a8Srgb,
-        GraphicsFormat.R8G8B8A8_UNorm => VkFormat.R8g8b8a8Unorm,
-        GraphicsFormat.R32_UInt => VkFormat.R32Uint,
-        GraphicsFormat.R32_SInt => VkFormat.R32Sint,
-        GraphicsFormat.R32_SFloat => VkFormat.R32Sfloat,
-        GraphicsFormat.R32G32_SFloat => VkFormat.R32g32Sfloat,
-        GraphicsFormat.R16G16B16A16_SFloat => VkFormat.R16g16b16a16Sfloat,
-        GraphicsFormat.R32G32B32A32_UInt => VkFormat.R32g32b32a32Uint,
-        GraphicsFormat.R32G32B32A32_SFloat => VkFormat.R32g32b32a32Sfloat,
-        GraphicsFormat.D32_SFloat => VkFormat.D32Sfloat,
+        GraphicsFormat.R8G8B8A8_SRGB => Format.R8G8B8A8Srgb,
+        GraphicsFormat.R8G8B8A8_UNorm => Format.R8G8B8A8Unorm,
+        GraphicsFormat.R32_UInt => Format.R32Uint,
+        GraphicsFormat.R32_SInt => Format.R32Sint,
+        GraphicsFormat.R32_SFloat => Format.R32Sfloat,
+        GraphicsFormat.R32G32_SFloat => Format.R32G32Sfloat,
+        GraphicsFormat.R16G16B16A16_SFloat => Format.R16G16B16A16Sfloat,
+        GraphicsFormat.R32G32B32A32_UInt => Format.R32G32B32A32Uint,
+        GraphicsFormat.R32G32B32A32_SFloat => Format.R32G32B32A32Sfloat,
+        GraphicsFormat.D32_SFloat => Format.D32Sfloat,
         _ => throw Unknown(format),
     };
 
-    internal static int TexelBytes(VkFormat format) => format switch
+    internal static int TexelBytes(Format format) => format switch
     {
-        VkFormat.R16g16b16a16Sfloat or VkFormat.R32g32Sfloat => 8,
-        VkFormat.R32g32b32a32Uint or VkFormat.R32g32b32a32Sfloat => 16,
+        Format.R16G16B16A16Sfloat or Format.R32G32Sfloat => 8,
+        Format.R32G32B32A32Uint or Format.R32G32B32A32Sfloat => 16,
         _ => 4,
     };
 

@@ -30,7 +30,7 @@ sealed unsafe partial class CommandReplay
 
         GraphicsProgram program = pass.Program(material.Keywords);
         var scope = new PropertyScope((PropertySheet)command.Y, material.Sheet, pass.Shader.Defaults);
-        ulong pipeline =
+        Pipeline pipeline =
             program.Pipeline(new PipelineKey(m_targets, pass.State.Evaluate(scope), TopologyOf((MeshTopology)command.B)));
         int argumentBytes = command.Indices != null ? GraphicsBuffer.IndirectDrawIndexedArgs.size
             : GraphicsBuffer.IndirectDrawArgs.size;
@@ -39,14 +39,14 @@ sealed unsafe partial class CommandReplay
         ResourceBinder.MakeTextures(m_recording, m_targets, program.Layout, scope);
         m_targets.Open(m_recording);
         m_targets.SetViewport(m_recording, m_viewport);
-        Vk.vkCmdBindPipeline(m_recording.Commands, VkPipelineBindPoint.Graphics, pipeline);
-        m_binder.Bind(m_recording, VkPipelineBindPoint.Graphics, program.Name, program.Layout, scope);
+        Api.CmdBindPipeline(m_recording.Commands, PipelineBindPoint.Graphics, pipeline);
+        m_binder.Bind(m_recording, PipelineBindPoint.Graphics, program.Name, program.Layout, scope);
         if (command.Indices != null)
             DrawIndexed(command.Indices, arguments, command.C);
         else if (arguments != null)
-            Vk.vkCmdDrawIndirect(m_recording.Commands, arguments.Handle, (ulong)command.C, 1, 0);
+            Api.CmdDrawIndirect(m_recording.Commands, arguments.Handle, (ulong)command.C, 1, 0);
         else
-            Vk.vkCmdDraw(m_recording.Commands, (uint)command.C, (uint)command.D * m_instanceMultiplier, 0, 0);
+            Api.CmdDraw(m_recording.Commands, (uint)command.C, (uint)command.D * m_instanceMultiplier, 0, 0);
     }
 
     void DrawIndexed(GraphicsBuffer indices, GpuBuffer arguments, int offset)
@@ -55,16 +55,17 @@ sealed unsafe partial class CommandReplay
             throw new InvalidOperationException($"{indices.Label} was not made with Target.Index");
         GpuBuffer memory = indices.ForDevice();
         memory.LastUse = m_recording.Number;
-        Vk.vkCmdBindIndexBuffer(m_recording.Commands, memory.Handle, 0, (uint)(indices.stride == 2 ? 0 : 1));
-        Vk.vkCmdDrawIndexedIndirect(m_recording.Commands, arguments.Handle, (ulong)offset, 1, 0);
+        IndexType type = indices.stride == 2 ? IndexType.Uint16 : IndexType.Uint32;
+        Api.CmdBindIndexBuffer(m_recording.Commands, memory.Handle, 0, type);
+        Api.CmdDrawIndexedIndirect(m_recording.Commands, arguments.Handle, (ulong)offset, 1, 0);
     }
 
-    static VkPrimitiveTopology TopologyOf(MeshTopology topology) => topology switch
+    static PrimitiveTopology TopologyOf(MeshTopology topology) => topology switch
     {
-        MeshTopology.Triangles => VkPrimitiveTopology.TriangleList,
-        MeshTopology.Lines => VkPrimitiveTopology.LineList,
-        MeshTopology.LineStrip => VkPrimitiveTopology.LineStrip,
-        MeshTopology.Points => VkPrimitiveTopology.PointList,
+        MeshTopology.Triangles => PrimitiveTopology.TriangleList,
+        MeshTopology.Lines => PrimitiveTopology.LineList,
+        MeshTopology.LineStrip => PrimitiveTopology.LineStrip,
+        MeshTopology.Points => PrimitiveTopology.PointList,
         _ => throw new NotSupportedException($"MeshTopology.{topology}: not every API has it"),
     };
 }

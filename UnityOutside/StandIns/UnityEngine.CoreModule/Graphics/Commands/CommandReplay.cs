@@ -186,16 +186,16 @@ sealed unsafe partial class CommandReplay
         ComputeProgram program = kernel.Program(shader.Keywords);
         var scope = new PropertyScope(kernel.Sheet, shader.Constants);
         m_recording.Barrier();
-        Vk.vkCmdBindPipeline(m_recording.Commands, VkPipelineBindPoint.Compute, program.Pipeline);
-        m_binder.Bind(m_recording, VkPipelineBindPoint.Compute, program.Name, program.Layout, scope);
+        Api.CmdBindPipeline(m_recording.Commands, PipelineBindPoint.Compute, program.Pipeline);
+        m_binder.Bind(m_recording, PipelineBindPoint.Compute, program.Name, program.Layout, scope);
         if (command.Kind == CommandKind.Dispatch)
         {
-            Vk.vkCmdDispatch(m_recording.Commands, (uint)command.B, (uint)command.C, (uint)command.D);
+            Api.CmdDispatch(m_recording.Commands, (uint)command.B, (uint)command.C, (uint)command.D);
             return;
         }
         const int bytes = 12;
         GpuBuffer arguments = Arguments((GraphicsBuffer)command.Y, command.B, bytes);
-        Vk.vkCmdDispatchIndirect(m_recording.Commands, arguments.Handle, (uint)command.B);
+        Api.CmdDispatchIndirect(m_recording.Commands, arguments.Handle, (uint)command.B);
     }
 
     GpuBuffer Arguments(GraphicsBuffer buffer, int offset, int bytes)

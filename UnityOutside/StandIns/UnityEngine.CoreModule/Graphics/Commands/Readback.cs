@@ -16,12 +16,12 @@ static unsafe class Readback
         GpuBuffer copy = Create(device, (ulong)source.Width * (ulong)source.Height * (ulong)source.Slices * (ulong)texelBytes);
         GpuRecording recording = device.Queue.Open();
         recording.Barrier();
-        var region = new VkBufferImageCopy
+        var region = new BufferImageCopy
         {
-            imageSubresource = new VkImageSubresourceLayers { aspectMask = source.Aspect, layerCount = (uint)source.Slices },
-            imageExtent = new VkExtent3D { width = (uint)source.Width, height = (uint)source.Height, depth = 1 },
+            ImageSubresource = new ImageSubresourceLayers { AspectMask = source.Aspect, LayerCount = (uint)source.Slices },
+            ImageExtent = new Extent3D { Width = (uint)source.Width, Height = (uint)source.Height, Depth = 1 },
         };
-        Vk.vkCmdCopyImageToBuffer(recording.Commands, source.Handle, VkImageLayout.General, copy.Handle, 1, &region);
+        Api.CmdCopyImageToBuffer(recording.Commands, source.Handle, ImageLayout.General, copy.Handle, 1, &region);
         copy.LastUse = recording.Number;
         return copy;
     }

@@ -13,12 +13,12 @@ sealed unsafe class RenderTargets(GpuDevice device)
 
     internal bool IsSet => m_colorCount > 0 || m_depth != null;
     internal int ColorCount => m_colorCount;
-    internal VkFormat DepthFormat => m_depth?.Format ?? VkFormat.Undefined;
+    internal Format DepthFormat => m_depth?.Format ?? Format.Undefined;
     int Width => (m_depth ?? m_colors[0]).Width;
     int Height => (m_depth ?? m_colors[0]).Height;
     uint Layers => m_slice >= 0 ? 1 : (uint)(m_depth ?? m_colors[0]).Slices;
 
-    internal VkFormat ColorFormat(int index) => m_colors[index].Format;
+    internal Format ColorFormat(int index) => m_colors[index].Format;
 
     internal void Begin(int slice)
     {
@@ -58,28 +58,21 @@ sealed unsafe class RenderTargets(GpuDevice device)
             return;
         m_isOpen = true;
         recording.Barrier();
-        VkRenderingAttachmentInfo* colors = stackalloc VkRenderingAttachmentInfo[MaxColors];
+        RenderingAttachmentInfo* colors = stackalloc RenderingAttachmentInfo[MaxColors];
         for (int i = 0; i < m_colorCount; i++)
             colors[i] = Attachment(m_colors[i]);
-        VkRenderingAttachmentInfo depth = default;
+        RenderingAttachmentInfo depth = default;
         if (m_depth != null)
             depth = Attachment(m_depth);
-        var info = new VkRenderingInfo
-        {
-            sType = VkStructureType.RenderingInfo,
-            renderArea = Area,
-            layerCount = Layers,
-            colorAttachmentCount = (uint)m_colorCount,
-            pColorAttachments = colors,
-            pDepthAttachment = m_depth == null ? null : &depth,
-        };
-        Vk.vkCmdBeginRendering(recording.Commands, &info);
+        var info = new RenderingInfo(renderArea: Area, layerCount: Layers, colorAttachmentCount: (uint)m_colorCount,
+            pColorAttachments: colors, pDepthAttachment: m_depth == null ? null : &depth);
+        Api.CmdBeginRendering(recording.Commands, &info);
     }
 
     internal void Close(GpuRecording recording)
     {
         if (m_isOpen)
-            Vk.vkCmdEndRendering(recording.Commands);
+            Api.CmdEndRendering(recording.Commands);
         m_isOpen = false;
     }
 
@@ -87,58 +80,53 @@ sealed unsafe class RenderTargets(GpuDevice device)
     internal void Clear(GpuRecording recording, bool clearColor, bool clearDepth, Vector4 color, float depth)
     {
         Open(recording);
-        VkClearAttachment* cleared = stackalloc VkClearAttachment[MaxColors + 1];
+        ClearAttachment* cleared = stackalloc ClearAttachment[MaxColors + 1];
         uint count = 0;
         for (int i = 0; clearColor && i < m_colorCount; i++)
         {
-            VkClearAttachment attachment =
-                new VkClearAttachment { aspectMask = VkImageAspectFlags.Color, colorAttachment = (uint)i };
-            for (int c = 0; c < 4; c++)
-                SetClear(ref attachment.clearValue.color, m_colors[i].Format, c, color[c]);
+            ClearAttachment attachment =
+                new ClearAttachment { AspectMask = ImageAspectFlags.ColorBit, ColorAttachment = (uint)i };
+            attachment.ClearValue.Color = ClearColor(m_colors[i].Format, color);
             cleared[count++] = attachment;
         }
         if (clearDepth && m_depth != null)
-            cleared[count++] = new VkClearAttachment
+            cleared[count++] = new ClearAttachment
             {
-                aspectMask = VkImageAspectFlags.Depth,
-                clearValue = new VkClearValue { depthStencil = new VkClearDepthStencilValue { depth = 1 - depth } },
+                AspectMask = ImageAspectFlags.DepthBit,
+                ClearValue = new ClearValue { DepthStencil = new ClearDepthStencilValue { Depth = 1 - depth } },
             };
-        var rect = new VkClearRect { rect = Area, layerCount = Layers };
+        var rect = new ClearRect { Rect = Area, LayerCount = Layers };
         if (count > 0)
-            Vk.vkCmdClearAttachments(recording.Commands, count, cleared, 1, &rect);
+            Api.CmdClearAttachments(recording.Commands, count, cleared, 1, &rect);
     }
 
     /// <summary>Direct3D's direction of Y: up, the first row of the target being the one at the top.</summary>
     internal void SetViewport(GpuRecording recording, Vector4 rect)
     {
-        var viewport = new VkViewport
+        var viewport = new Viewport
         {
-            x = rect.x,
-            y = rect.y + rect.w,
-            width = rect.z,
-            height = -rect.w,
-            maxDepth = 1,
+            X = rect.x,
+            Y = rect.y + rect.w,
+            Width = rect.z,
+            Height = -rect.w,
+            MaxDepth = 1,
         };
-        Vk.vkCmdSetViewport(recording.Commands, 0, 1, &viewport);
-        VkRect2D scissor = Area;
-        Vk.vkCmdSetScissor(recording.Commands, 0, 1, &scissor);
+        Api.CmdSetViewport(recording.Commands, 0, 1, &viewport);
+        Rect2D scissor = Area;
+        Api.CmdSetScissor(recording.Commands, 0, 1, &scissor);
     }
 
-    VkRect2D Area => new VkRect2D { extent = new VkExtent2D { width = (uint)Width, height = (uint)Height } };
+    Rect2D Area => new Rect2D { Extent = new Extent2D { Width = (uint)Width, Height = (uint)Height } };
 
-    static void SetClear(ref VkClearColorValue value, VkFormat format, int component, float color)
+    static ClearColorValue ClearColor(Format format, Vector4 color)
     {
-        if (format == VkFormat.R32Uint || format == VkFormat.R32Sint || format == VkFormat.R32g32b32a32Uint)
-            value.uint32[component] = unchecked((uint)(long)color);
-        else
-            value.float32[component] = color;
+        uint Whole(float value) => unchecked((uint)(long)value);
+        return format == Format.R32Uint || format == Format.R32Sint || format == Format.R32G32B32A32Uint
+            ? new ClearColorValue(null, null, null, null, null, null, null, null,
+                Whole(color.x), Whole(color.y), Whole(color.z), Whole(color.w))
+            : new ClearColorValue(color.x, color.y, color.z, color.w);
     }
 
-    VkRenderingAttachmentInfo Attachment(GpuImage image) => new VkRenderingAttachmentInfo
-    {
-        sType = VkStructureType.RenderingAttachmentInfo,
-        imageView = image.Attachment(m_device, m_slice),
-        imageLayout = VkImageLayout.General,
-        loadOp = VkAttachmentLoadOp.Load,
-    };
+    RenderingAttachmentInfo Attachment(GpuImage image) => new RenderingAttachmentInfo(
+        imageView: image.Attachment(m_device, m_slice), imageLayout: ImageLayout.General, loadOp: AttachmentLoadOp.Load);
 }

@@ -2,48 +2,45 @@ namespace StandIns.Graphics;
 
 sealed unsafe class GpuBuffer
 {
-    internal readonly ulong Handle;
+    internal readonly VkBuffer Handle;
     internal readonly ulong Bytes;
     internal readonly GpuAllocation Allocation;
     internal ulong LastUse;
 
-    GpuBuffer(ulong handle, ulong bytes, GpuAllocation allocation) => (Handle, Bytes, Allocation) = (handle, bytes, allocation);
+    GpuBuffer(VkBuffer handle, ulong bytes, GpuAllocation allocation) =>
+        (Handle, Bytes, Allocation) = (handle, bytes, allocation);
 
     internal byte* Mapped => Allocation.Mapped;
 
     /// <summary>A buffer, or null where there is no memory for it.</summary>
-    internal static GpuBuffer TryCreate(GpuDevice device, ulong bytes, VkBufferUsageFlags usage, bool isForHost,
+    internal static GpuBuffer TryCreate(GpuDevice device, ulong bytes, BufferUsageFlags usage, bool isForHost,
         bool isRead = false)
     {
-        var create = new VkBufferCreateInfo
-        {
-            sType = VkStructureType.BufferCreateInfo,
-            size = Math.Max(4, bytes),
-            usage = usage | VkBufferUsageFlags.TransferSrc | VkBufferUsageFlags.TransferDst,
-        };
-        ulong handle;
-        VkResult result = Vk.vkCreateBuffer(device.Handle, &create, null, &handle);
-        if (result == VkResult.ErrorOutOfDeviceMemory || result == VkResult.ErrorOutOfHostMemory)
+        var create = new BufferCreateInfo(size: Math.Max(4, bytes),
+            usage: usage | BufferUsageFlags.TransferSrcBit | BufferUsageFlags.TransferDstBit);
+        VkBuffer handle;
+        Result result = Api.CreateBuffer(device.Handle, &create, null, &handle);
+        if (result == Result.ErrorOutOfDeviceMemory || result == Result.ErrorOutOfHostMemory)
             return null;
-        Vk.Check(result, "vkCreateBuffer");
-        VkMemoryRequirements needs;
-        Vk.vkGetBufferMemoryRequirements(device.Handle, handle, &needs);
-        const VkMemoryPropertyFlags host = VkMemoryPropertyFlags.HostVisible | VkMemoryPropertyFlags.HostCoherent;
-        GpuAllocation allocation = device.Memory.Allocate(needs, false, isForHost ? host : VkMemoryPropertyFlags.DeviceLocal,
-            isRead ? VkMemoryPropertyFlags.HostCached : 0);
+        Check(result, "vkCreateBuffer");
+        MemoryRequirements needs;
+        Api.GetBufferMemoryRequirements(device.Handle, handle, &needs);
+        const MemoryPropertyFlags host = MemoryPropertyFlags.HostVisibleBit | MemoryPropertyFlags.HostCoherentBit;
+        GpuAllocation allocation = device.Memory.Allocate(needs, false, isForHost ? host : MemoryPropertyFlags.DeviceLocalBit,
+            isRead ? MemoryPropertyFlags.HostCachedBit : 0);
         if (!allocation.IsCreated)
         {
-            Vk.vkDestroyBuffer(device.Handle, handle, null);
+            Api.DestroyBuffer(device.Handle, handle, null);
             return null;
         }
-        Vk.Check(Vk.vkBindBufferMemory(device.Handle, handle, allocation.Block.Memory, allocation.Offset), "vkBindBufferMemory");
+        Check(Api.BindBufferMemory(device.Handle, handle, allocation.Block.Memory, allocation.Offset), "vkBindBufferMemory");
         return new GpuBuffer(handle, bytes, allocation);
     }
 
     /// <summary>At once: nothing may still use it.</summary>
     internal void Destroy(GpuDevice device)
     {
-        Vk.vkDestroyBuffer(device.Handle, Handle, null);
+        Api.DestroyBuffer(device.Handle, Handle, null);
         device.Memory.Free(Allocation);
     }
 }

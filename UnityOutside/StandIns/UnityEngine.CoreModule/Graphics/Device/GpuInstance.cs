@@ -7,105 +7,81 @@ sealed unsafe class GpuInstance
     const string DebugUtils = "VK_EXT_debug_utils";
 
     // The layer calls through this for as long as the process lives.
-    static readonly DebugCallback s_callback = ValidationLog.Receive;
+    static readonly DebugUtilsMessengerCallbackFunctionEXT s_callback = ValidationLog.Receive;
 
-    internal readonly IntPtr Handle;
+    internal readonly Instance Handle;
     internal readonly bool IsValidated;
-
-    delegate uint DebugCallback(VkDebugUtilsMessageSeverityFlagsEXT severity, VkDebugUtilsMessageTypeFlagsEXT kind,
-        VkDebugUtilsMessengerCallbackDataEXT* data, void* user);
 
     internal GpuInstance(bool validate)
     {
         IsValidated = validate && LayerNames().Contains(Validation);
-        using var strings = new NativeStrings();
-        var application = new VkApplicationInfo
-        {
-            sType = VkStructureType.ApplicationInfo,
-            apiVersion = Vk.ApiVersion,
-        };
-        var messenger = new VkDebugUtilsMessengerCreateInfoEXT
-        {
-            sType = VkStructureType.DebugUtilsMessengerCreateInfoEXT,
-            messageSeverity = VkDebugUtilsMessageSeverityFlagsEXT.Warning | VkDebugUtilsMessageSeverityFlagsEXT.Error,
-            messageType = VkDebugUtilsMessageTypeFlagsEXT.Validation,
-            pfnUserCallback = Marshal.GetFunctionPointerForDelegate(s_callback),
-        };
-        var create = new VkInstanceCreateInfo
-        {
-            sType = VkStructureType.InstanceCreateInfo,
-            pApplicationInfo = &application,
-        };
+        using GlobalMemory layers = SilkMarshal.StringArrayToMemory(new[] { Validation });
+        using GlobalMemory extensions = SilkMarshal.StringArrayToMemory(new[] { DebugUtils });
+        var application = new ApplicationInfo(apiVersion: Vk.Version13);
+        var messenger = new DebugUtilsMessengerCreateInfoEXT(
+            messageSeverity: DebugUtilsMessageSeverityFlagsEXT.WarningBitExt | DebugUtilsMessageSeverityFlagsEXT.ErrorBitExt,
+            messageType: DebugUtilsMessageTypeFlagsEXT.ValidationBitExt,
+            pfnUserCallback: new PfnDebugUtilsMessengerCallbackEXT(s_callback));
+        var create = new InstanceCreateInfo(pApplicationInfo: &application);
         if (IsValidated)
         {
-            create.pNext = &messenger;
-            create.enabledLayerCount = 1;
-            create.ppEnabledLayerNames = strings.Array(Validation);
-            create.enabledExtensionCount = 1;
-            create.ppEnabledExtensionNames = strings.Array(DebugUtils);
+            create.PNext = &messenger;
+            create.EnabledLayerCount = 1;
+            create.PpEnabledLayerNames = (byte**)(void*)layers;
+            create.EnabledExtensionCount = 1;
+            create.PpEnabledExtensionNames = (byte**)(void*)extensions;
         }
-        IntPtr instance;
-        Vk.Check(Vk.vkCreateInstance(&create, null, &instance), "vkCreateInstance");
+        Instance instance;
+        Check(Api.CreateInstance(&create, null, &instance), "vkCreateInstance");
         Handle = instance;
         if (IsValidated)
             ListenTo(&messenger);
     }
 
     /// <summary>Devices that can do Vulkan 1.3, the fastest kind first.</summary>
-    internal List<IntPtr> Devices()
+    internal List<PhysicalDevice> Devices()
     {
         uint count = 0;
-        Vk.Check(Vk.vkEnumeratePhysicalDevices(Handle, &count, null), "vkEnumeratePhysicalDevices");
-        var all = new IntPtr[count];
-        fixed (IntPtr* devices = all)
-            Vk.vkEnumeratePhysicalDevices(Handle, &count, devices);
-        var able = new List<IntPtr>(all);
-        able.RemoveAll(d => Properties(d).apiVersion < Vk.ApiVersion);
+        Check(Api.EnumeratePhysicalDevices(Handle, &count, null), "vkEnumeratePhysicalDevices");
+        var all = new PhysicalDevice[count];
+        fixed (PhysicalDevice* devices = all)
+            Api.EnumeratePhysicalDevices(Handle, &count, devices);
+        var able = new List<PhysicalDevice>(all);
+        able.RemoveAll(d => Properties(d).ApiVersion < Vk.Version13);
         able.Sort((a, b) => Rank(a).CompareTo(Rank(b)));
         return able;
     }
 
-    internal static VkPhysicalDeviceProperties Properties(IntPtr device)
-    {
-        VkPhysicalDeviceProperties properties;
-        Vk.vkGetPhysicalDeviceProperties(device, &properties);
-        return properties;
-    }
+    internal static PhysicalDeviceProperties Properties(PhysicalDevice device) => Api.GetPhysicalDeviceProperties(device);
 
-    static int Rank(IntPtr device) => Properties(device).deviceType switch
+    static int Rank(PhysicalDevice device) => Properties(device).DeviceType switch
     {
-        VkPhysicalDeviceType.DiscreteGpu => 0,
-        VkPhysicalDeviceType.IntegratedGpu => 1,
-        VkPhysicalDeviceType.VirtualGpu => 2,
+        PhysicalDeviceType.DiscreteGpu => 0,
+        PhysicalDeviceType.IntegratedGpu => 1,
+        PhysicalDeviceType.VirtualGpu => 2,
         _ => 3,
     };
 
     static HashSet<string> LayerNames()
     {
         uint count = 0;
-        Vk.Check(Vk.vkEnumerateInstanceLayerProperties(&count, null), "vkEnumerateInstanceLayerProperties");
+        Check(Api.EnumerateInstanceLayerProperties(&count, null), "vkEnumerateInstanceLayerProperties");
         var names = new HashSet<string>();
-        var layers = new VkLayerProperties[count];
-        fixed (VkLayerProperties* first = layers)
+        var layers = new LayerProperties[count];
+        fixed (LayerProperties* first = layers)
         {
-            Vk.vkEnumerateInstanceLayerProperties(&count, first);
+            Api.EnumerateInstanceLayerProperties(&count, first);
             for (uint i = 0; i < count; i++)
-                names.Add(NativeStrings.Read(first[i].layerName));
+                names.Add(SilkMarshal.PtrToString((IntPtr)first[i].LayerName));
         }
         return names;
     }
 
-    void ListenTo(VkDebugUtilsMessengerCreateInfoEXT* messenger)
+    void ListenTo(DebugUtilsMessengerCreateInfoEXT* messenger)
     {
-        var create = (delegate* unmanaged[Cdecl]<IntPtr, VkDebugUtilsMessengerCreateInfoEXT*, void*, ulong*, VkResult>)
-            Function("vkCreateDebugUtilsMessengerEXT");
-        ulong handle;
-        Vk.Check(create(Handle, messenger, null, &handle), "vkCreateDebugUtilsMessengerEXT");
-    }
-
-    IntPtr Function(string name)
-    {
-        fixed (byte* text = Encoding.UTF8.GetBytes(name + "\0"))
-            return Vk.vkGetInstanceProcAddr(Handle, text);
+        var create = (delegate* unmanaged[Cdecl]<Instance, DebugUtilsMessengerCreateInfoEXT*, void*,
+            DebugUtilsMessengerEXT*, Result>)Api.GetInstanceProcAddr(Handle, "vkCreateDebugUtilsMessengerEXT").Handle;
+        DebugUtilsMessengerEXT handle;
+        Check(create(Handle, messenger, null, &handle), "vkCreateDebugUtilsMessengerEXT");
     }
 }

@@ -6,16 +6,14 @@ sealed unsafe class GpuMemory
     const ulong LargeBytes = BlockBytes / 4;
 
     readonly GpuDevice m_device;
-    readonly VkPhysicalDeviceMemoryProperties m_properties;
+    readonly PhysicalDeviceMemoryProperties m_properties;
     readonly List<GpuMemoryBlock> m_blocks = new List<GpuMemoryBlock>();
     ulong m_usedBytes;
 
     internal GpuMemory(GpuDevice device)
     {
         m_device = device;
-        VkPhysicalDeviceMemoryProperties properties;
-        Vk.vkGetPhysicalDeviceMemoryProperties(device.Physical, &properties);
-        m_properties = properties;
+        m_properties = Api.GetPhysicalDeviceMemoryProperties(device.Physical);
     }
 
     internal ulong LimitBytes { get; set; } = ulong.MaxValue;
@@ -30,27 +28,27 @@ sealed unsafe class GpuMemory
     }
 
     /// <param name="wanted">What the memory must be; <paramref name="liked"/> what it had better be.</param>
-    internal GpuAllocation Allocate(VkMemoryRequirements needs, bool isImage, VkMemoryPropertyFlags wanted,
-        VkMemoryPropertyFlags liked)
+    internal GpuAllocation Allocate(MemoryRequirements needs, bool isImage, MemoryPropertyFlags wanted,
+        MemoryPropertyFlags liked)
     {
-        int type = TypeFor(needs.memoryTypeBits, wanted | liked);
+        int type = TypeFor(needs.MemoryTypeBits, wanted | liked);
         if (type < 0)
-            type = TypeFor(needs.memoryTypeBits, wanted);
+            type = TypeFor(needs.MemoryTypeBits, wanted);
         if (type < 0)
             return default;
         lock (m_blocks)
         {
-            if (m_usedBytes + needs.size > LimitBytes)
+            if (m_usedBytes + needs.Size > LimitBytes)
                 return default;
-            bool isLarge = needs.size >= LargeBytes;
+            bool isLarge = needs.Size >= LargeBytes;
             foreach (GpuMemoryBlock block in m_blocks)
-                if (!isLarge && block.Fits(type, isImage) && block.TryTake(needs.size, needs.alignment, out ulong at))
-                    return Count(new GpuAllocation(block, at, needs.size));
-            GpuMemoryBlock added = AddBlock(type, isImage, isLarge ? needs.size : BlockBytes, isLarge);
+                if (!isLarge && block.Fits(type, isImage) && block.TryTake(needs.Size, needs.Alignment, out ulong at))
+                    return Count(new GpuAllocation(block, at, needs.Size));
+            GpuMemoryBlock added = AddBlock(type, isImage, isLarge ? needs.Size : BlockBytes, isLarge);
             if (added == null)
                 return default;
-            added.TryTake(needs.size, needs.alignment, out ulong start);
-            return Count(new GpuAllocation(added, start, needs.size));
+            added.TryTake(needs.Size, needs.Alignment, out ulong start);
+            return Count(new GpuAllocation(added, start, needs.Size));
         }
     }
 
@@ -65,7 +63,7 @@ sealed unsafe class GpuMemory
             if (!allocation.Block.IsLarge || !allocation.Block.IsEmpty)
                 return;
             m_blocks.Remove(allocation.Block);
-            Vk.vkFreeMemory(m_device.Handle, allocation.Block.Memory, null);
+            Api.FreeMemory(m_device.Handle, allocation.Block.Memory, null);
         }
     }
 
@@ -77,34 +75,25 @@ sealed unsafe class GpuMemory
 
     GpuMemoryBlock AddBlock(int type, bool isImage, ulong bytes, bool isLarge)
     {
-        var allocate = new VkMemoryAllocateInfo
-        {
-            sType = VkStructureType.MemoryAllocateInfo,
-            allocationSize = bytes,
-            memoryTypeIndex = (uint)type,
-        };
-        ulong memory;
-        if (Vk.vkAllocateMemory(m_device.Handle, &allocate, null, &memory) != VkResult.Success)
+        var allocate = new MemoryAllocateInfo(allocationSize: bytes, memoryTypeIndex: (uint)type);
+        DeviceMemory memory;
+        if (Api.AllocateMemory(m_device.Handle, &allocate, null, &memory) != Result.Success)
             return null;
         void* mapped = null;
-        if ((FlagsOf(type) & VkMemoryPropertyFlags.HostVisible) != 0)
-            Vk.Check(Vk.vkMapMemory(m_device.Handle, memory, 0, Vk.WholeSize, 0, &mapped), "vkMapMemory");
+        if ((FlagsOf(type) & MemoryPropertyFlags.HostVisibleBit) != 0)
+            Check(Api.MapMemory(m_device.Handle, memory, 0, Vk.WholeSize, 0, &mapped), "vkMapMemory");
         var block = new GpuMemoryBlock(memory, (byte*)mapped, bytes, type, isImage, isLarge);
         m_blocks.Add(block);
         return block;
     }
 
-    int TypeFor(uint allowed, VkMemoryPropertyFlags wanted)
+    int TypeFor(uint allowed, MemoryPropertyFlags wanted)
     {
-        for (int type = 0; type < m_properties.memoryTypeCount; type++)
+        for (int type = 0; type < m_properties.MemoryTypeCount; type++)
             if ((allowed >> type & 1) != 0 && (FlagsOf(type) & wanted) == wanted)
                 return type;
         return -1;
     }
 
-    VkMemoryPropertyFlags FlagsOf(int type)
-    {
-        fixed (uint* pairs = m_properties.memoryTypes)
-            return (VkMemoryPropertyFlags)pairs[type * 2];
-    }
+    MemoryPropertyFlags FlagsOf(int type) => m_properties.MemoryTypes[type].PropertyFlags;
 }

@@ -2,7 +2,7 @@ namespace StandIns.Graphics;
 
 sealed unsafe class GpuMemoryBlock
 {
-    internal readonly ulong Memory;
+    internal readonly DeviceMemory Memory;
     /// <summary>Where the host sees it; null where it does not.</summary>
     internal readonly byte* Mapped;
     internal readonly bool IsLarge;
@@ -12,7 +12,7 @@ sealed unsafe class GpuMemoryBlock
     readonly bool m_isImage;
     readonly List<(ulong Start, ulong End)> m_free = new List<(ulong, ulong)>();
 
-    internal GpuMemoryBlock(ulong memory, byte* mapped, ulong bytes, int type, bool isImage, bool isLarge)
+    internal GpuMemoryBlock(DeviceMemory memory, byte* mapped, ulong bytes, int type, bool isImage, bool isLarge)
     {
         Memory = memory;
         Mapped = mapped;

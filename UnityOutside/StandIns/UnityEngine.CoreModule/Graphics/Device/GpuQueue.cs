@@ -9,9 +9,9 @@ sealed unsafe class GpuQueue
     const int MaxInFlight = 32;
 
     readonly GpuDevice m_device;
-    readonly IntPtr m_queue;
+    readonly Queue m_queue;
     readonly uint m_family;
-    readonly ulong m_timeline;
+    readonly VkSemaphore m_timeline;
     readonly Queue<GpuRecording> m_inFlight = new Queue<GpuRecording>();
     readonly Stack<GpuRecording> m_idle = new Stack<GpuRecording>();
     readonly Queue<(ulong Use, object Resource)> m_retired = new Queue<(ulong, object)>();
@@ -19,19 +19,15 @@ sealed unsafe class GpuQueue
     ulong m_submitted;
     ulong m_done;
 
-    internal GpuQueue(GpuDevice device, IntPtr queue, uint family)
+    internal GpuQueue(GpuDevice device, Queue queue, uint family)
     {
         m_device = device;
         m_queue = queue;
         m_family = family;
-        var type = new VkSemaphoreTypeCreateInfo
-        {
-            sType = VkStructureType.SemaphoreTypeCreateInfo,
-            semaphoreType = VkSemaphoreType.Timeline,
-        };
-        var create = new VkSemaphoreCreateInfo { sType = VkStructureType.SemaphoreCreateInfo, pNext = &type };
-        ulong timeline;
-        Vk.Check(Vk.vkCreateSemaphore(device.Handle, &create, null, &timeline), "vkCreateSemaphore");
+        var type = new SemaphoreTypeCreateInfo(semaphoreType: SemaphoreType.Timeline);
+        var create = new SemaphoreCreateInfo(pNext: &type);
+        VkSemaphore timeline;
+        Check(Api.CreateSemaphore(device.Handle, &create, null, &timeline), "vkCreateSemaphore");
         m_timeline = timeline;
     }
 
@@ -57,27 +53,12 @@ sealed unsafe class GpuQueue
         GpuRecording recording = m_open;
         m_open = null;
         recording.End();
-        var commands = new VkCommandBufferSubmitInfo
-        {
-            sType = VkStructureType.CommandBufferSubmitInfo,
-            commandBuffer = recording.Commands,
-        };
-        var signal = new VkSemaphoreSubmitInfo
-        {
-            sType = VkStructureType.SemaphoreSubmitInfo,
-            semaphore = m_timeline,
-            value = recording.Number,
-            stageMask = VkPipelineStageFlags2.AllCommands,
-        };
-        var submit = new VkSubmitInfo2
-        {
-            sType = VkStructureType.SubmitInfo2,
-            commandBufferInfoCount = 1,
-            pCommandBufferInfos = &commands,
-            signalSemaphoreInfoCount = 1,
-            pSignalSemaphoreInfos = &signal,
-        };
-        Vk.Check(Vk.vkQueueSubmit2(m_queue, 1, &submit, 0), "vkQueueSubmit2");
+        var commands = new CommandBufferSubmitInfo(commandBuffer: recording.Commands);
+        var signal = new SemaphoreSubmitInfo(semaphore: m_timeline, value: recording.Number,
+            stageMask: PipelineStageFlags2.AllCommandsBit);
+        var submit = new SubmitInfo2(commandBufferInfoCount: 1, pCommandBufferInfos: &commands, signalSemaphoreInfoCount: 1,
+            pSignalSemaphoreInfos: &signal);
+        Check(Api.QueueSubmit2(m_queue, 1, &submit, default), "vkQueueSubmit2");
         m_submitted = recording.Number;
         m_inFlight.Enqueue(recording);
         return m_submitted;
@@ -88,7 +69,7 @@ sealed unsafe class GpuQueue
         if (number > Known && number <= NotBeyond)
         {
             ulong value;
-            Vk.Check(Vk.vkGetSemaphoreCounterValue(m_device.Handle, m_timeline, &value), "vkGetSemaphoreCounterValue");
+            Check(Api.GetSemaphoreCounterValue(m_device.Handle, m_timeline, &value), "vkGetSemaphoreCounterValue");
             SetDone(value);
             Known = Math.Max(Known, Math.Min(value, number));
         }
@@ -108,15 +89,9 @@ sealed unsafe class GpuQueue
 
     void WaitFor(ulong number)
     {
-        ulong timeline = m_timeline;
-        var wait = new VkSemaphoreWaitInfo
-        {
-            sType = VkStructureType.SemaphoreWaitInfo,
-            semaphoreCount = 1,
-            pSemaphores = &timeline,
-            pValues = &number,
-        };
-        Vk.Check(Vk.vkWaitSemaphores(m_device.Handle, &wait, ulong.MaxValue), "vkWaitSemaphores");
+        VkSemaphore timeline = m_timeline;
+        var wait = new SemaphoreWaitInfo(semaphoreCount: 1, pSemaphores: &timeline, pValues: &number);
+        Check(Api.WaitSemaphores(m_device.Handle, &wait, ulong.MaxValue), "vkWaitSemaphores");
         SetDone(number);
     }
 

@@ -36,7 +36,7 @@ sealed unsafe class UploadArena(GpuDevice device)
         }
         if (m_chunk == m_chunks.Count)
         {
-            const VkBufferUsageFlags usage = VkBufferUsageFlags.UniformBuffer;
+            const BufferUsageFlags usage = BufferUsageFlags.UniformBufferBit;
             m_chunks.Add(GpuBuffer.TryCreate(m_device, Math.Max(ChunkBytes, bytes), usage, isForHost: true)
                 ?? throw new OutOfMemoryException("No graphics memory for an upload of " + bytes + " bytes"));
         }

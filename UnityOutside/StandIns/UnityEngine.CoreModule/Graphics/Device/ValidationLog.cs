@@ -16,12 +16,12 @@ static unsafe class ValidationLog
         }
     }
 
-    internal static uint Receive(VkDebugUtilsMessageSeverityFlagsEXT severity, VkDebugUtilsMessageTypeFlagsEXT kind,
-        VkDebugUtilsMessengerCallbackDataEXT* data, void* user)
+    internal static uint Receive(DebugUtilsMessageSeverityFlagsEXT severity, DebugUtilsMessageTypeFlagsEXT kind,
+        DebugUtilsMessengerCallbackDataEXT* data, void* user)
     {
         lock (s_messages)
             if (s_messages.Count < Kept)
-                s_messages.Add(NativeStrings.Read(data->pMessage));
+                s_messages.Add(SilkMarshal.PtrToString((IntPtr)data->PMessage));
         return 0;
     }
 }

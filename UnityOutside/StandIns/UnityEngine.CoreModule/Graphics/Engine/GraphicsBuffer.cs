@@ -88,20 +88,20 @@ public sealed partial class GraphicsBuffer : IDisposable
         if ((usageFlags & UsageFlags.LockBufferForWrite) != 0)
             new Span<byte>(m_buffer.Mapped, (int)Bytes).Fill(Undefined);
         else
-            Vk.vkCmdFillBuffer(GpuDevice.Current.Queue.Open().Commands, m_buffer.Handle, 0, Vk.WholeSize, words);
+            Api.CmdFillBuffer(GpuDevice.Current.Queue.Open().Commands, m_buffer.Handle, 0, Vk.WholeSize, words);
     }
 
-    static VkBufferUsageFlags UsageOf(Target target)
+    static BufferUsageFlags UsageOf(Target target)
     {
-        VkBufferUsageFlags usage = 0;
+        BufferUsageFlags usage = 0;
         if ((target & (Target.Structured | Target.Raw | Target.Append | Target.Counter)) != 0)
-            usage |= VkBufferUsageFlags.StorageBuffer;
+            usage |= BufferUsageFlags.StorageBufferBit;
         if ((target & Target.IndirectArguments) != 0)
-            usage |= VkBufferUsageFlags.IndirectBuffer;
+            usage |= BufferUsageFlags.IndirectBufferBit;
         if ((target & Target.Index) != 0)
-            usage |= VkBufferUsageFlags.IndexBuffer;
+            usage |= BufferUsageFlags.IndexBufferBit;
         if ((target & Target.Constant) != 0)
-            usage |= VkBufferUsageFlags.UniformBuffer;
+            usage |= BufferUsageFlags.UniformBufferBit;
         return usage;
     }
 }

@@ -11,7 +11,7 @@ public sealed class SystemInfo
 
     /// <summary>Storage buffers of a vertex shader.</summary>
     public static int maxComputeBufferInputsVertex =>
-        HeadlessGraphics.VertexBuffers ?? (int)(GpuDevice.TryGet(out _)?.Limits.maxPerStageDescriptorStorageBuffers ?? 0);
+        HeadlessGraphics.VertexBuffers ?? (int)(GpuDevice.TryGet(out _)?.Limits.MaxPerStageDescriptorStorageBuffers ?? 0);
 
     public static bool supportsGraphicsFence => HasDevice && !HeadlessGraphics.HasNoFences;
     public static bool supportsRenderTargetArrayIndexFromVertexShader => GpuDevice.TryGet(out _)?.ChoosesSlices ?? false;
@@ -23,7 +23,7 @@ public sealed class SystemInfo
 
     /// <summary>In bytes: what one shader may see of a buffer.</summary>
     public static long maxGraphicsBufferSize =>
-        HasDevice && GpuDevice.TryGet(out _) is { } device ? device.Limits.maxStorageBufferRange : 0;
+        HasDevice && GpuDevice.TryGet(out _) is { } device ? device.Limits.MaxStorageBufferRange : 0;
 
     public static bool IsFormatSupported(GraphicsFormat format, GraphicsFormatUsage usage) => usage switch
     {

@@ -4,7 +4,7 @@ sealed unsafe class ComputeProgram
 {
     internal readonly string Name;
     internal readonly ShaderLayout Layout;
-    internal readonly ulong Pipeline;
+    internal readonly Pipeline Pipeline;
     internal readonly (uint X, uint Y, uint Z) GroupSize;
 
     internal ComputeProgram(GpuDevice device, string name, string entry, SpirvModule module)
@@ -12,23 +12,14 @@ sealed unsafe class ComputeProgram
         Name = name;
         GroupSize = module.GroupSize;
         Layout = new ShaderLayout(device, name, module);
-        ulong code = ShaderLayout.CreateModule(device, module);
-        using var strings = new NativeStrings();
-        var create = new VkComputePipelineCreateInfo
-        {
-            sType = VkStructureType.ComputePipelineCreateInfo,
-            stage = new VkPipelineShaderStageCreateInfo
-            {
-                sType = VkStructureType.PipelineShaderStageCreateInfo,
-                stage = VkShaderStageFlags.Compute,
-                module = code,
-                pName = strings.Text(entry),
-            },
-            layout = Layout.Pipeline,
-        };
-        ulong pipeline;
-        Vk.Check(Vk.vkCreateComputePipelines(device.Handle, 0, 1, &create, null, &pipeline), "vkCreateComputePipelines");
+        ShaderModule code = ShaderLayout.CreateModule(device, module);
+        using GlobalMemory entryName = SilkMarshal.StringToMemory(entry);
+        var stage = new PipelineShaderStageCreateInfo(stage: ShaderStageFlags.ComputeBit, module: code,
+            pName: entryName.AsPtr<byte>());
+        var create = new ComputePipelineCreateInfo(stage: stage, layout: Layout.Pipeline);
+        Pipeline pipeline;
+        Check(Api.CreateComputePipelines(device.Handle, default, 1, &create, null, &pipeline), "vkCreateComputePipelines");
         Pipeline = pipeline;
-        Vk.vkDestroyShaderModule(device.Handle, code, null);
+        Api.DestroyShaderModule(device.Handle, code, null);
     }
 }

@@ -3,20 +3,20 @@ namespace StandIns.Graphics;
 /// <summary>The fixed state of one draw, as Vulkan has it.</summary>
 struct FixedState : IEquatable<FixedState>
 {
-    internal VkCullModeFlags Cull;
-    internal VkCompareOp DepthTest;
+    internal CullModeFlags Cull;
+    internal CompareOp DepthTest;
     internal bool WritesDepth;
-    internal VkBlendFactor SourceColor;
-    internal VkBlendFactor TargetColor;
-    internal VkBlendFactor SourceAlpha;
-    internal VkBlendFactor TargetAlpha;
-    internal VkBlendOp ColorOperation;
-    internal VkBlendOp AlphaOperation;
+    internal BlendFactor SourceColor;
+    internal BlendFactor TargetColor;
+    internal BlendFactor SourceAlpha;
+    internal BlendFactor TargetAlpha;
+    internal BlendOp ColorOperation;
+    internal BlendOp AlphaOperation;
     internal byte ColorMask;
 
-    internal readonly bool Blends => SourceColor != VkBlendFactor.One || TargetColor != VkBlendFactor.Zero
-        || SourceAlpha != VkBlendFactor.One || TargetAlpha != VkBlendFactor.Zero || ColorOperation != VkBlendOp.Add
-        || AlphaOperation != VkBlendOp.Add;
+    internal readonly bool Blends => SourceColor != BlendFactor.One || TargetColor != BlendFactor.Zero
+        || SourceAlpha != BlendFactor.One || TargetAlpha != BlendFactor.Zero || ColorOperation != BlendOp.Add
+        || AlphaOperation != BlendOp.Add;
 
     public readonly bool Equals(FixedState other) => Bits == other.Bits;
     public override readonly bool Equals(object obj) => obj is FixedState other && Equals(other);

@@ -6,127 +6,73 @@ sealed unsafe class GraphicsProgram(GpuDevice device, string name, SpirvModule v
     internal readonly string Name = name;
     internal readonly ShaderLayout Layout = new ShaderLayout(device, name, vertex, fragment);
     readonly GpuDevice m_device = device;
-    readonly ulong m_vertex = ShaderLayout.CreateModule(device, vertex);
-    readonly ulong m_fragment = ShaderLayout.CreateModule(device, fragment);
+    readonly ShaderModule m_vertex = ShaderLayout.CreateModule(device, vertex);
+    readonly ShaderModule m_fragment = ShaderLayout.CreateModule(device, fragment);
     readonly string m_vertexEntry = vertexEntry;
     readonly string m_fragmentEntry = fragmentEntry;
-    readonly Dictionary<PipelineKey, ulong> m_pipelines = new Dictionary<PipelineKey, ulong>();
+    readonly Dictionary<PipelineKey, Pipeline> m_pipelines = new Dictionary<PipelineKey, Pipeline>();
 
-    internal ulong Pipeline(in PipelineKey key)
+    internal Pipeline Pipeline(in PipelineKey key)
     {
-        if (!m_pipelines.TryGetValue(key, out ulong pipeline))
+        if (!m_pipelines.TryGetValue(key, out Pipeline pipeline))
             m_pipelines.Add(key, pipeline = Create(key));
         return pipeline;
     }
 
-    ulong Create(in PipelineKey key)
+    Pipeline Create(in PipelineKey key)
     {
-        using var strings = new NativeStrings();
-        VkPipelineShaderStageCreateInfo* stages = stackalloc VkPipelineShaderStageCreateInfo[2];
-        stages[0] = Stage(VkShaderStageFlags.Vertex, m_vertex, strings.Text(m_vertexEntry));
-        stages[1] = Stage(VkShaderStageFlags.Fragment, m_fragment, strings.Text(m_fragmentEntry));
-        var vertices = new VkPipelineVertexInputStateCreateInfo { sType = VkStructureType.PipelineVertexInputStateCreateInfo };
-        var assembly = new VkPipelineInputAssemblyStateCreateInfo
-        {
-            sType = VkStructureType.PipelineInputAssemblyStateCreateInfo,
-            topology = key.Topology,
-        };
-        var viewport = new VkPipelineViewportStateCreateInfo
-        {
-            sType = VkStructureType.PipelineViewportStateCreateInfo,
-            viewportCount = 1,
-            scissorCount = 1,
-        };
+        using GlobalMemory vertex = SilkMarshal.StringToMemory(m_vertexEntry);
+        using GlobalMemory fragment = SilkMarshal.StringToMemory(m_fragmentEntry);
+        PipelineShaderStageCreateInfo* stages = stackalloc PipelineShaderStageCreateInfo[2];
+        stages[0] = Stage(ShaderStageFlags.VertexBit, m_vertex, vertex.AsPtr<byte>());
+        stages[1] = Stage(ShaderStageFlags.FragmentBit, m_fragment, fragment.AsPtr<byte>());
+        var vertices = new PipelineVertexInputStateCreateInfo(pNext: null);
+        var assembly = new PipelineInputAssemblyStateCreateInfo(topology: key.Topology);
+        var viewport = new PipelineViewportStateCreateInfo(viewportCount: 1, scissorCount: 1);
         var raster = Raster(key.State);
-        var samples = new VkPipelineMultisampleStateCreateInfo
-        {
-            sType = VkStructureType.PipelineMultisampleStateCreateInfo,
-            rasterizationSamples = 1,
-        };
+        var samples = new PipelineMultisampleStateCreateInfo(rasterizationSamples: SampleCountFlags.Count1Bit);
         var depth = Depth(key);
-        VkPipelineColorBlendAttachmentState* blends = stackalloc VkPipelineColorBlendAttachmentState[RenderTargets.MaxColors];
-        VkFormat* formats = stackalloc VkFormat[RenderTargets.MaxColors];
+        PipelineColorBlendAttachmentState* blends = stackalloc PipelineColorBlendAttachmentState[RenderTargets.MaxColors];
+        Format* formats = stackalloc Format[RenderTargets.MaxColors];
         for (int i = 0; i < key.ColorCount; i++)
         {
             blends[i] = Blend(key.State);
             formats[i] = key.Color(i);
         }
-        var blend = new VkPipelineColorBlendStateCreateInfo
-        {
-            sType = VkStructureType.PipelineColorBlendStateCreateInfo,
-            attachmentCount = (uint)key.ColorCount,
-            pAttachments = blends,
-        };
-        VkDynamicState* changing = stackalloc VkDynamicState[] { VkDynamicState.Viewport, VkDynamicState.Scissor };
-        var dynamic = new VkPipelineDynamicStateCreateInfo
-        {
-            sType = VkStructureType.PipelineDynamicStateCreateInfo,
-            dynamicStateCount = 2,
-            pDynamicStates = changing,
-        };
-        var rendering = new VkPipelineRenderingCreateInfo
-        {
-            sType = VkStructureType.PipelineRenderingCreateInfo,
-            colorAttachmentCount = (uint)key.ColorCount,
-            pColorAttachmentFormats = formats,
-            depthAttachmentFormat = key.Depth,
-        };
-        var create = new VkGraphicsPipelineCreateInfo
-        {
-            sType = VkStructureType.GraphicsPipelineCreateInfo,
-            pNext = &rendering,
-            stageCount = 2,
-            pStages = stages,
-            pVertexInputState = &vertices,
-            pInputAssemblyState = &assembly,
-            pViewportState = &viewport,
-            pRasterizationState = &raster,
-            pMultisampleState = &samples,
-            pDepthStencilState = &depth,
-            pColorBlendState = &blend,
-            pDynamicState = &dynamic,
-            layout = Layout.Pipeline,
-        };
-        ulong pipeline;
-        Vk.Check(Vk.vkCreateGraphicsPipelines(m_device.Handle, 0, 1, &create, null, &pipeline), "vkCreateGraphicsPipelines");
+        var blend = new PipelineColorBlendStateCreateInfo(attachmentCount: (uint)key.ColorCount, pAttachments: blends);
+        DynamicState* changing = stackalloc DynamicState[] { DynamicState.Viewport, DynamicState.Scissor };
+        var dynamic = new PipelineDynamicStateCreateInfo(dynamicStateCount: 2, pDynamicStates: changing);
+        var rendering = new PipelineRenderingCreateInfo(colorAttachmentCount: (uint)key.ColorCount,
+            pColorAttachmentFormats: formats, depthAttachmentFormat: key.Depth);
+        var create = new GraphicsPipelineCreateInfo(pNext: &rendering, stageCount: 2, pStages: stages,
+            pVertexInputState: &vertices, pInputAssemblyState: &assembly, pViewportState: &viewport,
+            pRasterizationState: &raster, pMultisampleState: &samples, pDepthStencilState: &depth, pColorBlendState: &blend,
+            pDynamicState: &dynamic, layout: Layout.Pipeline);
+        Pipeline pipeline;
+        Check(Api.CreateGraphicsPipelines(m_device.Handle, default, 1, &create, null, &pipeline), "vkCreateGraphicsPipelines");
         return pipeline;
     }
 
-    static VkPipelineShaderStageCreateInfo Stage(VkShaderStageFlags stage, ulong module, byte* entry) =>
-        new VkPipelineShaderStageCreateInfo
-        {
-            sType = VkStructureType.PipelineShaderStageCreateInfo,
-            stage = stage,
-            module = module,
-            pName = entry,
-        };
+    static PipelineShaderStageCreateInfo Stage(ShaderStageFlags stage, ShaderModule module, byte* entry) =>
+        new PipelineShaderStageCreateInfo(stage: stage, module: module, pName: entry);
 
     // Unity's front is clockwise; what is drawn into a texture is upside down, and so the other way round.
-    static VkPipelineRasterizationStateCreateInfo Raster(in FixedState state) => new VkPipelineRasterizationStateCreateInfo
-    {
-        sType = VkStructureType.PipelineRasterizationStateCreateInfo,
-        cullMode = state.Cull,
-        frontFace = VkFrontFace.CounterClockwise,
-        lineWidth = 1,
-    };
+    static PipelineRasterizationStateCreateInfo Raster(in FixedState state) => new PipelineRasterizationStateCreateInfo(
+        cullMode: state.Cull, frontFace: FrontFace.CounterClockwise, lineWidth: 1);
 
-    static VkPipelineDepthStencilStateCreateInfo Depth(in PipelineKey key) => new VkPipelineDepthStencilStateCreateInfo
-    {
-        sType = VkStructureType.PipelineDepthStencilStateCreateInfo,
-        depthTestEnable = key.Depth != VkFormat.Undefined ? 1u : 0,
-        depthWriteEnable = key.State.WritesDepth ? 1u : 0,
-        depthCompareOp = key.State.DepthTest,
-    };
+    static PipelineDepthStencilStateCreateInfo Depth(in PipelineKey key) => new PipelineDepthStencilStateCreateInfo(
+        depthTestEnable: key.Depth != Format.Undefined ? 1u : 0, depthWriteEnable: key.State.WritesDepth ? 1u : 0,
+        depthCompareOp: key.State.DepthTest);
 
-    static VkPipelineColorBlendAttachmentState Blend(in FixedState state) => new VkPipelineColorBlendAttachmentState
+    static PipelineColorBlendAttachmentState Blend(in FixedState state) => new PipelineColorBlendAttachmentState
     {
-        blendEnable = state.Blends ? 1u : 0,
-        srcColorBlendFactor = state.SourceColor,
-        dstColorBlendFactor = state.TargetColor,
-        colorBlendOp = state.ColorOperation,
-        srcAlphaBlendFactor = state.SourceAlpha,
-        dstAlphaBlendFactor = state.TargetAlpha,
-        alphaBlendOp = state.AlphaOperation,
-        colorWriteMask = state.ColorMask,
+        BlendEnable = state.Blends ? 1u : 0,
+        SrcColorBlendFactor = state.SourceColor,
+        DstColorBlendFactor = state.TargetColor,
+        ColorBlendOp = state.ColorOperation,
+        SrcAlphaBlendFactor = state.SourceAlpha,
+        DstAlphaBlendFactor = state.TargetAlpha,
+        AlphaBlendOp = state.AlphaOperation,
+        ColorWriteMask = (ColorComponentFlags)state.ColorMask,
     };
 }

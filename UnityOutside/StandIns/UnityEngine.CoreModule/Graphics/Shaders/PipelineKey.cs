@@ -3,13 +3,13 @@ namespace StandIns.Graphics;
 readonly struct PipelineKey : IEquatable<PipelineKey>
 {
     internal readonly FixedState State;
-    internal readonly VkPrimitiveTopology Topology;
-    internal readonly VkFormat Depth;
+    internal readonly PrimitiveTopology Topology;
+    internal readonly Format Depth;
     internal readonly int ColorCount;
     // 16 bits a target.
     readonly ulong m_colors;
 
-    internal PipelineKey(RenderTargets targets, in FixedState state, VkPrimitiveTopology topology)
+    internal PipelineKey(RenderTargets targets, in FixedState state, PrimitiveTopology topology)
     {
         State = state;
         Topology = topology;
@@ -20,7 +20,7 @@ readonly struct PipelineKey : IEquatable<PipelineKey>
             m_colors |= (ulong)targets.ColorFormat(i) << (16 * i);
     }
 
-    internal VkFormat Color(int index) => (VkFormat)(m_colors >> (16 * index) & 0xffff);
+    internal Format Color(int index) => (Format)(m_colors >> (16 * index) & 0xffff);
 
     public bool Equals(PipelineKey other) => State.Equals(other.State) && Topology == other.Topology && Depth == other.Depth
         && ColorCount == other.ColorCount && m_colors == other.m_colors;

@@ -79,44 +79,44 @@ sealed class RenderState
 
     internal FixedState Evaluate(in PropertyScope scope) => new FixedState
     {
-        Cull = (VkCullModeFlags)m_cull.Evaluate(scope),
-        DepthTest = m_zTest.Evaluate(scope) is var test && test == 0 ? VkCompareOp.Always : Reversed(test),
+        Cull = (CullModeFlags)m_cull.Evaluate(scope),
+        DepthTest = m_zTest.Evaluate(scope) is var test && test == 0 ? CompareOp.Always : Reversed(test),
         WritesDepth = m_zWrite.Evaluate(scope) != 0 && m_zTest.Evaluate(scope) != 0,
         SourceColor = Factor(m_sourceColor.Evaluate(scope)),
         TargetColor = Factor(m_targetColor.Evaluate(scope)),
         SourceAlpha = Factor(m_sourceAlpha.Evaluate(scope)),
         TargetAlpha = Factor(m_targetAlpha.Evaluate(scope)),
-        ColorOperation = (VkBlendOp)m_colorOperation.Evaluate(scope),
-        AlphaOperation = (VkBlendOp)m_alphaOperation.Evaluate(scope),
+        ColorOperation = (BlendOp)m_colorOperation.Evaluate(scope),
+        AlphaOperation = (BlendOp)m_alphaOperation.Evaluate(scope),
         ColorMask = (byte)m_colorMask,
     };
 
     // Near is 1 here and far 0: what is less far is greater.
-    static VkCompareOp Reversed(int test) => test switch
+    static CompareOp Reversed(int test) => test switch
     {
-        1 => VkCompareOp.Never,
-        2 => VkCompareOp.Greater,
-        3 => VkCompareOp.Equal,
-        4 => VkCompareOp.GreaterOrEqual,
-        5 => VkCompareOp.Less,
-        6 => VkCompareOp.NotEqual,
-        7 => VkCompareOp.LessOrEqual,
-        _ => VkCompareOp.Always,
+        1 => CompareOp.Never,
+        2 => CompareOp.Greater,
+        3 => CompareOp.Equal,
+        4 => CompareOp.GreaterOrEqual,
+        5 => CompareOp.Less,
+        6 => CompareOp.NotEqual,
+        7 => CompareOp.LessOrEqual,
+        _ => CompareOp.Always,
     };
 
-    static VkBlendFactor Factor(int factor) => factor switch
+    static BlendFactor Factor(int factor) => factor switch
     {
-        0 => VkBlendFactor.Zero,
-        1 => VkBlendFactor.One,
-        2 => VkBlendFactor.DstColor,
-        3 => VkBlendFactor.SrcColor,
-        4 => VkBlendFactor.OneMinusDstColor,
-        5 => VkBlendFactor.SrcAlpha,
-        6 => VkBlendFactor.OneMinusSrcColor,
-        7 => VkBlendFactor.DstAlpha,
-        8 => VkBlendFactor.OneMinusDstAlpha,
-        9 => VkBlendFactor.SrcAlphaSaturate,
-        _ => VkBlendFactor.OneMinusSrcAlpha,
+        0 => BlendFactor.Zero,
+        1 => BlendFactor.One,
+        2 => BlendFactor.DstColor,
+        3 => BlendFactor.SrcColor,
+        4 => BlendFactor.OneMinusDstColor,
+        5 => BlendFactor.SrcAlpha,
+        6 => BlendFactor.OneMinusSrcColor,
+        7 => BlendFactor.DstAlpha,
+        8 => BlendFactor.OneMinusDstAlpha,
+        9 => BlendFactor.SrcAlphaSaturate,
+        _ => BlendFactor.OneMinusSrcAlpha,
     };
 
     void ReadBlend(ShaderLabTokens tokens)

@@ -6,7 +6,7 @@ sealed unsafe class ShaderLayout
     const int MaxResources = 32;
 
     internal readonly ShaderResource[] Resources;
-    internal readonly ulong Pipeline;
+    internal readonly PipelineLayout Pipeline;
 
     internal ShaderLayout(GpuDevice device, string name, params SpirvModule[] stages)
     {
@@ -15,7 +15,7 @@ sealed unsafe class ShaderLayout
             foreach (ShaderResource resource in stage.Resources())
             {
                 ShaderResource same = resources.Find(r =>
-                    r.NameId == resource.NameId && r.Kind != VkDescriptorType.UniformBuffer);
+                    r.NameId == resource.NameId && r.Kind != DescriptorType.UniformBuffer);
                 if (same != null && same.Kind != resource.Kind)
                     throw new InvalidOperationException($"{name}: {resource.Name} is not the same kind of thing in both "
                         + $"stages");
@@ -33,51 +33,30 @@ sealed unsafe class ShaderLayout
     }
 
     /// <summary>A module as Vulkan wants it, when its bindings are set.</summary>
-    internal static ulong CreateModule(GpuDevice device, SpirvModule module)
+    internal static ShaderModule CreateModule(GpuDevice device, SpirvModule module)
     {
         fixed (uint* words = module.Words)
         {
-            var create = new VkShaderModuleCreateInfo
-            {
-                sType = VkStructureType.ShaderModuleCreateInfo,
-                codeSize = (UIntPtr)(module.Words.Length * 4),
-                pCode = words,
-            };
-            ulong handle;
-            Vk.Check(Vk.vkCreateShaderModule(device.Handle, &create, null, &handle), "vkCreateShaderModule");
+            var create = new ShaderModuleCreateInfo(codeSize: (UIntPtr)(module.Words.Length * 4), pCode: words);
+            ShaderModule handle;
+            Check(Api.CreateShaderModule(device.Handle, &create, null, &handle), "vkCreateShaderModule");
             return handle;
         }
     }
 
-    ulong Create(GpuDevice device)
+    PipelineLayout Create(GpuDevice device)
     {
-        VkDescriptorSetLayoutBinding[] bindings = Resources.Select(r => new VkDescriptorSetLayoutBinding
+        DescriptorSetLayoutBinding[] bindings = Resources.Select(r => new DescriptorSetLayoutBinding((uint)r.Binding, r.Kind, 1,
+            ShaderStageFlags.VertexBit | ShaderStageFlags.FragmentBit | ShaderStageFlags.ComputeBit)).ToArray();
+        fixed (DescriptorSetLayoutBinding* first = bindings)
         {
-            binding = (uint)r.Binding,
-            descriptorType = r.Kind,
-            descriptorCount = 1,
-            stageFlags = VkShaderStageFlags.Vertex | VkShaderStageFlags.Fragment | VkShaderStageFlags.Compute,
-        }).ToArray();
-        fixed (VkDescriptorSetLayoutBinding* first = bindings)
-        {
-            const uint isPushed = 1;
-            var create = new VkDescriptorSetLayoutCreateInfo
-            {
-                sType = VkStructureType.DescriptorSetLayoutCreateInfo,
-                flags = isPushed,
-                bindingCount = (uint)bindings.Length,
-                pBindings = first,
-            };
-            ulong set;
-            Vk.Check(Vk.vkCreateDescriptorSetLayout(device.Handle, &create, null, &set), "vkCreateDescriptorSetLayout");
-            var pipeline = new VkPipelineLayoutCreateInfo
-            {
-                sType = VkStructureType.PipelineLayoutCreateInfo,
-                setLayoutCount = 1,
-                pSetLayouts = &set,
-            };
-            ulong layout;
-            Vk.Check(Vk.vkCreatePipelineLayout(device.Handle, &pipeline, null, &layout), "vkCreatePipelineLayout");
+            var create = new DescriptorSetLayoutCreateInfo(flags: DescriptorSetLayoutCreateFlags.PushDescriptorBitKhr,
+                bindingCount: (uint)bindings.Length, pBindings: first);
+            DescriptorSetLayout set;
+            Check(Api.CreateDescriptorSetLayout(device.Handle, &create, null, &set), "vkCreateDescriptorSetLayout");
+            var pipeline = new PipelineLayoutCreateInfo(setLayoutCount: 1, pSetLayouts: &set);
+            PipelineLayout layout;
+            Check(Api.CreatePipelineLayout(device.Handle, &pipeline, null, &layout), "vkCreatePipelineLayout");
             return layout;
         }
     }

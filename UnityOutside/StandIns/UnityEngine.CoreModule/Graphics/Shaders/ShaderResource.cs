@@ -1,10 +1,10 @@
 namespace StandIns.Graphics;
 
-sealed class ShaderResource(uint variable, string name, VkDescriptorType kind)
+sealed class ShaderResource(uint variable, string name, DescriptorType kind)
 {
     internal readonly string Name = name;
     internal readonly int NameId = PropertyNames.IdOf(name);
-    internal readonly VkDescriptorType Kind = kind;
+    internal readonly DescriptorType Kind = kind;
     internal readonly uint Variable = variable;
     internal ShaderMember[] Members { get; set; } = System.Array.Empty<ShaderMember>();
     internal int Stride { get; set; }
@@ -12,7 +12,7 @@ sealed class ShaderResource(uint variable, string name, VkDescriptorType kind)
     internal bool IsArray { get; set; }
 
     /// <summary>Of a texture that is read and written at random; undefined where it may have any.</summary>
-    internal VkFormat Format { get; set; }
+    internal Format Format { get; set; }
 
     internal int Binding { get; set; }
 

@@ -14,16 +14,16 @@ static class SpirvImageFormats
     // The formats that glslang takes for float4, float2 and float: Rgba32f, Rg32f, R32f.
     static readonly HashSet<uint> s_assumed = new HashSet<uint> { 1, 6, 3 };
 
-    internal static VkFormat Vulkan(uint format) => format switch
+    internal static Format Vulkan(uint format) => format switch
     {
-        1 => VkFormat.R32g32b32a32Sfloat,
-        2 => VkFormat.R16g16b16a16Sfloat,
-        3 => VkFormat.R32Sfloat,
-        4 => VkFormat.R8g8b8a8Unorm,
-        24 => VkFormat.R32Sint,
-        30 => VkFormat.R32g32b32a32Uint,
-        33 => VkFormat.R32Uint,
-        _ => VkFormat.Undefined,
+        1 => Format.R32G32B32A32Sfloat,
+        2 => Format.R16G16B16A16Sfloat,
+        3 => Format.R32Sfloat,
+        4 => Format.R8G8B8A8Unorm,
+        24 => Format.R32Sint,
+        30 => Format.R32G32B32A32Uint,
+        33 => Format.R32Uint,
+        _ => Format.Undefined,
     };
 
     internal static byte[] WithoutAssumed(byte[] code)

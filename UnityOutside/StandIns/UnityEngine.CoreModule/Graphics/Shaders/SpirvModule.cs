@@ -87,24 +87,24 @@ sealed class SpirvModule
         switch (OpAt(at))
         {
             case Op.TypeSampler:
-                return new ShaderResource(variable, m_names[variable], VkDescriptorType.Sampler);
+                return new ShaderResource(variable, m_names[variable], DescriptorType.Sampler);
             case Op.TypeImage:
                 const uint storage = 2;
-                VkDescriptorType kind = m_words[at + 7] == storage ? VkDescriptorType.StorageImage
-                    : VkDescriptorType.SampledImage;
+                DescriptorType kind = m_words[at + 7] == storage ? DescriptorType.StorageImage
+                    : DescriptorType.SampledImage;
                 return new ShaderResource(variable, m_names[variable], kind)
                 {
                     IsArray = m_words[at + 5] != 0,
                     Format = SpirvImageFormats.Vulkan(m_words[at + 8]),
                 };
             case Op.TypeStruct when m_decorations.ContainsKey((type, uint.MaxValue, Decoration.BufferBlock)):
-                return new ShaderResource(variable, m_names[variable], VkDescriptorType.StorageBuffer)
+                return new ShaderResource(variable, m_names[variable], DescriptorType.StorageBuffer)
                 {
                     Stride = (int)Decorated(m_words[at + 2], Decoration.ArrayStride),
                     IsWritten = !m_decorations.ContainsKey((type, 0, Decoration.NonWritable)),
                 };
             case Op.TypeStruct:
-                return new ShaderResource(variable, m_names[type], VkDescriptorType.UniformBuffer)
+                return new ShaderResource(variable, m_names[type], DescriptorType.UniformBuffer)
                 { Members = MembersOf(type, at) };
             default:
                 throw new InvalidDataException($"{m_names[variable]}: resources of this kind (an array of them?) are not "
