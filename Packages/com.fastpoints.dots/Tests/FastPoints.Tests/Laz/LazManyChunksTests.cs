@@ -64,7 +64,7 @@ namespace FastPoints.Tests.Laz
                 for (int i = 0; i < Chunks; i++)
                     points.Add(5 + i % 11);
             }
-            long offset = Write(bytes, points, LazEncoder.Table(bytes, points));
+            long offset = Write(bytes, points, LazChunkTable.ToBytes(bytes, points));
             PointReader reader = null;
             try
             {
@@ -98,7 +98,7 @@ namespace FastPoints.Tests.Laz
         public void Open_MoreChunksClaimedThanBytes_IsRefusedInLittleMemory()
         {
             var bytes = Bytes(20);
-            var table = LazEncoder.Table(bytes, null);
+            var table = LazChunkTable.ToBytes(bytes);
             BitConverter.GetBytes(uint.MaxValue).CopyTo(table, 4);
             Write(bytes, null, table);
             SourceInfo info = null;
@@ -112,7 +112,7 @@ namespace FastPoints.Tests.Laz
             // A hole that has room for ten million chunks, and a table of twenty of them.
             var bytes = Bytes(20);
             bytes[19] = 300_000_000;
-            var table = LazEncoder.Table(bytes, null);
+            var table = LazChunkTable.ToBytes(bytes);
             BitConverter.GetBytes(10_000_000).CopyTo(table, 4);
             Write(bytes, null, table);
             SourceInfo info = null;

@@ -110,7 +110,7 @@ namespace FastPoints.Tests
             if (TablePlace == LazTablePlace.Missing)
                 return;
             long table = file.BaseStream.Position;
-            file.Write(LazEncoder.Table(bytes, HasVariableChunks ? points : null));
+            file.Write(LazChunkTable.ToBytes(bytes, HasVariableChunks ? points : null));
             if (TablePlace == LazTablePlace.AtFileEnd)
             {
                 file.Write(table);

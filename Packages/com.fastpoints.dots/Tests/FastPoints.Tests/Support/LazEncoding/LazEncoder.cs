@@ -51,26 +51,5 @@ namespace FastPoints.Tests
                 _ => throw new ArgumentException(item.Type + " does not go into pointwise chunks"),
             };
         }
-
-        /// <param name="points">Of each chunk; null where all are of the size that the VLR names.</param>
-        public static byte[] Table(IReadOnlyList<int> bytes, IReadOnlyList<int> points)
-        {
-            var table = new BinaryWriter(new MemoryStream());
-            table.Write(0u);
-            table.Write((uint)bytes.Count);
-            if (bytes.Count > 0)
-            {
-                var stream = new RangeEncoder();
-                var model = new IntegerEncoder(32, 2);
-                for (int i = 0; i < bytes.Count; i++)
-                {
-                    if (points != null)
-                        model.Encode(stream, i > 0 ? points[i - 1] : 0, points[i], 0);
-                    model.Encode(stream, i > 0 ? bytes[i - 1] : 0, bytes[i], 1);
-                }
-                table.Write(stream.Finish());
-            }
-            return ((MemoryStream)table.BaseStream).ToArray();
-        }
     }
 }
