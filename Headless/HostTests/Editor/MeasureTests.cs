@@ -20,10 +20,7 @@ public sealed class MeasureTests : ScratchTests
     }
 
     [OneTimeTearDown]
-    public void DeleteCloud()
-    {
-        m_folder.Dispose();
-    }
+    public void DeleteCloud() => m_folder.Dispose();
 
     [SetUp]
     public void MakeScene()

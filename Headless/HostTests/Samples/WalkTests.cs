@@ -373,10 +373,7 @@ public sealed class WalkTests : GraphicsFixture
         HeadlessGraphics.EndFrame();
     }
 
-    void Until(Func<bool> isDone)
-    {
-        ImportProject.Updates(Tick, isDone);
-    }
+    void Until(Func<bool> isDone) => ImportProject.Updates(Tick, isDone);
 
     /// <summary>Systems see what cameras saw a frame before. A camera that moves never rests.</summary>
     void Settle(bool rests = true)

@@ -44,10 +44,7 @@ public sealed unsafe class ThreadTests
     {
         [WriteOnly] public NativeArray<int> Out;
 
-        public void Execute(int index)
-        {
-            Out[index] = new NativeArray<int>(4, Allocator.Temp).Length;
-        }
+        public void Execute(int index) => Out[index] = new NativeArray<int>(4, Allocator.Temp).Length;
     }
 
     [Test]

@@ -22,10 +22,7 @@ static unsafe class AllocationLedger
         public string Site;
     }
 
-    static AllocationLedger()
-    {
-        AppDomain.CurrentDomain.ProcessExit += (sender, args) => ReportAtExit();
-    }
+    static AllocationLedger() => AppDomain.CurrentDomain.ProcessExit += (sender, args) => ReportAtExit();
 
     internal static NativeLeakDetectionMode Mode
     {
