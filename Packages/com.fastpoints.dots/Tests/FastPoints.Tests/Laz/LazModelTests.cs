@@ -26,22 +26,23 @@ namespace FastPoints.Tests.Laz
             var wanted = new int[20000];
             for (int i = 0; i < wanted.Length; i++)
                 wanted[i] = Math.Min(random.Next(symbols), random.Next(symbols));
-            var encoder = new RangeEncoder();
-            var model = new SymbolEncoder(symbols);
-            foreach (int symbol in wanted)
-                model.Encode(encoder, symbol);
-            var stream = encoder.Finish();
-
+            var stream = new byte[4 * wanted.Length];
             using (var state = new NativeArray<byte>(SymbolModel.BytesOf(capacity), Allocator.Persistent))
-                fixed (byte* input = Padded(stream))
+                fixed (byte* input = stream)
                 {
-                    byte* place = (byte*)state.GetUnsafePtr();
+                    byte* place = (byte*)state.GetUnsafePtr(), next = input;
                     SymbolModel.Initialize((SymbolModel*)place, symbols, capacity);
-                    byte* next = input;
+                    uint low = 0, size = uint.MaxValue;
+                    foreach (int symbol in wanted)
+                        SymbolModel.Encode(place, capacity, (uint)symbol, ref low, ref size, ref next);
+                    RangeCode.End(low, size, ref next);
+                    byte* end = next;
+                    SymbolModel.Initialize((SymbolModel*)place, symbols, capacity);
+                    next = input;
                     RangeCode.Start(out uint value, out uint length, ref next);
                     for (int i = 0; i < wanted.Length; i++)
                         Assert.That(SymbolModel.Decode(place, capacity, ref value, ref length, ref next), Is.EqualTo(wanted[i]));
-                    Assert.That(next - input, Is.EqualTo(stream.Length), "a decoder takes all that the encoder wrote");
+                    Assert.That(next - input, Is.EqualTo(end - input), "a decoder takes all that the encoder wrote");
                 }
         }
 
@@ -62,18 +63,20 @@ namespace FastPoints.Tests.Laz
                 if (bits < 32)
                     wanted[i] &= (int)mask;
             }
-            var encoder = new RangeEncoder();
-            var model = new IntegerEncoder(bits, Contexts);
-            for (int i = 0; i < wanted.Length; i++)
-                model.Encode(encoder, predictions[i], wanted[i], i % Contexts);
-            var stream = encoder.Finish();
-
+            var stream = new byte[8 * wanted.Length];
             using (var state = new NativeArray<byte>(IntegerModel.BytesOf(bits, Contexts), Allocator.Persistent))
-                fixed (byte* input = Padded(stream))
+                fixed (byte* input = stream)
                 {
-                    byte* place = (byte*)state.GetUnsafePtr();
+                    byte* place = (byte*)state.GetUnsafePtr(), next = input;
                     IntegerModel.Initialize(place, bits, Contexts);
-                    byte* next = input;
+                    uint low = 0, size = uint.MaxValue;
+                    for (int i = 0; i < wanted.Length; i++)
+                        IntegerModel.Encode(place, bits, Contexts, i % Contexts, unchecked(wanted[i] - predictions[i]), out _,
+                            ref low, ref size, ref next);
+                    RangeCode.End(low, size, ref next);
+                    byte* end = next;
+                    IntegerModel.Initialize(place, bits, Contexts);
+                    next = input;
                     RangeCode.Start(out uint value, out uint length, ref next);
                     for (int i = 0; i < wanted.Length; i++)
                     {
@@ -81,7 +84,7 @@ namespace FastPoints.Tests.Laz
                             ref next);
                         Assert.That((int)(unchecked(predictions[i] + difference) & mask), Is.EqualTo(wanted[i]), "number " + i);
                     }
-                    Assert.That(next - input, Is.EqualTo(stream.Length));
+                    Assert.That(next - input, Is.EqualTo(end - input));
                 }
         }
 
@@ -90,15 +93,17 @@ namespace FastPoints.Tests.Laz
         {
             var random = new Random(bits);
             var wanted = new uint[1000];
-            var encoder = new RangeEncoder();
-            for (int i = 0; i < wanted.Length; i++)
-            {
-                wanted[i] = (uint)(((long)random.Next() << 16 ^ random.Next()) & ((1L << bits) - 1));
-                encoder.Bits(bits, wanted[i]);
-            }
-            fixed (byte* input = Padded(encoder.Finish()))
+            fixed (byte* input = new byte[8 * wanted.Length])
             {
                 byte* next = input;
+                uint low = 0, size = uint.MaxValue;
+                for (int i = 0; i < wanted.Length; i++)
+                {
+                    wanted[i] = (uint)(((long)random.Next() << 16 ^ random.Next()) & ((1L << bits) - 1));
+                    RangeCode.PutBits(bits, wanted[i], ref low, ref size, ref next);
+                }
+                RangeCode.End(low, size, ref next);
+                next = input;
                 RangeCode.Start(out uint value, out uint length, ref next);
                 for (int i = 0; i < wanted.Length; i++)
                     Assert.That(RangeCode.Bits(bits, ref value, ref length, ref next), Is.EqualTo(wanted[i]));
@@ -147,12 +152,6 @@ namespace FastPoints.Tests.Laz
                 plain.Add(value);
                 Assert.That(Median5.Get(median), Is.EqualTo(plain.Value), "value " + i);
             }
-        }
-
-        static byte[] Padded(byte[] bytes)
-        {
-            Array.Resize(ref bytes, bytes.Length + RangeCode.PaddingBytes);
-            return bytes;
         }
 
         /// <summary>The hashes are those of an encoder that was written after the format's description alone and agreed with

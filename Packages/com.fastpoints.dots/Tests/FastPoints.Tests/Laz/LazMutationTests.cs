@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.IO;
+using FastPoints.Las;
 using FastPoints.Laz;
 using FastPoints.Reading;
 using NUnit.Framework;
@@ -36,11 +37,12 @@ namespace FastPoints.Tests.Laz
 
         static byte[] Own(int format, string kind, int seed)
         {
-            bool isV1 = format < 6 && seed % 2 == 0;
+            if (format < 6 && seed % 2 == 0)
+                return LazFileReading.FirstVersion(kind == "One" ? "one-stream" : "format" + format);
             var writer = new LazFileWriter
             {
                 PointFormat = format,
-                ItemVersion = format >= 6 ? 3 + seed % 2 : isV1 ? 1 : 2,
+                ItemVersion = format >= 6 ? 3 + seed % 2 : 2,
                 ExtraBytes = seed % 3,
                 HasVariableChunks = kind == "Variable",
                 TablePlace = kind == "Lost" ? LazTablePlace.Missing : seed % 2 == 0 ? LazTablePlace.AtFileEnd
@@ -120,15 +122,21 @@ namespace FastPoints.Tests.Laz
         static void MutateChunks(int format, int cases, int seed)
         {
             var random = new Random(seed);
-            var writer = new LazFileWriter { PointFormat = format, ExtraBytes = 2 };
+            int recordBytes = LasPointFormat.Of(format).RecordBytes + 3;
             for (int i = 0; i < cases; i++)
             {
-                writer.ItemVersion = format < 6 ? 1 + i % 2 : 3 + i % 2;
-                var items = writer.Items();
-                var sound = LazEncoder.Chunk(items, LazRecords.Make(format, 2, 20 + i % 50, seed + i));
+                var items = LazItems.Of(format, format < 6 ? 1 + i % 2 : 3 + i % 2, 3);
+                var sound = items[0].Version == 1 ? FirstVersionChunk(format, 500 + i)
+                    : LazEncoder.Chunk(items, LazRecords.Make(format, 3, 20 + i % 50, seed + i));
                 for (int k = 0; k < 4; k++)
-                    DecodeWithinBounds(items, writer.RecordBytes, Damage.Of(sound, random), 200, "seed " + seed + ", case " + i);
+                    DecodeWithinBounds(items, recordBytes, Damage.Of(sound, random), 200, "seed " + seed + ", case " + i);
             }
+        }
+
+        static byte[] FirstVersionChunk(int format, int bytes)
+        {
+            var file = LazFileReading.FirstVersion("format" + format);
+            return file.AsSpan(RecordFields.Int32(file, LasHeader.At.PointsOffset) + LazChunkTable.TableOffsetBytes, bytes).ToArray();
         }
 
         /// <summary>Decodes with marked memory behind the state and the tile, which must stay as it is.</summary>

@@ -55,7 +55,6 @@ namespace FastPoints.Tests.Laz
         static LazFileWriter Writer(int seed, LazTablePlace table) => new LazFileWriter
         {
             PointFormat = seed % 6,
-            ItemVersion = 1 + seed / 6 % 2,
             ChunkPoints = new[] { ChunkPoints },
             TablePlace = table,
         };

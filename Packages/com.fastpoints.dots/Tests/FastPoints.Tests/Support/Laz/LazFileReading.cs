@@ -7,6 +7,7 @@ using FastPoints.Laz;
 using FastPoints.Reading;
 using FastPoints.Sources;
 using FastPoints.Tests.Reading;
+using NUnit.Framework;
 using Unity.Collections.LowLevel.Unsafe;
 
 namespace FastPoints.Tests
@@ -14,6 +15,14 @@ namespace FastPoints.Tests
     /// <summary>Reads LAS and LAZ back into records, through columns: every bit of a record is in one.</summary>
     public static unsafe class LazFileReading
     {
+        /// <summary>A file with items as LASzip 1.x wrote them, which nothing writes any more.</summary>
+        public static byte[] FirstVersion(string name)
+        {
+            if (TestData.PackageRoot == null)
+                Assert.Ignore("the package's sources are not here");
+            return File.ReadAllBytes(Path.Combine(TestData.PackageRoot, "Tests/FastPoints.Tests/Laz/FirstVersion", name + ".laz.bytes"));
+        }
+
         public static PointReader Open(string path, int longChunkPoints = LazReader.MaxBlockPoints)
         {
             using var source = FileSource.Open(path);

@@ -21,7 +21,7 @@ namespace FastPoints.Tests
     {
         public int PointFormat;
 
-        /// <summary>Of the items: 1 or 2 for point formats 0 to 5, 3 or 4 above.</summary>
+        /// <summary>Of the items: 2 for point formats 0 to 5, 3 or 4 above.</summary>
         public int ItemVersion = 2;
 
         public int ExtraBytes;
