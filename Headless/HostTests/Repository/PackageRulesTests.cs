@@ -177,6 +177,7 @@ public sealed class PackageRulesTests
 
     [TestCase("Runtime/notes.txt", "nobody expects it here")]
     [TestCase("Library/x.cs", "nobody expects it here")]
+    [TestCase("Runtime/small.laz.bytes", "nobody expects it here")]
     [TestCase("notes.md", "nobody expects it here")]
     [TestCase("Documentation~/picture.jpg", "nobody expects it here")]
     [TestCase("Runtime/A/.DS_Store", "a hidden file")]

@@ -66,6 +66,7 @@ public static class FileRules
         if (!file.Contains('/'))
             return s_required.Contains(file) ||
                 s_required.Concat(s_folders).Contains(file.EndsWith(".meta", StringComparison.Ordinal) ? file[..^5] : "");
-        return isHidden ? IsOf(s_notImported) : s_folders.Contains(top) && IsOf(s_imported);
+        return isHidden ? IsOf(s_notImported) : s_folders.Contains(top) &&
+            (IsOf(s_imported) || top == "Tests" && file.EndsWith(".laz.bytes", StringComparison.Ordinal));
     }
 }

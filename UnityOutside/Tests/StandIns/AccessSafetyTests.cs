@@ -3,6 +3,20 @@ using StandIns.Memory;
 
 namespace UnityOutside.Tests.StandIns;
 
+struct WriteJob : IJob
+{
+    public NativeArray<int> Values;
+
+    public void Execute() => Values[0]++;
+}
+
+struct ReadJob : IJob
+{
+    [ReadOnly] public NativeArray<int> Values;
+
+    public void Execute() => _ = Values[0];
+}
+
 /// <summary>What Unity refuses when a container is touched, resized or disposed, and what it says of memory left behind.
 /// </summary>
 public sealed unsafe class AccessSafetyTests
@@ -24,20 +38,6 @@ public sealed unsafe class AccessSafetyTests
             m_values.Dispose();
         if (m_list.IsCreated)
             m_list.Dispose();
-    }
-
-    struct WriteJob : IJob
-    {
-        public NativeArray<int> Values;
-
-        public void Execute() => Values[0]++;
-    }
-
-    struct ReadJob : IJob
-    {
-        [ReadOnly] public NativeArray<int> Values;
-
-        public void Execute() => _ = Values[0];
     }
 
     struct WriteToReadOnlyJob : IJob

@@ -386,18 +386,4 @@ public sealed unsafe class AsyncReadTests
         IoThreads.Pause(false);
         file.Close().Complete();
     }
-
-    [Test]
-    public void GetFileInfo_PresentAndAbsent_AreReported()
-    {
-        FileInfoResult present, absent;
-        ReadHandle a = AsyncReadManager.GetFileInfo(m_path, &present);
-        ReadHandle b = AsyncReadManager.GetFileInfo(m_path + ".missing", &absent);
-        a.JobHandle.Complete();
-        b.JobHandle.Complete();
-        a.Dispose();
-        b.Dispose();
-        Assert.That((present.FileState, present.FileSize), Is.EqualTo((FileState.Exists, (long)FileBytes)));
-        Assert.That(absent.FileState, Is.EqualTo(FileState.Absent));
-    }
 }

@@ -23,20 +23,6 @@ public sealed unsafe class ScheduleSafetyTests
         m_list.Dispose();
     }
 
-    struct WriteJob : IJob
-    {
-        public NativeArray<int> Values;
-
-        public void Execute() => Values[0]++;
-    }
-
-    struct ReadJob : IJob
-    {
-        [ReadOnly] public NativeArray<int> Values;
-
-        public void Execute() => _ = Values[0];
-    }
-
     struct ReadOnlyViewJob : IJob
     {
         public NativeArray<int>.ReadOnly Values;

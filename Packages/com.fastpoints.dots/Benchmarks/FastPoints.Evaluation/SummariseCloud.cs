@@ -34,7 +34,7 @@ namespace FastPoints.Evaluation
             m_schema = reader.Info.Schema;
             m_hasPositions = m_schema.Has(AttributeNames.X) && m_schema.Has(AttributeNames.Y) && m_schema.Has(AttributeNames.Z);
             m_areRangesBounds = m_hasPositions && HaveWholeNumbers(m_schema, reader.Info.Transform);
-            Summary = new CloudSummary { Schema = m_schema, Columns = new ColumnSummary[m_schema.Count] };
+            Summary = new CloudSummary { Columns = new ColumnSummary[m_schema.Count] };
             for (int i = 0; i < m_schema.Count; i++)
                 Summary.Columns[i] = ColumnSummary.EmptyOf(m_schema[i].Type);
         }
@@ -175,7 +175,6 @@ namespace FastPoints.Evaluation
         public BoundsGeo Bounds { get; internal set; } = BoundsGeo.Empty;
 
         public long NonFinite { get; internal set; }
-        public PointSchema Schema { get; internal set; }
         public ColumnSummary[] Columns { get; internal set; }
 
         /// <summary>Points by class and by return number; null where there are none.</summary>

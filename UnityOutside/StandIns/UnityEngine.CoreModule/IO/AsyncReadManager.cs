@@ -39,15 +39,4 @@ public static unsafe class AsyncReadManager
             throw new InvalidOperationException("FileName is empty");
         return new FileHandle(OpenFile.Begin(fileName));
     }
-
-    public static ReadHandle GetFileInfo(string filename, FileInfoResult* result)
-    {
-        if (filename == null)
-            throw new ArgumentNullException(nameof(filename));
-        if (result == null)
-            throw new ArgumentNullException(nameof(result));
-        var request = ReadRequest.Take(filename, null, null, 0);
-        request.EnqueueInfo(result);
-        return new ReadHandle(request);
-    }
 }

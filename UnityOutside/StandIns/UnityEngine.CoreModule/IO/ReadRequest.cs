@@ -79,12 +79,6 @@ sealed unsafe class ReadRequest
         IoThreads.Enqueue(m_read);
     }
 
-    internal void EnqueueInfo(FileInfoResult* result)
-    {
-        Begin();
-        IoThreads.Enqueue(() => ReadInfo(result));
-    }
-
     /// <summary>The job is done that the commands waited for. Who did not wait for the file too, as the page on FileHandle asks,
     /// gets nothing.</summary>
     internal void EnqueueDeferred(ReadCommandArray* commands)
@@ -135,23 +129,6 @@ sealed unsafe class ReadRequest
             status = ReadStatus.Failed;
         file?.RemoveReader();
         Finish(Volatile.Read(ref m_cancelled) ? ReadStatus.Canceled : status);
-    }
-
-    void ReadInfo(FileInfoResult* result)
-    {
-        var status = ReadStatus.Complete;
-        try
-        {
-            var info = new FileInfo(m_path);
-            result->FileState = info.Exists ? FileState.Exists : FileState.Absent;
-            result->FileSize = info.Exists ? info.Length : 0;
-        }
-        catch (Exception exception) when (exception is IOException || exception is UnauthorizedAccessException
-            || exception is ArgumentException)
-        {
-            status = ReadStatus.Failed;
-        }
-        Finish(status);
     }
 
     void Finish(ReadStatus status)

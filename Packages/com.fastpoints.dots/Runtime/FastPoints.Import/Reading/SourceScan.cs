@@ -122,9 +122,6 @@ namespace FastPoints.Reading
             m_last = new JobHandle[chains];
         }
 
-        public int Count => m_reads.Count;
-        public int InFlight => m_inFlight.Count;
-
         public bool TryKeepStates()
         {
             Add();

@@ -136,7 +136,8 @@ namespace FastPoints.Tests.Laz
         static byte[] FirstVersionChunk(int format, int bytes)
         {
             var file = LazFileReading.FirstVersion("format" + format);
-            return file.AsSpan(RecordFields.Int32(file, LasHeader.At.PointsOffset) + LazChunkTable.TableOffsetBytes, bytes).ToArray();
+            int chunk = RecordFields.Int32(file, LasHeader.At.PointsOffset) + LazChunkTable.TableOffsetBytes;
+            return file.AsSpan(chunk, bytes).ToArray();
         }
 
         /// <summary>Decodes with marked memory behind the state and the tile, which must stay as it is.</summary>

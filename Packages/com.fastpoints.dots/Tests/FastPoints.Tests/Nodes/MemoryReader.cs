@@ -71,24 +71,16 @@ namespace FastPoints.Tests.Nodes
         long BytesOfSlot(PointSchema wanted) =>
             (long)MaxPointsPerBlock * (wanted.BytesPerPoint + Info.Schema.BytesPerPoint);
 
-        sealed class Slot : BlockRead
+        sealed class Slot : FilledRead
         {
             readonly MemoryReader m_reader;
-            NativeReference<DecodeResult> m_result;
 
             public Slot(MemoryReader reader, PointSchema wanted, int capacity, Allocator allocator)
-            {
-                m_reader = reader;
-                Points = new PointBatch(wanted, capacity, allocator);
-                Result = m_result = new NativeReference<DecodeResult>(allocator);
-            }
+                : base(reader, wanted, capacity, allocator) => m_reader = reader;
 
-            public override unsafe void Begin(BlockRange range)
+            protected override void Fill(BlockRange range, NativeArray<byte> bytes)
             {
                 m_reader.BlocksBehindNone += Dependency.Equals(default) ? 1 : 0;
-                Range = range;
-                FirstPoint = m_reader.FirstPointOfBlock(range.Block) + range.First;
-                var bytes = Points.Bytes;
                 for (int c = 0; c < Points.Schema.Count; c++)
                 {
                     int size = Points.Schema[c].Type.SizeOf();
@@ -97,19 +89,13 @@ namespace FastPoints.Tests.Nodes
                         (int)FirstPoint * size, raw, 0, raw.Length);
                     NativeArray<byte>.Copy(raw, 0, bytes, Points.Column(c).OffsetBytes, raw.Length);
                 }
-                m_result.Value = new DecodeResult { Points = range.Count };
-                Decoded = default;
             }
-
-            public override void Complete() => Points.Count = m_result.Value.Points;
 
             public override void Dispose()
             {
-                if (!m_result.IsCreated)
-                    return;
-                m_reader.SlotBytes -= m_reader.BytesOfSlot(Points.Schema);
-                Points.Dispose();
-                m_result.Dispose();
+                if (Result.IsCreated)
+                    m_reader.SlotBytes -= m_reader.BytesOfSlot(Points.Schema);
+                base.Dispose();
             }
         }
     }

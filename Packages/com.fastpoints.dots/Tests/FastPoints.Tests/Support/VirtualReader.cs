@@ -43,32 +43,26 @@ namespace FastPoints.Tests
             new VirtualRead(this, wanted, capacity, allocator);
     }
 
-    sealed class VirtualRead : BlockRead
+    /// <summary>A read whose points are there at once.</summary>
+    abstract class FilledRead : BlockRead
     {
         readonly PointReader m_reader;
         NativeReference<DecodeResult> m_result;
 
-        public VirtualRead(PointReader reader, PointSchema wanted, int capacity, Allocator allocator)
+        protected FilledRead(PointReader reader, PointSchema wanted, int capacity, Allocator allocator)
         {
             m_reader = reader;
             Points = new PointBatch(wanted, capacity, allocator);
             Result = m_result = new NativeReference<DecodeResult>(allocator);
         }
 
+        protected abstract void Fill(BlockRange range, NativeArray<byte> bytes);
+
         public override void Begin(BlockRange range)
         {
             Range = range;
             FirstPoint = m_reader.FirstPointOfBlock(range.Block) + range.First;
-            var bytes = Points.Bytes;
-            for (int axis = 0; axis < 3; axis++)
-            {
-                var column = bytes.GetSubArray(Points.Column(axis).OffsetBytes, 4 * range.Count).Reinterpret<int>(1);
-                for (int i = 0; i < range.Count; i++)
-                {
-                    long point = FirstPoint + i;
-                    column[i] = axis == 0 ? (int)(point % 150000) : axis == 1 ? (int)(point / 150000) : 7;
-                }
-            }
+            Fill(range, Points.Bytes);
             m_result.Value = new DecodeResult { Points = range.Count };
             Decoded = default;
         }
@@ -81,6 +75,25 @@ namespace FastPoints.Tests
                 return;
             Points.Dispose();
             m_result.Dispose();
+        }
+    }
+
+    sealed class VirtualRead : FilledRead
+    {
+        public VirtualRead(PointReader reader, PointSchema wanted, int capacity, Allocator allocator)
+            : base(reader, wanted, capacity, allocator) { }
+
+        protected override void Fill(BlockRange range, NativeArray<byte> bytes)
+        {
+            for (int axis = 0; axis < 3; axis++)
+            {
+                var column = bytes.GetSubArray(Points.Column(axis).OffsetBytes, 4 * range.Count).Reinterpret<int>(1);
+                for (int i = 0; i < range.Count; i++)
+                {
+                    long point = FirstPoint + i;
+                    column[i] = axis == 0 ? (int)(point % 150000) : axis == 1 ? (int)(point / 150000) : 7;
+                }
+            }
         }
     }
 }

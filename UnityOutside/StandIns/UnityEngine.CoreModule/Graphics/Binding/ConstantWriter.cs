@@ -19,13 +19,6 @@ static unsafe class ConstantWriter
                 fixed (float* first = &value.Matrix.m00)
                     Buffer.MemoryCopy(first, target, bytes, Math.Min(bytes, 64));
                 break;
-            case PropertyKind.Ints:
-                fixed (float* first = &value.Vector.x)
-                    Buffer.MemoryCopy(first, target, bytes, Math.Min(bytes, 16));
-                break;
-            case PropertyKind.Floats:
-                WriteElements(member, (float[])value.Reference, target);
-                break;
             case PropertyKind.Int:
                 if (member.IsFloat)
                     *(float*)target = value.Int;
@@ -52,16 +45,5 @@ static unsafe class ConstantWriter
                 ((float*)target)[i] = value[i];
             else
                 ((int*)target)[i] = unchecked((int)(long)value[i]);
-    }
-
-    // Elements of four components each, as Unity keeps arrays of vectors and matrices, or of one.
-    static void WriteElements(ShaderMember member, float[] values, byte* target)
-    {
-        int width = member.Columns > 1 ? 16 : member.Rows > 1 ? 4 : 1;
-        int count = Math.Min(member.Count, values.Length / width);
-        fixed (float* first = values)
-            for (int i = 0; i < count; i++)
-                UnsafeUtility.MemCpy(target + i * member.Stride, first + i * width,
-                    Math.Min(width, member.Columns > 1 ? 16 : member.Rows) * 4);
     }
 }

@@ -4,10 +4,8 @@ enum PropertyKind : byte
 {
     Float,
     Int,
-    Ints,
     Vector,
     Matrix,
-    Floats,
     Buffer,
     Texture,
 }
@@ -17,7 +15,7 @@ struct PropertyValue
     internal PropertyKind Kind;
     internal bool IsDepth;
     internal int Int;
-    /// <summary>A float is in x; Ints has its bits here.</summary>
+    /// <summary>A float is in x.</summary>
     internal Vector4 Vector;
     internal Matrix4x4 Matrix;
     internal object Reference;
@@ -26,17 +24,6 @@ struct PropertyValue
         new PropertyValue { Kind = PropertyKind.Float, Vector = new Vector4(value, 0, 0, 0) };
 
     internal static PropertyValue Of(int value) => new PropertyValue { Kind = PropertyKind.Int, Int = value };
-
-    internal static PropertyValue Of(int[] values)
-    {
-        if (values.Length > 4)
-            throw new System.ArgumentException("More than four whole numbers under one name are not supported", nameof(values));
-        PropertyValue value = default;
-        value.Kind = PropertyKind.Ints;
-        for (int i = 0; i < values.Length; i++)
-            value.Vector[i] = System.BitConverter.Int32BitsToSingle(values[i]);
-        return value;
-    }
 
     internal static PropertyValue Of(Vector4 value) => new PropertyValue { Kind = PropertyKind.Vector, Vector = value };
     internal static PropertyValue Of(in Matrix4x4 value) => new PropertyValue { Kind = PropertyKind.Matrix, Matrix = value };

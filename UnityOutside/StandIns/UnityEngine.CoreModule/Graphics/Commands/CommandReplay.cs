@@ -80,10 +80,6 @@ sealed unsafe partial class CommandReplay
             case CommandKind.SetGlobalTexture:
                 PropertySheet.Global.Set(command.A, m_temporaries.Resolve(m_buffer.Targets[command.Data]), command.B != 0);
                 break;
-            case CommandKind.SetArray:
-                PropertySheet sheet = command.X is ComputeShader shader ? shader.Constants : PropertySheet.Global;
-                sheet.Set(command.A, MemoryMarshal.Cast<byte, float>(m_buffer.Bytes.AsSpan(command.Data, command.B)));
-                break;
             case CommandKind.SetKeyword:
                 KeywordSet.Global.Set((string)command.X, command.A != 0);
                 break;

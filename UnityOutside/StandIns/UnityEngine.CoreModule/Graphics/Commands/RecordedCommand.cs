@@ -8,7 +8,6 @@ enum CommandKind : byte
     SetViewProjection,
     SetGlobal,
     SetGlobalTexture,
-    SetArray,
     SetKeyword,
     SetConstant,
     SetKernelBuffer,

@@ -26,31 +26,20 @@ public sealed class ComputeShader : Object
         return kernel >= 0 ? kernel : throw new ArgumentException($"Kernel '{name}' not found in {this.name}");
     }
 
-    public bool HasKernel(string name) => m_kernels.Exists(k => k.Name == name);
-
-    public void GetKernelThreadGroupSizes(int kernelIndex, out uint x, out uint y, out uint z) =>
-        (x, y, z) = Kernel(kernelIndex).Program(m_keywords).GroupSize;
-
     public void EnableKeyword(string keyword) => m_keywords.Set(keyword, true);
     public void DisableKeyword(string keyword) => m_keywords.Set(keyword, false);
     public void SetInt(int nameID, int val) => Constants.Set(nameID, PropertyValue.Of(val));
     public void SetInt(string name, int val) => SetInt(Shader.PropertyToID(name), val);
-    public void SetInts(int nameID, params int[] values) => Constants.Set(nameID, PropertyValue.Of(values));
     public void SetFloat(int nameID, float val) => Constants.Set(nameID, PropertyValue.Of(val));
     public void SetFloat(string name, float val) => SetFloat(Shader.PropertyToID(name), val);
     public void SetVector(int nameID, Vector4 val) => Constants.Set(nameID, PropertyValue.Of(val));
     public void SetMatrix(int nameID, Matrix4x4 val) => Constants.Set(nameID, PropertyValue.Of(val));
-    public void SetVectorArray(int nameID, Vector4[] values) => Constants.Set(nameID, values);
-    public void SetMatrixArray(int nameID, Matrix4x4[] values) => Constants.Set(nameID, values);
     public void SetBuffer(int kernelIndex, int nameID, GraphicsBuffer buffer) => Kernel(kernelIndex).Sheet.Set(nameID, buffer);
 
     public void SetBuffer(int kernelIndex, string name, GraphicsBuffer buffer) =>
         SetBuffer(kernelIndex, Shader.PropertyToID(name), buffer);
 
     public void SetTexture(int kernelIndex, int nameID, Texture texture) => Kernel(kernelIndex).Sheet.Set(nameID, texture);
-
-    public void SetTexture(int kernelIndex, int nameID, RenderTexture texture, int mipLevel, RenderTextureSubElement element) =>
-        Kernel(kernelIndex).Sheet.Set(nameID, texture, element == RenderTextureSubElement.Depth);
 
     public void Dispatch(int kernelIndex, int threadGroupsX, int threadGroupsY, int threadGroupsZ)
     {

@@ -10,6 +10,5 @@ public sealed class MaterialPropertyBlock
     public void SetInteger(int nameID, int value) => Sheet.Set(nameID, PropertyValue.Of(value));
     public void SetVector(int nameID, Vector4 value) => Sheet.Set(nameID, PropertyValue.Of(value));
     public void SetMatrix(int nameID, Matrix4x4 value) => Sheet.Set(nameID, PropertyValue.Of(value));
-    public void SetVectorArray(int nameID, Vector4[] values) => Sheet.Set(nameID, values);
     public void SetBuffer(int nameID, GraphicsBuffer value) => Sheet.Set(nameID, value);
 }

@@ -10,7 +10,6 @@ public sealed class Shader : Object
     }
 
     internal ShaderLabSource Source { get; }
-    public int passCount => Source.Passes.Count;
 
     public static int PropertyToID(string name) => PropertyNames.IdOf(name);
     public static void SetGlobalVector(int nameID, Vector4 value) => PropertySheet.Global.Set(nameID, PropertyValue.Of(value));

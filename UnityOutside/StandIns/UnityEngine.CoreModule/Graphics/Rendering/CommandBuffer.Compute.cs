@@ -12,9 +12,6 @@ public partial class CommandBuffer
     public void SetComputeMatrixParam(ComputeShader computeShader, int nameID, Matrix4x4 val) =>
         SetConstant(computeShader, nameID, PropertyValue.Of(val));
 
-    public void SetComputeVectorArrayParam(ComputeShader computeShader, int nameID, Vector4[] values) =>
-        AddArray(computeShader, nameID, MemoryMarshal.Cast<Vector4, float>(values));
-
     public void SetComputeBufferParam(ComputeShader computeShader, int kernelIndex, int nameID, GraphicsBuffer buffer) =>
         Add(new RecordedCommand
         {

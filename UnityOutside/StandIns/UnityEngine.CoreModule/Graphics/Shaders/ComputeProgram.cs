@@ -5,12 +5,10 @@ sealed unsafe class ComputeProgram
     internal readonly string Name;
     internal readonly ShaderLayout Layout;
     internal readonly Pipeline Pipeline;
-    internal readonly (uint X, uint Y, uint Z) GroupSize;
 
     internal ComputeProgram(GpuDevice device, string name, string entry, SpirvModule module)
     {
         Name = name;
-        GroupSize = module.GroupSize;
         Layout = new ShaderLayout(device, name, module);
         ShaderModule code = ShaderLayout.CreateModule(device, module);
         using GlobalMemory entryName = SilkMarshal.StringToMemory(entry);

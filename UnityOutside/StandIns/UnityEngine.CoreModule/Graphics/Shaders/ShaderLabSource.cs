@@ -13,7 +13,4 @@ sealed class ShaderLabSource(string name, ShaderFiles files)
             throw new ArgumentOutOfRangeException(nameof(index), $"{Name}: pass {index} of {Passes.Count}");
         return Passes[index];
     }
-
-    internal bool Value(PropertySheet sheet, int name, out PropertyValue value) =>
-        sheet.TryGet(name, out value) || Defaults.TryGet(name, out value);
 }

@@ -41,7 +41,6 @@ sealed class SpirvModule
     {
         Name = 5,
         MemberName = 6,
-        ExecutionMode = 16,
         TypeInt = 21,
         TypeFloat = 22,
         TypeVector = 23,
@@ -59,7 +58,6 @@ sealed class SpirvModule
     }
 
     internal uint[] Words => m_words;
-    internal (uint X, uint Y, uint Z) GroupSize { get; private set; }
 
     internal static SpirvModule For(GpuDevice device, byte[] code) =>
         new SpirvModule(device.WritesAnyFormat ? SpirvImageFormats.WithoutAssumed(code) : code);
@@ -155,9 +153,6 @@ sealed class SpirvModule
                     break;
                 case Op.MemberName:
                     m_memberNames[(m_words[at + 1], m_words[at + 2])] = Text(at + 3);
-                    break;
-                case Op.ExecutionMode when m_words[at + 2] == 17:
-                    GroupSize = (m_words[at + 3], m_words[at + 4], m_words[at + 5]);
                     break;
                 case Op.Decorate:
                     var decoration = (Decoration)m_words[at + 2];

@@ -31,7 +31,6 @@ namespace FastPoints.Streaming
 
         public FetchPhase Phase { get; private set; }
         public long Number { get; private set; }
-        public int CloudIndex { get; private set; }
         public StreamedCloud Cloud { get; private set; }
         public int Page { get; private set; }
         public bool IsTable { get; private set; }
@@ -43,9 +42,9 @@ namespace FastPoints.Streaming
 
         public NativeArray<FetchedNode> Nodes => m_nodes.AsArray();
 
-        public void BeginTable(long number, int cloudIndex, StreamedCloud cloud, int page)
+        public void BeginTable(long number, StreamedCloud cloud, int page)
         {
-            Begin(number, cloudIndex, cloud, page, true);
+            Begin(number, cloud, page, true);
             if (cloud.Source.TranscodesNodes)
             {
                 Build();
@@ -57,14 +56,14 @@ namespace FastPoints.Streaming
         }
 
         // Begins an empty read: Add some nodes, then call ReadNodes.
-        public void BeginNodes(long number, int cloudIndex, StreamedCloud cloud, int page) =>
-            Begin(number, cloudIndex, cloud, page, false);
+        public void BeginNodes(long number, StreamedCloud cloud, int page) =>
+            Begin(number, cloud, page, false);
 
         // The transcoder is of the cloud's source; this fetch gives it back.
-        public void BeginTranscoding(long number, int cloudIndex, StreamedCloud cloud, int page, FetchedNode node,
+        public void BeginTranscoding(long number, StreamedCloud cloud, int page, FetchedNode node,
             NodeTranscoder transcoder)
         {
-            Begin(number, cloudIndex, cloud, page, false);
+            Begin(number, cloud, page, false);
             m_nodes.Add(node);
             m_transcoder = transcoder;
             transcoder.Begin(cloud.Pages[page], node.Node);
@@ -269,10 +268,9 @@ namespace FastPoints.Streaming
                 UnsafeUtility.MemCpy(to, from, (long)count * sizeof(FetchPart));
         }
 
-        void Begin(long number, int cloudIndex, StreamedCloud cloud, int page, bool isTable)
+        void Begin(long number, StreamedCloud cloud, int page, bool isTable)
         {
             Number = number;
-            CloudIndex = cloudIndex;
             Cloud = cloud;
             Page = page;
             IsTable = isTable;

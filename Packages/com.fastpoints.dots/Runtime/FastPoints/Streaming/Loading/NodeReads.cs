@@ -92,7 +92,7 @@ namespace FastPoints.Streaming
                     !m_state.Clouds[missing.Cloud].Source.CanBuild(missing.Page))
                     continue;
                 page->Status = HierarchyPageStatus.Loading;
-                fetch.BeginTable(++m_count, missing.Cloud, m_state.Clouds[missing.Cloud], missing.Page);
+                fetch.BeginTable(++m_count, m_state.Clouds[missing.Cloud], missing.Page);
                 tables++;
             }
             ListWanted(m_state.Selector.Selected);
@@ -169,7 +169,7 @@ namespace FastPoints.Streaming
                     if (!hasRoom)
                         break;
                     if (bytes == 0)
-                        fetch.BeginNodes(++m_count, node.Cloud, cloud, node.Page);
+                        fetch.BeginNodes(++m_count, cloud, node.Page);
                     fetch.Add(new FetchedNode { Node = node.Node, Slot = slot, Version = m_state.Cache[slot].Version });
                     bytes += size;
                     stats.RequestedNodes++;
@@ -208,7 +208,7 @@ namespace FastPoints.Streaming
                 return false;
             }
             var wanted = new FetchedNode { Node = node.Node, Slot = slot, Version = m_state.Cache[slot].Version };
-            fetch.BeginTranscoding(++m_count, node.Cloud, cloud, node.Page, wanted, transcoder);
+            fetch.BeginTranscoding(++m_count, cloud, node.Page, wanted, transcoder);
             stats.RequestedNodes++;
             stats.RequestedBytes += bytes;
             return true;

@@ -20,7 +20,7 @@ namespace FastPoints.Tests
         {
             if (TestData.PackageRoot == null)
                 Assert.Ignore("the package's sources are not here");
-            return File.ReadAllBytes(Path.Combine(TestData.PackageRoot, "Tests/FastPoints.Tests/Laz/FirstVersion", name + ".laz.bytes"));
+            return File.ReadAllBytes(TestData.PackageRoot + "/Tests/FastPoints.Tests/Laz/FirstVersion/" + name + ".laz.bytes");
         }
 
         public static PointReader Open(string path, int longChunkPoints = LazReader.MaxBlockPoints)
