@@ -36,7 +36,7 @@ namespace FastPoints.Tests
             Own("LAS", "PointFormat7", () => Las(4, 7)),
             Own("LAS", "PointFormat10", () => Las(5, 10)),
             Own("LAZ", "Pointwise", () => Laz(3, 2, LazTablePlace.AtOffset)),
-            Own("LAZ", "PointwiseV1", () => Laz(1, 1, LazTablePlace.Missing)),
+            Own("LAZ", "PointwiseV1", () => LazFileReading.FirstVersion("format1")),
             Own("LAZ", "Layered", () => Laz(7, 3, LazTablePlace.AtFileEnd)),
             Own("LAZ", "LayeredV4", () => Laz(10, 4, LazTablePlace.AtOffset)),
             Own("COPC", "TwoLevelsAPage", () => new CopcFileWriter { LevelsPerPage = 2, MaxNodePoints = 30 }
