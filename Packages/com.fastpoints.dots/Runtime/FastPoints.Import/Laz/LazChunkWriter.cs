@@ -82,7 +82,7 @@ namespace FastPoints.Laz
 
         public LazChunkForm(LazItem[] items, int recordBytes)
         {
-            if (Array.Exists(items, item => item.Version == 1))
+            if (items[0].Version == 1)
                 throw new ArgumentException("items as LASzip 1.x wrote them are read alone");
             RecordBytes = recordBytes;
             IsLayered = items[0].IsLayered;
