@@ -47,6 +47,8 @@ public sealed class SourceFacts(PointReader reader)
             yield return line;
         yield return ("crs", Info.Crs.Summary ?? "unknown");
         yield return ("unit", UnitOf(Info.Crs.MetresPerUnit));
+        if (Info.GpsTime.Kind != GpsTimeKind.Unknown)
+            yield return ("GPS time", Info.GpsTime.ToString());
         TakeTree();
         if (m_tree is { } tree)
             yield return ("octree", Human.Count(tree.Nodes, "node") + " on " + Human.Count(tree.Levels.Count, "level")
@@ -173,6 +175,9 @@ public sealed class SourceFacts(PointReader reader)
         json.WriteString("crsWkt", crs.Wkt);
     }
 
+    internal static void WriteGpsTime(Utf8JsonWriter json, GpsTime time) =>
+        json.WriteString("gpsTime", time.Kind == GpsTimeKind.Unknown ? null : time.ToString());
+
     static void WriteCode(Utf8JsonWriter json, string key, int code)
     {
         if (code != 0)
@@ -257,6 +262,7 @@ public sealed class SourceFacts(PointReader reader)
         }
         json.WriteEndArray();
         WriteCrs(json, Info.Crs.ToCloudCrs());
+        WriteGpsTime(json, Info.GpsTime);
         json.WriteStartArray("facts");
         foreach (var fact in Info.Facts)
         {

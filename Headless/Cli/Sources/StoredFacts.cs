@@ -104,6 +104,8 @@ public sealed class StoredFacts
                 + Human.Coordinate(bounds.Max[axis], m_cloud.Grid.Step[axis]));
         yield return ("crs", m_cloud.CrsName ?? "unknown");
         yield return ("unit", SourceFacts.UnitOf(m_cloud.MetresPerUnit));
+        if (m_cloud.GpsTime.Kind != GpsTimeKind.Unknown)
+            yield return ("GPS time", m_cloud.GpsTime.ToString());
         yield return ("octree", Human.Count(m_cloud.NodeCount, "node") + " on " + Human.Count(m_levels.Count, "level") + " in "
             + Human.Count(m_cloud.ChunkCount, "chunk"));
         yield return ("sampler", m_cloud.Sampler);
@@ -139,6 +141,7 @@ public sealed class StoredFacts
         }
         json.WriteEndArray();
         SourceFacts.WriteCrs(json, m_cloud.Crs);
+        SourceFacts.WriteGpsTime(json, m_cloud.GpsTime);
         json.WriteStartObject("tree");
         json.WriteNumber("nodes", m_cloud.NodeCount);
         json.WriteNumber("chunks", m_cloud.ChunkCount);

@@ -44,6 +44,20 @@ namespace FastPoints.Build
             return manifest;
         }
 
+        /// <exception cref="PointCloudException">Numbers of theirs mean different things, so that they cannot be one
+        /// cloud.</exception>
+        public static void Check(IReadOnlyList<PointReader> readers)
+        {
+            var all = new SourceInfo { Path = readers[0].Info.Path };
+            var summary = new TileSummary(all);
+            foreach (var reader in readers)
+            {
+                reader.Info.ThrowIfInConflict();
+                summary.IncludeMeaning(reader.Info);
+            }
+            all.ThrowIfInConflict();
+        }
+
         /// <summary>One entry a file, tiles of a reader apart.</summary>
         static void AddSources(IReadOnlyList<PointReader> readers, IReadOnlyList<PointStatistics> statistics,
             CloudManifest manifest)
@@ -100,7 +114,9 @@ namespace FastPoints.Build
             manifest.CrsWkt = crs.Wkt;
             manifest.CrsEpsg = crs.Epsg;
             manifest.CrsVerticalEpsg = crs.VerticalEpsg;
+            manifest.CrsGeoKeys = crs.GeoKeys;
             manifest.MetresPerUnit = crs.MetresPerUnit;
+            manifest.GpsTime = build.Readers[0].Info.GpsTime;
         }
 
         static void AddSource(string path, long fileBytes, long points, CloudManifest manifest) =>

@@ -35,6 +35,7 @@ namespace FastPoints.Build
         public static IEnumerator<JobStep> Run(IReadOnlyList<PointReader> readers, string target, ConvertSettings settings,
             Action<ConvertResult> done, StageProgress progress)
         {
+            CloudDescription.Check(readers);
             using var convert = new ConvertCloud(new BuildContext(readers, target, settings, progress));
             progress?.Begin(BuildStages.Sample);
             yield return JobStep.Of(convert.Sample());

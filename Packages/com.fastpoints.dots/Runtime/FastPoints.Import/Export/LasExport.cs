@@ -20,8 +20,10 @@ namespace FastPoints.Export
         /// <summary>More bytes of records before the points than files have.</summary>
         const long MaxVlrBytes = 64 << 20;
 
+        /// <summary>Of adjusted standard time.</summary>
+        const int StandardOffsetMegaseconds = 1000;
+
         const double MaxSteps = uint.MaxValue - 1.0;
-        const ushort WktEncodingBit = 1 << 4;
 
         readonly LasHeader m_header;
         readonly List<byte[]> m_vlrs = new List<byte[]>();
@@ -38,6 +40,7 @@ namespace FastPoints.Export
         public LasExport(PointReader reader, string[] chosen, long maxPoints)
         {
             var info = reader.Info;
+            info.ThrowIfInConflict();
             m_isOnDegrees = double.IsNaN(info.Crs.MetresPerUnit);
             SetAxes(AttributeType.Int32);
             var las = (reader as ILasSource)?.Las;
@@ -60,9 +63,14 @@ namespace FastPoints.Export
                     "a LAS record has at most 65,535 bytes, these attributes take " + NumberText.Of(RecordBytes));
             m_header.RecordBytes = RecordBytes;
             if (las != null)
+            {
                 CopyRecords(las, chosen == null);
+            }
             else
+            {
                 AddCrs(info.Crs);
+                AddTime(info);
+            }
             SetPosition(info);
             BufferPoints = Math.Max(1, BufferBytes / RecordBytes);
         }
@@ -314,13 +322,36 @@ namespace FastPoints.Export
             m_tail.Add(((long)waves, LasVlr.ExtendedHeaderBytes + (long)Math.Min(data, room)));
         }
 
+        void AddTime(SourceInfo info)
+        {
+            var time = info.GpsTime;
+            bool isStandard = time.Kind == GpsTimeKind.AdjustedStandard ||
+                time.Kind == GpsTimeKind.Offset && time.OffsetMegaseconds == StandardOffsetMegaseconds;
+            if (isStandard)
+                m_header.GlobalEncoding |= LasHeader.StandardTimeBit;
+            else if (time.Kind != GpsTimeKind.Week && Columns.Exists(c => c.To.Name == AttributeNames.GpsTime))
+                Warnings.Add("LAS 1." + m_header.VersionMinor + " has no place for " + time +
+                    ": the numbers are kept, and readers take them for seconds of the week");
+        }
+
         void AddCrs(CoordinateSystem crs)
         {
             var wkt = Encoding.UTF8.GetBytes((crs.Wkt ?? "") + "\0");
-            if (crs.Wkt != null && wkt.Length <= ushort.MaxValue)
-            {
+            bool isExtended = m_header.PointFormat >= LasPointFormat.FirstExtended;
+            bool hasWkt = crs.Wkt != null && wkt.Length <= ushort.MaxValue;
+            if (hasWkt)
                 m_vlrs.Add(LasWriter.Vlr(LasVlr.ProjectionUser, LasVlr.WktRecord, "OGC WKT", wkt));
-                m_header.GlobalEncoding |= WktEncodingBit;
+            // Of a file that has both, the keys are for readers that know no text.
+            if (hasWkt && (isExtended || crs.GeoKeys == null))
+                m_header.GlobalEncoding |= LasHeader.WktBit;
+            for (int i = 0; crs.GeoKeys != null && i < LasGeoKeys.Records.Length; i++)
+                if (crs.GeoKeys[i].Length > 0)
+                    m_vlrs.Add(LasWriter.Vlr(LasVlr.ProjectionUser, LasGeoKeys.Records[i], "GeoTIFF keys", crs.GeoKeys[i]));
+            if (hasWkt || crs.GeoKeys != null)
+            {
+                if (!hasWkt && isExtended)
+                    Warnings.Add("point format " + m_header.PointFormat + " wants the coordinate system as WKT, the source has " +
+                        "GeoTIFF keys alone: these are kept, and readers that go by the letter see none");
             }
             else if (crs.Epsg != 0 || crs.VerticalEpsg != 0)
             {

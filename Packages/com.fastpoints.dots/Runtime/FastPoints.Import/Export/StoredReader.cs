@@ -153,7 +153,9 @@ namespace FastPoints.Export
                     Epsg = manifest.CrsEpsg,
                     VerticalEpsg = manifest.CrsVerticalEpsg,
                     MetresPerUnit = manifest.MetresPerUnit,
+                    GeoKeys = manifest.CrsGeoKeys,
                 },
+                GpsTime = manifest.GpsTime,
             };
         }
 

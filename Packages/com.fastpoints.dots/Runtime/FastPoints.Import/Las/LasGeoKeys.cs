@@ -23,6 +23,9 @@ namespace FastPoints.Las
         const int UserDefined = 32767;
         const int EntryBytes = 8;
 
+        public static readonly ushort[] Records =
+            { LasVlr.GeoKeyDirectoryRecord, LasVlr.GeoDoubleParamsRecord, LasVlr.GeoAsciiParamsRecord };
+
         // EPSG unit codes and their lengths in metres (GeoTIFF 1.0, 6.3.1.3).
         static readonly Dictionary<int, double> s_metresOfUnit = new Dictionary<int, double>
         {
@@ -51,6 +54,15 @@ namespace FastPoints.Las
                 info.Warn(record.DataOffset, "GeoTIFF key 0, which there is none of, stands " + NumberText.Of(keys.Empty)
                     + " times among " + NumberText.Of(count) + " keys: left out");
             keys.Fill(crs);
+        }
+
+        /// <summary>The three records as they are; empty ones where the file has none. Null without a directory.</summary>
+        public static byte[][] Bytes(LasVlrTable vlrs)
+        {
+            if (vlrs.Find(LasVlr.ProjectionUser, LasVlr.GeoKeyDirectoryRecord)?.DataBytes > 0)
+                return System.Array.ConvertAll(Records, id => vlrs.Find(LasVlr.ProjectionUser, id) is LasVlr record
+                    ? vlrs.Payload(record).Bytes : System.Array.Empty<byte>());
+            return null;
         }
 
         public static byte[] Directory(CoordinateSystem crs)

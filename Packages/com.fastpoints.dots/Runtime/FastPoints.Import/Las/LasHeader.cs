@@ -54,6 +54,7 @@ namespace FastPoints.Las
 
         public ushort FileSourceId;
         public ushort GlobalEncoding;
+        public const ushort StandardTimeBit = 1, WktBit = 1 << 4, TimeOffsetBit = 1 << 6;
         public byte[] Guid = new byte[16];
         public int VersionMinor;
         public string SystemIdentifier = "";
@@ -84,6 +85,10 @@ namespace FastPoints.Las
         public double MaxGpsTime;
         public double MinGpsTime;
         public ushort TimeOffset;
+
+        public GpsTime GpsTime =>
+            (GlobalEncoding & TimeOffsetBit) != 0 && HasBytes(BytesOf(5)) ? new GpsTime(GpsTimeKind.Offset, TimeOffset)
+            : new GpsTime((GlobalEncoding & StandardTimeBit) != 0 ? GpsTimeKind.AdjustedStandard : GpsTimeKind.Week);
 
         public static int BytesOf(int minorVersion) => s_bytesOfMinor[minorVersion];
 

@@ -48,12 +48,15 @@ namespace FastPoints.Las
             if (layout.DescribedBytes < header.RecordBytes)
                 info.Fact("extra bytes without a description", (header.RecordBytes - layout.DescribedBytes).ToString());
             info.Schema = layout.Schema;
+            if (info.Schema.Has(AttributeNames.GpsTime))
+                info.GpsTime = header.GpsTime;
             return new LasFile { Header = header, Vlrs = vlrs, Layout = layout, Info = info };
         }
 
         // WKT if it is readable, otherwise GeoTIFF keys: files with both have the keys for programs that cannot read WKT.
         static void ReadCrs(LasVlrTable vlrs, SourceInfo info)
         {
+            info.Crs.GeoKeys = LasGeoKeys.Bytes(vlrs);
             var record = vlrs.Find(LasVlr.ProjectionUser, LasVlr.WktRecord);
             if (record != null && record.DataBytes > 0)
             {

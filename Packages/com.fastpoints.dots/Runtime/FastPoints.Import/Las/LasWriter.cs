@@ -13,7 +13,6 @@ namespace FastPoints.Las
     internal sealed unsafe class LasWriter : IDisposable
     {
         const int BufferBytes = 1 << 20;
-        const ushort WktEncodingBit = 1 << 4;
         const string TemporarySuffix = ".partial";
 
         readonly string m_path;
@@ -54,7 +53,7 @@ namespace FastPoints.Las
                 GeneratingSoftware = settings.GeneratingSoftware ?? "",
                 CreationDay = (ushort)settings.CreationDay,
                 CreationYear = (ushort)settings.CreationYear,
-                GlobalEncoding = settings.Wkt != null && settings.VersionMinor >= 4 ? WktEncodingBit : (ushort)0,
+                GlobalEncoding = settings.Wkt != null && settings.VersionMinor >= 4 ? LasHeader.WktBit : (ushort)0,
             };
             m_bufferPoints = Math.Max(1, BufferBytes / recordBytes);
             m_buffer = new byte[m_bufferPoints * recordBytes];

@@ -51,6 +51,18 @@ namespace FastPoints.Reading
 
         public CoordinateSystem Crs = new CoordinateSystem();
 
+        /// <summary>Of unknown kind where there are no GPS times.</summary>
+        internal GpsTime GpsTime;
+
+        /// <summary>Why the files cannot be one cloud: null if they can. Each of them can be looked at.</summary>
+        internal string Conflict;
+
+        internal void ThrowIfInConflict()
+        {
+            if (Conflict != null)
+                throw new PointCloudException(FailureCode.Unsupported, Path, -1, Conflict);
+        }
+
         /// <summary>Everything else that the header says, as lines for people: name and value, in the file's order.</summary>
         public readonly List<KeyValuePair<string, string>> Facts = new List<KeyValuePair<string, string>>();
 
@@ -106,6 +118,9 @@ namespace FastPoints.Reading
 
         /// <summary>Metres of one horizontal unit (0.3048 for feet); 0 if unknown; NaN if the unit is an angle.</summary>
         public double MetresPerUnit;
+
+        /// <summary>GeoTIFF keys as a LAS file has them, its directory, doubles and text as bytes; null without keys.</summary>
+        internal byte[][] GeoKeys;
 
         public CloudCrs ToCloudCrs() => new CloudCrs
         {

@@ -77,6 +77,11 @@ namespace FastPoints.Store
         /// <summary>Metres of a horizontal unit; 0 where unknown, NaN where it is an angle.</summary>
         public double MetresPerUnit;
 
+        // GeoTIFF keys as LAS has them: directory, doubles, text; null without keys.
+        internal byte[][] CrsGeoKeys;
+
+        internal GpsTime GpsTime;
+
         public CloudCrs Crs => new CloudCrs
         {
             Name = CrsName,
@@ -138,7 +143,15 @@ namespace FastPoints.Store
                     .Add("color", shown.HasColor).EndObject();
             }
             json.BeginObject("crs").Add("name", CrsName).Add("epsg", CrsEpsg).Add("verticalEpsg", CrsVerticalEpsg)
-                .Add("metresPerUnit", MetresPerUnit).Add("wkt", CrsWkt).EndObject();
+                .Add("metresPerUnit", MetresPerUnit).Add("wkt", CrsWkt);
+            if (CrsGeoKeys != null)
+                json.Add("geoKeys", Convert.ToBase64String(CrsGeoKeys[0]))
+                    .Add("geoDoubles", Convert.ToBase64String(CrsGeoKeys[1]))
+                    .Add("geoText", Convert.ToBase64String(CrsGeoKeys[2]));
+            json.EndObject();
+            if (GpsTime.Kind != GpsTimeKind.Unknown)
+                json.BeginObject("gpsTime").Add("kind", GpsTime.Kind.ToString()).Add("offsetMegaseconds",
+                    GpsTime.OffsetMegaseconds).EndObject();
             json.BeginObject("settings").Add("sampler", Sampler).EndObject();
             json.BeginArray("sources");
             foreach (var source in Sources)
@@ -231,6 +244,14 @@ namespace FastPoints.Store
             CrsEpsg = crs.Int("epsg");
             CrsVerticalEpsg = crs.Int("verticalEpsg");
             MetresPerUnit = crs.Double("metresPerUnit");
+            if (crs.Has("geoKeys"))
+                CrsGeoKeys = new[] { Base64(crs, "geoKeys"), Base64(crs, "geoDoubles"), Base64(crs, "geoText") };
+            if (json.ObjectOrNull("gpsTime") is JsonMembers time)
+            {
+                if (!Enum.TryParse(time.Text("kind"), out GpsTimeKind kind))
+                    throw time.Bad("kind", "a kind of GPS time");
+                GpsTime = new GpsTime(kind, (int)time.Count("offsetMegaseconds", ushort.MaxValue));
+            }
             Sampler = json.Object("settings").Text("sampler");
             foreach (var source in json.Objects("sources"))
             {
@@ -240,6 +261,18 @@ namespace FastPoints.Store
                     FileBytes = source.Count("bytes"),
                     Points = source.Count("points"),
                 });
+            }
+        }
+
+        static byte[] Base64(JsonMembers json, string name)
+        {
+            try
+            {
+                return Convert.FromBase64String(json.Text(name));
+            }
+            catch (FormatException)
+            {
+                throw json.Bad(name, "bytes in base 64");
             }
         }
 

@@ -30,6 +30,8 @@ namespace FastPoints.Tests.Las
         public double[] Min = { 0, 0, 0 };
         public double[] Max = { 1000, 1000, 1000 };
         public int Padding;
+        public int GlobalEncoding;
+        public int TimeOffset;
 
         public LasTestFile() : base(".las") { }
 
@@ -82,6 +84,7 @@ namespace FastPoints.Tests.Las
         {
             var header = new byte[HeaderBytesOfMinor[Minor]];
             Encoding.ASCII.GetBytes("LASF").CopyTo(header, 0);
+            BitConverter.GetBytes((ushort)GlobalEncoding).CopyTo(header, 6);
             header[24] = 1;
             header[25] = (byte)Minor;
             Encoding.ASCII.GetBytes("test system").CopyTo(header, 26);
@@ -102,6 +105,8 @@ namespace FastPoints.Tests.Las
                 BitConverter.GetBytes(Max[axis]).CopyTo(header, 179 + 16 * axis);
                 BitConverter.GetBytes(Min[axis]).CopyTo(header, 187 + 16 * axis);
             }
+            if (Minor >= 5)
+                BitConverter.GetBytes((ushort)TimeOffset).CopyTo(header, 391);
             if (Minor >= 4)
             {
                 if (m_evlrs.Count > 0)

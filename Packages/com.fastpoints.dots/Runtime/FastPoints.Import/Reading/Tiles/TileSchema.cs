@@ -268,6 +268,7 @@ namespace FastPoints.Reading
         string m_pathOfOtherCrs;
         int m_otherCrs;
         int m_withoutCrs;
+        string m_pathOfTime;
         bool m_hasBounds = true;
 
         public TileSummary(SourceInfo info)
@@ -303,7 +304,19 @@ namespace FastPoints.Reading
             if (tile.HasBoundsClaimed && !tile.BoundsClaimed.IsEmpty)
                 m_info.BoundsClaimed.Include(tile.BoundsClaimed);
             m_hasBounds &= tile.HasBoundsClaimed || tile.PointsReadable == 0;
+            IncludeMeaning(tile);
+        }
+
+        public void IncludeMeaning(SourceInfo tile)
+        {
             IncludeCrs(tile);
+            if (tile.GpsTime.Kind == GpsTimeKind.Unknown)
+                return;
+            if (m_pathOfTime == null)
+                (m_pathOfTime, m_info.GpsTime) = (tile.Path, tile.GpsTime);
+            else if (!m_info.GpsTime.Equals(tile.GpsTime))
+                m_info.Conflict ??= "GPS times of two kinds do not go together: " + m_pathOfTime + " has " + m_info.GpsTime +
+                    ", " + tile.Path + " has " + tile.GpsTime;
         }
 
         void IncludeCrs(SourceInfo tile)
@@ -336,6 +349,8 @@ namespace FastPoints.Reading
             m_info.Format = m_formats.Count == 1 ? new List<string>(m_formats.Keys)[0] : "several formats";
             m_info.Facts.Insert(0, new KeyValuePair<string, string>("files",
                 tiles.ToString("N0", CultureInfo.InvariantCulture) + ": " + string.Join(", ", formats)));
+            if (m_info.Conflict != null)
+                m_info.Warn(-1, m_info.Conflict);
             m_info.HasBoundsClaimed = m_hasBounds && !m_info.BoundsClaimed.IsEmpty;
             if (m_otherCrs > 0)
                 m_info.Warn(-1, "coordinate systems differ: " + m_info.Crs.Summary + " was taken (of " + m_pathOfCrs + "), " +

@@ -47,6 +47,7 @@ namespace FastPoints.Sources
             index.Info.Schema = las.Info.Schema;
             index.Info.Transform = las.Info.Transform;
             index.Info.PointFormat = las.Header.PointFormat;
+            index.Info.GpsTime = las.Info.GpsTime;
             if (!index.Info.Crs.IsKnown)
                 index.Info.Crs = las.Info.Crs;
             like.Laz.AddFacts(index.Info);

@@ -1,0 +1,44 @@
+using System;
+
+namespace FastPoints
+{
+    /// <summary>What GPS times count from: numbers of two kinds do not go together.</summary>
+    internal enum GpsTimeKind
+    {
+        Unknown,
+
+        /// <summary>Seconds of the GPS week.</summary>
+        Week,
+
+        /// <summary>Seconds since 1980-01-06, less 10^9.</summary>
+        AdjustedStandard,
+
+        /// <summary>Seconds since 1980-01-06, less an offset that the file names (LAS 1.5).</summary>
+        Offset,
+    }
+
+    /// <summary>The kind of a source's GPS times, as LAS has it in bits 0 and 6 of the global encoding.</summary>
+    internal readonly struct GpsTime : IEquatable<GpsTime>
+    {
+        public readonly GpsTimeKind Kind;
+
+        /// <summary>Of times with an offset, in millions of seconds.</summary>
+        public readonly int OffsetMegaseconds;
+
+        public GpsTime(GpsTimeKind kind, int offsetMegaseconds = 0)
+        {
+            Kind = kind;
+            OffsetMegaseconds = kind == GpsTimeKind.Offset ? offsetMegaseconds : 0;
+        }
+
+        public bool Equals(GpsTime other) => Kind == other.Kind && OffsetMegaseconds == other.OffsetMegaseconds;
+
+        public override string ToString() => Kind switch
+        {
+            GpsTimeKind.Week => "seconds of the GPS week",
+            GpsTimeKind.AdjustedStandard => "adjusted standard GPS time",
+            GpsTimeKind.Offset => "GPS time less " + OffsetMegaseconds + " million seconds",
+            _ => "GPS time of unknown kind",
+        };
+    }
+}
