@@ -52,6 +52,39 @@ public sealed class AuthoringTests : ScratchTests
         Assert.That(cloud.Entity, Is.EqualTo(Entity.Null));
     }
 
+    sealed class MoveLate : MonoBehaviour
+    {
+        public float X;
+
+        void Update()
+        {
+            var moved = Matrix4x4.identity;
+            moved.m03 = X;
+            SceneLoop.Place(transform, moved);
+        }
+    }
+
+    [Test]
+    public void PointCloudAndClipBox_MovedAfterTheirUpdate_AreThereInTheSameFrame()
+    {
+        var scene = new GameObject("scan");
+        var cloud = scene.AddComponent<FastPoints.Entities.PointCloud>();
+        cloud.Path = m_cloud;
+        scene.AddComponent<PointCloudClipBox>();
+        var mover = scene.AddComponent<MoveLate>();
+        SceneLoop.IsPlaying = true;
+        SceneLoop.Refresh(mover);
+        SceneLoop.IsPlaying = false;
+        for (mover.X = 1; mover.X < 4; mover.X++)
+        {
+            SceneLoop.Update();
+            using var placed = m_world.EntityManager.CreateEntityQuery(typeof(LocalToWorld))
+                .ToComponentDataArray<LocalToWorld>(Allocator.Temp);
+            Assert.That(placed.ToArray().Select(p => p.Value.c3.x), Is.EqualTo(new[] { mover.X, mover.X }));
+        }
+        UnityEngine.Object.DestroyImmediate(scene);
+    }
+
     [Test]
     public void PointCloud_LayerSceneAndEye_AreThoseOfItsGameObject()
     {

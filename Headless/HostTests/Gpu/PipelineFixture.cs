@@ -121,7 +121,12 @@ public abstract class PipelineFixture : GraphicsFixture
         }
         Assert.That(Group.Stats.IsSettled, Is.True, "streaming did not come to rest");
         Pipeline.Render(camera);
-        var request = AsyncGPUReadback.Request(camera.targetTexture);
+        return Picture(camera.targetTexture, slice);
+    }
+
+    protected static RgbaImage Picture(RenderTexture target, int slice = 0)
+    {
+        var request = AsyncGPUReadback.Request(target);
         request.WaitForCompletion();
         // Into a texture the engine draws with the lowest row first.
         var pixels = request.GetData<byte>(slice).ToArray();

@@ -1,3 +1,5 @@
+using UnityEngine.Rendering.HighDefinition;
+using UnityEngine.Rendering.Universal;
 using UnityEngine.XR;
 
 namespace FastPoints.HostTests.Gpu;
@@ -113,6 +115,7 @@ public sealed class StereoPassTests : PipelineFixture
         using var reference = new StreamContext(new MemoryNodePool(64 << 20, 8 << 20));
         Add(reference, options, out _);
         var single = Target(1);
+        var right = Target(1);
         var headset = Headset(single, AlongAxes);
         for (int eye = 0; eye < 2; eye++)
         {
@@ -120,9 +123,10 @@ public sealed class StereoPassTests : PipelineFixture
             if (Pipeline is UrpHost urp)
                 urp.Eye = eye;
             else
-                headset.stereoActiveEye = (Camera.MonoOrStereoscopicEye)eye;
+                headset.RightEye = right;
             var seen = Render(headset);
-            headset.stereoActiveEye = Camera.MonoOrStereoscopicEye.Left;
+            if (eye == 1 && headset.RightEye != null)
+                seen = Picture(headset.RightEye);
             RenderOnce(headset);
             Assert.That(Scene.NextViews.Length, Is.EqualTo(2));
             var camera = CameraAt(AlongAxes(eye), ProjectionOf(eye), single);
@@ -133,5 +137,35 @@ public sealed class StereoPassTests : PipelineFixture
         }
         UnityEngine.Object.DestroyImmediate(headset.gameObject);
         single.Release();
+        right.Release();
+    }
+
+    /// <summary>A spectator's on a desktop, beside the headset.</summary>
+    [TestCase(nameof(UrpHost))]
+    [TestCase(nameof(HdrpHost))]
+    public void Render_CameraThatTheHeadsetDoesNotShow_IsItsOwnPictureAndSelection(string pipeline)
+    {
+        Scene.Style = StyleOf("discs");
+        Begin(pipeline);
+        var options = new PictureOptions { WidthPx = WidthPx, HeightPx = HeightPx, Color = ColorMode.Rgb };
+        using var reference = new StreamContext(new MemoryNodePool(64 << 20, 8 << 20));
+        Add(reference, options, out _);
+        // HDRP's targets have a slice for each eye, whoever is drawn.
+        var target = Target(pipeline == nameof(HdrpHost) ? 2 : 1);
+        var camera = CameraAt(AlongAxes(0), ProjectionOf(0), target);
+        var wanted = Render(camera);
+        camera.stereoEnabled = true;
+        camera.stereoActiveEye = Camera.MonoOrStereoscopicEye.Left;
+        camera.Eyes = new[] { (ViewOf(At(0)), ProjectionOf(0)), (ViewOf(At(1)), ProjectionOf(1)) };
+        if (pipeline == nameof(UrpHost))
+            camera.gameObject.AddComponent<UniversalAdditionalCameraData>().allowXRRendering = false;
+        else
+            camera.gameObject.AddComponent<HDAdditionalCameraData>().xrRendering = false;
+        var seen = Render(camera);
+        Assert.That(wanted.Rgba.Count(b => b != 0), Is.GreaterThan(20_000));
+        Assert.That(seen.Rgba, Is.EqualTo(wanted.Rgba));
+        Assert.That(Scene.NextViews.Length, Is.EqualTo(1));
+        UnityEngine.Object.DestroyImmediate(camera.gameObject);
+        target.Release();
     }
 }

@@ -44,7 +44,8 @@ sealed class UrpHost : PipelineHost
         var description = camera.targetTexture.descriptor;
         (description.width, description.height) = (camera.pixelWidth, camera.pixelHeight);
         cameraData.cameraTargetDescriptor = description;
-        cameraData.xrRendering = camera.stereoEnabled;
+        cameraData.xrRendering = camera.stereoEnabled &&
+            (!camera.TryGetComponent<UniversalAdditionalCameraData>(out var data) || data.allowXRRendering);
         cameraData.Eye = Eye;
         foreach (var pass in m_renderer.Passes)
             pass.RecordRenderGraph(graph, frame);

@@ -28,6 +28,11 @@ public class HDCamera
     public int actualHeight => camera.pixelHeight;
 }
 
+public class HDAdditionalCameraData : MonoBehaviour
+{
+    public bool xrRendering = true;
+}
+
 public struct CustomPassContext
 {
     public readonly CommandBuffer cmd;

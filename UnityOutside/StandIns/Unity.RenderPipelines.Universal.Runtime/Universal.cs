@@ -32,6 +32,7 @@ public abstract class ScriptableRenderer
 public class UniversalAdditionalCameraData : MonoBehaviour
 {
     public CameraRenderType renderType { get; set; }
+    public bool allowXRRendering { get; set; } = true;
 
     /// <summary>The pipeline's own, where the camera has none.</summary>
     public ScriptableRenderer scriptableRenderer =>

@@ -19,6 +19,12 @@ namespace FastPoints.Rendering
         {
             if (camera.stereoEnabled && camera.stereoActiveEye != Camera.MonoOrStereoscopicEye.Mono)
                 return Of(camera, (Camera.StereoscopicEye)camera.stereoActiveEye);
+            return OfMono(camera);
+        }
+
+        /// <summary>The camera's own, also of one that a headset does not show while it runs.</summary>
+        internal static EyeMatrices OfMono(Camera camera)
+        {
             var eye = Of(camera.worldToCameraMatrix, camera.projectionMatrix);
             var place = camera.transform.position;
             var exact = new double3(place.x, place.y, place.z);

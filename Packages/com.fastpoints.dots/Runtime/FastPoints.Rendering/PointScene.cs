@@ -115,14 +115,17 @@ namespace FastPoints.Rendering
 
         // The next frame selects for this camera, too, as it was last announced: for both eyes of a headset, even if they are
         // drawn one after the other. A camera may be drawn any number of times before that frame comes, if at all.
-        public void AddView(Camera camera)
+        // isForHeadset: Camera.stereoEnabled does not know what a pipeline's own settings say.
+        public void AddView(Camera camera, bool isForHeadset = true)
         {
+            isForHeadset &= camera.stereoEnabled;
             var seen = CameraOf(camera);
             var views = seen.Views;
             if (seen.AnnouncedFrame != m_frame)
                 views.Clear();
             seen.AnnouncedFrame = m_frame;
-            var view = camera.stereoEnabled ? EyeOf(camera, Camera.StereoscopicEye.Left) : CameraViews.StreamViewOf(camera);
+            var view = isForHeadset ? EyeOf(camera, Camera.StereoscopicEye.Left)
+                : CameraViews.StreamViewOf(camera, EyeMatrices.OfMono(camera), camera.pixelHeight);
             var drawn = (camera.pixelWidth, camera.pixelHeight, view.Mask.Scenes, view.Mask.HiddenLayers);
             // The order stays: another one would be another frame's.
             int at = 0;
@@ -134,7 +137,7 @@ namespace FastPoints.Rendering
             for (; views.Count >= MaxViews; at = views.Count)
                 views.RemoveAt(0);
             views.Insert(at, (drawn, view));
-            if (camera.stereoEnabled)
+            if (isForHeadset)
                 views.Insert(at + 1, (drawn, EyeOf(camera, Camera.StereoscopicEye.Right)));
         }
 

@@ -33,5 +33,11 @@ public class Component : Object
         return default;
     }
 
+    public void GetComponentsInChildren<T>(bool includeInactive, List<T> result)
+    {
+        result.Clear();
+        result.AddRange(GetComponentsInChildren<T>(includeInactive));
+    }
+
     public T[] GetComponentsInChildren<T>(bool includeInactive) => gameObject.GetComponentsInChildren<T>(includeInactive);
 }

@@ -13,7 +13,7 @@ static class SceneLoop
     /// <summary>What was there before is not told anew.</summary>
     public static bool IsPlaying { get; set; }
 
-    /// <summary>One frame: an Update of all that are enabled, then what was destroyed in it goes.</summary>
+    /// <summary>One frame: an Update of all that are enabled, a LateUpdate, then what was destroyed in it goes.</summary>
     public static void Update()
     {
         for (int i = 0; i < s_told.Count; i++)
@@ -24,6 +24,8 @@ static class SceneLoop
             behaviour.IsStarted = true;
             Send(behaviour, "Update");
         }
+        for (int i = 0; i < s_told.Count; i++)
+            Send(s_told[i], "LateUpdate");
         foreach (var removing in s_leaving.ToArray())
             Object.DestroyImmediate(removing);
         s_leaving.Clear();

@@ -178,12 +178,18 @@ namespace FastPoints.Entities
             if (!m_entity.TryGet(out var entities))
                 return;
             AssignOwner(entities);
-            TransformMatrix.Set(entities, Entity, transform, ref m_placed);
             var layer = Layer;
             if (layer.IsSame(m_layer))
                 return;
             m_layer = layer;
             entities.SetComponentData(Entity, layer);
+        }
+
+        // Animations, timelines and scripts move what meshes follow after Update.
+        void LateUpdate()
+        {
+            if (m_entity.TryGet(out var entities))
+                TransformMatrix.Set(entities, Entity, transform, ref m_placed);
         }
 
         static PointCloudSystemGroup GroupOf(EntityManager entities) =>

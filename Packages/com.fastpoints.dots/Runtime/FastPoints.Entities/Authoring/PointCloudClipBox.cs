@@ -38,9 +38,14 @@ namespace FastPoints.Entities
                 entities.AddComponentData(m_entity.Value, new PointCloudClip { Cuts = m_cuts = Cuts });
                 entities.AddComponentData(m_entity.Value, m_placed = TransformMatrix.Of(transform));
             }
-            TransformMatrix.Set(entities, m_entity.Value, transform, ref m_placed);
             if (m_cuts != Cuts)
                 entities.SetComponentData(m_entity.Value, new PointCloudClip { Cuts = m_cuts = Cuts });
+        }
+
+        void LateUpdate()
+        {
+            if (m_entity.TryGet(out var entities))
+                TransformMatrix.Set(entities, m_entity.Value, transform, ref m_placed);
         }
 
         void OnDrawGizmosSelected()

@@ -37,6 +37,7 @@ namespace FastPoints.Entities
         [HideInInspector]
         UpAxis m_up = UpAxis.Z;
 
+        static readonly List<PointCloud> s_found = new List<PointCloud>();
         readonly List<PointCloud> m_clouds = new List<PointCloud>();
         double3 m_shown;
 
@@ -130,9 +131,13 @@ namespace FastPoints.Entities
         /// <summary>The first in the hierarchy decides, not the one that is opened first.</summary>
         void UseFirst()
         {
-            foreach (var cloud in GetComponentsInChildren<PointCloud>(false))
+            if (m_clouds.Count == 0)
+                return;
+            GetComponentsInChildren(false, s_found);
+            foreach (var cloud in s_found)
                 if (AlignTo(cloud) || cloud.Error == null)
-                    return;
+                    break;
+            s_found.Clear();
         }
 
         UnitySpace Space => new UnitySpace { OriginGeo = m_place, Scale = m_scale, Up = m_up };

@@ -25,11 +25,14 @@ namespace FastPoints.Rendering.BuiltIn
         {
             Camera.onPreCull -= Draw;
             Camera.onPreCull += Draw;
+            Camera.onPreRender -= DrawRightEye;
+            Camera.onPreRender += DrawRightEye;
         }
 
         public static void End()
         {
             Camera.onPreCull -= Draw;
+            Camera.onPreRender -= DrawRightEye;
             for (int i = 0; i < s_cameras.Count; i++)
             {
                 if (s_cameras[i] != null)
@@ -41,6 +44,13 @@ namespace FastPoints.Rendering.BuiltIn
             }
             s_cameras.Clear();
             s_commands.Clear();
+        }
+
+        // Eyes that are drawn in turn are culled once, with the left one: the right one's commands would be the left one's.
+        static void DrawRightEye(Camera camera)
+        {
+            if (camera.stereoEnabled && camera.stereoActiveEye == Camera.MonoOrStereoscopicEye.Right && !IsEyeTextureForBoth)
+                Draw(camera);
         }
 
         static void Draw(Camera camera)

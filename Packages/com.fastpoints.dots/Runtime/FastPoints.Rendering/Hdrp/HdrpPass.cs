@@ -35,8 +35,9 @@ namespace FastPoints.Rendering.Hdrp
             var camera = ctx.hdCamera.camera;
             if (scene == null || !PointScene.IsDrawn(camera))
                 return;
-            scene.AddView(camera);
-            bool hasBothEyes = camera.stereoEnabled && ctx.cameraColorBuffer.rt.volumeDepth > 1;
+            bool isForHeadset = !camera.TryGetComponent<HDAdditionalCameraData>(out var data) || data.xrRendering;
+            scene.AddView(camera, isForHeadset);
+            bool hasBothEyes = isForHeadset && camera.stereoEnabled && ctx.cameraColorBuffer.rt.volumeDepth > 1;
             var target = CameraTarget.Of(camera, ctx.cameraColorBuffer, ctx.cameraDepthBuffer, hasBothEyes);
             if (!hasBothEyes)
                 target.Eye = EyeOf(ctx.hdCamera);

@@ -75,7 +75,7 @@ namespace FastPoints.Rendering.Urp
             var camera = data.CameraData;
             var size = camera.cameraTargetDescriptor;
             // Both eyes of a headset are drawn into two slices.
-            bool hasBothEyes = camera.camera.stereoEnabled && size.volumeDepth > 1;
+            bool hasBothEyes = camera.xrRendering && camera.camera.stereoEnabled && size.volumeDepth > 1;
             var target = CameraTarget.Of(camera.camera, data.Color, data.Depth, hasBothEyes);
             target.IsTexture = camera.IsRenderTargetProjectionMatrixFlipped(data.Color, data.Depth);
             // Render scale is in the descriptor, dynamic resolution is not.
@@ -89,19 +89,23 @@ namespace FastPoints.Rendering.Urp
                 if (hasBothEyes)
                     target.RightEye = EyeMatrices.Of(camera.GetViewMatrix(1), camera.GetProjectionMatrix(1));
             }
+            else
+            {
+                target.Eye = EyeMatrices.OfMono(camera.camera);
+            }
             // This includes the jitter of temporal anti-aliasing.
             target.Eye.Projection = camera.GetProjectionMatrix();
             data.Scene.Record(commands, camera.camera, target);
         }
 
-#if !UNITY_6000_5_OR_NEWER
+#if !UNITY_6000_4_OR_NEWER
         static bool s_isWarned;
 
 #endif
         /// <summary>In Compatibility Mode passes are not recorded, and Unity would warn of each in each frame.</summary>
         static bool IsWithoutRenderGraph()
         {
-#if UNITY_6000_5_OR_NEWER
+#if UNITY_6000_4_OR_NEWER
             return false;
 #else
             if (!GraphicsSettings.TryGetRenderPipelineSettings<RenderGraphSettings>(out var settings) ||
@@ -128,7 +132,7 @@ namespace FastPoints.Rendering.Urp
             // Of such a target URP draws depth alone.
             if (camera.targetTexture != null && camera.targetTexture.graphicsFormat == GraphicsFormat.None)
                 return;
-            scene.AddView(camera);
+            scene.AddView(camera, !hasData || cameraData.allowXRRendering);
             if (s_pass == null)
                 s_pass = new UrpPass();
             s_pass.m_camera = camera;

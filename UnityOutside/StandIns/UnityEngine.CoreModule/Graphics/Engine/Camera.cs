@@ -9,6 +9,7 @@ public sealed class Camera : Behaviour
     public enum MonoOrStereoscopicEye { Left = 0, Right = 1, Mono = 2 }
 
     public static CameraCallback onPreCull;
+    public static CameraCallback onPreRender;
 
     readonly List<(CameraEvent Event, CommandBuffer Commands)> m_commands = new List<(CameraEvent, CommandBuffer)>();
     Matrix4x4? m_view;
@@ -40,6 +41,9 @@ public sealed class Camera : Behaviour
 
     public MonoOrStereoscopicEye stereoActiveEye { get; internal set; } = MonoOrStereoscopicEye.Mono;
     internal (Matrix4x4 View, Matrix4x4 Projection)[] Eyes { get; set; }
+
+    /// <summary>Of a headset's eyes that are drawn in turn: the left one is in the camera's own target.</summary>
+    internal RenderTexture RightEye { get; set; }
 
     Matrix4x4 Placed
     {
@@ -92,7 +96,25 @@ public sealed class Camera : Behaviour
     /// meshes.</summary>
     public void Render()
     {
+        if (RightEye == null)
+        {
+            onPreCull?.Invoke(this);
+            RenderEye();
+            return;
+        }
+        // Both are culled with the left one.
+        stereoActiveEye = MonoOrStereoscopicEye.Left;
         onPreCull?.Invoke(this);
+        RenderEye();
+        var left = targetTexture;
+        (stereoActiveEye, targetTexture) = (MonoOrStereoscopicEye.Right, RightEye);
+        RenderEye();
+        (stereoActiveEye, targetTexture) = (MonoOrStereoscopicEye.Left, left);
+    }
+
+    void RenderEye()
+    {
+        onPreRender?.Invoke(this);
         using (var target = new CommandBuffer())
         {
             // Both eyes of a headset, where they are drawn at once.
