@@ -74,6 +74,23 @@ public sealed class PipelinePassTests : PipelineFixture
             Matrix4x4.Perspective(60, 16 / 9f, 0.1f, 10_000), target);
     }
 
+    /// <summary>As a floating origin moves it, with the clouds, in the frame that selects for it.</summary>
+    [TestCase(false)]
+    [TestCase(true)]
+    public void NextViews_OfACameraThatHasMovedSinceItsPicture_AreFromWhereItIs(bool isMirror)
+    {
+        Begin(nameof(BuiltInHost));
+        var camera = LookingCamera(out var target);
+        if (isMirror)
+            camera.worldToCameraMatrix *= Matrix4x4.Translate(new Vector3(0, 0, 20));
+        RenderOnce(camera);
+        var before = Scene.NextViews[0].EyeWorld;
+        camera.transform.position += new Vector3(-1000, 5, 0);
+        Assert.That(Scene.NextViews[0].EyeWorld, Is.EqualTo(before + (isMirror ? default : new double3(-1000, 5, 0))));
+        UnityEngine.Object.DestroyImmediate(camera.gameObject);
+        target.Release();
+    }
+
     [TestCase(nameof(BuiltInHost))]
     [TestCase(nameof(UrpHost))]
     [TestCase(nameof(HdrpHost))]

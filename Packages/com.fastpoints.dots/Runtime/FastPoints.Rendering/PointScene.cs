@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using FastPoints.Drawing;
 using FastPoints.Streaming;
 using Unity.Collections;
+using Unity.Mathematics;
 using UnityEngine;
 using UnityEngine.Rendering;
 
@@ -36,6 +37,10 @@ namespace FastPoints.Rendering
             public PointRenderer Renderer;
             public int LastFrame;
             public int AnnouncedFrame;
+            public double3? AnnouncedAt; // Null where a script has set the matrices: the transform says nothing of them.
+
+            // Scripts move cameras after a picture, and clouds with them where the origin floats: the next one is from there.
+            public double3 Moved => AnnouncedAt.HasValue && Camera != null ? PlaceOf(Camera) - AnnouncedAt.Value : default;
 
             // What the next frame selects for: as the camera was drawn at each size and with each mask, for an editor draws it
             // once more into a small picture, and recorders do, in the last frame that it was drawn in.
@@ -65,8 +70,15 @@ namespace FastPoints.Rendering
             {
                 m_nextViews.Clear();
                 foreach (var seen in m_cameras)
+                {
+                    var moved = seen.Moved;
                     foreach (var seenAt in seen.Views)
-                        m_nextViews.Add(seenAt.View);
+                    {
+                        var view = seenAt.View;
+                        view.EyeWorld += moved;
+                        m_nextViews.Add(view);
+                    }
+                }
                 return m_nextViews.AsArray();
             }
         }
@@ -126,6 +138,7 @@ namespace FastPoints.Rendering
             seen.AnnouncedFrame = m_frame;
             var view = isForHeadset ? EyeOf(camera, Camera.StereoscopicEye.Left)
                 : CameraViews.StreamViewOf(camera, EyeMatrices.OfMono(camera), camera.pixelHeight);
+            seen.AnnouncedAt = isForHeadset || view.EyeWorld.Equals(PlaceOf(camera)) ? PlaceOf(camera) : (double3?)null;
             var drawn = (camera.pixelWidth, camera.pixelHeight, view.Mask.Scenes, view.Mask.HiddenLayers);
             // The order stays: another one would be another frame's.
             int at = 0;
@@ -139,6 +152,12 @@ namespace FastPoints.Rendering
             views.Insert(at, (drawn, view));
             if (isForHeadset)
                 views.Insert(at + 1, (drawn, EyeOf(camera, Camera.StereoscopicEye.Right)));
+        }
+
+        static double3 PlaceOf(Camera camera)
+        {
+            var place = camera.transform.position;
+            return new double3(place.x, place.y, place.z);
         }
 
         static StreamView EyeOf(Camera camera, Camera.StereoscopicEye eye) =>
