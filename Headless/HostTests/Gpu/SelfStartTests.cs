@@ -50,7 +50,11 @@ public sealed class SelfStartTests : GraphicsFixture
             SceneLoop.Update();
             Assert.That(() => m_world.Update(), Throws.Nothing);
             Assert.That((group.Stream, group.NeedsFrame), Is.EqualTo(((StreamContext)null, false)));
+            var gone = scene.GetComponent<FastPoints.Entities.PointCloud>().Entity;
+            Assert.That(group.Live.Find(gone), Is.Not.Null);
             UnityEngine.Object.DestroyImmediate(scene);
+            m_world.Update();
+            Assert.That(group.Live.Find(gone), Is.Null, "a server may make and end any number");
         }
         finally
         {

@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using FastPoints.Streaming;
 using Unity.Collections;
@@ -48,8 +49,21 @@ namespace FastPoints.Entities
 
         void Add(Entity entity, LiveCloud live)
         {
-            live.Versions = new CloudVersions(Group.Stream);
-            live.Versions.Add(live.Source, EntityManager.GetComponentData<PointCloudPlacement>(entity).Value, live.Stage);
+            var versions = new CloudVersions(Group.Stream);
+            try
+            {
+                versions.Add(live.Source, EntityManager.GetComponentData<PointCloudPlacement>(entity).Value, live.Stage);
+            }
+            catch (Exception e)
+            {
+                // Others' sources may throw anything: the next frame would try it again, and the clouds after it would wait.
+                var failure = PointCloudException.Of(live.Source.Path, e);
+                live.Error = failure.Message;
+                Group.Stream.Report(new StreamFailure(live.Source.Path, -1, "cannot be shown: " + failure.FullMessage));
+                live.DropSource();
+                return;
+            }
+            live.Versions = versions;
             live.Source = null;
             EntityManager.AddComponentData(entity, StreamedOf(live.Versions));
             SetLook(entity, live.Look);

@@ -58,6 +58,7 @@ namespace FastPoints.Entities
     sealed class LiveClouds : IDisposable
     {
         readonly Dictionary<Entity, LiveCloud> m_all = new Dictionary<Entity, LiveCloud>();
+        readonly List<Entity> m_removed = new List<Entity>();
 
         public Dictionary<Entity, LiveCloud>.Enumerator GetEnumerator() => m_all.GetEnumerator();
 
@@ -79,6 +80,17 @@ namespace FastPoints.Entities
                 if (live.Versions != null && live.Versions.Cloud == number)
                     return entity;
             return Entity.Null;
+        }
+
+        /// <summary>Removes the entries of entities that are gone.</summary>
+        public void RemoveDestroyed(EntityManager entities)
+        {
+            foreach (var entity in m_all.Keys)
+                if (!entities.Exists(entity))
+                    m_removed.Add(entity);
+            foreach (var entity in m_removed)
+                Remove(entity);
+            m_removed.Clear();
         }
 
         public void Remove(Entity entity)

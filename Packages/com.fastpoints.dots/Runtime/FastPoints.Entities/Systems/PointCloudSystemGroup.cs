@@ -143,7 +143,11 @@ namespace FastPoints.Entities
         protected override void OnUpdate()
         {
             if (Stream == null && !TryBegin())
+            {
+                // No system does it, as on a server.
+                Live.RemoveDestroyed(EntityManager);
                 return;
+            }
             m_stats = default;
             base.OnUpdate();
             m_lastViews.Clear();

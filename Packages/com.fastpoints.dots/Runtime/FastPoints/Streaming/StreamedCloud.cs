@@ -15,7 +15,15 @@ namespace FastPoints.Streaming
             Placement = placement;
             m_pages = new NativeList<HierarchyPage>(source.PageCount, Allocator.Persistent);
             m_pages.Resize(source.PageCount, NativeArrayOptions.ClearMemory);
-            source.CreatePages(Pages);
+            try
+            {
+                source.CreatePages(Pages);
+            }
+            catch
+            {
+                m_pages.Dispose();
+                throw;
+            }
             HierarchyBytes = BytesOf(Pages[0]);
             AddNewPages();
         }

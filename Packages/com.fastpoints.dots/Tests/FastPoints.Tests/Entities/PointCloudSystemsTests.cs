@@ -99,6 +99,18 @@ namespace FastPoints.Tests.Entities
         }
 
         [Test]
+        public void Update_SourceThatCannotBeAdded_IsNotTriedAgainAndOthersAreDrawn()
+        {
+            Begin();
+            var broken = Add();
+            m_group.Live.Find(broken).Source.Dispose();
+            Add();
+            Assert.That(Settle(StreamedTestCloud.Overview()).DrawnPoints, Is.GreaterThan(20_000));
+            Assert.That(m_group.ErrorOf(broken), Is.Not.Null);
+            Assert.That(m_group.Live.Find(broken).Source, Is.Null, "it is not tried again");
+        }
+
+        [Test]
         public void Update_CloudEntityMade_IsDrawnAndEachNodeInMemoryIsAnEntity()
         {
             Begin();
