@@ -48,7 +48,7 @@ public sealed class SourceFacts(PointReader reader)
         yield return ("crs", Info.Crs.Summary ?? "unknown");
         yield return ("unit", UnitOf(Info.Crs.MetresPerUnit));
         if (Info.GpsTime.Kind != GpsTimeKind.Unknown)
-            yield return ("GPS time", Info.GpsTime.ToString());
+            yield return ("GPS times", Info.GpsTime.ToString());
         TakeTree();
         if (m_tree is { } tree)
             yield return ("octree", Human.Count(tree.Nodes, "node") + " on " + Human.Count(tree.Levels.Count, "level")

@@ -105,7 +105,7 @@ public sealed class StoredFacts
         yield return ("crs", m_cloud.CrsName ?? "unknown");
         yield return ("unit", SourceFacts.UnitOf(m_cloud.MetresPerUnit));
         if (m_cloud.GpsTime.Kind != GpsTimeKind.Unknown)
-            yield return ("GPS time", m_cloud.GpsTime.ToString());
+            yield return ("GPS times", m_cloud.GpsTime.ToString());
         yield return ("octree", Human.Count(m_cloud.NodeCount, "node") + " on " + Human.Count(m_levels.Count, "level") + " in "
             + Human.Count(m_cloud.ChunkCount, "chunk"));
         yield return ("sampler", m_cloud.Sampler);

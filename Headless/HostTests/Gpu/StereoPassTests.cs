@@ -58,6 +58,16 @@ public sealed class StereoPassTests : PipelineFixture
         _ => new PointStyle { Shape = PointShape.Disc, Size = PointSize.Pixels(3), EdlStrength = 0.3f },
     };
 
+    StreamContext Show(string pipeline, string style)
+    {
+        Scene.Style = StyleOf(style);
+        Begin(pipeline);
+        var options = new PictureOptions { WidthPx = WidthPx, HeightPx = HeightPx, Color = ColorMode.Rgb };
+        var reference = new StreamContext(new MemoryNodePool(64 << 20, 8 << 20));
+        Add(reference, options, out _);
+        return reference;
+    }
+
     [TestCase(nameof(UrpHost), "discs")]
     [TestCase(nameof(UrpHost), "adaptive")]
     [TestCase(nameof(UrpHost), "pixels")]
@@ -68,11 +78,7 @@ public sealed class StereoPassTests : PipelineFixture
     [TestCase(nameof(BuiltInHost), "lit")]
     public void Render_Headset_IsThePictureOfACameraAtEachEye(string pipeline, string style)
     {
-        Scene.Style = StyleOf(style);
-        Begin(pipeline);
-        var options = new PictureOptions { WidthPx = WidthPx, HeightPx = HeightPx, Color = ColorMode.Rgb };
-        using var reference = new StreamContext(new MemoryNodePool(64 << 20, 8 << 20));
-        Add(reference, options, out _);
+        using var reference = Show(pipeline, style);
         var both = Target(2);
         var headset = Headset(both, At);
         XRSettings.eyeTextureDesc = both.descriptor;
@@ -109,11 +115,7 @@ public sealed class StereoPassTests : PipelineFixture
     [TestCase(nameof(UrpHost))]
     public void Render_OneEyeAtATime_IsThePictureOfACameraThereAndSelectsForBothOnce(string pipeline)
     {
-        Scene.Style = StyleOf("discs");
-        Begin(pipeline);
-        var options = new PictureOptions { WidthPx = WidthPx, HeightPx = HeightPx, Color = ColorMode.Rgb };
-        using var reference = new StreamContext(new MemoryNodePool(64 << 20, 8 << 20));
-        Add(reference, options, out _);
+        using var reference = Show(pipeline, "discs");
         var single = Target(1);
         var right = Target(1);
         var headset = Headset(single, AlongAxes);
@@ -145,11 +147,7 @@ public sealed class StereoPassTests : PipelineFixture
     [TestCase(nameof(HdrpHost))]
     public void Render_CameraThatTheHeadsetDoesNotShow_IsItsOwnPictureAndSelection(string pipeline)
     {
-        Scene.Style = StyleOf("discs");
-        Begin(pipeline);
-        var options = new PictureOptions { WidthPx = WidthPx, HeightPx = HeightPx, Color = ColorMode.Rgb };
-        using var reference = new StreamContext(new MemoryNodePool(64 << 20, 8 << 20));
-        Add(reference, options, out _);
+        using var reference = Show(pipeline, "discs");
         // HDRP's targets have a slice for each eye, whoever is drawn.
         var target = Target(pipeline == nameof(HdrpHost) ? 2 : 1);
         var camera = CameraAt(AlongAxes(0), ProjectionOf(0), target);

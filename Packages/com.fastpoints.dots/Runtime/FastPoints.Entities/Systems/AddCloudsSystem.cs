@@ -50,9 +50,20 @@ namespace FastPoints.Entities
         void Add(Entity entity, LiveCloud live)
         {
             var versions = new CloudVersions(Group.Stream);
+            if (!TryAdd(live, versions, EntityManager.GetComponentData<PointCloudPlacement>(entity).Value))
+                return;
+            live.Versions = versions;
+            EntityManager.AddComponentData(entity, StreamedOf(live.Versions));
+            SetLook(entity, live.Look);
+        }
+
+        bool TryAdd(LiveCloud live, CloudVersions versions, CloudPlacement? placement)
+        {
             try
             {
-                versions.Add(live.Source, EntityManager.GetComponentData<PointCloudPlacement>(entity).Value, live.Stage);
+                versions.Add(live.Source, placement, live.Stage);
+                live.Source = null;
+                return true;
             }
             catch (Exception e)
             {
@@ -61,12 +72,8 @@ namespace FastPoints.Entities
                 live.Error = failure.Message;
                 Group.Stream.Report(new StreamFailure(live.Source.Path, -1, "cannot be shown: " + failure.FullMessage));
                 live.DropSource();
-                return;
+                return false;
             }
-            live.Versions = versions;
-            live.Source = null;
-            EntityManager.AddComponentData(entity, StreamedOf(live.Versions));
-            SetLook(entity, live.Look);
         }
 
         void Follow(Entity entity, LiveCloud live)
@@ -98,8 +105,8 @@ namespace FastPoints.Entities
 
         void TakeNext(Entity entity, LiveCloud live)
         {
-            live.Versions.Add(live.Source, null, live.Stage);
-            live.Source = null;
+            if (!TryAdd(live, live.Versions, null))
+                return;
             if (live.Look.HasValue)
                 live.Looks[live.Versions.Next] = live.Look.Value;
             else if (EntityManager.HasComponent<PointCloudLook>(entity))

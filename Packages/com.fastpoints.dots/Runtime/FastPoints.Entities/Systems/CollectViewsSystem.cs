@@ -15,8 +15,9 @@ namespace FastPoints.Entities
             if (scene == null || scene.Stream != Group.Stream)
                 return;
             // In edit mode, frames also come between two pictures and after the last one.
-            if (scene.NextViews.Length > 0)
-                Group.Views.AddRange(scene.NextViews);
+            var views = scene.NextViews;
+            if (views.Length > 0)
+                Group.Views.AddRange(views);
             else
                 Group.ReuseViews();
             scene.BeginFrame();

@@ -48,14 +48,18 @@ namespace FastPoints.Build
         /// cloud.</exception>
         public static void Check(IReadOnlyList<PointReader> readers)
         {
+            foreach (var reader in readers)
+                reader.Info.ThrowIfInConflict();
+            MeaningOf(readers).ThrowIfInConflict();
+        }
+
+        static SourceInfo MeaningOf(IReadOnlyList<PointReader> readers)
+        {
             var all = new SourceInfo { Path = readers[0].Info.Path };
             var summary = new TileSummary(all);
             foreach (var reader in readers)
-            {
-                reader.Info.ThrowIfInConflict();
                 summary.IncludeMeaning(reader.Info);
-            }
-            all.ThrowIfInConflict();
+            return all;
         }
 
         /// <summary>One entry a file, tiles of a reader apart.</summary>
@@ -116,7 +120,7 @@ namespace FastPoints.Build
             manifest.CrsVerticalEpsg = crs.VerticalEpsg;
             manifest.CrsGeoKeys = crs.GeoKeys;
             manifest.MetresPerUnit = crs.MetresPerUnit;
-            manifest.GpsTime = build.Readers[0].Info.GpsTime;
+            manifest.GpsTime = MeaningOf(build.Readers).GpsTime;
         }
 
         static void AddSource(string path, long fileBytes, long points, CloudManifest manifest) =>

@@ -61,6 +61,7 @@ namespace FastPoints.Export
             StageProgress progress)
         {
             path = Path.GetFullPath(path);
+            reader.Info.ThrowIfInConflict();
             if (!reader.BlocksAreKnown)
             {
                 progress?.Begin("find points");

@@ -40,7 +40,6 @@ namespace FastPoints.Export
         public LasExport(PointReader reader, string[] chosen, long maxPoints)
         {
             var info = reader.Info;
-            info.ThrowIfInConflict();
             m_isOnDegrees = double.IsNaN(info.Crs.MetresPerUnit);
             SetAxes(AttributeType.Int32);
             var las = (reader as ILasSource)?.Las;

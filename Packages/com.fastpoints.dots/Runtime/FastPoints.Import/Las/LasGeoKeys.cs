@@ -56,13 +56,14 @@ namespace FastPoints.Las
             keys.Fill(crs);
         }
 
-        /// <summary>The three records as they are; empty ones where the file has none. Null without a directory.</summary>
+        /// <summary>The three records as they are; empty ones where the file has none. Null without a directory, and where one is
+        /// too long to be written again.</summary>
         public static byte[][] Bytes(LasVlrTable vlrs)
         {
-            if (vlrs.Find(LasVlr.ProjectionUser, LasVlr.GeoKeyDirectoryRecord)?.DataBytes > 0)
-                return System.Array.ConvertAll(Records, id => vlrs.Find(LasVlr.ProjectionUser, id) is LasVlr record
-                    ? vlrs.Payload(record).Bytes : System.Array.Empty<byte>());
-            return null;
+            var records = System.Array.ConvertAll(Records, id => vlrs.Find(LasVlr.ProjectionUser, id));
+            if (!(records[0]?.DataBytes > 0) || System.Array.Exists(records, r => r?.DataBytes > ushort.MaxValue))
+                return null;
+            return System.Array.ConvertAll(records, r => r != null ? vlrs.Payload(r).Bytes : System.Array.Empty<byte>());
         }
 
         public static byte[] Directory(CoordinateSystem crs)

@@ -111,6 +111,19 @@ namespace FastPoints.Tests.Entities
         }
 
         [Test]
+        public void Update_NewerSourceThatCannotBeAdded_LeavesTheOlderDrawn()
+        {
+            Begin();
+            var entity = Add();
+            long drawn = Settle(StreamedTestCloud.Overview()).DrawnPoints;
+            var newer = m_cloud.Open();
+            m_group.SetSource(entity, newer);
+            newer.Dispose();
+            Assert.That(Settle(StreamedTestCloud.Overview()).DrawnPoints, Is.EqualTo(drawn));
+            Assert.That(m_group.ErrorOf(entity), Is.Not.Null);
+        }
+
+        [Test]
         public void Update_CloudEntityMade_IsDrawnAndEachNodeInMemoryIsAnEntity()
         {
             Begin();

@@ -99,17 +99,20 @@ namespace FastPoints.Tests.Export
             string a = Source("a.las", 2, 1, 1), b = Source("b.las", 4, 6, 0);
             using var tiles = PointReaders.Open(new[] { a, b });
             Assert.That(tiles.Info.Warnings.Any(w => w.Text.Contains("GPS times of two kinds")), Is.True, "to look at, it opens");
-            foreach (Action what in new Action[] { () => Convert(tiles), () => Export(tiles) })
+            foreach (Action what in new Action[] { () => Convert(tiles), () => Export(tiles), () => Export(tiles, "out.ply") })
                 Assert.That(what, Throws.TypeOf<PointCloudException>().With.Message.Contains(a + " has adjusted standard GPS ")
                     .And.Message.Contains(b + " has seconds of the GPS week"));
             Assert.That(File.Exists(m_folder.File("out.las")), Is.False);
         }
 
         [Test]
-        public void GpsTimes_OfTwoKindsWhereOneFileHasNone_GoTogether()
+        public void GpsTimes_WhereOneFileHasNone_AreThoseOfTheOther()
         {
-            using var tiles = PointReaders.Open(new[] { Source("a.las", 2, 1, 1), Source("b.las", 2, 0, 0) });
-            using var stored = StoredReader.Open(Convert(tiles));
+            using var none = PointReaders.Open(Source("a.las", 2, 0, 0));
+            using var some = PointReaders.Open(Source("b.las", 2, 1, 1));
+            string target = m_folder.File("cloud.fastpoints");
+            JobCoroutine.RunToEnd(ConvertCloud.Run(new[] { none, some }, target, new ConvertSettings(), _ => { }, null));
+            using var stored = StoredReader.Open(target);
             Assert.That(stored.Info.GpsTime.Kind, Is.EqualTo(GpsTimeKind.AdjustedStandard));
         }
 
@@ -135,6 +138,14 @@ namespace FastPoints.Tests.Export
             Assert.That(las.Header.GlobalEncoding, Is.EqualTo(format == 6 && hasWkt ? LasHeader.WktBit : 0));
             Assert.That(warnings, format == 6 && !hasWkt ? Has.Exactly(1).Contains("wants the coordinate system") : Is.Empty);
             Assert.That((las.Info.Crs.Epsg, las.Info.Crs.VerticalEpsg), Is.EqualTo(hasWkt ? (0, 0) : (2229, 6360)));
+        }
+
+        [Test]
+        public void GeoKeys_LongerThanARecord_AreNotKeptAsTheyAre()
+        {
+            var las = RoundTrip(Source("a.las", 4, 1, 0, file => file.Evlr("LASF_Projection", 34735, s_keys)
+                .Evlr("LASF_Projection", 34736, new byte[70_000])), out _);
+            Assert.That((Payload(las, 34736), las.Info.Crs.Epsg), Is.EqualTo(((byte[])null, 2229)));
         }
 
         [Test]
