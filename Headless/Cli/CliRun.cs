@@ -24,6 +24,9 @@ public sealed class CliRun(TextWriter output, TextWriter error, RunSettings sett
     public List<string> Warnings { get; } = [];
     public PointsAccount Points { get; } = new();
     public bool HasOddSources { get; private set; }
+
+    /// <summary>No point was wanted of the sources, or none is where it was looked for.</summary>
+    public bool IsEmpty { get; private set; }
     public Failure? FirstFailure { get; private set; }
     public double Seconds => m_watch.Elapsed.TotalSeconds;
 
@@ -66,6 +69,13 @@ public sealed class CliRun(TextWriter output, TextWriter error, RunSettings sett
         HasOddSources |= info.Warnings.Count > (info.PointsMarkedInvalid > 0 ? 1 : 0);
         foreach (var warning in info.Warnings)
             Warn(warning.ToString(), isShown);
+    }
+
+    /// <summary>Says that nothing came out, which --strict takes for a failure.</summary>
+    public void WarnEmpty(string line)
+    {
+        IsEmpty = true;
+        Warn(line);
     }
 
     public void Warn(string line, bool isShown = false)

@@ -14,10 +14,11 @@ public sealed class Failure
     {
         string lost = run.Points.Lost > 0 ? Human.Count(run.Points.Lost) + " points that are claimed are not there" : "";
         string odd = run.HasOddSources ? "a source is odd (see the warnings)" : "";
-        return lost.Length + odd.Length == 0 ? null : new Failure
+        string empty = run.IsEmpty ? "no point came out (see the warnings)" : "";
+        return lost.Length + odd.Length + empty.Length == 0 ? null : new Failure
         {
             Code = "Incomplete",
-            Message = "--strict: " + string.Join("; ", new[] { lost, odd }.Where(s => s.Length > 0)),
+            Message = "--strict: " + string.Join("; ", new[] { lost, odd, empty }.Where(s => s.Length > 0)),
             Status = ExitStatus.Incomplete,
         };
     }

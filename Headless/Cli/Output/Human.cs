@@ -45,6 +45,9 @@ public static class Human
         return minutes < 100 ? minutes + " min" : minutes / 60 + " h " + minutes % 60 + " min";
     }
 
+    public static string Box(BoundsGeo box) => box.IsEmpty ? "unknown bounds" : "(" + Value(box.Min.x) + ", " + Value(box.Min.y)
+        + ", " + Value(box.Min.z) + ") to (" + Value(box.Max.x) + ", " + Value(box.Max.y) + ", " + Value(box.Max.z) + ")";
+
     public static string Coordinate(double value, double step)
     {
         int decimals = step > 0 && step < 1 ? Math.Min(12, (int)Math.Ceiling(-Math.Log10(step) - 1e-9)) : 3;

@@ -16,7 +16,13 @@ public sealed class ExportVerb : Verb
     readonly Option<string[]> m_clip = new("--clip")
     {
         HelpName = "x,y,z,X,Y,Z",
-        Description = "Only points in the box between two corners, faces included, or in any of several.",
+        Description = "Only points in the box between two corners in the file's coordinates, faces included, or in any of "
+            + "several.",
+    };
+    readonly Option<string[]> m_clipLocal = new("--clip-local")
+    {
+        HelpName = "x,y,z,X,Y,Z",
+        Description = "The same, counted from the least corner of the cloud's bounds.",
     };
     readonly Option<string[]> m_cut = new("--cut")
     {
@@ -40,6 +46,7 @@ public sealed class ExportVerb : Verb
         Command.Add(m_clouds);
         Command.Add(m_output);
         Command.Add(m_clip);
+        Command.Add(m_clipLocal);
         Command.Add(m_cut);
         Command.Add(m_classes);
         Command.Add(m_level);
@@ -51,7 +58,7 @@ public sealed class ExportVerb : Verb
     public override IReadOnlyList<(string, string)> Examples =>
     [
         ("./fastpoints export scan.fastpoints -o scan.laz", "all points, all attributes"),
-        ("./fastpoints export scan.copc.laz -o part.laz --clip 0,0,0,50,50,20", "what is in a box"),
+        ("./fastpoints export scan.copc.laz -o part.laz --clip-local 0,0,0,50,50,20", "what is in a box"),
         ("./fastpoints export tiles/ -o ground.las --classes 2,9", "ground and water of many tiles as one file"),
         ("./fastpoints export scan.fastpoints -o thin.ply --budget 1M", "a million points, spread evenly"),
     ];
@@ -63,11 +70,6 @@ public sealed class ExportVerb : Verb
         OutputNames.RefuseNoExport(output);
         var settings = new ExportSettings
         {
-            Clips =
-            [
-                .. (parsed.GetValue(m_clip) ?? []).Select(box => PictureSettings.Box("--clip", box, false)),
-                .. (parsed.GetValue(m_cut) ?? []).Select(box => PictureSettings.Box("--cut", box, true)),
-            ],
             Classes = parsed.GetValue(m_classes)?.Split(',').Select(Class).ToArray(),
             Level = parsed.GetValue(m_level) is { } level ? Counts.ToInt(level) : -1,
             Budget = parsed.GetValue(m_budget) ?? 0,
@@ -77,6 +79,12 @@ public sealed class ExportVerb : Verb
         using var reader = clouds is [var only] && CloudFolder.IsCloud(only) ? StoredReader.Open(only)
             : PointReaders.Open(clouds, m_source.Read(parsed));
         run.Warn(reader.Info);
+        settings.Clips =
+        [
+            .. (parsed.GetValue(m_clip) ?? []).Select(box => PictureSettings.Box("--clip", box, false)),
+            .. (parsed.GetValue(m_clipLocal) ?? []).Select(box => Local(PictureSettings.Box("--clip-local", box, false), reader)),
+            .. (parsed.GetValue(m_cut) ?? []).Select(box => PictureSettings.Box("--cut", box, true)),
+        ];
         if (settings.Attributes?.FirstOrDefault(a => !reader.Info.Schema.Has(a)) is { } unknown)
             throw new UsageException("--attributes: " + reader.Info.Path + " has no " + unknown + "; it has "
                 + string.Join(", ", reader.Info.Schema.Select(a => a.Name)));
@@ -85,7 +93,26 @@ public sealed class ExportVerb : Verb
         run.Warn(reader.Info);
         bool isWhole = settings.Level < 0 && settings.Budget == 0 && settings.Clips.Count == 0;
         run.Points.Add(reader.Info, isWhole ? result!.PointsRead : reader.PointCount);
+        if (result!.Points == 0 && reader.PointCount > 0)
+            run.WarnEmpty(output + ": no point is left of " + Human.Count(reader.PointCount) + ", which lie in "
+                + Human.Box(reader.Info.BoundsClaimed) + (settings.Clips.Count == 0 ? "" : "; wanted "
+                + string.Join(", ", settings.Clips.Select(c => (c.Cuts ? "not " : "") + Human.Box(Of(c))))));
         Say(result!, output, run);
+    }
+
+    static BoundsGeo Of(ClipBox box)
+    {
+        var half = new double3(box.EdgesWorld.c0.x, box.EdgesWorld.c1.y, box.EdgesWorld.c2.z) / 2;
+        return new BoundsGeo(box.CenterWorld - half, box.CenterWorld + half);
+    }
+
+    static ClipBox Local(ClipBox box, PointReader reader)
+    {
+        var bounds = reader.Info.BoundsClaimed;
+        if (!reader.Info.HasBoundsClaimed || !bounds.IsFinite)
+            throw new UsageException("--clip-local: " + reader.Info.Path + " does not say where it begins: wanted --clip");
+        box.CenterWorld += bounds.Min;
+        return box;
     }
 
     static void Say(ExportResult result, string output, CliRun run)

@@ -64,6 +64,46 @@ public sealed class ExportTests : ScratchTests
     }
 
     [Test]
+    public void Export_OfNothing_IsAWarningThatSaysWhereTheCloudIs()
+    {
+        string[] args = ["export", m_cloud, "-o", Scratch["nothing.las"], "--clip", "0,0,0,50,50,20"];
+        var call = CliCall.Of(args);
+        Assert.That(call.Status, Is.Zero);
+        Assert.That(call.Error, Does.Contain("no point is left of 60,000, which lie in (").And.Contains(
+            "wanted (0, 0, 0) to (50, 50, 20)"));
+        Assert.That(CliCall.Of([.. args, "--strict", "--force"]).Status, Is.EqualTo(4));
+    }
+
+    [Test]
+    public void Export_BoxFromTheLeastCorner_IsTheSameOfCloudAndFile()
+    {
+        long of(string source, string output) =>
+            Export(output, source, "--clip-local", "0,0,0,50,50,20").GetProperty("points").GetInt64();
+        Assert.That(of(m_demo, "local-file.laz"), Is.GreaterThan(0).And.EqualTo(of(m_cloud, "local.laz")));
+        string text = Scratch["rows.xyz"];
+        File.WriteAllLines(text, ["1 2 3", "4 5 6"]);
+        Assert.That(CliCall.Of("export", text, "-o", Scratch["rows.las"], "--clip-local", "0,0,0,1,1,1").Error,
+            Does.Contain("does not say where it begins"));
+    }
+
+    [Test]
+    public void Commands_OfTheReadme_DoWhatItSays()
+    {
+        string readme = Path.Combine(Checkout.Repository.Root, "README.md");
+        string[] lines = [.. File.ReadLines(readme).Select(l => l.Split('#')[0].Trim())
+            .Where(l => l.StartsWith("./fastpoints ") && !l.Contains("--help"))];
+        Assert.That(lines, Has.Length.GreaterThan(5));
+        File.Copy(m_demo, Scratch["scan.las"]);
+        foreach (string line in lines.Where(l => l != "./fastpoints scan.las" && !l.Contains(" fly ")))
+        {
+            var call = CliCall.Of([.. line.Split(' ').Skip(1).Select(word => word.Contains('.') && !word.Contains(',')
+                ? Scratch[word] : word), "--force"]);
+            Assert.That((call.Status, call.Error), Is.EqualTo((0, "")), line);
+        }
+        Assert.That(Scan(Scratch["part.laz"]).GetProperty("points").GetInt64(), Is.GreaterThan(0));
+    }
+
+    [Test]
     public void Export_SameSourceWithOneThreadOrMore_SameBytes()
     {
         Export("one.laz", m_cloud, "--threads", "1");
