@@ -23,6 +23,7 @@ public sealed class CliRun(TextWriter output, TextWriter error, RunSettings sett
     public List<string> Inputs { get; } = [];
     public List<string> Warnings { get; } = [];
     public PointsAccount Points { get; } = new();
+    internal List<Loss> Losses { get; } = [];
     public bool HasOddSources { get; private set; }
 
     /// <summary>No point was wanted of the sources, or none is where it was looked for.</summary>
@@ -69,6 +70,31 @@ public sealed class CliRun(TextWriter output, TextWriter error, RunSettings sett
         HasOddSources |= info.Warnings.Count > (info.PointsMarkedInvalid > 0 ? 1 : 0);
         foreach (var warning in info.Warnings)
             Warn(warning.ToString(), isShown);
+    }
+
+    internal void Report(IEnumerable<Loss> losses)
+    {
+        foreach (var loss in losses)
+        {
+            if (Losses.Contains(loss))
+                continue;
+            Losses.Add(loss);
+            Warn(loss.ToString());
+        }
+    }
+
+    public void WriteLosses(Utf8JsonWriter json)
+    {
+        json.WriteStartArray("losses");
+        foreach (var loss in Losses)
+        {
+            json.WriteStartObject();
+            json.WriteString("what", loss.What);
+            json.WriteString("where", loss.Where);
+            json.WriteString("why", loss.Why);
+            json.WriteEndObject();
+        }
+        json.WriteEndArray();
     }
 
     /// <summary>Says that nothing came out, which --strict takes for a failure.</summary>

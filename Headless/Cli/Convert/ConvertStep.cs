@@ -3,7 +3,7 @@ using FastPoints.Cli.Preview;
 
 namespace FastPoints.Cli.Convert;
 
-public sealed class ConvertStep
+public sealed class ConvertStep(CliRun run)
 {
     public required ConvertResult Result { get; init; }
     public required SliceLengths Slices { get; init; }
@@ -42,11 +42,14 @@ public sealed class ConvertStep
             throw;
         }
         foreach (var reader in readers)
+        {
             run.Warn(reader.Info);
+            run.Report(reader.Info.Losses);
+        }
         if (result!.Manifest.PointsLeftOut > 0)
             run.Warn(readers[0].Info.Path + ": " + Human.Count(result.Manifest.PointsLeftOut)
                 + " points whose coordinates are no numbers are left out");
-        return new ConvertStep { Result = result, Slices = slices, Seconds = run.Seconds - begin };
+        return new ConvertStep(run) { Result = result, Slices = slices, Seconds = run.Seconds - begin };
     }
 
     public long PointsFound => Result.Manifest.Points + Result.Manifest.PointsLeftOut;
@@ -78,5 +81,6 @@ public sealed class ConvertStep
         foreach (var (name, bytes) in Result.PlaneNames.Zip(Result.BytesOfPlane))
             json.WriteReal(name, manifest.Points > 0 ? bytes / (double)manifest.Points : 0);
         json.WriteEndObject();
+        run.WriteLosses(json);
     }
 }

@@ -91,6 +91,7 @@ public sealed class ExportVerb : Verb
         ExportResult? result = null;
         run.RunSteps(ExportCloud.Run(reader, output, settings, r => result = r, run.Progress));
         run.Warn(reader.Info);
+        run.Report(reader.Info.Losses);
         bool isWhole = settings.Level < 0 && settings.Budget == 0 && settings.Clips.Count == 0;
         run.Points.Add(reader.Info, isWhole ? result!.PointsRead : reader.PointCount);
         if (result!.Points == 0 && reader.PointCount > 0)
@@ -119,6 +120,7 @@ public sealed class ExportVerb : Verb
     {
         foreach (string warning in result.Warnings)
             run.Warn(output + ": " + warning);
+        run.Report(result.Losses);
         if (result.PointsLeftOut > 0)
             run.Warn(output + ": " + Human.Count(result.PointsLeftOut)
                 + " points are left out, whose coordinates are no numbers or do not fit");
@@ -130,6 +132,7 @@ public sealed class ExportVerb : Verb
             json.WriteInteger("bytes", result.Bytes);
             json.WriteReal("pointsPerSecond", result.Points / seconds);
             json.WriteReal("positionError", result.PositionError);
+            run.WriteLosses(json);
         };
         string moved = result.PositionError > 0 ? ", coordinates rounded by at most " + Human.Value(result.PositionError) : "";
         run.Out.WriteLine(output + ": " + Human.Count(result.Points, "point") + ", " + Human.Bytes(result.Bytes) + moved);

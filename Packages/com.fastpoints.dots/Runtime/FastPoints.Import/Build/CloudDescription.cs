@@ -62,25 +62,34 @@ namespace FastPoints.Build
             return all;
         }
 
+        public static List<string> PathsOf(IReadOnlyList<PointReader> readers)
+        {
+            var paths = new List<string>();
+            foreach (var reader in readers)
+                if (reader is TiledReader tiles)
+                    paths.AddRange(tiles.Paths);
+                else
+                    paths.Add(reader.Info.Path);
+            return paths;
+        }
+
         /// <summary>One entry a file, tiles of a reader apart.</summary>
         static void AddSources(IReadOnlyList<PointReader> readers, IReadOnlyList<PointStatistics> statistics,
             CloudManifest manifest)
         {
             for (int i = 0; i < readers.Count; i++)
             {
-                if (readers[i] is TiledReader tiles)
-                {
-                    for (int t = 0; t < tiles.TileCount; t++)
+                var info = readers[i].Info;
+                for (int t = 0; t < (readers[i] as TiledReader)?.TileCount; t++)
+                    AddSource(((TiledReader)readers[i]).TileOf(t), manifest);
+                if (!(readers[i] is TiledReader))
+                    AddSource(new CloudManifest.Source
                     {
-                        tiles.DescribeTile(t, out string path, out long bytes, out long points);
-                        AddSource(path, bytes, points, manifest);
-                    }
-                }
-                else
-                {
-                    var info = readers[i].Info;
-                    AddSource(info.Path, info.FileBytes, statistics[i].Count + statistics[i].LeftOut, manifest);
-                }
+                        Name = info.Path,
+                        FileBytes = info.FileBytes,
+                        Points = statistics[i].Count + statistics[i].LeftOut,
+                        Crs = info.Crs.ToCloudCrs(),
+                    }, manifest);
             }
         }
 
@@ -114,22 +123,15 @@ namespace FastPoints.Build
             manifest.BoundsMax = found.Count > 0 ? found.Max : default;
             manifest.Attributes = build.Attributes;
             AttributeSummary.Describe(build.Attributes, values, manifest);
-            manifest.CrsName = crs.Summary;
-            manifest.CrsWkt = crs.Wkt;
-            manifest.CrsEpsg = crs.Epsg;
-            manifest.CrsVerticalEpsg = crs.VerticalEpsg;
-            manifest.CrsGeoKeys = crs.GeoKeys;
-            manifest.MetresPerUnit = crs.MetresPerUnit;
+            manifest.Crs = crs.ToCloudCrs();
             manifest.GpsTime = MeaningOf(build.Readers).GpsTime;
         }
 
-        static void AddSource(string path, long fileBytes, long points, CloudManifest manifest) =>
-            manifest.Sources.Add(new CloudManifest.Source
-            {
-                Name = Path.GetFileName(path),
-                FileBytes = fileBytes,
-                Points = points
-            });
+        static void AddSource(CloudManifest.Source source, CloudManifest manifest)
+        {
+            source.Name = Path.GetFileName(source.Name);
+            manifest.Sources.Add(source);
+        }
     }
 
     /// <summary>Turns statistics of a cloud's attributes into the manifest's description of them.</summary>

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Globalization;
 using FastPoints.Drawing;
+using FastPoints.Las;
 using FastPoints.Nodes;
 using FastPoints.Reading;
 using FastPoints.Sampling;
@@ -24,6 +25,9 @@ namespace FastPoints.Build
         ChunkSet m_chunks;
         OctreeBuild m_octree;
 
+        /// <summary>See <see cref="LasRecords"/>; null if the sources are not LAS files.</summary>
+        byte[] m_records;
+
         ConvertCloud(BuildContext build) => m_build = build;
 
         /// <summary>Coroutine: converts. When the work has ended, the target exists and is complete. If the work was
@@ -38,6 +42,7 @@ namespace FastPoints.Build
             CloudDescription.Check(readers);
             using var convert = new ConvertCloud(new BuildContext(readers, target, settings, progress));
             progress?.Begin(BuildStages.Sample);
+            yield return JobStep.Of(convert.ReadRecords());
             yield return JobStep.Of(convert.Sample());
             yield return JobStep.Of(convert.Partition());
             // The coroutine checks its budget: memory is allocated in steps.
@@ -69,6 +74,15 @@ namespace FastPoints.Build
                 sample.Dispose();
             m_samples.Clear();
             m_build.Dispose();
+        }
+
+        IEnumerator<JobStep> ReadRecords()
+        {
+            var paths = CloudDescription.PathsOf(m_build.Readers);
+            var losses = new List<Loss>();
+            yield return JobStep.Of(PoolTask.Run(paths[0], () => LasRecords.CommonTo(paths, losses)?.ToBytes(),
+                bytes => m_records = bytes));
+            m_build.Readers[0].Info.Losses.AddRange(losses);
         }
 
         IEnumerator<JobStep> Sample()
@@ -168,6 +182,8 @@ namespace FastPoints.Build
             else
             {
                 manifest = m_octree.Manifest;
+                if (m_records != null)
+                    yield return JobStep.Of(folder.Write(StoreFormat.RecordsName, m_records));
                 yield return JobStep.Of(folder.WriteText(StoreFormat.ManifestName, manifest.ToJson()));
                 yield return JobStep.Of(m_checkpoints.Finish(m_octree.LevelCount, m_octree.BytesOfPlane));
             }

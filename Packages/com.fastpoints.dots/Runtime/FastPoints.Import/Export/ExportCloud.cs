@@ -138,6 +138,8 @@ namespace FastPoints.Export
             long pointsEnd = buffers.Bytes;
             foreach (var (offset, bytes) in m_format.Tail)
                 yield return JobStep.Of(CopyTail(buffers, offset, bytes));
+            foreach (var bytes in m_format.TailBytes)
+                yield return JobStep.Of(buffers.Write(bytes, false));
             var state = m_state.Value;
             yield return JobStep.Of(buffers.Write(m_format.Head(path, state, chunksEnd, pointsEnd), true));
             done(new ExportResult(m_format, state, buffers.Bytes));

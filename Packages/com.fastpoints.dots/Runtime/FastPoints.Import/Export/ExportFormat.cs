@@ -14,6 +14,8 @@ namespace FastPoints.Export
 
         public readonly List<string> Warnings = new List<string>();
 
+        public readonly List<Loss> Losses = new List<Loss>();
+
         public PositionChange Position;
 
         public int RecordBytes { get; protected set; }
@@ -32,6 +34,9 @@ namespace FastPoints.Export
 
         /// <summary>Parts of the source that are copied behind the points: the first byte, and the number of bytes.</summary>
         public virtual IReadOnlyList<(long Offset, long Bytes)> Tail => System.Array.Empty<(long, long)>();
+
+        /// <summary>What comes behind that.</summary>
+        public virtual IReadOnlyList<byte[]> TailBytes => System.Array.Empty<byte[]>();
 
         /// <summary>All that comes before the points, of a length that is always the same.</summary>
         /// <param name="written">The points; none before they are written.</param>

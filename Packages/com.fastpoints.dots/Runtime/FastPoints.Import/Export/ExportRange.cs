@@ -193,6 +193,9 @@ namespace FastPoints.Export
         /// <summary>One line each.</summary>
         public readonly List<string> Warnings;
 
+        /// <summary>What the file has no place for.</summary>
+        public readonly List<Loss> Losses;
+
         public ExportResult(ExportFormat format, in ExportState state, long bytes)
         {
             Points = state.Written;
@@ -201,6 +204,7 @@ namespace FastPoints.Export
             Bytes = bytes;
             PositionError = state.WorstError;
             Warnings = new List<string>(format.Warnings);
+            Losses = new List<Loss>(format.Losses);
             if (state.Clamped > 0)
                 Warnings.Add(NumberText.Of(state.Clamped) + " values are larger than their fields in LAS: the largest that " +
                     "fits is written");

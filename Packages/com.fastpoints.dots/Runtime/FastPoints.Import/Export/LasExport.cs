@@ -8,8 +8,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Export
 {
-    /// <summary>LAS: of a LAS source the same point format, grid, header and records around the points; of any other LAS 1.4 in
-    /// the least point format that has the standard attributes, everything else as extra bytes.</summary>
+    /// <summary>LAS: of a LAS source, or a cloud of such, the same point format, grid, header and records around the points; of any
+    /// other LAS 1.4 in the least point format that has the standard attributes, everything else as extra bytes.</summary>
     internal class LasExport : ExportFormat
     {
         const int BufferBytes = 1 << 20;
@@ -25,8 +25,15 @@ namespace FastPoints.Export
 
         const double MaxSteps = uint.MaxValue - 1.0;
 
+        readonly string m_path;
         readonly LasHeader m_header;
+
+        /// <summary>What the source kept of the files that it was made from; null of a LAS file, and where there is nothing.</summary>
+        readonly LasRecords m_kept;
         readonly List<byte[]> m_vlrs = new List<byte[]>();
+        /// <summary>What describes the extra bytes, until it is among the records; null without any.</summary>
+        byte[] m_extraBytes;
+        readonly List<byte[]> m_tailBytes = new List<byte[]>();
         readonly List<(long, long)> m_tail = new List<(long, long)>();
         readonly bool m_isOnDegrees;
 
@@ -40,16 +47,19 @@ namespace FastPoints.Export
         public LasExport(PointReader reader, string[] chosen, long maxPoints)
         {
             var info = reader.Info;
+            m_path = info.Path;
             m_isOnDegrees = double.IsNaN(info.Crs.MetresPerUnit);
             SetAxes(AttributeType.Int32);
             var las = (reader as ILasSource)?.Las;
-            m_header = las != null ? HeaderOf(las) : new LasHeader { VersionMinor = 4 };
+            m_kept = las == null ? KeptOf(reader) : null;
+            var from = las?.Header ?? m_kept?.Header;
+            m_header = from != null ? LasRecords.CopyOf(from) : new LasHeader { VersionMinor = 4 };
             m_header.GeneratingSoftware = "FastPoints";
+            if (las == null)
+                ChooseFormat(info.Schema, chosen);
             if (maxPoints > uint.MaxValue && m_header.VersionMinor < 4)
                 m_header.VersionMinor = 4;
             m_header.HeaderBytes = LasHeader.BytesOf(m_header.VersionMinor);
-            if (las == null)
-                m_header.PointFormat = FormatOf(info.Schema, chosen);
             var format = LasPointFormat.Of(m_header.PointFormat);
             ReturnMask = format.IsExtended ? 15 : 7;
             RecordBytes = format.RecordBytes;
@@ -64,10 +74,12 @@ namespace FastPoints.Export
             if (las != null)
             {
                 CopyRecords(las, chosen == null);
+                if (m_extraBytes != null)
+                    m_vlrs.Add(m_extraBytes);
             }
             else
             {
-                AddCrs(info.Crs);
+                AddKept(info.Crs);
                 AddTime(info);
             }
             SetPosition(info);
@@ -75,6 +87,8 @@ namespace FastPoints.Export
         }
 
         public override IReadOnlyList<(long Offset, long Bytes)> Tail => m_tail;
+
+        public override IReadOnlyList<byte[]> TailBytes => m_tailBytes;
 
         public override bool NeedsBounds => Position.Kind != PositionKind.Same;
 
@@ -186,23 +200,47 @@ namespace FastPoints.Export
             m_header.Offset = info.Transform.Offset;
         }
 
-        static LasHeader HeaderOf(LasFile las)
+        LasRecords KeptOf(PointReader reader)
         {
-            var from = las.Header;
-            return new LasHeader
+            if (reader is StoredReader stored)
+                return LasRecords.Read(stored.RecordsPath);
+            if (!(reader is TiledReader tiles))
+                return null;
+            return LasRecords.CommonTo(tiles.Paths, Losses);
+        }
+
+        /// <summary>That of the files that the source was made from where it has a field for the same attributes, or else the least
+        /// one, and a version that knows it.</summary>
+        void ChooseFormat(PointSchema schema, string[] chosen)
+        {
+            int least = FormatOf(schema, chosen);
+            if (m_kept == null || !HasFieldsFor(schema, chosen, least))
+                m_header.PointFormat = least;
+            int first = m_header.PointFormat >= LasPointFormat.FirstExtended ? 4 : m_header.PointFormat >= 4 ? 3 : 0;
+            m_header.VersionMinor = Math.Max(m_header.VersionMinor, first);
+            // Packets are not kept.
+            m_header.GlobalEncoding &= unchecked((ushort)~LasHeader.WaveformBits);
+        }
+
+        bool HasFieldsFor(PointSchema schema, string[] chosen, int least)
+        {
+            var fields = LasPointFormat.Of(m_header.PointFormat).Fields;
+            foreach (var field in fields)
             {
-                FileSourceId = from.FileSourceId,
-                GlobalEncoding = from.GlobalEncoding,
-                Guid = from.Guid,
-                VersionMinor = from.VersionMinor,
-                SystemIdentifier = from.SystemIdentifier,
-                CreationDay = from.CreationDay,
-                CreationYear = from.CreationYear,
-                PointFormat = from.PointFormat,
-                MinGpsTime = from.MinGpsTime,
-                MaxGpsTime = from.MaxGpsTime,
-                TimeOffset = from.TimeOffset,
-            };
+                int index = IsAxis(field.Name) ? -1 : schema.IndexOf(field.Name);
+                bool isThere = index >= 0 && IsChosen(field.Name, chosen) && schema[index].Type == field.Type;
+                if (!isThere && !IsAxis(field.Name))
+                    return false;
+            }
+            foreach (var field in LasPointFormat.Of(least).Fields)
+            {
+                bool isKept = false;
+                foreach (var kept in fields)
+                    isKept |= kept.Name == field.Name;
+                if (!isKept && schema.Has(field.Name) && IsChosen(field.Name, chosen))
+                    return false;
+            }
+            return true;
         }
 
         /// <summary>The least format that has what is wanted. Only formats 0 to 5 have scan angles of whole degrees.</summary>
@@ -238,9 +276,10 @@ namespace FastPoints.Export
             foreach (var field in format.Fields)
                 standard.Add(field);
             var extra = new List<byte>();
+            MapDescribed(info.Schema, chosen, extra);
             foreach (var attribute in info.Schema)
             {
-                if (IsAxis(attribute.Name) || !IsChosen(attribute.Name, chosen))
+                if (IsAxis(attribute.Name) || !IsChosen(attribute.Name, chosen) || Columns.Exists(c => c.From == attribute.Name))
                     continue;
                 var column = new ExportColumn { From = attribute.Name };
                 if (standard.TryFind(attribute.Name, out column.To) && Fits(attribute, column))
@@ -251,19 +290,45 @@ namespace FastPoints.Export
                     continue;
                 }
                 if (column.To.Name != null)
-                    Warnings.Add(attribute.Name + " is " + attribute.Type + " here, which the field of LAS cannot hold: it is " +
-                        "written as extra bytes, and the field is 0");
+                    Losses.Add(new Loss("the field for " + attribute.Name, m_path, "it is " + attribute.Type + " here, which that " +
+                        "cannot hold: it is written as extra bytes, and the field is 0"));
                 column.To = new PointField(attribute.Name, attribute.Type, RecordBytes);
                 RecordBytes += attribute.Type.SizeOf();
-                extra.AddRange(LasExtraBytes.Entry(attribute));
+                if (!IsUndescribed(attribute))
+                    extra.AddRange(LasExtraBytes.Entry(attribute));
                 Columns.Add(column);
             }
             if (extra.Count > ushort.MaxValue)
                 throw PointCloudException.Wanted(FailureCode.Unsupported, info.Path, -1, "attributes beyond those of LAS",
                     "at most " + ushort.MaxValue / LasExtraBytes.EntryBytes, extra.Count / LasExtraBytes.EntryBytes);
             if (extra.Count > 0)
-                m_vlrs.Add(LasWriter.Vlr(LasVlr.SpecificationUser, LasVlr.ExtraBytesRecord, "Extra bytes", extra.ToArray()));
+                m_extraBytes = LasWriter.Vlr(LasVlr.SpecificationUser, LasVlr.ExtraBytesRecord, "Extra bytes", extra.ToArray());
         }
+
+        /// <summary>Extra bytes whose description was kept: it says more than names, and of several as one.</summary>
+        void MapDescribed(PointSchema schema, string[] chosen, List<byte> extra)
+        {
+            foreach (var (entry, fields) in LasExtraBytes.Split(m_kept?.PayloadOf(LasVlr.SpecificationUser,
+                LasVlr.ExtraBytesRecord), RecordBytes))
+            {
+                bool isWhole = fields.Count > 0;
+                foreach (var field in fields)
+                    isWhole &= schema.IndexOf(field.Name) is int index && index >= 0 && IsChosen(field.Name, chosen) &&
+                        schema[index].Equals(new PointAttribute(field.Name, field.Type, field.Scale, field.Offset));
+                if (!isWhole)
+                    continue;
+                foreach (var field in fields)
+                {
+                    var to = new PointField(field.Name, field.Type, RecordBytes, field.Scale, field.Offset);
+                    Columns.Add(new ExportColumn { From = field.Name, To = to });
+                    RecordBytes += field.Type.SizeOf();
+                }
+                extra.AddRange(entry);
+            }
+        }
+
+        bool IsUndescribed(PointAttribute attribute) => m_kept?.UndescribedBytes > 0 && attribute.Type == AttributeType.UInt8 &&
+            attribute.Name.StartsWith(LasRecordLayout.UndescribedName, StringComparison.Ordinal);
 
         /// <summary>Whether the field holds all values of the attribute's type.</summary>
         bool Fits(PointAttribute attribute, ExportColumn column)
@@ -292,8 +357,7 @@ namespace FastPoints.Export
             foreach (var vlr in las.Vlrs.Records)
             {
                 long length = vlr.DataOffset + vlr.DataBytes - vlr.Offset;
-                if (vlr.UserId == LazFormat.UserId || vlr.UserId == "copc" ||
-                    !keepsExtraBytes && vlr.Is(LasVlr.SpecificationUser, LasVlr.ExtraBytesRecord))
+                if (vlr.DescribesStorage || !keepsExtraBytes && vlr.Is(LasVlr.SpecificationUser, LasVlr.ExtraBytesRecord))
                     continue;
                 if (vlr.IsExtended)
                 {
@@ -309,7 +373,7 @@ namespace FastPoints.Export
                 }
             }
             if (bytes > MaxVlrBytes)
-                Warnings.Add("records of more than 64 MiB lie before the points: what is beyond that is left out");
+                Losses.Add(new Loss("records", m_path, "more than 64 MiB lie before the points: what is beyond that is left out"));
             // LAS 1.3 has no list of such records, only the place of this one.
             ulong waves = las.Header.WaveformOffset;
             if (m_waveformInTail >= 0 || waves <= las.Header.PointsOffset ||
@@ -321,16 +385,50 @@ namespace FastPoints.Export
             m_tail.Add(((long)waves, LasVlr.ExtendedHeaderBytes + (long)Math.Min(data, room)));
         }
 
+        /// <summary>The records that the source kept, without those of the point's bytes, which are new. A coordinate system that
+        /// was named since rules.</summary>
+        void AddKept(CoordinateSystem crs)
+        {
+            bool hasCrs = m_kept != null && m_kept.Crs.IsKnown && m_kept.Crs.HasSameCodes(crs);
+            foreach (var record in m_kept?.All ?? Array.Empty<LasRecords.Record>())
+            {
+                if (record.Vlr.IsCrs && !hasCrs)
+                    continue;
+                if (record.Vlr.Is(LasVlr.SpecificationUser, LasVlr.ExtraBytesRecord))
+                {
+                    if (m_extraBytes == null || !record.Payload.AsSpan().SequenceEqual(m_extraBytes.AsSpan(LasVlr.HeaderBytes)))
+                        continue;
+                    m_extraBytes = null;
+                }
+                (record.IsExtended ? m_tailBytes : m_vlrs).Add(record.Bytes);
+                m_evlrs += record.IsExtended ? 1u : 0;
+            }
+            if (m_extraBytes != null)
+                m_vlrs.Add(m_extraBytes);
+            if (m_evlrs > 0)
+                m_header.VersionMinor = Math.Max(m_header.VersionMinor, 4);
+            if (hasCrs)
+            {
+                WarnOfKeysAlone(m_kept.Crs);
+                return;
+            }
+            m_header.GlobalEncoding &= unchecked((ushort)~LasHeader.WktBit);
+            AddCrs(crs);
+        }
+
         void AddTime(SourceInfo info)
         {
             var time = info.GpsTime;
+            if (time.Kind == GpsTimeKind.Offset && m_kept != null && m_kept.GpsTime.Equals(time) && m_header.VersionMinor >= 5)
+                return;
+            m_header.GlobalEncoding &= unchecked((ushort)~(LasHeader.StandardTimeBit | LasHeader.TimeOffsetBit));
             bool isStandard = time.Kind == GpsTimeKind.AdjustedStandard ||
                 time.Kind == GpsTimeKind.Offset && time.OffsetMegaseconds == StandardOffsetMegaseconds;
             if (isStandard)
                 m_header.GlobalEncoding |= LasHeader.StandardTimeBit;
             else if (time.Kind != GpsTimeKind.Week && Columns.Exists(c => c.To.Name == AttributeNames.GpsTime))
-                Warnings.Add("LAS 1." + m_header.VersionMinor + " has no place for " + time +
-                    ": the numbers are kept, and readers take them for seconds of the week");
+                Losses.Add(new Loss(time.ToString(), info.Path, "LAS 1." + m_header.VersionMinor + " has no place for it: the " +
+                    "numbers are kept, and readers take them for seconds of the week"));
         }
 
         void AddCrs(CoordinateSystem crs)
@@ -348,9 +446,7 @@ namespace FastPoints.Export
                     m_vlrs.Add(LasWriter.Vlr(LasVlr.ProjectionUser, LasGeoKeys.Records[i], "GeoTIFF keys", crs.GeoKeys[i]));
             if (hasWkt || crs.GeoKeys != null)
             {
-                if (!hasWkt && isExtended)
-                    Warnings.Add("point format " + m_header.PointFormat + " wants the coordinate system as WKT, the source has " +
-                        "GeoTIFF keys alone: these are kept, and readers that go by the letter see none");
+                WarnOfKeysAlone(hasWkt ? crs : new CoordinateSystem { GeoKeys = crs.GeoKeys });
             }
             else if (crs.Epsg != 0 || crs.VerticalEpsg != 0)
             {
@@ -359,8 +455,15 @@ namespace FastPoints.Export
             }
             else if (crs.IsKnown)
             {
-                Warnings.Add("the coordinate system is known by its name alone, which LAS has no place for: " + crs.Summary);
+                Losses.Add(new Loss("the coordinate system " + crs.Summary, m_path, "LAS has no place for a name alone"));
             }
+        }
+
+        void WarnOfKeysAlone(CoordinateSystem crs)
+        {
+            if (crs.Wkt == null && crs.GeoKeys != null && m_header.PointFormat >= LasPointFormat.FirstExtended)
+                Losses.Add(new Loss("the coordinate system as WKT, which point format " + m_header.PointFormat + " wants", m_path,
+                    "the source has GeoTIFF keys alone: these are kept, and readers that go by the letter see none"));
         }
     }
 

@@ -51,7 +51,8 @@ namespace FastPoints.Export
                     Offset = attribute.Offset,
                 });
                 if (isWide)
-                    Warnings.Add(attribute.Name + ": PLY has no 64-bit whole numbers: written as doubles, exact to 2^53");
+                    Losses.Add(new Loss("digits of " + attribute.Name, info.Path, "PLY has no 64-bit whole numbers: written as " +
+                        "doubles, exact to 2^53"));
                 Add(field, attribute.Name);
             }
             BufferPoints = Math.Max(1, BufferBytes / RecordBytes);

@@ -83,6 +83,8 @@ namespace FastPoints.Export
 
         public CloudManifest Manifest => m_folder.Manifest;
 
+        public string RecordsPath => Path.Combine(m_folder.FolderPath, StoreFormat.RecordsName);
+
         public override int BlockCount => m_blocks.Count;
 
         public override int MaxPointsPerBlock => m_maxPoints;

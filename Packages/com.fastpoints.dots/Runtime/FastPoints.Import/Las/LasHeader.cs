@@ -54,7 +54,7 @@ namespace FastPoints.Las
 
         public ushort FileSourceId;
         public ushort GlobalEncoding;
-        public const ushort StandardTimeBit = 1, WktBit = 1 << 4, TimeOffsetBit = 1 << 6;
+        public const ushort StandardTimeBit = 1, WaveformBits = 6, WktBit = 1 << 4, TimeOffsetBit = 1 << 6;
         public byte[] Guid = new byte[16];
         public int VersionMinor;
         public string SystemIdentifier = "";
@@ -89,6 +89,8 @@ namespace FastPoints.Las
         public GpsTime GpsTime =>
             (GlobalEncoding & TimeOffsetBit) != 0 && HasBytes(BytesOf(5)) ? new GpsTime(GpsTimeKind.Offset, TimeOffset)
             : new GpsTime((GlobalEncoding & StandardTimeBit) != 0 ? GpsTimeKind.AdjustedStandard : GpsTimeKind.Week);
+
+        public bool HasWaveforms => (GlobalEncoding & WaveformBits) != 0 || WaveformOffset != 0;
 
         public static int BytesOf(int minorVersion) => s_bytesOfMinor[minorVersion];
 

@@ -142,10 +142,12 @@ namespace FastPoints.Las
             }
             DescribedBytes = end;
             for (int i = end; i < recordBytes; i++)
-                Fields.Add(new PointField("ExtraBytes[" + NumberText.Of(i - end) + "]", AttributeType.UInt8, i));
+                Fields.Add(new PointField(UndescribedName + NumberText.Of(i - end) + "]", AttributeType.UInt8, i));
 
             Schema = Fields.ToSchema();
         }
+
+        public const string UndescribedName = "ExtraBytes[";
 
         public LasPointFormat Format { get; }
         public int RecordBytes { get; }
@@ -225,6 +227,17 @@ namespace FastPoints.Las
                     + (description.Length > 0 ? ", " + description : ""));
             }
             return fields;
+        }
+
+        // Each description with its fields, which begin at a byte of the record.
+        public static IEnumerable<(byte[] Entry, List<PointField> Fields)> Split(byte[] entries, int first)
+        {
+            for (int at = 0; at + EntryBytes <= entries?.Length; at += EntryBytes)
+            {
+                var entry = new byte[EntryBytes];
+                System.Array.Copy(entries, at, entry, 0, EntryBytes);
+                yield return (entry, Read(new ByteReader(entry, "", 0), first, ushort.MaxValue, new SourceInfo()));
+            }
         }
 
         public static byte[] Entry(PointAttribute attribute)

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using FastPoints.Laz;
 using FastPoints.Reading;
 
 namespace FastPoints.Las
@@ -112,6 +113,7 @@ namespace FastPoints.Las
         public const ushort GeoDoubleParamsRecord = 34736;
         public const ushort GeoAsciiParamsRecord = 34737;
         public const ushort ExtraBytesRecord = 4;
+        public const ushort WaveformRecord = 65535;
 
         public string UserId;
         public ushort RecordId;
@@ -126,5 +128,15 @@ namespace FastPoints.Las
         public bool IsExtended;
 
         public bool Is(string userId, ushort recordId) => RecordId == recordId && UserId == userId;
+
+        public string Name => UserId + "/" + NumberText.Of(RecordId);
+
+        // How the points of this file are compressed, or where an octree of it is: of no other file.
+        public bool DescribesStorage => UserId == LazFormat.UserId || UserId == "copc";
+
+        public bool IsWaveform => Is(SpecificationUser, WaveformRecord);
+
+        public bool IsCrs => UserId == ProjectionUser && (RecordId == WktRecord || RecordId == GeoKeyDirectoryRecord ||
+            RecordId == GeoDoubleParamsRecord || RecordId == GeoAsciiParamsRecord);
     }
 }

@@ -68,6 +68,9 @@ namespace FastPoints.Reading
 
         public readonly List<CloudWarning> Warnings = new List<CloudWarning>();
 
+        /// <summary>What is in the file and not in its points, of which a cloud keeps nothing.</summary>
+        internal readonly List<Loss> Losses = new List<Loss>();
+
         public void Fact(string name, string value) => Facts.Add(new KeyValuePair<string, string>(name, value));
 
         internal void FactIfAny(string name, string value)
@@ -129,7 +132,18 @@ namespace FastPoints.Reading
             Epsg = Epsg,
             VerticalEpsg = VerticalEpsg,
             MetresPerUnit = MetresPerUnit,
+            GeoKeys = GeoKeys,
         };
+
+        /// <summary>Of the same text, codes and keys.</summary>
+        internal bool HasSameCodes(CoordinateSystem other)
+        {
+            bool isSame = Wkt == other.Wkt && Epsg == other.Epsg && VerticalEpsg == other.VerticalEpsg &&
+                GeoKeys == null == (other.GeoKeys == null);
+            for (int i = 0; isSame && i < GeoKeys?.Length; i++)
+                isSame = GeoKeys[i].AsSpan().SequenceEqual(other.GeoKeys[i]);
+            return isSame;
+        }
 
         public bool IsKnown => Wkt != null || Epsg != 0 || Name != null;
 

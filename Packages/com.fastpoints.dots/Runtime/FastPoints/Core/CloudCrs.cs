@@ -16,6 +16,13 @@ namespace FastPoints
         /// <summary>Metres of a horizontal unit; 0 if unknown, NaN if it is an angle.</summary>
         public double MetresPerUnit;
 
+        // GeoTIFF keys as LAS has them: directory, doubles, text; null without keys.
+        internal byte[][] GeoKeys;
+
+        // What is told apart in the list of a cloud's sources.
+        internal bool IsSameEntryAs(CloudCrs other) => other != null && Name == other.Name && Wkt == other.Wkt &&
+            Epsg == other.Epsg && VerticalEpsg == other.VerticalEpsg;
+
         /// <summary>Whether both are known to be the same system.</summary>
         public bool IsSameAs(CloudCrs other) =>
             Epsg != 0 && Epsg == other.Epsg && VerticalEpsg == other.VerticalEpsg ||

@@ -9,6 +9,9 @@ namespace FastPoints.Store
     {
         const string FormatName = "fastpoints";
 
+        // Coordinate systems of sources that are told apart.
+        internal const int MaxSystems = 64;
+
         /// <summary>One file that the cloud was made from.</summary>
         public struct Source
         {
@@ -16,6 +19,10 @@ namespace FastPoints.Store
             public string Name;
             public long FileBytes;
             public long Points;
+
+            /// <summary>The file's own coordinate system, where files of several make one cloud; null where it is the
+            /// cloud's.</summary>
+            public CloudCrs Crs;
         }
 
         /// <summary>Smallest and largest value of an attribute, scaled as <see cref="PointAttribute"/> says.</summary>
@@ -82,14 +89,20 @@ namespace FastPoints.Store
 
         internal GpsTime GpsTime;
 
-        public CloudCrs Crs => new CloudCrs
+        public CloudCrs Crs
         {
-            Name = CrsName,
-            Wkt = CrsWkt,
-            Epsg = CrsEpsg,
-            VerticalEpsg = CrsVerticalEpsg,
-            MetresPerUnit = MetresPerUnit,
-        };
+            get => new CloudCrs
+            {
+                Name = CrsName,
+                Wkt = CrsWkt,
+                Epsg = CrsEpsg,
+                VerticalEpsg = CrsVerticalEpsg,
+                MetresPerUnit = MetresPerUnit,
+                GeoKeys = CrsGeoKeys,
+            };
+            internal set => (CrsName, CrsWkt, CrsEpsg, CrsVerticalEpsg, MetresPerUnit, CrsGeoKeys) =
+                (value.Name, value.Wkt, value.Epsg, value.VerticalEpsg, value.MetresPerUnit, value.GeoKeys);
+        }
 
         public readonly List<Source> Sources = new List<Source>();
 
@@ -142,26 +155,67 @@ namespace FastPoints.Store
                     .Add("intensityMin", shown.Intensity.Min).Add("intensityMax", shown.Intensity.Max)
                     .Add("color", shown.HasColor).EndObject();
             }
-            json.BeginObject("crs").Add("name", CrsName).Add("epsg", CrsEpsg).Add("verticalEpsg", CrsVerticalEpsg)
-                .Add("metresPerUnit", MetresPerUnit).Add("wkt", CrsWkt);
-            if (CrsGeoKeys != null)
-                json.Add("geoKeys", Convert.ToBase64String(CrsGeoKeys[0]))
-                    .Add("geoDoubles", Convert.ToBase64String(CrsGeoKeys[1]))
-                    .Add("geoText", Convert.ToBase64String(CrsGeoKeys[2]));
-            json.EndObject();
+            Write(json.BeginObject("crs"), Crs);
             if (GpsTime.Kind != GpsTimeKind.Unknown)
                 json.BeginObject("gpsTime").Add("kind", GpsTime.Kind.ToString()).Add("offsetMegaseconds",
                     GpsTime.OffsetMegaseconds).EndObject();
             json.BeginObject("settings").Add("sampler", Sampler).EndObject();
-            json.BeginArray("sources");
-            foreach (var source in Sources)
-                json.BeginObject().Add("name", source.Name).Add("bytes", source.FileBytes).Add("points",
-                    source.Points).EndObject();
-            json.EndArray();
+            WriteSources(json);
             json.BeginObject("files").Add("hierarchyBytes", HierarchyBytes).AddHex("hierarchyHash", HierarchyHash)
                 .Add("upperBytes", UpperBytes).EndObject();
             return json.EndObject().ToString();
         }
+
+        void WriteSources(JsonWriter json)
+        {
+            var systems = new List<CloudCrs>();
+            var ofSource = Sources.ConvertAll(source =>
+            {
+                int index = systems.FindIndex(s => s == source.Crs || s != null && s.IsSameEntryAs(source.Crs));
+                if (index < 0 && systems.Count <= MaxSystems)
+                    systems.Add(source.Crs);
+                return index < 0 ? systems.Count - 1 : index;
+            });
+            if (systems.Count > 1)
+            {
+                json.BeginArray("systems");
+                foreach (var system in systems)
+                    Write(json.BeginObject(), system ?? new CloudCrs());
+                json.EndArray();
+            }
+            json.BeginArray("sources");
+            for (int i = 0; i < Sources.Count; i++)
+            {
+                json.BeginObject().Add("name", Sources[i].Name).Add("bytes", Sources[i].FileBytes)
+                    .Add("points", Sources[i].Points);
+                if (systems.Count > 1)
+                    json.Add("system", ofSource[i]);
+                json.EndObject();
+            }
+            json.EndArray();
+        }
+
+        static void Write(JsonWriter json, CloudCrs crs)
+        {
+            json.Add("name", crs.Name).Add("epsg", crs.Epsg).Add("verticalEpsg", crs.VerticalEpsg)
+                .Add("metresPerUnit", crs.MetresPerUnit).Add("wkt", crs.Wkt);
+            if (crs.GeoKeys != null)
+                json.Add("geoKeys", Convert.ToBase64String(crs.GeoKeys[0]))
+                    .Add("geoDoubles", Convert.ToBase64String(crs.GeoKeys[1]))
+                    .Add("geoText", Convert.ToBase64String(crs.GeoKeys[2]));
+            json.EndObject();
+        }
+
+        static CloudCrs ReadCrs(JsonMembers crs) => new CloudCrs
+        {
+            Name = crs.TextOrNull("name"),
+            Wkt = crs.TextOrNull("wkt"),
+            Epsg = crs.Int("epsg"),
+            VerticalEpsg = crs.Int("verticalEpsg"),
+            MetresPerUnit = crs.Double("metresPerUnit"),
+            GeoKeys = !crs.Has("geoKeys") ? null
+                : new[] { Base64(crs, "geoKeys"), Base64(crs, "geoDoubles"), Base64(crs, "geoText") },
+        };
 
         /// <summary>Throws a <see cref="PointCloudException"/> that names the member which is missing or senseless.</summary>
         public static CloudManifest FromJson(string text, string path)
@@ -238,14 +292,7 @@ namespace FastPoints.Store
 
         void ReadOrigin(JsonMembers json)
         {
-            var crs = json.Object("crs");
-            CrsName = crs.TextOrNull("name");
-            CrsWkt = crs.TextOrNull("wkt");
-            CrsEpsg = crs.Int("epsg");
-            CrsVerticalEpsg = crs.Int("verticalEpsg");
-            MetresPerUnit = crs.Double("metresPerUnit");
-            if (crs.Has("geoKeys"))
-                CrsGeoKeys = new[] { Base64(crs, "geoKeys"), Base64(crs, "geoDoubles"), Base64(crs, "geoText") };
+            Crs = ReadCrs(json.Object("crs"));
             if (json.ObjectOrNull("gpsTime") is JsonMembers time)
             {
                 if (!Enum.TryParse(time.Text("kind"), out GpsTimeKind kind))
@@ -253,6 +300,7 @@ namespace FastPoints.Store
                 GpsTime = new GpsTime(kind, (int)time.Count("offsetMegaseconds", ushort.MaxValue));
             }
             Sampler = json.Object("settings").Text("sampler");
+            var systems = json.Has("systems") ? json.Objects("systems").ConvertAll(ReadCrs) : null;
             foreach (var source in json.Objects("sources"))
             {
                 Sources.Add(new Source
@@ -260,6 +308,7 @@ namespace FastPoints.Store
                     Name = source.Text("name"),
                     FileBytes = source.Count("bytes"),
                     Points = source.Count("points"),
+                    Crs = systems?[(int)source.Count("system", systems.Count - 1)],
                 });
             }
         }

@@ -16,6 +16,8 @@ namespace FastPoints.Store
         public const string ManifestName = "cloud.json";
         public const string HierarchyName = "hierarchy.bin";
         public const string UpperName = "upper.bin";
+        // What LAS sources have around their points, as a LAS file without points.
+        internal const string RecordsName = "records.las";
         public const string ChunkFolderName = "chunks";
 
         /// <summary>"FPHIERAR", "FPUPPER ", "FPCHUNK ": the first eight bytes of the files as text.</summary>

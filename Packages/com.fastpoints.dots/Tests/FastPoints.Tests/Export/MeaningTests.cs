@@ -8,6 +8,7 @@ using FastPoints.Export;
 using FastPoints.Las;
 using FastPoints.Reading;
 using FastPoints.Sources;
+using FastPoints.Store;
 using FastPoints.Tests.Las;
 using NUnit.Framework;
 
@@ -57,7 +58,7 @@ namespace FastPoints.Tests.Export
         {
             ExportResult result = null;
             JobCoroutine.RunToEnd(ExportCloud.Run(reader, m_folder.File(name), new ExportSettings(), r => result = r, null));
-            return result.Warnings.ToList();
+            return result.Warnings.Concat(result.Losses.Select(loss => loss.ToString())).ToList();
         }
 
         LasFile RoundTrip(string source, out List<string> warnings)
@@ -116,13 +117,27 @@ namespace FastPoints.Tests.Export
             Assert.That(stored.Info.GpsTime.Kind, Is.EqualTo(GpsTimeKind.AdjustedStandard));
         }
 
+        [Test]
+        public void GpsTimes_WithAnOffset_AreKept()
+        {
+            var las = RoundTrip(Source("a.las", 5, 6, 65, file => file.TimeOffset = 1100), out var warnings);
+            Assert.That((las.Header.GlobalEncoding, las.Header.TimeOffset), Is.EqualTo((65, 1100)));
+            Assert.That(warnings, Is.Empty);
+        }
+
         [TestCase(1000, ExpectedResult = 1)]
         [TestCase(1100, ExpectedResult = 0)]
-        public int GpsTimes_WithAnOffset_AreKeptOrItsLossIsSaid(int offset)
+        public int GpsTimes_WithAnOffsetAndNoHeaderToKeep_AreStandardOrItsLossIsSaid(int offset)
         {
-            var las = RoundTrip(Source("a.las", 5, 6, 65, file => file.TimeOffset = offset), out var warnings);
-            Assert.That(warnings, offset == 1000 ? Is.Empty : Has.Exactly(1).Contains("GPS time less 1100 million seconds"));
-            return las.Header.GlobalEncoding;
+            string cloud;
+            using (var reader = PointReaders.Open(Source("a.las", 5, 6, 65, file => file.TimeOffset = offset)))
+                cloud = Convert(reader);
+            File.Delete(Path.Combine(cloud, StoreFormat.RecordsName));
+            using (var stored = StoredReader.Open(cloud))
+                Assert.That(Export(stored), offset == 1000 ? Is.Empty
+                    : Has.Exactly(1).Contains("GPS time less 1100 million seconds"));
+            using var file = FileSource.Open(m_folder.File("out.las"));
+            return LasFile.Read(file).Header.GlobalEncoding;
         }
 
         [TestCase(1, false), TestCase(1, true), TestCase(6, false), TestCase(6, true)]
@@ -135,17 +150,117 @@ namespace FastPoints.Tests.Export
             Assert.That(new[] { 34735, 34736, 34737 }.Select(id => Payload(las, id)),
                 Is.EqualTo(new[] { s_keys, s_doubles, s_text }));
             Assert.That(Payload(las, 2112), Is.EqualTo(hasWkt ? Encoding.UTF8.GetBytes(Wkt + "\0") : null), "no text is made up");
-            Assert.That(las.Header.GlobalEncoding, Is.EqualTo(format == 6 && hasWkt ? LasHeader.WktBit : 0));
+            Assert.That(las.Header.GlobalEncoding, Is.Zero, "as it was");
             Assert.That(warnings, format == 6 && !hasWkt ? Has.Exactly(1).Contains("wants the coordinate system") : Is.Empty);
             Assert.That((las.Info.Crs.Epsg, las.Info.Crs.VerticalEpsg), Is.EqualTo(hasWkt ? (0, 0) : (2229, 6360)));
         }
 
         [Test]
-        public void GeoKeys_LongerThanARecord_AreNotKeptAsTheyAre()
+        public void GeoKeys_LongerThanARecord_StayBehindThePoints()
         {
             var las = RoundTrip(Source("a.las", 4, 1, 0, file => file.Evlr("LASF_Projection", 34735, s_keys)
                 .Evlr("LASF_Projection", 34736, new byte[70_000])), out _);
-            Assert.That((Payload(las, 34736), las.Info.Crs.Epsg), Is.EqualTo(((byte[])null, 2229)));
+            Assert.That((Payload(las, 34736).Length, las.Info.Crs.Epsg), Is.EqualTo((70_000, 2229)));
+        }
+
+        /// <summary>One description of extra bytes.</summary>
+        static byte[] Described(int type, int options, string name, string description, double scale = 0)
+        {
+            var entry = new byte[192];
+            (entry[2], entry[3]) = ((byte)type, (byte)options);
+            Encoding.ASCII.GetBytes(name).CopyTo(entry, 4);
+            BitConverter.GetBytes(-9999.0).CopyTo(entry, 40);
+            BitConverter.GetBytes(scale).CopyTo(entry, 112);
+            Encoding.ASCII.GetBytes(description).CopyTo(entry, 160);
+            return entry;
+        }
+
+        /// <summary>Untyped, a vector, a scaled number with its no-data; two bytes that nothing describes. Records of others before
+        /// and, from LAS 1.4 on, behind the points.</summary>
+        byte[] Full(int minor, int format, int encoding = 0, string other = "of another")
+        {
+            using var file = new LasTestFile { Minor = minor, Format = format, GlobalEncoding = encoding, ExtraBytes = 13 };
+            file.Vlr("LASF_Spec", 4, Described(0, 3, "blob", "untyped").Concat(Described(23, 0, "vec", "a vector"))
+                .Concat(Described(4, 8 | 1, "temp", "degrees", 0.1)).ToArray());
+            AddKeys(file);
+            file.Vlr("someone", 77, Encoding.ASCII.GetBytes(other)).Vlr("LASF_Spec", 3, new byte[] { 1, 2, 3 });
+            if (minor >= 4)
+                file.Evlr("someone", 78, new byte[70_000]).Evlr("LASF_Spec", 0, new byte[] { 5 });
+            var bytes = file.RandomPoints(300, format).ToBytes();
+            bytes[4] = 17;
+            for (int i = 0; i < 16; i++)
+                bytes[8 + i] = (byte)(i + 1);
+            return bytes;
+        }
+
+        static List<byte[]> Records(string path, Func<LasVlr, bool> isWanted = null)
+        {
+            using var file = FileSource.Open(path);
+            return LasFile.Read(file).Vlrs.Records.Where(v => isWanted == null || isWanted(v)).Select(v => file.Read(v.Offset,
+                (int)(v.DataOffset + v.DataBytes - v.Offset), "record").Bytes).ToList();
+        }
+
+        static List<string> Points(string path)
+        {
+            using var file = FileSource.Open(path);
+            var header = LasHeader.Read(file);
+            return Enumerable.Range(0, (int)header.PointsClaimed).Select(i => BitConverter.ToString(file.Read(header.PointsOffset +
+                (long)i * header.RecordBytes, header.RecordBytes, "point").Bytes)).OrderBy(s => s, StringComparer.Ordinal).ToList();
+        }
+
+        /// <summary>Bytes of the header that a file with the same points has again: all but the software's name, counts by return and
+        /// bounds, which the test's file has at random, and offsets.</summary>
+        static byte[] Header(string path) => File.ReadAllBytes(path).Take(247).Where((_, i) => (i < 58 || i >= 90) &&
+            (i < 96 || i >= 100) && (i < 111 || i >= 131) && (i < 179 || i >= 235 && i >= 243)).ToArray();
+
+        [TestCase(1, 0), TestCase(2, 1), TestCase(2, 3), TestCase(4, 1), TestCase(4, 6), TestCase(4, 7), TestCase(4, 8), TestCase(5, 6)]
+        public void EverythingAroundPoints_ThroughACloud_IsTheSameBytes(int minor, int format)
+        {
+            string source = m_folder.Write("a.las", Full(minor, format, minor >= 4 ? 8 + 1 : 1));
+            RoundTrip(source, out var losses);
+            string output = m_folder.File("out.las");
+            Assert.That(Records(output), Is.EqualTo(Records(source)));
+            Assert.That(Points(output), Is.EqualTo(Points(source)));
+            Assert.That(Header(output), Is.EqualTo(Header(source)));
+            Assert.That(losses, format < 6 ? Is.Empty : Has.Exactly(1).Contains("wants"));
+        }
+
+        [Test]
+        public void RecordsOfTiles_WhereTheyAreEqual_AreKeptAndTheOthersAreNamed()
+        {
+            string a = m_folder.Write("a.las", Full(2, 3)), b = m_folder.Write("b.las", Full(2, 3, 0, "of yet another"));
+            string cloud;
+            using (var tiles = PointReaders.Open(new[] { a, b }))
+            {
+                cloud = Convert(tiles);
+                Assert.That(tiles.Info.Losses.Select(l => l.ToString()), Has.Exactly(1).Contains("someone/77: lost"));
+                Assert.That(Export(tiles, "tiles.las"), Has.Exactly(1).Contains("someone/77: lost"));
+            }
+            using (var stored = StoredReader.Open(cloud))
+                Assert.That(Export(stored), Is.Empty);
+            foreach (string output in new[] { "out.las", "tiles.las" })
+                Assert.That(Records(m_folder.File(output)), Is.EqualTo(Records(a, v => v.RecordId != 77)));
+        }
+
+        [Test]
+        public void Waveforms_OfACloud_AreSaidToBeLostOnce()
+        {
+            using var reader = PointReaders.Open(Source("a.las", 3, 4, 2));
+            Convert(reader);
+            Assert.That(reader.Info.Losses.Select(l => l.ToString()), Has.Exactly(1).Contains("waveform packets"));
+        }
+
+        [Test]
+        public void CoordinateSystems_ThatDiffer_AreKeptWithTheirSources()
+        {
+            string a = Source("a.las", 2, 1, 1, AddKeys), b = Source("b.las", 2, 1, 1, AddWkt);
+            using var tiles = PointReaders.Open(new[] { a, b });
+            Assert.That(tiles.Info.Warnings.Select(w => w.Text), Has.Exactly(1).Contains("2229").And.Exactly(1).Contains("site"));
+            using var stored = StoredReader.Open(Convert(tiles));
+            var sources = stored.Manifest.Sources;
+            Assert.That(sources.Select(s => s.Crs.Epsg), Is.EqualTo(new[] { 2229, 0 }));
+            Assert.That(sources[0].Crs.GeoKeys, Is.EqualTo(new[] { s_keys, s_doubles, s_text }));
+            Assert.That(sources[1].Crs.Wkt, Is.EqualTo(Wkt));
         }
 
         [Test]

@@ -59,9 +59,11 @@ namespace FastPoints.Build
         public string ReadText(string name) => File.Exists(PathOf(name)) ? StoreFile.ReadText(PathOf(name)) : null;
 
         /// <summary>Coroutine: writes a small file behind everything queued, replacing the one of that name.</summary>
-        public IEnumerator<JobStep> WriteText(string name, string text)
+        public IEnumerator<JobStep> WriteText(string name, string text) => Write(name, new UTF8Encoding(false).GetBytes(text));
+
+        public IEnumerator<JobStep> Write(string name, byte[] content)
         {
-            using var bytes = new NativeArray<byte>(new UTF8Encoding(false).GetBytes(text), Allocator.Persistent);
+            using var bytes = new NativeArray<byte>(content, Allocator.Persistent);
             var ticket = Write(name, bytes);
             try
             {

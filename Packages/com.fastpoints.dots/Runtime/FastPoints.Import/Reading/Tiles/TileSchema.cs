@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Globalization;
+using FastPoints.Store;
 
 namespace FastPoints.Reading
 {
@@ -252,6 +253,9 @@ namespace FastPoints.Reading
         public long Points;
         public PointReader Reader;
 
+        // The same object in all that have the same.
+        public CloudCrs Crs;
+
         // It may hold a file's handle.
         public bool IsOpen;
         public int Users;
@@ -263,6 +267,7 @@ namespace FastPoints.Reading
     {
         readonly SourceInfo m_info;
         readonly SortedDictionary<string, int> m_formats = new SortedDictionary<string, int>(StringComparer.Ordinal);
+        readonly List<(CoordinateSystem Source, CloudCrs Crs)> m_systems = new List<(CoordinateSystem, CloudCrs)>();
         string m_firstPath;
         string m_pathOfCrs;
         string m_pathOfOtherCrs;
@@ -335,6 +340,18 @@ namespace FastPoints.Reading
                 m_pathOfOtherCrs ??= tile.Path + ": " + tile.Crs.Summary;
                 m_otherCrs++;
             }
+        }
+
+        /// <summary>One object for all tiles of a system; null beyond a number that no survey has.</summary>
+        public CloudCrs SharedCrs(SourceInfo tile)
+        {
+            int index = m_systems.FindIndex(s => s.Source.HasSameCodes(tile.Crs));
+            if (index < 0 && m_systems.Count < CloudManifest.MaxSystems)
+            {
+                index = m_systems.Count;
+                m_systems.Add((tile.Crs, tile.Crs.ToCloudCrs()));
+            }
+            return index < 0 ? null : m_systems[index].Crs;
         }
 
         public string Describe(SourceInfo tile) => tile.Format + (tile.Version != null ? " " + tile.Version : "") + ", " +

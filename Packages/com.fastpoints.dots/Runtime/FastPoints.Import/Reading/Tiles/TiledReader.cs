@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.IO;
+using FastPoints.Store;
 using Unity.Collections;
 
 namespace FastPoints.Reading
@@ -86,12 +87,16 @@ namespace FastPoints.Reading
 
         public override int PointsInBlock(int block) => (int)(Found()[block + 1] - m_firstPointOfBlock[block]);
 
-        public void DescribeTile(int tile, out string path, out long fileBytes, out long points)
+        public List<string> Paths => m_tiles.ConvertAll(tile => tile.Path);
+
+        /// <summary>With its path as the name.</summary>
+        public CloudManifest.Source TileOf(int tile) => new CloudManifest.Source
         {
-            path = m_tiles[tile].Path;
-            fileBytes = m_tiles[tile].FileBytes;
-            points = m_tiles[tile].Points;
-        }
+            Name = m_tiles[tile].Path,
+            FileBytes = m_tiles[tile].FileBytes,
+            Points = m_tiles[tile].Points,
+            Crs = m_tiles[tile].Crs,
+        };
 
         public override long BytesOfRange(BlockRange range)
         {
@@ -325,6 +330,7 @@ namespace FastPoints.Reading
                         IsKnown = reader.BlocksAreKnown,
                         HasFixedStride = reader.HasFixedStride,
                         RecordBytes = reader.Info.RecordBytes,
+                        Crs = summary.SharedCrs(reader.Info),
                         Reader = reader,
                     };
                     m_tiles.Add(tile);

@@ -1,0 +1,16 @@
+namespace FastPoints.Reading
+{
+    /// <summary>Something of a source that has no place where it goes.</summary>
+    internal readonly struct Loss
+    {
+        public readonly string What;
+
+        /// <summary>The file that has it.</summary>
+        public readonly string Where;
+        public readonly string Why;
+
+        public Loss(string what, string where, string why) => (What, Where, Why) = (what, where, why);
+
+        public override string ToString() => Where + ": " + What + ": lost, since " + Why;
+    }
+}
