@@ -175,6 +175,19 @@ public sealed class SourceFacts(PointReader reader)
         json.WriteString("crsWkt", crs.Wkt);
     }
 
+    public static void WriteFacts(Utf8JsonWriter json, SourceInfo info)
+    {
+        json.WriteStartArray("facts");
+        foreach (var fact in info.Facts)
+        {
+            json.WriteStartObject();
+            json.WriteString("name", fact.Key);
+            json.WriteString("value", fact.Value);
+            json.WriteEndObject();
+        }
+        json.WriteEndArray();
+    }
+
     internal static void WriteGpsTime(Utf8JsonWriter json, GpsTime time) =>
         json.WriteString("gpsTime", time.Kind == GpsTimeKind.Unknown ? null : time.ToString());
 
@@ -263,15 +276,7 @@ public sealed class SourceFacts(PointReader reader)
         json.WriteEndArray();
         WriteCrs(json, Info.Crs.ToCloudCrs());
         WriteGpsTime(json, Info.GpsTime);
-        json.WriteStartArray("facts");
-        foreach (var fact in Info.Facts)
-        {
-            json.WriteStartObject();
-            json.WriteString("name", fact.Key);
-            json.WriteString("value", fact.Value);
-            json.WriteEndObject();
-        }
-        json.WriteEndArray();
+        WriteFacts(json, Info);
         WriteTree(json);
         foreach (var (name, counts) in Counted())
         {

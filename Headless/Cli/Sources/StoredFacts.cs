@@ -14,6 +14,7 @@ public sealed class StoredFacts
 
     readonly string m_path;
     readonly CloudManifest m_cloud;
+    readonly SourceInfo m_source = new();
     readonly List<Level> m_levels = [];
     readonly List<(string Name, long Bytes)> m_planes = [];
     readonly long m_bytes;
@@ -23,6 +24,7 @@ public sealed class StoredFacts
         m_path = path;
         using var folder = CloudFolder.Open(path);
         m_cloud = folder.Manifest;
+        m_source.AddFactsOf(folder);
         m_bytes = Directory.GetFiles(folder.FolderPath, "*", SearchOption.AllDirectories).Sum(f => new FileInfo(f).Length);
         var bytesOfPlane = new long[folder.Layout.Planes.Count];
         Take(folder.Upper, bytesOfPlane);
@@ -113,7 +115,9 @@ public sealed class StoredFacts
         yield return ("whole", IsWhole ? "yes" : "no, it is being built");
         foreach (var source in m_cloud.Sources)
             yield return ("source", source.Name + ", " + Human.Count(source.FileBytes) + " bytes, " + Human.Count(source.Points)
-                + " points");
+                + " points" + (source.Crs?.Name is { } crs ? ", " + crs : ""));
+        foreach (var fact in m_source.Facts)
+            yield return (fact.Key, fact.Value);
     }
 
     public void WriteKeys(Utf8JsonWriter json)
@@ -142,6 +146,7 @@ public sealed class StoredFacts
         json.WriteEndArray();
         SourceFacts.WriteCrs(json, m_cloud.Crs);
         SourceFacts.WriteGpsTime(json, m_cloud.GpsTime);
+        SourceFacts.WriteFacts(json, m_source);
         json.WriteStartObject("tree");
         json.WriteNumber("nodes", m_cloud.NodeCount);
         json.WriteNumber("chunks", m_cloud.ChunkCount);

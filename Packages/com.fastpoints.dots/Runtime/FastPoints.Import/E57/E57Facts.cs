@@ -33,10 +33,14 @@ namespace FastPoints.E57
                 info.Fact("created", E57Text.GpsTime(seconds));
             AddCrs(root.Child("coordinateMetadata")?.Text, info);
             info.Fact("scans", NumberText.Of(root.Child("data3D")?.Children.Count ?? 0));
+            info.ToldByFacts = "names, places and conditions of scans";
             AddImages(root.Child("images2D"), info);
             foreach (var child in root.Children)
                 if (child.Name.IndexOf(':') >= 0)
+                {
                     info.Fact("extension (left out)", E57Text.OneLine(child.Name));
+                    info.Losses.Add(new Loss(E57Text.OneLine(child.Name), info.Path, "it belongs to an extension"));
+                }
         }
 
         public static void AddScan(E57Node node, E57Scan scan, SourceInfo info)
@@ -69,7 +73,10 @@ namespace FastPoints.E57
                     " (red)");
             var groups = node.Child("pointGroupingSchemes");
             if (groups != null && groups.Children.Count > 0)
+            {
                 info.Fact("  pointGroupingSchemes", "left out");
+                info.Losses.Add(new Loss("groups of points of " + label, info.Path, "points are kept one by one"));
+            }
             foreach (var field in scan.Fields)
                 info.Fact("  field", E57Text.OneLine(field.Name) + ": " + field.Summary());
         }
@@ -147,6 +154,7 @@ namespace FastPoints.E57
             if (images == null || images.Children.Count == 0)
                 return;
             info.Fact("images (left out)", NumberText.Of(images.Children.Count));
+            info.Losses.Add(new Loss(NumberText.Of(images.Children.Count) + " images", info.Path, "a cloud has points alone"));
             for (int i = 0; i < images.Children.Count && i < MaxImages; i++)
                 info.Fact("  image " + NumberText.Of(i + 1L), images.Children[i].TextOf("name") ??
                     images.Children[i].TextOf("guid") ?? "without a name");

@@ -94,11 +94,19 @@ namespace FastPoints.Export
         {
             if (settings.Classes != null && !reader.Info.Schema.Has(AttributeNames.Classification))
                 throw new PointCloudException(FailureCode.BadInput, reader.Info.Path, -1, "has no classes to choose from");
+            var format = FormatOf(reader, path, settings.Attributes);
+            if (reader.Info.ToldByFacts is string facts)
+                format.Losses.Add(new Loss(facts, reader.Info.Path, Path.GetExtension(path) + " has no place for them"));
+            return format;
+        }
+
+        static ExportFormat FormatOf(PointReader reader, string path, string[] attributes)
+        {
             return Path.GetExtension(path).ToLowerInvariant() switch
             {
-                ".ply" => new PlyExport(reader.Info, settings.Attributes),
-                ".laz" => new LazExport(reader, settings.Attributes, reader.PointCount),
-                ".las" => (ExportFormat)new LasExport(reader, settings.Attributes, reader.PointCount),
+                ".ply" => new PlyExport(reader, attributes),
+                ".laz" => new LazExport(reader, attributes, reader.PointCount),
+                ".las" => (ExportFormat)new LasExport(reader, attributes, reader.PointCount),
                 _ => throw new PointCloudException(FailureCode.Unsupported, path, -1,
                     "wanted a name that ends in .las, .laz or .ply"),
             };

@@ -1,4 +1,5 @@
 using System.Collections.Generic;
+using FastPoints.Las;
 using FastPoints.Laz;
 using FastPoints.Reading;
 
@@ -57,6 +58,21 @@ namespace FastPoints.Export
             string[] names = { AttributeNames.X, AttributeNames.Y, AttributeNames.Z };
             for (int axis = 0; axis < 3; axis++)
                 Axes[axis] = new PointField(names[axis], type, axis * type.SizeOf());
+        }
+
+        /// <summary>What the source kept of the LAS files that it was made from; null if nothing.</summary>
+        protected LasRecords KeptOf(PointReader reader)
+        {
+            try
+            {
+                return reader is StoredReader stored ? LasRecords.Read(stored.RecordsPath)
+                    : reader is TiledReader tiles ? LasRecords.CommonTo(tiles.Paths, Losses) : null;
+            }
+            catch (PointCloudException e)
+            {
+                Losses.Add(new Loss("header and records of LAS files", reader.Info.Path, e.Message));
+                return null;
+            }
         }
 
         protected static bool IsAxis(string name) =>

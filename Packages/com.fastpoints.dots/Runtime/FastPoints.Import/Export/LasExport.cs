@@ -79,7 +79,7 @@ namespace FastPoints.Export
             }
             else
             {
-                AddKept(info.Crs);
+                AddKept(info.Crs, chosen);
                 AddTime(info);
             }
             SetPosition(info);
@@ -200,15 +200,6 @@ namespace FastPoints.Export
             m_header.Offset = info.Transform.Offset;
         }
 
-        LasRecords KeptOf(PointReader reader)
-        {
-            if (reader is StoredReader stored)
-                return LasRecords.Read(stored.RecordsPath);
-            if (!(reader is TiledReader tiles))
-                return null;
-            return LasRecords.CommonTo(tiles.Paths, Losses);
-        }
-
         /// <summary>That of the files that the source was made from where it has a field for the same attributes, or else the least
         /// one, and a version that knows it.</summary>
         void ChooseFormat(PointSchema schema, string[] chosen)
@@ -308,8 +299,9 @@ namespace FastPoints.Export
         /// <summary>Extra bytes whose description was kept: it says more than names, and of several as one.</summary>
         void MapDescribed(PointSchema schema, string[] chosen, List<byte> extra)
         {
-            foreach (var (entry, fields) in LasExtraBytes.Split(m_kept?.PayloadOf(LasVlr.SpecificationUser,
-                LasVlr.ExtraBytesRecord), RecordBytes))
+            if (m_kept == null)
+                return;
+            foreach (var (entry, fields) in m_kept.ExtraBytes)
             {
                 bool isWhole = fields.Count > 0;
                 foreach (var field in fields)
@@ -387,14 +379,14 @@ namespace FastPoints.Export
 
         /// <summary>The records that the source kept, without those of the point's bytes, which are new. A coordinate system that
         /// was named since rules.</summary>
-        void AddKept(CoordinateSystem crs)
+        void AddKept(CoordinateSystem crs, string[] chosen)
         {
-            bool hasCrs = m_kept != null && m_kept.Crs.IsKnown && m_kept.Crs.HasSameCodes(crs);
+            bool hasCrs = m_kept != null && m_kept.Crs.HasSameCodes(crs);
             foreach (var record in m_kept?.All ?? Array.Empty<LasRecords.Record>())
             {
                 if (record.Vlr.IsCrs && !hasCrs)
                     continue;
-                if (record.Vlr.Is(LasVlr.SpecificationUser, LasVlr.ExtraBytesRecord))
+                if (record.Vlr.IsExtraBytes && (m_extraBytes != null || chosen != null))
                 {
                     if (m_extraBytes == null || !record.Payload.AsSpan().SequenceEqual(m_extraBytes.AsSpan(LasVlr.HeaderBytes)))
                         continue;
@@ -419,7 +411,8 @@ namespace FastPoints.Export
         void AddTime(SourceInfo info)
         {
             var time = info.GpsTime;
-            if (time.Kind == GpsTimeKind.Offset && m_kept != null && m_kept.GpsTime.Equals(time) && m_header.VersionMinor >= 5)
+            bool isKept = m_kept != null && m_kept.GpsTime.Equals(time);
+            if (isKept && (time.Kind == GpsTimeKind.Unknown || time.Kind == GpsTimeKind.Offset && m_header.VersionMinor >= 5))
                 return;
             m_header.GlobalEncoding &= unchecked((ushort)~(LasHeader.StandardTimeBit | LasHeader.TimeOffsetBit));
             bool isStandard = time.Kind == GpsTimeKind.AdjustedStandard ||

@@ -1,5 +1,6 @@
 using System;
 using System.Text;
+using FastPoints.Las;
 using FastPoints.Ply;
 using FastPoints.Reading;
 
@@ -23,8 +24,11 @@ namespace FastPoints.Export
         readonly StringBuilder m_properties = new StringBuilder();
         readonly string m_crs;
 
-        public PlyExport(SourceInfo info, string[] chosen)
+        public PlyExport(PointReader reader, string[] chosen)
         {
+            var info = reader.Info;
+            if (reader is ILasSource || KeptOf(reader) != null)
+                Losses.Add(new Loss("header and records of LAS files", info.Path, "PLY has no place for them"));
             var schema = info.Schema;
             bool isSingle = true;
             foreach (var attribute in schema)
@@ -56,6 +60,10 @@ namespace FastPoints.Export
                 Add(field, attribute.Name);
             }
             BufferPoints = Math.Max(1, BufferBytes / RecordBytes);
+            if (info.Crs.Wkt != null || info.Crs.GeoKeys != null)
+                Losses.Add(new Loss("the definition of the coordinate system", info.Path, "PLY has a comment with its name"));
+            if (info.GpsTime.Kind != GpsTimeKind.Unknown && schema.Has(AttributeNames.GpsTime))
+                Losses.Add(new Loss("the kind of GPS times (" + info.GpsTime + ")", info.Path, "PLY has no place for it"));
             m_crs = info.Crs.Summary == null ? "" : "comment CRS " + Plain(info.Crs.Summary, ' ') + "\n";
         }
 

@@ -61,6 +61,7 @@ namespace FastPoints.Export
                 }
             }
             Info = Describe(folder, first);
+            Info.AddFactsOf(folder);
         }
 
         /// <exception cref="PointCloudException">It is no cloud, is still being built, or is damaged.</exception>

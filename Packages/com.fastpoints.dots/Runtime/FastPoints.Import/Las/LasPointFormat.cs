@@ -229,14 +229,19 @@ namespace FastPoints.Las
             return fields;
         }
 
-        // Each description with its fields, which begin at a byte of the record.
-        public static IEnumerable<(byte[] Entry, List<PointField> Fields)> Split(byte[] entries, int first)
+        // Each description with its fields; the layout's names are unique, as those of descriptions need not be.
+        public static IEnumerable<(byte[] Entry, List<PointField> Fields)> Split(byte[] entries, LasRecordLayout layout)
         {
-            for (int at = 0; at + EntryBytes <= entries?.Length; at += EntryBytes)
+            var fields = new List<PointField>(layout.Fields);
+            int at = layout.Format.Fields.Count;
+            for (int from = 0; from + EntryBytes <= entries?.Length; from += EntryBytes)
             {
                 var entry = new byte[EntryBytes];
-                System.Array.Copy(entries, at, entry, 0, EntryBytes);
-                yield return (entry, Read(new ByteReader(entry, "", 0), first, ushort.MaxValue, new SourceInfo()));
+                System.Array.Copy(entries, from, entry, 0, EntryBytes);
+                int count = Read(new ByteReader(entry, "", 0), 0, ushort.MaxValue, new SourceInfo()).Count;
+                count = System.Math.Min(count, fields.Count - at);
+                yield return (entry, fields.GetRange(at, count));
+                at += count;
             }
         }
 

@@ -16,6 +16,7 @@ namespace FastPoints.Las
         const int MaxNames = 8;
 
         readonly List<Record> m_records = new List<Record>();
+        readonly LasRecordLayout m_layout;
         readonly List<string> m_differing = new List<string>();
 
         LasRecords(LasFile las)
@@ -23,6 +24,7 @@ namespace FastPoints.Las
             Header = las.Header;
             Crs = las.Info.Crs;
             GpsTime = las.Info.GpsTime;
+            m_layout = las.Layout;
             UndescribedBytes = las.Header.RecordBytes - las.Layout.DescribedBytes;
         }
 
@@ -72,10 +74,14 @@ namespace FastPoints.Las
             return Of(source, new List<Loss>());
         }
 
-        public byte[] PayloadOf(string userId, ushort recordId)
+        /// <summary>Descriptions of extra bytes, each with its fields.</summary>
+        public IEnumerable<(byte[] Entry, List<PointField> Fields)> ExtraBytes
         {
-            int index = m_records.FindIndex(r => r.Vlr.Is(userId, recordId));
-            return index >= 0 ? m_records[index].Payload : null;
+            get
+            {
+                int index = m_records.FindIndex(r => r.Vlr.IsExtraBytes);
+                return LasExtraBytes.Split(index >= 0 ? m_records[index].Payload : Array.Empty<byte>(), m_layout);
+            }
         }
 
         /// <summary>A LAS file without points.</summary>

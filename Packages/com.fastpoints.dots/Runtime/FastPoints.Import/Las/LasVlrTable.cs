@@ -136,6 +136,8 @@ namespace FastPoints.Las
 
         public bool IsWaveform => Is(SpecificationUser, WaveformRecord);
 
+        public bool IsExtraBytes => Is(SpecificationUser, ExtraBytesRecord);
+
         public bool IsCrs => UserId == ProjectionUser && (RecordId == WktRecord || RecordId == GeoKeyDirectoryRecord ||
             RecordId == GeoDoubleParamsRecord || RecordId == GeoAsciiParamsRecord);
     }

@@ -111,7 +111,13 @@ namespace FastPoints.Ply
             info.Fact("encoding", header.IsAscii ? "ascii"
                 : header.Encoding == PlyEncoding.BinaryBigEndian ? "binary, big endian" : "binary, little endian");
             foreach (var element in header.Elements)
+            {
                 info.Fact("element " + element.Name, element.Count + (element.HasLists ? ", with lists" : ""));
+                if (element != vertex || element.HasLists)
+                    info.Losses.Add(new Loss((element == vertex ? "lists of " : "") + "element " + element.Name, info.Path,
+                        "it is no point"));
+            }
+            info.ToldByFacts = header.Comments.Count > 0 ? "comments" : null;
             foreach (var comment in header.Comments)
                 info.Fact(comment.Key, comment.Value);
             if (header.UnknownLines > 0)

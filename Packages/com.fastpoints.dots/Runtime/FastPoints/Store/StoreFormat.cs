@@ -18,6 +18,9 @@ namespace FastPoints.Store
         public const string UpperName = "upper.bin";
         // What LAS sources have around their points, as a LAS file without points.
         internal const string RecordsName = "records.las";
+
+        // What the source says of itself for people, where there is one.
+        internal const string FactsName = "facts.json";
         public const string ChunkFolderName = "chunks";
 
         /// <summary>"FPHIERAR", "FPUPPER ", "FPCHUNK ": the first eight bytes of the files as text.</summary>

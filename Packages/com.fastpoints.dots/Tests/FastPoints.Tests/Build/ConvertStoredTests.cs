@@ -369,7 +369,7 @@ namespace FastPoints.Tests.Build
             }
             Assert.That(generations, Is.GreaterThan(0));
             Prove(Uneven(), "cloud");
-            Assert.That(Directory.GetFiles(Target("cloud")), Has.Length.EqualTo(3));
+            Assert.That(Directory.GetFiles(Target("cloud")), Has.Length.EqualTo(4));
         }
 
         IEnumerable<long> Generations(ConvertSettings settings)

@@ -28,6 +28,9 @@ namespace FastPoints.Text
 
         public int Bytes;
 
+        public override string ToString() => "x " + NumberText.Of(X) + ", y " + NumberText.Of(Y) + ", z " + NumberText.Of(Z) +
+            ", shift " + NumberText.Of(Shift);
+
         // Lines of points, those without a return included.
         public ulong Places => Rows != 0 && Columns > ulong.MaxValue / Rows ? ulong.MaxValue : Columns * Rows;
 
@@ -76,7 +79,7 @@ namespace FastPoints.Text
     {
         const int MaxBlockBytes = 256 << 10;
         const int MaxLineBytes = 16 << 10;
-        const int MaxScans = ushort.MaxValue;
+        const int MaxScans = ushort.MaxValue, MaxScansShown = 100;
 
         readonly List<PtxScanHeader> m_scans = new List<PtxScanHeader>();
         readonly List<ushort> m_scanOfBlock = new List<ushort>();
@@ -101,6 +104,8 @@ namespace FastPoints.Text
             Info.Format = "PTX";
             Info.HasPointsClaimed = false;
             Info.Schema = new PointSchema(attributes);
+            Info.ToldByFacts = "the scans' matrices";
+            Info.Losses.Add(new Loss("the scans' grids", Info.Path, "points are kept without their neighbours in them"));
             Info.Fact("first scan", NumberText.Of(first.Columns) + " columns of " + NumberText.Of(first.Rows) + " places");
         }
 
@@ -173,6 +178,8 @@ namespace FastPoints.Text
             if (points == 0)
                 throw new PointCloudException(FailureCode.Truncated, Info.Path, offset, "the scans have no points");
             Info.Fact("scans", NumberText.Of(m_scans.Count));
+            for (int i = 0; i < m_scans.Count && i < MaxScansShown; i++)
+                Info.Fact("scan " + NumberText.Of(i + 1), m_scans[i].ToString());
             m_isReported = new BitArray(blocks.Count);
             m_areAllFound = true;
         }
