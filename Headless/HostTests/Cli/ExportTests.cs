@@ -87,6 +87,24 @@ public sealed class ExportTests : ScratchTests
     }
 
     [Test]
+    public void Losses_AreNamedOnceInWordsAndInJson()
+    {
+        string ply = Scratch["faces.ply"];
+        File.WriteAllText(ply, "ply\nformat ascii 1.0\ncomment by hand\nelement vertex 1\nproperty float x\nproperty float y\n"
+            + "property float z\nelement face 0\nproperty list uchar int vertex_indices\nend_header\n1 2 3\n");
+        foreach (string[] line in new[] { new[] { "convert", ply, "-o", Scratch["faces.fastpoints"] },
+            ["export", Scratch["faces.fastpoints"], "-o", Scratch["faces.las"]] })
+        {
+            string json = Scratch["losses.json"];
+            var call = CliCall.Of([.. line, "--json", json]);
+            string what = line[0] == "convert" ? "element face" : "comments";
+            Assert.That((call.Status, call.Error.Split(what + ": lost").Length), Is.EqualTo((0, 2)), call.Error);
+            var losses = JsonDocument.Parse(File.ReadAllText(json)).RootElement.GetProperty("losses");
+            Assert.That(losses.EnumerateArray().Select(l => l.GetProperty("what").GetString()), Is.EqualTo(new[] { what }));
+        }
+    }
+
+    [Test]
     public void Commands_OfTheReadme_DoWhatItSays()
     {
         string readme = Path.Combine(Checkout.Repository.Root, "README.md");

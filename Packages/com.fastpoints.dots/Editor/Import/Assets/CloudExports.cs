@@ -103,7 +103,8 @@ namespace FastPoints.Editor
             string leftOut = result.PointsLeftOut > 0
                 ? "; " + NumberText.Of(result.PointsLeftOut) + " points without a place were left out" : "";
             return export.Path + ": " + NumberText.Of(result.Points) + " points" + moved + leftOut +
-                (result.Warnings.Count > 0 ? "\n" + string.Join("\n", result.Warnings) : "");
+                (result.Warnings.Count > 0 ? "\n" + string.Join("\n", result.Warnings) : "") +
+                (result.Losses.Count > 0 ? "\n" + string.Join("\n", result.Losses) : "");
         }
 
         void End(Export export, Progress.Status status)

@@ -378,6 +378,8 @@ namespace FastPoints.Editor
                 return;
             foreach (var warning in session.Source.Warnings)
                 Debug.LogWarning("FastPoints: " + warning);
+            foreach (var loss in session.Source.Losses)
+                Debug.LogWarning("FastPoints: " + loss);
             string cloud = Paths.Absolute(request.Cloud);
             // A copy of an asset has the same cloud.
             foreach (string user in new List<string>(Assets.Of(cloud)))
