@@ -23,7 +23,7 @@ public abstract class EditorFixture
         settings.SeveralFiles = SeveralFiles.Ask;
         settings.PointFiles = PointFiles.Ask;
         settings.Place = ProjectPaths.DefaultClouds;
-        settings.AlwaysInPlayers = new PointCloudAsset[0];
+        settings.AlwaysInPlayers = [];
         settings.Apply();
         m_project.Dispose();
     }

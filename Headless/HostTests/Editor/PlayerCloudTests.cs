@@ -25,7 +25,9 @@ public sealed class PlayerCloudTests : EditorFixture
     static BuildPlayerContext Build(string[] scenes)
     {
         var context = new BuildPlayerContext(new BuildPlayerOptions { scenes = scenes });
-        new PlayerCloudProcessor().PrepareForBuild(context);
+        foreach (var processor in new BuildPlayerProcessor[] { new PlayerCloudProcessor(), new BatchCloudProcessor() }
+            .OrderBy(p => p.callbackOrder))
+            processor.PrepareForBuild(context);
         return context;
     }
 
@@ -177,10 +179,12 @@ public sealed class PlayerCloudTests : EditorFixture
     {
         Take("a", "b");
         m_project.UpdateToTheEnd();
-        FastPointsSettings.instance.AlwaysInPlayers = new[] { m_project.Asset("Assets/b.pointcloud"), null };
+        string guid = AssetDatabase.AssetPathToGUID("Assets/b.pointcloud");
+        FastPointsSettings.instance.AlwaysInPlayers = [guid, "an asset that is gone"];
 
         Assert.That(Build().FolderOfPlayerPath.Keys,
             Is.EquivalentTo(new[] { "PointClouds/a.fastpoints", "PointClouds/b.fastpoints" }));
+        Assert.That(m_logged, Has.Some.StartsWith("Warning: ").And.Some.Contains("an asset that is gone"));
     }
 
     [Test]

@@ -1,4 +1,5 @@
 using System.Reflection;
+using UnityEditor.IMGUI.Controls;
 using PointCloud = FastPoints.Entities.PointCloud;
 
 namespace FastPoints.HostTests.Editor;
@@ -112,14 +113,25 @@ public sealed class SceneEditorTests
         scene.transform.localScale = new Vector3(4, 4, 4);
         SceneLoop.Place(scene.transform, Turned(4, new Vector3(1, 2, 3)));
 
-        // Its right side, which shows backwards in the world, by half an edge outwards.
-        ClipBoxEditor.Apply(scene.transform, new Vector3(0.25f, 0, 0), new Vector3(1.5f, 1, 1));
+        var editor = ScriptableObject.CreateInstance<ClipBoxEditor>();
+        editor.target = scene.AddComponent<PointCloudClipBox>();
+        GUIUtility.hotControl = 0;
+        void Drag(params float?[] ways)
+        {
+            foreach (float? way in ways)
+            {
+                PrimitiveBoundsHandle.Way = way;
+                typeof(ClipBoxEditor).GetMethod("OnSceneGUI", BindingFlags.Instance | BindingFlags.NonPublic).Invoke(editor, null);
+            }
+        }
 
-        Assert.That(scene.transform.position, Is.EqualTo(new Vector3(1, 2, 2)));
-        Assert.That(scene.transform.localScale, Is.EqualTo(new Vector3(6, 4, 4)));
-        ClipBoxEditor.Apply(scene.transform, Vector3.zero, new Vector3(1, 0, -1));
-        Assert.That(scene.transform.localScale.y, Is.GreaterThan(0), "a flat box could not be opened again");
-        Assert.That(scene.transform.localScale.z, Is.EqualTo(4));
+        // Its right side, which shows backwards in the world, by half an edge outwards, in several events.
+        Drag(0, 0.5f, 1, 1.5f, 1.5f, 2, null);
+
+        Assert.That((scene.transform.position - new Vector3(1, 2, 2)).magnitude, Is.LessThan(1e-5));
+        Assert.That((scene.transform.localScale - new Vector3(6, 4, 4)).magnitude, Is.LessThan(1e-5));
+        Drag(0, -6, null);
+        Assert.That(scene.transform.localScale.x, Is.GreaterThan(0), "a flat box could not be opened again");
         Object.DestroyImmediate(scene);
     }
 }

@@ -172,23 +172,12 @@ static class SettingsFile
         foreach (var field in Fields(into))
             if (lines.TryGetValue(field.Name, out string text))
                 field.SetValue(into, field.FieldType.IsEnum ? Enum.Parse(field.FieldType, text)
-                    : field.FieldType.IsArray ? AssetsOf(text, field.FieldType.GetElementType())
+                    : field.FieldType == typeof(string[]) ? text.Split(',', StringSplitOptions.RemoveEmptyEntries)
                     : Convert.ChangeType(text, field.FieldType, CultureInfo.InvariantCulture));
     }
 
-    /// <summary>Assets by their GUIDs, as Unity refers to them.</summary>
-    static string TextOf(object value) => value is Object[] assets
-        ? string.Join(",", assets.Select(a => AssetDatabase.AssetPathToGUID(AssetDatabase.GetAssetPath(a))))
+    static string TextOf(object value) => value is string[] texts ? string.Join(",", texts)
         : Convert.ToString(value, CultureInfo.InvariantCulture);
-
-    static Array AssetsOf(string text, Type type)
-    {
-        var assets = text.Split(',', StringSplitOptions.RemoveEmptyEntries).Select(guid =>
-            AssetDatabase.LoadAssetAtPath<Object>(AssetDatabase.GUIDToAssetPath(guid))).ToArray();
-        var typed = Array.CreateInstance(type, assets.Length);
-        assets.CopyTo(typed, 0);
-        return typed;
-    }
 
     static IEnumerable<FieldInfo> Fields(Object of) =>
         SerializedFields.Of(of.GetType()).Where(f => SerializedFields.IsKept(f.FieldType));

@@ -5,12 +5,22 @@ public enum MessageType { None = 0, Info = 1, Warning = 2, Error = 3 }
 /// <summary>There is no window: nothing is shown, and every value stays as it is.</summary>
 public sealed class EditorGUI
 {
-    static int s_checks;
+    static readonly Stack<bool> s_changed = new();
 
-    public static void BeginChangeCheck() => s_checks++;
+    public static void BeginChangeCheck()
+    {
+        s_changed.Push(GUI.changed);
+        GUI.changed = false;
+    }
 
-    public static bool EndChangeCheck() =>
-        --s_checks < 0 ? throw new InvalidOperationException("EndChangeCheck without a BeginChangeCheck") : false;
+    public static bool EndChangeCheck()
+    {
+        if (s_changed.Count == 0)
+            throw new InvalidOperationException("EndChangeCheck without a BeginChangeCheck");
+        bool hasChanged = GUI.changed;
+        GUI.changed |= s_changed.Pop();
+        return hasChanged;
+    }
 }
 
 /// <summary>Each control takes its place in the layout.</summary>

@@ -31,6 +31,11 @@ public sealed class Event
 /// <summary>Leaves a window's code: whoever has called that takes it.</summary>
 public sealed class ExitGUIException : Exception { }
 
+public class GUI
+{
+    public static bool changed { get; set; }
+}
+
 public class GUIUtility
 {
     internal static int LastControl;

@@ -17,39 +17,14 @@ namespace FastPoints.Editor
     /// nothing.</summary>
     internal sealed class PlayerCloudProcessor : BuildPlayerProcessor
     {
+        /// <summary>Behind Entities, which saves scenes that changed.</summary>
+        public override int callbackOrder => 1;
+
         public override void PrepareForBuild(BuildPlayerContext buildPlayerContext)
         {
-            var paths = PointCloudImports.Current.Paths;
             var clouds = new PlayerClouds();
             string[] scenes = PlayerAssets.ScenesOf(buildPlayerContext.BuildPlayerOptions);
-            try
-            {
-                var built = PlayerAssets.Of(scenes);
-                // A build server has sources and nobody to press Convert.
-                if (Application.isBatchMode)
-                    BatchConvert.Convert(PointCloudImports.Current, built);
-                foreach (string path in built)
-                {
-                    // Textures and meshes that scenes refer to are not loaded for this.
-                    if (AssetDatabase.GetMainAssetTypeAtPath(path) != typeof(PointCloudAsset))
-                        continue;
-                    var asset = AssetDatabase.LoadAssetAtPath<PointCloudAsset>(path);
-                    string folder = paths.Absolute(asset.ProjectPath ?? "");
-                    if (string.IsNullOrEmpty(asset.PlayerSource) || CloudFolder.IsCloud(folder))
-                        clouds.Add(path, folder, asset.PlayerPath, PointCloudImports.Current.HandleOf(path).CloudId);
-                    else
-                        clouds.AddSource(path, asset.Paths.FullSources()[0], asset.PlayerSource, asset.Points);
-                }
-            }
-            catch (PointCloudException e)
-            {
-                throw new BuildFailedException(e.Message + (e.Code == FailureCode.NotFound
-                    ? ". FastPoints > Clouds converts what is missing, and locates sources" : ""));
-            }
-            catch (InvalidOperationException e)
-            {
-                throw new BuildFailedException(e.Message);
-            }
+            FailBuildIfItThrows(() => Add(PlayerAssets.Of(scenes), clouds));
             Check(clouds, buildPlayerContext.BuildPlayerOptions.target);
             PlayerReaders.s_areNeeded = clouds.HasSources;
             foreach (var entry in clouds.Entries)
@@ -62,6 +37,39 @@ namespace FastPoints.Editor
                     "Those that only code names go into Always in players, in Project Settings > FastPoints.");
         }
 
+        static void Add(HashSet<string> assets, PlayerClouds clouds)
+        {
+            foreach (string path in assets)
+            {
+                // Textures and meshes that scenes refer to are not loaded for this.
+                if (AssetDatabase.GetMainAssetTypeAtPath(path) != typeof(PointCloudAsset))
+                    continue;
+                var asset = AssetDatabase.LoadAssetAtPath<PointCloudAsset>(path);
+                string folder = PointCloudImports.Current.Paths.Absolute(asset.ProjectPath ?? "");
+                if (string.IsNullOrEmpty(asset.PlayerSource) || CloudFolder.IsCloud(folder))
+                    clouds.Add(path, folder, asset.PlayerPath, PointCloudImports.Current.HandleOf(path).CloudId);
+                else
+                    clouds.AddSource(path, asset.Paths.FullSources()[0], asset.PlayerSource, asset.Points);
+            }
+        }
+
+        internal static void FailBuildIfItThrows(Action step)
+        {
+            try
+            {
+                step();
+            }
+            catch (PointCloudException e)
+            {
+                throw new BuildFailedException(e.Message + (e.Code == FailureCode.NotFound
+                    ? ". FastPoints > Clouds converts what is missing, and locates sources" : ""));
+            }
+            catch (InvalidOperationException e)
+            {
+                throw new BuildFailedException(e.Message);
+            }
+        }
+
         static void Check(PlayerClouds clouds, BuildTarget target)
         {
             if (clouds.Entries.Count > 0 && (target == BuildTarget.Android || target == BuildTarget.WebGL))
@@ -72,6 +80,20 @@ namespace FastPoints.Editor
             if (limitMiB > 0 && clouds.Bytes >= (long)limitMiB << 20)
                 Debug.LogWarning("FastPoints: the player's point clouds have " + (clouds.Bytes >> 20) + " MiB. Project " +
                     "Settings > FastPoints says from where on this is told");
+        }
+    }
+
+    /// <summary>Converts in batch mode: a build server has sources and nobody to press Convert. Before Entities, which bakes
+    /// subscenes from what the handles say.</summary>
+    internal sealed class BatchCloudProcessor : BuildPlayerProcessor
+    {
+        public override int callbackOrder => -1;
+
+        public override void PrepareForBuild(BuildPlayerContext buildPlayerContext)
+        {
+            if (Application.isBatchMode)
+                PlayerCloudProcessor.FailBuildIfItThrows(() => BatchConvert.Convert(PointCloudImports.Current,
+                    PlayerAssets.Of(PlayerAssets.ScenesOf(buildPlayerContext.BuildPlayerOptions))));
         }
     }
 
@@ -128,9 +150,15 @@ namespace FastPoints.Editor
                     if (path.IndexOf("/Resources/", StringComparison.Ordinal) >= 0)
                         roots.Add(path);
                 }
-            foreach (var cloud in FastPointsSettings.instance.AlwaysInPlayers)
-                if (cloud != null)
-                    roots.Add(AssetDatabase.GetAssetPath(cloud));
+            foreach (string guid in FastPointsSettings.instance.AlwaysInPlayers)
+            {
+                string path = AssetDatabase.GUIDToAssetPath(guid);
+                if (AssetDatabase.GetMainAssetTypeAtPath(path) == typeof(PointCloudAsset))
+                    roots.Add(path);
+                else
+                    Debug.LogWarning("FastPoints: Always in players, in Project Settings > FastPoints, names a cloud that the " +
+                        "project does not have: " + (string.IsNullOrEmpty(path) ? guid : path));
+            }
             return new HashSet<string>(AssetDatabase.GetDependencies(roots.ToArray(), true));
         }
     }

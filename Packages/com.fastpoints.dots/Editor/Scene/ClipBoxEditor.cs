@@ -1,3 +1,4 @@
+using System.Collections.Generic;
 using FastPoints.Entities;
 using Unity.Mathematics;
 using UnityEditor;
@@ -14,33 +15,28 @@ namespace FastPoints.Editor
         /// <summary>A box that was dragged flat could not be dragged open again.</summary>
         const float MinThickness = 1e-3f;
 
-        readonly BoxBoundsHandle m_handle = new BoxBoundsHandle();
-
-        /// <summary>Moves a box to where its handles were dragged.</summary>
-        /// <param name="center">Centre in the box's own space, as is <paramref name="size"/>: before, they were 0 and 1.</param>
-        public static void Apply(Transform box, Vector3 center, Vector3 size)
-        {
-            for (int axis = 0; axis < 3; axis++)
-                size[axis] = math.max(MinThickness, math.abs(size[axis]));
-            box.position = box.localToWorldMatrix.MultiplyPoint3x4(center);
-            box.localScale = Vector3.Scale(box.localScale, size);
-        }
+        readonly Dictionary<Object, BoxHandle> m_handles = new Dictionary<Object, BoxHandle>();
 
         // Unity finds these three methods by name, and calls them on each target's editor.
 
         void OnSceneGUI()
         {
             var box = ((PointCloudClipBox)target).transform;
+            if (!m_handles.TryGetValue(target, out var handle))
+                m_handles.Add(target, handle = new BoxHandle());
+            if (!handle.IsDragged)
+                handle.Fit(box);
+            bool isFree = GUIUtility.hotControl == 0;
             var before = Handles.matrix;
-            Handles.matrix = box.localToWorldMatrix;
-            m_handle.center = Vector3.zero;
-            m_handle.size = Vector3.one;
+            Handles.matrix = handle.Space;
             EditorGUI.BeginChangeCheck();
-            m_handle.DrawHandle();
+            handle.DrawHandle();
+            if (isFree)
+                handle.Control = GUIUtility.hotControl;
             if (EditorGUI.EndChangeCheck())
             {
                 Undo.RecordObject(box, "Change clip box");
-                Apply(box, m_handle.center, m_handle.size);
+                handle.Apply(box);
             }
             Handles.matrix = before;
         }
@@ -53,6 +49,33 @@ namespace FastPoints.Editor
             foreach (var other in targets)
                 bounds.Encapsulate(((PointCloudClipBox)other).WorldBounds);
             return bounds;
+        }
+
+        /// <summary>A side that is dragged tells its whole way, in the space that it was taken in.</summary>
+        sealed class BoxHandle : BoxBoundsHandle
+        {
+            /// <summary>The control that was taken; 0 if none was.</summary>
+            public int Control;
+            Vector3 m_scale;
+
+            public Matrix4x4 Space { get; private set; }
+
+            public bool IsDragged => Control != 0 && Control == GUIUtility.hotControl;
+
+            public void Fit(Transform box)
+            {
+                (Space, m_scale) = (box.localToWorldMatrix, box.localScale);
+                (center, size) = (Vector3.zero, Vector3.one);
+            }
+
+            public void Apply(Transform box)
+            {
+                var factors = size;
+                for (int axis = 0; axis < 3; axis++)
+                    factors[axis] = math.max(MinThickness, math.abs(factors[axis]));
+                box.position = Space.MultiplyPoint3x4(center);
+                box.localScale = Vector3.Scale(m_scale, factors);
+            }
         }
     }
 }

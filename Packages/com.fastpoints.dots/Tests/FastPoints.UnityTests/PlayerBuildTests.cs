@@ -34,7 +34,12 @@ namespace FastPoints.UnityTests
                 {
                     scenes = new[] { TestProject.Scene },
                     target = EditorUserBuildSettings.activeBuildTarget,
-                    locationPathName = Path.Combine(folder, "player"),
+                    locationPathName = Path.Combine(folder, "player" + EditorUserBuildSettings.activeBuildTarget switch
+                    {
+                        BuildTarget.StandaloneWindows64 => ".exe",
+                        BuildTarget.StandaloneOSX => ".app",
+                        _ => ".x86_64",
+                    }),
                 });
 
                 Assert.That(report.summary.result, Is.EqualTo(BuildResult.Succeeded));

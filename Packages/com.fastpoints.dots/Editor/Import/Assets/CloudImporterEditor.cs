@@ -35,6 +35,12 @@ namespace FastPoints.Editor
         public override void OnInspectorGUI()
         {
             var imports = PointCloudImports.Current;
+            // A preset's importer has no file.
+            if (string.IsNullOrEmpty(Asset))
+            {
+                DrawSettings();
+                return;
+            }
             if (targets.Length > 1)
             {
                 DrawSeveral(imports);
@@ -79,6 +85,8 @@ namespace FastPoints.Editor
         {
             m_handle = null;
             (m_message, m_missing) = (null, null);
+            if (string.IsNullOrEmpty(Asset))
+                return;
             try
             {
                 var catalog = PointCloudImports.Current.Catalog;

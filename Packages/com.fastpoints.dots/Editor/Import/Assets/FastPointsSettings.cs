@@ -58,8 +58,9 @@ namespace FastPoints.Editor
         /// <summary>From this size on, the clouds of a player are warned of when it is built; 0 for never.</summary>
         public int PlayerMiB = 2048;
 
-        /// <summary>Clouds that go into every player, because only code names them.</summary>
-        public PointCloudAsset[] AlwaysInPlayers = new PointCloudAsset[0];
+        /// <summary>Assets of clouds that go into every player, because only code names them: by GUID, since settings are loaded
+        /// before assets are imported, and a reference would then be null.</summary>
+        public string[] AlwaysInPlayers = new string[0];
 
         /// <summary>What the file says of <see cref="Place"/>, for who may not ask for the settings.</summary>
         /// <param name="project">The project's folder.</param>
@@ -86,8 +87,7 @@ namespace FastPoints.Editor
 
         /// <summary>All that is kept, to compare within a session.</summary>
         string Text() => string.Join("\n", Array.ConvertAll(GetType().GetFields(BindingFlags.Instance | BindingFlags.Public), f =>
-            f.GetValue(this) is PointCloudAsset[] clouds
-                ? string.Join(",", Array.ConvertAll(clouds, c => c == null ? 0 : c.GetHashCode()))
+            f.GetValue(this) is string[] texts ? string.Join(",", texts)
                 : System.Convert.ToString(f.GetValue(this), CultureInfo.InvariantCulture)));
 
         /// <summary>Applies changes, and saves them. Every Undo comes here, and another file has all of a player's data built

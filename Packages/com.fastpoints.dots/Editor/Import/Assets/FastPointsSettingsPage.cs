@@ -18,7 +18,7 @@ namespace FastPoints.Editor
         };
 
         /// <summary>Undo brings back what was set, but not what follows from it.</summary>
-        static void SaveUndone()
+        internal static void SaveUndone()
         {
             if (PointCloudImports.Paths.Clouds != PointCloudImports.Current.Paths.Clouds)
                 PointCloudImports.Move(FastPointsSettings.instance.Place);
@@ -61,15 +61,21 @@ namespace FastPoints.Editor
                 "Clouds that only code names. An empty field takes one more."), settings.AlwaysInPlayers);
         }
 
-        static PointCloudAsset[] CloudFields(GUIContent label, PointCloudAsset[] clouds)
+        /// <summary>An asset that is not here now keeps its place until another takes it.</summary>
+        static string[] CloudFields(GUIContent label, string[] clouds)
         {
-            var chosen = new List<PointCloudAsset>();
+            var chosen = new List<string>();
             for (int i = 0; i <= clouds.Length; i++)
             {
-                var cloud = (PointCloudAsset)EditorGUILayout.ObjectField(i == 0 ? label : new GUIContent(" ", ""),
-                    i < clouds.Length ? clouds[i] : null, typeof(PointCloudAsset), false);
-                if (cloud != null && !chosen.Contains(cloud))
-                    chosen.Add(cloud);
+                string before = i < clouds.Length ? clouds[i] : null;
+                var known = before == null ? null
+                    : AssetDatabase.LoadAssetAtPath<PointCloudAsset>(AssetDatabase.GUIDToAssetPath(before));
+                var cloud = (PointCloudAsset)EditorGUILayout.ObjectField(i == 0 ? label : new GUIContent(" ", ""), known,
+                    typeof(PointCloudAsset), false);
+                string guid = cloud != null ? AssetDatabase.AssetPathToGUID(AssetDatabase.GetAssetPath(cloud))
+                    : known == null ? before : null;
+                if (guid != null && !chosen.Contains(guid))
+                    chosen.Add(guid);
             }
             return chosen.ToArray();
         }
@@ -110,8 +116,6 @@ namespace FastPoints.Editor
         {
             s_problem = place == settings.Place ? null : PointCloudImports.Move(place);
             settings.Save();
-            Undo.undoRedoPerformed -= SaveUndone;
-            Undo.undoRedoPerformed += SaveUndone;
         }
     }
 }

@@ -30,6 +30,9 @@ namespace FastPoints.Editor
             PointFileReaders.Register();
             EditorApplication.quitting += Suspend;
             AssemblyReloadEvents.beforeAssemblyReload += Suspend;
+            // What can be undone outlives a reload of scripts.
+            if (IsMainEditor)
+                Undo.undoRedoPerformed += FastPointsSettingsPage.SaveUndone;
             Listen();
         }
 
