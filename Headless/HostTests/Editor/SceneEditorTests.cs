@@ -116,12 +116,13 @@ public sealed class SceneEditorTests
         var editor = ScriptableObject.CreateInstance<ClipBoxEditor>();
         editor.target = scene.AddComponent<PointCloudClipBox>();
         GUIUtility.hotControl = 0;
+        var draw = typeof(ClipBoxEditor).GetMethod("OnSceneGUI", BindingFlags.Instance | BindingFlags.NonPublic);
         void Drag(params float?[] ways)
         {
             foreach (float? way in ways)
             {
                 PrimitiveBoundsHandle.Way = way;
-                typeof(ClipBoxEditor).GetMethod("OnSceneGUI", BindingFlags.Instance | BindingFlags.NonPublic).Invoke(editor, null);
+                draw.Invoke(editor, null);
             }
         }
 

@@ -1,6 +1,6 @@
 namespace UnityEditor.IMGUI.Controls;
 
-/// <summary>A drag of its side along x moves that, as Slider1D does: by the whole way since it was taken, in the space of then.</summary>
+/// <summary>A drag moves its side along x as Slider1D does: by the whole way since it was taken, in the space of then.</summary>
 public abstract class PrimitiveBoundsHandle
 {
     /// <summary>The way in the world since the side was taken; null while nobody drags.</summary>

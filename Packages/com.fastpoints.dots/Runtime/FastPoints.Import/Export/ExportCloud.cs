@@ -95,7 +95,7 @@ namespace FastPoints.Export
             if (settings.Classes != null && !reader.Info.Schema.Has(AttributeNames.Classification))
                 throw new PointCloudException(FailureCode.BadInput, reader.Info.Path, -1, "has no classes to choose from");
             var format = FormatOf(reader, path, settings.Attributes);
-            if (reader.Info.ToldByFacts is string facts)
+            if (reader.Info.OnlyInFacts is string facts)
                 format.Losses.Add(new Loss(facts, reader.Info.Path, Path.GetExtension(path) + " has no place for them"));
             return format;
         }

@@ -8,8 +8,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Export
 {
-    /// <summary>LAS: of a LAS source, or a cloud of such, the same point format, grid, header and records around the points; of any
-    /// other LAS 1.4 in the least point format that has the standard attributes, everything else as extra bytes.</summary>
+    /// <summary>LAS: of a LAS source, or a cloud of such, the same point format, grid, header and records; of any other LAS 1.4
+    /// in the simplest point format that has the standard attributes, everything else as extra bytes.</summary>
     internal class LasExport : ExportFormat
     {
         const int BufferBytes = 1 << 20;
@@ -28,7 +28,7 @@ namespace FastPoints.Export
         readonly string m_path;
         readonly LasHeader m_header;
 
-        /// <summary>What the source kept of the files that it was made from; null of a LAS file, and where there is nothing.</summary>
+        /// <summary>Null of a LAS file, which has its own records.</summary>
         readonly LasRecords m_kept;
         readonly List<byte[]> m_vlrs = new List<byte[]>();
         /// <summary>What describes the extra bytes, until it is among the records; null without any.</summary>
@@ -200,20 +200,20 @@ namespace FastPoints.Export
             m_header.Offset = info.Transform.Offset;
         }
 
-        /// <summary>That of the files that the source was made from where it has a field for the same attributes, or else the least
-        /// one, and a version that knows it.</summary>
+        /// <summary>That of the files that the source was made from, or the simplest one where these have other attributes; and a
+        /// version that knows it.</summary>
         void ChooseFormat(PointSchema schema, string[] chosen)
         {
-            int least = FormatOf(schema, chosen);
-            if (m_kept == null || !HasFieldsFor(schema, chosen, least))
-                m_header.PointFormat = least;
+            int simplest = FormatOf(schema, chosen);
+            if (m_kept == null || !HasFieldsFor(schema, chosen, simplest))
+                m_header.PointFormat = simplest;
             int first = m_header.PointFormat >= LasPointFormat.FirstExtended ? 4 : m_header.PointFormat >= 4 ? 3 : 0;
             m_header.VersionMinor = Math.Max(m_header.VersionMinor, first);
             // Packets are not kept.
             m_header.GlobalEncoding &= unchecked((ushort)~LasHeader.WaveformBits);
         }
 
-        bool HasFieldsFor(PointSchema schema, string[] chosen, int least)
+        bool HasFieldsFor(PointSchema schema, string[] chosen, int simplest)
         {
             var fields = LasPointFormat.Of(m_header.PointFormat).Fields;
             foreach (var field in fields)
@@ -223,7 +223,7 @@ namespace FastPoints.Export
                 if (!isThere && !IsAxis(field.Name))
                     return false;
             }
-            foreach (var field in LasPointFormat.Of(least).Fields)
+            foreach (var field in LasPointFormat.Of(simplest).Fields)
             {
                 bool isKept = false;
                 foreach (var kept in fields)
@@ -234,7 +234,7 @@ namespace FastPoints.Export
             return true;
         }
 
-        /// <summary>The least format that has what is wanted. Only formats 0 to 5 have scan angles of whole degrees.</summary>
+        /// <summary>The simplest format that has what is wanted. Only formats 0 to 5 have scan angles of whole degrees.</summary>
         static int FormatOf(PointSchema schema, string[] chosen)
         {
             bool Has(string name, params AttributeType[] types)
@@ -281,8 +281,8 @@ namespace FastPoints.Export
                     continue;
                 }
                 if (column.To.Name != null)
-                    Losses.Add(new Loss("the field for " + attribute.Name, m_path, "it is " + attribute.Type + " here, which that " +
-                        "cannot hold: it is written as extra bytes, and the field is 0"));
+                    Losses.Add(new Loss("the field for " + attribute.Name, m_path, "it is " + attribute.Type +
+                        " here, which that cannot hold: it is written as extra bytes, and the field is 0"));
                 column.To = new PointField(attribute.Name, attribute.Type, RecordBytes);
                 RecordBytes += attribute.Type.SizeOf();
                 if (!IsUndescribed(attribute))
@@ -365,7 +365,7 @@ namespace FastPoints.Export
                 }
             }
             if (bytes > MaxVlrBytes)
-                Losses.Add(new Loss("records", m_path, "more than 64 MiB lie before the points: what is beyond that is left out"));
+                Losses.Add(new Loss("records", m_path, "more than 64 MiB of them lie before the points"));
             // LAS 1.3 has no list of such records, only the place of this one.
             ulong waves = las.Header.WaveformOffset;
             if (m_waveformInTail >= 0 || waves <= las.Header.PointsOffset ||

@@ -137,7 +137,8 @@ namespace FastPoints.Las
             if (!File.Exists(path))
                 return null;
             using var source = FileSource.Open(path);
-            bool isLas = source.Length >= LasHeader.MinBytes && source.Read(0, 4, "signature").Text(0, 4, "signature") == LasHeader.Magic;
+            bool isLas = source.Length >= LasHeader.MinBytes &&
+                source.Read(0, 4, "signature").Text(0, 4, "signature") == LasHeader.Magic;
             return isLas ? Of(source, losses) : null;
         }
 

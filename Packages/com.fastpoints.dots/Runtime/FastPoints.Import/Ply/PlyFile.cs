@@ -117,7 +117,7 @@ namespace FastPoints.Ply
                     info.Losses.Add(new Loss((element == vertex ? "lists of " : "") + "element " + element.Name, info.Path,
                         "it is no point"));
             }
-            info.ToldByFacts = header.Comments.Count > 0 ? "comments" : null;
+            info.OnlyInFacts = header.Comments.Count > 0 ? "comments" : null;
             foreach (var comment in header.Comments)
                 info.Fact(comment.Key, comment.Value);
             if (header.UnknownLines > 0)

@@ -80,14 +80,14 @@ namespace FastPoints.Reading
                 Fact(name, value);
         }
 
-        /// <summary>What facts alone tell, which no file that is written has a place for: comments, poses; null if nothing.</summary>
-        internal string ToldByFacts;
+        /// <summary>Comments, poses: what no file that is written has a place for; null if there is nothing.</summary>
+        internal string OnlyInFacts;
 
         const int MaxFactChars = 4 << 20;
 
         internal string FactsToJson()
         {
-            var json = new JsonWriter().BeginObject().Add("tell", ToldByFacts).BeginArray("facts");
+            var json = new JsonWriter().BeginObject().Add("tell", OnlyInFacts).BeginArray("facts");
             int room = MaxFactChars;
             foreach (var fact in Facts)
             {
@@ -107,7 +107,7 @@ namespace FastPoints.Reading
             if (!System.IO.File.Exists(path))
                 return;
             var json = JsonMembers.Parse(StoreFile.ReadText(path), path);
-            ToldByFacts = json.TextOrNull("tell");
+            OnlyInFacts = json.TextOrNull("tell");
             foreach (var fact in json.Objects("facts"))
                 Fact(fact.Text("name"), fact.Text("value"));
         }

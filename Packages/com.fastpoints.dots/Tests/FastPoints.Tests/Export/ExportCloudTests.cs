@@ -217,7 +217,8 @@ namespace FastPoints.Tests.Export
             batch.Count = 20;
             using var source = new MemoryPointReader(batch, 20);
             var result = Run(source, m_folder.File("out.las"));
-            Assert.That(result.Losses.Select(l => l.ToString()), Has.Some.Contains("the field for Intensity: lost, since it is Float32"));
+            Assert.That(result.Losses.Select(l => l.ToString()),
+                Has.Some.Contains("the field for Intensity: lost, since it is Float32"));
             using var reader = PointReaders.Open(m_folder.File("out.las"));
             var extra = reader.Info.Schema.Single(a => a.Type == AttributeType.Float32);
             ReadPoints.EachBlock(reader, reader.Info.Schema.Select(extra.Name), read =>

@@ -222,7 +222,7 @@ namespace FastPoints.Text
             foreach (string keyword in new[] { "WIDTH", "HEIGHT", "VIEWPOINT" })
                 if (pcd[keyword] is { } words)
                     info.Fact(keyword.ToLowerInvariant(), words);
-            info.ToldByFacts = pcd["VIEWPOINT"] is { } view && view != "0 0 0 1 0 0 0" ? "the viewpoint" : null;
+            info.OnlyInFacts = pcd["VIEWPOINT"] is { } view && view != "0 0 0 1 0 0 0" ? "the viewpoint" : null;
             if (pcd["HEIGHT"] is { } height && height != "1")
                 info.Losses.Add(new Loss("the scan's grid", info.Path, "points are kept without their neighbours in it"));
             if (pcd.Places is { } places && places != pcd.Points)

@@ -104,7 +104,7 @@ namespace FastPoints.Text
             Info.Format = "PTX";
             Info.HasPointsClaimed = false;
             Info.Schema = new PointSchema(attributes);
-            Info.ToldByFacts = "the scans' matrices";
+            Info.OnlyInFacts = "the scans' matrices";
             Info.Losses.Add(new Loss("the scans' grids", Info.Path, "points are kept without their neighbours in them"));
             Info.Fact("first scan", NumberText.Of(first.Columns) + " columns of " + NumberText.Of(first.Rows) + " places");
         }
