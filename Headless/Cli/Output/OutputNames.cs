@@ -29,7 +29,7 @@ static class OutputNames
     public static void RefuseNoExport(string path)
     {
         if (!ExportCloud.CanWrite(path))
-            throw new UsageException("--output: wanted a name that ends in .las, .laz or .ply, got " + path);
+            throw new UsageException("--output: wanted a name that ends in .las, .laz, .copc.laz or .ply, got " + path);
         if (Directory.Exists(path))
             throw new UsageException("--output: this is a folder: " + path);
     }

@@ -9,9 +9,10 @@ public sealed class ExportVerb : Verb
     };
     readonly Option<string> m_output = new("--output", "-o")
     {
-        HelpName = "OUT.las|.laz|.ply",
+        HelpName = "OUT.las|.laz|.copc.laz|.ply",
         Required = true,
-        Description = "The file to write. LAS and LAZ keep the point format, grid and records of a LAS source.",
+        Description = "The file to write. LAS and LAZ keep the point format, grid and records of a LAS source; COPC has "
+            + "point format 6, 7 or 8 and an octree of its own, by way of temporary files in OUT.copc.laz.octree.",
     };
     readonly Option<string[]> m_clip = new("--clip")
     {
@@ -31,7 +32,8 @@ public sealed class ExportVerb : Verb
     };
     readonly Option<string?> m_classes = new("--classes") { HelpName = "N,...", Description = "Only points of these classes." };
     readonly Option<long?> m_level = Counts.Optional("--level",
-        "Only the nodes of an octree up to this level, of which 0 is the root.", min: 0);
+        "Only the nodes of an octree up to this level, of which 0 is the root: the source's, or for .copc.laz "
+        + "the file's.", min: 0);
     readonly Option<long?> m_budget = Counts.Optional("--budget",
         "At most so many points, spread over all: an octree's first levels, or an even share.");
     readonly Option<string?> m_attributes = new("--attributes")
@@ -39,9 +41,15 @@ public sealed class ExportVerb : Verb
         HelpName = "A,B,...",
         Description = "Attributes to keep beside the position (default: all).",
     };
+    readonly Option<string?> m_memory = new("--memory")
+    {
+        HelpName = "SIZE",
+        Description = "For .copc.laz: resident memory that the process may take, as of convert (default: 1GiB).",
+    };
     readonly SourceSettings m_source;
 
-    public ExportVerb() : base(new Command("export", "Points out again as LAS, LAZ or PLY: all of a cloud, or a part of it."))
+    public ExportVerb()
+        : base(new Command("export", "Points out again as LAS, LAZ, COPC or PLY: all of a cloud, or a part of it."))
     {
         Command.Add(m_clouds);
         Command.Add(m_output);
@@ -52,12 +60,14 @@ public sealed class ExportVerb : Verb
         Command.Add(m_level);
         Command.Add(m_budget);
         Command.Add(m_attributes);
+        Command.Add(m_memory);
         m_source = new SourceSettings(Command);
     }
 
     public override IReadOnlyList<(string, string)> Examples =>
     [
         ("./fastpoints export scan.fastpoints -o scan.laz", "all points, all attributes"),
+        ("./fastpoints export scan.las -o scan.copc.laz", "for viewers that stream COPC"),
         ("./fastpoints export scan.copc.laz -o part.laz --clip-local 0,0,0,50,50,20", "what is in a box"),
         ("./fastpoints export tiles/ -o ground.las --classes 2,9", "ground and water of many tiles as one file"),
         ("./fastpoints export scan.fastpoints -o thin.ply --budget 1M", "a million points, spread evenly"),
@@ -75,6 +85,8 @@ public sealed class ExportVerb : Verb
             Budget = parsed.GetValue(m_budget) ?? 0,
             Attributes = parsed.GetValue(m_attributes)?.Split(',', StringSplitOptions.RemoveEmptyEntries),
         };
+        if (parsed.GetValue(m_memory) is { } memory)
+            settings.MemoryBytes = Memory.ForBuild(memory);
         run.Begin(clouds, output);
         using var reader = clouds is [var only] && CloudFolder.IsCloud(only) ? StoredReader.Open(only)
             : PointReaders.Open(clouds, m_source.Read(parsed));
@@ -124,7 +136,9 @@ public sealed class ExportVerb : Verb
         if (result.PointsLeftOut > 0)
             run.Warn(output + ": " + Human.Count(result.PointsLeftOut)
                 + " points are left out, whose coordinates are no numbers or do not fit");
-        double seconds = run.Progress.Finished[^1].Seconds;
+        // COPC's points are converted first.
+        double seconds = CopcExport.IsNamed(output) ? run.Progress.Finished.Sum(stage => stage.Seconds)
+            : run.Progress.Finished[^1].Seconds;
         run.WriteKeys = json =>
         {
             json.WriteInteger("points", result.Points);
@@ -135,7 +149,8 @@ public sealed class ExportVerb : Verb
             run.WriteLosses(json);
         };
         string moved = result.PositionError > 0 ? ", coordinates rounded by at most " + Human.Value(result.PositionError) : "";
-        run.Out.WriteLine(output + ": " + Human.Count(result.Points, "point") + ", " + Human.Bytes(result.Bytes) + moved);
+        run.Out.WriteLine(output + ": " + Human.Count(result.Points, "point") + ", " + Human.Bytes(result.Bytes) + moved
+            + (result.Note == null ? "" : ", " + result.Note));
         StageTable.Of(run.Progress).Write(run.Out, "  ");
     }
 

@@ -21,7 +21,7 @@ public sealed class ExportTests : ScratchTests
 
     static JsonElement Scan(string path) => CliCall.Of("info", "--scan", path, "--json", "-").Json;
 
-    [TestCase("whole.las"), TestCase("whole.laz")]
+    [TestCase("whole.las"), TestCase("whole.laz"), TestCase("whole.copc.laz")]
     public void Export_OfASource_SumsAndGridAreTheSame(string output)
     {
         var json = Export(output, m_demo);
@@ -35,7 +35,7 @@ public sealed class ExportTests : ScratchTests
             Assert.That(made.GetProperty(key).GetRawText(), Is.EqualTo(source.GetProperty(key).GetRawText()), key);
     }
 
-    [TestCase("cloud.las"), TestCase("cloud.laz")]
+    [TestCase("cloud.las"), TestCase("cloud.laz"), TestCase("cloud.copc.laz")]
     public void Export_OfAConvertedCloud_IsTheCloud(string output)
     {
         Assert.That(Export(output, m_cloud).GetProperty("points").GetInt64(), Is.EqualTo(60_000));
@@ -61,6 +61,17 @@ public sealed class ExportTests : ScratchTests
         long inside = Export("inside.laz", m_cloud, "--clip", half).GetProperty("points").GetInt64();
         Assert.That(inside, Is.GreaterThan(0).And.LessThan(60_000));
         Assert.That(Export("outside.laz", m_demo, "--cut", half).GetProperty("points").GetInt64(), Is.EqualTo(60_000 - inside));
+    }
+
+    [Test]
+    public void Export_CopcOfTextInLittleMemory_SaysWhatItMade()
+    {
+        File.WriteAllLines(Scratch["grid.xyz"], Enumerable.Range(0, 5000).Select(i => $"{i % 10} {i / 10 % 10} {i / 100}.5"));
+        Export("grid.copc.laz", Scratch["grid.xyz"], "--memory", "200MiB");
+        var info = Scan(Scratch["grid.copc.laz"]);
+        Assert.That((info.GetProperty("format").GetString(), info.GetProperty("points").GetInt64()), Is.EqualTo(("COPC", 5000L)));
+        Assert.That(CliCall.Of("export", m_cloud, "-o", Scratch["x.copc.laz"], "--memory", "3").Status,
+            Is.EqualTo(ExitStatus.Usage));
     }
 
     [Test]
@@ -129,7 +140,7 @@ public sealed class ExportTests : ScratchTests
         Assert.That(File.ReadAllBytes(Scratch["one.laz"]), Is.EqualTo(File.ReadAllBytes(Scratch["two.laz"])));
     }
 
-    [TestCase("out.e57", "wanted a name that ends in .las, .laz or .ply")]
+    [TestCase("out.e57", "wanted a name that ends in .las, .laz, .copc.laz or .ply")]
     [TestCase("out.las", "--classes: wanted numbers", "--classes", "256")]
     [TestCase("out.las", "--clip: wanted x,y,z,X,Y,Z", "--clip", "1,2,3")]
     [TestCase("out.las", "has no Colour", "--attributes", "Colour")]
@@ -150,7 +161,7 @@ public sealed class ExportTests : ScratchTests
         Assert.That(File.ReadAllBytes(m_demo), Is.EqualTo(bytes));
     }
 
-    [TestCase("killed.las"), TestCase("killed.laz")]
+    [TestCase("killed.las"), TestCase("killed.laz"), TestCase("killed.copc.laz")]
     public void Export_Killed_LeavesNothingUnderTheNameAndTheNextRunWorks(string output)
     {
         string target = Scratch[output], whole = "whole-" + output;
@@ -162,7 +173,7 @@ public sealed class ExportTests : ScratchTests
             File.Delete(target);
             using var process = System.Diagnostics.Process.Start(new System.Diagnostics.ProcessStartInfo(
                 Path.Combine(AppContext.BaseDirectory, "FastPoints.Cli"), ["export", large, "-o", target, "--quiet"]));
-            while (Directory.GetFiles(Scratch.Root, output + "*").Length == 0 && !process.HasExited)
+            while (Directory.GetFileSystemEntries(Scratch.Root, output + "*").Length == 0 && !process.HasExited)
                 Thread.Yield();
             process.Kill();
             process.WaitForExit();
@@ -174,7 +185,7 @@ public sealed class ExportTests : ScratchTests
             }
             Export(output, large);
             Assert.That(IsWhole(), Is.True);
-            Assert.That(Directory.GetFiles(Scratch.Root, output + "*"), Has.Length.EqualTo(1), "nothing is left beside it");
+            Assert.That(Directory.GetFileSystemEntries(Scratch.Root, output + "*"), Has.Length.EqualTo(1), "nothing is left");
             return;
         }
     }

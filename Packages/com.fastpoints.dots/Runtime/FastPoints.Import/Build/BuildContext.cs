@@ -82,7 +82,7 @@ namespace FastPoints.Build
                 infos.Add(reader.Info);
                 Points += reader.PointCount;
             }
-            Grid = GridChoice.Choose(infos, samples, Attributes.BytesPerPoint);
+            Grid = GridChoice.Choose(infos, samples, Attributes.BytesPerPoint, Settings.HasCubes);
             int stride = Records.StrideBytes;
             Plan = MemoryPlan.For(Points, stride, Settings);
             Pool = new NativeReference<RecordPagePool>(new RecordPagePool(stride, Points / RecordPages.RecordsPerPage),

@@ -61,6 +61,10 @@ namespace FastPoints.Build
         /// same sources and settings continues from them, if points were in files. May be set while the work is
         /// running.</summary>
         public bool KeepUnfinished;
+
+        /// <summary>Whether the grid has one step on all axes, so that the octree's cubes are cubes in the coordinates as
+        /// well.</summary>
+        internal bool HasCubes;
     }
 
     /// <summary>The result of a conversion.</summary>

@@ -30,6 +30,9 @@ namespace FastPoints.Export
             public NativeArray<byte> Records;
             public int Points;
 
+            /// <summary>What a node left free.</summary>
+            public int FreePoints;
+
             /// <summary>Made when it is first needed; null for records as they are.</summary>
             public LazChunkWriter Writer;
             public JobHandle Compressed;
@@ -57,9 +60,18 @@ namespace FastPoints.Export
         /// <summary>Bytes that are written, or wait to be.</summary>
         public long Bytes { get; private set; }
 
-        /// <summary>Whether so many points fit behind those that were filled in.</summary>
-        public bool HasRoom(long filled, long points) =>
-            filled + points <= (m_free + m_buffers.Length) * m_format.BufferPoints;
+        /// <summary>Whether it can be filled up to there.</summary>
+        public bool HasRoom(long end) =>
+            end <= (m_free + m_buffers.Length) * m_format.BufferPoints;
+
+        /// <summary>A node, whose buffer has its number, has no more points.</summary>
+        /// <returns>Up to where that counts as filled.</returns>
+        public long EndNode(int node, long filled)
+        {
+            long end = (node + 1L) * m_format.BufferPoints;
+            At(node).FreePoints = (int)(end - filled);
+            return end;
+        }
 
         /// <summary>The jobs of the oldest buffer that is not written; complete ones if there is none.</summary>
         public JobHandle Oldest => m_queued < m_sealed ? At(m_queued).Compressed : default;
@@ -70,7 +82,7 @@ namespace FastPoints.Export
         public void Advance(long filled, int waitMs)
         {
             for (; (m_sealed + 1) * m_format.BufferPoints <= filled; m_sealed++)
-                Seal(m_sealed, m_format.BufferPoints);
+                Seal(m_sealed, m_format.BufferPoints - At(m_sealed).FreePoints);
             for (; m_queued < m_sealed && At(m_queued).Compressed.IsCompleted; m_queued++)
                 At(m_queued).Ticket = Append(BytesOf(ref At(m_queued)));
             for (; m_free < m_queued && At(m_free).Ticket.IsDone(waitMs); m_free++)
@@ -138,15 +150,16 @@ namespace FastPoints.Export
             ref var buffer = ref At(number);
             buffer.Points = points;
             buffer.Writer ??= m_format.CreateWriter();
-            buffer.Compressed = buffer.Writer == null ? default : buffer.Writer.Schedule(buffer.Records, points);
+            buffer.Compressed = buffer.Writer == null || points == 0 ? default : buffer.Writer.Schedule(buffer.Records, points);
             JobHandle.ScheduleBatchedJobs();
         }
 
         NativeArray<byte> BytesOf(ref Buffer buffer)
         {
             buffer.Compressed.Complete();
-            var bytes = buffer.Writer?.Chunk ?? buffer.Records.GetSubArray(0, buffer.Points * m_format.RecordBytes);
-            m_format.Written(bytes.Length);
+            var bytes = buffer.Points > 0 && buffer.Writer != null ? buffer.Writer.Chunk
+                : buffer.Records.GetSubArray(0, buffer.Points * m_format.RecordBytes);
+            m_format.Written(bytes.Length, buffer.Points);
             return bytes;
         }
 

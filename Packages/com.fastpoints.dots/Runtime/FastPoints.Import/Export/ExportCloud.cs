@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.IO;
+using FastPoints.Build;
 using FastPoints.Reading;
 using FastPoints.Store;
 using FastPoints.Streaming;
@@ -9,8 +10,9 @@ using Unity.Jobs;
 
 namespace FastPoints.Export
 {
-    /// <summary>Writes the points of any source as LAS, LAZ or PLY, in the order of the source: all, or those within boxes, of
-    /// some classes, or of an octree's upper levels. Memory does not depend on the source's size.</summary>
+    /// <summary>Writes the points of any source as LAS, LAZ, COPC or PLY, in the order of the source, or of its octree: all, or
+    /// those within boxes, of some classes, or of an octree's upper levels. Memory does not depend on the source's
+    /// size.</summary>
     internal sealed class ExportCloud : IDisposable
     {
         readonly PointReader m_reader;
@@ -24,6 +26,7 @@ namespace FastPoints.Export
         NativeArray<ulong> m_classes;
         NativeArray<byte> m_changed;
         NativeArray<int> m_chosen;
+        long m_filled;
         NativeArray<ulong> m_noBuffers = new NativeArray<ulong>(0, Allocator.Persistent);
 
         ExportCloud(PointReader reader, ExportSettings settings, ExportFormat format, List<ExportRange> ranges,
@@ -67,15 +70,65 @@ namespace FastPoints.Export
                 progress?.Begin("find points");
                 yield return JobStep.Of(reader.FindBlocks());
             }
+            yield return JobStep.Of(PoolTask.Run(path, () => ExportRange.CheckNoSource(reader, path), _ => { }));
+            if (CopcExport.IsNamed(path) && !CopcExport.CanTake(reader))
+            {
+                yield return JobStep.Of(RunConverted(reader, path, settings, done, progress));
+                yield break;
+            }
             List<ExportRange> ranges = null;
             ExportFormat format = null;
             yield return JobStep.Of(PoolTask.Run(path, () => FormatOf(reader, path, settings), made => format = made));
-            yield return JobStep.Of(PoolTask.Run(path, () => ExportRange.Choose(reader, path, settings), made => ranges = made));
+            yield return JobStep.Of(PoolTask.Run(path, () => ExportRange.Choose(reader, settings), made => ranges = made));
+            format.Take(ranges);
             using var export = new ExportCloud(reader, settings, format, ranges, progress);
             yield return JobStep.Of(export.SetBounds());
             progress?.Begin("export");
             yield return JobStep.Of(export.Write(path, done));
             progress?.End();
+        }
+
+        /// <summary>Coroutine: by way of a converted cloud beside the target, which goes in the end. One that was killed is gone
+        /// on with by the next to the same target.</summary>
+        static IEnumerator<JobStep> RunConverted(PointReader reader, string path, ExportSettings settings,
+            Action<ExportResult> done, StageProgress progress)
+        {
+            string octree = path + CopcExport.OctreeSuffix;
+            CheckClasses(reader, settings);
+            var attributes = settings.Attributes == null ? null : new List<string>(settings.Attributes);
+            if (settings.Classes != null)
+                attributes?.Add(AttributeNames.Classification);
+            var build = new ConvertSettings
+            {
+                Attributes = attributes?.ToArray(),
+                HasCubes = true,
+                InFlightMs = settings.InFlightMs,
+            };
+            if (settings.MemoryBytes > 0)
+                build.MemoryBytes = settings.MemoryBytes;
+            StoredReader stored = null;
+            long leftOut = 0;
+            try
+            {
+                yield return JobStep.Of(ConvertCloud.Run(new[] { reader }, octree, build,
+                    result => leftOut = result.Manifest.PointsLeftOut, progress));
+                yield return JobStep.Of(PoolTask.Run(octree, () => StoredReader.Open(octree), opened => stored = opened,
+                    unwanted => unwanted.Dispose()));
+                // What is said of it is of the source.
+                stored.Info.Path = reader.Info.Path;
+                yield return JobStep.Of(Run(stored, path, settings, result =>
+                {
+                    result.PointsRead += leftOut;
+                    result.PointsLeftOut += leftOut;
+                    done(result);
+                }, progress));
+            }
+            finally
+            {
+                stored?.Dispose();
+                if (Directory.Exists(octree))
+                    FileChanges.BeginDelete(octree, _ => { });
+            }
         }
 
         public void Dispose()
@@ -92,8 +145,7 @@ namespace FastPoints.Export
 
         static ExportFormat FormatOf(PointReader reader, string path, ExportSettings settings)
         {
-            if (settings.Classes != null && !reader.Info.Schema.Has(AttributeNames.Classification))
-                throw new PointCloudException(FailureCode.BadInput, reader.Info.Path, -1, "has no classes to choose from");
+            CheckClasses(reader, settings);
             var format = FormatOf(reader, path, settings.Attributes);
             if (reader.Info.OnlyInFacts is string facts)
                 format.Losses.Add(new Loss(facts, reader.Info.Path, Path.GetExtension(path) + " has no place for them"));
@@ -105,11 +157,18 @@ namespace FastPoints.Export
             return Path.GetExtension(path).ToLowerInvariant() switch
             {
                 ".ply" => new PlyExport(reader, attributes),
+                ".laz" when CopcExport.IsNamed(path) => new CopcExport((StoredReader)reader, attributes),
                 ".laz" => new LazExport(reader, attributes, reader.PointCount),
                 ".las" => (ExportFormat)new LasExport(reader, attributes, reader.PointCount),
                 _ => throw new PointCloudException(FailureCode.Unsupported, path, -1,
-                    "wanted a name that ends in .las, .laz or .ply"),
+                    "wanted a name that ends in .las, .laz, .copc.laz or .ply"),
             };
+        }
+
+        static void CheckClasses(PointReader reader, ExportSettings settings)
+        {
+            if (settings.Classes != null && !reader.Info.Schema.Has(AttributeNames.Classification))
+                throw new PointCloudException(FailureCode.BadInput, reader.Info.Path, -1, "has no classes to choose from");
         }
 
         /// <summary>Finds out where the points are, if the file has a grid to choose; converted clouds know it.</summary>
@@ -140,7 +199,7 @@ namespace FastPoints.Export
             using var buffers = new ExportBuffers(path, m_format, ExportRange.Longest(m_ranges), Slices.MaxChains);
             yield return JobStep.Of(buffers.Write(m_format.Head(path, m_state.Value, 0, 0), false));
             yield return JobStep.Of(Pass(m_wanted, buffers));
-            yield return JobStep.Of(buffers.Drain(m_state.Value.Written));
+            yield return JobStep.Of(buffers.Drain(m_filled));
             long chunksEnd = buffers.Bytes;
             yield return JobStep.Of(buffers.Write(m_format.Trailer(), false));
             long pointsEnd = buffers.Bytes;
@@ -185,13 +244,14 @@ namespace FastPoints.Export
             var all = new List<Slot>();
             var inFlight = new Queue<Slot>();
             var last = default(JobHandle);
-            long pointsInFlight = 0, read = 0, points = 0, bytes = 0;
+            long pointsInFlight = 0, read = 0, filled = 0, bytes = 0;
             try
             {
                 for (int next = 0; next < m_ranges.Count || inFlight.Count > 0;)
                 {
-                    bool hasRoom = next < m_ranges.Count && (buffers == null ||
-                        buffers.HasRoom(points, pointsInFlight + m_ranges[next].Range.Count));
+                    bool hasRoom = next < m_ranges.Count && (buffers == null || buffers.HasRoom(m_format.HasNodes
+                        ? (m_ranges[next].Node + 1L) * m_format.BufferPoints
+                        : filled + pointsInFlight + m_ranges[next].Range.Count));
                     if (hasRoom && inFlight.Count < limit.Value)
                     {
                         if (idle.Count == 0)
@@ -213,7 +273,9 @@ namespace FastPoints.Export
                         limit.Await();
                         yield return slot.Done;
                         limit.Resume(next < m_ranges.Count && hasRoom && last.IsCompleted);
-                        points = slot.Complete();
+                        filled = slot.Complete();
+                        if (buffers != null && slot.Range.EndsNode)
+                            filled = buffers.EndNode(slot.Range.Node, filled);
                         pointsInFlight -= slot.Read.Range.Count;
                         read += slot.Read.Points.Count;
                         bytes += m_reader.BytesOfRange(slot.Read.Range);
@@ -224,13 +286,14 @@ namespace FastPoints.Export
                     {
                         yield return buffers.Oldest;
                     }
-                    buffers?.Advance(points, inFlight.Count == 0 ? 1 : 0);
+                    buffers?.Advance(filled, inFlight.Count == 0 ? 1 : 0);
                     yield return default;
                 }
             }
             finally
             {
                 last.Complete();
+                m_filled = filled;
                 foreach (var slot in all)
                     slot.Dispose();
             }
@@ -247,6 +310,8 @@ namespace FastPoints.Export
             BufferPoints = m_format.BufferPoints,
             RecordBytes = m_format.RecordBytes,
             ReturnMask = m_format.ReturnMask,
+            Low = double.NegativeInfinity,
+            High = double.PositiveInfinity,
             State = m_state,
         };
 
@@ -258,7 +323,7 @@ namespace FastPoints.Export
             NativeArray<FieldCopy> m_copies;
             NativeArray<FieldCopy> m_changedCopies;
             NativeArray<ColumnChange> m_changes;
-            NativeReference<long> m_written = new NativeReference<long>(Allocator.Persistent);
+            NativeReference<long> m_end = new NativeReference<long>(Allocator.Persistent);
 
             public Slot(PointReader reader, PointSchema wanted, int longest, ExportFormat format)
             {
@@ -275,10 +340,13 @@ namespace FastPoints.Export
 
             public BlockRead Read { get; }
 
+            public ExportRange Range { get; private set; }
+
             public JobHandle Done { get; private set; }
 
             public JobHandle Begin(in ExportRange range, MakeRecordsJob job, JobHandle after)
             {
+                Range = range;
                 Read.Begin(range.Range);
                 job.Columns = Read.Points.Bytes;
                 job.Result = Read.Result;
@@ -288,7 +356,8 @@ namespace FastPoints.Export
                 job.ChangedCopies = m_changedCopies;
                 job.Changes = m_changes;
                 job.Share = range.Share;
-                job.Written = m_written;
+                job.End = m_end;
+                m_format.Place(range, ref job);
                 int classification = Read.Points.Schema.IndexOf(AttributeNames.Classification);
                 if (classification >= 0)
                     job.Classification = Read.Points.Column(classification);
@@ -306,7 +375,7 @@ namespace FastPoints.Export
             {
                 Done.Complete();
                 Read.Complete();
-                return m_written.Value;
+                return m_end.Value;
             }
 
             public void Dispose()
@@ -317,7 +386,7 @@ namespace FastPoints.Export
                 m_copies.Dispose();
                 m_changedCopies.Dispose();
                 m_changes.Dispose();
-                m_written.Dispose();
+                m_end.Dispose();
             }
 
             /// <summary>Which columns go into records as they are, and which by way of a change.</summary>

@@ -17,6 +17,9 @@ namespace FastPoints.Export
 
         public readonly List<Loss> Losses = new List<Loss>();
 
+        /// <summary>What became of the points besides, and is no loss; null for nothing.</summary>
+        public string Note { get; protected set; }
+
         public PositionChange Position;
 
         public int RecordBytes { get; protected set; }
@@ -33,6 +36,16 @@ namespace FastPoints.Export
         /// <summary>What the points that are wanted have shown.</summary>
         public virtual void SetBounds(in ExportState measured) { }
 
+        /// <summary>Whether each block of the source starts a buffer of its own: its number is the range's
+        /// <see cref="ExportRange.Node"/>.</summary>
+        public bool HasNodes { get; protected set; }
+
+        /// <summary>What will be written, in this order.</summary>
+        public virtual void Take(List<ExportRange> ranges) { }
+
+        /// <summary>What is special about the points of a range.</summary>
+        public virtual void Place(in ExportRange range, ref MakeRecordsJob job) { }
+
         /// <summary>Parts of the source that are copied behind the points: the first byte, and the number of bytes.</summary>
         public virtual IReadOnlyList<(long Offset, long Bytes)> Tail => System.Array.Empty<(long, long)>();
 
@@ -48,7 +61,8 @@ namespace FastPoints.Export
         /// <summary>What compresses buffers, one at a time; null for records as they are.</summary>
         public virtual LazChunkWriter CreateWriter() => null;
 
-        public virtual void Written(int bytes) { }
+        /// <summary>A buffer is on its way to the file: one after another.</summary>
+        public virtual void Written(int bytes, int points) { }
 
         public virtual byte[] Trailer() => System.Array.Empty<byte>();
 

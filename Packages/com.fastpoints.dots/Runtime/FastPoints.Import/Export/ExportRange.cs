@@ -15,6 +15,12 @@ namespace FastPoints.Export
         /// <summary>1 for all.</summary>
         public double Share;
 
+        /// <summary>See <see cref="ExportFormat.HasNodes"/>.</summary>
+        public int Node;
+
+        /// <summary>Whether no other range of the same node follows.</summary>
+        public bool EndsNode;
+
         /// <summary>By the source's octree; 0 without one.</summary>
         int m_level;
 
@@ -27,27 +33,32 @@ namespace FastPoints.Export
         }
 
         /// <summary>Chooses by level and budget, and leaves nodes out that no clip box keeps anything of.</summary>
-        /// <param name="path">What will be written, and may be no part of the source.</param>
         /// <returns>In the order of the source.</returns>
         /// <exception cref="PointCloudException">A level is wanted, and there is no octree.</exception>
-        public static List<ExportRange> Choose(PointReader reader, string path, ExportSettings settings)
+        public static List<ExportRange> Choose(PointReader reader, ExportSettings settings)
         {
             var ranges = All(reader, settings.LocalClips(), out bool hasLevels);
             if (settings.Level >= 0 && !hasLevels)
                 throw new PointCloudException(FailureCode.Unsupported, reader.Info.Path, -1,
                     "has no octree whose levels could be chosen: convert it first, or take a budget");
-            var files = new HashSet<string>();
             var pointsOfLevel = new SortedDictionary<int, long>();
             foreach (var range in ranges)
             {
-                files.Add(reader.FileOfBlock(range.Range.Block, out _));
                 pointsOfLevel.TryGetValue(range.m_level, out long points);
                 pointsOfLevel[range.m_level] = points + range.Range.Count;
             }
-            foreach (string file in files)
-                if (string.Equals(Path.GetFullPath(file), path, StringComparison.OrdinalIgnoreCase))
-                    throw new PointCloudException(FailureCode.WriteFailed, path, -1, "is the source, and would be overwritten");
             return Join(ranges, ShareOfLevel(pointsOfLevel, settings));
+        }
+
+        /// <exception cref="PointCloudException">What will be written is a part of the source.</exception>
+        public static bool CheckNoSource(PointReader reader, string path)
+        {
+            var files = new HashSet<string>();
+            for (int block = 0; block < reader.BlockCount; block++)
+                if (files.Add(reader.FileOfBlock(block, out _)) && string.Equals(Path.GetFullPath(
+                    reader.FileOfBlock(block, out _)), path, StringComparison.OrdinalIgnoreCase))
+                    throw new PointCloudException(FailureCode.WriteFailed, path, -1, "is the source, and would be overwritten");
+            return true;
         }
 
         static Dictionary<int, double> ShareOfLevel(SortedDictionary<int, long> pointsOfLevel, ExportSettings settings)
@@ -163,6 +174,10 @@ namespace FastPoints.Export
         /// an even share of any other source; 0 for all.</summary>
         public long Budget;
 
+        /// <summary>Of the conversion that COPC needs: see <see cref="FastPoints.Build.ConvertSettings.MemoryBytes"/>; 0 for
+        /// its default.</summary>
+        public long MemoryBytes;
+
         /// <summary>See <see cref="FastPoints.Build.ConvertSettings.InFlightMs"/>.</summary>
         public double InFlightMs;
 
@@ -181,14 +196,17 @@ namespace FastPoints.Export
         public readonly long Points;
 
         /// <summary>Points that were read, of those that could be chosen.</summary>
-        public readonly long PointsRead;
+        public long PointsRead;
 
         /// <summary>Wanted points whose position is no number, which have no place in the file.</summary>
-        public readonly long PointsLeftOut;
+        public long PointsLeftOut;
         public readonly long Bytes;
 
         /// <summary>The farthest that a coordinate was moved, in CRS units; 0 if they are the source's own numbers.</summary>
         public readonly double PositionError;
+
+        /// <summary>See <see cref="ExportFormat.Note"/>.</summary>
+        public readonly string Note;
 
         /// <summary>One line each.</summary>
         public readonly List<string> Warnings;
@@ -203,6 +221,7 @@ namespace FastPoints.Export
             PointsLeftOut = state.LeftOut;
             Bytes = bytes;
             PositionError = state.WorstError;
+            Note = format.Note;
             Warnings = new List<string>(format.Warnings);
             Losses = new List<Loss>(format.Losses);
             if (state.Clamped > 0)

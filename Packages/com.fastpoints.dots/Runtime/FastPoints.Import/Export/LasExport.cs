@@ -96,7 +96,7 @@ namespace FastPoints.Export
 
         protected int ExtraBytes => RecordBytes - LasPointFormat.Of(m_header.PointFormat).RecordBytes;
 
-        protected void AddVlr(byte[] vlr) => m_vlrs.Add(vlr);
+        protected void AddVlr(byte[] vlr, bool isFirst = false) => m_vlrs.Insert(isFirst ? 0 : m_vlrs.Count, vlr);
 
         public override byte[] Head(string path, in ExportState written, long chunksEnd, long pointsEnd)
         {
@@ -142,7 +142,10 @@ namespace FastPoints.Export
             {
                 var size = measured.MaxStored - measured.MinStored;
                 double widest = math.cmax(new double3(size.X, size.Y, size.Z));
-                while (widest / Position.Divisor > MaxSteps)
+                const long low = int.MinValue, high = int.MaxValue;
+                bool fits = Grid3.Min(measured.MinStored, new Grid3(low, low, low)) == new Grid3(low, low, low) &&
+                    Grid3.Max(measured.MaxStored, new Grid3(high, high, high)) == new Grid3(high, high, high);
+                while (!fits && widest / Position.Divisor > MaxSteps)
                     Position.Divisor *= 10;
                 Position.Base = new Grid3(BaseOf(measured.MinStored.X, measured.MaxStored.X),
                     BaseOf(measured.MinStored.Y, measured.MaxStored.Y), BaseOf(measured.MinStored.Z, measured.MaxStored.Z));
@@ -202,7 +205,7 @@ namespace FastPoints.Export
 
         /// <summary>That of the files that the source was made from, or the simplest one where these have other attributes; and a
         /// version that knows it.</summary>
-        void ChooseFormat(PointSchema schema, string[] chosen)
+        protected virtual void ChooseFormat(PointSchema schema, string[] chosen)
         {
             int simplest = FormatOf(schema, chosen);
             if (m_kept == null || !HasFieldsFor(schema, chosen, simplest))
@@ -336,6 +339,10 @@ namespace FastPoints.Export
                     Warnings.Add("colours of 8 bits are written times 257, since those of LAS have 16");
                 return true;
             }
+            // The field of formats 6 to 10 counts 0.006 degrees, that of 0 to 5 whole ones.
+            if (attribute.Name == AttributeNames.ScanAngle && attribute.Type == AttributeType.Int8 &&
+                column.To.Type == AttributeType.Int16)
+                column.Scale = 1 / 0.006;
             return attribute.Type == column.To.Type || attribute.Type.SizeOf() < 8 &&
                 AttributeTypes.Common(attribute.Type, column.To.Type) == column.To.Type;
         }
@@ -462,26 +469,29 @@ namespace FastPoints.Export
 
     /// <summary>LAZ as LASzip writes it: chunks of one size, pointwise for point formats 0 to 5, layered above, and their
     /// table.</summary>
-    internal sealed class LazExport : LasExport
+    internal class LazExport : LasExport
     {
         readonly LazChunkForm m_form;
         readonly List<int> m_bytesOfChunk = new List<int>();
 
-        public LazExport(PointReader reader, string[] chosen, long maxPoints) : base(reader, chosen, maxPoints)
+        /// <param name="nodePoints">The most points of a chunk, if each has a number of its own; 0 if all have the
+        /// same.</param>
+        public LazExport(PointReader reader, string[] chosen, long maxPoints, int nodePoints = 0)
+            : base(reader, chosen, maxPoints)
         {
             if (ExtraBytes > LazFormat.MaxExtraBytes)
                 throw PointCloudException.Wanted(FailureCode.Unsupported, reader.Info.Path, -1, "extra bytes of a point in LAZ",
                     "at most " + NumberText.Of(LazFormat.MaxExtraBytes), ExtraBytes);
-            m_form = LazChunkForm.Of(Header.PointFormat, RecordBytes);
+            m_form = LazChunkForm.Of(Header.PointFormat, RecordBytes, nodePoints);
             BufferPoints = m_form.ChunkPoints;
             Header.IsCompressed = true;
             AddVlr(LazItems.Vlr(m_form.Items, m_form.IsLayered ? LazCompressor.LayeredChunked : LazCompressor.PointwiseChunked,
-                (uint)BufferPoints));
+                nodePoints > 0 ? LazFormat.VariableChunkPoints : (uint)BufferPoints));
         }
 
         public override LazChunkWriter CreateWriter() => new LazChunkWriter(m_form);
 
-        public override void Written(int bytes) => m_bytesOfChunk.Add(bytes);
+        public override void Written(int bytes, int points) => m_bytesOfChunk.Add(bytes);
 
         public override byte[] Trailer() => LazChunkTable.ToBytes(m_bytesOfChunk);
 

@@ -46,16 +46,26 @@ namespace FastPoints.Export
 
         /// <summary>Bits of the byte at 14 that are the return number; 0 where records are not those of LAS.</summary>
         public int ReturnMask;
+        /// <summary>Where a record has its GPS time; 0 if it has none, or nobody asks.</summary>
+        public int TimeAt;
+
+        /// <summary>Records of a node begin here, among those of all buffers, or later.</summary>
+        public long Start;
+
+        /// <summary>Rounding moves no coordinate out of these.</summary>
+        public double3 Low;
+        public double3 High;
         public NativeReference<ExportState> State;
 
-        /// <summary>Points that are written by this slice and all before it.</summary>
-        public NativeReference<long> Written;
+        /// <summary>Where the next record goes.</summary>
+        public NativeReference<long> End;
         public int First;
         public int Count;
 
         public void Execute()
         {
             var state = State.Value;
+            state.At = math.max(state.At, Start);
             int count = math.min(Count, Result.Value.Points - First);
             int chosen = count > 0 ? Choose(count, ref state) : 0;
             if (chosen > 0 && Buffers.Length > 0)
@@ -68,7 +78,7 @@ namespace FastPoints.Export
                 Append(chosen, ref state);
             }
             State.Value = state;
-            Written.Value = state.Written;
+            End.Value = state.At;
         }
 
         /// <summary>Lists the points that are wanted and have a place, and computes their positions if these change.</summary>
@@ -164,7 +174,7 @@ namespace FastPoints.Export
             }
             if (Buffers.Length == 0)
                 return true;
-            var rounded = math.floor(place + 0.5);
+            var rounded = math.clamp(math.floor(place + 0.5), Low, High);
             if (!math.all(rounded >= int.MinValue) || !math.all(rounded <= int.MaxValue))
             {
                 state.LeftOut++;
@@ -214,6 +224,8 @@ namespace FastPoints.Export
                 for (int i = 0; i < points; i++)
                 {
                     double value = values[i] * change.Scale + change.Offset;
+                    if (change.Scale != 1)
+                        value = math.round(value);
                     if (value > change.Max)
                     {
                         value = change.Max;
@@ -243,9 +255,9 @@ namespace FastPoints.Export
         {
             for (int done = 0; done < chosen;)
             {
-                int at = (int)(state.Written % BufferPoints);
+                int at = (int)(state.At % BufferPoints);
                 int points = math.min(chosen - done, BufferPoints - at);
-                byte* records = (byte*)Buffers[(int)(state.Written / BufferPoints % Buffers.Length)] + (long)at * RecordBytes;
+                byte* records = (byte*)Buffers[(int)(state.At / BufferPoints % Buffers.Length)] + (long)at * RecordBytes;
                 UnsafeUtility.MemClear(records, (long)points * RecordBytes);
                 PointRecords.FromColumns((byte*)Columns.GetUnsafeReadOnlyPtr(), First + done, points,
                     Copies, records, RecordBytes);
@@ -253,6 +265,7 @@ namespace FastPoints.Export
                     ChangedCopies, records, RecordBytes);
                 if (ReturnMask != 0)
                     Account(records, points, ref state);
+                state.At += points;
                 state.Written += points;
                 done += points;
             }
@@ -266,6 +279,11 @@ namespace FastPoints.Export
                 state.Min = math.min(state.Min, place);
                 state.Max = math.max(state.Max, place);
                 state.ByReturn[record[14] & ReturnMask]++;
+                if (TimeAt == 0)
+                    continue;
+                double time = *(double*)(record + TimeAt);
+                state.MinTime = math.min(state.MinTime, time);
+                state.MaxTime = math.max(state.MaxTime, time);
             }
         }
     }
@@ -314,6 +332,10 @@ namespace FastPoints.Export
         public long Chosen;
         public long Written;
 
+        /// <summary>Where the next record goes: <see cref="Written"/>, and the room that nodes left in their
+        /// buffers.</summary>
+        public long At;
+
         /// <summary>Points whose position is no number, or has no place in the file.</summary>
         public long LeftOut;
         public long Clamped;
@@ -328,6 +350,8 @@ namespace FastPoints.Export
         /// <summary>Of the records of LAS.</summary>
         public int3 Min;
         public int3 Max;
+        public double MinTime;
+        public double MaxTime;
         public fixed ulong ByReturn[16];
 
         public static ExportState None => new ExportState
@@ -338,6 +362,8 @@ namespace FastPoints.Export
             MaxGeo = BoundsGeo.Empty.Max,
             Min = new int3(int.MaxValue, int.MaxValue, int.MaxValue),
             Max = new int3(int.MinValue, int.MinValue, int.MinValue),
+            MinTime = double.PositiveInfinity,
+            MaxTime = double.NegativeInfinity,
         };
     }
 }

@@ -129,7 +129,7 @@ namespace FastPoints.Export
             m_folder.Dispose();
         }
 
-        NodeRecord NodeOf(int block) => m_tables[m_blocks[block].File].Nodes[m_blocks[block].Node];
+        public NodeRecord NodeOf(int block) => m_tables[m_blocks[block].File].Nodes[m_blocks[block].Node];
 
         static SourceInfo Describe(CloudFolder folder, long points)
         {

@@ -76,11 +76,12 @@ namespace FastPoints.Laz
         public readonly int RecordBytes;
         public readonly int ChunkPoints;
 
-        public static LazChunkForm Of(int pointFormat, int recordBytes) => new LazChunkForm(LazItems.Of(pointFormat,
-            pointFormat >= LasPointFormat.FirstExtended ? 3 : 2, recordBytes - LasPointFormat.Of(pointFormat).RecordBytes),
-            recordBytes);
+        // chunkPoints: the most of a chunk; 0 for LASzip's usual number, or fewer where records are long.
+        public static LazChunkForm Of(int pointFormat, int recordBytes, int chunkPoints = 0) => new LazChunkForm(
+            LazItems.Of(pointFormat, pointFormat >= LasPointFormat.FirstExtended ? 3 : 2,
+                recordBytes - LasPointFormat.Of(pointFormat).RecordBytes), recordBytes, chunkPoints);
 
-        public LazChunkForm(LazItem[] items, int recordBytes)
+        public LazChunkForm(LazItem[] items, int recordBytes, int chunkPoints = 0)
         {
             if (items[0].Version == 1)
                 throw new ArgumentException("items as LASzip 1.x wrote them are read alone");
@@ -88,7 +89,8 @@ namespace FastPoints.Laz
             IsLayered = items[0].IsLayered;
             Items = items;
             Layers = IsLayered ? LazLayer.Of(Items) : Array.Empty<LazLayer>();
-            ChunkPoints = (int)Math.Max(1, Math.Min(DefaultPoints, MaxOutputBytes * 1000 / BytesOf(1000)));
+            ChunkPoints = chunkPoints > 0 ? chunkPoints
+                : (int)Math.Max(1, Math.Min(DefaultPoints, MaxOutputBytes * 1000 / BytesOf(1000)));
         }
 
         public bool IsLayered { get; }

@@ -46,9 +46,12 @@ namespace FastPoints.Nodes
                 return;
             }
             double perStep = 1 / axis.Step;
+            if (!type.IsFloat())
+                IntegersToGrid(stored, type, count, 1, 0, grid);
             for (int i = 0; i < count; i++)
             {
-                double value = type == AttributeType.Float32 ? ((float*)stored)[i] : ((double*)stored)[i];
+                double value = !type.IsFloat() ? grid[i] : type == AttributeType.Float32 ? ((float*)stored)[i]
+                    : ((double*)stored)[i];
                 double steps = (value * axis.Scale + axis.Offset - axis.Origin) * perStep;
                 if (!(math.abs(steps) < Limit))
                 {
@@ -163,17 +166,23 @@ namespace FastPoints.Nodes
         /// bits.</summary>
         public RecordLayout Records;
 
+        /// <param name="hasCubes">Whether the step is the same on all axes.</param>
         /// <exception cref="PointCloudException">The scales and offsets do not fit any grid of 2^60 steps.</exception>
         public static GridChoice Choose(IReadOnlyList<SourceInfo> infos, IReadOnlyList<SampleStatistics> samples,
-            int attributeBytes)
+            int attributeBytes, bool hasCubes = false)
         {
             var choice = new GridChoice { Sources = new SourceGrid[infos.Count] };
+            var steps = new double[3];
+            for (int axis = 0; axis < 3; axis++)
+                steps[axis] = StepOf(infos, samples, axis);
+            double common = CommonGrid.StepOf(steps, new double[3]);
             bool isNarrow = true;
             var origin = default(Grid3);
             for (int axis = 0; axis < 3; axis++)
             {
-                string name = axis == 0 ? AttributeNames.X : axis == 1 ? AttributeNames.Y : AttributeNames.Z;
-                var axes = ChooseAxis(infos, samples, axis, name, out double step, out double axisOrigin);
+                string name = NameOf(axis);
+                double step = hasCubes ? common : steps[axis];
+                var axes = ChooseAxis(infos, axis, step, out double axisOrigin);
                 choice.Grid.Step[axis] = step;
                 choice.Grid.Origin[axis] = axisOrigin;
                 long lowest = long.MaxValue, highest = long.MinValue;
@@ -204,19 +213,25 @@ namespace FastPoints.Nodes
             return choice;
         }
 
-        static SourceAxis[] ChooseAxis(IReadOnlyList<SourceInfo> infos, IReadOnlyList<SampleStatistics> samples, int axis,
-            string name,
-            out double step, out double origin)
+        static string NameOf(int axis) => axis == 0 ? AttributeNames.X : axis == 1 ? AttributeNames.Y : AttributeNames.Z;
+
+        static bool IsInteger(IReadOnlyList<SourceInfo> infos, int axis)
         {
             bool isInteger = true;
             foreach (var info in infos)
-                isInteger &= !info.Schema[info.Schema.IndexOf(name)].Type.IsFloat();
-            step = isInteger ? CommonStep(infos, axis) : FloatStep(infos, samples, axis, name);
-            origin = isInteger ? infos[0].Transform.Offset[axis] : 0;
+                isInteger &= !info.Schema[info.Schema.IndexOf(NameOf(axis))].Type.IsFloat();
+            return isInteger;
+        }
 
+        static double StepOf(IReadOnlyList<SourceInfo> infos, IReadOnlyList<SampleStatistics> samples, int axis) =>
+            IsInteger(infos, axis) ? CommonStep(infos, axis) : FloatStep(infos, samples, axis, NameOf(axis));
+
+        static SourceAxis[] ChooseAxis(IReadOnlyList<SourceInfo> infos, int axis, double step, out double origin)
+        {
+            origin = IsInteger(infos, axis) ? infos[0].Transform.Offset[axis] : 0;
             var axes = new SourceAxis[infos.Count];
             for (int i = 0; i < axes.Length; i++)
-                axes[i] = AxisOf(infos[i], axis, name, step, origin);
+                axes[i] = AxisOf(infos[i], axis, NameOf(axis), step, origin);
             return axes;
         }
 
@@ -242,6 +257,12 @@ namespace FastPoints.Nodes
             double loss;
             (result.Factor, result.Shift, loss) = placed;
             result.IsInteger = true;
+            if (loss > step)
+            {
+                // No number of steps makes the scale: each coordinate goes to the nearest one.
+                result.IsInteger = false;
+                loss = step / 2;
+            }
             if (loss > 0)
                 info.Warn(-1, name + " does not fit the common grid: moved by up to " + NumberText.Of(loss));
             return result;

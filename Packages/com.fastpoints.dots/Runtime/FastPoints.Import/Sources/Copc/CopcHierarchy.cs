@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using FastPoints.Las;
 using FastPoints.Laz;
 using FastPoints.Reading;
 using Unity.Collections;
@@ -218,5 +219,15 @@ namespace FastPoints.Sources
             ByteSize = bytes.Int32(at + 24, "bytes of a node"),
             PointCount = bytes.Int32(at + 28, "points of a node"),
         };
+
+        public void Put(byte[] bytes, int at)
+        {
+            LasHeader.Put(bytes, at, 4, (ulong)Level);
+            for (int axis = 0; axis < 3; axis++)
+                LasHeader.Put(bytes, at + 4 + 4 * axis, 4, (ulong)Cell[axis]);
+            LasHeader.Put(bytes, at + 16, 8, Offset);
+            LasHeader.Put(bytes, at + 24, 4, (ulong)ByteSize);
+            LasHeader.Put(bytes, at + 28, 4, (ulong)PointCount);
+        }
     }
 }

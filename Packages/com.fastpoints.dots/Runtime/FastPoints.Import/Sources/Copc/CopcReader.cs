@@ -155,6 +155,20 @@ namespace FastPoints.Sources
             return info;
         }
 
+        public byte[] ToBytes()
+        {
+            var bytes = new byte[Bytes];
+            for (int axis = 0; axis < 3; axis++)
+                LasHeader.PutFloat(bytes, 8 * axis, Center[axis]);
+            LasHeader.PutFloat(bytes, 24, HalfSize);
+            LasHeader.PutFloat(bytes, 32, Spacing);
+            LasHeader.Put(bytes, 40, 8, RootPageOffset);
+            LasHeader.Put(bytes, 48, 8, RootPageBytes);
+            LasHeader.PutFloat(bytes, 56, MinGpsTime);
+            LasHeader.PutFloat(bytes, 64, MaxGpsTime);
+            return bytes;
+        }
+
         public string Problem(long fileBytes)
         {
             if (!Cube.IsFinite || !(HalfSize > 0))
