@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# For ./test --pages: the pages that the command line writes, in a real browser. The last line is "N passed, N failed".
+# For ./test --pages: the pages that the command line writes in a real browser, and its COPC files by a browser's reader. The last line is "N passed, N failed".
 # "build" and "run" do half of it each: what runs needs neither network nor compiler, and can go beside other builds.
 set -uo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.." || exit 1
@@ -9,6 +9,7 @@ results=Headless/artifacts/page-results
 if [ "${1:-}" != run ]; then
   rm -rf "$results" && mkdir -p "$results"
   install_browser
+  install_copcjs
   dotnet build Headless/PageTests/PageTests.csproj -v q --nologo -p:RunAnalyzers=false >"$results/build.log" 2>&1 </dev/null ||
     { tail -n 20 "$results/build.log"; echo "0 passed, 1 failed"; exit 1; }
 fi

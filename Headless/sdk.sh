@@ -83,6 +83,13 @@ install_cross() {
     echo "npm's packages (see Headless/WebGpu) cannot be had, shaders are not compiled for WebGPU" >&2
 }
 
+# What reads COPC in browsers.
+install_copcjs() {
+  mkdir -p Headless/artifacts/copcjs && cp Headless/CopcJs/* Headless/artifacts/copcjs &&
+    npm install --prefix Headless/artifacts/copcjs --ignore-scripts --no-audit --no-fund >/dev/null 2>&1 </dev/null ||
+    echo "npm's packages (see Headless/CopcJs) cannot be had, COPC files are not read by copc.js" >&2
+}
+
 # What shows pages as their readers see them, and what drives it.
 install_browser() {
   local version
