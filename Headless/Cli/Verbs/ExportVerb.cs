@@ -29,7 +29,6 @@ public sealed class ExportVerb : Verb
         HelpName = "x,y,z,X,Y,Z",
         Description = "No points in the box.",
     };
-    readonly Option<string?> m_classes = new("--classes") { HelpName = "N,...", Description = "Only points of these classes." };
     readonly Option<long?> m_level = Counts.Optional("--level",
         "Only the nodes of an octree up to this level, of which 0 is the root.", min: 0);
     readonly Option<long?> m_budget = Counts.Optional("--budget",
@@ -39,6 +38,7 @@ public sealed class ExportVerb : Verb
         HelpName = "A,B,...",
         Description = "Attributes to keep beside the position (default: all).",
     };
+    readonly FilterSettings m_filter;
     readonly SourceSettings m_source;
 
     public ExportVerb() : base(new Command("export", "Points out again as LAS, LAZ or PLY: all of a cloud, or a part of it."))
@@ -48,7 +48,7 @@ public sealed class ExportVerb : Verb
         Command.Add(m_clip);
         Command.Add(m_clipLocal);
         Command.Add(m_cut);
-        Command.Add(m_classes);
+        m_filter = new FilterSettings(Command);
         Command.Add(m_level);
         Command.Add(m_budget);
         Command.Add(m_attributes);
@@ -60,6 +60,8 @@ public sealed class ExportVerb : Verb
         ("./fastpoints export scan.fastpoints -o scan.laz", "all points, all attributes"),
         ("./fastpoints export scan.copc.laz -o part.laz --clip-local 0,0,0,50,50,20", "what is in a box"),
         ("./fastpoints export tiles/ -o ground.las --classes 2,9", "ground and water of many tiles as one file"),
+        ("./fastpoints export scan.las -o roofs.laz --polygon town.geojson --where 'Classification == 6 && Z > 40'",
+            "buildings of a town"),
         ("./fastpoints export scan.fastpoints -o thin.ply --budget 1M", "a million points, spread evenly"),
     ];
 
@@ -70,7 +72,6 @@ public sealed class ExportVerb : Verb
         OutputNames.RefuseNoExport(output);
         var settings = new ExportSettings
         {
-            Classes = parsed.GetValue(m_classes)?.Split(',').Select(Class).ToArray(),
             Level = parsed.GetValue(m_level) is { } level ? Counts.ToInt(level) : -1,
             Budget = parsed.GetValue(m_budget) ?? 0,
             Attributes = parsed.GetValue(m_attributes)?.Split(',', StringSplitOptions.RemoveEmptyEntries),
@@ -88,11 +89,13 @@ public sealed class ExportVerb : Verb
         if (settings.Attributes?.FirstOrDefault(a => !reader.Info.Schema.Has(a)) is { } unknown)
             throw new UsageException("--attributes: " + reader.Info.Path + " has no " + unknown + "; it has "
                 + string.Join(", ", reader.Info.Schema.Select(a => a.Name)));
+        using var filter = m_filter.Read(parsed, reader);
+        settings.Filter = filter;
         ExportResult? result = null;
         run.RunSteps(ExportCloud.Run(reader, output, settings, r => result = r, run.Progress));
         run.Warn(reader.Info);
         run.Report(reader.Info.Losses);
-        bool isWhole = settings.Level < 0 && settings.Budget == 0 && settings.Clips.Count == 0;
+        bool isWhole = settings.Level < 0 && settings.Budget == 0 && settings.Clips.Count == 0 && filter == null;
         run.Points.Add(reader.Info, isWhole ? result!.PointsRead : reader.PointCount);
         if (result!.Points == 0 && reader.PointCount > 0)
             run.WarnEmpty(output + ": no point is left of " + Human.Count(reader.PointCount) + ", which lie in "
@@ -138,8 +141,4 @@ public sealed class ExportVerb : Verb
         run.Out.WriteLine(output + ": " + Human.Count(result.Points, "point") + ", " + Human.Bytes(result.Bytes) + moved);
         StageTable.Of(run.Progress).Write(run.Out, "  ");
     }
-
-    static int Class(string text) =>
-        int.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out int number) && number <= byte.MaxValue ? number
-            : throw new UsageException("--classes: wanted numbers from 0 to 255, got " + text);
 }
