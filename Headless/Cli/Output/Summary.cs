@@ -18,8 +18,8 @@ public static class Summary
     {
         byte[] bytes = ToBytes(json =>
         {
-            json.WriteNumber("schema", Version);
             json.WriteString("verb", verb);
+            json.WriteNumber("schema", Version);
             json.WriteStartArray("inputs");
             foreach (string input in run.Inputs)
                 json.WriteStringValue(input);

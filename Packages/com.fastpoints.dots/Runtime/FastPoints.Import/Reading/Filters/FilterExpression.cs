@@ -40,8 +40,8 @@ namespace FastPoints.Reading
         public double RoundingOfOffsets;
     }
 
-    /// <summary>A condition on attributes, such as <c>Intensity > 100 &amp;&amp; !(Classification == 2)</c>: comparisons of names and
-    /// numbers, joined by &amp;&amp;, || (which binds less), ! and parentheses.</summary>
+    /// <summary>A condition on attributes, such as <c>Intensity > 100 &amp;&amp; !(Classification == 2)</c>: comparisons of
+    /// names and numbers, joined by &amp;&amp;, || (which binds less), ! and parentheses.</summary>
     internal sealed class FilterExpression
     {
         public const int MaxDepth = 32;
@@ -70,7 +70,8 @@ namespace FastPoints.Reading
         /// <summary>Names of the left and right operands of each step; null for numbers.</summary>
         public List<(string Left, string Right)> Names { get; } = new List<(string, string)>();
 
-        /// <exception cref="FormatException">It says what was wanted, and points at the place in a line below the text.</exception>
+        /// <exception cref="FormatException">It says what was wanted, and points at the place in a line below the
+        /// text.</exception>
         public static FilterExpression Parse(string text) => new FilterExpression(text);
 
         void Or(int depth)
