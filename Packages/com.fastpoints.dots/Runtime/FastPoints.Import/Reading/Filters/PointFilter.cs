@@ -317,7 +317,8 @@ namespace FastPoints.Reading
         {
             double reach = (math.abs(place.x) + math.abs(place.y)) * 4.5e-16;
             double x = place.x - PolygonMin.x, y = place.y - PolygonMin.y;
-            if (math.isinf(reach) || !(x >= -reach && y >= -reach && x <= PolygonSize.x + reach && y <= PolygonSize.y + reach))
+            bool isFinite = reach < double.PositiveInfinity;
+            if (!(isFinite && x >= -reach && y >= -reach && x <= PolygonSize.x + reach && y <= PolygonSize.y + reach))
                 return false;
             var edges = (FilterEdge*)Edges.GetUnsafeReadOnlyPtr();
             int slab = FilterPolygons.SlabOf(y, PolygonSize.y, FirstOfSlab.Length - 1);
