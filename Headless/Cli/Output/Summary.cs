@@ -8,6 +8,9 @@ public static class Summary
     /// <summary>Beyond this a double no longer holds every integer, and readers of JSON would round.</summary>
     const long LargestExact = 1L << 53;
 
+    /// <summary>Of the schema that all summaries follow: keys are added to it, and none go.</summary>
+    public const int Version = 1;
+
     static readonly JsonWriterOptions s_options =
         new() { Indented = true, Encoder = JavaScriptEncoder.UnsafeRelaxedJsonEscaping };
 
@@ -16,6 +19,7 @@ public static class Summary
         byte[] bytes = ToBytes(json =>
         {
             json.WriteString("verb", verb);
+            json.WriteNumber("schema", Version);
             json.WriteStartArray("inputs");
             foreach (string input in run.Inputs)
                 json.WriteStringValue(input);

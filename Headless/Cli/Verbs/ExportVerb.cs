@@ -30,7 +30,6 @@ public sealed class ExportVerb : Verb
         HelpName = "x,y,z,X,Y,Z",
         Description = "No points in the box.",
     };
-    readonly Option<string?> m_classes = new("--classes") { HelpName = "N,...", Description = "Only points of these classes." };
     readonly Option<long?> m_level = Counts.Optional("--level",
         "Only the nodes of an octree up to this level, of which 0 is the root: the source's, or for .copc.laz "
         + "the file's.", min: 0);
@@ -46,6 +45,7 @@ public sealed class ExportVerb : Verb
         HelpName = "SIZE",
         Description = "For .copc.laz: resident memory that the process may take, as of convert (default: 1GiB).",
     };
+    readonly FilterSettings m_filter;
     readonly SourceSettings m_source;
 
     public ExportVerb()
@@ -56,7 +56,7 @@ public sealed class ExportVerb : Verb
         Command.Add(m_clip);
         Command.Add(m_clipLocal);
         Command.Add(m_cut);
-        Command.Add(m_classes);
+        m_filter = new FilterSettings(Command);
         Command.Add(m_level);
         Command.Add(m_budget);
         Command.Add(m_attributes);
@@ -70,6 +70,8 @@ public sealed class ExportVerb : Verb
         ("./fastpoints export scan.las -o scan.copc.laz", "for viewers that stream COPC"),
         ("./fastpoints export scan.copc.laz -o part.laz --clip-local 0,0,0,50,50,20", "what is in a box"),
         ("./fastpoints export tiles/ -o ground.las --classes 2,9", "ground and water of many tiles as one file"),
+        ("./fastpoints export scan.las -o roofs.laz --polygon town.geojson --where 'Classification == 6 && Z > 40'",
+            "buildings of a town"),
         ("./fastpoints export scan.fastpoints -o thin.ply --budget 1M", "a million points, spread evenly"),
     ];
 
@@ -80,7 +82,6 @@ public sealed class ExportVerb : Verb
         OutputNames.RefuseNoExport(output);
         var settings = new ExportSettings
         {
-            Classes = parsed.GetValue(m_classes)?.Split(',').Select(Class).ToArray(),
             Level = parsed.GetValue(m_level) is { } level ? Counts.ToInt(level) : -1,
             Budget = parsed.GetValue(m_budget) ?? 0,
             Attributes = parsed.GetValue(m_attributes)?.Split(',', StringSplitOptions.RemoveEmptyEntries),
@@ -100,11 +101,15 @@ public sealed class ExportVerb : Verb
         if (settings.Attributes?.FirstOrDefault(a => !reader.Info.Schema.Has(a)) is { } unknown)
             throw new UsageException("--attributes: " + reader.Info.Path + " has no " + unknown + "; it has "
                 + string.Join(", ", reader.Info.Schema.Select(a => a.Name)));
+        using var filter = m_filter.Read(parsed, reader);
+        if (filter?.EveryNth > 1 && CopcExport.IsNamed(output))
+            throw new UsageException("--every-nth: COPC has its points in another order: wanted --budget or --level");
+        settings.Filter = filter;
         ExportResult? result = null;
         run.RunSteps(ExportCloud.Run(reader, output, settings, r => result = r, run.Progress));
         run.Warn(reader.Info);
         run.Report(reader.Info.Losses);
-        bool isWhole = settings.Level < 0 && settings.Budget == 0 && settings.Clips.Count == 0;
+        bool isWhole = settings.Level < 0 && settings.Budget == 0 && settings.Clips.Count == 0 && filter == null;
         run.Points.Add(reader.Info, isWhole ? result!.PointsRead : reader.PointCount);
         if (result!.Points == 0 && reader.PointCount > 0)
             run.WarnEmpty(output + ": no point is left of " + Human.Count(reader.PointCount) + ", which lie in "
@@ -153,8 +158,4 @@ public sealed class ExportVerb : Verb
             + (result.Note == null ? "" : ", " + result.Note));
         StageTable.Of(run.Progress).Write(run.Out, "  ");
     }
-
-    static int Class(string text) =>
-        int.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out int number) && number <= byte.MaxValue ? number
-            : throw new UsageException("--classes: wanted numbers from 0 to 255, got " + text);
 }

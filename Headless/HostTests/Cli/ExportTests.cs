@@ -98,6 +98,27 @@ public sealed class ExportTests : ScratchTests
     }
 
     [Test]
+    public void Export_Filtered_IsWhatIsWantedOfCloudAndFile()
+    {
+        long of(string source, params string[] filter) =>
+            Export("filtered.laz", [source, "--force", .. filter]).GetProperty("points").GetInt64();
+        string ring = Scratch["all.wkt"];
+        File.WriteAllText(ring, "POLYGON((-1e9 -1e9, 1e9 -1e9, 1e9 1e9, -1e9 1e9))");
+        Assert.That(of(m_demo, "--every-nth", "7"), Is.EqualTo((60_000 + 6) / 7));
+        Assert.That(of(m_demo, "--polygon", ring), Is.EqualTo(60_000));
+        foreach (string source in new[] { m_demo, m_cloud })
+        {
+            long ground = of(source, "--classes", "2");
+            Assert.That(ground, Is.GreaterThan(0).And.LessThan(60_000));
+            Assert.That(of(source, "--where", "Classification != 2"), Is.EqualTo(60_000 - ground));
+            Assert.That(of(source, "--returns", "last"), Is.EqualTo(of(source, "--where", "ReturnNumber == NumberOfReturns")));
+            Assert.That(of(source, "--returns", "first"), Is.EqualTo(of(source, "--returns", "1")).And.GreaterThan(0));
+        }
+        string[] args = ["export", m_demo, "-o", Scratch["none.laz"], "--where", "Classification == 255", "--strict"];
+        Assert.That(CliCall.Of(args).Status, Is.EqualTo(4));
+    }
+
+    [Test]
     public void Losses_AreNamedOnceInWordsAndInJson()
     {
         string ply = Scratch["faces.ply"];
@@ -142,6 +163,9 @@ public sealed class ExportTests : ScratchTests
 
     [TestCase("out.e57", "wanted a name that ends in .las, .laz, .copc.laz or .ply")]
     [TestCase("out.las", "--classes: wanted numbers", "--classes", "256")]
+    [TestCase("out.las", "--where: wanted an attribute or a number at character 9", "--where", "X > 1 &&")]
+    [TestCase("out.las", "has no Colour; it has X, Y, Z", "--where", "Colour > 1")]
+    [TestCase("out.las", "--returns: wanted first, last or a number", "--returns", "second")]
     [TestCase("out.las", "--clip: wanted x,y,z,X,Y,Z", "--clip", "1,2,3")]
     [TestCase("out.las", "has no Colour", "--attributes", "Colour")]
     [TestCase("out.las", "--level: wanted a whole number from 0", "--level", "-1")]

@@ -19,6 +19,7 @@ public sealed class SummaryTests : ScratchTests
         Assert.That(call.Status, Is.EqualTo(ExitStatus.Done), call.Error);
         var json = call.Json;
         Assert.That(json.GetProperty("verb").GetString(), Is.EqualTo(verb));
+        Assert.That(json.GetProperty("schema").GetInt32(), Is.EqualTo(1));
         HasKey(json, "inputs", JsonValueKind.Array);
         HasKey(json, "seconds", JsonValueKind.Number);
         HasKey(json, "peakResidentBytes", JsonValueKind.Number);

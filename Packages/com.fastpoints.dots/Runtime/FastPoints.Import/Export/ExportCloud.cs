@@ -42,6 +42,8 @@ namespace FastPoints.Export
                 names.Add(column.From);
             if (settings.Classes != null)
                 names.Add(AttributeNames.Classification);
+            if (settings.Filter != null)
+                names.AddRange(settings.Filter.Attributes);
             m_wanted = reader.Info.Schema.Select(names.ToArray());
             m_clips = new NativeArray<LocalClip>(settings.LocalClips(), Allocator.Persistent);
             m_classes = new NativeArray<ulong>(settings.Classes == null ? 0 : 4, Allocator.Persistent);
@@ -98,6 +100,9 @@ namespace FastPoints.Export
             var attributes = settings.Attributes == null ? null : new List<string>(settings.Attributes);
             if (settings.Classes != null)
                 attributes?.Add(AttributeNames.Classification);
+            foreach (string name in settings.Filter?.Attributes ?? Array.Empty<string>())
+                if (!(name is AttributeNames.X or AttributeNames.Y or AttributeNames.Z))
+                    attributes?.Add(name);
             var build = new ConvertSettings
             {
                 Attributes = attributes?.ToArray(),
@@ -186,8 +191,12 @@ namespace FastPoints.Export
             else
             {
                 m_progress?.Begin("measure");
-                var names = m_settings.Classes != null ? AttributeNames.Classification : AttributeNames.X;
-                yield return JobStep.Of(Pass(m_wanted.Select(AttributeNames.X, AttributeNames.Y, AttributeNames.Z, names), null));
+                var names = new List<string> { AttributeNames.X, AttributeNames.Y, AttributeNames.Z };
+                if (m_settings.Classes != null)
+                    names.Add(AttributeNames.Classification);
+                if (m_settings.Filter != null)
+                    names.AddRange(m_settings.Filter.Attributes);
+                yield return JobStep.Of(Pass(m_wanted.Select(names.ToArray()), null));
                 measured = m_state.Value;
                 m_state.Value = ExportState.None;
             }
@@ -256,7 +265,7 @@ namespace FastPoints.Export
                     {
                         if (idle.Count == 0)
                         {
-                            all.Add(new Slot(m_reader, wanted, longest, m_format));
+                            all.Add(new Slot(m_reader, wanted, longest, m_format, m_settings.Filter));
                             idle.Push(all[all.Count - 1]);
                         }
                         var slot = idle.Pop();
@@ -323,9 +332,10 @@ namespace FastPoints.Export
             NativeArray<FieldCopy> m_copies;
             NativeArray<FieldCopy> m_changedCopies;
             NativeArray<ColumnChange> m_changes;
+            readonly FilterSlot m_filter;
             NativeReference<long> m_end = new NativeReference<long>(Allocator.Persistent);
 
-            public Slot(PointReader reader, PointSchema wanted, int longest, ExportFormat format)
+            public Slot(PointReader reader, PointSchema wanted, int longest, ExportFormat format, PointFilter filter)
             {
                 m_format = format;
                 Read = reader.CreateRead(wanted, longest, Allocator.Persistent);
@@ -336,6 +346,8 @@ namespace FastPoints.Export
                 m_columns = new NativeArray<PointColumn>(wanted.Count, Allocator.Persistent);
                 for (int i = 0; i < wanted.Count; i++)
                     m_columns[i] = Read.Points.Column(i);
+                if (filter != null)
+                    m_filter = new FilterSlot(filter, Read.Points, reader.Info.Transform);
             }
 
             public BlockRead Read { get; }
@@ -361,7 +373,13 @@ namespace FastPoints.Export
                 int classification = Read.Points.Schema.IndexOf(AttributeNames.Classification);
                 if (classification >= 0)
                     job.Classification = Read.Points.Column(classification);
-                Done = JobHandle.CombineDependencies(Read.Decoded, after);
+                var decoded = Read.Decoded;
+                if (m_filter != null && range.Range.Count > 0)
+                {
+                    decoded = m_filter.Schedule(Read.Result, Read.FirstPoint, range.Range.Count, decoded);
+                    job.Result = m_filter.Result;
+                }
+                Done = JobHandle.CombineDependencies(decoded, after);
                 for (int first = 0; first < range.Range.Count; first += MakeRecordsJob.PointsPerSlice)
                 {
                     job.First = first;
@@ -381,6 +399,7 @@ namespace FastPoints.Export
             public void Dispose()
             {
                 Done.Complete();
+                m_filter?.Dispose();
                 Read.Dispose();
                 m_columns.Dispose();
                 m_copies.Dispose();

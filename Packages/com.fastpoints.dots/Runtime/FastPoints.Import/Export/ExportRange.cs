@@ -164,6 +164,9 @@ namespace FastPoints.Export
         /// <summary>From 0 to 255; null for all.</summary>
         public int[] Classes;
 
+        /// <summary>Null for all points. Whoever sets it disposes it after the export.</summary>
+        public PointFilter Filter;
+
         /// <summary>Beside the position; null for all.</summary>
         public string[] Attributes;
 

@@ -72,7 +72,8 @@ namespace FastPoints.Export
             {
                 if (chosen < count)
                     for (int c = 0; c < AllColumns.Length; c++)
-                        Gather(AllColumns[c], chosen);
+                        PointRecords.Gather((byte*)Columns.GetUnsafePtr(), AllColumns[c],
+                            (int*)Chosen.GetUnsafeReadOnlyPtr(), chosen, First);
                 for (int c = 0; c < Changes.Length; c++)
                     Change(Changes[c], chosen, ref state);
                 Append(chosen, ref state);
@@ -108,7 +109,7 @@ namespace FastPoints.Export
                     if (Classes.Length > 0 && !IsWanted(classes[i]))
                         continue;
                     var place = needsPlaces ? new double3(x[i], y[i], z[i]) : default;
-                    if (Clips.Length > 0 && !IsInside(place))
+                    if (Clips.Length > 0 && !LocalClip.Leave((LocalClip*)Clips.GetUnsafeReadOnlyPtr(), Clips.Length, place))
                         continue;
                     if (Position.Kind != PositionKind.Same &&
                         !Move(columns, First + first + i, place, changed, done, ref state))
@@ -121,27 +122,6 @@ namespace FastPoints.Export
         }
 
         bool IsWanted(double c) => c >= 0 && c < 256 && (Classes[(int)c >> 6] >> ((int)c & 63) & 1) != 0;
-
-        /// <summary>Whether clips leave a position. A box holds its faces, whether it keeps or cuts: what rounding alone puts
-        /// outside counts as inside.</summary>
-        bool IsInside(double3 place)
-        {
-            bool isKept = false, doesAnyKeep = false;
-            var rounding = math.abs(place) * 4.5e-16;
-            for (int i = 0; i < Clips.Length; i++)
-            {
-                var clip = Clips[i];
-                var at = math.abs(math.mul(clip.ToBox, place) + clip.Offset);
-                var reach = math.abs(clip.ToBox.c0) * rounding.x + math.abs(clip.ToBox.c1) * rounding.y +
-                    math.abs(clip.ToBox.c2) * rounding.z;
-                bool isInside = math.all(at - reach <= 0.5);
-                if (isInside && clip.Cuts)
-                    return false;
-                doesAnyKeep |= !clip.Cuts;
-                isKept |= isInside;
-            }
-            return isKept || !doesAnyKeep;
-        }
 
         /// <returns>Whether the point has a place in the file.</returns>
         bool Move(byte* columns, int point, double3 place, byte* changed, int to, ref ExportState state)
@@ -185,31 +165,6 @@ namespace FastPoints.Export
             for (int axis = 0; axis < 3; axis++)
                 ((int*)(changed + axis * 8 * PointsPerSlice))[to] = (int)rounded[axis];
             return true;
-        }
-
-        void Gather(PointColumn column, int chosen)
-        {
-            byte* values = (byte*)Columns.GetUnsafePtr() + column.OffsetBytes;
-            int* from = (int*)Chosen.GetUnsafeReadOnlyPtr();
-            switch (column.Type.SizeOf())
-            {
-                case 1:
-                    for (int i = 0; i < chosen; i++)
-                        values[First + i] = values[from[i]];
-                    break;
-                case 2:
-                    for (int i = 0; i < chosen; i++)
-                        ((ushort*)values)[First + i] = ((ushort*)values)[from[i]];
-                    break;
-                case 4:
-                    for (int i = 0; i < chosen; i++)
-                        ((uint*)values)[First + i] = ((uint*)values)[from[i]];
-                    break;
-                default:
-                    for (int i = 0; i < chosen; i++)
-                        ((ulong*)values)[First + i] = ((ulong*)values)[from[i]];
-                    break;
-            }
         }
 
         void Change(in ColumnChange change, int chosen, ref ExportState state)

@@ -10,6 +10,32 @@ namespace FastPoints.Reading
     {
         const int TileBytes = 16 << 10;
 
+        /// <summary>Moves values of a column to a place at or before the first of them.</summary>
+        /// <param name="from">Where they are now, ascending.</param>
+        public static void Gather(byte* columns, PointColumn column, int* from, int count, int to)
+        {
+            byte* values = columns + column.OffsetBytes;
+            switch (column.Type.SizeOf())
+            {
+                case 1:
+                    for (int i = 0; i < count; i++)
+                        values[to + i] = values[from[i]];
+                    break;
+                case 2:
+                    for (int i = 0; i < count; i++)
+                        ((ushort*)values)[to + i] = ((ushort*)values)[from[i]];
+                    break;
+                case 4:
+                    for (int i = 0; i < count; i++)
+                        ((uint*)values)[to + i] = ((uint*)values)[from[i]];
+                    break;
+                default:
+                    for (int i = 0; i < count; i++)
+                        ((ulong*)values)[to + i] = ((ulong*)values)[from[i]];
+                    break;
+            }
+        }
+
         public static void ToColumns(byte* records, int recordBytes, int count, FieldCopies copies, byte* columns,
             int firstPoint = 0)
         {

@@ -37,6 +37,26 @@ namespace FastPoints.Streaming
             Cuts = box.Cuts;
         }
 
+        // Whether clips leave a position. A box holds its faces, whether it keeps or cuts: what rounding alone puts outside
+        // counts as inside.
+        public static bool Leave(LocalClip* clips, int count, double3 place)
+        {
+            bool isKept = false, doesAnyKeep = false;
+            var rounding = math.abs(place) * 4.5e-16;
+            for (int i = 0; i < count; i++)
+            {
+                var toBox = clips[i].ToBox;
+                var at = math.abs(math.mul(toBox, place) + clips[i].Offset);
+                var reach = math.abs(toBox.c0) * rounding.x + math.abs(toBox.c1) * rounding.y + math.abs(toBox.c2) * rounding.z;
+                bool isInside = math.all(at - reach <= 0.5);
+                if (isInside && clips[i].Cuts)
+                    return false;
+                doesAnyKeep |= !clips[i].Cuts;
+                isKept |= isInside;
+            }
+            return isKept || !doesAnyKeep;
+        }
+
         // Whether clips leave anything of a box; perhaps true where nothing is left, but exact for a position (half is 0).
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static bool MayKeep(LocalClip* clips, int count, double3 center, double3 half)

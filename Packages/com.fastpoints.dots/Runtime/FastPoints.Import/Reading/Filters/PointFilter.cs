@@ -1,0 +1,349 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Streaming;
+using Unity.Burst;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.Jobs;
+using Unity.Mathematics;
+
+namespace FastPoints.Reading
+{
+    /// <summary>Which points of a source are wanted: what holds for all that is set here.</summary>
+    internal sealed class PointFilter : IDisposable
+    {
+        readonly List<FilterExpression> m_expressions = new List<FilterExpression>();
+
+        /// <summary>Every so manieth point in the source's order, from the first; 0 or 1 for all.</summary>
+        public long EveryNth;
+
+        /// <summary>In the horizontal coordinates of the source; null for all. Belongs to this.</summary>
+        public FilterPolygons Polygons;
+
+        /// <summary>In the source's coordinates.</summary>
+        public LocalClip[] Clips = Array.Empty<LocalClip>();
+
+        /// <summary>Whether all points are wanted.</summary>
+        public bool IsEmpty => m_expressions.Count == 0 && EveryNth <= 1 && Polygons == null && Clips.Length == 0;
+
+        /// <summary>Names of the attributes that it reads, beside the position.</summary>
+        public IEnumerable<string> Attributes
+        {
+            get
+            {
+                foreach (var expression in m_expressions)
+                    foreach (var (left, right) in expression.Names)
+                    {
+                        if (left != null)
+                            yield return left;
+                        if (right != null)
+                            yield return right;
+                    }
+            }
+        }
+
+        /// <exception cref="FormatException">See <see cref="FilterExpression.Parse"/>.</exception>
+        public void Add(string expression) => m_expressions.Add(FilterExpression.Parse(expression));
+
+        public void Dispose() => Polygons?.Dispose();
+
+        /// <summary>What each expression does with columns of a batch, one behind another.</summary>
+        internal FilterStep[] StepsOf(PointBatch batch, in PositionTransform transform)
+        {
+            var steps = new List<FilterStep>();
+            foreach (var expression in m_expressions)
+            {
+                for (int i = 0; i < expression.Steps.Count; i++)
+                {
+                    var step = expression.Steps[i];
+                    Bind(ref step.Left, expression.Names[i].Left, batch, transform);
+                    Bind(ref step.Right, expression.Names[i].Right, batch, transform);
+                    RoundLike(step.Left, ref step.Right);
+                    RoundLike(step.Right, ref step.Left);
+                    bool isScaled = IsScaled(step.Left) || IsScaled(step.Right);
+                    step.Rounding = isScaled ? 4.5e-16 : 0;
+                    step.RoundingOfOffsets = 4.5e-16 * (math.abs(step.Left.Offset) + math.abs(step.Right.Offset));
+                    steps.Add(step);
+                }
+                if (expression != m_expressions[0])
+                    steps.Add(new FilterStep { Op = FilterOp.And });
+            }
+            return steps.ToArray();
+        }
+
+        static bool IsScaled(in FilterOperand operand) => operand.IsAttribute && (operand.Scale != 1 || operand.Offset != 0);
+
+        /// <summary>A number that is compared with 32-bit floats is one of these.</summary>
+        static void RoundLike(in FilterOperand other, ref FilterOperand number)
+        {
+            if (!number.IsAttribute && other.IsAttribute && other.Column.Type == AttributeType.Float32 && !IsScaled(other))
+                number.Number = (float)number.Number;
+        }
+
+        static void Bind(ref FilterOperand operand, string name, PointBatch batch, in PositionTransform transform)
+        {
+            if (name == null)
+                return;
+            int column = batch.Schema.IndexOf(name);
+            operand.Column = batch.Column(column);
+            int axis = name == AttributeNames.X ? 0 : name == AttributeNames.Y ? 1 : name == AttributeNames.Z ? 2 : -1;
+            operand.Scale = axis < 0 ? batch.Schema[column].Scale : transform.Scale[axis];
+            operand.Offset = axis < 0 ? batch.Schema[column].Offset : transform.Offset[axis];
+        }
+    }
+
+    /// <summary>Applies a filter to a batch once it is decoded: wanted points move to its front.</summary>
+    internal sealed class FilterSlot : IDisposable
+    {
+        const int PointsPerSlice = 8192;
+
+        FilterPointsJob m_job;
+
+        public FilterSlot(PointFilter filter, PointBatch batch, in PositionTransform transform)
+        {
+            var columns = new PointColumn[batch.Schema.Count];
+            for (int c = 0; c < columns.Length; c++)
+                columns[c] = batch.Column(c);
+            Result = new NativeReference<DecodeResult>(Allocator.Persistent);
+            m_job = new FilterPointsJob
+            {
+                Columns = batch.Bytes,
+                AllColumns = new NativeArray<PointColumn>(columns, Allocator.Persistent),
+                Steps = new NativeArray<FilterStep>(filter.StepsOf(batch, transform), Allocator.Persistent),
+                Clips = new NativeArray<LocalClip>(filter.Clips, Allocator.Persistent),
+                Chosen = new NativeArray<int>(PointsPerSlice, Allocator.Persistent),
+                Edges = filter.Polygons?.EdgesOfSlabs ?? new NativeArray<FilterEdge>(0, Allocator.Persistent),
+                FirstOfSlab = filter.Polygons?.FirstOfSlab ?? new NativeArray<int>(0, Allocator.Persistent),
+                PolygonMin = filter.Polygons?.Min ?? default,
+                PolygonSize = filter.Polygons == null ? default : filter.Polygons.Max - filter.Polygons.Min,
+                Positions = PositionColumns.Of(batch),
+                Transform = transform,
+                EveryNth = filter.EveryNth,
+                Filtered = Result,
+            };
+        }
+
+        /// <summary>How many points the batch has left, when the scheduled jobs are complete.</summary>
+        public NativeReference<DecodeResult> Result { get; }
+
+        /// <param name="firstPoint">Number of the batch's first point in the source.</param>
+        public JobHandle Schedule(NativeReference<DecodeResult> decodedResult, long firstPoint, int count, JobHandle decoded)
+        {
+            var job = m_job;
+            job.Decoded = decodedResult;
+            job.FirstPoint = firstPoint;
+            for (job.First = 0; job.First < count; job.First += PointsPerSlice)
+                decoded = job.Schedule(decoded);
+            return decoded;
+        }
+
+        public void Dispose()
+        {
+            if (!m_job.Chosen.IsCreated)
+                return;
+            m_job.AllColumns.Dispose();
+            m_job.Steps.Dispose();
+            m_job.Clips.Dispose();
+            m_job.Chosen.Dispose();
+            if (m_job.FirstOfSlab.Length == 0)
+            {
+                m_job.Edges.Dispose();
+                m_job.FirstOfSlab.Dispose();
+            }
+            Result.Dispose();
+            m_job = default;
+        }
+    }
+
+    /// <summary>Chooses points of a slice of a batch, and moves them behind those that are chosen of the slices before.</summary>
+    [BurstCompile]
+    internal unsafe struct FilterPointsJob : IJob
+    {
+        const int Run = ColumnValues.RunLength;
+
+        public NativeArray<byte> Columns;
+        [ReadOnly] public NativeReference<DecodeResult> Decoded;
+        [ReadOnly] public NativeArray<PointColumn> AllColumns;
+        [ReadOnly] public NativeArray<FilterStep> Steps;
+        [ReadOnly] public NativeArray<LocalClip> Clips;
+        [ReadOnly] public NativeArray<FilterEdge> Edges;
+        [ReadOnly] public NativeArray<int> FirstOfSlab;
+        public double2 PolygonMin;
+        public double2 PolygonSize;
+        public NativeArray<int> Chosen;
+        public PositionColumns Positions;
+        public PositionTransform Transform;
+        public long EveryNth;
+        public long FirstPoint;
+        public int First;
+        public NativeReference<DecodeResult> Filtered;
+
+        public void Execute()
+        {
+            var result = Decoded.Value;
+            int count = math.min(Chosen.Length, result.Points - First);
+            result.Points = First == 0 ? 0 : Filtered.Value.Points;
+            if (count > 0)
+            {
+                int chosen = Choose(count);
+                for (int c = 0; c < AllColumns.Length && chosen > 0; c++)
+                    PointRecords.Gather((byte*)Columns.GetUnsafePtr(), AllColumns[c], (int*)Chosen.GetUnsafeReadOnlyPtr(), chosen,
+                        result.Points);
+                result.Points += chosen;
+            }
+            Filtered.Value = result;
+        }
+
+        int Choose(int count)
+        {
+            byte* bytes = (byte*)Columns.GetUnsafeReadOnlyPtr();
+            int* chosen = (int*)Chosen.GetUnsafePtr();
+            double* x = stackalloc double[Run], y = stackalloc double[Run], z = stackalloc double[Run];
+            // Parentheses nest so deep at most, each with an "or" and an "and" that wait.
+            byte* results = stackalloc byte[(2 * FilterExpression.MaxDepth + 8) * Run];
+            bool needsPlaces = Clips.Length > 0 || FirstOfSlab.Length > 0;
+            int done = 0;
+            for (int first = 0; first < count; first += Run)
+            {
+                int points = math.min(Run, count - first);
+                UnsafeUtility.MemSet(results, 1, points);
+                if (Steps.Length > 0)
+                    Evaluate(bytes, First + first, points, results, x, y);
+                if (EveryNth > 1)
+                    for (int i = 0; i < points; i++)
+                        results[i] &= (byte)((FirstPoint + First + first + i) % EveryNth == 0 ? 1 : 0);
+                if (needsPlaces)
+                {
+                    Positions.Load(bytes, First + first, points, x, y, z);
+                    Transform.ToGeo(points, x, y, z);
+                }
+                for (int i = 0; i < points; i++)
+                    if (results[i] != 0 && (!needsPlaces || IsInside(new double3(x[i], y[i], z[i]))))
+                        chosen[done++] = First + first + i;
+            }
+            return done;
+        }
+
+        void Evaluate(byte* bytes, int first, int points, byte* results, double* left, double* right)
+        {
+            byte* top = results - Run;
+            for (int s = 0; s < Steps.Length; s++)
+            {
+                var step = Steps[s];
+                if (step.Op == FilterOp.Not)
+                {
+                    for (int i = 0; i < points; i++)
+                        top[i] ^= 1;
+                    continue;
+                }
+                if (step.Op == FilterOp.And || step.Op == FilterOp.Or)
+                {
+                    byte* other = top;
+                    top -= Run;
+                    if (step.Op == FilterOp.And)
+                        for (int i = 0; i < points; i++)
+                            top[i] &= other[i];
+                    else
+                        for (int i = 0; i < points; i++)
+                            top[i] |= other[i];
+                    continue;
+                }
+                Load(bytes, step.Left, first, points, left);
+                Load(bytes, step.Right, first, points, right);
+                top += Run;
+                Compare(step, points, left, right, top);
+            }
+        }
+
+        static void Load(byte* bytes, in FilterOperand operand, int first, int points, double* values)
+        {
+            if (!operand.IsAttribute)
+            {
+                for (int i = 0; i < points; i++)
+                    values[i] = operand.Number;
+                return;
+            }
+            ColumnValues.ToDoubles(bytes + operand.Column.OffsetBytes, operand.Column.Type, first, points, values);
+            double scale = operand.Scale, offset = operand.Offset;
+            if (scale != 1 || offset != 0)
+                for (int i = 0; i < points; i++)
+                    values[i] = values[i] * scale + offset;
+        }
+
+        /// <summary>No number is equal to nothing and neither less nor greater.</summary>
+        static void Compare(in FilterStep step, int points, double* left, double* right, byte* to)
+        {
+            if (step.Rounding > 0)
+                for (int i = 0; i < points; i++)
+                {
+                    double reach = step.RoundingOfOffsets + step.Rounding * (math.abs(left[i]) + math.abs(right[i]));
+                    left[i] = math.abs(left[i] - right[i]) <= reach ? right[i] : left[i];
+                }
+            switch (step.Op)
+            {
+                case FilterOp.Equal:
+                    for (int i = 0; i < points; i++)
+                        to[i] = (byte)(left[i] == right[i] ? 1 : 0);
+                    break;
+                case FilterOp.NotEqual:
+                    for (int i = 0; i < points; i++)
+                        to[i] = (byte)(left[i] != right[i] ? 1 : 0);
+                    break;
+                case FilterOp.Less:
+                    for (int i = 0; i < points; i++)
+                        to[i] = (byte)(left[i] < right[i] ? 1 : 0);
+                    break;
+                case FilterOp.LessOrEqual:
+                    for (int i = 0; i < points; i++)
+                        to[i] = (byte)(left[i] <= right[i] ? 1 : 0);
+                    break;
+                case FilterOp.Greater:
+                    for (int i = 0; i < points; i++)
+                        to[i] = (byte)(left[i] > right[i] ? 1 : 0);
+                    break;
+                default:
+                    for (int i = 0; i < points; i++)
+                        to[i] = (byte)(left[i] >= right[i] ? 1 : 0);
+                    break;
+            }
+        }
+
+        bool IsInside(double3 place) =>
+            (Clips.Length == 0 || LocalClip.Leave((LocalClip*)Clips.GetUnsafeReadOnlyPtr(), Clips.Length, place)) &&
+            (FirstOfSlab.Length == 0 || IsInPolygons(place));
+
+        /// <summary>What rounding alone puts beside an edge counts as on it.</summary>
+        bool IsInPolygons(double3 place)
+        {
+            double reach = (math.abs(place.x) + math.abs(place.y)) * 4.5e-16;
+            double x = place.x - PolygonMin.x, y = place.y - PolygonMin.y;
+            bool isFinite = reach < double.PositiveInfinity;
+            if (!(isFinite && x >= -reach && y >= -reach && x <= PolygonSize.x + reach && y <= PolygonSize.y + reach))
+                return false;
+            var edges = (FilterEdge*)Edges.GetUnsafeReadOnlyPtr();
+            int slab = FilterPolygons.SlabOf(y, PolygonSize.y, FirstOfSlab.Length - 1);
+            int polygon = 0;
+            bool isInside = false;
+            for (int e = FirstOfSlab[slab]; e < FirstOfSlab[slab + 1]; e++)
+            {
+                ref var edge = ref edges[e];
+                if (edge.Polygon != polygon)
+                {
+                    if (isInside)
+                        return true;
+                    polygon = edge.Polygon;
+                }
+                if (math.max(edge.From.x, edge.To.x) < x - reach)
+                    continue;
+                double dx = edge.To.x - edge.From.x, dy = edge.To.y - edge.From.y;
+                double cross = dx * (y - edge.From.y) - dy * (x - edge.From.x);
+                if (math.abs(cross) <= reach * (math.abs(dx) + math.abs(dy)) && x >= math.min(edge.From.x, edge.To.x) - reach &&
+                    y >= math.min(edge.From.y, edge.To.y) - reach && y <= math.max(edge.From.y, edge.To.y) + reach)
+                    return true;
+                if (edge.From.y > y != edge.To.y > y && cross > 0 == dy > 0)
+                    isInside = !isInside;
+            }
+            return isInside;
+        }
+    }
+}
