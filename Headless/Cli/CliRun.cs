@@ -22,11 +22,11 @@ public sealed class CliRun(TextWriter output, TextWriter error, RunSettings sett
     public string Line { get; init; } = "";
     public List<string> Inputs { get; } = [];
     public List<string> Warnings { get; } = [];
-    public PointsAccount Points { get; } = new();
+    public PointCounts Points { get; } = new();
     internal List<Loss> Losses { get; } = [];
-    public bool HasOddSources { get; private set; }
+    public bool HasSourceWarnings { get; private set; }
 
-    /// <summary>No point was wanted of the sources, or none is where it was looked for.</summary>
+    /// <summary>No points were requested, or none lie in the requested region.</summary>
     public bool IsEmpty { get; private set; }
     public Failure? FirstFailure { get; private set; }
     public double Seconds => m_watch.Elapsed.TotalSeconds;
@@ -66,8 +66,8 @@ public sealed class CliRun(TextWriter output, TextWriter error, RunSettings sett
 
     public void Warn(SourceInfo info, bool isShown = false)
     {
-        // What a file marks as invalid is a warning, and nothing odd.
-        HasOddSources |= info.Warnings.Count > (info.PointsMarkedInvalid > 0 ? 1 : 0);
+        // Points that the file itself marks as invalid do not count.
+        HasSourceWarnings |= info.Warnings.Count > (info.PointsMarkedInvalid > 0 ? 1 : 0);
         foreach (var warning in info.Warnings)
             Warn(warning.ToString(), isShown);
     }

@@ -33,8 +33,8 @@ public static class CommandLine
         };
         var parsed = root.Parse(args, new ParserConfiguration { EnablePosixBundling = false, ResponseFileTokenReplacer = null });
         var asked = parsed.CommandResult.Command;
-        if (Misread(parsed, verbs) is { } misread)
-            return WrongUsage(error, asked, misread);
+        if (FindUsageError(parsed, verbs) is { } misread)
+            return ReportUsageError(error, asked, misread);
         var chosen = verbs.FirstOrDefault(v => v.Command == asked);
         if (chosen == null || !chosen.IsAsked(parsed))
             return parsed.Invoke(new InvocationConfiguration
@@ -54,11 +54,11 @@ public static class CommandLine
 
     static List<Verb> AllVerbs() =>
     [
-        new MainJob(), new InfoVerb(), new PreviewVerb(), new ConvertVerb(), new VerifyVerb(),
+        new DefaultVerb(), new InfoVerb(), new PreviewVerb(), new ConvertVerb(), new VerifyVerb(),
         new ExportVerb(), new PictureVerb(), new FlyVerb(), new DemoCloudVerb(), new BenchVerb(), new CompletionVerb(),
     ];
 
-    static int WrongUsage(TextWriter error, Command command, string what)
+    static int ReportUsageError(TextWriter error, Command command, string what)
     {
         error.WriteLine("fastpoints: " + what);
         error.WriteLine("usage: " + HelpText.Usage(command) + "   (more: " + HelpText.Path(command) + " --help)");
@@ -69,10 +69,10 @@ public static class CommandLine
         word.Length > 0 && word.All(c => char.IsLetterOrDigit(c) || "-_./,:=+@%".Contains(c)) ? word
             : "'" + word.Replace("'", "'\\''", StringComparison.Ordinal) + "'";
 
-    static string? Misread(ParseResult parsed, List<Verb> verbs)
+    static string? FindUsageError(ParseResult parsed, List<Verb> verbs)
     {
         var command = parsed.CommandResult.Command;
-        // What is half typed is completed, not judged.
+        // A completion request: the arguments may be incomplete.
         if (parsed.Tokens.Any(t => t.Type == TokenType.Directive))
             return null;
         if (parsed.Errors.Count > 0 && parsed.Action is ParseErrorAction or null)
@@ -87,7 +87,7 @@ public static class CommandLine
         var root = parsed.RootCommandResult;
         if (command is not RootCommand)
         {
-            // What stands before a verb is parsed, and belongs to no one.
+            // Arguments before the verb are parsed, but no command uses them.
             if (root.Children.OfType<ArgumentResult>().SelectMany(a => a.Tokens).FirstOrDefault() is { } file)
                 return file.Value + " stands before the verb " + command.Name + ", which takes what is behind it";
             return root.Children.OfType<OptionResult>().FirstOrDefault(o => !o.Implicit && !o.Option.Recursive) is { } option
@@ -135,7 +135,7 @@ public static class CommandLine
             if (json != null)
                 OutputNames.RefuseOther("--json", "a summary", json);
             verb.Run(parsed, run);
-            // What a job throws is logged, and the work goes on: what comes of it is not to be trusted.
+            // An exception in a job is only logged: fail here, since the result may be wrong.
             LoggedExceptions.ThrowFirst();
             failure = run.FirstFailure ?? (run.Settings.IsStrict ? Failure.OfStrict(run) : null);
             if (failure != null && failure != run.FirstFailure)
@@ -145,12 +145,12 @@ public static class CommandLine
         {
             display?.Clear();
             if (e is UsageException)
-                return WrongUsage(error, verb.Command, e.Message);
+                return ReportUsageError(error, verb.Command, e.Message);
             failure = Failure.Of(e, run.Inputs);
             error.WriteLine("fastpoints: " + failure.Message);
         }
         display?.Clear();
-        // What is left of other builds goes before the process does.
+        // Wait for deletions of leftovers of other builds.
         FileChanges.AwaitDeletes();
         int status = failure?.Status ?? ExitStatus.Done;
         if (json == null)

@@ -57,7 +57,7 @@ public sealed class Baseline
             || Differ(Amount(before, WorkloadSamples.BytesPerSecond), now.Bytes))
             return new BaselineRow(now.Name, times, null, null, earlierError, "other input");
         var time = SampleComparison.Of(now.Ms, times);
-        var limit = SampleComparison.Of(now.TimesTheLimit.ToList(), Samples(before, WorkloadSamples.TimesLimit));
+        var limit = SampleComparison.Of(now.RatioToLimit.ToList(), Samples(before, WorkloadSamples.TimesLimit));
         return new BaselineRow(now.Name, times, time, limit, earlierError, Verdict(time, limit));
     }
 

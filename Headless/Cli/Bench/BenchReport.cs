@@ -45,7 +45,7 @@ public static class BenchReport
         page.Paragraph(baseline.Describe());
         if (baseline.Differences(run) is { } differences)
             page.Warning("warning: " + differences);
-        foreach (string line in Honesty(rows))
+        foreach (string line in Caveats(rows))
             page.Paragraph(line);
         var chart = new RowChart("Time, by the earlier run's", "ratio and its 95 %: left of 1 is faster now", "", "time",
             "time by the limit's")
@@ -58,14 +58,14 @@ public static class BenchReport
         page.Chart(chart);
         for (int i = 0; i < rows.Count; i++)
             if (rows[i].Error is { } before && samples[i].HadInput && before != samples[i].MedianError)
-                page.Paragraph($"{rows[i].Name}: its error was {Human.Measured(before)}, now "
+                page.Paragraph($"{rows[i].Name}: its error was {Human.FourDigits(before)}, now "
                     + $"{BenchTable.Error(samples[i])}.");
     }
 
     static double[] Interval(SampleComparison? comparison) => comparison == null ? []
         : comparison.IsUnknown ? [comparison.Ratio] : [comparison.Low, comparison.Ratio, comparison.High];
 
-    public static IEnumerable<string> Honesty(IReadOnlyList<BaselineRow> rows)
+    public static IEnumerable<string> Caveats(IReadOnlyList<BaselineRow> rows)
     {
         var times = rows.Select(r => r.Time).OfType<SampleComparison>().ToList();
         if (times.Count == 0)

@@ -23,7 +23,7 @@ public static class BenchTable
                 Scatter(s),
                 s.Points > 0 ? Human.Short(s.MedianPointsPerSecond) : "",
                 s.Bytes > 0 ? (s.MedianBytesPerSecond / 1e6).ToString("N0", CultureInfo.InvariantCulture) : "",
-                s.HasLimit ? WorkloadSamples.Median(s.TimesTheLimit).ToString("0.00", CultureInfo.InvariantCulture) : "",
+                s.HasLimit ? WorkloadSamples.Median(s.RatioToLimit).ToString("0.00", CultureInfo.InvariantCulture) : "",
                 Error(s),
                 Human.Bytes(s.MedianGarbageBytes),
             };
@@ -36,8 +36,8 @@ public static class BenchTable
     }
 
     public static string Error(WorkloadSamples samples) =>
-        samples.ErrorUnit != null ? Human.Measured(samples.MedianError) + " " + samples.ErrorUnit
-        : samples.MedianError == 0 ? "exact" : Human.Measured(samples.MedianError);
+        samples.ErrorUnit != null ? Human.FourDigits(samples.MedianError) + " " + samples.ErrorUnit
+        : samples.MedianError == 0 ? "exact" : Human.FourDigits(samples.MedianError);
 
     static string Scatter(WorkloadSamples samples) => samples.Ms.Count < 2 || samples.MedianMs <= 0 ? "" : string.Create(
         CultureInfo.InvariantCulture,

@@ -8,7 +8,7 @@ public static class BarChart
     const int Bins = 56;
     const double OutlierShare = 0.002;
 
-    static readonly CultureInfo s_c = CultureInfo.InvariantCulture;
+    static readonly CultureInfo s_invariant = CultureInfo.InvariantCulture;
 
     public static string Histogram(string title, IEnumerable<double> values, string unit)
     {
@@ -35,18 +35,18 @@ public static class BarChart
         {
             double x = PlaceOf(low + i * bin), width = PlaceOf(low + (i + 1) * bin) - x, max = counts.Max();
             double y = PlotHeight * counts[i] / max;
-            svg.Append(s_c, $"M{x:0.##} {Top + PlotHeight}v{-y:0.##}h{Math.Max(0.6, width - 0.6):0.##}v{y:0.##}z");
+            svg.Append(s_invariant, $"M{x:0.##} {Top + PlotHeight}v{-y:0.##}h{Math.Max(0.6, width - 0.6):0.##}v{y:0.##}z");
         }
         svg.Append("\"/>\n");
         ChartSvg.Line(svg, "axis", Left, Top + PlotHeight, Width - Right, Top + PlotHeight);
         var ticks = ChartAxis.Of([low, high], false, 0, 1).Ticks.Where(t => t >= low && t <= high).ToList();
         int letters = ticks.Count == 0 ? 0 : ticks.Max(t => ChartSvg.Label(t).Length), every = 1;
-        while (ticks.Count / every * (letters + 2) * ChartSvg.LetterPx > Width)
+        while (ticks.Count / every * (letters + 2) * ChartSvg.CharWidthPx > Width)
             every++;
         foreach (double tick in ticks.Where((_, i) => i % every == 0))
         {
             string label = ChartSvg.Label(tick);
-            double half = label.Length * ChartSvg.LetterPx / 2;
+            double half = label.Length * ChartSvg.CharWidthPx / 2;
             ChartSvg.Line(svg, "axis", PlaceOf(tick), Top + PlotHeight, PlaceOf(tick), Top + PlotHeight + 4);
             ChartSvg.Text(svg, Math.Clamp(PlaceOf(tick), half, Width - half), Top + PlotHeight + 18, "middle", label);
         }
@@ -59,14 +59,15 @@ public static class BarChart
         var svg = new StringBuilder();
         ChartSvg.Begin(svg, title, Width, Top + rows.Count * RowPx + 4, Left);
         double max = rows.Select(r => r.Amount).DefaultIfEmpty().Max();
-        double text = rows.Select(r => r.Text.Length).DefaultIfEmpty().Max() * ChartSvg.LetterPx;
+        double text = rows.Select(r => r.Text.Length).DefaultIfEmpty().Max() * ChartSvg.CharWidthPx;
         double plot = Width - NameWidth - Right - 8 - text;
         for (int i = 0; i < rows.Count; i++)
         {
             double y = Top + i * RowPx, width = max > 0 ? Math.Max(1, plot * rows[i].Amount / max) : 1;
             string name = rows[i].Name.Length <= 20 ? rows[i].Name : rows[i].Name[..19] + "…";
             ChartSvg.Text(svg, NameWidth - 6, y + 13, "end", name);
-            svg.Append(s_c, $"<rect class=\"bar\" x=\"{NameWidth}\" y=\"{y + 2:0.#}\" width=\"{width:0.#}\" height=\"15\"/>\n");
+            svg.Append(s_invariant,
+                $"<rect class=\"bar\" x=\"{NameWidth}\" y=\"{y + 2:0.#}\" width=\"{width:0.#}\" height=\"15\"/>\n");
             ChartSvg.Text(svg, NameWidth + width + 6, y + 13, "start", rows[i].Text);
         }
         return svg.Append("</svg>\n").ToString();

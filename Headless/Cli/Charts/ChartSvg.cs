@@ -4,7 +4,7 @@ namespace FastPoints.Cli.Charts;
 
 public static class ChartSvg
 {
-    public const double LetterPx = 6.8;
+    public const double CharWidthPx = 6.8;
     public const string Declaration = "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n";
 
     public static int ColorCount => s_onLight.Length;
@@ -26,7 +26,7 @@ public static class ChartSvg
 
         """ + Colors(s_onDark) + "} .chart .mark.hollow { fill: none; }";
 
-    static readonly CultureInfo s_c = CultureInfo.InvariantCulture;
+    static readonly CultureInfo s_invariant = CultureInfo.InvariantCulture;
 
     static string Colors(string[] colors) => string.Concat(colors.Select((color, i) =>
         $".chart .c{i} .line {{ stroke: {color}; }} "
@@ -34,11 +34,11 @@ public static class ChartSvg
 
     public static void Begin(StringBuilder svg, string title, int width, int height, double titleX) =>
         svg.Append("<svg class=\"chart\" xmlns=\"http://www.w3.org/2000/svg\" ")
-            .Append(s_c, $"viewBox=\"0 0 {width} {height}\" width=\"{width}\" height=\"{height}\" ")
-            .Append(s_c, $"role=\"img\" aria-label=\"{Escape(title)}\">\n")
+            .Append(s_invariant, $"viewBox=\"0 0 {width} {height}\" width=\"{width}\" height=\"{height}\" ")
+            .Append(s_invariant, $"role=\"img\" aria-label=\"{Escape(title)}\">\n")
             .Append("<style>\n").Append(Style).Append("\n</style>\n")
-            .Append(s_c, $"<rect class=\"page\" width=\"{width}\" height=\"{height}\"/>\n")
-            .Append(s_c, $"<text class=\"title\" x=\"{titleX:0.#}\" y=\"22\">{Escape(title)}</text>\n");
+            .Append(s_invariant, $"<rect class=\"page\" width=\"{width}\" height=\"{height}\"/>\n")
+            .Append(s_invariant, $"<text class=\"title\" x=\"{titleX:0.#}\" y=\"22\">{Escape(title)}</text>\n");
 
     public static void Mark(StringBuilder svg, int index, double x, double y, bool isFilled)
     {
@@ -46,25 +46,25 @@ public static class ChartSvg
         switch (index % 4)
         {
             case 0:
-                svg.Append(s_c, $"<circle class=\"{style}\" cx=\"{x:0.#}\" cy=\"{y:0.#}\" r=\"3.5\"/>\n");
+                svg.Append(s_invariant, $"<circle class=\"{style}\" cx=\"{x:0.#}\" cy=\"{y:0.#}\" r=\"3.5\"/>\n");
                 break;
             case 1:
-                svg.Append(s_c, $"<path class=\"{style}\" d=\"M{x - 3:0.#} {y - 3:0.#}h6v6h-6z\"/>\n");
+                svg.Append(s_invariant, $"<path class=\"{style}\" d=\"M{x - 3:0.#} {y - 3:0.#}h6v6h-6z\"/>\n");
                 break;
             case 2:
-                svg.Append(s_c, $"<path class=\"{style}\" d=\"M{x:0.#} {y - 4:0.#}l4 7h-8z\"/>\n");
+                svg.Append(s_invariant, $"<path class=\"{style}\" d=\"M{x:0.#} {y - 4:0.#}l4 7h-8z\"/>\n");
                 break;
             default:
-                svg.Append(s_c, $"<path class=\"{style}\" d=\"M{x:0.#} {y - 4.5:0.#}l4.5 4.5l-4.5 4.5l-4.5 -4.5z\"/>\n");
+                svg.Append(s_invariant, $"<path class=\"{style}\" d=\"M{x:0.#} {y - 4.5:0.#}l4.5 4.5l-4.5 4.5l-4.5 -4.5z\"/>\n");
                 break;
         }
     }
 
     public static void Line(StringBuilder svg, string style, double x1, double y1, double x2, double y2) =>
-        svg.Append(s_c, $"<path class=\"{style}\" d=\"M{x1:0.#} {y1:0.#}L{x2:0.#} {y2:0.#}\"/>\n");
+        svg.Append(s_invariant, $"<path class=\"{style}\" d=\"M{x1:0.#} {y1:0.#}L{x2:0.#} {y2:0.#}\"/>\n");
 
     public static void Text(StringBuilder svg, double x, double y, string anchor, string text) =>
-        svg.Append(s_c, $"<text x=\"{x:0.#}\" y=\"{y:0.#}\" text-anchor=\"{anchor}\">{Escape(text)}</text>\n");
+        svg.Append(s_invariant, $"<text x=\"{x:0.#}\" y=\"{y:0.#}\" text-anchor=\"{anchor}\">{Escape(text)}</text>\n");
 
     public static string Escape(string text) => WebUtility.HtmlEncode(text);
 

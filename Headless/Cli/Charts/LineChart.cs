@@ -8,12 +8,12 @@ public sealed class LineChart(string title, string xLabel, string yLabel)
     const int PlotHeight = HeightPx - Top - Bottom;
     const int LegendLine = 20, LegendLeft = 16, LegendText = 34;
 
-    static readonly CultureInfo s_c = CultureInfo.InvariantCulture;
+    static readonly CultureInfo s_invariant = CultureInfo.InvariantCulture;
 
     readonly List<Series> m_series = [];
 
     public int PlotWidth { get; init; } = 490;
-    public bool HasMarks { get; init; } = true;
+    public bool HasMarkers { get; init; } = true;
 
     /// <summary>Where there is but one series, the title may name it.</summary>
     public bool HasLegend { get; init; } = true;
@@ -23,7 +23,7 @@ public sealed class LineChart(string title, string xLabel, string yLabel)
     public bool LogX { get; init; }
     public bool LogY { get; init; }
 
-    /// <param name="isDashed">For what the others are measured by.</param>
+    /// <param name="isDashed">For the reference series.</param>
     public void Add(string name, IEnumerable<(double X, double Y)> points, bool isDashed = false) =>
         m_series.Add(new Series(name, points.Where(p => double.IsFinite(p.X) && double.IsFinite(p.Y)).ToList(), isDashed));
 
@@ -32,7 +32,7 @@ public sealed class LineChart(string title, string xLabel, string yLabel)
     public string ToSvg()
     {
         int longest = m_series.Select(s => s.Name.Length).DefaultIfEmpty().Max();
-        int legend = LegendLeft + LegendText + (int)Math.Max(146, longest * ChartSvg.LetterPx + 12);
+        int legend = LegendLeft + LegendText + (int)Math.Max(146, longest * ChartSvg.CharWidthPx + 12);
         int width = Left + PlotWidth + (HasLegend ? legend : LegendLeft);
         var all = m_series.SelectMany(s => s.Points).ToList();
         var x = ChartAxis.Of(all.Select(p => p.X), LogX, Left, Left + PlotWidth);
@@ -51,11 +51,11 @@ public sealed class LineChart(string title, string xLabel, string yLabel)
             ChartSvg.Line(svg, "grid", Left, at, Left + PlotWidth, at);
             ChartSvg.Text(svg, Left - 8, at + 4, "end", ChartSvg.Label(tick));
         }
-        svg.Append(s_c, $"<rect class=\"axis\" x=\"{Left}\" y=\"{Top}\" width=\"{PlotWidth}\" ")
-            .Append(s_c, $"height=\"{PlotHeight}\"/>\n");
+        svg.Append(s_invariant, $"<rect class=\"axis\" x=\"{Left}\" y=\"{Top}\" width=\"{PlotWidth}\" ")
+            .Append(s_invariant, $"height=\"{PlotHeight}\"/>\n");
         ChartSvg.Text(svg, Left + PlotWidth / 2.0, HeightPx - 12, "middle", xLabel);
         double middle = Top + PlotHeight / 2.0;
-        svg.Append(s_c, $"<text transform=\"translate(16 {middle:0.#}) rotate(-90)\" text-anchor=\"middle\">")
+        svg.Append(s_invariant, $"<text transform=\"translate(16 {middle:0.#}) rotate(-90)\" text-anchor=\"middle\">")
             .Append(ChartSvg.Escape(yLabel)).Append("</text>\n");
         for (int i = 0; i < m_series.Count; i++)
             Draw(svg, m_series[i], i, x, y);
@@ -66,15 +66,15 @@ public sealed class LineChart(string title, string xLabel, string yLabel)
     {
         string color = "c" + (index % ChartSvg.ColorCount).ToString(CultureInfo.InvariantCulture);
         string line = series.IsDashed ? "line dash" : "line";
-        svg.Append(s_c, $"<g class=\"{color}\">\n");
+        svg.Append(s_invariant, $"<g class=\"{color}\">\n");
         if (series.Points.Count > 1)
         {
-            svg.Append(s_c, $"<polyline class=\"{line}\" points=\"");
+            svg.Append(s_invariant, $"<polyline class=\"{line}\" points=\"");
             foreach (var (px, py) in series.Points)
-                svg.Append(s_c, $"{x.At(px):0.#},{y.At(py):0.#} ");
+                svg.Append(s_invariant, $"{x.At(px):0.#},{y.At(py):0.#} ");
             svg.Append("\"/>\n");
         }
-        foreach (var (px, py) in HasMarks ? series.Points : [])
+        foreach (var (px, py) in HasMarkers ? series.Points : [])
             ChartSvg.Mark(svg, index, x.At(px), y.At(py), x.Holds(px) && y.Holds(py));
         if (!HasLegend)
         {

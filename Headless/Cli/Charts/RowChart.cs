@@ -4,7 +4,7 @@ public sealed class RowChart(string title, string xLabel, string textHead, param
 {
     const int Top = 62, Bottom = 46, PlotWidth = 430, LanePx = 15, RowGap = 11, Gap = 12, HeadY = 54;
 
-    static readonly CultureInfo s_c = CultureInfo.InvariantCulture;
+    static readonly CultureInfo s_invariant = CultureInfo.InvariantCulture;
 
     readonly List<Row> m_rows = [];
 
@@ -39,7 +39,8 @@ public sealed class RowChart(string title, string xLabel, string textHead, param
             ChartSvg.Line(svg, "axis dash", x.At(reference), Top, x.At(reference), bottom);
         for (int i = 0; i < m_rows.Count; i++)
             Draw(svg, m_rows[i], Top + i * rowPx, rowPx, left, x);
-        svg.Append(s_c, $"<rect class=\"axis\" x=\"{left}\" y=\"{Top}\" width=\"{PlotWidth}\" height=\"{bottom - Top}\"/>\n");
+        svg.Append(s_invariant,
+            $"<rect class=\"axis\" x=\"{left}\" y=\"{Top}\" width=\"{PlotWidth}\" height=\"{bottom - Top}\"/>\n");
         return svg.Append("</svg>\n").ToString();
     }
 
@@ -47,11 +48,11 @@ public sealed class RowChart(string title, string xLabel, string textHead, param
     {
         for (int i = 0; i < series.Length && series.Length > 1; i++)
         {
-            svg.Append(s_c, $"<g class=\"c{i % ChartSvg.ColorCount}\">\n");
+            svg.Append(s_invariant, $"<g class=\"c{i % ChartSvg.ColorCount}\">\n");
             ChartSvg.Mark(svg, i, x + 5, HeadY - 4, true);
             ChartSvg.Text(svg, x + 14, HeadY, "start", series[i]);
             svg.Append("</g>\n");
-            x += 14 + series[i].Length * ChartSvg.LetterPx + 2 * Gap;
+            x += 14 + series[i].Length * ChartSvg.CharWidthPx + 2 * Gap;
         }
     }
 
@@ -66,7 +67,7 @@ public sealed class RowChart(string title, string xLabel, string textHead, param
             if (lane.Length == 0)
                 continue;
             double y = top + RowGap / 2.0 + (i + 0.5) * LanePx, median = x.At(Benchmarks.WorkloadSamples.Median(lane));
-            svg.Append(s_c, $"<g class=\"c{i % ChartSvg.ColorCount}\">\n");
+            svg.Append(s_invariant, $"<g class=\"c{i % ChartSvg.ColorCount}\">\n");
             ChartSvg.Line(svg, "line", x.At(lane.Min()), y, x.At(lane.Max()), y);
             ChartSvg.Line(svg, "line", median, y - LanePx / 2.0 + 1, median, y + LanePx / 2.0 - 1);
             foreach (double value in lane)
@@ -76,7 +77,7 @@ public sealed class RowChart(string title, string xLabel, string textHead, param
     }
 
     static int WidthOf(IEnumerable<string> texts) =>
-        (int)(texts.Select(t => t.Length).DefaultIfEmpty().Max() * ChartSvg.LetterPx);
+        (int)(texts.Select(t => t.Length).DefaultIfEmpty().Max() * ChartSvg.CharWidthPx);
 
     sealed record Row(string Name, string Text, double[][] Lanes);
 }

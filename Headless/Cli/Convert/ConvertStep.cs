@@ -14,16 +14,16 @@ public sealed class ConvertStep(CliRun run)
         double begin = run.Seconds;
         ConvertResult? result = null;
         SliceLengths slices;
-        // The work is awaited, not ticked.
+        // RunToEnd waits for jobs, so none are scheduled ahead to fill the time between ticks.
         settings.InFlightMs = 0;
         if (run.IsDiscarding)
             CloudFolderWriter.DeleteUnfinished(target);
-        // The build must know that it is stopped, not failed, before it ends.
+        // Set before cancelling: the build keeps its files if it was stopped, not if it failed.
         using var stop = new CancellationTokenSource();
         using var stopping = run.Cancellation.Register(() =>
         {
             settings.KeepUnfinished = !run.IsDiscarding;
-            // All that is left then is a name, which the folder may have by the time that this is heard.
+            // In the last stage only the rename is left, and it may be done before the build sees the cancellation.
             if (run.IsDiscarding || run.Progress.Current != BuildStages.Finish)
                 stop.Cancel();
         });
@@ -34,7 +34,7 @@ public sealed class ConvertStep(CliRun run)
         }
         catch (OperationCanceledException)
         {
-            // Only points in files can be gone on with.
+            // A build can be resumed only if its points are in files.
             string part = Path.TrimEndingDirectorySeparator(target) + StoreFormat.PartSuffix;
             if (File.Exists(Path.Combine(part, BuildFiles.JournalName)) && !run.IsDiscarding)
                 throw new StoppedException(target, run.Line);

@@ -12,7 +12,7 @@ public static class DemoCloud
         if (Path.GetExtension(path).Equals(".ply", StringComparison.OrdinalIgnoreCase))
         {
             using var file = new OutputFile(path);
-            OutputFile.Guarded(path, () =>
+            OutputFile.WithFileErrors(path, () =>
             {
                 var ply = new PlyOutput(file.Stream, points);
                 run.RunSteps(OrderedScan.Run(points, seed, order, ply, run.Progress));

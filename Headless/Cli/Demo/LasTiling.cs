@@ -40,11 +40,11 @@ public static class LasTiling
                 $"--times {times}: beyond what 32-bit coordinates hold; this file has room for "
                     + $"{1 + (int.MaxValue - maxX) / shift}"));
         long total = checked(points * times);
-        long tailAt = PatchHead(source, head, points, times, (pointsAt, recordBytes), shift * (times - 1));
+        long tailAt = PatchHeader(source, head, points, times, (pointsAt, recordBytes), shift * (times - 1));
 
         progress.Begin("tile");
         using var output = new OutputFile(destination);
-        OutputFile.Guarded(destination, () =>
+        OutputFile.WithFileErrors(destination, () =>
         {
             output.Stream.Write(head);
             var buffer = new byte[BufferBytes / recordBytes * recordBytes];
@@ -103,8 +103,8 @@ public static class LasTiling
         return (min, max);
     }
 
-    /// <returns>Where it begins in the source, or 0 where nothing follows.</returns>
-    internal static long PatchHead(string source, byte[] head, long points, int times, (long At, int Bytes) records, long shift)
+    /// <returns>Offset of what follows the points in the source (waveforms, EVLRs), or 0.</returns>
+    internal static long PatchHeader(string source, byte[] head, long points, int times, (long At, int Bytes) records, long shift)
     {
         long total = checked(points * times);
         double scale = BitConverter.ToDouble(head, ScaleX);

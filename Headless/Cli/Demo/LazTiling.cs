@@ -14,7 +14,7 @@ public static class LazTiling
 
     public static long Write(string path, string destination, int times, StageProgress progress, CancellationToken cancellation)
     {
-        using var source = FileSource.Open(path);
+        using var source = RandomAccessFile.Open(path);
         var las = LasFile.Read(source);
         var format = LazFormat.Read(las);
         if (format.Compressor != LazCompressor.PointwiseChunked && !format.IsLayered)
@@ -41,13 +41,13 @@ public static class LazTiling
         if (head[VersionMinor] >= 4 && head.Length >= EvlrEnd)
             Array.Clear(head, EvlrStart, EvlrEnd - EvlrStart);
         long total = checked(points * times);
-        LasTiling.PatchHead(path, head, points, times, default, shift * (times - 1));
+        LasTiling.PatchHeader(path, head, points, times, default, shift * (times - 1));
         int vlrAt = (int)las.Vlrs.Find(LazFormat.UserId, LazFormat.RecordId).DataOffset;
         BinaryPrimitives.WriteUInt32LittleEndian(head.AsSpan(vlrAt + ChunkPointsAt), LazFormat.VariableChunkPoints);
 
         progress.Begin("tile");
         using var output = new OutputFile(destination);
-        OutputFile.Guarded(destination, () =>
+        OutputFile.WithFileErrors(destination, () =>
         {
             output.Stream.Write(head);
             output.Stream.Write(BitConverter.GetBytes(-1L));

@@ -30,10 +30,10 @@ internal sealed class PlyOutput : IReturnSink
             Append(returns[i]);
     }
 
-    public void Append(NativeArray<ScanReturn> returns, NativeArray<int> returnOfPlace)
+    public void Append(NativeArray<ScanReturn> returns, NativeArray<int> returnNumber)
     {
-        for (int i = 0; i < returnOfPlace.Length; i++)
-            Append(returns[returnOfPlace[i]]);
+        for (int i = 0; i < returnNumber.Length; i++)
+            Append(returns[returnNumber[i]]);
     }
 
     void Append(in ScanReturn r)

@@ -2,9 +2,9 @@ namespace FastPoints.Cli.Draw;
 
 public sealed class CameraPath
 {
-    readonly record struct Key(int Frame, double3 Eye, double3 Target, bool IsCut);
+    readonly record struct Keyframe(int Frame, double3 Eye, double3 Target, bool IsCut);
 
-    readonly List<Key> m_keys = [];
+    readonly List<Keyframe> m_keys = [];
     readonly double3 m_up;
     readonly double m_fovDegrees;
 
@@ -40,7 +40,7 @@ public sealed class CameraPath
                 || numbers[0] <= (result.m_keys.Count == 0 ? -1 : result.m_keys[^1].Frame))
                 throw new PointCloudException(FailureCode.BadInput, path, -1, "line " + (i + 1)
                     + ": wanted a frame after the one before, an eye, a target, and perhaps \"cut\"");
-            result.m_keys.Add(new Key((int)numbers[0], new double3(numbers[1], numbers[2], numbers[3]),
+            result.m_keys.Add(new Keyframe((int)numbers[0], new double3(numbers[1], numbers[2], numbers[3]),
                 new double3(numbers[4], numbers[5], numbers[6]), words.Length == 8));
         }
         if (result.m_keys.Count == 0)
@@ -58,7 +58,7 @@ public sealed class CameraPath
         var ground = bounds.Center;
         double3 At(double x, double y, double z) => ground + east * (x * width) + north * (y * depth) + up * (z * reach);
         void Add(double share, double3 eye, double3 target, bool isCut = false) =>
-            path.m_keys.Add(new Key((int)(share * (frames - 1)), eye, target, isCut));
+            path.m_keys.Add(new Keyframe((int)(share * (frames - 1)), eye, target, isCut));
         Add(0, At(-0.3, -0.9, 0.7), ground);
         Add(0.2, At(0.3, -0.8, 0.5), ground);
         Add(0.4, At(0.25, -0.25, 0.09), At(0.05, 0.1, 0));
@@ -81,10 +81,11 @@ public sealed class CameraPath
         if (next <= 0 || m_keys[next].IsCut)
             return Camera.Perspective(key.Eye, key.Target, m_up, m_fovDegrees);
         double along = (frame - key.Frame) / (double)(m_keys[next].Frame - key.Frame);
-        return Camera.Perspective(Way(last, along, k => k.Eye), Way(last, along, k => k.Target), m_up, m_fovDegrees);
+        return Camera.Perspective(Interpolate(last, along, k => k.Eye), Interpolate(last, along, k => k.Target), m_up,
+            m_fovDegrees);
     }
 
-    double3 Way(int key, double t, Func<Key, double3> of)
+    double3 Interpolate(int key, double t, Func<Keyframe, double3> of)
     {
         double3 b = of(m_keys[key]), c = of(m_keys[key + 1]);
         var a = key == 0 || m_keys[key].IsCut ? b : of(m_keys[key - 1]);

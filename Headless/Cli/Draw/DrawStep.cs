@@ -57,7 +57,7 @@ public sealed class DrawStep
         using var stream = new StreamContext(shaders.CreatePool(1L << 30, Bank));
         stream.SetClipBoxes(options.ClipBoxes);
         stream.Settings.Selection.PointBudget = budget > 0 ? budget : DrawStored.DefaultBudget;
-        using var picture = new GpuPicture(shaders, stream, options);
+        using var picture = new GpuFlightRenderer(shaders, stream, options);
         var assumptions = new List<string>();
         Camera? camera = options.Camera;
         Legend? legend = null;
@@ -87,7 +87,7 @@ public sealed class DrawStep
         };
     }
 
-    static FrameStats Settle(StreamContext stream, GpuPicture picture, Camera camera, PictureOptions options, CliRun run)
+    static FrameStats Settle(StreamContext stream, GpuFlightRenderer picture, Camera camera, PictureOptions options, CliRun run)
     {
         using var views = new NativeArray<StreamView>(1, Allocator.Persistent);
         var view = views;
@@ -105,7 +105,7 @@ public sealed class DrawStep
         }
     }
 
-    public RgbaImage ToImage(bool isPlain) => isPlain ? Image : Legend.On(Image);
+    public RgbaImage ToImage(bool isPlain) => isPlain ? Image : Legend.DrawOn(Image);
 
     public string Describe() => Human.Count(Points, "point")
         + (Nodes is { } nodes ? " of " + Human.Count(nodes, "node") : "") + " in " + Human.Seconds(Seconds);

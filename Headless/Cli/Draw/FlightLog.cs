@@ -2,7 +2,7 @@ namespace FastPoints.Cli.Draw;
 
 public sealed class FlightLog
 {
-    const double FullShare = 0.95;
+    const double FullFraction = 0.95;
 
     /// <summary>A frame that takes longer than two of 60 a second.</summary>
     const double HitchMs = 1000.0 / 30;
@@ -17,12 +17,12 @@ public sealed class FlightLog
     // The list itself makes no garbage between frames.
     public FlightLog(int frames) => m_frames = new List<Frame>(Frames = frames);
 
-    /// <summary>That are to be flown; those that have been are counted.</summary>
+    /// <summary>Frames of the whole flight; <see cref="Count"/> has those so far.</summary>
     public int Frames { get; }
 
     public int Count => m_frames.Count;
     public long GarbageBytes => m_frames.Sum(f => f.GarbageBytes);
-    public long LaterGarbageBytes => m_frames.Skip(FramesToWarmUp).Sum(f => f.GarbageBytes);
+    public long GarbageBytesAfterWarmUp => m_frames.Skip(FramesToWarmUp).Sum(f => f.GarbageBytes);
     public double FirstMs => m_frames[0].MainThreadMs;
     public double MaxLaterMs => m_frames.Skip(1).Select(f => f.MainThreadMs).DefaultIfEmpty().Max();
     public long BytesRead => m_frames.Sum(f => f.Stats.ReadBytes);
@@ -62,7 +62,7 @@ public sealed class FlightLog
     }
 
     int FirstFull(int from) => m_frames.FindIndex(from, f => f.Stats.SelectedPoints > 0
-        && f.Stats.DrawnPoints >= FullShare * f.Stats.SelectedPoints && f.Stats.MissingPages == 0);
+        && f.Stats.DrawnPoints >= FullFraction * f.Stats.SelectedPoints && f.Stats.MissingPages == 0);
 
     double[] Percentiles(Func<Frame, double> of)
     {

@@ -9,7 +9,7 @@ public sealed class GpuShaders
     public GpuShaders()
     {
         if (!HeadlessGraphics.IsAvailable)
-            throw new UsageException("--gpu: " + HeadlessGraphics.WhyNot);
+            throw new UsageException("--gpu: " + HeadlessGraphics.UnsupportedReason);
         string folder = FindFolder();
         Points = HeadlessShaders.Load(Path.Combine(folder, "Points.shader"));
         Compose = HeadlessShaders.Load(Path.Combine(folder, "Compose.shader"));

@@ -18,7 +18,7 @@ public sealed class Legend(ColorMode mode, DisplayRanges ranges, Camera camera, 
     internal static Legend Of(PicturePlan plan, PictureOptions options, double metresPerUnit) =>
         new(plan.Mode, plan.Ranges, plan.Camera, options, metresPerUnit);
 
-    public RgbaImage On(RgbaImage image)
+    public RgbaImage DrawOn(RgbaImage image)
     {
         var copy = new RgbaImage(image.Width, image.Height);
         image.Rgba.CopyTo(copy.Rgba, 0);
@@ -44,9 +44,9 @@ public sealed class Legend(ColorMode mode, DisplayRanges ranges, Camera camera, 
             for (int x = 0; x < width; x++)
                 Fill(image, left + x, bottom - row, 1, 8 * dot, palette[x * (Palettes.Length - 1) / (width - 1)]);
             int text = bottom - 2 * row - dot;
-            string highest = Human.Measured(high) + (isHeight && ranges.UpAxis == UpAxis.Z ? " " + Unit : "");
+            string highest = Human.FourDigits(high) + (isHeight && ranges.UpAxis == UpAxis.Z ? " " + Unit : "");
             Write(image, dot, left, text - row, isHeight ? ranges.UpAxis == UpAxis.Z ? "elevation" : "height" : "intensity");
-            Write(image, dot, left, text, Human.Measured(low));
+            Write(image, dot, left, text, Human.FourDigits(low));
             Write(image, dot, left + width - WidthOf(highest, dot), text, highest);
             return;
         }
@@ -83,7 +83,7 @@ public sealed class Legend(ColorMode mode, DisplayRanges ranges, Camera camera, 
         Fill(image, right - width, top, width, 2 * dot, Ink);
         Fill(image, right - width, top - 4 * dot, 2 * dot, 4 * dot, Ink);
         Fill(image, right - 2 * dot, top - 4 * dot, 2 * dot, 4 * dot, Ink);
-        string text = Human.Measured(units) + " " + Unit + (camera.IsOrthographic ? "" : " in the middle");
+        string text = Human.FourDigits(units) + " " + Unit + (camera.IsOrthographic ? "" : " in the middle");
         Write(image, dot, right - Math.Max(width, WidthOf(text, dot)), top - 4 * dot - row, text);
     }
 

@@ -4,7 +4,7 @@ public static class StreamedPictureStep
 {
     const long PoolBytes = 2L << 30;
     const int BankBytes = 64 << 20;
-    const int FramesOfRest = 3;
+    const int IdleFrames = 3;
 
     /// <param name="budget">Points to draw at most; 0 for the default.</param>
     public static DrawStep Run(IReadOnlyList<string> clouds, PictureOptions options, long budget, CliRun run)
@@ -41,7 +41,7 @@ public static class StreamedPictureStep
             new double3(1, 1, 1));
 
         run.Progress.Begin("stream");
-        var stats = Rest(stream, camera, options, run);
+        var stats = RunUntilSettled(stream, camera, options, run);
         run.Progress.Begin("draw");
         var image = picture.Draw(camera);
         run.Progress.End();
@@ -58,7 +58,7 @@ public static class StreamedPictureStep
         };
     }
 
-    static FrameStats Rest(StreamContext stream, in Camera camera, PictureOptions options, CliRun run)
+    static FrameStats RunUntilSettled(StreamContext stream, in Camera camera, PictureOptions options, CliRun run)
     {
         using var views = new NativeArray<StreamView>([camera.ToStreamView(options.WidthPx, options.HeightPx)],
             Allocator.Persistent);
@@ -69,7 +69,7 @@ public static class StreamedPictureStep
             JobHandle.ScheduleBatchedJobs();
             bool isQuiet = stats.ReadsInFlight + stats.RequestedNodes + stats.UploadedNodes + stats.MissingPages == 0;
             quiet = isQuiet ? quiet + 1 : 0;
-            if (stats.IsSettled || quiet > stream.Settings.FramesToRetry + FramesOfRest)
+            if (stats.IsSettled || quiet > stream.Settings.FramesToRetry + IdleFrames)
                 return stats;
             run.Progress.Report(stats.DrawnPoints / (double)Math.Max(1, stats.SelectedPoints), stats.DrawnPoints, 0);
             Thread.Yield();

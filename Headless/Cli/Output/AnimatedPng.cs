@@ -15,13 +15,13 @@ sealed class AnimatedPng(string path, int widthPx, int heightPx, int pictures, i
             PngCodec.WriteHeader(Stream, WidthPx, HeightPx, true);
             // Frames, and how often to play them: 0 is for ever.
             var all = new byte[8];
-            PngCodec.WriteBig(all, 0, (uint)Pictures);
+            PngCodec.WriteBigEndian(all, 0, (uint)Pictures);
             PngCodec.WriteChunk(Stream, "acTL", all);
         }
         var control = new byte[26];
-        PngCodec.WriteBig(control, 0, m_sequence++);
-        PngCodec.WriteBig(control, 4, (uint)WidthPx);
-        PngCodec.WriteBig(control, 8, (uint)HeightPx);
+        PngCodec.WriteBigEndian(control, 0, m_sequence++);
+        PngCodec.WriteBigEndian(control, 4, (uint)WidthPx);
+        PngCodec.WriteBigEndian(control, 8, (uint)HeightPx);
         control[20] = (byte)(m_delayMs >> 8);
         control[21] = (byte)m_delayMs;
         control[22] = 1000 >> 8;
@@ -34,7 +34,7 @@ sealed class AnimatedPng(string path, int widthPx, int heightPx, int pictures, i
             return;
         }
         var data = new byte[pixels.Length + 4];
-        PngCodec.WriteBig(data, 0, m_sequence++);
+        PngCodec.WriteBigEndian(data, 0, m_sequence++);
         Array.Copy(pixels, 0, data, 4, pixels.Length);
         PngCodec.WriteChunk(Stream, "fdAT", data);
     }

@@ -17,7 +17,7 @@ abstract class Animation(string path, int widthPx, int heightPx, int pictures) :
         if (image.Width != widthPx || image.Height != heightPx || m_count >= pictures)
             throw new ArgumentException("wanted " + pictures + " pictures of " + widthPx + "x" + heightPx +
                 ", got one more, or of " + image.Width + "x" + image.Height, nameof(image));
-        OutputFile.Guarded(path, () =>
+        OutputFile.WithFileErrors(path, () =>
         {
             Write(image, m_count);
             if (++m_count < pictures)

@@ -12,14 +12,15 @@ public sealed class OutputFile : IDisposable
     {
         m_path = path;
         m_temporaryPath = IsDevice(path) ? path : path + "." + Environment.ProcessId + ".part";
-        Guarded(path, () => Stream = new FileStream(m_temporaryPath, FileMode.Create, FileAccess.Write, FileShare.Read, 1 << 16));
+        WithFileErrors(path, () =>
+            Stream = new FileStream(m_temporaryPath, FileMode.Create, FileAccess.Write, FileShare.Read, 1 << 16));
     }
 
     public FileStream Stream { get; private set; } = null!;
 
     public void Commit()
     {
-        Guarded(m_path, () =>
+        WithFileErrors(m_path, () =>
         {
             Stream.Dispose();
             if (!IsDevice(m_path))
@@ -57,14 +58,14 @@ public sealed class OutputFile : IDisposable
         }
         catch (IOException e)
         {
-            throw FileFailures.Writing(path, e);
+            throw FileFailures.WriteFailure(path, e);
         }
         file.Commit();
     }
 
-    public static void MakeFolder(string path) => Guarded(path, () => Directory.CreateDirectory(path));
+    public static void MakeFolder(string path) => WithFileErrors(path, () => Directory.CreateDirectory(path));
 
-    public static void Guarded(string path, Action write)
+    public static void WithFileErrors(string path, Action write)
     {
         try
         {
@@ -72,7 +73,7 @@ public sealed class OutputFile : IDisposable
         }
         catch (Exception e) when (FileFailures.IsFileFailure(e))
         {
-            throw FileFailures.Writing(path, e);
+            throw FileFailures.WriteFailure(path, e);
         }
     }
 }

@@ -81,7 +81,7 @@ static class OutputNames
     {
         var head = new byte[512];
         int bytes = 0;
-        OutputFile.Guarded(path, () =>
+        OutputFile.WithFileErrors(path, () =>
         {
             using var file = File.OpenRead(path);
             bytes = file.ReadAtLeast(head, head.Length, throwOnEndOfStream: false);

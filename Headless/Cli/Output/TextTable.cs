@@ -4,7 +4,7 @@ public sealed class TextTable
 {
     readonly List<string[]> m_rows = [];
 
-    public TextTable(params string[] heads) => m_rows.Add(heads);
+    public TextTable(params string[] headers) => m_rows.Add(headers);
 
     public IReadOnlyList<string[]> Rows => m_rows;
 

@@ -56,7 +56,7 @@ sealed class CloudPage
         page.Heading("Pictures of the octree");
         page.Row(pictures);
         page.Heading("What to do next");
-        page.Lines(NextLines());
+        page.Commands(NextLines());
         page.Html("<footer class=\"note\">");
         page.Facts([("command", Command), ("version", "FastPoints " + Version), ("machine", Machine.Describe()), ("date", Today),
             ("memory", "at most " + Human.Bytes(PeakMemory.ResidentBytes) + " resident")]);
@@ -81,7 +81,7 @@ sealed class CloudPage
         yield return ("as an octree", Human.Bytes(Convert.Result.BytesOnDisk));
     }
 
-    static string Amount(double value) => value >= 1000 ? Human.Count((long)Math.Round(value)) : Human.Measured(value);
+    static string Amount(double value) => value >= 1000 ? Human.Count((long)Math.Round(value)) : Human.FourDigits(value);
 
     /// <summary>Whatever does not fit together, or is not as a user would expect.</summary>
     IEnumerable<string> Odd()

@@ -4,7 +4,7 @@ sealed class DensityMap
 {
     const int MaxCells = 256;
 
-    /// <summary>Fewer of the sample in a cell, and its density would be chance.</summary>
+    /// <summary>Mean sample points of a cell; with fewer the density is noise.</summary>
     const int PointsOfCell = 16;
 
     readonly RgbaImage m_image;
@@ -18,17 +18,17 @@ sealed class DensityMap
         HasArea = Math.Min(width, depth) > 1e-6 * math.cmax(size);
         (width, depth) = (Math.Max(width, 1e-9), Math.Max(depth, 1e-9));
         double wanted = Math.Sqrt(PointsOfCell * width * depth / Math.Max(1, sample.Count));
-        Edge = Math.Max(wanted, Math.Max(width, depth) / MaxCells);
-        int columns = (int)(width / Edge) + 1, rows = (int)(depth / Edge) + 1;
+        CellSize = Math.Max(wanted, Math.Max(width, depth) / MaxCells);
+        int columns = (int)(width / CellSize) + 1, rows = (int)(depth / CellSize) + 1;
         int[] counts = new int[columns * rows];
         for (int i = 0; i < sample.Count; i++)
         {
             double3 place = (sample[i] - bounds.Center) * lengths;
-            double x = (math.dot(place, east) + width / 2) / Edge, y = (math.dot(place, north) + depth / 2) / Edge;
+            double x = (math.dot(place, east) + width / 2) / CellSize, y = (math.dot(place, north) + depth / 2) / CellSize;
             if (x >= 0 && y >= 0 && x < columns && y < rows)
                 counts[(rows - 1 - (int)y) * columns + (int)x]++;
         }
-        double perCount = points / (double)Math.Max(1, sample.Count) / (Edge * Edge);
+        double perCount = points / (double)Math.Max(1, sample.Count) / (CellSize * CellSize);
         double[] sorted = counts.Where(c => c > 0).Order().Select(c => c * perCount).ToArray();
         Quartiles = new[] { 1, 2, 3 }.Select(q => sorted.Length == 0 ? 0 : sorted[sorted.Length * q / 4]).ToArray();
         High = sorted.Length == 0 ? 1 : sorted[sorted.Length * 98 / 100];
@@ -39,7 +39,7 @@ sealed class DensityMap
     }
 
     public bool HasArea { get; }
-    public double Edge { get; }
+    public double CellSize { get; }
 
     /// <summary>Over the cells that have points, in points on a square unit of length.</summary>
     public double[] Quartiles { get; }
@@ -52,10 +52,10 @@ sealed class DensityMap
         string squared = "points/" + unit + "²";
         return "<h3>Density from above</h3><div class=\"map\"><img alt=\"Map of the density of points, seen from above\" "
             + $"src=\"data:image/png;base64,{System.Convert.ToBase64String(Png.Encode(m_image))}\"></div>"
-            + $"<div class=\"scale\">0<b style=\"background:linear-gradient(90deg,{colors})\"></b>{Human.Measured(High)} "
+            + $"<div class=\"scale\">0<b style=\"background:linear-gradient(90deg,{colors})\"></b>{Human.FourDigits(High)} "
             + squared + "</div>"
-            + $"<figcaption>Squares of {Human.Measured(Edge)} {unit}. Where there are points: a quarter of the squares below "
-            + $"{Human.Measured(Quartiles[0])}, half below {Human.Measured(Quartiles[1])}, three quarters below "
-            + $"{Human.Measured(Quartiles[2])} {squared}; from the sample, scaled up.</figcaption>";
+            + $"<figcaption>Squares of {Human.FourDigits(CellSize)} {unit}. Where there are points: a quarter of the squares "
+            + $"below {Human.FourDigits(Quartiles[0])}, half below {Human.FourDigits(Quartiles[1])}, three quarters below "
+            + $"{Human.FourDigits(Quartiles[2])} {squared}; from the sample, scaled up.</figcaption>";
     }
 }

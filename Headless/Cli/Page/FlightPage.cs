@@ -1,10 +1,10 @@
 namespace FastPoints.Cli.Page;
 
-/// <summary>The page of a flight: the clouds in 3D with the camera's way to play, and what each frame took.</summary>
+/// <summary>The page of a flight: the clouds in 3D, the camera path to play, and the cost of each frame.</summary>
 static class FlightPage
 {
-    /// <summary>Cameras are for every so many frames: ten a second.</summary>
-    const int FramesACamera = 6;
+    /// <summary>Frames between recorded cameras: ten cameras a second.</summary>
+    const int FramesPerCamera = 6;
 
     /// <summary>The picture takes some of a page's 8 MB.</summary>
     const int ViewBytes = 4_500_000;
@@ -13,9 +13,9 @@ static class FlightPage
         CliRun run)
     {
         run.Progress.Begin("page");
-        var cameras = Enumerable.Range(0, (log.Count + FramesACamera - 1) / FramesACamera)
-            .Select(i => path.CameraAt(i * FramesACamera)).ToList();
-        var view = ViewCloud.OfFlight(clouds, options, cameras, FramesACamera, run);
+        var cameras = Enumerable.Range(0, (log.Count + FramesPerCamera - 1) / FramesPerCamera)
+            .Select(i => path.CameraAt(i * FramesPerCamera)).ToList();
+        var view = ViewCloud.OfFlight(clouds, options, cameras, FramesPerCamera, run);
         run.Progress.End();
         string name = string.Join(", ", clouds.Select(c => Path.GetFileName(Path.TrimEndingDirectorySeparator(c))));
         var page = new ReportPage("Flight over " + name, "Made by FastPoints " + CloudPage.Version + " on " + CloudPage.Today);
@@ -46,7 +46,7 @@ static class FlightPage
 
     static LineChart Chart(string title, string unit, IEnumerable<(double, double)> points)
     {
-        var chart = new LineChart(title, "frame", unit) { PlotWidth = 310, HasMarks = false, HasLegend = false };
+        var chart = new LineChart(title, "frame", unit) { PlotWidth = 310, HasMarkers = false, HasLegend = false };
         chart.Add(title, points);
         return chart;
     }

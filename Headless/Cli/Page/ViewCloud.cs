@@ -192,7 +192,7 @@ sealed class ViewCloud
     }
 
     public string Describe(ViewWave wave) => Human.Count(wave.Points, "point") + " after " + Human.Seconds(wave.Seconds)
-        + (Ranges.IsInDegrees || double.IsNaN(wave.Rms) ? "" : ": RMS error " + Human.Measured(wave.Rms) + " " + Unit);
+        + (Ranges.IsInDegrees || double.IsNaN(wave.Rms) ? "" : ": RMS error " + Human.FourDigits(wave.Rms) + " " + Unit);
 
     bool IsInside(double3 geo) => math.all(geo >= Bounds.Min) && math.all(geo <= Bounds.Max);
 

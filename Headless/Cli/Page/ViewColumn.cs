@@ -37,15 +37,15 @@ sealed class ViewColumn
             });
         foreach (string name in sets[^1].Attributes.Keys.Except(rgb))
         {
-            // More than names have: all of them would take much memory.
+            // One more than a category may have is enough to know: listing all values would take much memory.
             double[] distinct = sets.SelectMany(s => s.Attributes[name]).Where(double.IsFinite).Distinct().Take(MaxNames + 1)
                 .Order().ToArray();
             if (distinct.Length < 2)
                 continue;
             var column = new ViewColumn { Name = name, m_planes = [s => s.Attributes[name]] };
-            bool isNames = name is AttributeNames.Classification or AttributeNames.PointSourceId ? distinct.Length <= MaxNames
+            bool isCategory = name is AttributeNames.Classification or AttributeNames.PointSourceId ? distinct.Length <= MaxNames
                 : name != AttributeNames.Intensity && distinct.Length <= MaxCategories;
-            if (isNames && distinct.All(v => v == Math.Floor(v)))
+            if (isCategory && distinct.All(v => v == Math.Floor(v)))
                 column.SetValues(distinct);
             else
                 column.SetRange(sets[^1].Attributes[name], ranges);

@@ -43,7 +43,7 @@ public sealed class PreviewStep
         };
     }
 
-    public byte[] ToPng(bool isPlain) => Png.Encode(isPlain ? Image : Legend.On(Image));
+    public byte[] ToPng(bool isPlain) => Png.Encode(isPlain ? Image : Legend.DrawOn(Image));
 
     public string Describe() => Human.Count(Points, "point") + ", " + Human.Value(100 * Share) + "% of the cloud, from "
         + Human.Bytes(BytesRead) + " read in " + Human.Seconds(Seconds) + " (" + Method + ")";

@@ -6,7 +6,7 @@ namespace FastPoints.Cli.Preview;
 /// is a point.</summary>
 public static class ThinnedChoice
 {
-    const int RunLength = ColumnValues.RunLength;
+    const int BatchLength = ColumnValues.BatchLength;
     const double CellsPerRootOfPoints = 1.05;
 
     public static unsafe PointBatch Take(PointBatch points, PositionTransform transform, DisplayRanges ranges, int wanted)
@@ -17,14 +17,14 @@ public static class ThinnedChoice
         var cells = new EmptyCells { Corner = ranges.Robust.Min, CellsPerUnit = cellsPerUnit };
         var isFirst = new bool[points.Count];
         int firsts = 0;
-        double* x = stackalloc double[RunLength], y = stackalloc double[RunLength], z = stackalloc double[RunLength];
+        double* x = stackalloc double[BatchLength], y = stackalloc double[BatchLength], z = stackalloc double[BatchLength];
         byte* bytes = (byte*)points.Bytes.GetUnsafeReadOnlyPtr();
         var positions = PositionColumns.Of(points);
         fixed (ulong* table = new ulong[EmptyCells.Words])
         {
-            for (int first = 0; first < points.Count; first += RunLength)
+            for (int first = 0; first < points.Count; first += BatchLength)
             {
-                int run = Math.Min(RunLength, points.Count - first);
+                int run = Math.Min(BatchLength, points.Count - first);
                 positions.Load(bytes, first, run, x, y, z);
                 transform.ToGeo(run, x, y, z);
                 for (int i = 0; i < run; i++)

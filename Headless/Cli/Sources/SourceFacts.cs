@@ -16,7 +16,7 @@ public sealed class SourceFacts(PointReader reader)
     /// <summary>Points, where they are known without a scan or have been found; -1 otherwise.</summary>
     public long Points => Found?.Points ?? m_points;
 
-    public PointsAccount Account => PointsAccount.Of(Info, Points);
+    public PointCounts Account => PointCounts.Of(Info, Points);
 
     public string Kind => Info.Format + (Info.Version != null ? " " + Info.Version : "")
         + (Info.PointFormat >= 0 ? ", point format " + Info.PointFormat : "")
@@ -83,11 +83,11 @@ public sealed class SourceFacts(PointReader reader)
             yield return line;
         string per = " points/" + Spread.Unit + "²";
         yield return ("density", Spread.Quartiles is not [var low, var median, var high] ? "no area, seen from above"
-            : "median " + Human.Measured(median) + per + "; a quarter below " + Human.Measured(low) + ", three quarters below "
-                + Human.Measured(high) + " (squares of " + Human.Measured(Spread.SquareEdge) + " " + Spread.Unit
+            : "median " + Human.FourDigits(median) + per + "; a quarter below " + Human.FourDigits(low)
+                + ", three quarters below " + Human.FourDigits(high) + " (squares of " + Human.FourDigits(Spread.SquareEdge) + " " + Spread.Unit
                 + " with points, seen along z)");
         if (GpsTime is { } time)
-            yield return ("GPS time span", Human.Measured(time.Max - time.Min) + " s, " + Human.Value(time.Min) + " to "
+            yield return ("GPS time span", Human.FourDigits(time.Max - time.Min) + " s, " + Human.Value(time.Min) + " to "
                 + Human.Value(time.Max));
     }
 

@@ -19,7 +19,7 @@ sealed class Spread
     /// <summary>Points on a square unit, over the squares that have any; null where all lie on a line from above.</summary>
     public double[]? Quartiles => m_density.HasArea ? m_density.Quartiles : null;
 
-    public double SquareEdge => m_density.Edge;
+    public double SquareEdge => m_density.CellSize;
 
     /// <returns>Null where no point has a position.</returns>
     public static Spread? Of(PointReader reader, SpreadSample sample, CliRun run)

@@ -30,8 +30,8 @@ static class CardStage
         var shaders = new GpuShaders();
         using var memory = new StreamContext(new MemoryNodePool(MaxBytes));
         using var card = new StreamContext(shaders.CreatePool(MaxBytes, 8 << 20));
-        using var software = new CpuPicture(memory, options);
-        using var drawn = new GpuPicture(shaders, card, options);
+        using var software = new CpuFlightRenderer(memory, options);
+        using var drawn = new GpuFlightRenderer(shaders, card, options);
         var wanted = Draw(target, memory, software, options, problems);
         var got = Draw(target, card, drawn, options, problems);
         double differ = ImageError.ShareThatDiffers(wanted, got, options.Background, out int covered, MaxPerChannel);
@@ -41,7 +41,7 @@ static class CardStage
         return differ;
     }
 
-    static RgbaImage Draw(string target, StreamContext stream, FlightPicture picture, PictureOptions options,
+    static RgbaImage Draw(string target, StreamContext stream, FlightRenderer picture, PictureOptions options,
         List<string> problems)
     {
         var (plan, _, cloud, _) = FlightCloud.Add(target, stream, options, CancellationToken.None);

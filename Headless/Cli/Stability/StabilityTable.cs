@@ -51,7 +51,7 @@ public static class StabilityTable
                 + (result.Problems.Count == 0 ? "yes" : "NO") + " |");
         }
         if (!HeadlessGraphics.IsAvailable)
-            run.Out.WriteLine("card: not drawn: " + HeadlessGraphics.WhyNot);
+            run.Out.WriteLine("card: not drawn: " + HeadlessGraphics.UnsupportedReason);
         foreach (var result in results)
             foreach (string problem in result.Problems)
                 run.Out.WriteLine(result.Name + ": " + problem);

@@ -133,7 +133,7 @@ public sealed class BenchVerb : Verb
             + "limit's of the same run.");
         if (baseline?.Differences(performance) is { } differences)
             run.Out.WriteLine("warning: the baseline is " + differences);
-        foreach (string line in rows == null ? [] : BenchReport.Honesty(rows))
+        foreach (string line in rows == null ? [] : BenchReport.Caveats(rows))
             run.Out.WriteLine(line);
         run.Out.WriteLine("all samples: " + page + ", " + Path.Combine(folder, PerformanceResults.FileName));
     }

@@ -75,10 +75,10 @@ public sealed class FlyVerb : Verb
         if (output != null)
         {
             OutputNames.RefuseInputs(output, clouds);
-            if (!FlightPictures.IsFile(output))
+            if (!FlightOutput.IsFile(output))
                 OutputNames.RefuseForeignFolder("a flight", output, "frames.csv", run.Settings.IsForced);
             else
-                OutputNames.RefuseForeign(FlightPictures.NameOf(output, 0), run.Settings.IsForced);
+                OutputNames.RefuseForeign(FlightOutput.NameOf(output, 0), run.Settings.IsForced);
         }
         var options = m_picture.Read(parsed);
         int every = Counts.ToInt(parsed.GetValue(m_every)), asked = Counts.ToInt(parsed.GetValue(m_frames) ?? 0);
@@ -86,7 +86,7 @@ public sealed class FlyVerb : Verb
             throw new UsageException("--every: wanted 1 to " + MaxFramesPerPicture);
         if (parsed.GetValue(m_cpu) && parsed.GetValue(m_gpu))
             throw new UsageException("--cpu or --gpu, not both");
-        string? folder = output == null || FlightPictures.IsFile(output) ? null : output;
+        string? folder = output == null || FlightOutput.IsFile(output) ? null : output;
         if (folder != null)
             OutputFile.MakeFolder(folder);
 
@@ -98,8 +98,8 @@ public sealed class FlyVerb : Verb
         stream.Settings.UploadBytesPerFrame = upload;
         stream.SetClipBoxes(options.ClipBoxes);
         using var picture = shaders != null
-            ? new GpuPicture(shaders, stream, options)
-            : (FlightPicture)new CpuPicture(stream, options);
+            ? new GpuFlightRenderer(shaders, stream, options)
+            : (FlightRenderer)new CpuFlightRenderer(stream, options);
         var bounds = BoundsGeo.Empty;
         foreach (string cloud in clouds)
         {
@@ -121,7 +121,7 @@ public sealed class FlyVerb : Verb
         // The end of each stretch is drawn: at its beginning the first has nothing to show yet.
         every = Math.Min(every, frames);
         using var pictures = output == null ? null
-            : new FlightPictures(output, options, frames / every, (int)(every * FrameSeconds * 1000), AnimatedWebp.CanWrite)
+            : new FlightOutput(output, options, frames / every, (int)(every * FrameSeconds * 1000), AnimatedWebp.CanWrite)
             {
                 Every = every,
             };
@@ -145,7 +145,7 @@ public sealed class FlyVerb : Verb
         Describe(run, log, stream.Settings.UploadBytesPerFrame, disposeMs);
     }
 
-    static RgbaImage? Fly(StreamContext stream, CameraPath path, FlightPicture picture, FlightPictures? pictures,
+    static RgbaImage? Fly(StreamContext stream, CameraPath path, FlightRenderer picture, FlightOutput? pictures,
         FlightLog log, CliRun run)
     {
         int frames = log.Frames;
@@ -194,7 +194,7 @@ public sealed class FlyVerb : Verb
         run.Out.WriteLine($"main thread: {Ms(main[0])} ms, p99 {Ms(main[1])}, most {Ms(log.MaxLaterMs)} after the first frame, "
             + $"which took {Ms(log.FirstMs)} (selection p99 {Ms(log.SelectMs[1])}, requests p99 {Ms(log.RequestMs[1])}); "
             + $"{log.Hitches} hitches; {Human.Bytes(log.GarbageBytes)} of garbage, "
-            + $"{Human.Bytes(log.LaterGarbageBytes)} of it after 60 frames");
+            + $"{Human.Bytes(log.GarbageBytesAfterWarmUp)} of it after 60 frames");
         foreach (var (frame, toFull, bytes) in log.Cuts())
             run.Out.WriteLine($"from frame {frame}: "
                 + (toFull < 0 ? "never 95 % drawn" : $"95 % drawn after {toFull} frames; "
@@ -204,7 +204,7 @@ public sealed class FlyVerb : Verb
             run.Out.WriteLine("  " + warning);
     }
 
-    static void WriteKeys(Utf8JsonWriter json, FlightLog log, FlightPictures? pictures, double disposeMs)
+    static void WriteKeys(Utf8JsonWriter json, FlightLog log, FlightOutput? pictures, double disposeMs)
     {
         void Write(string name, double[] values)
         {
@@ -225,7 +225,7 @@ public sealed class FlyVerb : Verb
         Write("requestMs", log.RequestMs);
         json.WriteInteger("hitches", log.Hitches);
         json.WriteInteger("garbageBytes", log.GarbageBytes);
-        json.WriteInteger("garbageBytesAfter60Frames", log.LaterGarbageBytes);
+        json.WriteInteger("garbageBytesAfter60Frames", log.GarbageBytesAfterWarmUp);
         json.WriteInteger("pointsDrawn", log.Last.DrawnPoints);
         json.WriteInteger("nodesDrawn", log.Last.DrawnNodes);
         json.WriteInteger("bytesRead", log.BytesRead);

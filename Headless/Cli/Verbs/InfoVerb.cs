@@ -41,7 +41,7 @@ public sealed class InfoVerb : Verb
         run.Begin(files);
         var source = m_source.Read(parsed);
         var clouds = parsed.GetValue(m_asOne) ? [files] : files.Select(f => new[] { f }).ToArray();
-        var all = new CloudList(clouds.Select(c => c[0]));
+        var all = new InputResults(clouds.Select(c => c[0]));
         run.WriteKeys = all.WriteKeys;
         foreach (var cloud in clouds)
             all.Take(run, () => Say(cloud, source, scan, run));
@@ -49,11 +49,11 @@ public sealed class InfoVerb : Verb
             StageTable.Of(run.Progress).Write(run.Out, "  ");
     }
 
-    static (Action<Utf8JsonWriter>, PointsAccount) Say(string[] cloud, ReadOptions source, bool scan, CliRun run)
+    static (Action<Utf8JsonWriter>, PointCounts) Say(string[] cloud, ReadOptions source, bool scan, CliRun run)
     {
         if (cloud is [var path] && CloudFolder.IsCloud(path))
         {
-            var stored = new StoredFacts(path);
+            var stored = new ConvertedCloudFacts(path);
             stored.Write(run.Out);
             run.Out.WriteLine();
             return (stored.WriteKeys, stored.Account);

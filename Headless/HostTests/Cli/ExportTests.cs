@@ -148,7 +148,7 @@ public sealed class ExportTests : ScratchTests
         {
             var call = CliCall.Of([.. line.Split(' ').Skip(1).Select(word => word.Contains('.') && !word.Contains(',')
                 ? Scratch[word] : word), "--force"]);
-            Assert.That((call.Status, call.Error), Is.EqualTo((0, "")), line);
+            Assert.That((call.Status, call.Error.Contains("warning")), Is.EqualTo((0, false)), line + ": " + call.Error);
         }
         Assert.That(Scan(Scratch["part.laz"]).GetProperty("points").GetInt64(), Is.GreaterThan(0));
     }

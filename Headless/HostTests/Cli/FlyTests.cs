@@ -107,10 +107,10 @@ public sealed class FlyTests : ScratchTests
     public void FlightPictures_WithoutLibwebp_IsAPngUnlessTheNameSaysWebp()
     {
         var options = new PictureOptions { WidthPx = 32, HeightPx = 18 };
-        Assert.That(() => new FlightPictures(Scratch["x.webp"], options, 1, 100, canWebp: false),
+        Assert.That(() => new FlightOutput(Scratch["x.webp"], options, 1, 100, canWebp: false),
             Throws.TypeOf<UsageException>().With.Message.Contains("libwebp"));
         string folder = Directory.CreateDirectory(Scratch["without"]).FullName;
-        using var pictures = new FlightPictures(folder, options, 1, 100, canWebp: false);
+        using var pictures = new FlightOutput(folder, options, 1, 100, canWebp: false);
         pictures.Add(new RgbaImage(32, 18));
         pictures.Keep();
         Assert.That(Directory.GetFiles(folder), Is.EqualTo(new[] { pictures.Kept }));

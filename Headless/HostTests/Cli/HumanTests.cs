@@ -13,5 +13,5 @@ public sealed class HumanTests
     [TestCase(2.34567e9, ExpectedResult = "2.346e9")]
     [TestCase(double.PositiveInfinity, ExpectedResult = "Infinity")]
     [TestCase(double.NaN, ExpectedResult = "NaN")]
-    public string Measured_Value_HasFourDigits(double value) => Human.Measured(value);
+    public string Measured_Value_HasFourDigits(double value) => Human.FourDigits(value);
 }

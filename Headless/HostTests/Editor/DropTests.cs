@@ -31,10 +31,10 @@ public sealed class DropTests
         Assert.That(Of(large), Is.EqualTo(DropKind.Handle));
         Assert.That(Of(small, large), Is.EqualTo(DropKind.Handle));
         Assert.That(Of(scan), Is.EqualTo(DropKind.Handle), "no importer takes it");
-        Assert.That(Of(small, text), Is.EqualTo(DropKind.NotOurs));
-        Assert.That(Of(), Is.EqualTo(DropKind.NotOurs));
+        Assert.That(Of(small, text), Is.EqualTo(DropKind.None));
+        Assert.That(Of(), Is.EqualTo(DropKind.None));
         Assert.That(Of(Made("f.las", 60), Made("g.las", 60)), Is.EqualTo(DropKind.Handle), "together they are large");
-        Assert.That(Of(Made("project/Assets/e.las")), Is.EqualTo(DropKind.NotOurs), "it is in the project");
+        Assert.That(Of(Made("project/Assets/e.las")), Is.EqualTo(DropKind.None), "it is in the project");
     }
 
     [TestCase("mesh.ply", true)]
@@ -44,7 +44,7 @@ public sealed class DropTests
     {
         File.WriteAllText(m_project.Scratch[name], "ply\r\nformat ascii 1.0\r\nelement vertex 3\r\nproperty float x\r\n" +
             "element face " + (isMesh ? 1 : 0) + "\r\nproperty list uchar int vertex_indices\r\nend_header\r\n");
-        Assert.That(Of(m_project.Scratch[name]), Is.EqualTo(isMesh ? DropKind.NotOurs : DropKind.Handle));
+        Assert.That(Of(m_project.Scratch[name]), Is.EqualTo(isMesh ? DropKind.None : DropKind.Handle));
         DragAndDrop.paths = new[] { m_project.Scratch[name] };
         Assert.That(PointCloudDrops.OnScene(null, null, false),
             Is.EqualTo(isMesh ? DragAndDropVisualMode.None : DragAndDropVisualMode.Copy));
@@ -54,8 +54,8 @@ public sealed class DropTests
     public void Of_DroppedFileOfAnotherPackagesImporter_IsNotOurs()
     {
         ImporterTable.Add(typeof(ClaimingImporter), new[] { "ply", "e57" }, null);
-        Assert.That(Of(Made("a.ply")), Is.EqualTo(DropKind.NotOurs));
-        Assert.That(Of(Made("b.e57")), Is.EqualTo(DropKind.NotOurs));
+        Assert.That(Of(Made("a.ply")), Is.EqualTo(DropKind.None));
+        Assert.That(Of(Made("b.e57")), Is.EqualTo(DropKind.None));
         Assert.That(Of(Made("c.las", 101)), Is.EqualTo(DropKind.Handle));
         DragAndDrop.paths = new[] { m_project.Scratch["b.e57"] };
         Assert.That(PointCloudDrops.OnProject("Assets", true), Is.EqualTo(DragAndDropVisualMode.None));
@@ -81,14 +81,14 @@ public sealed class DropTests
     public void Of_DroppedFolders_TakesOctreesAndNoOthers()
     {
         Made("potree/metadata.json");
-        Assert.That(Of(m_project.Scratch["potree"]), Is.EqualTo(DropKind.NotOurs), "any folder may have one");
+        Assert.That(Of(m_project.Scratch["potree"]), Is.EqualTo(DropKind.None), "any folder may have one");
         Made("potree/octree.bin");
         Made("ept/ept.json");
         Made("models/mesh.fbx");
         Made("done.fastpoints/cloud.json");
         Assert.That(Of(m_project.Scratch["potree"], m_project.Scratch["ept"], m_project.Scratch["done.fastpoints"]),
             Is.EqualTo(DropKind.Handle));
-        Assert.That(Of(m_project.Scratch["models"]), Is.EqualTo(DropKind.NotOurs));
+        Assert.That(Of(m_project.Scratch["models"]), Is.EqualTo(DropKind.None));
     }
 
     [Test]

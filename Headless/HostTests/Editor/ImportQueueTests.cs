@@ -223,7 +223,7 @@ public sealed class ImportQueueTests
         for (int i = 0; i < 20; i++)
             after.Tick(1, DateTime.UtcNow);
         Assert.That(after.Requests.Single().State, Is.EqualTo(ImportState.Paused));
-        Assert.That((after.Session, after.IsAtWork), Is.EqualTo(((BuildSession)null, false)));
+        Assert.That((after.Session, after.HasWork), Is.EqualTo(((BuildSession)null, false)));
 
         after.Resume(after.Requests[0]);
         UpdateUntil(after, () => after.Requests.Count == 0);

@@ -105,7 +105,7 @@ public sealed class LockedFileTests : EditorFixture
     [TestCase(false)]
     public void Meta_OfAFileThatIsClaimed_IsCheckedOut(bool agrees)
     {
-        SessionState.EraseString("FastPoints.PointFileClaims");
+        SessionState.EraseString("FastPoints.PointFilePrompt");
         FastPointsSettings.instance.PointFiles = PointFiles.Leave;
         foreach (string name in new[] { "locked", "open" })
             m_project.Scratch.Demo("project/Assets/" + name + ".las", 500);

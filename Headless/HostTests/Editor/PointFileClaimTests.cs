@@ -7,7 +7,7 @@ public sealed class PointFileClaimTests : EditorFixture
     {
         EditorUtility.s_agrees = false;
         EditorUtility.s_dialogs.Clear();
-        SessionState.EraseString("FastPoints.PointFileClaims");
+        SessionState.EraseString("FastPoints.PointFilePrompt");
         FastPointsSettings.instance.PointFiles = PointFiles.Ask;
     }
 

@@ -64,7 +64,7 @@ public sealed class TestProjectFixtureTests : EditorFixture
     [TestCase(nameof(Keeping.Fail))]
     public void Project_OfTheUser_IsAsBefore(string test)
     {
-        SessionState.SetString("FastPoints.PointFileClaims", "yes");
+        SessionState.SetString("FastPoints.PointFilePrompt", "yes");
         FastPointsSettings.instance.PointFiles = PointFiles.Ask;
         m_project.Scratch.Demo("project/Assets/users.las", 500);
         AssetDatabase.Refresh();

@@ -11,8 +11,8 @@ sealed class TwinStreams : IDisposable
 
     readonly StreamContext m_cpu;
     readonly StreamContext m_gpu;
-    readonly FlightPicture m_cpuPicture;
-    readonly FlightPicture m_gpuPicture;
+    readonly FlightRenderer m_cpuPicture;
+    readonly FlightRenderer m_gpuPicture;
     readonly PictureOptions m_options;
 
     public TwinStreams(string cloud, PictureOptions options, long budget, Func<CloudPlacement, CloudPlacement> place = null,
@@ -22,8 +22,8 @@ sealed class TwinStreams : IDisposable
         var shaders = new GpuShaders();
         m_cpu = new StreamContext(new MemoryNodePool(256 << 20, 8 << 20));
         m_gpu = new StreamContext(shaders.CreatePool(256 << 20, 8 << 20));
-        m_cpuPicture = new CpuPicture(m_cpu, options);
-        m_gpuPicture = new GpuPicture(shaders, m_gpu, options, canCompute);
+        m_cpuPicture = new CpuFlightRenderer(m_cpu, options);
+        m_gpuPicture = new GpuFlightRenderer(shaders, m_gpu, options, canCompute);
         foreach (var stream in new[] { m_cpu, m_gpu })
         {
             stream.Settings.Selection.PointBudget = budget;
@@ -86,7 +86,7 @@ sealed class TwinStreams : IDisposable
         m_gpu.Dispose();
     }
 
-    void Settle(StreamContext stream, FlightPicture picture, PictureCamera camera)
+    void Settle(StreamContext stream, FlightRenderer picture, PictureCamera camera)
     {
         using var views = new NativeArray<StreamView>(1, Allocator.Persistent);
         var view = views;

@@ -11,7 +11,7 @@ public abstract class PrimitiveBoundsHandle
 
     public Vector3 center { get; set; }
 
-    protected abstract Vector3 Size { get; set; }
+    private protected abstract Vector3 Size { get; set; }
 
     public void DrawHandle()
     {
@@ -40,5 +40,5 @@ public class BoxBoundsHandle : PrimitiveBoundsHandle
 {
     public Vector3 size { get; set; }
 
-    protected override Vector3 Size { get => size; set => size = value; }
+    private protected override Vector3 Size { get => size; set => size = value; }
 }

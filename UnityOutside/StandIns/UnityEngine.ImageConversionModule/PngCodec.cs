@@ -33,8 +33,8 @@ public static class PngCodec
     {
         file.Write(s_signature, 0, s_signature.Length);
         byte[] header = new byte[13];
-        WriteBig(header, 0, (uint)width);
-        WriteBig(header, 4, (uint)height);
+        WriteBigEndian(header, 0, (uint)width);
+        WriteBigEndian(header, 4, (uint)height);
         header[8] = 8;
         header[9] = (byte)(isOpaque ? ColorRgb : ColorRgba);
         WriteChunk(file, "IHDR", header);
@@ -167,7 +167,7 @@ public static class PngCodec
         using (var deflate = new DeflateStream(stream, CompressionLevel.Optimal, true))
             deflate.Write(bytes, 0, bytes.Length);
         byte[] adler = new byte[4];
-        WriteBig(adler, 0, PngChecksums.Adler32(bytes, 0, bytes.Length));
+        WriteBigEndian(adler, 0, PngChecksums.Adler32(bytes, 0, bytes.Length));
         stream.Write(adler, 0, adler.Length);
         return stream.ToArray();
     }
@@ -211,15 +211,15 @@ public static class PngCodec
     public static void WriteChunk(Stream file, string name, byte[] content)
     {
         var chunk = new byte[content.Length + ChunkOverheadBytes];
-        WriteBig(chunk, 0, (uint)content.Length);
+        WriteBigEndian(chunk, 0, (uint)content.Length);
         for (int i = 0; i < 4; i++)
             chunk[4 + i] = (byte)name[i];
         Array.Copy(content, 0, chunk, 8, content.Length);
-        WriteBig(chunk, content.Length + 8, PngChecksums.Crc32(chunk, 4, content.Length + 4));
+        WriteBigEndian(chunk, content.Length + 8, PngChecksums.Crc32(chunk, 4, content.Length + 4));
         file.Write(chunk, 0, chunk.Length);
     }
 
-    public static void WriteBig(byte[] to, int at, uint value)
+    public static void WriteBigEndian(byte[] to, int at, uint value)
     {
         to[at] = (byte)(value >> 24);
         to[at + 1] = (byte)(value >> 16);

@@ -77,12 +77,12 @@ namespace FastPoints.Evaluation
             byte* bytes = (byte*)Sample.GetUnsafeReadOnlyPtr();
             ulong* cellsOf128th = (ulong*)CellsOf128th.GetUnsafePtr();
             long* pointsOfBlock = (long*)PointsOfBlock.GetUnsafePtr();
-            double* x = stackalloc double[ColumnValues.RunLength];
-            double* y = stackalloc double[ColumnValues.RunLength];
-            double* z = stackalloc double[ColumnValues.RunLength];
-            for (int done = 0; done < Count; done += ColumnValues.RunLength)
+            double* x = stackalloc double[ColumnValues.BatchLength];
+            double* y = stackalloc double[ColumnValues.BatchLength];
+            double* z = stackalloc double[ColumnValues.BatchLength];
+            for (int done = 0; done < Count; done += ColumnValues.BatchLength)
             {
-                int run = math.min(ColumnValues.RunLength, Count - done);
+                int run = math.min(ColumnValues.BatchLength, Count - done);
                 Positions.Load(bytes, First + done, run, x, y, z);
                 Transform.ToGeo(run, x, y, z);
                 for (int i = 0; i < run; i++)

@@ -107,14 +107,14 @@ namespace FastPoints.Evaluation
 
         unsafe void IncludeWide(byte* column, int count)
         {
-            const int RunLength = ColumnValues.RunLength;
-            ulong* bits = stackalloc ulong[RunLength];
-            double* values = stackalloc double[RunLength];
+            const int BatchLength = ColumnValues.BatchLength;
+            ulong* bits = stackalloc ulong[BatchLength];
+            double* values = stackalloc double[BatchLength];
             bool isFloat = Type.IsFloat();
             ulong flip = Type == AttributeType.UInt64 ? 0 : SignBit;
-            for (int done = 0; done < count; done += RunLength)
+            for (int done = 0; done < count; done += BatchLength)
             {
-                int run = math.min(RunLength, count - done);
+                int run = math.min(BatchLength, count - done);
                 ColumnValues.ToBits(column, Type, done, run, bits);
                 if (isFloat)
                     ColumnValues.ToDoubles(column, Type, done, run, values);

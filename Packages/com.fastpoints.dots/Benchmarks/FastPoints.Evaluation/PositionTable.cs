@@ -103,16 +103,16 @@ namespace FastPoints.Evaluation
 
         public unsafe void Execute()
         {
-            double* x = stackalloc double[ColumnValues.RunLength];
-            double* y = stackalloc double[ColumnValues.RunLength];
-            double* z = stackalloc double[ColumnValues.RunLength];
+            double* x = stackalloc double[ColumnValues.BatchLength];
+            double* y = stackalloc double[ColumnValues.BatchLength];
+            double* z = stackalloc double[ColumnValues.BatchLength];
             byte* bytes = (byte*)Block.GetUnsafeReadOnlyPtr();
             var slots = (double3*)Slots.GetUnsafeReadOnlyPtr();
             byte* states = (byte*)NativeArrayUnsafeUtility.GetUnsafeBufferPointerWithoutChecks(States);
             int count = Result.Value.Points;
-            for (int first = 0; first < count; first += ColumnValues.RunLength)
+            for (int first = 0; first < count; first += ColumnValues.BatchLength)
             {
-                int run = math.min(ColumnValues.RunLength, count - first);
+                int run = math.min(ColumnValues.BatchLength, count - first);
                 Columns.Load(bytes, first, run, x, y, z);
                 Transform.ToGeo(run, x, y, z);
                 for (int i = 0; i < run; i++)
@@ -138,14 +138,14 @@ namespace FastPoints.Evaluation
 
         public unsafe void Execute()
         {
-            double* x = stackalloc double[ColumnValues.RunLength];
-            double* y = stackalloc double[ColumnValues.RunLength];
-            double* z = stackalloc double[ColumnValues.RunLength];
+            double* x = stackalloc double[ColumnValues.BatchLength];
+            double* y = stackalloc double[ColumnValues.BatchLength];
+            double* z = stackalloc double[ColumnValues.BatchLength];
             byte* bytes = (byte*)Bytes.GetUnsafeReadOnlyPtr();
             int loaded = Loaded.Value;
-            for (int done = 0; done < Count; done += ColumnValues.RunLength)
+            for (int done = 0; done < Count; done += ColumnValues.BatchLength)
             {
-                int run = math.min(ColumnValues.RunLength, Count - done);
+                int run = math.min(ColumnValues.BatchLength, Count - done);
                 Positions.Load(bytes, First + done, run, x, y, z);
                 Transform.ToGeo(run, x, y, z);
                 for (int i = 0; i < run; i++)

@@ -169,7 +169,7 @@ namespace FastPoints.Evaluation
     [BurstCompile]
     public struct AppendPicksJob : IJob
     {
-        const int RunLength = ColumnValues.RunLength;
+        const int BatchLength = ColumnValues.BatchLength;
 
         [ReadOnly] public NativeArray<byte> Range;
         [ReadOnly] public NativeArray<PointColumn> ColumnsOfRange;
@@ -197,15 +197,15 @@ namespace FastPoints.Evaluation
                 ColumnsOfFrom = ColumnsOfRange,
                 ColumnsOfTo = ColumnsOfSample,
             };
-            int* from = stackalloc int[RunLength];
-            int* to = stackalloc int[RunLength];
+            int* from = stackalloc int[BatchLength];
+            int* to = stackalloc int[BatchLength];
             long end = FirstPoint + Result.Value.Points;
             int filled = Filled.Value;
             long choice = FirstChoiceFrom(FirstPoint);
             while (choice < Wanted)
             {
                 int run = 0;
-                for (; run < RunLength && choice < Wanted; choice++)
+                for (; run < BatchLength && choice < Wanted; choice++)
                 {
                     long point = choice * Total / Wanted;
                     if (point >= end)

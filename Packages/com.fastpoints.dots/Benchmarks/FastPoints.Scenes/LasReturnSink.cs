@@ -38,10 +38,10 @@ namespace FastPoints.Scenes
 
         public void Append(NativeArray<ScanReturn> returns) => Append(returns, m_noOrder, false, returns.Length);
 
-        public void Append(NativeArray<ScanReturn> returns, NativeArray<int> returnOfPlace) =>
-            Append(returns, returnOfPlace, true, returnOfPlace.Length);
+        public void Append(NativeArray<ScanReturn> returns, NativeArray<int> returnNumber) =>
+            Append(returns, returnNumber, true, returnNumber.Length);
 
-        void Append(NativeArray<ScanReturn> returns, NativeArray<int> returnOfPlace, bool hasOrder, int places)
+        void Append(NativeArray<ScanReturn> returns, NativeArray<int> returnNumber, bool hasOrder, int places)
         {
             for (int first = 0; first < places; first += PointsAtOnce)
             {
@@ -49,7 +49,7 @@ namespace FastPoints.Scenes
                 new ReturnsToColumnsJob
                 {
                     Returns = returns,
-                    ReturnOfPlace = returnOfPlace,
+                    ReturnOfPlace = returnNumber,
                     HasOrder = hasOrder,
                     FirstPlace = first,
                     Count = m_batch.Count,

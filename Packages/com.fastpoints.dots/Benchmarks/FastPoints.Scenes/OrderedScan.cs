@@ -31,7 +31,7 @@ namespace FastPoints.Scenes
         static IEnumerator<JobStep> RunInMemory(int points, uint seed, ScanOrder order, IReturnSink sink, StageProgress progress)
         {
             var returns = new NativeArray<ScanReturn>(points, Allocator.Persistent, NativeArrayOptions.UninitializedMemory);
-            var returnOfPlace = new NativeArray<int>(points, Allocator.Persistent, NativeArrayOptions.UninitializedMemory);
+            var returnNumber = new NativeArray<int>(points, Allocator.Persistent, NativeArrayOptions.UninitializedMemory);
             JobHandle ordering = default;
             try
             {
@@ -43,13 +43,13 @@ namespace FastPoints.Scenes
                 }
                 yield return JobStep.Of(TerrestrialScan.Run(points, seed, Keep, progress));
 
-                ordering = new OrderReturnsJob { Returns = returns, Order = order, Seed = seed, ReturnOfPlace = returnOfPlace }
+                ordering = new OrderReturnsJob { Returns = returns, Order = order, Seed = seed, ReturnOfPlace = returnNumber }
                     .Schedule();
                 yield return ordering;
                 ordering.Complete();
                 for (int first = 0; first < points; first += PlacesAtOnce)
                 {
-                    sink.Append(returns, returnOfPlace.GetSubArray(first, Math.Min(PlacesAtOnce, points - first)));
+                    sink.Append(returns, returnNumber.GetSubArray(first, Math.Min(PlacesAtOnce, points - first)));
                     yield return default;
                 }
             }
@@ -57,7 +57,7 @@ namespace FastPoints.Scenes
             {
                 ordering.Complete();
                 returns.Dispose();
-                returnOfPlace.Dispose();
+                returnNumber.Dispose();
             }
         }
     }
@@ -69,8 +69,8 @@ namespace FastPoints.Scenes
         void Append(NativeArray<ScanReturn> returns);
 
         /// <param name="returns">All returns.</param>
-        /// <param name="returnOfPlace">Indices of the returns that come next, in this order.</param>
-        void Append(NativeArray<ScanReturn> returns, NativeArray<int> returnOfPlace);
+        /// <param name="returnNumber">Indices of the returns that come next, in this order.</param>
+        void Append(NativeArray<ScanReturn> returns, NativeArray<int> returnNumber);
     }
 
     /// <summary>Finds the order in which returns are to be written: a stable counting sort by tile or class, or a

@@ -101,7 +101,7 @@ namespace FastPoints.Editor
             m_progress = Progress.Start("Import " + m_sources.Length + " point cloud files", m_folder,
                 Progress.Options.Unmanaged);
             string folder = m_imports.Paths.Absolute(m_folder);
-            var (handles, targets) = (HandleFile.NewHandles(folder), m_imports.NewTargets());
+            var (handles, targets) = (HandleFile.FreeHandleNames(folder), m_imports.NewTargets());
             m_writing = PoolTask.Begin(folder, () => Write(clouds, handles, targets));
             return true;
         }

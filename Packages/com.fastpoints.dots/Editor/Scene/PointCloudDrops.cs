@@ -69,7 +69,7 @@ namespace FastPoints.Editor
                 if (dragged is PointCloudAsset asset)
                     assets.Add(asset);
             var imports = PointCloudImports.Current;
-            bool isFiles = assets.Count == 0 && KindOf(imports, perform) != DropKind.NotOurs;
+            bool isFiles = assets.Count == 0 && KindOf(imports, perform) != DropKind.None;
             if (assets.Count == 0 && !isFiles)
                 return DragAndDropVisualMode.None;
             if (!perform)

@@ -24,7 +24,7 @@ namespace FastPoints.Editor
 
         static PointCloudSystemGroup Group => PointCloudSystemGroup.ObjectGroup;
 
-        /// <summary>Repaints while frames come; at rest nothing is drawn again.</summary>
+        /// <summary>Repaints while frames are drawn, not when idle.</summary>
         public override bool RequiresConstantRepaint() => m_showsFrame && Group?.Stream != null && Group.Stats.Frame != m_frame;
 
         public override void OnInspectorGUI()

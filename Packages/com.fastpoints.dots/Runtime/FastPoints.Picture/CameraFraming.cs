@@ -102,7 +102,7 @@ namespace FastPoints.Picture
         static double ShareOf(int edgePx, double pointPx) =>
             1 - 2 * math.min(MaxMargin, math.max(Margin, (pointPx / 2 + 1) / edgePx));
 
-        // Those of both that a camera at this distance would show.
+        // The outline and rim points inside the frustum of a camera at this distance.
         static double3[] Near(Camera camera, double3 target, double3[] outline, double3[] rim, double2 perTan, double distance)
         {
             camera.EyeGeo = target;

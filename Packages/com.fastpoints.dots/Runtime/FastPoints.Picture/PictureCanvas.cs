@@ -57,7 +57,7 @@ namespace FastPoints.Picture
         // In the median tile.
         public float TypicalSizePx => m_typicalSizePx.Value;
 
-        // That a tile may have.
+        // Largest point size of a tile.
         public float LargestPx { get; private set; }
 
         // 1 to PointDrawing.MaxSizePx. No drawing may be in flight.

@@ -8,7 +8,7 @@ namespace FastPoints.Picture
         {
             int count = run.Count;
             uint* colors = run.Colors;
-            double* values = stackalloc double[ColumnValues.RunLength];
+            double* values = stackalloc double[ColumnValues.BatchLength];
             if (mapping.Mode == ColorMode.Rgb)
             {
                 for (int i = 0; i < count; i++)
@@ -47,7 +47,7 @@ namespace FastPoints.Picture
         // NaN becomes 0.
         static int ToIndex(double value) => !(value > 0) ? 0 : value < 255 ? (int)value : 255;
     }
-    // At most ColumnValues.RunLength consecutive points: their stored coordinates, and their colours.
+    // At most ColumnValues.BatchLength consecutive points: their stored coordinates, and their colours.
     internal unsafe struct PointRun
     {
         public int Count;

@@ -38,14 +38,14 @@ namespace FastPoints.Picture
         // Any number of threads may draw at once.
         public readonly unsafe void Draw(byte* bytes, int first, int count, in PictureMemory picture)
         {
-            double* x = stackalloc double[ColumnValues.RunLength];
-            double* y = stackalloc double[ColumnValues.RunLength];
-            double* z = stackalloc double[ColumnValues.RunLength];
-            uint* colors = stackalloc uint[ColumnValues.RunLength];
+            double* x = stackalloc double[ColumnValues.BatchLength];
+            double* y = stackalloc double[ColumnValues.BatchLength];
+            double* z = stackalloc double[ColumnValues.BatchLength];
+            uint* colors = stackalloc uint[ColumnValues.BatchLength];
             var run = new PointRun { X = x, Y = y, Z = z, Colors = colors };
-            for (int done = 0; done < count; done += ColumnValues.RunLength)
+            for (int done = 0; done < count; done += ColumnValues.BatchLength)
             {
-                run.Count = math.min(ColumnValues.RunLength, count - done);
+                run.Count = math.min(ColumnValues.BatchLength, count - done);
                 Positions.Load(bytes, first + done, run.Count, x, y, z);
                 PointColoring.ColorRun(bytes, first + done, Colors, picture.Palettes, run);
                 if (LargestPx <= 1 && picture.Sums == null)

@@ -42,7 +42,7 @@ namespace FastPoints.Rendering
         }
 
         // For a distance d along the view: (x d + y) / (z d + w).
-        public static Vector4 DeviceOfDepth(in RenderView view)
+        public static Vector4 DepthToDevice(in RenderView view)
         {
             var z = view.ViewProjection.GetRow(2);
             var w = view.ViewProjection.GetRow(3);
@@ -51,7 +51,7 @@ namespace FastPoints.Rendering
 
         public void Record(CommandBuffer commands, in RenderView view, DrawList list, ListBuffer lists, GraphicsNodePool pool)
         {
-            MakePixels(view);
+            EnsurePixels(view);
             commands.SetComputeVectorParam(m_shader, ShaderNames.ScreenPx, new Vector4(view.WidthPx, view.HeightPx, 0, 0));
             commands.SetComputeVectorParam(m_shader, ShaderNames.Forward, view.Forward);
             commands.SetComputeVectorParam(m_shader, ShaderNames.EyeOffset, view.EyeOffset);
@@ -87,7 +87,7 @@ namespace FastPoints.Rendering
             commands.DispatchCompute(m_shader, kernel, across, (draw.InstanceCount + across - 1) / across, 1);
         }
 
-        void MakePixels(in RenderView view)
+        void EnsurePixels(in RenderView view)
         {
             int words = view.WidthPx * view.HeightPx * (BytesPerPixel / sizeof(uint));
             // One camera may be drawn at two sizes, in turn.

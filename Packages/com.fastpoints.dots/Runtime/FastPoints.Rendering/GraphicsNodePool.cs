@@ -35,7 +35,7 @@ namespace FastPoints.Rendering
         /// <summary>The bank's raw buffer; null if the bank does not exist.</summary>
         public GraphicsBuffer BufferOf(int bank) => m_buffers[bank];
 
-        /// <summary>Counts frames where a picture was drawn: until then the GPU may have had nothing to do.</summary>
+        /// <summary>Counts only frames that drew a picture: without one, the GPU need not have run the uploads.</summary>
         public override void BeginFrame()
         {
             m_frame += m_isDrawn ? 1 : 0;

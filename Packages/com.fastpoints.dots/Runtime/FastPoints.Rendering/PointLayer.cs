@@ -48,7 +48,7 @@ namespace FastPoints.Rendering
         public void Compose(CommandBuffer commands, in RenderView view, Material compose, ComputeRaster raster)
         {
             m_properties.SetBuffer(ShaderNames.Pixels, raster.Pixels);
-            m_properties.SetVector(ShaderNames.DeviceOfDepth, ComputeRaster.DeviceOfDepth(view));
+            m_properties.SetVector(ShaderNames.DepthToDevice, ComputeRaster.DepthToDevice(view));
             Compose(commands, view, compose);
         }
 

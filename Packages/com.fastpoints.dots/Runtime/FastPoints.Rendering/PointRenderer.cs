@@ -91,13 +91,13 @@ namespace FastPoints.Rendering
         /// instances), or one after the other if the style draws through a layer or a compute shader, or vertex shaders cannot
         /// choose a slice. A pipeline that multiplies instances itself multiplies plain draws; the Built-in one has none: 2
         /// would stay and double all that comes later.</summary>
-        public void RecordBothEyes(CommandBuffer commands, in RenderView left, in RenderView right, bool pipelineMultiplies)
+        public void RecordBothEyes(CommandBuffer commands, in RenderView left, in RenderView right, bool pipelineDoublesInstances)
         {
             if (List.Draws.Length == 0)
                 return;
             // In instanced single-pass rendering the engine multiplies the instances of plain draws.
             bool isMultiplied = !SystemInfo.supportsMultiview;
-            if (isMultiplied && pipelineMultiplies)
+            if (isMultiplied && pipelineDoublesInstances)
                 commands.SetInstanceMultiplier(1);
             bool isAtOnce = isMultiplied && SystemInfo.supportsRenderTargetArrayIndexFromVertexShader &&
                 !left.Style.IsLayered && !IsComputed(left);
@@ -116,7 +116,7 @@ namespace FastPoints.Rendering
                 RecordSlice(commands, left, TargetEye.Left);
                 RecordSlice(commands, right, TargetEye.Right);
             }
-            if (isMultiplied && pipelineMultiplies)
+            if (isMultiplied && pipelineDoublesInstances)
                 commands.SetInstanceMultiplier(2);
         }
 

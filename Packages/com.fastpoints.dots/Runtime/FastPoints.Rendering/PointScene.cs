@@ -37,10 +37,12 @@ namespace FastPoints.Rendering
             public PointRenderer Renderer;
             public int LastFrame;
             public int AnnouncedFrame;
-            public double3? AnnouncedAt; // Null where a script has set the matrices: the transform says nothing of them.
+            public double3? AnnouncedPosition; // Null where a script has set the matrices: the transform says nothing of them.
 
-            // Scripts move cameras after a picture, and clouds with them where the origin floats: the next one is from there.
-            public double3 Moved => AnnouncedAt.HasValue && Camera != null ? PlaceOf(Camera) - AnnouncedAt.Value : default;
+            // How far the camera moved since it was announced, for example with a floating origin: the next picture is from
+            // there.
+            public double3 Moved => AnnouncedPosition.HasValue && Camera != null
+                ? PlaceOf(Camera) - AnnouncedPosition.Value : default;
 
             // What the next frame selects for: as the camera was drawn at each size and with each mask, for an editor draws it
             // once more into a small picture, and recorders do, in the last frame that it was drawn in.
@@ -57,7 +59,7 @@ namespace FastPoints.Rendering
             m_nextViews = new NativeList<StreamView>(Allocator.Persistent);
         }
 
-        // That passes draw; null for none.
+        // The scene that passes draw; null for none.
         public static PointScene Current { get; set; }
 
         public StreamContext Stream { get; }
@@ -94,13 +96,13 @@ namespace FastPoints.Rendering
         }
 
         // All clouds are without colours again, until they are set.
-        public void ForgetLooks()
+        public void ClearLooks()
         {
             for (int cloud = 0; cloud < m_looks.Count; cloud++)
                 m_looks[cloud] = s_noLook;
         }
 
-        // After the views were taken: cameras are announced again, or their views are dropped in the end.
+        // Call after NextViews was read. Drops cameras that are no longer announced.
         public void BeginFrame()
         {
             m_frame++;
@@ -138,9 +140,9 @@ namespace FastPoints.Rendering
             seen.AnnouncedFrame = m_frame;
             var view = isForHeadset ? EyeOf(camera, Camera.StereoscopicEye.Left)
                 : CameraViews.StreamViewOf(camera, EyeMatrices.OfMono(camera), camera.pixelHeight);
-            seen.AnnouncedAt = isForHeadset || view.EyeWorld.Equals(PlaceOf(camera)) ? PlaceOf(camera) : (double3?)null;
+            seen.AnnouncedPosition = isForHeadset || view.EyeWorld.Equals(PlaceOf(camera)) ? PlaceOf(camera) : (double3?)null;
             var drawn = (camera.pixelWidth, camera.pixelHeight, view.Mask.Scenes, view.Mask.HiddenLayers);
-            // The order stays: another one would be another frame's.
+            // Keep the order: selection depends on it, and would change from frame to frame.
             int at = 0;
             while (at < views.Count && !views[at].Drawn.Equals(drawn))
                 at++;
@@ -166,7 +168,7 @@ namespace FastPoints.Rendering
         public void Record(CommandBuffer commands, Camera camera, in CameraTarget target) =>
             Record(commands, camera, target, true);
 
-        void Record(CommandBuffer commands, Camera camera, in CameraTarget target, bool pipelineMultiplies)
+        void Record(CommandBuffer commands, Camera camera, in CameraTarget target, bool pipelineDoublesInstances)
         {
             var renderer = Prepare(camera, target, out var view);
             if (!target.HasBothEyes)
@@ -178,10 +180,10 @@ namespace FastPoints.Rendering
             right.Style = Style;
             var offset = target.RightEye.PositionWorld - target.Eye.PositionWorld;
             right.EyeOffset = new Vector3((float)offset.x, (float)offset.y, (float)offset.z);
-            renderer.RecordBothEyes(commands, view, right, pipelineMultiplies);
+            renderer.RecordBothEyes(commands, view, right, pipelineDoublesInstances);
         }
 
-        // Where the engine sets the target: what comes before it, and what draws into it.
+        // For pipelines that set the render target themselves: commands before that, and those that draw into it.
         public void Record(CommandBuffer before, CommandBuffer into, Camera camera, in CameraTarget target)
         {
             // The engine sets both slices of a headset's target, and what is drawn eye by eye wants one.

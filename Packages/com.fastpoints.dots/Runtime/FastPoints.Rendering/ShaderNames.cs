@@ -9,7 +9,7 @@ namespace FastPoints.Rendering
         public static readonly int ClipBoxCount = Shader.PropertyToID("_FastPointsClipBoxCount");
         public static readonly int ClipBoxesAt = Shader.PropertyToID("_FastPointsClipBoxesAt");
         public static readonly int CloudsAt = Shader.PropertyToID("_FastPointsCloudsAt");
-        public static readonly int DeviceOfDepth = Shader.PropertyToID("_FastPointsDeviceOfDepth");
+        public static readonly int DepthToDevice = Shader.PropertyToID("_FastPointsDeviceOfDepth");
         public static readonly int EdlStrength = Shader.PropertyToID("_FastPointsEdlStrength");
         public static readonly int EyeOffset = Shader.PropertyToID("_FastPointsEyeOffset");
         public static readonly int FillsHoles = Shader.PropertyToID("_FastPointsFillsHoles");

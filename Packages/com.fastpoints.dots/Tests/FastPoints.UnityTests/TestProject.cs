@@ -92,7 +92,7 @@ namespace FastPoints.UnityTests
             settings.PointFiles = PointFiles.Import;
             try
             {
-                new PointFileClaims(settings).Add(new List<string> { asset });
+                new PointFilePrompt(settings).Add(new List<string> { asset });
             }
             finally
             {

@@ -7,7 +7,7 @@ public abstract class GraphicsFixture
     {
         HeadlessGraphics.Validate = true;
         if (!HeadlessGraphics.IsAvailable)
-            Assert.Ignore("No graphics: " + HeadlessGraphics.WhyNot);
+            Assert.Ignore("No graphics: " + HeadlessGraphics.UnsupportedReason);
     }
 
     [TearDown]

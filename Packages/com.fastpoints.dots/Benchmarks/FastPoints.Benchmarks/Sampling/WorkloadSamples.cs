@@ -43,7 +43,7 @@ namespace FastPoints.Benchmarks
 
         /// <summary>Time by point (by byte where no points are counted) over that of the limit, in each turn: what slows the
         /// machine for a while slows both.</summary>
-        public IEnumerable<double> TimesTheLimit => HasLimit
+        public IEnumerable<double> RatioToLimit => HasLimit
             ? m_ms.Zip(m_limit.m_ms, (own, limit) => own / limit * Amount(m_limit, this))
             : Enumerable.Empty<double>();
 
@@ -68,7 +68,7 @@ namespace FastPoints.Benchmarks
             yield return new SampleSeries(ErrorUnit == null ? Error : Error + " (" + ErrorUnit + ")", SeriesUnit.Undefined,
                 m_result.ErrorIncreaseIsBetter, m_errors);
             if (HasLimit)
-                yield return new SampleSeries(TimesLimit, SeriesUnit.Undefined, false, TimesTheLimit);
+                yield return new SampleSeries(TimesLimit, SeriesUnit.Undefined, false, RatioToLimit);
         }
 
         /// <summary>The middle one, or between the middle two; 0 of none.</summary>

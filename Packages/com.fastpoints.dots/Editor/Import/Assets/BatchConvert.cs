@@ -33,7 +33,7 @@ namespace FastPoints.Editor
                     requests.Add(request);
             }
             imports.Queue.Add(requests);
-            for (var stopped = Stopwatch.StartNew(); imports.Queue.IsAtWork || imports.HasPendingWrites;)
+            for (var stopped = Stopwatch.StartNew(); imports.Queue.HasWork || imports.HasPendingWrites;)
             {
                 imports.Update(DateTime.UtcNow);
                 if (imports.Queue.Session != null || imports.Queue.Problem == null)

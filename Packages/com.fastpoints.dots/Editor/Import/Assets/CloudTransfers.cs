@@ -192,7 +192,7 @@ namespace FastPoints.Editor
             {
                 FileChanges.TryDelete(temporary, () => !m_cancellation.IsCancellationRequested);
                 if (FileFailures.IsFileFailure(e))
-                    throw FileFailures.Writing(To, e);
+                    throw FileFailures.WriteFailure(To, e);
                 throw;
             }
         }

@@ -47,7 +47,7 @@ namespace FastPoints.Editor
             Catalog = new CloudCatalog(paths);
             Assets = new CloudAssets(paths);
             Leftovers = new CloudLeftovers(this);
-            Claims = new PointFileClaims(settings);
+            Claims = new PointFilePrompt(settings);
             Missing = new MissingClouds(this);
             m_parts = new Action[]
             {
@@ -61,7 +61,7 @@ namespace FastPoints.Editor
         internal CloudCatalog Catalog { get; }
         internal CloudAssets Assets { get; }
         internal CloudLeftovers Leftovers { get; }
-        internal PointFileClaims Claims { get; }
+        internal PointFilePrompt Claims { get; }
         internal MissingClouds Missing { get; }
         internal EditorChecks Checks { get; } = new EditorChecks();
         internal CloudTransfers Transfers { get; } = new CloudTransfers();
@@ -138,7 +138,7 @@ namespace FastPoints.Editor
         {
             try
             {
-                var names = HandleFile.NewHandles(Paths.Absolute(folder));
+                var names = HandleFile.FreeHandleNames(Paths.Absolute(folder));
                 string path = HandleFile.Create(new[] { source }, Paths, names, NewTargets(), false, out var handle);
                 string asset = Paths.Stored(path);
                 AssetDatabase.ImportAsset(asset);

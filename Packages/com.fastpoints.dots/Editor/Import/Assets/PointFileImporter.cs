@@ -39,7 +39,7 @@ namespace FastPoints.Editor
             var ours = new List<string>();
             var unclaimed = new List<string>();
             foreach (string path in importedAssets)
-                if (PointFileClaims.IsPointFile(path) && AssetDatabase.GetImporterType(path) == typeof(PointFileImporter))
+                if (PointFilePrompt.IsPointFile(path) && AssetDatabase.GetImporterType(path) == typeof(PointFileImporter))
                     ours.Add(path);
                 else
                     unclaimed.Add(path);

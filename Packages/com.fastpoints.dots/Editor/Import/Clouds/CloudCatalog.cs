@@ -88,7 +88,7 @@ namespace FastPoints.Editor
             {
                 FolderReleases.Reacquire(path);
                 if (failure != null)
-                    Debug.LogError("FastPoints: " + FileFailures.Writing(path, failure).Message);
+                    Debug.LogError("FastPoints: " + FileFailures.WriteFailure(path, failure).Message);
             });
             FileChanges.TryDelete(StampFile.PathOf(path), () => false);
             FileChanges.TryDelete(CloudThumbnails.PathOf(path), () => false);
@@ -125,7 +125,7 @@ namespace FastPoints.Editor
             }
             catch (Exception e) when (FileFailures.IsFileFailure(e))
             {
-                throw FileFailures.Reading(folder, e);
+                throw FileFailures.ReadFailure(folder, e);
             }
         }
     }

@@ -23,7 +23,7 @@ namespace FastPoints.Editor
         public static DropKind Of(IReadOnlyList<string> paths, ProjectPaths project, long maxBytes)
         {
             if (paths.Count == 0)
-                return DropKind.NotOurs;
+                return DropKind.None;
             var kind = DropKind.Copy;
             long bytes = 0;
             foreach (string path in paths)
@@ -31,8 +31,8 @@ namespace FastPoints.Editor
                 string stored = project.Stored(path);
                 if (stored.StartsWith("Assets/", StringComparison.Ordinal) ||
                     stored.StartsWith("Packages/", StringComparison.Ordinal) || !IsCloud(path) ||
-                    PointFileClaims.IsForeign("Assets/" + Path.GetFileName(path), path))
-                    return DropKind.NotOurs;
+                    PointFilePrompt.IsForeign("Assets/" + Path.GetFileName(path), path))
+                    return DropKind.None;
                 bool isImported = IsImported(path);
                 bytes += isImported ? new FileInfo(path).Length : 0;
                 if (!isImported || bytes > maxBytes)
@@ -69,7 +69,7 @@ namespace FastPoints.Editor
     internal enum DropKind
     {
         /// <summary>Left to others: there is something else among the files.</summary>
-        NotOurs,
+        None,
         /// <summary>The point clouds are small enough to be copied into the project and imported there.</summary>
         Copy,
         /// <summary>The files stay where they are, and each gets a handle.</summary>

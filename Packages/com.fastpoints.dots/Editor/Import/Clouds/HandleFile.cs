@@ -21,19 +21,19 @@ namespace FastPoints.Editor
             TextFile.Write(path, handle.ToJson());
         }
 
-        public static FreeNames NewHandles(string folder) =>
+        public static FreeNames FreeHandleNames(string folder) =>
             new FreeNames(folder, CloudHandle.Extension, Directory.GetFileSystemEntries(folder));
 
-        /// <summary>Makes a handle for sources; one for a converted cloud takes over its manifest. Any thread.</summary>
+        /// <summary>Creates a handle for sources; for a converted cloud it copies facts from the manifest. Any thread.</summary>
         /// <param name="sources">Files and folders: one cloud.</param>
         /// <param name="handles">Names of handles, in the folder of this one.</param>
         /// <param name="clouds">Names of the folders that clouds are converted into.</param>
-        /// <param name="opens">Whether the source is opened for what its header claims.</param>
+        /// <param name="readsHeader">Whether the source is opened for what its header claims.</param>
         /// <param name="handle">The handle that was written.</param>
         /// <returns>The handle's path.</returns>
         /// <exception cref="PointCloudException">It cannot be written, or the converted cloud cannot be read.</exception>
         public static string Create(IReadOnlyList<string> sources, ProjectPaths paths, FreeNames handles, FreeNames clouds,
-            bool opens, out CloudHandle handle)
+            bool readsHeader, out CloudHandle handle)
         {
             handle = new CloudHandle();
             string name = NameOf(sources);
@@ -52,11 +52,11 @@ namespace FastPoints.Editor
                     handle.Sources.Add(paths.Stored(source));
                 handle.IsFolder = sources.Count == 1 && Directory.Exists(sources[0]);
                 handle.IsOctree = sources.Count == 1 && CloudSources.HasOctree(sources[0]);
-                if (opens)
+                if (readsHeader)
                     Describe(handle, sources);
             }
             string path = handles.Next(name);
-            // Nothing is lost with a new one, and a thousand flushes would take seconds.
+            // A new file need not survive a crash, and a thousand flushes take seconds.
             TextFile.Write(path, handle.ToJson(), false);
             return path;
         }
@@ -88,7 +88,7 @@ namespace FastPoints.Editor
         /// <summary>Updates a handle after a conversion with its results and the stamp of its source.</summary>
         /// <param name="origin">Where scenes show a cloud whose source claims no bounds. Null to take the manifest's
         /// place.</param>
-        /// <param name="up">The axis whose floor that is on.</param>
+        /// <param name="up">The up axis that the origin was computed with.</param>
         /// <param name="source">What was converted, with its warnings; may be null.</param>
         public static void Update(string path, CloudManifest manifest, SourceStamp stamp, double3? origin = null,
             UpAxis up = UpAxis.Z, SourceInfo source = null)
@@ -98,7 +98,7 @@ namespace FastPoints.Editor
             handle.Describe(manifest);
             if (handle.Origin == null)
                 handle.OriginUp = up;
-            // What a header claims is the same for everyone, and is where its preview lies.
+            // The header's bounds, if any: every machine finds the same origin, and the preview was placed with it.
             handle.Origin ??= source != null && !source.BoundsTrusted.IsEmpty
                 ? UnitySpace.Of(source.BoundsTrusted, source.Crs.MetresPerUnit, up).OriginGeo
                 : origin ?? UnitySpace.Of(manifest.BoundsGeo, manifest.MetresPerUnit, up).OriginGeo;

@@ -64,7 +64,7 @@ namespace FastPoints.Editor
                 Path.DirectorySeparatorChar, '/');
         }
 
-        /// <summary>The same for what is everybody's, whatever the user's root is.</summary>
+        /// <summary>The same for shared settings, without the user's own source root.</summary>
         public string StoredPlace(string path)
         {
             string full = Absolute(path), parent = Path.GetDirectoryName(Project);

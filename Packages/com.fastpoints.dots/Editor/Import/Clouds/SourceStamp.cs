@@ -106,7 +106,7 @@ namespace FastPoints.Editor
                 }
                 catch (Exception e) when (FileFailures.IsFileFailure(e))
                 {
-                    throw FileFailures.Reading(path, e);
+                    throw FileFailures.ReadFailure(path, e);
                 }
             }
             NamesHash = Hash(Encoding.UTF8.GetBytes(names.ToString()));
@@ -126,7 +126,7 @@ namespace FastPoints.Editor
         {
             if (file.Length == 0)
                 return Hash(Array.Empty<byte>());
-            using var source = FileSource.Open(file.FullName);
+            using var source = RandomAccessFile.Open(file.FullName);
             return Hash(source.ReadUpTo(offset, EdgeBytes).Bytes);
         }
 

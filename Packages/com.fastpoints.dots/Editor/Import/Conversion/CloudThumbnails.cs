@@ -135,7 +135,7 @@ namespace FastPoints.Editor
             }
             catch (Exception e) when (FileFailures.IsFileFailure(e))
             {
-                throw FileFailures.Writing(path, e);
+                throw FileFailures.WriteFailure(path, e);
             }
         }
     }

@@ -20,7 +20,7 @@ namespace FastPoints.Editor
         public const int MaxAttempts = 3;
 
         const int Version = 1;
-        static readonly TimeSpan s_lookAgain = TimeSpan.FromSeconds(2);
+        static readonly TimeSpan s_refreshInterval = TimeSpan.FromSeconds(2);
 
         readonly ProjectPaths m_paths;
         readonly Func<ImportRequest, ConvertSettings> m_settings;
@@ -46,7 +46,7 @@ namespace FastPoints.Editor
         public bool IsHeld { get; set; }
 
         /// <summary>Whether there is something to convert that nobody has paused.</summary>
-        public bool IsAtWork =>
+        public bool HasWork =>
             m_requests.Exists(r => r.State == ImportState.Waiting || r.State == ImportState.Running);
 
         public ImportRequest Running => m_running;
@@ -102,13 +102,13 @@ namespace FastPoints.Editor
                 return;
             if (m_isUnsaved && nowUtc >= m_nextRefresh)
             {
-                m_nextRefresh = nowUtc + s_lookAgain;
+                m_nextRefresh = nowUtc + s_refreshInterval;
                 Save();
             }
             if (IsHeld)
                 return;
             if (m_running?.State == ImportState.Paused && m_requests.Exists(r => r.State == ImportState.Waiting))
-                PutAside();
+                SuspendSession();
             if (Session == null)
                 Begin();
             else if (Session.Tick(budgetMs))
@@ -176,7 +176,7 @@ namespace FastPoints.Editor
             {
                 if (m_running.State == ImportState.Running)
                     m_running.State = ImportState.Waiting;
-                PutAside();
+                SuspendSession();
                 Save();
             }
             if (Unsaved == null)
@@ -201,7 +201,7 @@ namespace FastPoints.Editor
             }
             if (nowUtc < m_nextRefresh)
                 return false;
-            m_nextRefresh = nowUtc + s_lookAgain;
+            m_nextRefresh = nowUtc + s_refreshInterval;
             if (m_requests.Count == 0 && !File.Exists(FilePath))
             {
                 Problem = null;
@@ -235,7 +235,7 @@ namespace FastPoints.Editor
         }
 
         /// <summary>The next session of this target continues from what is on disk.</summary>
-        void PutAside()
+        void SuspendSession()
         {
             Session.Suspend();
             m_running.Attempts = 0;

@@ -48,7 +48,7 @@ namespace FastPoints.Entities
         }
 
         /// <summary>The entity of a cloud's number in the stream; null if there is none.</summary>
-        public Entity EntityOf(int cloud) => Group?.Live.Showing(cloud) ?? Entity.Null;
+        public Entity EntityOf(int cloud) => Group?.Live.EntityShowing(cloud) ?? Entity.Null;
 
         /// <summary>Where a picked point is now: its cloud may have been moved or reopened since.</summary>
         /// <param name="cloud">The cloud's entity when it was picked: see <see cref="EntityOf"/>.</param>

@@ -74,7 +74,7 @@ namespace FastPoints.Entities
         public LiveCloud Find(Entity entity) => m_all.TryGetValue(entity, out var live) ? live : null;
 
         /// <summary>The entity of the cloud whose shown state has a number in the stream; null if there is none.</summary>
-        public Entity Showing(int number)
+        public Entity EntityShowing(int number)
         {
             foreach (var (entity, live) in m_all)
                 if (live.Versions != null && live.Versions.Cloud == number)

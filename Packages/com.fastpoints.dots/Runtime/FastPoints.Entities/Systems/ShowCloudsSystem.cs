@@ -29,7 +29,7 @@ namespace FastPoints.Entities
                 return;
             UseStyle(scene);
             // The number of a cloud that is gone may be another's now.
-            scene.ForgetLooks();
+            scene.ClearLooks();
             using var entities = m_shown.ToEntityArray(Allocator.Temp);
             using var clouds = m_shown.ToComponentDataArray<StreamedPointCloud>(Allocator.Temp);
             using var looks = m_shown.ToComponentDataArray<PointCloudLook>(Allocator.Temp);

@@ -13,7 +13,7 @@ namespace FastPoints.Build
     /// cloud.json.</summary>
     internal sealed class BuildGenerations : IDisposable
     {
-        /// <summary>Tops in work or ahead, which are small.</summary>
+        /// <summary>Limit of tops in flight; they are small.</summary>
         const int MaxTopsInFlight = 8;
 
         readonly BuildContext m_build;

@@ -62,13 +62,13 @@ namespace FastPoints.Build
             {
                 json.BeginObject().Add("count", found.Count).Add("leftOut", found.LeftOut)
                     .Add("min", found.Min.X, found.Min.Y, found.Min.Z).Add("max", found.Max.X, found.Max.Y, found.Max.Z)
-                    .AddHex("checksum", found.Checksum).Add("worstLossSteps", found.WorstLossSteps).EndObject();
+                    .AddHex("checksum", found.Checksum).Add("worstLossSteps", found.MaxRoundingSteps).EndObject();
             }
             json.EndArray().BeginArray("attributes");
             foreach (var found in Attributes)
             {
                 json.BeginObject().AddHex("min", found.Min).AddHex("max", found.Max).AddHex("or", found.Or)
-                    .Add("notDoubled", found.NotDoubled).EndObject();
+                    .Add("notDoubled", found.Modulo257Or).EndObject();
             }
             json.EndArray().BeginArray("records");
             foreach (long count in Records)
@@ -121,7 +121,7 @@ namespace FastPoints.Build
                     Min = item.Hex("min"),
                     Max = item.Hex("max"),
                     Or = item.Hex("or"),
-                    NotDoubled = (uint)item.Count("notDoubled", uint.MaxValue),
+                    Modulo257Or = (uint)item.Count("notDoubled", uint.MaxValue),
                 }).ToArray(),
                 BytesOfPlane = json.Longs("bytesOfPlane"),
             };
@@ -132,7 +132,7 @@ namespace FastPoints.Build
                 Min = Place(item, "min"),
                 Max = Place(item, "max"),
                 Checksum = item.Hex("checksum"),
-                WorstLossSteps = item.Number("worstLossSteps"),
+                MaxRoundingSteps = item.Number("worstLossSteps"),
             }));
             journal.Records.AddRange(json.Longs("records"));
             foreach (var item in json.Objects("chunks"))

@@ -103,10 +103,10 @@ namespace FastPoints.Build
                 if (found.LeftOut > 0)
                     info.Warn(-1, string.Format(CultureInfo.InvariantCulture, "{0} points without a finite position are left out",
                         found.LeftOut));
-                if (found.WorstLossSteps > 0)
+                if (found.MaxRoundingSteps > 0)
                 {
                     info.Warn(-1, "positions were rounded, by up to " +
-                        NumberText.Of(found.WorstLossSteps * math.cmax(grid.Step)) + ", to the grid's steps");
+                        NumberText.Of(found.MaxRoundingSteps * math.cmax(grid.Step)) + ", to the grid's steps");
                 }
             }
         }
@@ -160,7 +160,7 @@ namespace FastPoints.Build
         {
             if (found.Or == 0)
                 return 1;
-            return found.NotDoubled == 0 ? 257 : 1 << math.tzcnt((uint)found.Or);
+            return found.Modulo257Or == 0 ? 257 : 1 << math.tzcnt((uint)found.Or);
         }
 
         static double ValueOf(ulong ordered, AttributeType type)

@@ -185,7 +185,7 @@ namespace FastPoints.Build
                 if (m_records != null)
                     yield return JobStep.Of(folder.Write(StoreFormat.RecordsName, m_records));
                 if (m_build.Readers.Count == 1)
-                    yield return JobStep.Of(folder.WriteText(StoreFormat.FactsName, m_build.Readers[0].Info.FactsToJson()));
+                    yield return JobStep.Of(folder.WriteText(StoreFormat.FactsName, KeptFacts.ToJson(m_build.Readers[0].Info)));
                 yield return JobStep.Of(folder.WriteText(StoreFormat.ManifestName, manifest.ToJson()));
                 yield return JobStep.Of(m_checkpoints.Finish(m_octree.LevelCount, m_octree.BytesOfPlane));
             }

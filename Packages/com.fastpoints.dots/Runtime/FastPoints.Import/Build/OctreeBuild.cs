@@ -184,7 +184,7 @@ namespace FastPoints.Build
                 var (number, chunk) = (i, m_chunks.Chunks[i]);
                 if (m_build.Files != null)
                     yield return JobStep.Of(PoolTask.Run(m_build.Folder.PathOf(BuildFiles.TopPath(i)),
-                        () => FindDone(number, stride), result => m_results[number] = result));
+                        () => ReadFinishedChunk(number, stride), result => m_results[number] = result));
                 m_points += chunk.Count;
                 if (m_results[i] == null)
                 {
@@ -294,7 +294,7 @@ namespace FastPoints.Build
 
         /// <summary>Reads what the build before this one has left of a chunk, if that is done; otherwise null. Any
         /// thread.</summary>
-        ChunkResult FindDone(int chunk, int stride)
+        ChunkResult ReadFinishedChunk(int chunk, int stride)
         {
             string path = m_build.Folder.PathOf(BuildFiles.TopPath(chunk));
             if (!System.IO.File.Exists(path))

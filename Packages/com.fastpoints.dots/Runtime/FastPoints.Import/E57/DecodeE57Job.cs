@@ -31,7 +31,7 @@ namespace FastPoints.E57
         public NativeArray<double> Vectors;
         public int RowLength;
 
-        // For each point, 0 or an E57Drop.
+        // For each point, 0 or an E57Rejection.
         public NativeArray<byte> Drops;
 
         public NativeArray<byte> Scratch;
@@ -116,7 +116,7 @@ namespace FastPoints.E57
                 long first = math.max(from * 8 / bits - FirstRecord, 0);
                 long end = math.min((to * 8 + bits - 1) / bits - FirstRecord, Count);
                 for (long i = first; i < end; i++)
-                    drops[i] = E57Drop.Damaged;
+                    drops[i] = E57Rejection.Damaged;
             }
         }
 
@@ -158,7 +158,7 @@ namespace FastPoints.E57
                 {
                     for (int i = 0; i < tile; i++)
                         if ((long)raw[i] + minimum != 0 && drops[first + i] == 0)
-                            drops[first + i] = E57Drop.Invalid;
+                            drops[first + i] = E57Rejection.Invalid;
                     continue;
                 }
                 ToReals(raw, tile, read, reals);
@@ -170,7 +170,7 @@ namespace FastPoints.E57
                     case E57Target.Invalid:
                         for (int i = 0; i < tile; i++)
                             if (reals[i] != 0 && drops[first + i] == 0)
-                                drops[first + i] = E57Drop.Invalid;
+                                drops[first + i] = E57Rejection.Invalid;
                         break;
                     case E57Target.Shares:
                         StoreShares(reals, tile, (ushort*)(columns + read.ColumnOffsetBytes) + first);
@@ -275,7 +275,7 @@ namespace FastPoints.E57
         }
     }
 
-    static class E57Drop
+    static class E57Rejection
     {
         public const byte Invalid = 1;
         public const byte Damaged = 2;

@@ -111,8 +111,8 @@ namespace FastPoints.E57
             var anomalies = Anomalies.Value;
             for (int i = 0; i < result.Points; i++)
             {
-                anomalies.Invalid += drops[i] == E57Drop.Invalid ? 1 : 0;
-                anomalies.Damaged += drops[i] == E57Drop.Damaged ? 1 : 0;
+                anomalies.Invalid += drops[i] == E57Rejection.Invalid ? 1 : 0;
+                anomalies.Damaged += drops[i] == E57Rejection.Damaged ? 1 : 0;
             }
             if (anomalies.Damaged > 0)
                 CountPages(ref anomalies);

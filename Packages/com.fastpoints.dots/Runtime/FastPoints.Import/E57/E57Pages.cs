@@ -28,7 +28,8 @@ namespace FastPoints.E57
         public static long LogicalLength(long fileBytes) => fileBytes / PageBytes * DataBytes;
 
         // damagedPage: the first page whose checksum is wrong, or -1.
-        public static byte[] Read(FileSource source, Crc32C crc, long logical, int count, string field, out long damagedPage)
+        public static byte[] Read(RandomAccessFile source, Crc32C crc, long logical, int count, string field,
+            out long damagedPage)
         {
             damagedPage = -1;
             long firstPage = logical / DataBytes, endPage = (logical + count + DataBytes - 1) / DataBytes;

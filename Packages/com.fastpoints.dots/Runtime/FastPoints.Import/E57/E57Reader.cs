@@ -22,11 +22,11 @@ namespace FastPoints.E57
 
         public static E57Reader Open(string path)
         {
-            using var source = FileSource.Open(path);
+            using var source = RandomAccessFile.Open(path);
             return Open(source);
         }
 
-        public static E57Reader Open(FileSource source)
+        public static E57Reader Open(RandomAccessFile source)
         {
             var info = new SourceInfo { Path = source.Path, FileBytes = source.Length, Format = "E57" };
             var crc = new Crc32C(Allocator.Persistent);
@@ -93,7 +93,7 @@ namespace FastPoints.E57
 
         public override void DisposeUnread() => m_blocks.File.Crc.Dispose();
 
-        static List<E57Section> ReadScans(E57Node root, FileSource source, Crc32C crc, SourceInfo info)
+        static List<E57Section> ReadScans(E57Node root, RandomAccessFile source, Crc32C crc, SourceInfo info)
         {
             var sections = new List<E57Section>();
             var data = root.Child("data3D");
@@ -154,7 +154,7 @@ namespace FastPoints.E57
 
         public int XmlBytes;
 
-        public static E57Header Read(FileSource source, SourceInfo info)
+        public static E57Header Read(RandomAccessFile source, SourceInfo info)
         {
             var fields = source.Read(0, Bytes, "the E57 header");
             var header = new E57Header

@@ -20,7 +20,7 @@ namespace FastPoints.E57
         const int GapPages = 16;
 
         public readonly E57Scan Scan;
-        public readonly List<E57Mark>[] MarksOfStream;
+        public readonly List<E57Checkpoint>[] MarksOfStream;
 
         // For each stream, the logical offset behind its last packet.
         public readonly long[] EndOfStream;
@@ -36,22 +36,22 @@ namespace FastPoints.E57
         public E57Section(E57Scan scan)
         {
             Scan = scan;
-            MarksOfStream = new List<E57Mark>[scan.Fields.Count];
+            MarksOfStream = new List<E57Checkpoint>[scan.Fields.Count];
             EndOfStream = new long[scan.Fields.Count];
             for (int i = 0; i < MarksOfStream.Length; i++)
-                MarksOfStream[i] = new List<E57Mark>();
-            MarkRecords = DefaultMarkRecords;
-            while (MarkRecords > MinMarkRecords && MarkRecords * scan.RecordBits / 8 > MaxMarkBytes)
-                MarkRecords /= 2;
+                MarksOfStream[i] = new List<E57Checkpoint>();
+            CheckpointRecords = DefaultMarkRecords;
+            while (CheckpointRecords > MinMarkRecords && CheckpointRecords * scan.RecordBits / 8 > MaxMarkBytes)
+                CheckpointRecords /= 2;
         }
 
-        public int MarkRecords { get; }
-        public int BlockPoints => MarkRecords * MarksPerBlock;
+        public int CheckpointRecords { get; }
+        public int BlockPoints => CheckpointRecords * MarksPerBlock;
         public int BlockCount => (int)((Records + BlockPoints - 1) / BlockPoints);
         public long RecordsPossible => (long)Math.Min(Scan.RecordsClaimed, (ulong)Math.Max(0, End - DataStart) * 8);
 
         // problem: why the section cannot be read, at byte "offset" of the file.
-        public static E57Section Read(E57Scan scan, FileSource source, Crc32C crc, SourceInfo info, out string problem,
+        public static E57Section Read(E57Scan scan, RandomAccessFile source, Crc32C crc, SourceInfo info, out string problem,
             out long offset)
         {
             var section = new E57Section(scan);
@@ -128,19 +128,19 @@ namespace FastPoints.E57
             return runs == 0 ? 0 : merged + 1;
         }
 
-        public E57Mark MarkOf(int stream, long record) => MarksOfStream[stream][(int)(record / MarkRecords)];
+        public E57Checkpoint MarkOf(int stream, long record) => MarksOfStream[stream][(int)(record / CheckpointRecords)];
 
         // Logical, behind the last packet that records before this one need, or sometimes behind one more.
         public long EndOf(int stream, long endRecord)
         {
             var marks = MarksOfStream[stream];
-            long mark = (endRecord + MarkRecords - 1) / MarkRecords;
+            long mark = (endRecord + CheckpointRecords - 1) / CheckpointRecords;
             return mark < marks.Count ? marks[(int)mark].PacketOffset + marks[(int)mark].PacketBytes : EndOfStream[stream];
         }
     }
 
-    // The packet in which one bytestream reaches a multiple of MarkRecords: reading can start there.
-    struct E57Mark
+    // The packet in which one bytestream reaches a multiple of CheckpointRecords: reading can start there.
+    struct E57Checkpoint
     {
         public int Stream;
         public int PacketBytes;

@@ -33,7 +33,7 @@ namespace FastPoints.E57
         readonly E57PagesRead m_read;
         NativeArray<E57StreamWalk> m_streams;
         NativeReference<E57WalkState> m_state;
-        NativeList<E57Mark> m_marks;
+        NativeList<E57Checkpoint> m_marks;
         JobHandle m_walked;
         bool m_isFirst = true;
         bool m_isGuess;
@@ -46,7 +46,7 @@ namespace FastPoints.E57
             var fields = section.Scan.Fields;
             m_read = new E57PagesRead(file, (int)Math.Min(BufferPages, file.Pages), Guesses, Allocator.Persistent);
             m_streams = new NativeArray<E57StreamWalk>(fields.Count, Allocator.Persistent);
-            m_marks = new NativeList<E57Mark>(64, Allocator.Persistent);
+            m_marks = new NativeList<E57Checkpoint>(64, Allocator.Persistent);
             long records = section.RecordsPossible;
             int left = 0;
             for (int i = 0; i < fields.Count; i++)
@@ -57,7 +57,7 @@ namespace FastPoints.E57
                 {
                     Bits = fields[i].Bits,
                     BytesWanted = records / 8 * fields[i].Bits + (records % 8 * fields[i].Bits + 7) / 8,
-                    MarkStep = section.MarkRecords / 8 * fields[i].Bits,
+                    MarkStep = section.CheckpointRecords / 8 * fields[i].Bits,
                 };
                 left++;
             }
@@ -172,7 +172,7 @@ namespace FastPoints.E57
         public NativeArray<E57StreamWalk> Streams;
         public int StreamCount;
         public NativeReference<E57WalkState> State;
-        public NativeList<E57Mark> Marks;
+        public NativeList<E57Checkpoint> Marks;
 
         public void Execute()
         {
@@ -225,7 +225,7 @@ namespace FastPoints.E57
                 return;
             while (stream->NextMark < stream->Bytes + bytes && stream->NextMark < stream->BytesWanted)
             {
-                Marks.Add(new E57Mark
+                Marks.Add(new E57Checkpoint
                 {
                     Stream = index,
                     PacketBytes = packetBytes,

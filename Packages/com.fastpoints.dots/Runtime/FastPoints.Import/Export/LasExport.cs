@@ -351,7 +351,7 @@ namespace FastPoints.Export
         /// an octree that the export has no more.</summary>
         void CopyRecords(LasFile las, bool keepsExtraBytes)
         {
-            using var source = FileSource.Open(las.Info.Path);
+            using var source = RandomAccessFile.Open(las.Info.Path);
             long bytes = 0, tail = 0;
             foreach (var vlr in las.Vlrs.Records)
             {

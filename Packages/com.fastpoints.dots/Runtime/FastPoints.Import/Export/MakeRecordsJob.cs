@@ -85,7 +85,7 @@ namespace FastPoints.Export
         /// <summary>Lists the points that are wanted and have a place, and computes their positions if these change.</summary>
         int Choose(int count, ref ExportState state)
         {
-            const int run = ColumnValues.RunLength;
+            const int run = ColumnValues.BatchLength;
             byte* columns = (byte*)Columns.GetUnsafePtr(), changed = (byte*)Changed.GetUnsafePtr();
             int* chosen = (int*)Chosen.GetUnsafePtr();
             double* x = stackalloc double[run], y = stackalloc double[run], z = stackalloc double[run];
@@ -171,10 +171,10 @@ namespace FastPoints.Export
         {
             byte* from = (byte*)Columns.GetUnsafeReadOnlyPtr() + change.From.OffsetBytes;
             byte* to = (byte*)Changed.GetUnsafePtr() + change.To.OffsetBytes;
-            double* values = stackalloc double[ColumnValues.RunLength];
-            for (int first = 0; first < chosen; first += ColumnValues.RunLength)
+            double* values = stackalloc double[ColumnValues.BatchLength];
+            for (int first = 0; first < chosen; first += ColumnValues.BatchLength)
             {
-                int points = math.min(ColumnValues.RunLength, chosen - first);
+                int points = math.min(ColumnValues.BatchLength, chosen - first);
                 ColumnValues.ToDoubles(from, change.From.Type, First + first, points, values);
                 for (int i = 0; i < points; i++)
                 {

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.IO;
+using FastPoints.Build;
 using FastPoints.Reading;
 using FastPoints.Store;
 using Unity.Burst;
@@ -61,7 +62,7 @@ namespace FastPoints.Export
                 }
             }
             Info = Describe(folder, first);
-            Info.AddFactsOf(folder);
+            KeptFacts.AddTo(Info, folder);
         }
 
         /// <exception cref="PointCloudException">It is no cloud, is still being built, or is damaged.</exception>

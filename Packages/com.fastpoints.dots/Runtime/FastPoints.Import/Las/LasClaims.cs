@@ -44,7 +44,7 @@ namespace FastPoints.Las
         }
 
         // The claimed box against what integers, scale and offset can express, and the first, middle and last point.
-        public static void CheckBounds(LasHeader header, FileSource source, long readable, SourceInfo info)
+        public static void CheckBounds(LasHeader header, RandomAccessFile source, long readable, SourceInfo info)
         {
             var records = new List<long>();
             if (readable > 0)
@@ -53,7 +53,7 @@ namespace FastPoints.Las
             CheckBounds(header, source, records, info);
         }
 
-        public static void CheckBounds(LasHeader header, FileSource source, IReadOnlyList<long> records, SourceInfo info)
+        public static void CheckBounds(LasHeader header, RandomAccessFile source, IReadOnlyList<long> records, SourceInfo info)
         {
             int readable = records.Count;
             var claimed = new BoundsGeo(header.Min, header.Max);

@@ -145,7 +145,7 @@ namespace FastPoints.Las
                         if (key.Location == LasVlr.GeoDoubleParamsRecord && doubles.Has(8 * key.Value, 8))
                             m_unitSize = doubles.Float64(8 * key.Value, "GeoTIFF unit size");
                         else
-                            key.Misplaced();
+                            key.WarnMisplaced();
                         break;
                     case ProjectedCitationKey:
                         m_name = key.Citation(text);
@@ -208,7 +208,7 @@ namespace FastPoints.Las
             public int Code()
             {
                 if (Location != 0)
-                    Misplaced();
+                    WarnMisplaced();
                 return Location != 0 || Value == UserDefined ? 0 : Value;
             }
 
@@ -216,12 +216,12 @@ namespace FastPoints.Las
             {
                 bool isThere = Location == LasVlr.GeoAsciiParamsRecord && text.Has(Value, Length);
                 if (!isThere)
-                    Misplaced();
+                    WarnMisplaced();
                 string citation = isThere ? text.Text(Value, Length, "GeoTIFF citation").TrimEnd('|', ' ') : "";
                 return citation.Length > 0 ? citation : null;
             }
 
-            public void Misplaced() => m_info.Warn(m_at, "GeoTIFF key " + NumberText.Of(Id) + " points to "
+            public void WarnMisplaced() => m_info.Warn(m_at, "GeoTIFF key " + NumberText.Of(Id) + " points to "
                 + NumberText.Of(Location) + "/" + NumberText.Of(Value) + ", where the file has nothing: left out");
         }
     }

@@ -102,7 +102,7 @@ namespace FastPoints.Las
         public int PointsClaimedAt => Has64BitCount && (Count != 0 || LegacyCount == 0) ? At.Count : At.LegacyCount;
 
         // Whatever makes the points unreadable is a failure; everything else is checked later.
-        public static LasHeader Read(FileSource source)
+        public static LasHeader Read(RandomAccessFile source)
         {
             if (source.ReadUpTo(0, 4).Text(0, (int)Math.Min(4, source.Length), "signature") != Magic)
                 throw PointCloudException.Wanted(FailureCode.BadInput, source.Path, 0, "signature", Magic, "something else");

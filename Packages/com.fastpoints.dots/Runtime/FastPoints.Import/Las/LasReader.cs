@@ -18,7 +18,7 @@ namespace FastPoints.Las
         // Complete except for PointsReadable and the claimed bounds: only the reader knows how points lie in the file.
         public SourceInfo Info { get; private set; }
 
-        public static LasFile Read(FileSource source)
+        public static LasFile Read(RandomAccessFile source)
         {
             var header = LasHeader.Read(source);
             var info = new SourceInfo
@@ -122,7 +122,7 @@ namespace FastPoints.Las
             SetRecords(las.Layout.Fields, las.Header.PointsOffset, false, Info.PointsReadable);
         }
 
-        internal static PointReader OpenUncompressed(LasFile las, FileSource source)
+        internal static PointReader OpenUncompressed(LasFile las, RandomAccessFile source)
         {
             las.Info.PointsReadable = LasClaims.CountReadable(las.Header, source.Length, las.Info);
             LasClaims.CheckBounds(las.Header, source, las.Info.PointsReadable, las.Info);

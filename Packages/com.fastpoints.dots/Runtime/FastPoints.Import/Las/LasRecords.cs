@@ -70,7 +70,7 @@ namespace FastPoints.Las
         {
             if (!File.Exists(path))
                 return null;
-            using var source = FileSource.Open(path);
+            using var source = RandomAccessFile.Open(path);
             return Of(source, new List<Loss>());
         }
 
@@ -136,13 +136,13 @@ namespace FastPoints.Las
         {
             if (!File.Exists(path))
                 return null;
-            using var source = FileSource.Open(path);
+            using var source = RandomAccessFile.Open(path);
             bool isLas = source.Length >= LasHeader.MinBytes &&
                 source.Read(0, 4, "signature").Text(0, 4, "signature") == LasHeader.Magic;
             return isLas ? Of(source, losses) : null;
         }
 
-        static LasRecords Of(FileSource source, List<Loss> losses)
+        static LasRecords Of(RandomAccessFile source, List<Loss> losses)
         {
             var las = LasFile.Read(source);
             var kept = new LasRecords(las);

@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using FastPoints.Laz;
 using FastPoints.Reading;
 
 namespace FastPoints.Las
@@ -15,11 +14,11 @@ namespace FastPoints.Las
         // Larger payloads are listed but not read: WKT and key tables are a few kilobytes.
         public const int MaxPayloadBytes = 4 << 20;
 
-        readonly FileSource m_source;
+        readonly RandomAccessFile m_source;
         readonly SourceInfo m_info;
         readonly List<LasVlr> m_records = new List<LasVlr>();
 
-        LasVlrTable(FileSource source, SourceInfo info)
+        LasVlrTable(RandomAccessFile source, SourceInfo info)
         {
             m_source = source;
             m_info = info;
@@ -27,7 +26,7 @@ namespace FastPoints.Las
 
         public IReadOnlyList<LasVlr> Records => m_records;
 
-        public static LasVlrTable Read(FileSource source, LasHeader header, SourceInfo info)
+        public static LasVlrTable Read(RandomAccessFile source, LasHeader header, SourceInfo info)
         {
             var table = new LasVlrTable(source, info);
             long start = Math.Max(header.HeaderBytes, LasHeader.MinBytes);
@@ -106,6 +105,7 @@ namespace FastPoints.Las
         public const int HeaderBytes = 54;
         public const int ExtendedHeaderBytes = 60;
 
+        public const string CompressionUser = "laszip encoded";
         public const string ProjectionUser = "LASF_Projection";
         public const string SpecificationUser = "LASF_Spec";
         public const ushort WktRecord = 2112;
@@ -132,7 +132,7 @@ namespace FastPoints.Las
         public string Name => UserId + "/" + NumberText.Of(RecordId);
 
         // How the points of this file are compressed, or where an octree of it is: of no other file.
-        public bool DescribesStorage => UserId == LazFormat.UserId || UserId == "copc";
+        public bool DescribesStorage => UserId == CompressionUser || UserId == "copc";
 
         public bool IsWaveform => Is(SpecificationUser, WaveformRecord);
 

@@ -86,7 +86,7 @@ namespace FastPoints.Las
             catch (Exception e) when (FileFailures.IsFileFailure(e))
             {
                 writer.Dispose();
-                throw FileFailures.Writing(path, e);
+                throw FileFailures.WriteFailure(path, e);
             }
         }
 
@@ -130,7 +130,7 @@ namespace FastPoints.Las
             }
             catch (Exception e) when (FileFailures.IsFileFailure(e))
             {
-                throw FileFailures.Writing(m_path, e);
+                throw FileFailures.WriteFailure(m_path, e);
             }
         }
 
@@ -157,7 +157,7 @@ namespace FastPoints.Las
             }
             catch (Exception e) when (FileFailures.IsFileFailure(e))
             {
-                throw FileFailures.Writing(m_path, e);
+                throw FileFailures.WriteFailure(m_path, e);
             }
         }
 

@@ -23,7 +23,7 @@ namespace FastPoints.Laz
         bool m_areChunksBlocks;
         long m_maxInputBytes = -1;
 
-        public LazBlocks(LasFile las, LazFormat format, FileSource source, int longChunkPoints)
+        public LazBlocks(LasFile las, LazFormat format, RandomAccessFile source, int longChunkPoints)
         {
             LongChunkPoints = Math.Min(longChunkPoints, Math.Max(MinLongChunkPoints, MaxBlockBytes / las.Header.RecordBytes));
             Las = las;
@@ -36,7 +36,7 @@ namespace FastPoints.Laz
         public LazFormat Format { get; }
 
         // For what lies between the points.
-        public FileSource Source { get; }
+        public RandomAccessFile Source { get; }
 
         public SourceHandle File { get; }
         public SourceInfo Info => Las.Info;

@@ -31,13 +31,13 @@ namespace FastPoints.Laz
         // With the eight bytes behind it that may say where it is.
         public static long MaxBytes(long chunks) => TableHeaderBytes + chunks * MaxEntryBytes + CoderBytes + TableOffsetBytes;
 
-        readonly FileSource m_source;
+        readonly RandomAccessFile m_source;
         readonly LazFormat m_format;
         readonly SourceInfo m_info;
         readonly ulong m_pointsClaimed;
         int m_emptyChunks;
 
-        LazChunkTable(FileSource source, LazFormat format, SourceInfo info, long pointsOffset)
+        LazChunkTable(RandomAccessFile source, LazFormat format, SourceInfo info, long pointsOffset)
         {
             m_source = source;
             m_format = format;
@@ -52,7 +52,7 @@ namespace FastPoints.Laz
         // Chunks holds what is known, and the rest must be searched for from where the known ones end.
         public bool IsLost { get; private set; }
 
-        public static LazChunkTable Read(FileSource source, LazFormat format, SourceInfo info, long pointsOffset)
+        public static LazChunkTable Read(RandomAccessFile source, LazFormat format, SourceInfo info, long pointsOffset)
         {
             var table = new LazChunkTable(source, format, info, pointsOffset);
             string problem = table.Read(pointsOffset, out long at);

@@ -16,7 +16,7 @@ namespace FastPoints.Laz
 
         public LasTemplate(string path)
         {
-            using var source = FileSource.Open(path);
+            using var source = RandomAccessFile.Open(path);
             Las = LasFile.Read(source);
             Laz = Las.Header.IsCompressed ? LazFormat.Read(Las) : null;
             if (Laz != null && Laz.Compressor == LazCompressor.None)

@@ -26,7 +26,7 @@ namespace FastPoints.Laz
 
     internal sealed class LazFormat
     {
-        public const string UserId = "laszip encoded";
+        public const string UserId = LasVlr.CompressionUser;
         public const ushort RecordId = 22204;
 
         // "In the chunk table"; 0 has been written for it as well.

@@ -14,7 +14,7 @@ namespace FastPoints.Laz
     {
         LazChunkList Chunks => Blocks.Chunks;
 
-        FileSource Source => Blocks.Source;
+        RandomAccessFile Source => Blocks.Source;
 
         readonly bool m_isTableLost;
         bool m_areBlocksKnown;
@@ -27,7 +27,7 @@ namespace FastPoints.Laz
                 MakeBlocks(null);
         }
 
-        public static PointReader Open(LasFile las, FileSource source, int longChunkPoints = MaxBlockPoints)
+        public static PointReader Open(LasFile las, RandomAccessFile source, int longChunkPoints = MaxBlockPoints)
         {
             var format = LazFormat.Read(las);
             format.AddFacts(las.Info);

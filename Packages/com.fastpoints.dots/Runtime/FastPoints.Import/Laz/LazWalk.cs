@@ -19,7 +19,7 @@ namespace FastPoints.Laz
 
         readonly LazBlocks m_blocks;
         readonly LazFormat m_format;
-        readonly FileSource m_source;
+        readonly RandomAccessFile m_source;
         readonly LazChunkList m_chunks;
         readonly List<LazCheckpoint> m_checkpoints;
         readonly List<BlockRange> m_checkpointsOfChunk = new List<BlockRange>();

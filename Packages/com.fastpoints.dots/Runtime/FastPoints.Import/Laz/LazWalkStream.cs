@@ -144,7 +144,7 @@ namespace FastPoints.Laz
         public int InputStart;
         public int InputEnd;
 
-        // The input continues behind its end, so that no point may be decoded that might not be complete.
+        // The input goes on after this piece: stop before a point that may be incomplete.
         public bool HasMore;
 
         public int TilePoints;

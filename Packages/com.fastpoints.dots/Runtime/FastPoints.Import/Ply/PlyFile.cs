@@ -35,7 +35,7 @@ namespace FastPoints.Ply
         public SourceHandle Handle { get; }
         public bool IsBigEndian => Header.Encoding == PlyEncoding.BinaryBigEndian;
 
-        public static PlyFile Read(FileSource source)
+        public static PlyFile Read(RandomAccessFile source)
         {
             var header = ReadHeader(source);
             if (header.VertexIndex < 0)
@@ -67,7 +67,7 @@ namespace FastPoints.Ply
                 yield return new PointField(PlyPlan.ColorNames[i], AttributeType.UInt8, at + (i < 3 ? 2 - i : i));
         }
 
-        static PlyHeader ReadHeader(FileSource source)
+        static PlyHeader ReadHeader(RandomAccessFile source)
         {
             for (int length = FirstHeaderBytes; ; length *= 4)
             {
@@ -82,7 +82,7 @@ namespace FastPoints.Ply
             }
         }
 
-        static SourceInfo Describe(FileSource source, PlyHeader header)
+        static SourceInfo Describe(RandomAccessFile source, PlyHeader header)
         {
             var vertex = header.Elements[header.VertexIndex];
             var info = new SourceInfo

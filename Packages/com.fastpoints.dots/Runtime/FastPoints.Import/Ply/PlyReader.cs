@@ -12,11 +12,11 @@ namespace FastPoints.Ply
     {
         public static PointReader Open(string path)
         {
-            using var source = FileSource.Open(path);
+            using var source = RandomAccessFile.Open(path);
             return Open(source);
         }
 
-        public static PointReader Open(FileSource source)
+        public static PointReader Open(RandomAccessFile source)
         {
             var ply = PlyFile.Read(source);
             return ply.Header.IsAscii ? new PlyAsciiReader(ply)

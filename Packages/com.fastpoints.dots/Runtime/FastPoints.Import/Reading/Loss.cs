@@ -1,6 +1,6 @@
 namespace FastPoints.Reading
 {
-    /// <summary>Something of a source that has no place where it goes.</summary>
+    /// <summary>Something in a source that the target format cannot hold.</summary>
     internal readonly struct Loss
     {
         public readonly string What;

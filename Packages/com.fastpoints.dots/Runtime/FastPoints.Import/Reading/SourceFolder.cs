@@ -58,7 +58,7 @@ namespace FastPoints.Reading
         }
 
         // Trailing commas are accepted, since such files are edited by hand.
-        public static JsonMembers Read(FileSource source)
+        public static JsonMembers Read(RandomAccessFile source)
         {
             if (source.Length > MaxBytes)
                 throw PointCloudException.Wanted(FailureCode.Unsupported, source.Path, 0, "bytes of a JSON index",

@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using FastPoints.Store;
 
 namespace FastPoints.Reading
 {
@@ -82,35 +81,6 @@ namespace FastPoints.Reading
 
         /// <summary>Comments, poses: what no file that is written has a place for; null if there is nothing.</summary>
         internal string OnlyInFacts;
-
-        const int MaxFactChars = 4 << 20;
-
-        internal string FactsToJson()
-        {
-            var json = new JsonWriter().BeginObject().Add("tell", OnlyInFacts).BeginArray("facts");
-            int room = MaxFactChars;
-            foreach (var fact in Facts)
-            {
-                room -= fact.Key.Length + fact.Value.Length;
-                if (room >= 0)
-                    json.BeginObject().Add("name", fact.Key).Add("value", fact.Value).EndObject();
-            }
-            if (room < 0)
-                Losses.Add(new Loss("facts", Path, "those beyond " + MaxFactChars + " characters are not kept"));
-            return json.EndArray().EndObject().ToString();
-        }
-
-        /// <summary>What a cloud's folder says of the one source that it was made from.</summary>
-        internal void AddFactsOf(CloudFolder folder)
-        {
-            string path = System.IO.Path.Combine(folder.FolderPath, StoreFormat.FactsName);
-            if (!System.IO.File.Exists(path))
-                return;
-            var json = JsonMembers.Parse(StoreFile.ReadText(path), path);
-            OnlyInFacts = json.TextOrNull("tell");
-            foreach (var fact in json.Objects("facts"))
-                Fact(fact.Text("name"), fact.Text("value"));
-        }
 
         public void Warn(long byteOffset, string text) => Warnings.Add(new CloudWarning(Path, byteOffset, text));
     }

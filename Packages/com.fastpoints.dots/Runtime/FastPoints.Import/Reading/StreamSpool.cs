@@ -76,7 +76,7 @@ namespace FastPoints.Reading
                 }
                 catch (Exception e) when (FileFailures.IsFileFailure(e))
                 {
-                    throw FileFailures.Writing(m_path, e);
+                    throw FileFailures.WriteFailure(m_path, e);
                 }
                 Interlocked.Add(ref m_bytes, got);
             }
@@ -91,7 +91,7 @@ namespace FastPoints.Reading
             }
             catch (Exception e) when (FileFailures.IsFileFailure(e))
             {
-                throw FileFailures.Writing(m_path, e);
+                throw FileFailures.WriteFailure(m_path, e);
             }
         }
 
@@ -104,7 +104,7 @@ namespace FastPoints.Reading
             }
             catch (Exception e) when (FileFailures.IsFileFailure(e))
             {
-                throw FileFailures.Writing(m_path, e);
+                throw FileFailures.WriteFailure(m_path, e);
             }
         }
     }

@@ -44,7 +44,7 @@ namespace FastPoints.Sampling
     [BurstCompile]
     struct KeepEmptyCellsJob : IJob
     {
-        const int RunLength = ColumnValues.RunLength;
+        const int BatchLength = ColumnValues.BatchLength;
 
         [NativeDisableContainerSafetyRestriction] public NativeArray<byte> From;
         [ReadOnly] public NativeArray<PointColumn> ColumnsOfFrom;
@@ -73,11 +73,11 @@ namespace FastPoints.Sampling
 
         public unsafe void Execute()
         {
-            double* x = stackalloc double[RunLength];
-            double* y = stackalloc double[RunLength];
-            double* z = stackalloc double[RunLength];
-            int* from = stackalloc int[RunLength];
-            int* to = stackalloc int[RunLength];
+            double* x = stackalloc double[BatchLength];
+            double* y = stackalloc double[BatchLength];
+            double* z = stackalloc double[BatchLength];
+            int* from = stackalloc int[BatchLength];
+            int* to = stackalloc int[BatchLength];
             var copy = new ColumnCopy
             {
                 From = (byte*)NativeArrayUnsafeUtility.GetUnsafeBufferPointerWithoutChecks(From),
@@ -89,9 +89,9 @@ namespace FastPoints.Sampling
             int end = math.min(End, Result.Value.Points);
             MarkChosen(copy.From, table, end, x, y, z);
             int keptOfAll = Kept.Value;
-            for (int first = First; first < end; first += RunLength)
+            for (int first = First; first < end; first += BatchLength)
             {
-                int run = math.min(end - first, RunLength);
+                int run = math.min(end - first, BatchLength);
                 Positions.Load(copy.From, first, run, x, y, z);
                 Transform.ToGeo(run, x, y, z);
                 int kept = 0;
@@ -133,7 +133,7 @@ namespace FastPoints.Sampling
     [BurstCompile]
     struct MarkCellsJob : IJob
     {
-        const int RunLength = ColumnValues.RunLength;
+        const int BatchLength = ColumnValues.BatchLength;
 
         [ReadOnly] public NativeArray<byte> Sample;
         [ReadOnly] public NativeArray<byte> Filled;
@@ -151,16 +151,16 @@ namespace FastPoints.Sampling
 
         public unsafe void Execute()
         {
-            double* x = stackalloc double[RunLength];
-            double* y = stackalloc double[RunLength];
-            double* z = stackalloc double[RunLength];
+            double* x = stackalloc double[BatchLength];
+            double* y = stackalloc double[BatchLength];
+            double* z = stackalloc double[BatchLength];
             var table = (ulong*)Table.GetUnsafePtr();
             if (First == 0)
                 UnsafeUtility.MemClear(table, Table.Length * sizeof(ulong));
             byte* sample = (byte*)Sample.GetUnsafeReadOnlyPtr();
-            for (int first = First; first < End; first += RunLength)
+            for (int first = First; first < End; first += BatchLength)
             {
-                int run = math.min(End - first, RunLength);
+                int run = math.min(End - first, BatchLength);
                 Positions.Load(sample, first, run, x, y, z);
                 Transform.ToGeo(run, x, y, z);
                 for (int i = 0; i < run; i++)

@@ -19,7 +19,7 @@ namespace FastPoints.Sampling
         const double MinShareOfLast = 0.75;
 
         readonly PointReader m_reader;
-        readonly WaveReads m_reads;
+        readonly WaveReader m_reads;
         readonly SampleBuffer m_buffer;
         readonly List<SampleWave> m_waves = new List<SampleWave>();
         readonly Stopwatch m_watch = new Stopwatch();
@@ -33,8 +33,8 @@ namespace FastPoints.Sampling
             m_reader = reader;
             wanted = Math.Max(0, Math.Min(wanted, PreviewSample.MaxPoints(SampleSchema.Of(reader.Info))));
             m_reads = reader is RecordReader
-                ? (WaveReads)new RunReads(reader, wanted, seed)
-                : new PrefixReads(reader, wanted, seed);
+                ? (WaveReader)new RunWaveReader(reader, wanted, seed)
+                : new PrefixWaveReader(reader, wanted, seed);
             m_buffer = m_reads.Buffer;
             m_sample = m_buffer.ShareSample();
             m_sample.Method = m_reads.Method;
@@ -55,15 +55,15 @@ namespace FastPoints.Sampling
             m_watch.Restart();
             try
             {
-                for (int wave = 0; m_reads.EndPlace < m_buffer.Places; wave++)
+                for (int wave = 0; m_reads.EndIndex < m_buffer.Places; wave++)
                 {
-                    int first = m_reads.EndPlace;
+                    int first = m_reads.EndIndex;
                     int wanted = PlacesOf(wave);
                     bool isLast = wanted == m_buffer.Places;
                     yield return JobStep.Of(m_reads.Read(wanted, isLast ? 0 : PlacesOf(wave + 1), slots, progress));
-                    if (m_reads.EndPlace > first)
+                    if (m_reads.EndIndex > first)
                     {
-                        yield return JobStep.Of(m_buffer.Close(first, m_reads.EndPlace, m_reads.Filling));
+                        yield return JobStep.Of(m_buffer.Close(first, m_reads.EndIndex, m_reads.Filling));
                         m_reads.EndReads();
                         RaiseWave();
                         m_reads.Report(progress);

@@ -85,7 +85,7 @@ namespace FastPoints.Sampling
         bool IThrottledConsumer.IsReady => !IsPaused;
 
         /// <summary>Coroutine, once.</summary>
-        /// <param name="slots">Blocks in flight; 0 for what <see cref="WaveReads.LimitFor"/> says.</param>
+        /// <param name="slots">Blocks in flight; 0 for what <see cref="WaveReader.LimitFor"/> says.</param>
         public IEnumerator<JobStep> Run(int slots, StageProgress progress)
         {
             m_watch.Restart();
@@ -128,7 +128,7 @@ namespace FastPoints.Sampling
         {
             m_buffer = new SampleBuffer(m_schema, m_reader.Info.Transform, m_strata.Count);
             m_slots = new ReadSlots(m_reader, m_schema, m_reader.MaxPointsPerBlock,
-                WaveReads.LimitFor(m_reader, m_schema, slots, SourceScan.SlotsFor(m_reader, m_schema)), 0);
+                WaveReader.LimitFor(m_reader, m_schema, slots, SourceScan.SlotsFor(m_reader, m_schema)), 0);
             bool canSlice = m_reader.BlockCount <= DepthPlan.MaxSlicedBlocks && m_slots.TryKeepStates();
             m_plan = new DepthPlan(m_reader, canSlice, m_seed);
             m_stateOfBlock = m_plan.IsSliced ? new DecoderState[m_reader.BlockCount] : null;

@@ -162,7 +162,7 @@ namespace FastPoints.Sampling
     [BurstCompile]
     struct CompactSampleJob : IJob
     {
-        const int RunLength = ColumnValues.RunLength;
+        const int BatchLength = ColumnValues.BatchLength;
 
         [ReadOnly] public NativeArray<byte> Filled;
         [ReadOnly] public NativeArray<PointColumn> Columns;
@@ -179,11 +179,11 @@ namespace FastPoints.Sampling
 
         public unsafe void Execute()
         {
-            double* x = stackalloc double[RunLength];
-            double* y = stackalloc double[RunLength];
-            double* z = stackalloc double[RunLength];
-            int* fromIndex = stackalloc int[RunLength];
-            int* toIndex = stackalloc int[RunLength];
+            double* x = stackalloc double[BatchLength];
+            double* y = stackalloc double[BatchLength];
+            double* z = stackalloc double[BatchLength];
+            int* fromIndex = stackalloc int[BatchLength];
+            int* toIndex = stackalloc int[BatchLength];
             var copy = new ColumnCopy
             {
                 From = (byte*)NativeArrayUnsafeUtility.GetUnsafeBufferPointerWithoutChecks(Sample),
@@ -192,10 +192,10 @@ namespace FastPoints.Sampling
                 ColumnsOfTo = ColumnsOfTarget,
             };
             var state = State.Value;
-            for (int done = 0; done < Count; done += RunLength)
+            for (int done = 0; done < Count; done += BatchLength)
             {
                 int start = First + done;
-                int run = math.min(RunLength, Count - done);
+                int run = math.min(BatchLength, Count - done);
                 Positions.Load(copy.From, start, run, x, y, z);
                 Transform.ToGeo(run, x, y, z);
                 int kept = 0;
@@ -229,7 +229,7 @@ namespace FastPoints.Sampling
     [BurstCompile]
     struct SampleBlockJob : IJob
     {
-        const int RunLength = ColumnValues.RunLength;
+        const int BatchLength = ColumnValues.BatchLength;
 
         [ReadOnly] public NativeArray<byte> Block;
         [ReadOnly] public NativeArray<PointColumn> ColumnsOfBlock;
@@ -256,8 +256,8 @@ namespace FastPoints.Sampling
             long end = math.min(FirstPoint + math.min(End, Result.Value.Points), Strata.Points);
             if (end <= begin)
                 return;
-            int* fromIndex = stackalloc int[RunLength];
-            int* toIndex = stackalloc int[RunLength];
+            int* fromIndex = stackalloc int[BatchLength];
+            int* toIndex = stackalloc int[BatchLength];
             var copy = new ColumnCopy
             {
                 From = (byte*)Block.GetUnsafeReadOnlyPtr(),
@@ -277,7 +277,7 @@ namespace FastPoints.Sampling
                     toIndex[chosen] = stratum;
                     chosen++;
                 }
-                if (chosen < RunLength && stratum < last)
+                if (chosen < BatchLength && stratum < last)
                     continue;
                 copy.Scatter(fromIndex, toIndex, chosen);
                 for (int i = 0; i < chosen; i++)

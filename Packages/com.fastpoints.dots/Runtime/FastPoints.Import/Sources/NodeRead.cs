@@ -21,10 +21,10 @@ namespace FastPoints.Sources
 
         protected abstract void Report(DecodeResult result);
 
-        // padding: bytes behind the others that jobs may touch.
+        // padding: bytes after the data that jobs may read or write.
         protected JobHandle BeginRead(int block, long offset, int bytes, int padding = 0)
         {
-            // Nodes come to be known while slots are in use: room for the largest is made when it is met.
+            // The largest node is not known in advance: the buffer grows when one is found.
             File.Reserve((long)bytes + padding);
             return DependencyOf(Reader.BeginRead(File, block, offset, bytes));
         }
@@ -32,8 +32,8 @@ namespace FastPoints.Sources
         protected sealed override JobHandle Schedule(BlockRange range)
         {
             var block = Reader.Block(range.Block);
-            bool isBehindEnd = block.FirstInNode > 0 && block.FirstInNode + range.First >= Reader.EndOfNode(range.Block);
-            return isBehindEnd ? default : Schedule(range, block);
+            bool isPastEnd = block.FirstInNode > 0 && block.FirstInNode + range.First >= Reader.EndOfNode(range.Block);
+            return isPastEnd ? default : Schedule(range, block);
         }
 
         protected sealed override void Warn(DecodeResult result)
@@ -48,7 +48,7 @@ namespace FastPoints.Sources
     // the range goes.
     sealed class LasNodeRead : NodeRead
     {
-        readonly LasTemplate m_like;
+        readonly LasTemplate m_template;
         readonly bool m_isPotree;
         readonly LazFileDecoding m_decoding;
 
@@ -57,7 +57,7 @@ namespace FastPoints.Sources
             Allocator allocator)
             : base(reader, wanted, capacity, allocator)
         {
-            m_like = like;
+            m_template = like;
             m_isPotree = isPotree;
             try
             {
@@ -78,12 +78,12 @@ namespace FastPoints.Sources
 
         protected override void Report(DecodeResult result)
         {
-            var header = m_like.Las.Header;
+            var header = m_template.Las.Header;
             string got = "wanted " + Range.Count + " points, got " + result.Points;
             long inFile = m_decoding.PointsInFile, inNode = Reader.Block(Range.Block).NodePoints;
             if (result.Error == LazError.NoChunk)
                 Reader.WarnBroken(Range.Block, "its file is not what the other nodes' are: its points are left out",
-                    "wanted " + (m_like.Laz == null ? "LAS" : "LAZ") + " of point format " + header.PointFormat
+                    "wanted " + (m_template.Laz == null ? "LAS" : "LAZ") + " of point format " + header.PointFormat
                         + " in records of " + header.RecordBytes + " bytes, with the items of the others", 0);
             else if (result.Error == LazError.OffGrid)
                 Reader.WarnBroken(Range.Block, "its positions do not lie on the " + (m_isPotree ? "cloud's" : "root's")

@@ -21,12 +21,12 @@ namespace FastPoints.Sources
             public readonly byte[] Magic;
 
             /// <summary>Opens it, or null for a kind that is recognised but not supported.</summary>
-            public readonly Func<FileSource, PointReader> Open;
+            public readonly Func<RandomAccessFile, PointReader> Open;
 
             /// <summary>The name of a kind that is not supported.</summary>
             public readonly string Name;
 
-            public Kind(string magic, Func<FileSource, PointReader> open)
+            public Kind(string magic, Func<RandomAccessFile, PointReader> open)
             {
                 Magic = Encoding.ASCII.GetBytes(magic);
                 Open = open;
@@ -80,10 +80,10 @@ namespace FastPoints.Sources
                 string index = SourceFolder.FindIndex(path);
                 if (index == null)
                     return TiledReader.OpenFolder(path, tile => Open(tile, options));
-                using var source = FileSource.Open(index);
+                using var source = RandomAccessFile.Open(index);
                 return OpenIndex(SourceJson.Read(source)) ?? TiledReader.OpenFolder(path, tile => Open(tile, options));
             }
-            using (var source = FileSource.Open(path))
+            using (var source = RandomAccessFile.Open(path))
             {
                 byte[] head = source.ReadUpTo(0, HeadBytes).Bytes;
                 if (SourceJson.Is(head))
@@ -107,7 +107,7 @@ namespace FastPoints.Sources
             }
         }
 
-        static PointReader OpenLas(FileSource source)
+        static PointReader OpenLas(RandomAccessFile source)
         {
             var las = LasFile.Read(source);
             return !las.Header.IsCompressed ? LasReader.OpenUncompressed(las, source)

@@ -129,11 +129,11 @@ namespace FastPoints
         /// <summary>The range of one column's values from <paramref name="first"/> on.</summary>
         public static unsafe ColumnRange Measure(byte* column, AttributeType type, int first, int count)
         {
-            double* values = stackalloc double[ColumnValues.RunLength];
+            double* values = stackalloc double[ColumnValues.BatchLength];
             var range = Empty;
-            for (int done = 0; done < count; done += ColumnValues.RunLength)
+            for (int done = 0; done < count; done += ColumnValues.BatchLength)
             {
-                int run = math.min(ColumnValues.RunLength, count - done);
+                int run = math.min(ColumnValues.BatchLength, count - done);
                 ColumnValues.ToDoubles(column, type, first + done, run, values);
                 for (int i = 0; i < run; i++)
                 {

@@ -6,7 +6,7 @@ namespace FastPoints
     internal static unsafe class ColumnValues
     {
         // Callers widen so many at once, on the stack: three arrays of doubles stay in the first-level cache.
-        public const int RunLength = 256;
+        public const int BatchLength = 256;
 
         // Exact except for 64-bit integers beyond 2^53.
         public static void ToDoubles(byte* column, AttributeType type, int first, int count, double* values)

@@ -35,7 +35,7 @@ namespace FastPoints
             string below = Below(folder);
             lock (s_openFiles)
                 s_released = new List<string>(s_released) { below }.ToArray();
-            // Of reads by name nobody knows the folder; what is begun later is of others.
+            // The folder of a read by name is not known: wait for all such reads that are in flight now.
             foreach (var files in s_openFiles)
                 s_closing = Combine(Combine(s_closing, files.OtherReads), files.CloseBelow(below));
         }

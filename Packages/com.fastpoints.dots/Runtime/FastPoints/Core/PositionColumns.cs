@@ -74,7 +74,7 @@ namespace FastPoints
             NonFinite += other.NonFinite;
         }
 
-        // At most ColumnValues.RunLength positions.
+        // At most ColumnValues.BatchLength positions.
         public unsafe void IncludeRun(double* x, double* y, double* z, int count)
         {
             double3 min = Bounds.Min, max = Bounds.Max;
@@ -102,13 +102,13 @@ namespace FastPoints
         public static unsafe PositionBounds Measure(byte* bytes, in PositionColumns columns, in PositionTransform transform,
             int first, int count)
         {
-            double* x = stackalloc double[ColumnValues.RunLength];
-            double* y = stackalloc double[ColumnValues.RunLength];
-            double* z = stackalloc double[ColumnValues.RunLength];
+            double* x = stackalloc double[ColumnValues.BatchLength];
+            double* y = stackalloc double[ColumnValues.BatchLength];
+            double* z = stackalloc double[ColumnValues.BatchLength];
             var found = Empty;
-            for (int done = 0; done < count; done += ColumnValues.RunLength)
+            for (int done = 0; done < count; done += ColumnValues.BatchLength)
             {
-                int run = math.min(ColumnValues.RunLength, count - done);
+                int run = math.min(ColumnValues.BatchLength, count - done);
                 columns.Load(bytes, first + done, run, x, y, z);
                 transform.ToGeo(run, x, y, z);
                 found.IncludeRun(x, y, z, run);

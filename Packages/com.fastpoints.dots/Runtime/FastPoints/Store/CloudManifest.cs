@@ -4,12 +4,12 @@ using Unity.Mathematics;
 
 namespace FastPoints.Store
 {
-    /// <summary>What cloud.json says: everything that is true of the cloud as a whole. Text in, text out, no I/O.</summary>
+    /// <summary>The contents of cloud.json. Parses and writes text, without I/O.</summary>
     public sealed class CloudManifest
     {
         const string FormatName = "fastpoints";
 
-        // Coordinate systems of sources that are told apart.
+        // Sources with more coordinate systems than this share the last one.
         internal const int MaxSystems = 64;
 
         /// <summary>One file that the cloud was made from.</summary>
@@ -32,13 +32,13 @@ namespace FastPoints.Store
             public double Max;
         }
 
-        /// <summary>One cloud's files carry one id: files of two builds never mix unseen.</summary>
+        /// <summary>In every file of the cloud, so that files of two builds are not mixed unnoticed.</summary>
         public ulong CloudId;
 
         /// <summary>Rises by one each time the file is replaced.</summary>
         public long Generation = 1;
 
-        /// <summary>The cloud is in the making: what is told here is of the chunks that are finished.</summary>
+        /// <summary>The cloud is unfinished: the values cover finished chunks only.</summary>
         public bool IsBuilding;
 
         public long Points;
@@ -65,8 +65,8 @@ namespace FastPoints.Store
         /// <summary>By attribute.</summary>
         public Range[] Ranges;
 
-        // Null for clouds in the making, and for those that were converted before there were such.
-        internal ShownRanges? Shown;
+        // Null in unfinished clouds, and in those of older versions.
+        internal StoredDisplayRanges? Shown;
 
         public int NodeCount;
         public int ChunkCount;
@@ -147,7 +147,7 @@ namespace FastPoints.Store
             }
             json.EndArray();
 
-            if (Shown is ShownRanges shown)
+            if (Shown is StoredDisplayRanges shown)
             {
                 var of = shown.BoundsGeo;
                 json.BeginObject("shown").Add("min", of.Min.x, of.Min.y, of.Min.z).Add("max", of.Max.x, of.Max.y, of.Max.z)
@@ -217,7 +217,7 @@ namespace FastPoints.Store
                 : new[] { Base64(crs, "geoKeys"), Base64(crs, "geoDoubles"), Base64(crs, "geoText") },
         };
 
-        /// <summary>Throws a <see cref="PointCloudException"/> that names the member which is missing or senseless.</summary>
+        /// <summary>Throws a <see cref="PointCloudException"/> that names the missing or invalid member.</summary>
         public static CloudManifest FromJson(string text, string path)
         {
             var json = JsonMembers.Parse(text, path);
@@ -239,25 +239,25 @@ namespace FastPoints.Store
                 HierarchyHash = files.Hex("hierarchyHash"),
                 UpperBytes = files.Count("upperBytes"),
             };
-            result.ReadPlace(json);
+            result.ReadGridAndBounds(json);
             result.ReadAttributes(json.Objects("attributes"));
             if (json.Has("shown"))
                 result.Shown = ReadShown(json.Object("shown"));
-            result.ReadOrigin(json);
+            result.ReadProvenance(json);
             return result;
         }
 
-        void ReadPlace(JsonMembers json)
+        void ReadGridAndBounds(JsonMembers json)
         {
             var grid = json.Object("grid");
             Grid = new CloudGrid { Origin = grid.Vector("origin"), Step = grid.Vector("step") };
             if (!math.all(Grid.Step > 0))
                 throw grid.Bad("step", "positive steps");
             var root = json.Object("root");
-            Root = new GridCube(Place(root, "corner"), (int)root.Count("sideLog2", GridCube.MaxSideLog2));
+            Root = new GridCube(ReadGrid3(root, "corner"), (int)root.Count("sideLog2", GridCube.MaxSideLog2));
             var bounds = json.Object("boundsGrid");
-            BoundsMin = Place(bounds, "min");
-            BoundsMax = Place(bounds, "max");
+            BoundsMin = ReadGrid3(bounds, "min");
+            BoundsMax = ReadGrid3(bounds, "max");
         }
 
         void ReadAttributes(List<JsonMembers> attributes)
@@ -282,7 +282,7 @@ namespace FastPoints.Store
             Attributes = new PointSchema(schema);
         }
 
-        static ShownRanges ReadShown(JsonMembers shown) => new ShownRanges
+        static StoredDisplayRanges ReadShown(JsonMembers shown) => new StoredDisplayRanges
         {
             BoundsGeo = new BoundsGeo(shown.Vector("min"), shown.Vector("max")),
             Elevation = new Range { Min = shown.Number("elevationMin"), Max = shown.Number("elevationMax") },
@@ -290,7 +290,7 @@ namespace FastPoints.Store
             HasColor = shown.Flag("color"),
         };
 
-        void ReadOrigin(JsonMembers json)
+        void ReadProvenance(JsonMembers json)
         {
             Crs = ReadCrs(json.Object("crs"));
             if (json.ObjectOrNull("gpsTime") is JsonMembers time)
@@ -325,7 +325,7 @@ namespace FastPoints.Store
             }
         }
 
-        static Grid3 Place(JsonMembers json, string name)
+        static Grid3 ReadGrid3(JsonMembers json, string name)
         {
             long[] steps = json.Longs(name, 3);
             var place = new Grid3(steps[0], steps[1], steps[2]);
@@ -338,7 +338,7 @@ namespace FastPoints.Store
 
     // Where nearly all points and their values are, outliers apart: what displays frame and colour by. From a sample of the
     // octree's upper levels.
-    internal struct ShownRanges
+    internal struct StoredDisplayRanges
     {
         public BoundsGeo BoundsGeo;
         public CloudManifest.Range Elevation; // Along Z, in CRS units.

@@ -50,7 +50,7 @@ namespace FastPoints.Store
             return 2 + column + (below & 1) + (below >> 1 & 1);
         }
 
-        /// <summary>Number of blocks that so many points of one node take.</summary>
+        /// <summary>Number of blocks for a node's points.</summary>
         public static int BlocksOf(int points) => (int)(((long)points + MaxPointsPerBlock - 1) / MaxPointsPerBlock);
 
         /// <summary>Packed words of a column.</summary>
@@ -61,7 +61,7 @@ namespace FastPoints.Store
         public static long LengthBytes(long words) =>
             (words * 4 + SlackBytes + AlignmentBytes - 1) / AlignmentBytes * AlignmentBytes;
 
-        /// <summary>The longest that a plane of so many blocks and points can be.</summary>
+        /// <summary>Upper bound of a plane's length.</summary>
         public long LongestBytes(long blocks, long points)
         {
             long words = blocks * (DescriptorWords + ColumnCount);

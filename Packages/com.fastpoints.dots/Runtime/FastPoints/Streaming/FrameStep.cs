@@ -76,7 +76,7 @@ namespace FastPoints.Streaming
             stats.UploadMs = MsSince(start);
         }
 
-        /// <summary>Begins reads of missing nodes and evicts those that are less useful.</summary>
+        /// <summary>Begins reads of missing nodes and evicts nodes of lower rank.</summary>
         public static void Request(StreamContext stream, ref FrameStats stats)
         {
             long start = Stopwatch.GetTimestamp();

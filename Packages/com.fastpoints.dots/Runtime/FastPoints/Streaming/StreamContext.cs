@@ -21,14 +21,14 @@ namespace FastPoints.Streaming
         {
             m_state = new StreamState(pool);
             Uploads = new NodeUploads(m_state);
-            Reads = new NodeReads(m_state);
+            Reads = new NodeReadQueue(m_state);
         }
 
         public StreamSettings Settings => m_state.Settings;
         public NodePool Pool => m_state.Pool;
         internal NodeCache Cache => m_state.Cache;
         internal LodSelector Selector => m_state.Selector;
-        internal NodeReads Reads { get; }
+        internal NodeReadQueue Reads { get; }
         internal StreamFiles Files => m_state.Files;
         internal NodeUploads Uploads { get; }
         internal NativeArray<CloudPages> CloudPages => m_state.CloudPages;

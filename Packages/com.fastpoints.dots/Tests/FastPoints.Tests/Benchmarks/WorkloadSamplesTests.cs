@@ -57,7 +57,7 @@ namespace FastPoints.Tests.Benchmarks
             WorkloadSamples limit = Of(new WorkloadResult { Points = 200 }, null, 10, 20);
             WorkloadSamples work = Of(new WorkloadResult { Points = 100 }, limit, 10, 30);
 
-            Assert.That(work.TimesTheLimit, Is.EqualTo(new[] { 2.0, 3.0 }));
+            Assert.That(work.RatioToLimit, Is.EqualTo(new[] { 2.0, 3.0 }));
         }
 
         [Test]
@@ -66,7 +66,7 @@ namespace FastPoints.Tests.Benchmarks
             WorkloadSamples work = Of(default, Of(new WorkloadResult { Points = 1 }, null, 10), 10);
 
             Assert.That(work.HadInput, Is.False);
-            Assert.That(work.TimesTheLimit, Is.Empty);
+            Assert.That(work.RatioToLimit, Is.Empty);
         }
 
         [TestCase(2.0, 3.0, 1.0, 2.0), TestCase(1.5, 1.0, 2.0), TestCase(0.0)]

@@ -62,7 +62,7 @@ namespace FastPoints.Tests.Benchmarks
             }));
             Assert.That(samples.Select(s => s.Ms.Count), Is.EqualTo(new[] { 2, 2 }));
             Assert.That(samples[0].HasLimit, Is.False);
-            Assert.That(samples[1].TimesTheLimit.Count(), Is.EqualTo(2));
+            Assert.That(samples[1].RatioToLimit.Count(), Is.EqualTo(2));
         }
 
         [Test]

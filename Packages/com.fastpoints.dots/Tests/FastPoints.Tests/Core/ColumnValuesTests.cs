@@ -183,7 +183,7 @@ namespace FastPoints.Tests.Core
                 {
                     ulong value = OrderedBits.Load(values + i * type.SizeOf(), type);
                     wanted.Include(new AttributeStatistics { Min = value, Max = value, Or = value });
-                    wanted.NotDoubled |= type == AttributeType.UInt16 ? (uint)(value >> 8 ^ value & 0xFF) : 0;
+                    wanted.Modulo257Or |= type == AttributeType.UInt16 ? (uint)(value >> 8 ^ value & 0xFF) : 0;
                 }
                 Assert.That(found, Is.EqualTo(wanted));
             }

@@ -55,9 +55,9 @@ namespace FastPoints.Tests.Export
                     int axis = Array.IndexOf(new[] { "X", "Y", "Z" }, name);
                     bool isWhole = name == AttributeNames.ScanAngle && column.Type == AttributeType.Int8;
                     fixed (double* to = values)
-                        for (int first = 0; first < read.Points.Count; first += ColumnValues.RunLength)
+                        for (int first = 0; first < read.Points.Count; first += ColumnValues.BatchLength)
                             ColumnValues.ToDoubles((byte*)read.Points.Bytes.GetUnsafeReadOnlyPtr() + column.OffsetBytes,
-                                column.Type, first, Math.Min(ColumnValues.RunLength, read.Points.Count - first), to + first);
+                                column.Type, first, Math.Min(ColumnValues.BatchLength, read.Points.Count - first), to + first);
                     for (int i = 0; i < texts.Length; i++)
                     {
                         double value = isWhole ? Math.Round(values[i] / 0.006) : values[i];
@@ -143,7 +143,7 @@ namespace FastPoints.Tests.Export
             using var reader = ReadPoints.Open(path);
             Assert.That(reader.Info.Format, Is.EqualTo("COPC"));
             Assert.That(reader.Info.Warnings, Is.Empty);
-            using (var file = FileSource.Open(path))
+            using (var file = RandomAccessFile.Open(path))
             {
                 var las = LasFile.Read(file);
                 var format = LazFormat.Read(las);
@@ -315,7 +315,7 @@ namespace FastPoints.Tests.Export
                 file.Vlr("LASF_Projection", 34735, new byte[] { 1, 0, 1, 0, 0, 0, 1, 0, 0, 12, 0, 0, 1, 0, 181, 8 });
             using var source = PointReaders.Open(Folder.Write("source.las", file.RandomPoints(200, 1).ToBytes()));
             var result = Run(source);
-            using var made = FileSource.Open(Folder.File("out.copc.laz"));
+            using var made = RandomAccessFile.Open(Folder.File("out.copc.laz"));
             var las = LasFile.Read(made);
             Assert.That(las.Header.GlobalEncoding, Is.EqualTo(hasWkt ? 17 : 1));
             Assert.That(las.Vlrs.Payload(las.Vlrs.Find("somebody", 77)).Bytes, Is.EqualTo(new byte[] { 1, 2, 3 }));

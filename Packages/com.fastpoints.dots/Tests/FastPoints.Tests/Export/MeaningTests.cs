@@ -68,7 +68,7 @@ namespace FastPoints.Tests.Export
                 cloud = Convert(reader);
             using (var stored = StoredReader.Open(cloud))
                 warnings = Export(stored);
-            using var file = FileSource.Open(m_folder.File("out.las"));
+            using var file = RandomAccessFile.Open(m_folder.File("out.las"));
             return LasFile.Read(file);
         }
 
@@ -90,7 +90,7 @@ namespace FastPoints.Tests.Export
             string a = Source("a.las", 2, 1, 1), b = Source("b.las", 2, 1, 1);
             using (var tiles = PointReaders.Open(new[] { a, b }))
                 Assert.That(Export(tiles), Is.Empty);
-            using var file = FileSource.Open(m_folder.File("out.las"));
+            using var file = RandomAccessFile.Open(m_folder.File("out.las"));
             Assert.That(LasFile.Read(file).Header.GlobalEncoding, Is.EqualTo(1));
         }
 
@@ -136,7 +136,7 @@ namespace FastPoints.Tests.Export
             using (var stored = StoredReader.Open(cloud))
                 Assert.That(Export(stored), offset == 1000 ? Is.Empty
                     : Has.Exactly(1).Contains("GPS time less 1100 million seconds"));
-            using var file = FileSource.Open(m_folder.File("out.las"));
+            using var file = RandomAccessFile.Open(m_folder.File("out.las"));
             return LasFile.Read(file).Header.GlobalEncoding;
         }
 
@@ -195,14 +195,14 @@ namespace FastPoints.Tests.Export
 
         static List<byte[]> Records(string path, Func<LasVlr, bool> isWanted = null)
         {
-            using var file = FileSource.Open(path);
+            using var file = RandomAccessFile.Open(path);
             return LasFile.Read(file).Vlrs.Records.Where(v => isWanted == null || isWanted(v)).Select(v => file.Read(v.Offset,
                 (int)(v.DataOffset + v.DataBytes - v.Offset), "record").Bytes).ToList();
         }
 
         static List<string> Points(string path)
         {
-            using var file = FileSource.Open(path);
+            using var file = RandomAccessFile.Open(path);
             var header = LasHeader.Read(file);
             var points = new List<string>();
             for (long i = 0; i < (long)header.PointsClaimed; i++)
@@ -321,7 +321,7 @@ namespace FastPoints.Tests.Export
             File.WriteAllText(Path.Combine(cloud, StoreFormat.RecordsName), "nothing");
             using var stored = StoredReader.Open(cloud);
             Assert.That(Export(stored), Has.Exactly(1).Contains("header and records of LAS files: lost"));
-            using var file = FileSource.Open(m_folder.File("out.las"));
+            using var file = RandomAccessFile.Open(m_folder.File("out.las"));
             Assert.That(LasFile.Read(file).Header.PointsClaimed, Is.EqualTo(200));
         }
 

@@ -22,7 +22,7 @@ namespace FastPoints.Tests.Picture
 
         static PointReader Open(TemporaryFile file)
         {
-            using var source = FileSource.Open(file.Path);
+            using var source = RandomAccessFile.Open(file.Path);
             return LazReader.Open(LasFile.Read(source), source, LongChunkPoints);
         }
 

@@ -33,7 +33,7 @@ namespace FastPoints.Tests.Store
                     Max = double.NaN } },
                 MetresPerUnit = double.NaN,
                 CrsName = "EPSG:26910",
-                Shown = new ShownRanges
+                Shown = new StoredDisplayRanges
                 {
                     BoundsGeo = new BoundsGeo(new double3(-1, 0.1, 2), new double3(1e7, 3, 4)),
                     Elevation = new CloudManifest.Range { Min = 2.5, Max = 3.75 },

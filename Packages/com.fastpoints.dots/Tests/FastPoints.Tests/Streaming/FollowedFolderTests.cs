@@ -78,7 +78,7 @@ namespace FastPoints.Tests.Streaming
             using var cloud = new StreamedTestCloud(20_000, 8000);
             using var stream = StreamedTestCloud.Stream();
             using var followed = new FollowedFolder(stream, cloud.Path + StoreFormat.PartSuffix, null);
-            for (var watch = Stopwatch.StartNew(); watch.Elapsed < 1.5 * FolderGenerations.PollInterval;)
+            for (var watch = Stopwatch.StartNew(); watch.Elapsed < 1.5 * GenerationPoller.PollInterval;)
             {
                 StreamedTestCloud.Frame(stream, StreamedTestCloud.Overview());
                 followed.Update();

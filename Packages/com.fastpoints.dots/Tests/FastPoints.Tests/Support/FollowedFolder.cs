@@ -10,7 +10,7 @@ namespace FastPoints.Tests
     public sealed class FollowedFolder : IDisposable
     {
         readonly CloudVersions m_versions;
-        readonly FolderGenerations m_generations;
+        readonly GenerationPoller m_generations;
         readonly string[] m_planes;
         readonly CloudPlacement? m_placement;
 
@@ -24,7 +24,7 @@ namespace FastPoints.Tests
             m_versions = versions;
             m_planes = planes;
             m_placement = placement;
-            m_generations = new FolderGenerations(CloudFolder.Open(StoreFormat.FinishedPath(path)));
+            m_generations = new GenerationPoller(CloudFolder.Open(StoreFormat.FinishedPath(path)));
             Add(m_generations.Take());
         }
 

@@ -7,10 +7,10 @@ public static class HeadlessGraphics
 
     static readonly Queue<ulong> s_endsOfFrames = new Queue<ulong>();
     static int s_framesBehind;
-    public static bool IsAvailable => WhyNot.Length == 0;
+    public static bool IsAvailable => UnsupportedReason.Length == 0;
 
     /// <summary>What is missing, in one line; empty where nothing is.</summary>
-    public static string WhyNot
+    public static string UnsupportedReason
     {
         get
         {

@@ -16,7 +16,7 @@ namespace FastPoints.Build
         public ulong Checksum;
 
         /// <summary>Largest distance of a float position from its grid position, in steps.</summary>
-        public double WorstLossSteps;
+        public double MaxRoundingSteps;
 
         public static PointStatistics None => new PointStatistics
         {
@@ -31,7 +31,7 @@ namespace FastPoints.Build
             Min = Grid3.Min(Min, other.Min);
             Max = Grid3.Max(Max, other.Max);
             Checksum += other.Checksum;
-            WorstLossSteps = WorstLossSteps > other.WorstLossSteps ? WorstLossSteps : other.WorstLossSteps;
+            MaxRoundingSteps = MaxRoundingSteps > other.MaxRoundingSteps ? MaxRoundingSteps : other.MaxRoundingSteps;
         }
     }
 
@@ -48,7 +48,7 @@ namespace FastPoints.Build
         public ulong Or;
 
         /// <summary>0 if every value is a multiple of 257: eight bits twice.</summary>
-        public uint NotDoubled;
+        public uint Modulo257Or;
 
         public static AttributeStatistics None => new AttributeStatistics { Min = ulong.MaxValue };
 
@@ -99,7 +99,7 @@ namespace FastPoints.Build
                     result.Min = math.min(result.Min, Load(found + workspace, size));
                     result.Max = math.max(result.Max, Load(found + VectorBytes + workspace, size));
                     result.Or |= Load(found + 2 * VectorBytes + workspace, size);
-                    result.NotDoubled |= found[3 * VectorBytes + workspace];
+                    result.Modulo257Or |= found[3 * VectorBytes + workspace];
                 }
             }
             for (; at < bytes; at += size)
@@ -108,9 +108,9 @@ namespace FastPoints.Build
                 result.Min = math.min(result.Min, value);
                 result.Max = math.max(result.Max, value);
                 result.Or |= value;
-                result.NotDoubled |= (value >> 8 ^ value) & 0xFF;
+                result.Modulo257Or |= (value >> 8 ^ value) & 0xFF;
             }
-            result.NotDoubled = size == 1 ? 0 : result.NotDoubled;
+            result.Modulo257Or = size == 1 ? 0 : result.Modulo257Or;
             return result;
         }
 
@@ -121,7 +121,7 @@ namespace FastPoints.Build
             Min = Min < other.Min ? Min : other.Min;
             Max = Max > other.Max ? Max : other.Max;
             Or |= other.Or;
-            NotDoubled |= other.NotDoubled;
+            Modulo257Or |= other.Modulo257Or;
         }
     }
 }

@@ -226,7 +226,7 @@ namespace FastPoints.Build
         {
             long* x = stackalloc long[3 * RunPoints];
             long* y = x + RunPoints, z = y + RunPoints;
-            LoadRun(bytes, first, count, x, ref statistics.WorstLossSteps);
+            LoadRun(bytes, first, count, x, ref statistics.MaxRoundingSteps);
             for (int i = 0; i < count; i++)
             {
                 chunks[i] = -1;

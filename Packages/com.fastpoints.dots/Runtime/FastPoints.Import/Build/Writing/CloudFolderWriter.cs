@@ -47,7 +47,7 @@ namespace FastPoints.Build
             catch (Exception e) when (e is PointCloudException || FileFailures.IsFileFailure(e))
             {
                 m_lock?.Dispose();
-                throw e as PointCloudException ?? FileFailures.Writing(m_part, e);
+                throw e as PointCloudException ?? FileFailures.WriteFailure(m_part, e);
             }
             m_queue = new WriteQueue(RenewLock, FolderLock.RenewAfter);
         }
@@ -96,7 +96,7 @@ namespace FastPoints.Build
             }
             catch (Exception e) when (FileFailures.IsFileFailure(e))
             {
-                throw FileFailures.Writing(path, e);
+                throw FileFailures.WriteFailure(path, e);
             }
         }
 
@@ -251,7 +251,7 @@ namespace FastPoints.Build
                 m_isKept = true;
                 if (!Directory.Exists(m_target) && Directory.Exists(old))
                     FileChanges.MoveFolder(old, m_target);
-                throw new PointCloudException(FileFailures.Writing(m_target, e).Code, m_target, -1,
+                throw new PointCloudException(FileFailures.WriteFailure(m_target, e).Code, m_target, -1,
                     "is converted but for its name: wanted to rename " + m_part + ", and the system said: " + e.Message +
                     " Close what has files of it open, and convert again, which goes on from here", e);
             }

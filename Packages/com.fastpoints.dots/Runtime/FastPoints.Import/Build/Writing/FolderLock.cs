@@ -96,7 +96,7 @@ namespace FastPoints.Build
             }
             catch (Exception e) when (FileFailures.IsFileFailure(e))
             {
-                throw FileFailures.Writing(path, e);
+                throw FileFailures.WriteFailure(path, e);
             }
         }
 
@@ -157,7 +157,7 @@ namespace FastPoints.Build
                     writer.Write(owner);
                 return true;
             }
-            catch (IOException e) when (FileFailures.Writing(path, e).Code == FailureCode.WriteFailed)
+            catch (IOException e) when (FileFailures.WriteFailure(path, e).Code == FailureCode.WriteFailed)
             {
                 // Another owner has it, or had it a moment ago.
                 return false;

@@ -150,7 +150,7 @@ namespace FastPoints.Build
                 {
                     // Any exception is caught: if it ended the thread, waiting for the ticket would never end.
                     Failure = FileFailures.IsFileFailure(e)
-                        ? FileFailures.Writing(order.Path, e) : PointCloudException.Of(order.Path, e);
+                        ? FileFailures.WriteFailure(order.Path, e) : PointCloudException.Of(order.Path, e);
                 }
                 order.Ticket.Finish(Failure);
             }

@@ -245,7 +245,7 @@ namespace FastPoints.Export
                 if (!reader.BlocksAreKnown)
                     yield return JobStep.Of(reader.FindBlocks());
                 var wanted = reader.Info.Schema.Select(names.ToArray());
-                using var sums = new SumPoints(manifest.Attributes, GridChoice.OnGrid(reader.Info, manifest.Grid),
+                using var sums = new PointSetHash(manifest.Attributes, GridChoice.OnGrid(reader.Info, manifest.Grid),
                     reader.MaxPointsPerBlock);
                 yield return JobStep.Of(SourceScan.Run(reader, wanted, sums, SourceScan.SlotsFor(reader, wanted), progress));
                 var found = sums.TakeStatistics(out ulong second, attributes);

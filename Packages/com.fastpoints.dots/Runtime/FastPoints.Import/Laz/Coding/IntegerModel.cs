@@ -36,7 +36,7 @@ namespace FastPoints.Laz
 
         /// <summary>The difference from the prediction, and <paramref name="k"/>, which other models take for a
         /// context.</summary>
-        /// <param name="bits">And <paramref name="contexts"/>: as initialised; constants where speed matters.</param>
+        /// <param name="bits">The same as at initialisation, like <paramref name="contexts"/>; pass constants for speed.</param>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static int Decode(byte* model, int bits, int contexts, int context, out int k,
             ref uint value, ref uint length, ref byte* next)
@@ -50,7 +50,7 @@ namespace FastPoints.Laz
 
             byte* corrector = model + ContextsAt + contexts * SymbolModel.BytesOf(bits + 1) + (k - 1) * SymbolModel.Bytes256;
             if ((*(uint*)model >> k & 1) == 0)
-                MakeCorrector(model, corrector, k);
+                InitializeCorrector(model, corrector, k);
             int c = (int)SymbolModel.Decode(corrector, 256, ref value, ref length, ref next);
             if (k > ModelledBits)
             {
@@ -62,7 +62,7 @@ namespace FastPoints.Laz
             return c + 1 - (isLower & 1 << k);
         }
 
-        // For a context of one, or where k is of no use.
+        // Without k, for callers that do not need it.
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static int Decode(byte* model, int bits, int contexts, int context,
             ref uint value, ref uint length, ref byte* next) =>
@@ -81,7 +81,7 @@ namespace FastPoints.Laz
             return difference;
         }
 
-        /// <param name="difference">Of less than 32 bits, any that has the right lower ones.</param>
+        /// <param name="difference">With fewer than 32 bits, only the lower ones count.</param>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static void Encode(byte* model, int bits, int contexts, int context, int difference, out int k,
             ref uint low, ref uint length, ref byte* next)
@@ -99,7 +99,7 @@ namespace FastPoints.Laz
                 return;
             byte* corrector = model + ContextsAt + contexts * SymbolModel.BytesOf(bits + 1) + (k - 1) * SymbolModel.Bytes256;
             if ((*(uint*)model >> k & 1) == 0)
-                MakeCorrector(model, corrector, k);
+                InitializeCorrector(model, corrector, k);
             uint place = (uint)(difference < 0 ? difference + (int)((1u << k) - 1) : difference - 1);
             if (k <= ModelledBits)
             {
@@ -123,7 +123,7 @@ namespace FastPoints.Laz
         }
 
         [MethodImpl(MethodImplOptions.NoInlining)]
-        static void MakeCorrector(byte* model, byte* corrector, int k)
+        static void InitializeCorrector(byte* model, byte* corrector, int k)
         {
             *(uint*)model |= 1u << k;
             SymbolModel.Initialize((SymbolModel*)corrector, 1 << (k < ModelledBits ? k : ModelledBits), 256);

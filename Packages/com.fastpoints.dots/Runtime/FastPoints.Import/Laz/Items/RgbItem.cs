@@ -9,7 +9,7 @@ namespace FastPoints.Laz
     [StructLayout(LayoutKind.Sequential)]
     internal unsafe struct RgbItem
     {
-        const int NotGreyBit = 64;
+        const int IsColorBit = 64;
 
         const int UsedAt = 64;
         const int ByteAt = UsedAt + SymbolModel.Bytes128;
@@ -54,7 +54,7 @@ namespace FastPoints.Laz
                     + (int)SymbolModel.Decode(models + SymbolModel.Bytes256, 256, ref value, ref length, ref next) & 255;
             int red = redHigh << 8 | redLow;
             int green = red, blue = red;
-            if ((used & NotGreyBit) != 0)
+            if ((used & IsColorBit) != 0)
             {
                 lowChange += redLow;
                 highChange += redHigh;
@@ -105,7 +105,7 @@ namespace FastPoints.Laz
             for (int i = 0; i < 6; i++)
                 used |= record[i] != was[i] ? 1u << i : 0;
             bool isGrey = record[0] == record[2] && record[0] == record[4] && record[1] == record[3] && record[1] == record[5];
-            used |= isGrey ? 0 : (uint)NotGreyBit;
+            used |= isGrey ? 0 : (uint)IsColorBit;
             SymbolModel.Encode(place + UsedAt, 128, used, ref low, ref length, ref next);
             if ((used & 1) != 0)
                 Put(models, 0, record[0] - was[0], ref low, ref length, ref next);

@@ -13,14 +13,14 @@ namespace FastPoints.Laz
         public const int ContextBytes = IntegerAt + 64 + MaxContexts * SymbolModel.Bytes17 + 16 * SymbolModel.Bytes256;
 
         int m_last;
-        fixed ushort m_lastOfPlace[8];
+        fixed ushort m_lastOfReturnKind[8];
 
         public static void StartContext(byte* place, ushort field)
         {
             var context = (Integer16Layer*)place;
             context->m_last = field;
             for (int i = 0; i < 8; i++)
-                context->m_lastOfPlace[i] = field;
+                context->m_lastOfReturnKind[i] = field;
             IntegerModel.Initialize(place + IntegerAt, 16, MaxContexts);
         }
 
@@ -49,8 +49,8 @@ namespace FastPoints.Laz
 
                 if (kind == LazLayerKind.Intensity)
                 {
-                    int place16 = PointContext.Place(point);
-                    ushort* last = ((Integer16Layer*)place)->m_lastOfPlace
+                    int place16 = PointContext.ReturnKind(point);
+                    ushort* last = ((Integer16Layer*)place)->m_lastOfReturnKind
                         + (place16 * 2 + (int)(point >> PointContext.TimeShift & 1));
                     *last = (ushort)(*last
                         + IntegerModel.Decode(place + IntegerAt, 16, MaxContexts, place16, ref value, ref length, ref next));
@@ -93,8 +93,8 @@ namespace FastPoints.Laz
                 }
                 if (isIntensity)
                 {
-                    int inPulse = PointContext.Place(point);
-                    ushort* last = ((Integer16Layer*)place)->m_lastOfPlace + (inPulse * 2 + ofTime);
+                    int inPulse = PointContext.ReturnKind(point);
+                    ushort* last = ((Integer16Layer*)place)->m_lastOfReturnKind + (inPulse * 2 + ofTime);
                     IntegerModel.Encode(place + IntegerAt, 16, MaxContexts, inPulse, *(ushort*)field - *last, out _, ref low,
                         ref length, ref next);
                     *last = *(ushort*)field;

@@ -60,7 +60,7 @@ namespace FastPoints.Laz
         public const uint TimeChangedBit = 8;
         public const uint AngleChangedBit = 16;
         public const uint SourceChangedBit = 32;
-        public const int PlaceShift = 6;
+        public const int ReturnKindShift = 6;
         public const int LevelShift = 8;
         public const int ZShift = 11;
 
@@ -69,7 +69,7 @@ namespace FastPoints.Laz
             followsChannel != 0 || (point & ChannelChangedBit) != 0 ? (int)(point & ChannelMask) : 0;
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public static int Place(uint point) => (int)(point >> PlaceShift & 3);
+        public static int ReturnKind(uint point) => (int)(point >> ReturnKindShift & 3);
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static int Level(uint point) => (int)(point >> LevelShift & 7);

@@ -17,8 +17,8 @@ namespace FastPoints.Laz
         long m_end;
         long m_contextsOffset;
         fixed ushort m_returnContexts[256];
-        fixed byte m_lasts[4 * 32];
-        LayerState m_now;
+        fixed byte m_lastRecordOfChannel[4 * 32];
+        LayerState m_state;
 
         static int PointsOffset => (UnsafeUtility.SizeOf<LayeredWriter>() + 63) / 64 * 64;
 
@@ -46,7 +46,7 @@ namespace FastPoints.Laz
             writer->m_done = -1;
             writer->m_contextsOffset = ContextsOffset(points);
             ReturnContexts.WriteExtended(writer->m_returnContexts);
-            UnsafeUtility.MemCpy(writer->m_lasts + 32 * (records[15] >> 4 & 3), records, 30);
+            UnsafeUtility.MemCpy(writer->m_lastRecordOfChannel + 32 * (records[15] >> 4 & 3), records, 30);
             UnsafeUtility.MemCpy(output, records, recordBytes);
             *(uint*)(output + recordBytes) = (uint)points;
             writer->m_end = LazLayer.ChunkHeaderBytes(recordBytes, layerCount);
@@ -73,14 +73,14 @@ namespace FastPoints.Laz
                 int some = coded - writer->m_done;
                 some = some < count ? some : count > 0 ? count : 1;
                 some = some < coded - writer->m_done ? some : coded - writer->m_done;
-                writer->m_now.Stream.Resume(output, null);
+                writer->m_state.Stream.Resume(output, null);
                 Encode(writer, records + (long)(1 + writer->m_done) * writer->m_recordBytes, some);
-                writer->m_now.Stream.Suspend(output);
+                writer->m_state.Stream.Suspend(output);
                 writer->m_done += some;
                 count -= some;
                 if (writer->m_done < coded)
                     continue;
-                var stream = writer->m_now.Stream;
+                var stream = writer->m_state.Stream;
                 stream.Resume(output, null);
                 RangeCode.End(stream.Value, stream.Length, ref stream.Next);
                 End(writer, output, stream.Next - output);
@@ -92,7 +92,7 @@ namespace FastPoints.Laz
         {
             int channel = records[15] >> 4 & 3;
             writer->m_done = 0;
-            writer->m_now = new LayerState
+            writer->m_state = new LayerState
             {
                 Kind = layer.Kind,
                 RecordOffset = layer.RecordOffset,
@@ -100,8 +100,8 @@ namespace FastPoints.Laz
                 Made = 1 << channel,
                 Current = channel,
             };
-            writer->m_now.Stream.StartWriting(output + writer->m_end);
-            writer->m_now.Stream.Suspend(output);
+            writer->m_state.Stream.StartWriting(output + writer->m_end);
+            writer->m_state.Stream.Suspend(output);
             byte* contexts = (byte*)writer + writer->m_contextsOffset;
             LayeredChunk.StartContext(layer.Kind, contexts + (long)channel * LayeredChunk.ContextBytes(layer.Kind),
                 records + layer.RecordOffset);
@@ -134,7 +134,7 @@ namespace FastPoints.Laz
 
         static void Encode(LayeredWriter* writer, byte* records, int count)
         {
-            LayerState* layer = &writer->m_now;
+            LayerState* layer = &writer->m_state;
             byte* contexts = (byte*)writer + writer->m_contextsOffset;
             uint* points = (uint*)((byte*)writer + PointsOffset) + writer->m_done;
             byte* field = records + layer->RecordOffset;
@@ -142,7 +142,8 @@ namespace FastPoints.Laz
             switch (layer->Kind)
             {
                 case LazLayerKind.ReturnsAndXY:
-                    ReturnsLayer.Encode(layer, contexts, writer->m_returnContexts, points, writer->m_lasts, field, stride, count);
+                    ReturnsLayer.Encode(layer, contexts, writer->m_returnContexts, points, writer->m_lastRecordOfChannel,
+                        field, stride, count);
                     break;
                 case LazLayerKind.Z:
                     ZLayer.Encode(layer, contexts, points, field, stride, count);

@@ -243,7 +243,7 @@ namespace FastPoints.Laz
                 | (changed & AngleChangedBit) * (PointContext.AngleChangedBit / AngleChangedBit)
                 | (changed & SourceChangedBit) * (PointContext.SourceChangedBit / SourceChangedBit)
                 | (uint)(ofReturns >> ReturnContexts.ExtendedPlaceShift & ReturnContexts.ExtendedPlaceMask)
-                    << PointContext.PlaceShift
+                    << PointContext.ReturnKindShift
                 | (uint)(ofReturns >> ReturnContexts.ExtendedLevelShift & 7) << PointContext.LevelShift
                 | (uint)(isSingle + (k < 18 ? k & ~1 : 18)) << PointContext.ZShift;
     }

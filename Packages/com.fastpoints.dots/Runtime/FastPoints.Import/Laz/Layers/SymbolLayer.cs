@@ -90,7 +90,7 @@ namespace FastPoints.Laz
         {
             int index = context->m_last;
             if (kind == LazLayerKind.Classification)
-                index = (index & 31) << 1 | (PointContext.Place(point) == 3 ? 1 : 0);
+                index = (index & 31) << 1 | (PointContext.ReturnKind(point) == 3 ? 1 : 0);
             else if (kind == LazLayerKind.UserData)
                 index >>= 2;
             byte* model = (byte*)context + ModelsAt + index * SymbolModel.Bytes256;

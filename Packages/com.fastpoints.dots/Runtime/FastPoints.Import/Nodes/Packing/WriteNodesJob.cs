@@ -80,7 +80,7 @@ namespace FastPoints.Nodes
         [NativeDisableUnsafePtrRestriction] NodeDraft* m_drafts;
         [NativeDisableUnsafePtrRestriction] uint* m_points;
         PlanePacker m_packer;
-        WriteScratch.State m_now;
+        WriteScratch.State m_state;
         long m_budget;
 
         public SliceTimes Slices;
@@ -108,7 +108,7 @@ namespace FastPoints.Nodes
 
         void Run()
         {
-            m_now = Scratch.Progress.Value;
+            m_state = Scratch.Progress.Value;
             m_budget = CostPerSlice;
             m_drafts = (NodeDraft*)Drafts.GetUnsafeReadOnlyPtr();
             m_points = (uint*)Points.GetUnsafePtr();
@@ -118,15 +118,15 @@ namespace FastPoints.Nodes
                 Layout = Layout,
                 Columns = (StoredColumn*)Columns.GetUnsafeReadOnlyPtr(),
             };
-            if (m_now.Stage == Stage.Start)
+            if (m_state.Stage == Stage.Start)
                 Start();
-            if (m_now.Stage == Stage.SortPoints)
+            if (m_state.Stage == Stage.SortPoints)
                 SortPoints();
-            if (m_now.Stage == Stage.Plan && m_budget > 0)
+            if (m_state.Stage == Stage.Plan && m_budget > 0)
                 Plan();
-            if (m_now.Stage == Stage.Write)
+            if (m_state.Stage == Stage.Write)
                 WritePlanes();
-            Scratch.Progress.Value = m_now;
+            Scratch.Progress.Value = m_state;
         }
 
         void Start()
@@ -147,7 +147,7 @@ namespace FastPoints.Nodes
                 firstPoint[d] = sum;
                 sum += m_drafts[d].Count;
             }
-            m_now = new WriteScratch.State { Stage = Stage.SortPoints };
+            m_state = new WriteScratch.State { Stage = Stage.SortPoints };
         }
 
         /// <summary>Groups the points of each node, in their order along the curve.</summary>
@@ -155,16 +155,16 @@ namespace FastPoints.Nodes
         {
             int* next = Scratch.FirstPointOfDraft.GetUnsafePtr();
             var nodeOfPoint = (int*)NodeOfPoint.GetUnsafeReadOnlyPtr();
-            int end = (int)math.min(Count, m_now.At + m_budget);
-            for (int i = m_now.At; i < end; i++)
+            int end = (int)math.min(Count, m_state.At + m_budget);
+            for (int i = m_state.At; i < end; i++)
                 m_points[next[nodeOfPoint[i]]++] = (uint)i;
-            m_budget -= end - m_now.At;
-            m_now.At = end;
+            m_budget -= end - m_state.At;
+            m_state.At = end;
             if (end < Count)
                 return;
             for (int d = 0; d < Drafts.Length; d++)
                 next[d] -= m_drafts[d].Count;
-            m_now.Stage = Stage.Plan;
+            m_state.Stage = Stage.Plan;
         }
 
         /// <summary>Plans everything except the points: which nodes there are, and the table without what is only known after
@@ -178,17 +178,17 @@ namespace FastPoints.Nodes
             NumberNodes();
             if (OmitsTop && Drafts.Length > 0)
                 CopyTop();
-            m_now.At = 0;
-            m_now.Stage = Stage.Done;
-            if (m_now.NodeCount == 0)
+            m_state.At = 0;
+            m_state.Stage = Stage.Done;
+            if (m_state.NodeCount == 0)
                 return;
-            Scratch.Nodes.ResizeUninitialized(m_now.NodeCount);
-            for (int node = 0; node < m_now.NodeCount; node++)
+            Scratch.Nodes.ResizeUninitialized(m_state.NodeCount);
+            for (int node = 0; node < m_state.NodeCount; node++)
                 Scratch.Nodes[node] = Describe(node, Scratch.FirstChild[node], Scratch.ChildCount[node]);
-            Scratch.Ranges.ResizeUninitialized(m_now.NodeCount * (Shapes.Length + 1));
+            Scratch.Ranges.ResizeUninitialized(m_state.NodeCount * (Shapes.Length + 1));
             UnsafeUtility.MemClear(Scratch.Ranges.GetUnsafePtr(), (long)Scratch.Ranges.Length * sizeof(PlaneRange));
             File.ResizeUninitialized(FileHeader.SizeBytes);
-            m_now.Stage = Stage.Write;
+            m_state.Stage = Stage.Write;
         }
 
         /// <summary>Numbers nodes breadth first by the existing parents, so that children follow one another.</summary>
@@ -225,7 +225,7 @@ namespace FastPoints.Nodes
                 Append(firstOf[draft], nextOf, ref count);
                 Scratch.ChildCount[node] = count - Scratch.FirstChild[node];
             }
-            m_now.NodeCount = count;
+            m_state.NodeCount = count;
             UnsafeUtility.Free(nextOf, Allocator.Temp);
             UnsafeUtility.Free(firstOf, Allocator.Temp);
         }
@@ -262,23 +262,23 @@ namespace FastPoints.Nodes
             int planes = Shapes.Length + 1;
             var nodes = Scratch.Nodes.GetUnsafePtr();
             var ranges = Scratch.Ranges.GetUnsafePtr();
-            for (; m_now.At < m_now.NodeCount; m_now.At++)
+            for (; m_state.At < m_state.NodeCount; m_state.At++)
             {
                 if (m_budget <= 0)
                     return;
-                if (nodes[m_now.At].PlaneNode == m_now.At)
-                    WritePlanesOf(m_now.At, nodes, ranges + (long)m_now.At * planes);
-                if (m_now.Plane > 0)
+                if (nodes[m_state.At].PlaneNode == m_state.At)
+                    WritePlanesOf(m_state.At, nodes, ranges + (long)m_state.At * planes);
+                if (m_state.Plane > 0)
                     return;
             }
             WriteTable(planes, nodes, ranges);
-            m_now.Stage = Stage.Done;
+            m_state.Stage = Stage.Done;
         }
 
         void WriteTable(int planes, NodeRecord* nodes, PlaneRange* ranges)
         {
             long points = 0;
-            for (int node = 0; node < m_now.NodeCount; node++)
+            for (int node = 0; node < m_state.NodeCount; node++)
                 points += nodes[node].PointCount;
             var header = new FileHeader
             {
@@ -286,15 +286,15 @@ namespace FastPoints.Nodes
                 Version = StoreFormat.Version,
                 Number = Number,
                 PlaneCount = planes,
-                NodeCount = IsChunk ? m_now.NodeCount : 0,
+                NodeCount = IsChunk ? m_state.NodeCount : 0,
                 PointCount = points,
                 TableOffset = File.Length,
                 CloudId = CloudId,
             };
             var table = IsChunk ? File : Table;
             int tableStart = table.Length;
-            table.AddRange(nodes, m_now.NodeCount * sizeof(NodeRecord));
-            table.AddRange(ranges, m_now.NodeCount * planes * sizeof(PlaneRange));
+            table.AddRange(nodes, m_state.NodeCount * sizeof(NodeRecord));
+            table.AddRange(ranges, m_state.NodeCount * planes * sizeof(PlaneRange));
             if (IsChunk)
                 header.TableHash = ContentHash.Of(table.GetUnsafePtr() + tableStart, table.Length - tableStart);
             header.FileBytes = File.Length;
@@ -339,7 +339,7 @@ namespace FastPoints.Nodes
             long points = 0;
             for (int r = 0; r < runCount; r++)
                 points += runs[r].Count;
-            if (m_now.Plane == 0)
+            if (m_state.Plane == 0)
             {
                 WritePositions(planeNode, nodes, ranges, runs, nodeOfRun, runCount);
                 m_budget -= points * CostOfPlace;
@@ -359,18 +359,18 @@ namespace FastPoints.Nodes
                 SetBounds(ref nodes[nodeOfRun[r]], nodes[planeNode].Corner, min + 3 * r, max + 3 * r);
             UnsafeUtility.Free(max, Allocator.Temp);
             UnsafeUtility.Free(min, Allocator.Temp);
-            m_now.HasAverages = HasAverages(runs, runCount);
-            m_now.AveragedColumn = 0;
-            m_now.Plane = 1;
+            m_state.HasAverages = HasAverages(runs, runCount);
+            m_state.AveragedColumn = 0;
+            m_state.Plane = 1;
         }
 
         void WriteAttributes(PlaneRange* ranges, PackedRun* runs, int runCount, long points)
         {
-            for (; m_now.Plane <= Shapes.Length && m_budget > 0; m_now.Plane++)
+            for (; m_state.Plane <= Shapes.Length && m_budget > 0; m_state.Plane++)
             {
-                int p = m_now.Plane - 1;
+                int p = m_state.Plane - 1;
                 // If every point represents only itself, the averages are the values: the same bytes.
-                if (AverageOf[p] >= 0 && !m_now.HasAverages)
+                if (AverageOf[p] >= 0 && !m_state.HasAverages)
                 {
                     ranges[p + 1] = ranges[AverageOf[p] + 1];
                     continue;
@@ -378,8 +378,8 @@ namespace FastPoints.Nodes
                 m_budget -= points * CostOf(p);
                 if (AverageOf[p] >= 0)
                 {
-                    ranges[p + 1] = m_packer.WriteAverages(File, runs, runCount, Shapes[p], Averaged, m_now.AveragedColumn);
-                    m_now.AveragedColumn += Shapes[p].ColumnCount;
+                    ranges[p + 1] = m_packer.WriteAverages(File, runs, runCount, Shapes[p], Averaged, m_state.AveragedColumn);
+                    m_state.AveragedColumn += Shapes[p].ColumnCount;
                 }
                 else
                 {
@@ -387,8 +387,8 @@ namespace FastPoints.Nodes
                 }
                 BytesOfPlane[p + 1] += ranges[p + 1].LengthBytes;
             }
-            if (m_now.Plane > Shapes.Length)
-                m_now.Plane = 0;
+            if (m_state.Plane > Shapes.Length)
+                m_state.Plane = 0;
         }
 
         int CostOf(int plane) => AverageOf[plane] >= 0 ? CostOfAverage : Shapes[plane].ColumnCount;

@@ -80,7 +80,7 @@ namespace FastPoints.Nodes
         public SliceTimes Slices;
 
         [NativeDisableUnsafePtrRestriction] byte* m_records;
-        OrderScratch.State m_now;
+        OrderScratch.State m_state;
         long m_budget;
 
         public void Execute()
@@ -128,60 +128,60 @@ namespace FastPoints.Nodes
 
         void Run()
         {
-            m_now = Scratch.Progress.Value;
+            m_state = Scratch.Progress.Value;
             m_budget = CostPerSlice;
             m_records = (byte*)Records.GetUnsafePtr();
-            if (m_now.Stage == Stage.Start)
+            if (m_state.Stage == Stage.Start)
                 Start();
-            if (m_now.Stage == Stage.Touch)
+            if (m_state.Stage == Stage.Touch)
                 Touch();
-            if (m_now.Stage == Stage.Count)
+            if (m_state.Stage == Stage.Count)
                 CountBuckets();
-            if (m_now.Stage == Stage.Distribute)
+            if (m_state.Stage == Stage.Distribute)
                 Distribute();
-            while (m_budget > 0 && m_now.Stage < Stage.Done)
+            while (m_budget > 0 && m_state.Stage < Stage.Done)
             {
-                if (m_now.Stage == Stage.Keys)
+                if (m_state.Stage == Stage.Keys)
                     MakeKeys();
-                else if (m_now.Stage == Stage.Sort)
+                else if (m_state.Stage == Stage.Sort)
                     SortBucket();
                 else
                     Emit();
             }
-            Scratch.Progress.Value = m_now;
+            Scratch.Progress.Value = m_state;
         }
 
         void Start()
         {
             UnsafeUtility.MemClear(Scratch.FirstOfBucket.GetUnsafePtr(), (MaxBuckets + 1) * sizeof(int));
             Checksum.Value = 0;
-            m_now = new OrderScratch.State { Stage = Stage.Touch, Page = Pages.First };
+            m_state = new OrderScratch.State { Stage = Stage.Touch, Page = Pages.First };
         }
 
         /// <summary>The system makes memory when it is written for the first time. Records come in no order: without this, nearly
         /// all of it would be made in one slice.</summary>
         void Touch()
         {
-            for (; m_now.Touched < Bytes; m_now.Touched += TouchedBytes, m_budget -= CostOfTouch)
+            for (; m_state.Touched < Bytes; m_state.Touched += TouchedBytes, m_budget -= CostOfTouch)
             {
                 if (m_budget <= 0)
                     return;
-                m_records[m_now.Touched] = 0;
+                m_records[m_state.Touched] = 0;
             }
-            m_now.Stage = Stage.Count;
+            m_state.Stage = Stage.Count;
         }
 
         void CountBuckets()
         {
             int shift = Cube.SideLog2 - BucketLevels, stride = Layout.StrideBytes;
             var countOfBucket = (int*)Scratch.FirstOfBucket.GetUnsafePtr();
-            var bucketOf = (uint*)BucketOfPoint.GetUnsafePtr() + m_now.Point;
-            for (; m_now.Page != null; m_now.Page = m_now.Page->Next)
+            var bucketOf = (uint*)BucketOfPoint.GetUnsafePtr() + m_state.Point;
+            for (; m_state.Page != null; m_state.Page = m_state.Page->Next)
             {
                 if (m_budget <= 0)
                     return;
-                byte* record = RecordPages.RecordsOf(m_now.Page);
-                int count = m_now.Page->Count;
+                byte* record = RecordPages.RecordsOf(m_state.Page);
+                int count = m_state.Page->Count;
                 if (IsNarrow)
                     FindBuckets(record, count, shift, bucketOf);
                 for (int i = 0; i < count; i++, record += stride)
@@ -191,7 +191,7 @@ namespace FastPoints.Nodes
                     countOfBucket[bucketOf[i]]++;
                 }
                 bucketOf += count;
-                m_now.Point += count;
+                m_state.Point += count;
                 m_budget -= (long)count * CostOfCount;
             }
             int sum = 0;
@@ -201,7 +201,7 @@ namespace FastPoints.Nodes
                 countOfBucket[b] = sum;
                 sum += with;
             }
-            m_now = new OrderScratch.State { Stage = Stage.Distribute, Page = Pages.First };
+            m_state = new OrderScratch.State { Stage = Stage.Distribute, Page = Pages.First };
         }
 
         void FindBuckets(byte* records, int count, int shift, uint* bucketOf)
@@ -227,64 +227,64 @@ namespace FastPoints.Nodes
         {
             int stride = Layout.StrideBytes;
             var next = (int*)Scratch.FirstOfBucket.GetUnsafePtr();
-            var bucketOf = (uint*)BucketOfPoint.GetUnsafePtr() + m_now.Point;
-            for (; m_now.Page != null; m_now.Page = m_now.Page->Next)
+            var bucketOf = (uint*)BucketOfPoint.GetUnsafePtr() + m_state.Point;
+            for (; m_state.Page != null; m_state.Page = m_state.Page->Next)
             {
                 if (m_budget <= 0)
                     return;
-                byte* record = RecordPages.RecordsOf(m_now.Page);
-                int count = m_now.Page->Count;
+                byte* record = RecordPages.RecordsOf(m_state.Page);
+                int count = m_state.Page->Count;
                 for (int i = 0; i < count; i++, record += stride)
                     RecordLayout.Copy(record, m_records + (long)next[bucketOf[i]]++ * stride, stride);
                 bucketOf += count;
-                m_now.Point += count;
+                m_state.Point += count;
                 m_budget -= (long)count * CostOfMove;
             }
             // Each start has moved to its end, which is the start of the next one.
             for (int b = MaxBuckets; b > 0; b--)
                 next[b] = next[b - 1];
             next[0] = 0;
-            m_now = new OrderScratch.State { Stage = Stage.Keys };
+            m_state = new OrderScratch.State { Stage = Stage.Keys };
         }
 
         /// <summary>Copies some records of the next bucket that has any, and makes their keys.</summary>
         void MakeKeys()
         {
             var start = (int*)Scratch.FirstOfBucket.GetUnsafePtr();
-            while (m_now.Bucket < MaxBuckets && start[m_now.Bucket] == start[m_now.Bucket + 1])
-                m_now.Bucket++;
-            if (m_now.Bucket == MaxBuckets)
+            while (m_state.Bucket < MaxBuckets && start[m_state.Bucket] == start[m_state.Bucket + 1])
+                m_state.Bucket++;
+            if (m_state.Bucket == MaxBuckets)
             {
                 Scratch.Trim();
-                m_now.Stage = Stage.Done;
+                m_state.Stage = Stage.Done;
                 return;
             }
-            int first = start[m_now.Bucket], count = start[m_now.Bucket + 1] - first, stride = Layout.StrideBytes;
-            if (m_now.Point == 0)
+            int first = start[m_state.Bucket], count = start[m_state.Bucket + 1] - first, stride = Layout.StrideBytes;
+            if (m_state.Point == 0)
             {
                 Scratch.Reserve(count, stride);
-                m_now.AnyBits = 0;
-                m_now.CommonBits = ulong.MaxValue;
+                m_state.AnyBits = 0;
+                m_state.CommonBits = ulong.MaxValue;
             }
             int numberBits = NumberBitsOf(count), shift = Cube.SideLog2 - Levels, restBits = 3 * (Levels - BucketLevels);
             int dropped = math.max(0, restBits + numberBits - 64);
-            ulong mask = (1UL << restBits) - 1, or = m_now.AnyBits, and = m_now.CommonBits;
+            ulong mask = (1UL << restBits) - 1, or = m_state.AnyBits, and = m_state.CommonBits;
             ulong* keys = Scratch.Keys.GetUnsafePtr();
             uint* x = stackalloc uint[PointsOfRun];
             uint* y = stackalloc uint[PointsOfRun];
             uint* z = stackalloc uint[PointsOfRun];
-            for (; m_now.Point < count && m_budget > 0; m_now.Point += PointsOfRun)
+            for (; m_state.Point < count && m_budget > 0; m_state.Point += PointsOfRun)
             {
-                int end = math.min(count, m_now.Point + PointsOfRun);
-                byte* record = Scratch.Bucket.GetUnsafePtr() + (long)m_now.Point * stride;
-                UnsafeUtility.MemCpy(record, m_records + (long)(first + m_now.Point) * stride,
-                    (long)(end - m_now.Point) * stride);
+                int end = math.min(count, m_state.Point + PointsOfRun);
+                byte* record = Scratch.Bucket.GetUnsafePtr() + (long)m_state.Point * stride;
+                UnsafeUtility.MemCpy(record, m_records + (long)(first + m_state.Point) * stride,
+                    (long)(end - m_state.Point) * stride);
                 if (IsNarrow)
                 {
-                    Layout.LoadPositions(record, end - m_now.Point, x, y, z);
-                    Morton.Encode(x, y, z, end - m_now.Point, new MortonCells(CornerOffset, shift), keys + m_now.Point);
+                    Layout.LoadPositions(record, end - m_state.Point, x, y, z);
+                    Morton.Encode(x, y, z, end - m_state.Point, new MortonCells(CornerOffset, shift), keys + m_state.Point);
                 }
-                for (int i = m_now.Point; i < end; i++, record += stride)
+                for (int i = m_state.Point; i < end; i++, record += stride)
                 {
                     ulong key = IsNarrow ? keys[i] : CodeOf(record, shift);
                     key = (key & mask) >> dropped << numberBits | (uint)i;
@@ -294,16 +294,16 @@ namespace FastPoints.Nodes
                 }
                 m_budget -= PointsOfRun * CostOfKey;
             }
-            m_now.AnyBits = or;
-            m_now.CommonBits = and;
-            if (m_now.Point >= count)
-                m_now.Stage = Stage.Sort;
+            m_state.AnyBits = or;
+            m_state.CommonBits = and;
+            if (m_state.Point >= count)
+                m_state.Stage = Stage.Sort;
         }
 
         void SortBucket()
         {
             var start = (int*)Scratch.FirstOfBucket.GetUnsafePtr();
-            int count = start[m_now.Bucket + 1] - start[m_now.Bucket];
+            int count = start[m_state.Bucket + 1] - start[m_state.Bucket];
             // One that takes longer than is left has a slice of its own.
             long cost = (long)count * CostOfSort;
             if (cost > m_budget && m_budget < CostPerSlice)
@@ -312,9 +312,9 @@ namespace FastPoints.Nodes
                 return;
             }
             ulong* keys = Scratch.Keys.GetUnsafePtr();
-            m_now.IsSwapped = Sort(keys, keys + count, count);
-            m_now.Point = 0;
-            m_now.Stage = Stage.Emit;
+            m_state.IsSwapped = Sort(keys, keys + count, count);
+            m_state.Point = 0;
+            m_state.Stage = Stage.Emit;
             m_budget -= cost;
         }
 
@@ -323,7 +323,7 @@ namespace FastPoints.Nodes
         {
             int numberBits = NumberBitsOf(count);
             ulong numberMask = (1UL << numberBits) - 1;
-            int top = 64 - math.lzcnt((m_now.AnyBits ^ m_now.CommonBits) & ~numberMask);
+            int top = 64 - math.lzcnt((m_state.AnyBits ^ m_state.CommonBits) & ~numberMask);
             int digit = count < FewPoints ? ShortDigitBits : LongDigitBits;
             // Two long digits, or three short ones, leave few records of one prefix.
             int prefix = count <= InsertedPoints ? top : math.max(numberBits, top - (count < FewPoints ? 3 : 2) * digit);
@@ -348,10 +348,10 @@ namespace FastPoints.Nodes
         void Emit()
         {
             var start = (int*)Scratch.FirstOfBucket.GetUnsafePtr();
-            int first = start[m_now.Bucket], count = start[m_now.Bucket + 1] - first;
+            int first = start[m_state.Bucket], count = start[m_state.Bucket + 1] - first;
             int stride = Layout.StrideBytes;
             ulong numberMask = (1UL << NumberBitsOf(count)) - 1;
-            ulong* sorted = Scratch.Keys.GetUnsafePtr() + (m_now.IsSwapped ? count : 0);
+            ulong* sorted = Scratch.Keys.GetUnsafePtr() + (m_state.IsSwapped ? count : 0);
             byte* records = Scratch.Bucket.GetUnsafePtr();
             var inputs = new SampleInputs
             {
@@ -359,21 +359,21 @@ namespace FastPoints.Nodes
                 Priority = (uint*)Priority.GetUnsafePtr(),
             };
             ulong sum = Checksum.Value;
-            for (; m_now.Point < count && m_budget > 0; m_now.Point += PointsOfRun)
+            for (; m_state.Point < count && m_budget > 0; m_state.Point += PointsOfRun)
             {
-                int end = math.min(count, m_now.Point + PointsOfRun);
-                byte* to = m_records + (long)(first + m_now.Point) * stride;
-                for (int i = m_now.Point; i < end; i++, to += stride)
+                int end = math.min(count, m_state.Point + PointsOfRun);
+                byte* to = m_records + (long)(first + m_state.Point) * stride;
+                for (int i = m_state.Point; i < end; i++, to += stride)
                     RecordLayout.Copy(records + (long)(sorted[i] & numberMask) * stride, to, stride);
-                sum += inputs.Prepare(m_records, first + m_now.Point, first + end, Layout, Cube.Corner);
+                sum += inputs.Prepare(m_records, first + m_state.Point, first + end, Layout, Cube.Corner);
                 m_budget -= PointsOfRun * CostOfEmit;
             }
             Checksum.Value = sum;
-            if (m_now.Point < count)
+            if (m_state.Point < count)
                 return;
-            m_now.Bucket++;
-            m_now.Point = 0;
-            m_now.Stage = Stage.Keys;
+            m_state.Bucket++;
+            m_state.Point = 0;
+            m_state.Stage = Stage.Keys;
         }
 
         /// <returns>Whether it was done: it gives up where many are far from their place.</returns>

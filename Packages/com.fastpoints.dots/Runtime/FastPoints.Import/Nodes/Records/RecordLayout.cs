@@ -21,7 +21,7 @@ namespace FastPoints.Nodes
         /// <summary>The corner that narrow positions count from; zero if wide.</summary>
         public Grid3 Base;
 
-        /// <summary>Bytes of the attributes, padded.</summary>
+        /// <summary>Padded to whole 32-bit words.</summary>
         public int AttributeBytes;
 
         /// <summary>Bytes of a <see cref="PointAverage"/> after the attributes, or 0: the tops of chunks have it if colours are

@@ -18,17 +18,17 @@ namespace FastPoints.Nodes
         /// <summary>Takes the best candidate of each cell, without a branch that depends on the points.</summary>
         void ChooseCells()
         {
-            ref var range = ref Scratch.Ranges.ElementAt(m_now.Range);
+            ref var range = ref Scratch.Ranges.ElementAt(m_state.Range);
             int* offered = Scratch.Offered.GetUnsafePtr();
             byte* offeredCommon = Scratch.OfferedCommon.GetUnsafePtr();
-            int cell = m_now.Cell, to = range.First + m_now.Taken - 1;
+            int cell = m_state.Cell, to = range.First + m_state.Taken - 1;
             int commonOfCell = to < range.First ? 0 : offeredCommon[to];
-            long best = m_now.Best;
-            while (m_now.Part < range.FirstPart + range.PartCount && m_budget > 0)
+            long best = m_state.Best;
+            while (m_state.Part < range.FirstPart + range.PartCount && m_budget > 0)
             {
-                var part = Scratch.Ranges[m_now.Part];
-                int first = part.First, end = Spend(m_now.Candidate, part.OfferedCount, CostOfCandidate);
-                for (int k = first + m_now.Candidate; k < first + end; k++)
+                var part = Scratch.Ranges[m_state.Part];
+                int first = part.First, end = Spend(m_state.Candidate, part.OfferedCount, CostOfCandidate);
+                for (int k = first + m_state.Candidate; k < first + end; k++)
                 {
                     int point = part.OffersAll ? k : offered[k], common = part.OffersAll ? m_common[k] : offeredCommon[k];
                     int isNew = cell - common >> 31;
@@ -40,67 +40,67 @@ namespace FastPoints.Nodes
                     offered[to] = PointOf(best);
                     offeredCommon[to] = (byte)commonOfCell;
                 }
-                m_now.Candidate = end;
+                m_state.Candidate = end;
                 if (end < part.OfferedCount)
                     break;
-                m_now.Part++;
-                m_now.Candidate = 0;
+                m_state.Part++;
+                m_state.Candidate = 0;
             }
-            m_now.Best = best;
-            m_now.Taken = to + 1 - range.First;
-            if (m_now.Part < range.FirstPart + range.PartCount)
+            m_state.Best = best;
+            m_state.Taken = to + 1 - range.First;
+            if (m_state.Part < range.FirstPart + range.PartCount)
                 return;
             EndRange(ref range);
         }
 
         void EndRange(ref SampledRange range)
         {
-            if (!m_now.IsFixing)
+            if (!m_state.IsFixing)
             {
-                range.Offered = m_now.Taken;
+                range.Offered = m_state.Taken;
                 int* offered = Scratch.Offered.GetUnsafePtr();
-                for (int k = range.First; k < range.First + m_now.Taken; k++)
-                    m_rangeOfPoint[offered[k]] = m_now.Range;
-                m_budget -= (long)m_now.Taken * CostOfLook;
+                for (int k = range.First; k < range.First + m_state.Taken; k++)
+                    m_rangeOfPoint[offered[k]] = m_state.Range;
+                m_budget -= (long)m_state.Taken * CostOfLook;
             }
-            BeginRange(m_now.Range);
+            BeginRange(m_state.Range);
         }
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         Grid3 PositionAt(int point) => Layout.PositionOf(m_records + (long)point * Layout.StrideBytes) - Corner;
 
-        DartGrid Grid => Scratch.Grid.For(m_now.Cell, Averaged.IsOn);
+        DartGrid Grid => Scratch.Grid.For(m_state.Cell, Averaged.IsOn);
 
         void Gather()
         {
-            ref var range = ref Scratch.Ranges.ElementAt(m_now.Range);
-            int endPart = m_now.IsFixing ? m_now.Range + 1 : range.FirstPart + range.PartCount;
+            ref var range = ref Scratch.Ranges.ElementAt(m_state.Range);
+            int endPart = m_state.IsFixing ? m_state.Range + 1 : range.FirstPart + range.PartCount;
             var grid = Grid;
             int* offered = Scratch.Offered.GetUnsafePtr();
-            while (m_now.Part < endPart)
+            while (m_state.Part < endPart)
             {
-                var part = Scratch.Ranges[m_now.Part];
-                int end = Spend(m_now.Candidate, part.OfferedCount, CostOfGather), darts = m_now.Darts;
+                var part = Scratch.Ranges[m_state.Part];
+                int end = Spend(m_state.Candidate, part.OfferedCount, CostOfGather), darts = m_state.Darts;
                 // Room for all that may come.
-                ReserveDarts(darts + end - m_now.Candidate);
+                ReserveDarts(darts + end - m_state.Candidate);
                 long strip = FaceStrip;
                 ulong* dartList = Scratch.Darts.GetUnsafePtr();
                 int* points = Scratch.PointOfDart.GetUnsafePtr();
-                for (; m_now.Candidate < end; m_now.Candidate++)
+                for (; m_state.Candidate < end; m_state.Candidate++)
                 {
-                    int point = part.OffersAll ? part.First + m_now.Candidate : offered[part.First + m_now.Candidate];
-                    if (m_rangeOfPoint[point] < 0 && !m_now.IsFixing)
+                    int point = part.OffersAll ? part.First + m_state.Candidate : offered[part.First + m_state.Candidate];
+                    if (m_rangeOfPoint[point] < 0 && !m_state.IsFixing)
                         continue;
                     var place = PositionAt(point);
                     var tile = grid.TileOf(place);
                     if (darts == 0)
                     {
-                        m_now.Tile = tile;
+                        m_state.Tile = tile;
                     }
-                    else if ((tile.X ^ m_now.Tile.X | tile.Y ^ m_now.Tile.Y | tile.Z ^ m_now.Tile.Z) != 0)
+                    else if ((tile.X ^ m_state.Tile.X | tile.Y ^ m_state.Tile.Y | tile.Z ^ m_state.Tile.Z) != 0)
                     {
-                        m_now.Darts = darts;
-                        m_budget += (long)(end - m_now.Candidate) * CostOfGather;
+                        m_state.Darts = darts;
+                        m_budget += (long)(end - m_state.Candidate) * CostOfGather;
                         BeginThrows();
                         return;
                     }
@@ -108,15 +108,15 @@ namespace FastPoints.Nodes
                     dartList[darts] = grid.DartOf(place, PoissonPriority.ClassOf(m_priority[point]) + last);
                     points[darts++] = point;
                 }
-                m_now.Darts = darts;
+                m_state.Darts = darts;
                 if (end < part.OfferedCount)
                     return;
-                m_now.Part++;
-                m_now.Candidate = 0;
-                if (m_budget <= 0 && m_now.Part < endPart)
+                m_state.Part++;
+                m_state.Candidate = 0;
+                if (m_budget <= 0 && m_state.Part < endPart)
                     return;
             }
-            if (m_now.Darts > 0)
+            if (m_state.Darts > 0)
                 BeginThrows();
             else
                 EndRange(ref range);
@@ -126,7 +126,7 @@ namespace FastPoints.Nodes
         /// face. So what is within half a spacing of a face is tried last, and taken only if no sample is near, and none is near
         /// to where it is when moved inward by 7/8 of the spacing: 0.1 %. A surface along a face keeps its points.</summary>
         long FaceStrip =>
-            Tops.Length > 0 || m_now.Cell + DartGrid.TileSpacingsLog2 > RootSideLog2 ? 0 : 1L << m_now.Cell >> 1;
+            Tops.Length > 0 || m_state.Cell + DartGrid.TileSpacingsLog2 > RootSideLog2 ? 0 : 1L << m_state.Cell >> 1;
 
         bool IsAtFace(in Grid3 place, long strip)
         {
@@ -159,16 +159,16 @@ namespace FastPoints.Nodes
             UnsafeUtility.MemClear(next, (PoissonPriority.ClassesWithFaces + 1) * sizeof(int));
             ulong* darts = Scratch.Darts.GetUnsafePtr();
             int* order = Scratch.Order.GetUnsafePtr();
-            for (int k = 0; k < m_now.Darts; k++)
+            for (int k = 0; k < m_state.Darts; k++)
                 next[DartGrid.ClassOf(darts[k]) + 1]++;
             for (int c = 1; c <= PoissonPriority.ClassesWithFaces; c++)
                 next[c] += next[c - 1];
-            for (int k = 0; k < m_now.Darts; k++)
+            for (int k = 0; k < m_state.Darts; k++)
                 order[next[DartGrid.ClassOf(darts[k])]++] = k;
-            Grid.BeginTile(m_now.Tile);
+            Grid.BeginTile(m_state.Tile);
             m_budget -= CostOfTile;
-            m_now.Dart = 0;
-            m_now.Stage = Stage.Throw;
+            m_state.Dart = 0;
+            m_state.Stage = Stage.Throw;
         }
 
         void Throw()
@@ -176,21 +176,21 @@ namespace FastPoints.Nodes
             var grid = Grid;
             ulong* darts = Scratch.Darts.GetUnsafePtr();
             int* order = Scratch.Order.GetUnsafePtr(), points = Scratch.PointOfDart.GetUnsafePtr();
-            int end = Spend(m_now.Dart, m_now.Darts, CostOfDart), taken = m_now.Taken;
-            int max = m_now.IsFixing ? int.MaxValue : Sizes.MaxPointsPerNode;
-            for (int d = m_now.Dart; d < end && taken < max; d++)
+            int end = Spend(m_state.Dart, m_state.Darts, CostOfDart), taken = m_state.Taken;
+            int max = m_state.IsFixing ? int.MaxValue : Sizes.MaxPointsPerNode;
+            for (int d = m_state.Dart; d < end && taken < max; d++)
             {
                 int dart = order[d];
-                if (!m_now.IsFixing && (grid.IsNear(darts[dart]) || DartGrid.ClassOf(darts[dart]) >= PoissonPriority.Classes &&
+                if (!m_state.IsFixing && (grid.IsNear(darts[dart]) || DartGrid.ClassOf(darts[dart]) >= PoissonPriority.Classes &&
                     grid.IsNear(grid.DartOf(Inward(PositionAt(points[dart])), 0))))
                     continue;
-                grid.Add(darts[dart], m_now.IsFixing ? -1 : points[dart]);
+                grid.Add(darts[dart], m_state.IsFixing ? -1 : points[dart]);
                 darts[dart] |= DartGrid.TakenFlag;
                 taken++;
             }
-            m_now.Dart = end;
-            m_now.Taken = taken;
-            if (end < m_now.Darts)
+            m_state.Dart = end;
+            m_state.Taken = taken;
+            if (end < m_state.Darts)
                 return;
             EndTile(points, darts);
         }
@@ -198,19 +198,19 @@ namespace FastPoints.Nodes
         /// <summary>Offers what was taken, along the curve.</summary>
         void EndTile(int* points, ulong* darts)
         {
-            Grid.EndTile(m_now.Tile);
-            if (!m_now.IsFixing)
+            Grid.EndTile(m_state.Tile);
+            if (!m_state.IsFixing)
             {
                 int count = 0;
-                for (int k = 0; k < m_now.Darts; k++)
+                for (int k = 0; k < m_state.Darts; k++)
                     count += (int)(darts[k] >> 63);
-                int* to = Scratch.Offered.GetUnsafePtr() + Scratch.Ranges[m_now.Range].First + m_now.Taken - count;
-                for (int k = 0; k < m_now.Darts; k++)
+                int* to = Scratch.Offered.GetUnsafePtr() + Scratch.Ranges[m_state.Range].First + m_state.Taken - count;
+                for (int k = 0; k < m_state.Darts; k++)
                     if (darts[k] >= DartGrid.TakenFlag)
                         *to++ = points[k];
             }
-            m_now.Darts = 0;
-            m_now.Stage = Stage.Gather;
+            m_state.Darts = 0;
+            m_state.Stage = Stage.Gather;
         }
 
         /// <summary>Begins the next range whose points were no candidates of this spacing and will be of a wider one, or what
@@ -222,9 +222,9 @@ namespace FastPoints.Nodes
             {
                 if (!IsOutsideSpacing(ranges, number))
                     continue;
-                m_now.Range = number;
-                m_now.Candidate = m_now.Darts = 0;
-                m_now.Stage = Stage.Bar;
+                m_state.Range = number;
+                m_state.Candidate = m_state.Darts = 0;
+                m_state.Stage = Stage.Bar;
                 return;
             }
             BeginAverages(-1);
@@ -233,9 +233,9 @@ namespace FastPoints.Nodes
         bool IsOutsideSpacing(SampledRange* ranges, int number)
         {
             ref var range = ref ranges[number];
-            bool isSampled = range.Kind == RangeKind.Sampled && range.CellLog2 >= m_now.Cell;
-            if (isSampled || range.Kind == RangeKind.Passed || range.Parent < 0 || ranges[range.Parent].CellLog2 <= m_now.Cell ||
-                IsFixed(ranges, number))
+            bool isSampled = range.Kind == RangeKind.Sampled && range.CellLog2 >= m_state.Cell;
+            if (isSampled || range.Kind == RangeKind.Passed || range.Parent < 0 ||
+                ranges[range.Parent].CellLog2 <= m_state.Cell || IsFixed(ranges, number))
                 return false;
             m_budget -= Scratch.Ranges.Length;
             for (int r = 0; r < Scratch.Ranges.Length; r++)
@@ -247,7 +247,7 @@ namespace FastPoints.Nodes
         /// <summary>Whether the cubes of two ranges are no farther apart than the spacing.</summary>
         bool IsWithinSpacing(in SampledRange a, in SampledRange b)
         {
-            long near = 1L << m_now.Cell, wholeA = -1L << a.SideLog2, wholeB = -1L << b.SideLog2;
+            long near = 1L << m_state.Cell, wholeA = -1L << a.SideLog2, wholeB = -1L << b.SideLog2;
             Grid3 p = PositionAt(a.First), q = PositionAt(b.First);
             return IsWithin((p.X & wholeA) - (q.X & wholeB), near, ~wholeA, ~wholeB) &&
                 IsWithin((p.Y & wholeA) - (q.Y & wholeB), near, ~wholeA, ~wholeB) &&
@@ -260,24 +260,24 @@ namespace FastPoints.Nodes
         /// had points too near to points of nodes below.</summary>
         void BarPoints()
         {
-            var range = Scratch.Ranges[m_now.Range];
+            var range = Scratch.Ranges[m_state.Range];
             var grid = Grid;
-            for (; m_now.Candidate < range.OfferedCount && m_budget > 0; m_now.Candidate++)
+            for (; m_state.Candidate < range.OfferedCount && m_budget > 0; m_state.Candidate++)
             {
                 m_budget -= CostOfBar;
-                int i = range.First + m_now.Candidate;
+                int i = range.First + m_state.Candidate;
                 i = range.OffersAll ? i : Scratch.Offered[i];
                 var place = PositionAt(i);
                 var tile = grid.TileOf(place);
-                if (m_now.Darts == 0 || (tile.X ^ m_now.Tile.X | tile.Y ^ m_now.Tile.Y | tile.Z ^ m_now.Tile.Z) != 0)
-                    m_now.IsEmpty = !grid.BeginTile(tile);
-                m_now.Tile = tile;
-                m_now.Darts = 1;
-                if (!m_now.IsEmpty && m_rangeOfPoint[i] >= 0 && grid.IsNear(grid.DartOf(place, 0)))
-                    m_rangeOfPoint[i] = ~m_now.Range;
+                if (m_state.Darts == 0 || (tile.X ^ m_state.Tile.X | tile.Y ^ m_state.Tile.Y | tile.Z ^ m_state.Tile.Z) != 0)
+                    m_state.IsEmpty = !grid.BeginTile(tile);
+                m_state.Tile = tile;
+                m_state.Darts = 1;
+                if (!m_state.IsEmpty && m_rangeOfPoint[i] >= 0 && grid.IsNear(grid.DartOf(place, 0)))
+                    m_rangeOfPoint[i] = ~m_state.Range;
             }
-            if (m_now.Candidate == range.OfferedCount)
-                BeginBar(m_now.Range);
+            if (m_state.Candidate == range.OfferedCount)
+                BeginBar(m_state.Range);
         }
     }
 

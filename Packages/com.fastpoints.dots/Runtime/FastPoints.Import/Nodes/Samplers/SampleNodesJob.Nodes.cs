@@ -15,17 +15,17 @@ namespace FastPoints.Nodes
         /// <summary>Begins the averages of the next range of the current spacing, or the next spacing.</summary>
         void BeginAverages(int number)
         {
-            m_now.Stage = Stage.NextSpacing;
+            m_state.Stage = Stage.NextSpacing;
             if (!Averaged.IsOn)
                 return;
             for (number++; number < Scratch.Ranges.Length; number++)
             {
                 if (!IsOfSpacing(Scratch.Ranges[number]))
                     continue;
-                m_now.Range = number;
-                m_now.Point = Scratch.Ranges[number].First;
-                m_now.Darts = 0;
-                m_now.Stage = Stage.Average;
+                m_state.Range = number;
+                m_state.Point = Scratch.Ranges[number].First;
+                m_state.Darts = 0;
+                m_state.Stage = Stage.Average;
                 return;
             }
         }
@@ -33,26 +33,26 @@ namespace FastPoints.Nodes
         /// <summary>Adds what each candidate that was not taken represents to the nearest sample.</summary>
         void AddToAverages()
         {
-            var range = Scratch.Ranges[m_now.Range];
+            var range = Scratch.Ranges[m_state.Range];
             var grid = Grid;
-            for (; m_now.Point < range.End && m_budget > 0; m_now.Point++)
+            for (; m_state.Point < range.End && m_budget > 0; m_state.Point++)
             {
-                int i = m_now.Point, own = RangeOf(i);
+                int i = m_state.Point, own = RangeOf(i);
                 m_budget -= CostOfAverageLook;
-                if (own == m_now.Range || Scratch.Ranges[own].Parent != m_now.Range)
+                if (own == m_state.Range || Scratch.Ranges[own].Parent != m_state.Range)
                     continue;
                 m_budget -= CostOfAverage;
                 var place = PositionAt(i);
                 var tile = grid.TileOf(place);
-                if (m_now.Darts == 0 || (tile.X ^ m_now.Tile.X | tile.Y ^ m_now.Tile.Y | tile.Z ^ m_now.Tile.Z) != 0)
+                if (m_state.Darts == 0 || (tile.X ^ m_state.Tile.X | tile.Y ^ m_state.Tile.Y | tile.Z ^ m_state.Tile.Z) != 0)
                     grid.BeginTile(tile);
-                m_now.Tile = tile;
-                m_now.Darts = 1;
+                m_state.Tile = tile;
+                m_state.Darts = 1;
                 if (grid.Nearest(grid.DartOf(place, 0), out int nearest) && nearest >= 0)
                     AddAverage(i, nearest);
             }
-            if (m_now.Point == range.End)
-                BeginAverages(m_now.Range);
+            if (m_state.Point == range.End)
+                BeginAverages(m_state.Range);
         }
 
         void AddAverage(int from, int to)
@@ -74,16 +74,16 @@ namespace FastPoints.Nodes
         void CountPoints()
         {
             var ranges = Scratch.Ranges.GetUnsafePtr();
-            int end = Spend(m_now.Point, Count, CostOfLook);
-            for (int i = m_now.Point; i < end; i++)
+            int end = Spend(m_state.Point, Count, CostOfLook);
+            for (int i = m_state.Point; i < end; i++)
                 ranges[RangeOf(i)].Count++;
-            m_now.Point = end;
+            m_state.Point = end;
             if (end < Count)
                 return;
             for (int r = 0; r < Scratch.Ranges.Length; r++)
                 AddNodes(ref ranges[r], ranges);
-            m_now.Point = 0;
-            m_now.Stage = Stage.Renumber;
+            m_state.Point = 0;
+            m_state.Stage = Stage.Renumber;
         }
 
         void AddNodes(ref SampledRange range, SampledRange* ranges)
@@ -123,17 +123,17 @@ namespace FastPoints.Nodes
         void Renumber()
         {
             var ranges = Scratch.Ranges.GetUnsafePtr();
-            int end = Spend(m_now.Point, Count, CostOfLook);
-            for (int i = m_now.Point; i < end; i++)
+            int end = Spend(m_state.Point, Count, CostOfLook);
+            for (int i = m_state.Point; i < end; i++)
             {
                 ref var range = ref ranges[RangeOf(i)];
                 m_rangeOfPoint[i] = range.Node;
                 if (range.Kind == RangeKind.Chain)
                     m_rangeOfPoint[i] += range.Offered++ / Sizes.MaxPointsPerNode;
             }
-            m_now.Point = end;
+            m_state.Point = end;
             if (end == Count)
-                m_now.Stage = Stage.Done;
+                m_state.Stage = Stage.Done;
         }
 
         /// <summary>Whether a chunk has nodes below its top, if the points are tops.</summary>

@@ -85,7 +85,7 @@ namespace FastPoints.Nodes
         [NativeDisableUnsafePtrRestriction] int* m_rangeOfPoint;
         [NativeDisableUnsafePtrRestriction] byte* m_common;
         [NativeDisableUnsafePtrRestriction] uint* m_priority;
-        SampleScratch.State m_now;
+        SampleScratch.State m_state;
         long m_budget;
 
         public void Execute()
@@ -99,15 +99,15 @@ namespace FastPoints.Nodes
 
         void Run()
         {
-            m_now = Scratch.Progress.Value;
+            m_state = Scratch.Progress.Value;
             m_records = (byte*)Records.GetUnsafeReadOnlyPtr();
             m_rangeOfPoint = (int*)NodeOfPoint.GetUnsafePtr();
             m_common = (byte*)CommonCubeLog2.GetUnsafeReadOnlyPtr();
             m_priority = (uint*)Priority.GetUnsafeReadOnlyPtr();
             m_budget = CostPerSlice;
-            while (m_budget > 0 && m_now.Stage != Stage.Done)
+            while (m_budget > 0 && m_state.Stage != Stage.Done)
             {
-                switch (m_now.Stage)
+                switch (m_state.Stage)
                 {
                     case Stage.Start:
                         Start();
@@ -144,7 +144,7 @@ namespace FastPoints.Nodes
                         break;
                 }
             }
-            Scratch.Progress.Value = m_now;
+            Scratch.Progress.Value = m_state;
         }
 
         /// <summary>The end of what the budget allows from here.</summary>
@@ -167,7 +167,7 @@ namespace FastPoints.Nodes
                 Averaged.Averages.Clear();
                 UnsafeUtility.MemSet(Averaged.AverageOfPoint.GetUnsafePtr(), 0xFF, (long)Count * sizeof(int));
             }
-            m_now.Stage = Count > 0 ? Stage.Plan : Stage.Done;
+            m_state.Stage = Count > 0 ? Stage.Plan : Stage.Done;
             if (Count > 0)
                 Scratch.Ranges.Add(new SampledRange { End = Count, Parent = -1, SideLog2 = (byte)RootSideLog2, Offered = -1 });
             BeginPlan(0);
@@ -175,37 +175,37 @@ namespace FastPoints.Nodes
 
         void BeginPlan(int range)
         {
-            m_now.Range = range;
-            m_now.Cell = -1;
+            m_state.Range = range;
+            m_state.Cell = -1;
             if (range >= Scratch.Ranges.Length)
             {
-                m_now.Stage = m_now.Stage == Stage.Done ? Stage.Done : Stage.NextSpacing;
+                m_state.Stage = m_state.Stage == Stage.Done ? Stage.Done : Stage.NextSpacing;
                 return;
             }
-            m_now.Stage = Stage.Plan;
-            m_now.Point = Scratch.Ranges[range].First + 1;
-            m_now.Largest = m_now.Ends = 0;
+            m_state.Stage = Stage.Plan;
+            m_state.Point = Scratch.Ranges[range].First + 1;
+            m_state.Largest = m_state.Ends = 0;
             UnsafeUtility.MemClear(Scratch.Counts.GetUnsafePtr(), (long)Scratch.Counts.Length * sizeof(int));
         }
 
         /// <summary>Looks at the cubes that neighbours have in common, then decides what becomes of the range.</summary>
         void Plan()
         {
-            ref var range = ref Scratch.Ranges.ElementAt(m_now.Range);
+            ref var range = ref Scratch.Ranges.ElementAt(m_state.Range);
             int* counts = (int*)Scratch.Counts.GetUnsafePtr();
-            int end = Spend(m_now.Point, range.End, CostOfLook), largest = m_now.Largest;
-            for (int i = m_now.Point; i < end; i++)
+            int end = Spend(m_state.Point, range.End, CostOfLook), largest = m_state.Largest;
+            for (int i = m_state.Point; i < end; i++)
             {
                 int side = m_common[i];
                 counts[(i & CountTables - 1) * CountsOfTable + side]++;
                 if (side < largest || side == 0)
                     continue;
-                m_now.Ends = side > largest ? 0 : m_now.Ends;
-                m_now.EndOfPart[m_now.Ends++] = i;
+                m_state.Ends = side > largest ? 0 : m_state.Ends;
+                m_state.EndOfPart[m_state.Ends++] = i;
                 largest = side;
             }
-            m_now.Point = end;
-            m_now.Largest = largest;
+            m_state.Point = end;
+            m_state.Largest = largest;
             if (end < range.End)
                 return;
             var look = new RangeSurvey { Left = range.End - range.First, AnyCell = 1, Largest = largest };
@@ -215,13 +215,13 @@ namespace FastPoints.Nodes
             Decide(ref range, look);
             if (range.Kind == RangeKind.Sampled || range.Kind == RangeKind.Passed)
             {
-                AddParts(m_now.Range);
-                BeginPlan(m_now.Range + 1);
+                AddParts(m_state.Range);
+                BeginPlan(m_state.Range + 1);
                 return;
             }
-            m_now.Point = range.First;
-            m_now.Best = -1;
-            m_now.Stage = Stage.Fill;
+            m_state.Point = range.First;
+            m_state.Best = -1;
+            m_state.Stage = Stage.Fill;
         }
 
         void Decide(ref SampledRange range, in RangeSurvey look)
@@ -263,12 +263,12 @@ namespace FastPoints.Nodes
         {
             var range = Scratch.Ranges[number];
             range.FirstPart = Scratch.Ranges.Length;
-            range.PartCount = m_now.Ends + 1;
+            range.PartCount = m_state.Ends + 1;
             Scratch.Ranges[number] = range;
             int first = range.First;
-            for (int part = 0; part <= m_now.Ends; part++)
+            for (int part = 0; part <= m_state.Ends; part++)
             {
-                int end = part < m_now.Ends ? m_now.EndOfPart[part] : range.End;
+                int end = part < m_state.Ends ? m_state.EndOfPart[part] : range.End;
                 Scratch.Ranges.Add(new SampledRange
                 {
                     First = first,
@@ -285,24 +285,24 @@ namespace FastPoints.Nodes
         /// offered.</summary>
         void Fill()
         {
-            ref var range = ref Scratch.Ranges.ElementAt(m_now.Range);
-            int end = Spend(m_now.Point, range.End, CostOfFill);
-            for (int i = m_now.Point; i < end; i++)
+            ref var range = ref Scratch.Ranges.ElementAt(m_state.Range);
+            int end = Spend(m_state.Point, range.End, CostOfFill);
+            for (int i = m_state.Point; i < end; i++)
             {
-                m_rangeOfPoint[i] = m_now.Range;
-                m_now.Best = math.max(m_now.Best, RankOf(i));
+                m_rangeOfPoint[i] = m_state.Range;
+                m_state.Best = math.max(m_state.Best, RankOf(i));
             }
-            m_now.Point = end;
+            m_state.Point = end;
             if (end < range.End)
                 return;
             if (range.Kind == RangeKind.Chain)
             {
                 range.Offered = 1;
-                Scratch.Offered[range.First] = PointOf(m_now.Best);
+                Scratch.Offered[range.First] = PointOf(m_state.Best);
                 if (IsRandom)
                     Scratch.OfferedCommon[range.First] = m_common[range.First];
             }
-            BeginPlan(m_now.Range + 1);
+            BeginPlan(m_state.Range + 1);
         }
 
         void NextSpacing()
@@ -310,12 +310,12 @@ namespace FastPoints.Nodes
             var ranges = Scratch.Ranges.GetUnsafePtr();
             int next = int.MaxValue, count = Scratch.Ranges.Length;
             for (int r = 0; r < count; r++)
-                if (ranges[r].Kind == RangeKind.Sampled && ranges[r].CellLog2 > m_now.Cell)
+                if (ranges[r].Kind == RangeKind.Sampled && ranges[r].CellLog2 > m_state.Cell)
                     next = math.min(next, ranges[r].CellLog2);
             m_budget -= count;
-            m_now.Cell = next;
-            m_now.Point = 0;
-            m_now.Stage = Stage.Count;
+            m_state.Cell = next;
+            m_state.Point = 0;
+            m_state.Stage = Stage.Count;
             if (next == int.MaxValue)
                 return;
             for (int r = count - 1; r >= 0; r--)
@@ -323,7 +323,7 @@ namespace FastPoints.Nodes
                     OfferToParent(ranges, r);
             if (!IsRandom)
                 Scratch.Grid.Clear(Count);
-            m_now.IsFixing = !IsRandom && Tops.Length > 0;
+            m_state.IsFixing = !IsRandom && Tops.Length > 0;
             BeginRange(-1);
         }
 
@@ -354,32 +354,32 @@ namespace FastPoints.Nodes
             {
                 if (number < Scratch.Ranges.Length)
                 {
-                    if (m_now.IsFixing ? IsFixed(ranges, number) : IsOfSpacing(ranges[number]))
+                    if (m_state.IsFixing ? IsFixed(ranges, number) : IsOfSpacing(ranges[number]))
                         break;
                     continue;
                 }
-                if (!m_now.IsFixing)
+                if (!m_state.IsFixing)
                 {
                     BeginBar(-1);
                     return;
                 }
-                m_now.IsFixing = false;
+                m_state.IsFixing = false;
                 number = -1;
             }
-            m_now.Range = number;
-            m_now.Part = m_now.IsFixing ? number : ranges[number].FirstPart;
-            m_now.Candidate = m_now.Taken = m_now.Darts = 0;
-            m_now.Stage = IsRandom ? Stage.ChooseCells : Stage.Gather;
+            m_state.Range = number;
+            m_state.Part = m_state.IsFixing ? number : ranges[number].FirstPart;
+            m_state.Candidate = m_state.Taken = m_state.Darts = 0;
+            m_state.Stage = IsRandom ? Stage.ChooseCells : Stage.Gather;
         }
 
-        bool IsOfSpacing(in SampledRange range) => range.Kind == RangeKind.Sampled && range.CellLog2 == m_now.Cell;
+        bool IsOfSpacing(in SampledRange range) => range.Kind == RangeKind.Sampled && range.CellLog2 == m_state.Cell;
 
         /// <summary>Whether what is left of a chunk's top keeps others off at this spacing.</summary>
         bool IsFixed(SampledRange* ranges, int number)
         {
             ref var range = ref ranges[number];
-            return range.Kind == RangeKind.Top && range.CellLog2 >= m_now.Cell && range.Parent >= 0 &&
-                ranges[range.Parent].CellLog2 > m_now.Cell && !Tops[TopOf(range.First)].IsLeaf;
+            return range.Kind == RangeKind.Top && range.CellLog2 >= m_state.Cell && range.Parent >= 0 &&
+                ranges[range.Parent].CellLog2 > m_state.Cell && !Tops[TopOf(range.First)].IsLeaf;
         }
     }
 

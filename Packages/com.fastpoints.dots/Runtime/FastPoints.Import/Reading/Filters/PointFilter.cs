@@ -159,7 +159,7 @@ namespace FastPoints.Reading
     [BurstCompile]
     internal unsafe struct FilterPointsJob : IJob
     {
-        const int Run = ColumnValues.RunLength;
+        const int Run = ColumnValues.BatchLength;
 
         public NativeArray<byte> Columns;
         [ReadOnly] public NativeReference<DecodeResult> Decoded;

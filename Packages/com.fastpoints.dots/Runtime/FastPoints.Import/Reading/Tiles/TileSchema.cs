@@ -30,7 +30,7 @@ namespace FastPoints.Reading
             }
         }
 
-        public void Unite()
+        public void MergeSchemas()
         {
             var transform = PositionTransform.Identity;
             var attributes = new List<PointAttribute>();
@@ -41,7 +41,7 @@ namespace FastPoints.Reading
                     {
                         int axis = AxisOf(attribute.Name);
                         attributes.Add(axis < 0
-                            ? UniteAttribute(attribute.Name)
+                            ? MergeAttribute(attribute.Name)
                             : new PointAttribute(attribute.Name, UnitePosition(axis, attribute.Name, ref transform)));
                     }
             if (m_missing.Count > 0)
@@ -67,8 +67,8 @@ namespace FastPoints.Reading
                 bool isSame = scale.Equals(cloud.Scale[axis]) && offset.Equals(cloud.Offset[axis]);
                 if (isSame && from.Type == to.Type)
                     return column;
-                column.Kind = to.Type.IsFloat() ? TileColumnKind.Real : TileColumnKind.Place;
-                if (column.Kind == TileColumnKind.Place)
+                column.Kind = to.Type.IsFloat() ? TileColumnKind.Real : TileColumnKind.Position;
+                if (column.Kind == TileColumnKind.Position)
                 {
                     CommonGrid.TryPlace(scale, offset, cloud.Scale[axis], cloud.Offset[axis], out var placed);
                     (column.Factor, column.Shift, _) = placed;
@@ -150,7 +150,7 @@ namespace FastPoints.Reading
             return AttributeType.Int64;
         }
 
-        PointAttribute UniteAttribute(string name)
+        PointAttribute MergeAttribute(string name)
         {
             PointAttribute united = null;
             long missing = 0;
@@ -215,7 +215,7 @@ namespace FastPoints.Reading
         // Integers to wider ones: stored * Factor.
         Integer,
         // Places on the common grid: stored * Factor + Shift, as int64.
-        Place,
+        Position,
         // Any numbers to floats: stored * Scale + Offset.
         Real,
     }

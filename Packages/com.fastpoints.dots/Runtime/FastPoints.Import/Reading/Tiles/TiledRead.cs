@@ -14,13 +14,13 @@ namespace FastPoints.Reading
         // A piece takes less than a millisecond of managed code.
         public const int PointsPerPiece = 1 << 14;
 
-        const int RunLength = ColumnValues.RunLength;
+        const int BatchLength = ColumnValues.BatchLength;
 
         [ReadOnly] public NativeArray<byte> Input;
         [ReadOnly] public NativeReference<DecodeResult> Decoded;
         [ReadOnly] public NativeArray<TileColumn> Columns;
 
-        // Points that both sides have room for.
+        // Points that input and output both have room for.
         public int Capacity;
 
         // Pieces write to disjoint places.
@@ -62,11 +62,11 @@ namespace FastPoints.Reading
 
         static void ToReals(in TileColumn column, byte* from, byte* to, int first, int end)
         {
-            double* values = stackalloc double[RunLength];
+            double* values = stackalloc double[BatchLength];
             double scale = column.Scale, offset = column.Offset;
-            for (; first < end; first += RunLength)
+            for (; first < end; first += BatchLength)
             {
-                int run = math.min(RunLength, end - first);
+                int run = math.min(BatchLength, end - first);
                 ColumnValues.ToDoubles(from, column.From.Type, first, run, values);
                 if (column.To.Type == AttributeType.Float32)
                     for (int i = 0; i < run; i++)
@@ -79,14 +79,14 @@ namespace FastPoints.Reading
 
         static void ToIntegers(in TileColumn column, byte* from, byte* to, int first, int end)
         {
-            ulong* bits = stackalloc ulong[RunLength];
+            ulong* bits = stackalloc ulong[BatchLength];
             long factor = column.Factor, shift = column.Shift;
-            bool isPlace = column.Kind == TileColumnKind.Place;
+            bool isPlace = column.Kind == TileColumnKind.Position;
             long max = isPlace ? CommonGrid.Limit / math.max(1, math.abs(factor)) : long.MaxValue;
             bool isUnsigned64 = column.From.Type == AttributeType.UInt64;
-            for (; first < end; first += RunLength)
+            for (; first < end; first += BatchLength)
             {
-                int run = math.min(RunLength, end - first);
+                int run = math.min(BatchLength, end - first);
                 ColumnValues.ToBits(from, column.From.Type, first, run, bits);
                 if (isPlace)
                 {
@@ -142,7 +142,7 @@ namespace FastPoints.Reading
         {
             var tile = m_reader.TileOfBlock(range.Block);
             if (tile != m_tile)
-                Change(tile);
+                OpenTile(tile);
             m_inner.Dependency = Dependency;
             m_inner.Begin(new BlockRange(range.Block - tile.FirstBlock, range.First, range.Count));
             Result = m_inner.Result;
@@ -170,7 +170,7 @@ namespace FastPoints.Reading
 
         protected override void DisposeMore() => Release();
 
-        void Change(Tile tile)
+        void OpenTile(Tile tile)
         {
             Release();
             m_reader.Acquire(tile);
@@ -189,7 +189,7 @@ namespace FastPoints.Reading
             m_columns = new NativeArray<TileColumn>(columns.ToArray(), m_allocator);
         }
 
-        // If the tile has none of the wanted, an attribute that suffices to count its points.
+        // If the tile has none of the requested attributes, X, so that its points are counted.
         PointSchema WantedOf(Tile tile)
         {
             var names = new string[Points.Schema.Count];

@@ -56,7 +56,7 @@ namespace FastPoints.Reading
             }
             catch (Exception e) when (FileFailures.IsFileFailure(e))
             {
-                throw FileFailures.Reading(folder, e);
+                throw FileFailures.ReadFailure(folder, e);
             }
             Array.Sort(paths, string.CompareOrdinal);
             var reader = new TiledReader(folder, true, openFile);
@@ -358,7 +358,7 @@ namespace FastPoints.Reading
             if (m_tiles.Count > MaxShown)
                 Info.Fact("and", (m_tiles.Count - MaxShown) + " more files");
             summary.End(m_tiles.Count);
-            new TileSchema(m_tiles, Info).Unite();
+            new TileSchema(m_tiles, Info).MergeSchemas();
             if (isKnown)
                 Finish();
             return this;

@@ -34,7 +34,7 @@ namespace FastPoints.Sources
         }
 
         // Null if the file is not COPC, or can only be read as LAZ, with a warning. longChunkPoints: of a node that is one block.
-        public static PointReader TryOpen(LasFile las, FileSource source, int longChunkPoints = MaxBlockPoints)
+        public static PointReader TryOpen(LasFile las, RandomAccessFile source, int longChunkPoints = MaxBlockPoints)
         {
             var copc = CopcInfo.Find(las);
             if (copc == null)

@@ -73,10 +73,10 @@ namespace FastPoints.Sources
         // A missing page has no entries. name: the node that it begins with.
         IEnumerator<JobStep> Parse(string path, string name, NativeList<EptEntry> entries)
         {
-            long length = FileSource.NoSuchFile;
-            yield return JobStep.Of(PoolTask.Run(path, () => FileSource.LengthOf(path), found => length = found));
+            long length = RandomAccessFile.NoSuchFile;
+            yield return JobStep.Of(PoolTask.Run(path, () => RandomAccessFile.LengthOf(path), found => length = found));
             string problem = null;
-            if (length == FileSource.NoSuchFile)
+            if (length == RandomAccessFile.NoSuchFile)
                 problem = "there is no " + Path.GetFileName(path);
             else if (length > MaxPageBytes)
                 problem = "it has " + NumberText.Of(length) + " bytes, wanted at most " + NumberText.Of(MaxPageBytes);
@@ -153,7 +153,7 @@ namespace FastPoints.Sources
             var files = new string[step.Count];
             for (int i = 0; i < files.Length; i++)
                 files[i] = step[i].Points > 0 ? m_reader.PathOf(step[i].Level, step[i].Cell) : null;
-            return PoolTask.Run(path, () => Array.ConvertAll(files, FileSource.LengthOf), lengths =>
+            return PoolTask.Run(path, () => Array.ConvertAll(files, RandomAccessFile.LengthOf), lengths =>
             {
                 for (int i = 0; i < lengths.Length; i++)
                     Add(step[i], lengths[i], path);

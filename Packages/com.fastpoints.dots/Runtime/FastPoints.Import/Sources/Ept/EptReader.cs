@@ -22,12 +22,12 @@ namespace FastPoints.Sources
         readonly int m_blockPoints;
 
         // A LAZ file like those of the nodes, if they are LAZ; otherwise null.
-        readonly LasTemplate m_like;
+        readonly LasTemplate m_template;
 
         EptReader(EptIndex index, LasTemplate like) : base(index.Info, index.Cube, index.Spacing)
         {
             Index = index;
-            m_like = like;
+            m_template = like;
             int pointBytes = Math.Max(Info.Schema.BytesPerPoint, like?.Las.Header.RecordBytes ?? index.RecordBytes);
             m_blockPoints = Math.Max(1, Math.Min(MaxBlockPoints, MaxBlockBytes / pointBytes));
             m_hierarchy = new EptHierarchy(this);
@@ -114,8 +114,8 @@ namespace FastPoints.Sources
 
         public override BlockRead CreateRead(PointSchema wanted, int capacity, Allocator allocator)
         {
-            if (m_like != null)
-                return new LasNodeRead(this, m_like, false, wanted, capacity, allocator);
+            if (m_template != null)
+                return new LasNodeRead(this, m_template, false, wanted, capacity, allocator);
             if (Index.DataType == EptDataType.Zstandard && Decompressors.Zstandard == null)
                 throw new PointCloudException(FailureCode.Unsupported, Info.Path, -1, "its points are compressed by "
                     + "zstandard, for which .NET Standard 2.1 has nothing: set Decompressors.Zstandard to a decompressor "

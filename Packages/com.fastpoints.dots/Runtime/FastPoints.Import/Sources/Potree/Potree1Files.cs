@@ -60,7 +60,7 @@ namespace FastPoints.Sources
             }
             catch (Exception e) when (FileFailures.IsFileFailure(e))
             {
-                throw FileFailures.Reading(m_folder, e);
+                throw FileFailures.ReadFailure(m_folder, e);
             }
             throw new PointCloudException(FailureCode.NotFound, root, -1, "no such file, and no other node beside it");
         }
@@ -110,7 +110,7 @@ namespace FastPoints.Sources
             }
             catch (Exception e) when (FileFailures.IsFileFailure(e))
             {
-                throw FileFailures.Reading(folder, e);
+                throw FileFailures.ReadFailure(folder, e);
             }
         }
     }

@@ -42,7 +42,7 @@ namespace FastPoints.Sources
         readonly int m_stepSize;
         readonly PotreeLayout m_layout;
 
-        readonly LasTemplate m_like;
+        readonly LasTemplate m_template;
         readonly List<(string Name, long Points)> m_listed;
         readonly Queue<Parent> m_parents = new Queue<Parent>();
         readonly List<Potree1Node> m_found = new List<Potree1Node>();
@@ -54,7 +54,7 @@ namespace FastPoints.Sources
         Potree1Reader(Potree1Index index, Potree1Files files, PotreeLayout layout, LasTemplate like,
             List<(string Name, long Points)> listed) : base(index.Info, index.Cube, index.Spacing)
         {
-            m_like = like;
+            m_template = like;
             m_files = files;
             m_scale = index.Scale;
             m_stepSize = index.StepSize;
@@ -99,7 +99,7 @@ namespace FastPoints.Sources
 
         public override BlockRead CreateRead(PointSchema wanted, int capacity, Allocator allocator) => m_layout != null
             ? (BlockRead)new PotreeRecordRead(this, wanted, capacity, allocator)
-            : new LasNodeRead(this, m_like, true, wanted, capacity, allocator);
+            : new LasNodeRead(this, m_template, true, wanted, capacity, allocator);
 
         public override string FileOfBlock(int block, out long byteOffset)
         {
@@ -183,7 +183,7 @@ namespace FastPoints.Sources
                 var read = new Potree1Page();
                 try
                 {
-                    using (var source = FileSource.Open(path))
+                    using (var source = RandomAccessFile.Open(path))
                     {
                         read.Records = source.ReadUpTo(0, MaxHierarchyBytes);
                         read.FileBytes = source.Length;
@@ -261,7 +261,7 @@ namespace FastPoints.Sources
             {
                 for (int i = 0; i < nodes.Length; i++)
                 {
-                    nodes[i].Bytes = FileSource.LengthOf(nodes[i].Path);
+                    nodes[i].Bytes = RandomAccessFile.LengthOf(nodes[i].Path);
                     if (isLas && nodes[i].Bytes > 0)
                         CountLas(ref nodes[i]);
                 }
@@ -304,7 +304,7 @@ namespace FastPoints.Sources
         {
             try
             {
-                using var source = FileSource.Open(node.Path);
+                using var source = RandomAccessFile.Open(node.Path);
                 var header = LasHeader.Read(source);
                 if (source.Length > MaxLasBytes)
                     throw PointCloudException.Wanted(FailureCode.Unsupported, node.Path, -1, "bytes of a node",
@@ -356,11 +356,11 @@ namespace FastPoints.Sources
         // The length of an unknown attribute is what the root's records have besides the others.
         static void MeasureUnknown(Potree1Index index, Potree1Files files, List<(string Name, long Points)> listed)
         {
-            long bytes = FileSource.LengthOf(files.PathOf(0, default)), points = 0;
+            long bytes = RandomAccessFile.LengthOf(files.PathOf(0, default)), points = 0;
             if (listed != null && listed.Count > 0)
                 points = listed[0].Points;
             else if (listed == null)
-                using (var source = FileSource.Open(files.HierarchyPathOf(0, default)))
+                using (var source = RandomAccessFile.Open(files.HierarchyPathOf(0, default)))
                     points = source.Read(0, RecordBytes, "the root's record").UInt32(1, "points");
             long others = 0;
             foreach (var attribute in index.Attributes)

@@ -65,7 +65,7 @@ namespace FastPoints.Sources
             var index = Potree2Index.Read(json);
             string path = SiblingOf(json.Path, HierarchyName);
             long bytes;
-            using (var hierarchy = FileSource.Open(path))
+            using (var hierarchy = RandomAccessFile.Open(path))
                 bytes = hierarchy.Length;
             var octree = new FileInfo(SiblingOf(json.Path, OctreeName));
             long octreeBytes = octree.Exists ? octree.Length : -1;
@@ -154,7 +154,7 @@ namespace FastPoints.Sources
             string path = m_hierarchyPath;
             return () =>
             {
-                using var hierarchy = FileSource.Open(path);
+                using var hierarchy = RandomAccessFile.Open(path);
                 return hierarchy.ReadUpTo(start, StepRecords * RecordBytes);
             };
         }

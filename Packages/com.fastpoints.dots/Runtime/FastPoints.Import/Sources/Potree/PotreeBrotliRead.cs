@@ -56,9 +56,9 @@ namespace FastPoints.Sources
                     part.IsWanted |= layout.AttributeOf(column) == i;
                 // Only these two names stand for Morton codes.
                 if (attribute.Name == "position")
-                    part.BytesPerPoint = SpreadPotreeJob.PositionBytes;
+                    part.BytesPerPoint = DecodePotreeTileJob.PositionBytes;
                 else if (attribute.Name == "rgb" && attribute.Bytes == 6)
-                    part.BytesPerPoint = SpreadPotreeJob.ColorBytes;
+                    part.BytesPerPoint = DecodePotreeTileJob.ColorBytes;
                 else if (attribute.Kind == PotreeAttributeKind.Position || attribute.Kind == PotreeAttributeKind.Color)
                     part.Kind = PotreeAttributeKind.Plain;
                 if (part.Kind != PotreeAttributeKind.Position && !attribute.IsPackedNormal)
@@ -97,7 +97,7 @@ namespace FastPoints.Sources
                         decoded = Spread(part, begin - first, begin - range.First, end - begin).Schedule(decoded);
                 }
             }
-            return new EndPotreeJob
+            return new CheckPotreeTileJob
             {
                 State = m_state,
                 Result = Result,
@@ -106,7 +106,7 @@ namespace FastPoints.Sources
             }.Schedule(decoded);
         }
 
-        SpreadPotreeJob Spread(Part part, int firstInTile, int first, int count) => new SpreadPotreeJob
+        DecodePotreeTileJob Spread(Part part, int firstInTile, int first, int count) => new DecodePotreeTileJob
         {
             Tile = m_tile,
             Copies = m_copies,
@@ -138,7 +138,7 @@ namespace FastPoints.Sources
 
     // With all of its points or none, since the values of one point are spread over the whole stream.
     [BurstCompile]
-    struct EndPotreeJob : IJob
+    struct CheckPotreeTileJob : IJob
     {
         [ReadOnly] public NativeReference<DecompressState> State;
         public NativeReference<DecodeResult> Result;
@@ -155,7 +155,7 @@ namespace FastPoints.Sources
     }
 
     [BurstCompile]
-    unsafe struct SpreadPotreeJob : IJob
+    unsafe struct DecodePotreeTileJob : IJob
     {
         // The upper 16 bits of x, y and z as a Morton code, then the lower 16.
         public const int PositionBytes = 16;

@@ -20,7 +20,7 @@ namespace FastPoints.Sources
             foreach (var attribute in attributes)
             {
                 if (attribute.IsPackedNormal && m_attributes.Exists(other => other.IsPackedNormal))
-                    attribute.BecomeBytes();
+                    attribute.SetRawBytes();
                 attribute.RecordOffset = (int)bytes;
                 bytes += attribute.Bytes;
                 if (bytes > MaxRecordBytes)
@@ -153,7 +153,7 @@ namespace FastPoints.Sources
             return attribute;
         }
 
-        public void BecomeBytes()
+        public void SetRawBytes()
         {
             Kind = PotreeAttributeKind.Plain;
             Type = AttributeType.UInt8;
@@ -169,7 +169,7 @@ namespace FastPoints.Sources
             {
                 case "POSITION_CARTESIAN":
                 case "POSITION":
-                    Become(PotreeAttributeKind.Position, AttributeType.Int32, s_axes, 3);
+                    SetColumns(PotreeAttributeKind.Position, AttributeType.Int32, s_axes, 3);
                     if (Bytes == 12)
                         return true;
                     break;
@@ -178,24 +178,24 @@ namespace FastPoints.Sources
                 case "RGB_PACKED":
                 case "RGBA":
                 case "RGB":
-                    Become(PotreeAttributeKind.Color, Bytes >= 6 ? AttributeType.UInt16 : AttributeType.UInt8, s_colors,
+                    SetColumns(PotreeAttributeKind.Color, Bytes >= 6 ? AttributeType.UInt16 : AttributeType.UInt8, s_colors,
                         Bytes == 4 || Bytes == 8 ? 4 : 3);
                     if (Bytes == 3 || Bytes == 4 || Bytes == 6 || Bytes == 8)
                         return true;
                     break;
                 case "NORMAL_SPHEREMAPPED":
-                    Become(PotreeAttributeKind.SphereMappedNormal, AttributeType.Float32, s_normals, 3);
+                    SetColumns(PotreeAttributeKind.SphereMappedNormal, AttributeType.Float32, s_normals, 3);
                     if (Bytes == 2)
                         return true;
                     break;
                 case "NORMAL_OCT16":
-                    Become(PotreeAttributeKind.OctahedralNormal, AttributeType.Float32, s_normals, 3);
+                    SetColumns(PotreeAttributeKind.OctahedralNormal, AttributeType.Float32, s_normals, 3);
                     if (Bytes == 2)
                         return true;
                     break;
                 case "NORMAL":
                 case "NORMAL_FLOATS":
-                    Become(PotreeAttributeKind.Plain, AttributeType.Float32, s_normals, 3);
+                    SetColumns(PotreeAttributeKind.Plain, AttributeType.Float32, s_normals, 3);
                     if (Bytes == 12)
                         return true;
                     break;
@@ -204,7 +204,7 @@ namespace FastPoints.Sources
             return false;
         }
 
-        void Become(PotreeAttributeKind kind, AttributeType type, string[] names, int count)
+        void SetColumns(PotreeAttributeKind kind, AttributeType type, string[] names, int count)
         {
             Kind = kind;
             Type = type;

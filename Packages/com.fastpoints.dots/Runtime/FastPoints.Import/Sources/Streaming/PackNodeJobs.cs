@@ -19,7 +19,7 @@ namespace FastPoints.Sources
 
         // Along each axis: cells that are finer than those of a full block's points.
         const int KeyBits = 10;
-        const int RunLength = 128;
+        const int BatchLength = 128;
 
         [ReadOnly] public NativeArray<byte> Columns;
         [ReadOnly] public NativeReference<DecodeResult> Decoded;
@@ -66,12 +66,12 @@ namespace FastPoints.Sources
             byte* columns = (byte*)Columns.GetUnsafeReadOnlyPtr();
             var keys = (ulong*)Keys.GetUnsafePtr();
             uint* points = (uint*)PointOfRank.GetUnsafePtr() + First;
-            long* x = stackalloc long[RunLength], y = stackalloc long[RunLength], z = stackalloc long[RunLength];
+            long* x = stackalloc long[BatchLength], y = stackalloc long[BatchLength], z = stackalloc long[BatchLength];
             double loss = 0;
             bool isValid = true;
-            for (int at = 0; at < count; at += RunLength)
+            for (int at = 0; at < count; at += BatchLength)
             {
-                int run = math.min(RunLength, count - at);
+                int run = math.min(BatchLength, count - at);
                 SourceGrid.ToGrid(Grid.X, Positions.X.At(columns, First + at), Positions.X.Type, run, x, ref loss);
                 SourceGrid.ToGrid(Grid.Y, Positions.Y.At(columns, First + at), Positions.Y.Type, run, y, ref loss);
                 SourceGrid.ToGrid(Grid.Z, Positions.Z.At(columns, First + at), Positions.Z.Type, run, z, ref loss);

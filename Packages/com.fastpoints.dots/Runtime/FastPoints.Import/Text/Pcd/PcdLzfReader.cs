@@ -30,7 +30,7 @@ namespace FastPoints.Text
         NativeArray<byte> m_windows;
         long m_points = -1;
 
-        public PcdLzfReader(FileSource source, PcdHeader header, PlyFile file)
+        public PcdLzfReader(RandomAccessFile source, PcdHeader header, PlyFile file)
         {
             Info = file.Info;
             m_file = file;

@@ -33,7 +33,7 @@ namespace FastPoints.Text
 
         public string this[string keyword] => m_words.TryGetValue(keyword, out var words) ? string.Join(" ", words) : null;
 
-        public static PcdHeader Read(FileSource source)
+        public static PcdHeader Read(RandomAccessFile source)
         {
             byte[] bytes = source.ReadUpTo(0, MaxBytes).Bytes;
             var header = new PcdHeader(source.Path);
@@ -150,7 +150,7 @@ namespace FastPoints.Text
     {
         const int PageBytes = 4096;
 
-        public static PointReader Open(FileSource source)
+        public static PointReader Open(RandomAccessFile source)
         {
             var pcd = PcdHeader.Read(source);
             var vertex = new PlyElement { Name = "vertex", Count = pcd.Points };
@@ -208,7 +208,7 @@ namespace FastPoints.Text
         }
 
         // Zeros up to the end of a page, which the Point Cloud Library puts behind binary points; 0 if anything else is there.
-        static int PaddingOf(FileSource source, long offset)
+        static int PaddingOf(RandomAccessFile source, long offset)
         {
             if (offset >= source.Length || source.Length - offset >= PageBytes)
                 return 0;

@@ -7,7 +7,7 @@ using Unity.Mathematics;
 
 namespace FastPoints.Text
 {
-    // Places without a return (0 0 0) are left out, and so are lines that are no points.
+    // Leaves out grid cells without a return (0 0 0) and invalid lines.
     [BurstCompile]
     unsafe struct DecodePtxJob : IJob
     {

@@ -88,7 +88,7 @@ namespace FastPoints.Text
         BitArray m_isReported;
         bool m_areAllFound;
 
-        PtxReader(FileSource source, PtxScanHeader first, int values)
+        PtxReader(RandomAccessFile source, PtxScanHeader first, int values)
             : base(new SourceInfo { Path = source.Path, FileBytes = source.Length }, new SourceHandle(source.Path))
         {
             m_values = values;
@@ -112,7 +112,7 @@ namespace FastPoints.Text
         public override bool BlocksAreKnown => m_areAllFound;
 
         // Null if the file does not begin with the header of a scan; Unsupported if its lines have not 3, 4 or 7 values.
-        public static PtxReader Open(FileSource source)
+        public static PtxReader Open(RandomAccessFile source)
         {
             byte[] head = source.ReadUpTo(0, 2 * PtxScanHeader.MaxBytes).Bytes;
             if (!PtxScanHeader.TryParse(head, out var first))

@@ -38,7 +38,7 @@ namespace FastPoints.Text
 
         internal XyzDialect Dialect => m_sniff.Dialect;
 
-        public static XyzReader Open(FileSource source, string[] textColumns)
+        public static XyzReader Open(RandomAccessFile source, string[] textColumns)
         {
             var sniff = XyzSniff.Find(source, textColumns);
             if (sniff == null)

@@ -17,7 +17,7 @@ namespace FastPoints.Text
         // Share of the first lines that must be rows of the same number of values.
         const double MaxRows = 0.8;
 
-        readonly FileSource m_source;
+        readonly RandomAccessFile m_source;
         readonly string[] m_given;
         XyzDialect m_dialect;
         int[] m_unitVectors;
@@ -25,7 +25,7 @@ namespace FastPoints.Text
         double[] m_values;
         byte[] m_line = new byte[256];
 
-        XyzSniff(FileSource source, string[] given)
+        XyzSniff(RandomAccessFile source, string[] given)
         {
             m_source = source;
             m_given = given;
@@ -47,7 +47,7 @@ namespace FastPoints.Text
         public int Rows { get; private set; }
 
         // Null if the file is something else. Columns that the caller names "-" may hold anything.
-        public static XyzSniff Find(FileSource source, string[] given)
+        public static XyzSniff Find(RandomAccessFile source, string[] given)
         {
             byte[] head = source.ReadUpTo(0, HeadBytes).Bytes;
             if (!IsText(head))

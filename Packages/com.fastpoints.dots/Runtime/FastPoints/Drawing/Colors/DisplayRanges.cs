@@ -21,7 +21,7 @@ namespace FastPoints.Drawing
         // are: scanners put what they did not hit at 0, and a hundredth of such points would make the rest one pixel.
         const double FarInInterquartileRanges = 50;
 
-        // Bounds so many times as large as those that are framed are told of.
+        // Reports bounds that are this many times larger than the framed ones.
         const double FarBoundsFactor = 10;
 
         // Within the degrees of the earth, so many times as high as they are wide: no object is; degrees and metres are, a
@@ -30,7 +30,7 @@ namespace FastPoints.Drawing
 
         const double MetresPerDegree = 111_320;
 
-        // Of 255: colours that are darker but for outliers cannot be told from the background.
+        // Of 255. Colours darker than this, outliers apart, vanish against the background.
         const double DarkestColor = 12;
 
         const int MaxOutlinePoints = 4096;
@@ -101,7 +101,7 @@ namespace FastPoints.Drawing
         public readonly List<string> Assumptions = new List<string>();
 
         // For a manifest; null where nothing was measured. The up axis is Z.
-        internal ShownRanges? ToShown() => Robust.IsEmpty ? (ShownRanges?)null : new ShownRanges
+        internal StoredDisplayRanges? ToShown() => Robust.IsEmpty ? (StoredDisplayRanges?)null : new StoredDisplayRanges
         {
             BoundsGeo = Robust,
             Elevation = new CloudManifest.Range { Min = ElevationLow, Max = ElevationHigh },
@@ -121,7 +121,7 @@ namespace FastPoints.Drawing
                 ElevationHigh = bounds.IsEmpty ? 0 : bounds.Max.z,
             };
             ranges.FindCategories(manifest.Attributes);
-            if (manifest.Shown is ShownRanges shown)
+            if (manifest.Shown is StoredDisplayRanges shown)
             {
                 ranges.Robust = shown.BoundsGeo;
                 ranges.ElevationLow = shown.Elevation.Min;
@@ -134,7 +134,7 @@ namespace FastPoints.Drawing
                 ranges.IntensityLow = manifest.Ranges[intensity].Min;
                 ranges.IntensityHigh = manifest.Ranges[intensity].Max;
                 ranges.IsIntensityUseful = ranges.IntensityVaries = ranges.IntensityHigh > ranges.IntensityLow;
-                if (manifest.Shown is ShownRanges of && ranges.IntensityVaries)
+                if (manifest.Shown is StoredDisplayRanges of && ranges.IntensityVaries)
                 {
                     ranges.IntensityLow = of.Intensity.Min;
                     ranges.IntensityHigh = of.Intensity.Max;

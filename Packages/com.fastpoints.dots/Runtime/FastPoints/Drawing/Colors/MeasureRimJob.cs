@@ -29,18 +29,18 @@ namespace FastPoints.Drawing
 
         public unsafe void Execute()
         {
-            double* x = stackalloc double[ColumnValues.RunLength];
-            double* y = stackalloc double[ColumnValues.RunLength];
-            double* z = stackalloc double[ColumnValues.RunLength];
+            double* x = stackalloc double[ColumnValues.BatchLength];
+            double* y = stackalloc double[ColumnValues.BatchLength];
+            double* z = stackalloc double[ColumnValues.BatchLength];
             double longest = math.cmax(Around.Size);
             if (!(longest > 0))
                 return;
             var middle = Around.Center;
             var max = Around.Size * 0.5 + longest;
             var scale = 2 / math.max(Around.Size, longest * MinThickness);
-            for (int done = 0; done < Count; done += ColumnValues.RunLength)
+            for (int done = 0; done < Count; done += ColumnValues.BatchLength)
             {
-                int run = math.min(ColumnValues.RunLength, Count - done);
+                int run = math.min(ColumnValues.BatchLength, Count - done);
                 Columns.Load((byte*)Bytes.GetUnsafeReadOnlyPtr(), First + done, run, x, y, z);
                 Transform.ToGeo(run, x, y, z);
                 for (int i = 0; i < run; i++)

@@ -74,14 +74,14 @@ namespace FastPoints.Drawing
             if (!CloudFolder.IsCloud(path))
             {
                 if (sources.Count > 0)
-                    return new FileFeed(path, sources, OpenSource(sources), new FolderFeed(new FolderGenerations(path)),
+                    return new FileFeed(path, sources, OpenSource(sources), new FolderFeed(new GenerationPoller(path)),
                         OpenSource);
                 if (!path.EndsWith(StoreFormat.FolderExtension, StringComparison.OrdinalIgnoreCase) &&
                     (File.Exists(path) || Directory.Exists(path)))
                     return OpenSource(new[] { path });
             }
             var folder = CloudFolder.Open(path);
-            var converted = new FolderFeed(new FolderGenerations(folder));
+            var converted = new FolderFeed(new GenerationPoller(folder));
             return new FileFeed(path, sources, folder.IsUnfinished ? TryOpenSource(sources) : null, converted, OpenSource);
         }
 

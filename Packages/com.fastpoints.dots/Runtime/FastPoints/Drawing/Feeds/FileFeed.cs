@@ -93,7 +93,7 @@ namespace FastPoints.Drawing
             m_isBuildAborted = true;
             m_isSourceWhole &= m_source != null;
             m_converted.Dispose();
-            m_converted = new FolderFeed(new FolderGenerations(m_folder));
+            m_converted = new FolderFeed(new GenerationPoller(m_folder));
             if (m_source == null && m_opening == null && m_files.Count > 0)
                 m_opening = PoolTask.Begin(m_files[0], () => m_open(m_files));
         }

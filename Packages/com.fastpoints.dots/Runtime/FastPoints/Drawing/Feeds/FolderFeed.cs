@@ -6,11 +6,11 @@ namespace FastPoints.Drawing
     // The states of a converted cloud: the finished one, or the generations of a build in progress, which this feed owns.
     internal sealed class FolderFeed : CloudFeed
     {
-        readonly FolderGenerations m_generations;
+        readonly GenerationPoller m_generations;
         CloudFacts m_facts;
         CloudFolder m_described;
 
-        public FolderFeed(FolderGenerations generations) => m_generations = generations;
+        public FolderFeed(GenerationPoller generations) => m_generations = generations;
 
         public override CloudFacts Newest
         {

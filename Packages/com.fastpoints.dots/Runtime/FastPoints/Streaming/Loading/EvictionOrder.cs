@@ -3,7 +3,7 @@ using Unity.Collections;
 
 namespace FastPoints.Streaming
 {
-    // The slots of a cache and their order, from the least to the most useful.
+    // The slots of a cache in eviction order: the first goes first.
     internal struct EvictionOrder : IDisposable
     {
         public NativeList<CachedNode> Slots;

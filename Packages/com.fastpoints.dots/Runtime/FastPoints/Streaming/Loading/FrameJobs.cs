@@ -22,7 +22,7 @@ namespace FastPoints.Streaming
 
         public void Execute()
         {
-            Touch(Prefetched, NodeReads.FirstPrefetchRank);
+            Touch(Prefetched, NodeReadQueue.FirstPrefetchRank);
             Touch(Selected, 0);
             for (int i = 0; i < Pinned.Length; i++)
                 Order.Touch(Pinned[i], Frame, -1);

@@ -19,7 +19,7 @@ namespace FastPoints.Streaming
 
         public EvictionOrder Order => m_order;
 
-        // Kept as long as there is any memory for them.
+        // Evicted last.
         public NativeArray<int> Pinned => m_pinned.AsArray();
 
         public CachedNode this[int slot] => m_order.Slots[slot];

@@ -15,7 +15,7 @@ namespace FastPoints.Streaming
 
         public NativeArray<StreamView> Predicted => m_predicted.AsArray();
 
-        // Whether the views move other than by a cut.
+        // False if the views stand still, cut, or changed in number.
         public bool TryPredictView(NativeArray<StreamView> views, int frames)
         {
             double step = 0;

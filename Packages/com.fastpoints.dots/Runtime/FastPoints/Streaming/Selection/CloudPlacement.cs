@@ -21,7 +21,7 @@ namespace FastPoints.Streaming
         public static CloudPlacement Geo(CloudGrid grid, GridCube root) =>
             new CloudPlacement(double3x3.identity, grid.ToGeo(root.Corner));
 
-        /// <summary>The placement of another state of the same cloud, if this is the placement of one.</summary>
+        /// <summary>Converts this placement of one version of a cloud to that of another version.</summary>
         public CloudPlacement ForVersion(NodeSource here, NodeSource other) => new CloudPlacement(Linear, OriginWorld +
             math.mul(Linear, other.Grid.ToGeo(other.Root.Corner) - here.Grid.ToGeo(here.Root.Corner)))
         {
@@ -39,7 +39,7 @@ namespace FastPoints.Streaming
         }
     }
 
-    // Which views see a cloud; by default all.
+    // Which views show a cloud; by default all.
     internal struct CloudVisibility
     {
         public uint Layer; // A bit; 0 for one that no culling mask hides.

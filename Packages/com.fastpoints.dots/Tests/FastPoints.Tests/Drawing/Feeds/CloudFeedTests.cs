@@ -109,7 +109,7 @@ namespace FastPoints.Tests.Drawing
             Directory.Move(cloud.Path, cloud.Path + ".part");
             using var feed = CloudFeeds.Open(cloud.Path);
             Assert.That(TakeAndDrop(feed), Is.EqualTo(CloudStage.Building));
-            for (var watch = Stopwatch.StartNew(); watch.Elapsed < 2.5 * FolderGenerations.PollInterval;)
+            for (var watch = Stopwatch.StartNew(); watch.Elapsed < 2.5 * GenerationPoller.PollInterval;)
             {
                 feed.Update(1);
                 // Looks go on on another thread: without time for them nothing could be found that must not be.

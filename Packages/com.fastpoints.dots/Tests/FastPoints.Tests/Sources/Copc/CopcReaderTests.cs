@@ -133,7 +133,7 @@ namespace FastPoints.Tests.Sources
             var writer = new CopcFileWriter { MaxNodePoints = 5000 };
             var records = LazRecords.Make(7, 0, 2500, 10);
             using var file = new TemporaryFile(writer.Write(records), ".copc.laz");
-            using var source = FileSource.Open(file.Path);
+            using var source = RandomAccessFile.Open(file.Path);
             using var reader = CopcReader.TryOpen(LasFile.Read(source), source, 1000);
             JobCoroutine.RunToEnd(reader.FindBlocks());
             Assert.That(reader.Tree.NodeCount, Is.EqualTo(3));

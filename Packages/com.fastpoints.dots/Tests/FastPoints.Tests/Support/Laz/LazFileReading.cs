@@ -25,7 +25,7 @@ namespace FastPoints.Tests
 
         public static PointReader Open(string path, int longChunkPoints = LazReader.MaxBlockPoints)
         {
-            using var source = FileSource.Open(path);
+            using var source = RandomAccessFile.Open(path);
             var las = LasFile.Read(source);
             var reader = las.Header.IsCompressed ? LazReader.Open(las, source, longChunkPoints) : PointReaders.Open(path);
             ReadPoints.FindBlocks(reader);
@@ -79,7 +79,7 @@ namespace FastPoints.Tests
 
         internal static LasRecordLayout LayoutOf(string path)
         {
-            using var source = FileSource.Open(path);
+            using var source = RandomAccessFile.Open(path);
             return LasFile.Read(source).Layout;
         }
 

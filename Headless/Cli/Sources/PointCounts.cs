@@ -2,7 +2,7 @@ namespace FastPoints.Cli.Sources;
 
 /// <summary>Points that sources claim to hold, those that they have, and the difference, but for those that a source itself
 /// marks as invalid; unknown as soon as one is.</summary>
-public sealed class PointsAccount
+public sealed class PointCounts
 {
     ulong m_claimed;
     long m_found, m_invalid;
@@ -11,9 +11,9 @@ public sealed class PointsAccount
     /// <summary>0 where it is unknown.</summary>
     public ulong Lost { get; private set; }
 
-    public static PointsAccount Of(SourceInfo info, long found)
+    public static PointCounts Of(SourceInfo info, long found)
     {
-        var account = new PointsAccount();
+        var account = new PointCounts();
         account.Add(info, found);
         return account;
     }
@@ -22,7 +22,7 @@ public sealed class PointsAccount
     public void Add(SourceInfo info, long found)
     {
         ulong claimed = info.HasPointsClaimed ? info.PointsClaimed : 0;
-        Add(new PointsAccount
+        Add(new PointCounts
         {
             m_isAny = true,
             m_isClaimUnknown = !info.HasPointsClaimed,
@@ -35,7 +35,7 @@ public sealed class PointsAccount
         });
     }
 
-    public void Add(PointsAccount other)
+    public void Add(PointCounts other)
     {
         m_isAny |= other.m_isAny;
         m_isClaimUnknown |= other.m_isClaimUnknown;

@@ -13,10 +13,10 @@ namespace FastPoints.Reading
             exception is IOException || exception is UnauthorizedAccessException || exception is NotSupportedException
             || exception is ArgumentException || exception is System.Security.SecurityException;
 
-        public static PointCloudException Reading(string path, Exception cause) =>
+        public static PointCloudException ReadFailure(string path, Exception cause) =>
             Failure(path, cause, FailureCode.ReadFailed, "cannot be read");
 
-        public static PointCloudException Writing(string path, Exception cause) => FileChanges.IsDiskFull(cause)
+        public static PointCloudException WriteFailure(string path, Exception cause) => FileChanges.IsDiskFull(cause)
             ? new PointCloudException(FailureCode.DiskFull, path, -1, "the disk is full", cause)
             : Failure(path, cause, FailureCode.WriteFailed, "cannot be written");
 
@@ -33,7 +33,7 @@ namespace FastPoints.Reading
 
     // A file whose header is being read: small managed reads at any offset, never beyond the file's real size. The stream is
     // open between the first read and Dispose; a later read opens it again. AsyncReadManager reads the points instead.
-    internal sealed class FileSource : IDisposable
+    internal sealed class RandomAccessFile : IDisposable
     {
         const int StreamBufferBytes = 16 * 1024;
 
@@ -41,7 +41,7 @@ namespace FastPoints.Reading
 
         FileStream m_stream;
 
-        FileSource(string path, long length)
+        RandomAccessFile(string path, long length)
         {
             Path = path;
             Length = length;
@@ -51,7 +51,7 @@ namespace FastPoints.Reading
         public long Length { get; }
 
         // NotFound for a folder or a missing file; Truncated for an empty file, a pipe or a device.
-        public static FileSource Open(string path)
+        public static RandomAccessFile Open(string path)
         {
             if (string.IsNullOrEmpty(path))
                 throw new PointCloudException(FailureCode.NotFound, "(no path)", -1, "no file was named");
@@ -67,13 +67,13 @@ namespace FastPoints.Reading
                 if (info.Length == 0)
                     throw new PointCloudException(FailureCode.Truncated, path, -1,
                         "wanted a point cloud, got 0 bytes (an empty file, a pipe or a device)");
-                var source = new FileSource(path, info.Length);
+                var source = new RandomAccessFile(path, info.Length);
                 source.Stream();
                 return source;
             }
             catch (Exception e) when (FileFailures.IsFileFailure(e))
             {
-                throw FileFailures.Reading(path, e);
+                throw FileFailures.ReadFailure(path, e);
             }
         }
 
@@ -92,7 +92,7 @@ namespace FastPoints.Reading
             }
         }
 
-        // Truncated if the file ends before; nothing is allocated then. The field is the name of the bytes for messages.
+        // Throws Truncated, before allocating, if the file is too short. The field names the bytes in messages.
         public ByteReader Read(long offset, int count, string field)
         {
             CheckRange(offset, count, field);
@@ -139,7 +139,7 @@ namespace FastPoints.Reading
             }
             catch (Exception e) when (FileFailures.IsFileFailure(e))
             {
-                throw FileFailures.Reading(Path, e);
+                throw FileFailures.ReadFailure(Path, e);
             }
         }
 

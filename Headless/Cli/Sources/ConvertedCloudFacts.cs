@@ -1,6 +1,6 @@
 namespace FastPoints.Cli.Sources;
 
-public sealed class StoredFacts
+public sealed class ConvertedCloudFacts
 {
     sealed class Level
     {
@@ -19,12 +19,12 @@ public sealed class StoredFacts
     readonly List<(string Name, long Bytes)> m_planes = [];
     readonly long m_bytes;
 
-    public StoredFacts(string path)
+    public ConvertedCloudFacts(string path)
     {
         m_path = path;
         using var folder = CloudFolder.Open(path);
         m_cloud = folder.Manifest;
-        m_source.AddFactsOf(folder);
+        KeptFacts.AddTo(m_source, folder);
         m_bytes = Directory.GetFiles(folder.FolderPath, "*", SearchOption.AllDirectories).Sum(f => new FileInfo(f).Length);
         var bytesOfPlane = new long[folder.Layout.Planes.Count];
         Take(folder.Upper, bytesOfPlane);
@@ -36,7 +36,7 @@ public sealed class StoredFacts
         m_planes.AddRange(folder.Layout.Planes.Select((plane, i) => (plane.Name, bytesOfPlane[i])));
     }
 
-    public PointsAccount Account => PointsAccount.Of(new SourceInfo { HasPointsClaimed = false }, m_cloud.Points);
+    public PointCounts Account => PointCounts.Of(new SourceInfo { HasPointsClaimed = false }, m_cloud.Points);
 
     bool IsWhole => !m_cloud.IsBuilding;
 

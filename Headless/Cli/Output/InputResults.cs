@@ -1,18 +1,18 @@
 namespace FastPoints.Cli.Output;
 
-public sealed class CloudList(IEnumerable<string> inputs)
+public sealed class InputResults(IEnumerable<string> inputs)
 {
     sealed record Entry(string Input)
     {
         public Action<Utf8JsonWriter>? WriteKeys;
-        public PointsAccount Points = new();
+        public PointCounts Points = new();
         public Failure? Failure;
     }
 
     readonly List<Entry> m_all = inputs.Select(i => new Entry(i)).ToList();
     int m_taken;
 
-    public void Take(CliRun run, Func<(Action<Utf8JsonWriter> WriteKeys, PointsAccount Points)> work)
+    public void Take(CliRun run, Func<(Action<Utf8JsonWriter> WriteKeys, PointCounts Points)> work)
     {
         var entry = m_all[m_taken++];
         entry.Failure = run.Try(() => (entry.WriteKeys, entry.Points) = work());

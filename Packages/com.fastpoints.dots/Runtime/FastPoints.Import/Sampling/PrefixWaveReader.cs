@@ -14,7 +14,7 @@ namespace FastPoints.Sampling
     /// <remarks>A later wave decodes a block's prefix again to reach what follows it: a tenth of its own work if waves are ten
     /// times as large. Points of one prefix are neighbours, so the sample is coarser than a uniform one of as many
     /// points.</remarks>
-    sealed class PrefixReads : WaveReads, IBlockConsumer
+    sealed class PrefixWaveReader : WaveReader, IBlockConsumer
     {
         /// <summary>Shorter prefixes are decoded about as fast as they are read, so more of them are requested at a time, which a
         /// slow disk needs as well. A LAZ slot takes 1.5 MB.</summary>
@@ -28,7 +28,7 @@ namespace FastPoints.Sampling
         /// <summary>The one that begins.</summary>
         Prefix m_begun;
 
-        public PrefixReads(PointReader reader, int wanted, uint seed)
+        public PrefixWaveReader(PointReader reader, int wanted, uint seed)
             : base(reader, reader is LineReader && !reader.BlocksAreKnown ? wanted : (int)Math.Min(wanted, reader.PointCount),
                 reader.Tree == null ? "prefixes of blocks, in waves" : "levels of its octree, in waves")
         {
@@ -68,7 +68,7 @@ namespace FastPoints.Sampling
             // Slots for prefixes of another length than in this wave are made.
             yield return JobStep.Of(m_slots.Free());
             Free();
-            EndPlace = m_plan.Taken;
+            EndIndex = m_plan.Taken;
         }
 
         JobHandle IBlockConsumer.Schedule(BlockRead read, int slot, JobHandle decoded)

@@ -8,7 +8,7 @@ namespace FastPoints.Cli.Draw;
 
 /// <summary>Pictures of all clouds that are streamed, drawn by the package's own renderer on a graphics card, or on what
 /// stands in for one. Main thread; waits for the card.</summary>
-public sealed class GpuPicture : FlightPicture
+public sealed class GpuFlightRenderer : FlightRenderer
 {
     readonly StreamContext m_stream;
     readonly PointMaterials m_materials;
@@ -18,8 +18,8 @@ public sealed class GpuPicture : FlightPicture
     readonly CommandBuffer m_commands = new() { name = "FastPoints" };
     float m_edlStrength;
 
-    /// <param name="canCompute">Points of one pixel by a compute shader; without, as point primitives.</param>
-    public GpuPicture(GpuShaders shaders, StreamContext stream, PictureOptions options, bool canCompute = true)
+    /// <param name="canCompute">Draws one-pixel points with a compute shader instead of point primitives.</param>
+    public GpuFlightRenderer(GpuShaders shaders, StreamContext stream, PictureOptions options, bool canCompute = true)
         : base(options)
     {
         m_stream = stream;
@@ -38,7 +38,7 @@ public sealed class GpuPicture : FlightPicture
     public override RgbaImage Draw(in Camera camera)
     {
         int width = Options.WidthPx, height = Options.HeightPx;
-        var view = RenderViews.Of(camera, width, height, camera.IsOrthographic ? DepthAround(camera) : 0);
+        var view = RenderViews.Of(camera, width, height, camera.IsOrthographic ? MaxCloudDepth(camera) : 0);
         view.Style = StyleOf(Options, m_edlStrength);
         view.Color = m_target;
         view.Depth = m_target;
@@ -86,7 +86,7 @@ public sealed class GpuPicture : FlightPicture
         };
     }
 
-    double DepthAround(in Camera camera)
+    double MaxCloudDepth(in Camera camera)
     {
         double depth = 0;
         foreach (var cloud in m_stream.Clouds)

@@ -2,17 +2,17 @@ using System.Text.RegularExpressions;
 
 namespace FastPoints.Cli.Draw;
 
-sealed partial class FlightPictures : IDisposable
+sealed partial class FlightOutput : IDisposable
 {
     readonly List<Animation> m_animations = [];
-    readonly string m_singles = "";
+    readonly string m_framePattern = "";
     int m_count;
 
     /// <summary>Frames from one picture to the next.</summary>
     public int Every { get; init; } = 1;
 
     /// <param name="output">A folder, NAME.webp, NAME.png, or NAME%04d.png for single pictures.</param>
-    public FlightPictures(string output, PictureOptions options, int pictures, int delayMs, bool canWebp)
+    public FlightOutput(string output, PictureOptions options, int pictures, int delayMs, bool canWebp)
     {
         canWebp &= Math.Max(options.WidthPx, options.HeightPx) <= AnimatedWebp.MaxEdgePx;
         bool isFile = IsFile(output), isWebp = Path.GetExtension(output).Equals(".webp", StringComparison.OrdinalIgnoreCase);
@@ -21,10 +21,10 @@ sealed partial class FlightPictures : IDisposable
                 + AnimatedWebp.MaxEdgePx + " pixels; NAME.png takes neither");
         string name = isFile ? output : Path.Combine(output, "flight.png");
         if (isFile && Numbers().IsMatch(output))
-            m_singles = output;
+            m_framePattern = output;
         else if (!isWebp)
             m_animations.Add(new AnimatedPng(name, options.WidthPx, options.HeightPx, pictures, delayMs));
-        if (canWebp && m_singles.Length == 0 && (isWebp || !isFile))
+        if (canWebp && m_framePattern.Length == 0 && (isWebp || !isFile))
             m_animations.Add(new AnimatedWebp(Path.ChangeExtension(name, ".webp"), options.WidthPx, options.HeightPx, pictures,
                 delayMs));
     }
@@ -44,11 +44,11 @@ sealed partial class FlightPictures : IDisposable
     {
         foreach (var animation in m_animations)
             animation.Add(image);
-        if (m_singles.Length == 0)
+        if (m_framePattern.Length == 0)
             return;
         byte[] png = Png.Encode(image);
-        OutputFile.Write(NameOf(m_singles, m_count++), png);
-        (Kept, Bytes) = (m_singles, Bytes + png.Length);
+        OutputFile.Write(NameOf(m_framePattern, m_count++), png);
+        (Kept, Bytes) = (m_framePattern, Bytes + png.Length);
     }
 
     public void Keep()

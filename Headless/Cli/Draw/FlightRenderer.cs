@@ -1,6 +1,6 @@
 namespace FastPoints.Cli.Draw;
 
-public abstract class FlightPicture(PictureOptions options) : IDisposable
+public abstract class FlightRenderer(PictureOptions options) : IDisposable
 {
     public PictureOptions Options => options;
 

@@ -14,7 +14,7 @@ namespace FastPoints.Export
     /// <summary>Sums two independent 64-bit hashes over all points of a source, as a stored cloud would have them: 128 bits that
     /// do not depend on the order. Two different multisets of points have equal sums with a probability of about 2^-128, unless
     /// they are deliberately constructed against these hashes.</summary>
-    internal sealed class SumPoints : IBlockConsumer, IDisposable
+    internal sealed class PointSetHash : IBlockConsumer, IDisposable
     {
         readonly PointSchema m_attributes;
         readonly RecordLayout m_layout;
@@ -25,7 +25,7 @@ namespace FastPoints.Export
         readonly List<NativeReference<ulong>> m_sums = new List<NativeReference<ulong>>();
         readonly List<JobHandle> m_jobs = new List<JobHandle>();
 
-        public SumPoints(PointSchema attributes, in SourceGrid grid, int capacity)
+        public PointSetHash(PointSchema attributes, in SourceGrid grid, int capacity)
         {
             m_attributes = attributes;
             m_layout = new RecordLayout(true, default, attributes.BytesPerPoint);

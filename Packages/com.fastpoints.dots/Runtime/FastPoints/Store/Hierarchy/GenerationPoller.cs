@@ -5,9 +5,9 @@ namespace FastPoints.Store
 {
     // Follows a cloud's folder that may still be in the making: looks for a newer generation once a second, on a thread of the
     // pool, and keeps it until it is taken. Main thread; only Dispose waits.
-    internal sealed class FolderGenerations : IDisposable
+    internal sealed class GenerationPoller : IDisposable
     {
-        // However many frames come: in edit mode some come at rest, or none.
+        // By time, not by frames: an idle editor may draw none.
         public static readonly TimeSpan PollInterval = TimeSpan.FromSeconds(1);
 
         // For a moment after a build, neither it nor its result may exist.
@@ -29,14 +29,14 @@ namespace FastPoints.Store
             public CloudFolder Newer;
         }
 
-        // Owns the first, which is the first to be taken.
-        public FolderGenerations(CloudFolder first) : this(first.FolderPath)
+        // Takes ownership of the folder, which is also the first that Take returns.
+        public GenerationPoller(CloudFolder first) : this(first.FolderPath)
         {
             Keep(first);
         }
 
-        // The folder may not exist yet; with or without the suffix of one in the making.
-        public FolderGenerations(string path)
+        // The folder may not exist yet. The path may have the suffix of an unfinished folder.
+        public GenerationPoller(string path)
         {
             m_path = StoreFormat.FinishedPath(path);
             IsBuilding = true;
@@ -50,7 +50,7 @@ namespace FastPoints.Store
         // The build was broken off, or the folder was deleted.
         public bool IsDeleted => m_misses >= MissesUntilDeleted;
 
-        // No look is asked for or in progress, and no generation waits to be taken.
+        // No poll is requested or in flight, and no generation waits to be taken.
         public bool IsIdle => m_polling == null && m_newest == null && !m_isRequested;
 
         public CloudFolder Newest => m_newest;
@@ -115,7 +115,7 @@ namespace FastPoints.Store
             {
                 folder = CloudFolder.Open(path);
                 var manifest = folder.Manifest;
-                // A result without its final name cannot be read for long.
+                // A finished cloud under its temporary name is about to be renamed: wait for that.
                 bool isNewer = manifest.IsBuilding ? manifest.Generation > generation || manifest.CloudId != cloudId
                     : !folder.IsUnfinished && (wasBuilding || manifest.CloudId != cloudId);
                 if (isNewer)

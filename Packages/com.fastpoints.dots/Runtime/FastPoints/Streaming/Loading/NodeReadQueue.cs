@@ -10,7 +10,7 @@ namespace FastPoints.Streaming
 {
     // The reads of all clouds. Only a few are in flight at a time, so that the most needed data never waits long. Reads are
     // cancelled when their data is no longer wanted; failed ones are retried, then reported.
-    internal sealed unsafe class NodeReads : IDisposable
+    internal sealed unsafe class NodeReadQueue : IDisposable
     {
         public const int FirstPrefetchRank = 1 << 30; // Foreseen nodes rank behind all selected ones.
 
@@ -19,7 +19,7 @@ namespace FastPoints.Streaming
         NativeList<SelectedNode> m_wanted = new NativeList<SelectedNode>(1024, Allocator.Persistent);
         long m_count;
 
-        public NodeReads(StreamState state) => m_state = state;
+        public NodeReadQueue(StreamState state) => m_state = state;
 
         public List<NodeFetch> Fetches => m_fetches;
 

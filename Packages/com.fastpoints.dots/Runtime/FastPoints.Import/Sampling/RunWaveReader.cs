@@ -11,7 +11,7 @@ namespace FastPoints.Sampling
     /// which.</summary>
     /// <remarks>The time of the first reads decides between two plans (<see cref="ReadPace"/>), and the time of the first wave's
     /// reads decides which gaps between runs are read along.</remarks>
-    sealed class RunReads : WaveReads
+    sealed class RunWaveReader : WaveReader
     {
         /// <summary>Runs in one request: one of the most takes a worker about a millisecond, one of the fewest takes the main
         /// thread as long to begin as any other.</summary>
@@ -44,10 +44,10 @@ namespace FastPoints.Sampling
         long m_waveBegun;
         long m_waveEnded;
 
-        public RunReads(PointReader reader, int wanted, uint seed)
+        public RunWaveReader(PointReader reader, int wanted, uint seed)
             : this(reader, wanted, seed, new RunPlan(reader.PointCount, wanted, reader.Info.RecordBytes, seed)) { }
 
-        RunReads(PointReader reader, int wanted, uint seed, RunPlan plan)
+        RunWaveReader(PointReader reader, int wanted, uint seed, RunPlan plan)
             : base(reader, plan.PlaceCount,
                 plan.RunCount + " runs of evenly spaced points, one in each stratum of the file, in waves")
         {
@@ -77,7 +77,7 @@ namespace FastPoints.Sampling
             if (nextEnd > end)
                 yield return JobStep.Of(PlanWave(end, nextEnd));
             m_endRank = end;
-            EndPlace = m_plan.PlaceOf(end);
+            EndIndex = m_plan.PlaceOf(end);
         }
 
         /// <summary>Coroutine: reads the first runs of the usual plan, and changes to the other one if that is

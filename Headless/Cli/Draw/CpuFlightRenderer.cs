@@ -1,6 +1,6 @@
 namespace FastPoints.Cli.Draw;
 
-public sealed class CpuPicture(StreamContext stream, PictureOptions options) : FlightPicture(options)
+public sealed class CpuFlightRenderer(StreamContext stream, PictureOptions options) : FlightRenderer(options)
 {
     readonly StreamedPicture m_picture = new(options);
 

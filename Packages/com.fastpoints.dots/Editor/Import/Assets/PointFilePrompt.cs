@@ -10,16 +10,16 @@ namespace FastPoints.Editor
 {
     /// <summary>Has point cloud files in <c>Assets</c> imported by <see cref="PointFileImporter"/> if the project wants that,
     /// which the user is asked once: whether they came before the package or after it.</summary>
-    internal sealed class PointFileClaims
+    internal sealed class PointFilePrompt
     {
-        const string CheckedKey = "FastPoints.PointFileClaims";
+        const string CheckedKey = "FastPoints.PointFilePrompt";
         const int MaxHeaderBytes = 64 << 10;
 
         readonly FastPointsSettings m_settings;
         readonly List<string> m_offered = new List<string>();
         PointFiles m_before;
 
-        public PointFileClaims(FastPointsSettings settings) => (m_settings, m_before) = (settings, settings.PointFiles);
+        public PointFilePrompt(FastPointsSettings settings) => (m_settings, m_before) = (settings, settings.PointFiles);
 
         /// <summary>Assets that were imported by another importer than ours.</summary>
         public void Add(List<string> assets)
@@ -75,7 +75,7 @@ namespace FastPoints.Editor
                 return false;
             try
             {
-                using var source = FileSource.Open(file);
+                using var source = RandomAccessFile.Open(file);
                 // A file without a line end is not read to its own.
                 foreach (string line in Encoding.ASCII.GetString(source.ReadUpTo(0, MaxHeaderBytes).Bytes).Split('\n', '\r'))
                 {

@@ -1,22 +1,22 @@
 namespace FastPoints.Cli.Page;
 
-sealed class StoredReport
+sealed class ConvertedCloudReport
 {
-    /// <summary>Of the page's 8 MB.</summary>
+    /// <summary>Limit of the 3D view within a page of 8 MB.</summary>
     const int ViewBytes = 5_000_000;
 
-    readonly StoredFacts m_facts;
+    readonly ConvertedCloudFacts m_facts;
     readonly List<(string Key, DrawStep Drawn)> m_pictures = [];
 
-    StoredReport(string path) => m_facts = new StoredFacts(path);
+    ConvertedCloudReport(string path) => m_facts = new ConvertedCloudFacts(path);
 
     public string Page { get; private set; } = "";
-    public PointsAccount Account => m_facts.Account;
+    public PointCounts Account => m_facts.Account;
 
-    public static StoredReport Make(string path, (PictureOptions Options, bool IsPlain) look, long budget, string folder,
+    public static ConvertedCloudReport Make(string path, (PictureOptions Options, bool IsPlain) look, long budget, string folder,
         string command, CliRun run)
     {
-        var report = new StoredReport(path);
+        var report = new ConvertedCloudReport(path);
         report.m_facts.Write(run.Out);
         run.Out.WriteLine();
         run.Out.Flush();
@@ -43,7 +43,7 @@ sealed class StoredReport
         foreach (var table in report.m_facts.Tables())
             page.Table(table);
         page.Heading("What to do next");
-        page.Lines([("Fly over it", "fastpoints fly " + CloudPage.Quoted(path) + " -o flight"),
+        page.Commands([("Fly over it", "fastpoints fly " + CloudPage.Quoted(path) + " -o flight"),
             ("Prove that it is undamaged", "fastpoints verify " + CloudPage.Quoted(path)),
             ("Points out again", "fastpoints export " + CloudPage.Quoted(path) + " -o part.laz")]);
         page.Facts([("command", command), ("machine", Machine.Describe())]);

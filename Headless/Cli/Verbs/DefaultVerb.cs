@@ -4,7 +4,7 @@ using FastPoints.Cli.Preview;
 
 namespace FastPoints.Cli.Verbs;
 
-public sealed class MainJob : Verb
+public sealed class DefaultVerb : Verb
 {
     readonly Argument<string[]> m_files = new("FILE")
     {
@@ -34,7 +34,7 @@ public sealed class MainJob : Verb
     readonly LookSettings m_look;
     readonly SourceSettings m_source;
 
-    public MainJob() : base(new RootCommand(
+    public DefaultVerb() : base(new RootCommand(
         "Point clouds: says what a file is, draws a sample of it at once, builds its octree and draws from that, and writes "
             + "a page with pictures, facts and times."))
     {
@@ -77,7 +77,7 @@ public sealed class MainJob : Verb
         for (int i = 0; i < clouds.Length; i++)
             Report.Refuse(folders[i], clouds[i][0], run.Settings.IsForced);
         string command = string.Join(' ', parsed.Tokens.Select(t => CloudPage.Quoted(t.Value)).Prepend("fastpoints"));
-        var all = new CloudList(clouds.Select(c => c[0]));
+        var all = new InputResults(clouds.Select(c => c[0]));
         run.WriteKeys = all.WriteKeys;
         if (files.Length == 0)
         {
@@ -96,7 +96,7 @@ public sealed class MainJob : Verb
                 if (cloud is [var only] && CloudFolder.IsCloud(only))
                 {
                     Report.Mark(folder, only);
-                    var stored = StoredReport.Make(only, (Look(), isPlain), Report.GpuPoints, folder, command, run);
+                    var stored = ConvertedCloudReport.Make(only, (Look(), isPlain), Report.GpuPoints, folder, command, run);
                     Report.WriteSummary(folder, only, stored.WriteKeys, stored.Account);
                     pages.Add(stored.Page);
                     return (stored.WriteKeys, stored.Account);
@@ -129,7 +129,7 @@ public sealed class MainJob : Verb
         /// <summary>Null where there is no graphics card, and nothing that stands in for one.</summary>
         public required DrawStep? Gpu { get; init; }
 
-        public required PointsAccount Account { get; init; }
+        public required PointCounts Account { get; init; }
 
         public static string[] FoldersOf(string[][] clouds)
         {
@@ -176,7 +176,7 @@ public sealed class MainJob : Verb
             Summary.WriteFile(Path.Combine(folder, SummaryName), json => json.WriteString("input", Path.GetFullPath(file)));
         }
 
-        public static void WriteSummary(string folder, string file, Action<Utf8JsonWriter> writeKeys, PointsAccount account) =>
+        public static void WriteSummary(string folder, string file, Action<Utf8JsonWriter> writeKeys, PointCounts account) =>
             Summary.WriteFile(Path.Combine(folder, SummaryName), json =>
             {
                 json.WriteString("input", Path.GetFullPath(file));
@@ -231,7 +231,7 @@ public sealed class MainJob : Verb
             if (gpu != null)
                 OutputFile.Write(Path.Combine(folder, "gpu.png"), Png.Encode(gpu.ToImage(look.IsPlain)));
             run.Out.WriteLine("  gpu      " +
-                (gpu != null ? gpu.Describe() + ", " + gpu.Device : "no picture: " + HeadlessGraphics.WhyNot));
+                (gpu != null ? gpu.Describe() + ", " + gpu.Device : "no picture: " + HeadlessGraphics.UnsupportedReason));
             run.Out.WriteLine();
 
             var page = new CloudPage
@@ -254,7 +254,7 @@ public sealed class MainJob : Verb
             OutputFile.Write(pagePath, page.ToBytes());
             return new Report
             {
-                Account = PointsAccount.Of(reader.Info, convert.PointsFound),
+                Account = PointCounts.Of(reader.Info, convert.PointsFound),
                 Page = pagePath,
                 Facts = facts,
                 Preview = preview,
