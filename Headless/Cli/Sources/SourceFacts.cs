@@ -84,7 +84,8 @@ public sealed class SourceFacts(PointReader reader)
         string per = " points/" + Spread.Unit + "²";
         yield return ("density", Spread.Quartiles is not [var low, var median, var high] ? "no area, seen from above"
             : "median " + Human.FourDigits(median) + per + "; a quarter below " + Human.FourDigits(low)
-                + ", three quarters below " + Human.FourDigits(high) + " (squares of " + Human.FourDigits(Spread.SquareEdge) + " " + Spread.Unit
+                + ", three quarters below " + Human.FourDigits(high)
+                + " (squares of " + Human.FourDigits(Spread.SquareEdge) + " " + Spread.Unit
                 + " with points, seen along z)");
         if (GpsTime is { } time)
             yield return ("GPS time span", Human.FourDigits(time.Max - time.Min) + " s, " + Human.Value(time.Min) + " to "
