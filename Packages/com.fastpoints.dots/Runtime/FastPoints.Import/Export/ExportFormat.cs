@@ -110,4 +110,44 @@ namespace FastPoints.Export
         public bool IsSame(AttributeType from) =>
             from == To.Type && Scale == 1 && Offset == 0 && double.IsPositiveInfinity(Max);
     }
+
+    /// <summary>What an export has written.</summary>
+    internal sealed class ExportResult
+    {
+        public readonly long Points;
+
+        /// <summary>Points that were read, of those that could be chosen.</summary>
+        public long PointsRead;
+
+        /// <summary>Wanted points whose position is no number, which have no place in the file.</summary>
+        public long PointsLeftOut;
+        public readonly long Bytes;
+
+        /// <summary>The farthest that a coordinate was moved, in CRS units; 0 if they are the source's own numbers.</summary>
+        public readonly double PositionError;
+
+        /// <summary>See <see cref="ExportFormat.Note"/>.</summary>
+        public readonly string Note;
+
+        /// <summary>One line each.</summary>
+        public readonly List<string> Warnings;
+
+        /// <summary>What the file has no place for.</summary>
+        public readonly List<Loss> Losses;
+
+        public ExportResult(ExportFormat format, in ExportState state, long bytes)
+        {
+            Points = state.Written;
+            PointsRead = state.Seen;
+            PointsLeftOut = state.LeftOut;
+            Bytes = bytes;
+            PositionError = state.WorstError;
+            Note = format.Note;
+            Warnings = new List<string>(format.Warnings);
+            Losses = new List<Loss>(format.Losses);
+            if (state.Clamped > 0)
+                Warnings.Add(NumberText.Of(state.Clamped) + " values are larger than their fields in LAS: the largest that " +
+                    "fits is written");
+        }
+    }
 }
