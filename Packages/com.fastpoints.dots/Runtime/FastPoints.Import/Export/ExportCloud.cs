@@ -118,7 +118,7 @@ namespace FastPoints.Export
                 yield return JobStep.Of(ConvertCloud.Run(new[] { reader }, octree, build,
                     result => leftOut = result.Manifest.PointsLeftOut, progress));
                 yield return JobStep.Of(PoolTask.Run(octree, () => StoredReader.Open(octree), opened => stored = opened,
-                    unwanted => unwanted.Dispose()));
+                    unwanted => unwanted.DisposeUnread()));
                 // What is said of it is of the source.
                 stored.Info.Path = reader.Info.Path;
                 yield return JobStep.Of(Run(stored, path, settings, result =>
