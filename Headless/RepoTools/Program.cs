@@ -1,4 +1,5 @@
 using FastPoints.RepoTools.Behaviour;
+using FastPoints.RepoTools.Epsg;
 using FastPoints.RepoTools.Formats;
 using FastPoints.RepoTools.Hlsl;
 using FastPoints.RepoTools.House;
@@ -13,6 +14,7 @@ public static class Program
 {
     private const string Usage = """
         usage: RepoTools VERB [--check] [--root DIR] [--tag TAG] [--flows] [--list NAME]
+               RepoTools epsg PROJ_DB
                RepoTools guard STAND-IN REFERENCE... (the build calls it)
 
           meta      a .meta beside every file and folder of the package that Unity imports; a guid that is there is kept
@@ -35,6 +37,9 @@ public static class Program
                     does not reach what derives from it, so formats count where house.tsv or code of the flow names them
           package   compares the package with what Unity's package validation suite and npm ask of one, and prints its size
 
+          epsg      Reading/EpsgTable.g.cs: EPSG's coordinate systems and their units, from PROJ's database (Debian's
+                    proj-data has it in /usr/share/proj/proj.db)
+
           --check   writes nothing; says what is not as it should be
           --root    the repository (default: the one that this program was built in)
           --tag     with package: the tag of a release, which is the version and has an entry with a date
@@ -52,6 +57,7 @@ public static class Program
         string? root = null;
         string? tag = null;
         string? list = null;
+        string? database = null;
         bool check = false;
         bool flows = false;
         for (int i = 0; i < args.Length; i++)
@@ -78,6 +84,11 @@ public static class Program
                     Console.WriteLine(Usage);
                     return 0;
                 default:
+                    if (verb == "epsg" && database == null)
+                    {
+                        database = args[i];
+                        break;
+                    }
                     if (verb != null || args[i].StartsWith('-'))
                         return Misused($"not understood: {args[i]}");
                     verb = args[i];
@@ -89,6 +100,8 @@ public static class Program
         try
         {
             Repository repository = root == null ? Repository.Find() : new Repository(root);
+            if (verb == "epsg" && database != null)
+                return Report(verb, EpsgCommand.Run(repository, database));
             return Report(verb, flows && verb == "house" ? HouseCommand.RunFlows(repository, check, list)
                 : Run(verb, repository, check, tag, list));
         }

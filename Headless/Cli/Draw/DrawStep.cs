@@ -23,7 +23,7 @@ public sealed class DrawStep
             Points = draw.PointsDrawn,
             Seconds = run.Seconds - begin,
             Image = draw.Image,
-            Legend = Legend.Of(draw.Plan, options, reader.Info.Crs.MetresPerUnit),
+            Legend = Legend.Of(draw.Plan, options),
             Assumptions = draw.Plan.Assumptions,
         };
     }
@@ -41,7 +41,7 @@ public sealed class DrawStep
             Nodes = draw.NodesDrawn,
             Seconds = run.Seconds - begin,
             Image = draw.Image,
-            Legend = Legend.Of(draw.Plan, options, folder.Manifest.MetresPerUnit),
+            Legend = Legend.Of(draw.Plan, options),
             Assumptions = draw.Plan.Assumptions,
         };
     }
@@ -63,8 +63,8 @@ public sealed class DrawStep
         Legend? legend = null;
         foreach (string path in paths)
         {
-            var (plan, _, number, unit) = FlightCloud.Add(path, stream, options, run.Cancellation);
-            legend ??= Legend.Of(plan, options, unit);
+            var (plan, _, number) = FlightCloud.Add(path, stream, options, run.Cancellation);
+            legend ??= Legend.Of(plan, options);
             picture.Add(number, plan);
             assumptions.AddRange(plan.Assumptions);
             camera ??= plan.Camera;

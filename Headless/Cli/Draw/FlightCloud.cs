@@ -1,12 +1,13 @@
+using FastPoints.Drawing;
 using FastPoints.Sampling;
 using FastPoints.Sources;
 
 namespace FastPoints.Cli.Draw;
 
 /// <summary>A cloud that is flown over: its number in the stream, and how it is drawn.</summary>
-sealed record FlightCloud(PicturePlan Plan, DisplayRanges Ranges, int Number, double MetresPerUnit)
+sealed record FlightCloud(PicturePlan Plan, DisplayRanges Ranges, int Number)
 {
-    const int PointsToPlanWith = DrawStored.PointsToPlanWith;
+    const int PointsToPlanWith = DrawStored.PointsToPlanWith, PxOfDegrees = 3;
 
     internal static FlightCloud Add(string path, StreamContext stream, PictureOptions options, CancellationToken cancellation) =>
         CloudFolder.IsCloud(path) || !Path.Exists(path) ? AddFolder(path, stream, options, cancellation)
@@ -20,20 +21,38 @@ sealed record FlightCloud(PicturePlan Plan, DisplayRanges Ranges, int Number, do
             if (reader.Tree == null)
                 return AddSample(reader, stream, options, cancellation);
             JobCoroutine.RunToEnd(TreeSource.FindTop(reader), cancellation);
-            var ranges = new DisplayRanges { IsInDegrees = double.IsNaN(reader.Info.Crs.MetresPerUnit) };
+            var ranges = new DisplayRanges { Units = reader.Info.Crs.Units };
             using (var batch = ReadTop(reader, ColorModes.AttributesToMeasure(options.Color), cancellation))
                 JobCoroutine.RunToEnd(ranges.Measure(batch, reader.Info.Transform, options.UpAxis), cancellation);
             var source = new TreeSource(reader,
                 CloudLooks.PlanesFor(ranges.Resolve(options.Color), !options.HiddenClasses.IsEmpty));
             var plan = new PicturePlan(options, ranges, source.Grid.FromCorner(source.Root.Corner));
-            return new FlightCloud(plan, ranges, stream.Add(source, CloudPlacement.Geo(source.Grid, source.Root)),
-                reader.Info.Crs.MetresPerUnit);
+            return new FlightCloud(plan, ranges, stream.Add(source, CloudPlacement.Geo(source.Grid, source.Root)));
         }
         catch
         {
             reader.Dispose();
             throw;
         }
+    }
+
+    /// <summary>Sizes that were not asked for: as far as points are apart. Degrees are no lengths to be apart in.</summary>
+    internal static void SetSize(PictureOptions options, params string[] clouds)
+    {
+        if (options.PointSizePx >= 1)
+            return;
+        if (clouds.Any(IsInDegrees))
+            options.PointSizePx = PxOfDegrees;
+        else
+            options.SizeInWorld ??= PointSize.Adaptive();
+    }
+
+    static bool IsInDegrees(string cloud)
+    {
+        if (!CloudFolder.IsCloud(cloud))
+            return false;
+        using var folder = CloudFolder.Open(cloud);
+        return folder.Manifest.Crs.Units.IsInDegrees;
     }
 
     static FlightCloud AddSample(PointReader reader, StreamContext stream, PictureOptions options,
@@ -56,7 +75,7 @@ sealed record FlightCloud(PicturePlan Plan, DisplayRanges Ranges, int Number, do
         }
         var source = new TreeSource(sample, CloudLooks.PlanesFor(ranges.Resolve(options.Color), !options.HiddenClasses.IsEmpty));
         return new FlightCloud(new PicturePlan(options, ranges, source.Grid.FromCorner(source.Root.Corner)), ranges,
-            stream.Add(source, CloudPlacement.Geo(source.Grid, source.Root)), reader.Info.Crs.MetresPerUnit);
+            stream.Add(source, CloudPlacement.Geo(source.Grid, source.Root)));
     }
 
     static FlightCloud AddFolder(string path, StreamContext stream, PictureOptions options, CancellationToken cancellation)
@@ -66,7 +85,7 @@ sealed record FlightCloud(PicturePlan Plan, DisplayRanges Ranges, int Number, do
         {
             var schema = LoadNodes.SchemaFor(folder, ColorModes.AttributesToMeasure(options.Color));
             var transform = folder.Manifest.Grid.FromCorner(folder.Manifest.Root.Corner);
-            var ranges = new DisplayRanges();
+            var ranges = new DisplayRanges { Units = folder.Manifest.Crs.Units };
             using (var selection = new NodeSelection(folder))
             {
                 selection.Choose(null, PointsToPlanWith);
@@ -76,8 +95,7 @@ sealed record FlightCloud(PicturePlan Plan, DisplayRanges Ranges, int Number, do
             }
             var plan = new PicturePlan(options, ranges, transform);
             var source = new FolderSource(folder, CloudLooks.PlanesFor(plan.Mode, !options.HiddenClasses.IsEmpty));
-            return new FlightCloud(plan, ranges, stream.Add(source, CloudPlacement.Geo(source.Grid, source.Root)),
-                folder.Manifest.MetresPerUnit);
+            return new FlightCloud(plan, ranges, stream.Add(source, CloudPlacement.Geo(source.Grid, source.Root)));
         }
         catch
         {

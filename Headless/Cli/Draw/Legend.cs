@@ -2,8 +2,7 @@ using FastPoints.Drawing;
 
 namespace FastPoints.Cli.Draw;
 
-/// <param name="metresPerUnit">Of the coordinates: NaN for degrees, 0 where it is not known.</param>
-public sealed class Legend(ColorMode mode, DisplayRanges ranges, Camera camera, PictureOptions options, double metresPerUnit)
+public sealed class Legend(ColorMode mode, DisplayRanges ranges, Camera camera, PictureOptions options)
 {
     const int MinWidthPx = 320, MinHeightPx = 180, MaxRows = 8;
     const string Letters = "0123456789abcdefghijklmnopqrstuvwxyz.,-+%/:()";
@@ -15,8 +14,8 @@ public sealed class Legend(ColorMode mode, DisplayRanges ranges, Camera camera, 
 
     static readonly byte[] s_dots = System.Convert.FromHexString(Dots.Replace(" ", ""));
 
-    internal static Legend Of(PicturePlan plan, PictureOptions options, double metresPerUnit) =>
-        new(plan.Mode, plan.Ranges, plan.Camera, options, metresPerUnit);
+    internal static Legend Of(PicturePlan plan, PictureOptions options) =>
+        new(plan.Mode, plan.Ranges, plan.Camera, options);
 
     public RgbaImage DrawOn(RgbaImage image)
     {
@@ -44,7 +43,8 @@ public sealed class Legend(ColorMode mode, DisplayRanges ranges, Camera camera, 
             for (int x = 0; x < width; x++)
                 Fill(image, left + x, bottom - row, 1, 8 * dot, palette[x * (Palettes.Length - 1) / (width - 1)]);
             int text = bottom - 2 * row - dot;
-            string highest = Human.FourDigits(high) + (isHeight && ranges.UpAxis == UpAxis.Z ? " " + Unit : "");
+            string highest = Human.FourDigits(high) + (isHeight && ranges.UpAxis == UpAxis.Z
+                ? " " + Human.Unit(ranges.Units.Vertical > 0 ? ranges.Units.Vertical : ranges.Units.Horizontal) : "");
             Write(image, dot, left, text - row, isHeight ? ranges.UpAxis == UpAxis.Z ? "elevation" : "height" : "intensity");
             Write(image, dot, left, text, Human.FourDigits(low));
             Write(image, dot, left + width - WidthOf(highest, dot), text, highest);
@@ -62,8 +62,6 @@ public sealed class Legend(ColorMode mode, DisplayRanges ranges, Camera camera, 
             Write(image, dot, left + row, top, names[i].Item2);
         }
     }
-
-    string Unit => Human.Unit(metresPerUnit);
 
     /// <summary>The longest of 1, 2, 5, 10 and so on that fits in a fifth of the picture; in perspective, at the distance of the
     /// middle.</summary>
@@ -83,7 +81,8 @@ public sealed class Legend(ColorMode mode, DisplayRanges ranges, Camera camera, 
         Fill(image, right - width, top, width, 2 * dot, Ink);
         Fill(image, right - width, top - 4 * dot, 2 * dot, 4 * dot, Ink);
         Fill(image, right - 2 * dot, top - 4 * dot, 2 * dot, 4 * dot, Ink);
-        string text = Human.FourDigits(units) + " " + Unit + (camera.IsOrthographic ? "" : " in the middle");
+        string text = Human.FourDigits(units) + " " + Human.Unit(ranges.Units.Horizontal)
+            + (camera.IsOrthographic ? "" : " in the middle");
         Write(image, dot, right - Math.Max(width, WidthOf(text, dot)), top - 4 * dot - row, text);
     }
 

@@ -18,13 +18,13 @@ public static class StreamedPictureStep
         using var picture = new StreamedPicture(options);
         run.Progress.Begin("select");
         var bounds = BoundsGeo.Empty;
-        (PicturePlan Plan, DisplayRanges Ranges, double Unit)? legend = null;
+        (PicturePlan Plan, DisplayRanges Ranges)? legend = null;
         List<double3> outline = [], rim = [];
         var assumptions = new List<string>();
         foreach (string cloud in clouds)
         {
-            var (plan, ranges, number, unit) = FlightCloud.Add(cloud, stream, options, run.Cancellation);
-            legend ??= (plan, ranges, unit);
+            var (plan, ranges, number) = FlightCloud.Add(cloud, stream, options, run.Cancellation);
+            legend ??= (plan, ranges);
             picture.Add(new StreamedBlocks(stream, number, plan), plan.Mode);
             assumptions.AddRange(plan.Assumptions.Where(a => !assumptions.Contains(a)));
             outline.AddRange(ranges.Outline);
@@ -53,7 +53,7 @@ public static class StreamedPictureStep
             Nodes = stats.DrawnNodes,
             Seconds = run.Seconds - begin,
             Image = image,
-            Legend = new Legend(legend!.Value.Plan.Mode, legend.Value.Ranges, camera, options, legend.Value.Unit),
+            Legend = new Legend(legend!.Value.Plan.Mode, legend.Value.Ranges, camera, options),
             Assumptions = assumptions,
         };
     }

@@ -27,7 +27,8 @@ sealed class CloudPage
     public byte[] ToBytes()
     {
         var density = new DensityMap(View.Points, View.Bounds, View.Ranges.LengthsPerUnit, UpAxis, Manifest.Points);
-        var page = new ReportPage(Name, Facts.Kind + " · made by FastPoints " + Version + " on " + Today);
+        var page = new ReportPage(Name, Facts.Kind + " · " + (Info.Crs.Units.IsKnown ? "in " : "UNIT ") +
+            Info.Crs.Units.Describe(BoundsGeo.Empty) + " · made by FastPoints " + Version + " on " + Today);
         page.Tiles(Tiles(density));
         var odd = Odd().ToList();
         page.Html(odd.Count == 0 ? "<p class=\"note\">Nothing odd was found in it.</p>"

@@ -21,8 +21,7 @@ sealed class ConvertedCloudReport
         run.Out.WriteLine();
         run.Out.Flush();
         var options = look.Options;
-        if (options.PointSizePx < 1)
-            options.SizeInWorld ??= FastPoints.Drawing.PointSize.Adaptive();
+        FlightCloud.SetSize(options, path);
         run.Progress.Group = "picture";
         report.Add("picture", StreamedPictureStep.Run([path], options, budget, run), folder, look.IsPlain, run);
         run.Progress.Group = "gpu";

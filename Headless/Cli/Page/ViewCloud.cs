@@ -19,15 +19,10 @@ sealed class ViewCloud
     readonly PictureOptions m_options;
     List<ViewColumn> m_columns = [];
 
-    ViewCloud(PictureOptions options, CoordinateSystem crs, DisplayRanges? ranges = null)
-    {
-        m_options = options;
-        Ranges = ranges ?? new DisplayRanges { IsInDegrees = double.IsNaN(crs.MetresPerUnit) };
-        Unit = Human.Unit(crs.MetresPerUnit);
-    }
+    ViewCloud(PictureOptions options, DisplayRanges ranges) => (m_options, Ranges) = (options, ranges);
 
     public DisplayRanges Ranges { get; }
-    public string Unit { get; }
+    public string Unit => Human.Unit(Ranges.Units.Horizontal);
     public List<ViewWave> Waves { get; } = [];
 
     /// <summary>What is shown: everything, or what nearly all points are in where few far ones would leave it too few
@@ -46,7 +41,7 @@ sealed class ViewCloud
         using var reader = open();
         using var taken = new SampleTakers(() => WithAll(open()), preview, run) { Runs = 1 }.Ours();
         var errors = WaveErrors.Measure(reader, taken, run);
-        var view = new ViewCloud(options, reader.Info.Crs) { Camera = camera };
+        var view = new ViewCloud(options, new DisplayRanges { Units = reader.Info.Crs.Units }) { Camera = camera };
         for (int i = 0; i < taken.Waves.Count; i++)
         {
             var (wave, points) = taken.Waves[i];
@@ -68,11 +63,11 @@ sealed class ViewCloud
         var parts = new List<ViewPoints>();
         foreach (string cloud in clouds)
         {
-            using var batch = Load(cloud, MaxPoints / clouds.Length, run, out var transform, out var crs);
-            var ranges = new DisplayRanges { IsInDegrees = double.IsNaN(crs.MetresPerUnit) };
+            using var batch = Load(cloud, MaxPoints / clouds.Length, run, out var transform, out var units);
+            var ranges = new DisplayRanges { Units = units };
             run.RunSteps(ranges.Measure(batch, transform, options.UpAxis));
             parts.Add(ViewPoints.Of(batch, batch.Count, transform));
-            view ??= new ViewCloud(options, crs, ranges) { Camera = cameras[0], Path = every > 0 ? (cameras, every) : null };
+            view ??= new ViewCloud(options, ranges) { Camera = cameras[0], Path = every > 0 ? (cameras, every) : null };
             if (ranges.Full.IsEmpty)
                 continue;
             view.Ranges.Full = Around(view.Ranges.Full, ranges.Full);
@@ -87,13 +82,13 @@ sealed class ViewCloud
 
     static BoundsGeo Around(BoundsGeo a, BoundsGeo b) => new(math.min(a.Min, b.Min), math.max(a.Max, b.Max));
 
-    static PointBatch Load(string path, int max, CliRun run, out PositionTransform transform, out CoordinateSystem crs)
+    static PointBatch Load(string path, int max, CliRun run, out PositionTransform transform, out CloudUnits units)
     {
         if (!CloudFolder.IsCloud(path))
         {
             using var reader = WithAll(PointReaders.Open(path));
             using var sampler = Sampled(reader, max, run);
-            (transform, crs) = (reader.Info.Transform, reader.Info.Crs);
+            (transform, units) = (reader.Info.Transform, reader.Info.Crs.Units);
             return sampler.TakeSample().Points;
         }
         using var folder = CloudFolder.Open(path);
@@ -103,7 +98,7 @@ sealed class ViewCloud
         var batch = new PointBatch(schema, checked((int)selection.Points), Allocator.Persistent);
         run.RunSteps(LoadNodes.Run(folder, selection, batch, null));
         transform = folder.Manifest.Grid.FromCorner(folder.Manifest.Root.Corner);
-        crs = new CoordinateSystem { MetresPerUnit = folder.Manifest.MetresPerUnit };
+        units = folder.Manifest.Crs.Units;
         return batch;
     }
 

@@ -36,7 +36,7 @@ public sealed class PreviewStep
             Slices = slices,
             Seconds = run.Seconds - begin,
             Image = preview.Image,
-            Legend = Legend.Of(preview.Plan, options.Picture, reader.Info.Crs.MetresPerUnit),
+            Legend = Legend.Of(preview.Plan, options.Picture),
             Camera = preview.Plan.Camera,
             Mode = preview.Plan.Mode,
             Assumptions = preview.Plan.Assumptions,

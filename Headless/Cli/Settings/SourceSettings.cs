@@ -9,17 +9,44 @@ public sealed class SourceSettings
             + "other name; - leaves one out (default: by its header, or guessed; info says what was taken).",
     };
 
-    public SourceSettings(Command command) => command.Add(m_columns);
+    readonly Option<string?> m_unit = new("--unit")
+    {
+        HelpName = "m|ft|us-ft|METRES",
+        Description = "What a unit of the coordinates is, whatever the files say: a name of PROJ's, or its length in metres. "
+            + "A converted cloud keeps it.",
+    };
+    readonly Option<string?> m_crs = new("--crs")
+    {
+        HelpName = "EPSG:N",
+        Description = "The coordinate system, whatever the files say: EPSG:2229, EPSG:2229+5703 with heights, WKT, or a PROJ "
+            + "string. Points are not moved.",
+    };
+
+    public SourceSettings(Command command)
+    {
+        command.Add(m_columns);
+        command.Add(m_unit);
+        command.Add(m_crs);
+    }
 
     public ReadOptions Read(ParseResult parsed)
     {
+        var options = new ReadOptions { CoordinateSystem = parsed.GetValue(m_crs) };
+        if (options.CoordinateSystem is { } crs && !CrsText.Read(crs, new CoordinateSystem()))
+            throw new UsageException("--crs: wanted EPSG:2229, WKT or a PROJ string, got " + crs);
+        if (parsed.GetValue(m_unit) is { } unit)
+        {
+            options.MetresPerUnit = CrsText.UnitOf(unit);
+            if (options.MetresPerUnit == 0)
+                throw new UsageException("--unit: wanted m, ft, us-ft, another name of PROJ's or its metres, got " + unit);
+        }
         string? columns = parsed.GetValue(m_columns);
         if (columns == null)
-            return new ReadOptions();
+            return options;
         var names = columns.Split(',');
-        foreach (string axis in new[] { "x", "y", "z" })
-            if (System.Array.FindIndex(names, n => n.Trim().Equals(axis, System.StringComparison.OrdinalIgnoreCase)) < 0)
-                throw new UsageException("--columns: wanted x, y and z among them, got " + columns);
-        return new ReadOptions { TextColumns = names };
+        if (!XyzNames.HavePosition(XyzNames.Of(names, names.Length)))
+            throw new UsageException("--columns: wanted x, y and z among them, got " + columns);
+        options.TextColumns = names;
+        return options;
     }
 }

@@ -105,7 +105,7 @@ public sealed class ConvertedCloudFacts
                 + Human.Coordinate(bounds.Min[axis], m_cloud.Grid.Step[axis]) + " to "
                 + Human.Coordinate(bounds.Max[axis], m_cloud.Grid.Step[axis]));
         yield return ("crs", m_cloud.CrsName ?? "unknown");
-        yield return ("unit", SourceFacts.UnitOf(m_cloud.MetresPerUnit));
+        yield return ("unit", SourceFacts.UnitOf(m_cloud.Crs.Units, m_cloud.BoundsGeo));
         if (m_cloud.GpsTime.Kind != GpsTimeKind.Unknown)
             yield return ("GPS times", m_cloud.GpsTime.ToString());
         yield return ("octree", Human.Count(m_cloud.NodeCount, "node") + " on " + Human.Count(m_levels.Count, "level") + " in "
@@ -144,7 +144,7 @@ public sealed class ConvertedCloudFacts
             json.WriteEndObject();
         }
         json.WriteEndArray();
-        SourceFacts.WriteCrs(json, m_cloud.Crs);
+        SourceFacts.WriteCrs(json, m_cloud.Crs, m_cloud.BoundsGeo);
         SourceFacts.WriteGpsTime(json, m_cloud.GpsTime);
         SourceFacts.WriteFacts(json, m_source);
         json.WriteStartObject("tree");

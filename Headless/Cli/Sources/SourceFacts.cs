@@ -46,7 +46,7 @@ public sealed class SourceFacts(PointReader reader)
         foreach (var line in SpreadLines())
             yield return line;
         yield return ("crs", Info.Crs.Summary ?? "unknown");
-        yield return ("unit", UnitOf(Info.Crs.MetresPerUnit));
+        yield return ("unit", UnitOf(Info.Crs.Units, Info.BoundsTrusted));
         if (Info.GpsTime.Kind != GpsTimeKind.Unknown)
             yield return ("GPS times", Info.GpsTime.ToString());
         TakeTree();
@@ -159,20 +159,18 @@ public sealed class SourceFacts(PointReader reader)
                 ? "at byte " + warning.ByteOffset.ToString(CultureInfo.InvariantCulture) + ": " : "") + warning.Text));
     }
 
-    public static string UnitOf(double metresPerUnit) => metresPerUnit switch
-    {
-        0 => "unknown, taken for metres",
-        1 => "metres",
-        double.NaN => "degrees",
-        _ => Human.Value(metresPerUnit) + " metres",
-    };
+    public static string UnitOf(CloudUnits units, BoundsGeo bounds) =>
+        units.Describe(bounds) + (units.IsKnown ? "" : ": say it by --unit m, ft, us-ft or its metres");
 
-    public static void WriteCrs(Utf8JsonWriter json, CloudCrs crs)
+    public static void WriteCrs(Utf8JsonWriter json, CloudCrs crs, BoundsGeo bounds)
     {
         json.WriteString("crs", crs.Name);
         WriteCode(json, "crsEpsg", crs.Epsg);
         WriteCode(json, "crsVerticalEpsg", crs.VerticalEpsg);
         json.WriteReal("crsMetresPerUnit", crs.MetresPerUnit > 0 ? crs.MetresPerUnit : double.NaN);
+        json.WriteReal("crsVerticalMetresPerUnit", crs.VerticalMetresPerUnit > 0 ? crs.VerticalMetresPerUnit : double.NaN);
+        json.WriteBoolean("crsUnitKnown", crs.Units.IsKnown);
+        json.WriteReal("crsPlacementError", crs.Units.IsInDegrees ? crs.Units.PlacementError(bounds) : double.NaN);
         json.WriteString("crsWkt", crs.Wkt);
     }
 
@@ -275,7 +273,7 @@ public sealed class SourceFacts(PointReader reader)
             json.WriteEndObject();
         }
         json.WriteEndArray();
-        WriteCrs(json, Info.Crs.ToCloudCrs());
+        WriteCrs(json, Info.Crs.ToCloudCrs(), Info.BoundsTrusted);
         WriteGpsTime(json, Info.GpsTime);
         WriteFacts(json, Info);
         WriteTree(json);

@@ -26,8 +26,7 @@ sealed class Spread
     {
         if (sample.Points is not { } batch)
             return null;
-        double unit = reader.Info.Crs.MetresPerUnit;
-        var ranges = new DisplayRanges { IsInDegrees = double.IsNaN(unit) };
+        var ranges = new DisplayRanges { Units = reader.Info.Crs.Units };
         run.RunSteps(ranges.Measure(batch, reader.Info.Transform, UpAxis.Z));
         if (ranges.Full.IsEmpty)
             return null;
@@ -41,7 +40,7 @@ sealed class Spread
         }
         var bounds = new BoundsGeo(low, high);
         var density = new DensityMap(points, bounds, ranges.LengthsPerUnit, UpAxis.Z, sample.Found);
-        return new Spread(bounds, density, Human.Unit(unit));
+        return new Spread(bounds, density, Human.Unit(ranges.Units.Horizontal));
     }
 
     public void WriteKeys(Utf8JsonWriter json)

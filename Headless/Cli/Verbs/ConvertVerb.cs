@@ -98,6 +98,7 @@ public sealed class ConvertVerb : Verb
         run.Points.Add(reader.Info, result.PointsFound);
         run.WriteKeys = result.WriteKeys;
         run.Out.WriteLine(output + ": " + result.Describe());
+        run.Out.WriteLine("  unit   " + SourceFacts.UnitOf(reader.Info.Crs.Units, result.Result.Manifest.BoundsGeo));
         StageTable.Of(run.Progress).Write(run.Out, "  ");
         if (!parsed.GetValue(m_report))
             return;

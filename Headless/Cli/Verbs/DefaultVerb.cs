@@ -215,8 +215,7 @@ public sealed class DefaultVerb : Verb
             run.Out.Flush();
             run.Progress.Group = "picture";
             // As a game draws it, which the card's picture is compared with.
-            if (picture.PointSizePx < 1)
-                picture.SizeInWorld ??= FastPoints.Drawing.PointSize.Adaptive();
+            FlightCloud.SetSize(picture, cloudPath);
             var drawn = StreamedPictureStep.Run([cloudPath], picture, GpuPoints, run);
             OutputFile.Write(picturePath, Png.Encode(drawn.ToImage(look.IsPlain)));
             run.Out.WriteLine("  picture  " + drawn.Describe());

@@ -63,8 +63,8 @@ public sealed class PictureVerb : Verb
                 options.WidthPx + "x" + options.HeightPx, reference.Width + "x" + reference.Height);
 
         // As a game draws them, on the processor as on a card.
-        if (options.PointSizePx < 1 && clouds.Any(CloudFolder.IsCloud))
-            options.SizeInWorld ??= FastPoints.Drawing.PointSize.Adaptive();
+        if (clouds.Any(CloudFolder.IsCloud))
+            FlightCloud.SetSize(options, clouds);
         var result = parsed.GetValue(m_gpu) ? DrawStep.RunOnGpu(clouds, options, budget, run)
             : clouds.Length == 1 && CloudFolder.IsCloud(clouds[0]) && !IsForStream(options)
             ? DrawStep.RunStored(clouds[0], options, budget, run)

@@ -45,14 +45,15 @@ public sealed class CloudHandleTests
     [Test]
     public void Handle_OfNothingKnown_WrittenAndRead_SaysTheSame()
     {
-        var handle = new CloudHandle { CloudPath = "a", MetresPerUnit = double.NaN };
+        var handle = new CloudHandle { CloudPath = "a", Units = new CloudUnits(double.NaN, 0.3048) };
 
         var read = CloudHandle.FromJson(handle.ToJson(), "a.pointcloud");
 
         Assert.That(read.BoundsGeo.IsEmpty, Is.True);
         Assert.That(read.Stamp, Is.Null);
         Assert.That(read.Points, Is.EqualTo(-1));
-        Assert.That(read.MetresPerUnit, Is.NaN);
+        Assert.That(read.Units.IsInDegrees);
+        Assert.That(read.Units.Vertical, Is.EqualTo(0.3048));
     }
 
     [TestCase("", FailureCode.BadInput, "at character 0")]

@@ -129,6 +129,34 @@ public sealed class InspectorTests
         Assert.That(FrameText.Describe(stats, 1, 1).Single(l => l.Key == "Reads").Value, Is.EqualTo("nothing is missing"));
     }
 
+    [Test]
+    public void CloudInspector_OfAnUnknownUnit_AsksForItAndTakesTheAnswer()
+    {
+        using var project = new EditorProject();
+        File.WriteAllText(project.Scratch["feet.xyz"], "0 0 0\n100 200 10\n");
+        project.Imports.CreateAsset(project.Scratch["feet.xyz"], "Assets");
+        var importer = new HandleImporter { Path = "Assets/feet.pointcloud" };
+        var inspector = UnityEditor.Editor.Of<CloudImporterEditor>(importer);
+        try
+        {
+            ImportProject.Updates(() =>
+            {
+                inspector.DrawInspector();
+                project.Imports.Update(DateTime.UtcNow);
+            }, () => project.Imports.Queue.Requests.Count == 0);
+            inspector.DrawInspector();
+            GUILayoutUtility.Send(new Event { type = EventType.Layout }, inspector.OnInspectorGUI);
+            GUILayout.Pressed = "US survey feet: 30.48 x 60.96 x 3.048 m";
+            GUILayoutUtility.Send(new Event { type = EventType.MouseUp }, inspector.OnInspectorGUI);
+            Assert.That(importer.MetresPerUnit, Is.EqualTo(1200.0 / 3937));
+        }
+        finally
+        {
+            (GUILayout.Pressed, Event.current) = (null, null);
+            Object.DestroyImmediate(inspector);
+        }
+    }
+
     /// <summary>Both events of each repaint, through a cloud's life: no control may come that was not laid out, and all of
     /// the fields that are drawn are there.</summary>
     [Test]

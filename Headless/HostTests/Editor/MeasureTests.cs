@@ -97,7 +97,7 @@ public sealed class MeasureTests : ScratchTests
         {
             StreamPick from = Find(picker, Down()), to = Find(picker, Down(5));
             var asIs = new Measurement(from, to);
-            Assert.That((from.Up, from.MetresPerUnit), Is.EqualTo((UpAxis.Z, m_folder.Manifest.MetresPerUnit)));
+            Assert.That((from.Up, from.Units), Is.EqualTo((UpAxis.Z, m_folder.Manifest.Crs.Units)));
             Assert.That(asIs.HorizontalGeo, Is.EqualTo(math.length(asIs.DeltaGeo.xy)));
             var file = m_world.EntityManager.GetComponentData<PointCloudFile>(m_cloud.Entity);
             (file.Up, file.UnitMetres) = (UpAxis.X, 0.25);
@@ -112,7 +112,7 @@ public sealed class MeasureTests : ScratchTests
                 new double3(0, -1, 0), 100, 100));
 
             var set = new Measurement(from, to);
-            Assert.That((from.Up, from.MetresPerUnit), Is.EqualTo((UpAxis.X, 0.25)));
+            Assert.That((from.Up, from.Units), Is.EqualTo((UpAxis.X, new CloudUnits(0.25))));
             Assert.That(set.HorizontalGeo, Is.EqualTo(math.length(set.DeltaGeo.yz)).And.GreaterThan(0));
             Assert.That(set.LengthMetres, Is.EqualTo(set.LengthGeo * 0.25));
         }

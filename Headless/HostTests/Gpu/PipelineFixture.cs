@@ -65,7 +65,7 @@ public abstract class PipelineFixture : GraphicsFixture
 
     internal PicturePlan Add(StreamContext reference, PictureOptions options, out CloudPlacement placement)
     {
-        var (plan, ranges, number, _) = FlightCloud.Add(m_cloud, reference, options, default);
+        var (plan, ranges, number) = FlightCloud.Add(m_cloud, reference, options, default);
         placement = reference.Clouds[number].Placement;
         placement.OriginWorld -= math.round(ranges.Robust.Center);
         reference.Clouds[number].Placement = placement;

@@ -37,7 +37,7 @@ sealed class TwinStreams : IDisposable
     {
         foreach (var (stream, picture) in new[] { (m_cpu, m_cpuPicture), (m_gpu, m_gpuPicture) })
         {
-            var (plan, ranges, number, _) = FlightCloud.Add(cloud, stream, options, default);
+            var (plan, ranges, number) = FlightCloud.Add(cloud, stream, options, default);
             if (place != null)
                 stream.Clouds[number].Placement = place(stream.Clouds[number].Placement);
             picture.Add(number, plan);

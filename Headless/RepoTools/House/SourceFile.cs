@@ -42,5 +42,7 @@ public sealed record SourceFile(string Path, string Text)
 
     public static bool IsWanted(string path) => IsCodePath(path) || new SourceFile(path, "").IsManual;
 
-    private static bool IsCodePath(string path) => s_code.Any(e => path.EndsWith(e, StringComparison.Ordinal));
+    // Tables that a verb makes are data.
+    private static bool IsCodePath(string path) => s_code.Any(e => path.EndsWith(e, StringComparison.Ordinal)) &&
+        !path.EndsWith(".g.cs", StringComparison.Ordinal);
 }

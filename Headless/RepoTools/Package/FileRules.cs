@@ -7,7 +7,7 @@ public static class FileRules
     private const int LongestPath = 140;
 
     private static readonly string[] s_required =
-        { "package.json", "README.md", "LICENSE.md", "CHANGELOG.md", "Documentation~/index.md" };
+        { "package.json", "README.md", "LICENSE.md", "Third Party Notices.md", "CHANGELOG.md", "Documentation~/index.md" };
 
     /// <summary>Unity does not import folders that end in '~': there are these two, and Unity knows what they are for.</summary>
     private static readonly string[] s_hidden = { "Documentation~", "Samples~" };

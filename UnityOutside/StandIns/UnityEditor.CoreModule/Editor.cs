@@ -19,7 +19,10 @@ public class Editor : ScriptableObject
 
     internal Object[] Targets;
 
-    public SerializedObject serializedObject => new SerializedObject(target);
+    public SerializedObject serializedObject => m_serialized?.targetObject == target ? m_serialized
+        : m_serialized = new SerializedObject(target);
+
+    SerializedObject m_serialized;
 
     public virtual bool RequiresConstantRepaint() => false;
     public virtual Texture2D RenderStaticPreview(string assetPath, Object[] subAssets, int width, int height) => null;
@@ -50,30 +53,58 @@ public class Editor : ScriptableObject
     }
 }
 
-/// <summary>Nobody changes anything.</summary>
+/// <summary>Nobody changes anything but the code that draws.</summary>
 public class SerializedObject(Object obj)
 {
     readonly Object m_target = obj != null ? obj : throw new ArgumentException("Object at index 0 is null");
+    readonly Dictionary<string, double> m_changed = new();
 
-    public void Update() { }
+    internal Object targetObject => m_target;
+
+    public void Update() => m_changed.Clear();
+
+    internal double this[string field]
+    {
+        get => m_changed.TryGetValue(field, out double value) ? value : (double)FieldOf(field).GetValue(m_target);
+        set => m_changed[field] = value;
+    }
+
+    System.Reflection.FieldInfo FieldOf(string name) => SerializedFields.Of(m_target.GetType()).Single(f => f.Name == name);
 
     /// <summary>What somebody has typed: it changes the fields, past properties.</summary>
     internal static Action<Object> s_typed;
 
     public bool ApplyModifiedProperties()
     {
+        foreach (var (field, value) in m_changed)
+            FieldOf(field).SetValue(m_target, value);
+        bool isChanged = m_changed.Count > 0 || s_typed != null;
+        m_changed.Clear();
         s_typed?.Invoke(m_target);
-        return s_typed != null;
+        return isChanged;
     }
 
     /// <returns>Null where Unity keeps no such field.</returns>
     public SerializedProperty FindProperty(string propertyPath) => propertyPath == "m_Script" ||
         SerializedFields.Of(m_target.GetType()).Any(f => f.Name == propertyPath && SerializedFields.IsKept(f.FieldType))
-            ? new SerializedProperty()
+            ? new SerializedProperty(this, propertyPath)
             : null;
 }
 
-public class SerializedProperty { }
+/// <summary>Changes reach the object by ApplyModifiedProperties.</summary>
+public class SerializedProperty
+{
+    readonly SerializedObject m_object;
+    readonly string m_field;
+
+    internal SerializedProperty(SerializedObject of, string field) => (m_object, m_field) = (of, field);
+
+    public double doubleValue
+    {
+        get => m_object[m_field];
+        set => m_object[m_field] = value;
+    }
+}
 
 /// <summary>What a menu's item was chosen for: in the Hierarchy's own menu, the object under the pointer.</summary>
 public sealed class MenuCommand(Object inContext)

@@ -37,13 +37,14 @@ namespace FastPoints.Editor
                 lines.Add("Distance  " + Rounded(measured.WorldLength) + " (scene; other coordinate systems)");
                 return lines;
             }
-            bool hasMetres = measured.MetresPerUnit == measured.MetresPerUnit;
+            var units = measured.Units;
             lines.Add("Distance  " +
-                (hasMetres ? Rounded(measured.LengthMetres) + " m" : Rounded(measured.LengthGeo) + " units"));
-            if (hasMetres && measured.MetresPerUnit != 1)
-                lines.Add("Distance  " + Rounded(measured.LengthGeo) + " units of " + Rounded(measured.MetresPerUnit) + " m");
-            lines.Add("Across  " + Rounded(hasMetres ? measured.HorizontalGeo * measured.MetresPerUnit : measured.HorizontalGeo) +
-                (hasMetres ? " m" : " units"));
+                (units.IsKnown ? Rounded(measured.LengthMetres) + " m" : Rounded(measured.LengthGeo) + " units"));
+            bool isOneUnit = units.Vertical == 0 || units.Vertical == units.Horizontal;
+            if (units.Horizontal > 0 && units.Horizontal != 1 && isOneUnit)
+                lines.Add("Distance  " + Rounded(measured.LengthGeo) + " units of " + Rounded(units.Horizontal) + " m");
+            lines.Add("Across  " + (units.IsKnown ? Rounded(measured.HorizontalMetres) + " m"
+                : Rounded(measured.HorizontalGeo) + " units"));
             lines.Add("dx, dy, dz  " + Coordinates(measured.DeltaGeo, step));
             return lines;
         }

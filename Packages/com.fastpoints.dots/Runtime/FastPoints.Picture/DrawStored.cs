@@ -45,7 +45,8 @@ namespace FastPoints.Picture
             progress?.Begin("select");
             var schema = LoadNodes.SchemaFor(m_folder, ColorModes.AttributesToMeasure(m_options.Color));
             var transform = m_folder.Manifest.Grid.FromCorner(m_folder.Manifest.Root.Corner);
-            var ranges = PlansByManifest ? DisplayRanges.Of(m_folder.Manifest) : new DisplayRanges();
+            var ranges = PlansByManifest ? DisplayRanges.Of(m_folder.Manifest)
+                : new DisplayRanges { Units = m_folder.Manifest.Crs.Units };
             using (var selection = new NodeSelection(m_folder))
             {
                 if (!PlansByManifest)

@@ -87,7 +87,7 @@ namespace FastPoints.Picture
 
         IEnumerator<JobStep> MeasureSample()
         {
-            Ranges = new DisplayRanges { IsInDegrees = double.IsNaN(m_reader.Info.Crs.MetresPerUnit) };
+            Ranges = new DisplayRanges { Units = m_reader.Info.Crs.Units };
             return Ranges.Measure(Sample.Points, Sample.Transform, m_options.Picture.UpAxis);
         }
 

@@ -65,13 +65,13 @@ namespace FastPoints.Editor
             asset.BoundsMin = bounds.Min;
             asset.BoundsMax = bounds.Max;
             asset.Crs = handle.Crs ?? "";
-            asset.MetresPerUnit = handle.MetresPerUnit;
+            (asset.MetresPerUnit, asset.VerticalMetresPerUnit) = (handle.Units.Horizontal, handle.Units.Vertical);
         }
 
         /// <summary>Where the cloud was first shown; another up axis has another floor.</summary>
         double3? OriginOf(CloudHandle handle) => handle.OriginUp == UpAxis ? handle.Origin
             : handle.BoundsGeo.IsEmpty || !handle.BoundsGeo.IsFinite ? (double3?)null
-            : UnitySpace.Of(handle.BoundsGeo, handle.MetresPerUnit, UpAxis).OriginGeo;
+            : UnitySpace.Of(handle.BoundsGeo, handle.Units, UpAxis).OriginGeo;
     }
 
     /// <summary>Decides where a cloud lies in a player, below its streaming assets.</summary>

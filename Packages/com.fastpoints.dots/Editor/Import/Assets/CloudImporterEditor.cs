@@ -1,6 +1,7 @@
 using System;
 using System.Globalization;
 using System.IO;
+using Unity.Mathematics;
 using UnityEditor;
 using UnityEditor.AssetImporters;
 using UnityEngine;
@@ -13,6 +14,9 @@ namespace FastPoints.Editor
     [CanEditMultipleObjects]
     internal sealed class CloudImporterEditor : ScriptedImporterEditor
     {
+        static readonly (string Name, double Metres)[] s_units =
+            { ("Metres", 1), ("Feet", 0.3048), ("US survey feet", 1200.0 / 3937) };
+
         CloudHandle m_handle;
         CatalogCloud m_cloud;
         CatalogMatch m_match;
@@ -75,10 +79,28 @@ namespace FastPoints.Editor
         {
             serializedObject.Update();
             EditorGUILayout.PropertyField(serializedObject.FindProperty(nameof(CloudImporter.UpAxis)));
-            EditorGUILayout.PropertyField(serializedObject.FindProperty(nameof(CloudImporter.MetresPerUnit)));
+            var metres = serializedObject.FindProperty(nameof(CloudImporter.MetresPerUnit));
+            EditorGUILayout.PropertyField(metres);
+            if (targets.Length == 1 && m_handle != null && !(metres.doubleValue > 0) && !UnitsOf(m_handle, m_cloud).IsKnown)
+                DrawUnits(metres);
             serializedObject.ApplyModifiedProperties();
             ApplyRevertGUI();
         }
+
+        void DrawUnits(SerializedProperty metres)
+        {
+            EditorGUILayout.HelpBox("Unit unknown: taken for metres. What is it?", MessageType.Warning);
+            foreach (var (name, length) in s_units)
+                if (GUILayout.Button(name + ": " + SizeOf(BoundsOf(m_handle, m_cloud).Size * length) + " m"))
+                    metres.doubleValue = length;
+        }
+
+        static CloudUnits UnitsOf(CloudHandle handle, CatalogCloud cloud) => cloud?.Manifest?.Crs.Units ?? handle.Units;
+
+        static BoundsGeo BoundsOf(CloudHandle handle, CatalogCloud cloud) => cloud?.Manifest?.BoundsGeo ?? handle.BoundsGeo;
+
+        static string SizeOf(double3 size) =>
+            string.Format(CultureInfo.InvariantCulture, "{0:0.###} x {1:0.###} x {2:0.###}", size.x, size.y, size.z);
 
         /// <summary>Collects what is drawn, but not at every repaint.</summary>
         void Refresh()
@@ -112,13 +134,10 @@ namespace FastPoints.Editor
             if (handle.Format != null)
                 EditorGUILayout.LabelField("Format", handle.Format);
             EditorGUILayout.LabelField("Coordinates", cloud?.Manifest?.CrsName ?? handle.Crs ?? "not known");
-            var bounds = cloud?.Manifest?.BoundsGeo ?? handle.BoundsGeo;
+            var bounds = BoundsOf(handle, cloud);
+            EditorGUILayout.LabelField("Unit", UnitsOf(handle, cloud).Describe(bounds));
             if (!bounds.IsEmpty)
-            {
-                var size = bounds.Size;
-                EditorGUILayout.LabelField("Size (CRS units)",
-                    string.Format(CultureInfo.InvariantCulture, "{0:0.###} x {1:0.###} x {2:0.###}", size.x, size.y, size.z));
-            }
+                EditorGUILayout.LabelField("Size (CRS units)", SizeOf(bounds.Size));
             foreach (string source in handle.Sources)
                 EditorGUILayout.LabelField("Source", source);
             EditorGUILayout.LabelField("Converted", handle.CloudPath);

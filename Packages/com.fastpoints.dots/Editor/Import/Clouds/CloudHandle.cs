@@ -57,20 +57,19 @@ namespace FastPoints.Editor
 
         public string Crs;
 
-        /// <summary>Metres of a horizontal unit; 0 if unknown, NaN if it is an angle.</summary>
-        public double MetresPerUnit;
+        public CloudUnits Units;
 
         public void Describe(SourceInfo info)
         {
             // These are the same at each import, whatever a conversion finds.
             if (!info.BoundsTrusted.IsEmpty)
-                Origin = UnitySpace.Of(info.BoundsTrusted, info.Crs.MetresPerUnit).OriginGeo;
+                Origin = UnitySpace.Of(info.BoundsTrusted, info.Crs.Units).OriginGeo;
             Format = info.Format;
             Points = info.PointsReadable >= 0 ? info.PointsReadable
                 : info.HasPointsClaimed && info.PointsClaimed <= long.MaxValue ? (long)info.PointsClaimed : -1;
             BoundsGeo = info.BoundsTrusted;
             Crs = info.Crs.Summary;
-            MetresPerUnit = info.Crs.MetresPerUnit;
+            Units = info.Crs.Units;
         }
 
         public void Describe(string format, IReadOnlyList<CloudWarning> warnings)
@@ -89,7 +88,7 @@ namespace FastPoints.Editor
             Points = manifest.Points;
             BoundsGeo = manifest.BoundsGeo;
             Crs = manifest.CrsName;
-            MetresPerUnit = manifest.MetresPerUnit;
+            Units = manifest.Crs.Units;
         }
 
         public string ToJson()
@@ -121,7 +120,10 @@ namespace FastPoints.Editor
                 json.BeginObject("bounds").Add("min", BoundsGeo.Min.x, BoundsGeo.Min.y, BoundsGeo.Min.z)
                     .Add("max", BoundsGeo.Max.x, BoundsGeo.Max.y, BoundsGeo.Max.z).EndObject();
             }
-            return json.Add("crs", Crs).Add("metresPerUnit", MetresPerUnit).EndObject().ToString();
+            json.Add("crs", Crs).Add("metresPerUnit", Units.Horizontal);
+            if (Units.Vertical != 0)
+                json.Add("verticalMetresPerUnit", Units.Vertical);
+            return json.EndObject().ToString();
         }
 
         /// <param name="path">For messages.</param>
@@ -150,7 +152,8 @@ namespace FastPoints.Editor
                 Points = json.Long("points"),
                 BoundsGeo = bounds == null ? BoundsGeo.Empty : new BoundsGeo(bounds.Vector("min"), bounds.Vector("max")),
                 Crs = json.TextOrNull("crs"),
-                MetresPerUnit = json.Double("metresPerUnit"),
+                Units = new CloudUnits(json.Double("metresPerUnit"), json.Has("verticalMetresPerUnit")
+                    ? json.Double("verticalMetresPerUnit") : 0),
             };
             if (handle.CloudPath.Length == 0)
                 throw json.Wrong("cloud", "wanted a folder, got nothing");

@@ -100,8 +100,8 @@ namespace FastPoints.Editor
                 handle.OriginUp = up;
             // The header's bounds, if any: every machine finds the same origin, and the preview was placed with it.
             handle.Origin ??= source != null && !source.BoundsTrusted.IsEmpty
-                ? UnitySpace.Of(source.BoundsTrusted, source.Crs.MetresPerUnit, up).OriginGeo
-                : origin ?? UnitySpace.Of(manifest.BoundsGeo, manifest.MetresPerUnit, up).OriginGeo;
+                ? UnitySpace.Of(source.BoundsTrusted, source.Crs.Units, up).OriginGeo
+                : origin ?? UnitySpace.Of(manifest.BoundsGeo, manifest.Crs.Units, up).OriginGeo;
             if (source != null)
                 handle.Describe(source.Format, source.Warnings);
             handle.Stamp = stamp;

@@ -35,8 +35,11 @@ namespace FastPoints.Entities
         /// <summary>Name of the coordinate system in one line; empty if unknown.</summary>
         public string Crs;
 
-        /// <summary>Metres of a horizontal unit; 0 if unknown, NaN if it is an angle.</summary>
+        /// <summary>Metres of a horizontal unit; 0 if unknown, NaN for degrees.</summary>
         public double MetresPerUnit;
+
+        /// <summary>Metres of a vertical unit; 0 if nothing says it.</summary>
+        public double VerticalMetresPerUnit;
 
         /// <summary>Metres of a unit as the user has set it, whatever the file says; 0 if it is not set.</summary>
         public double UnitMetres;
@@ -50,6 +53,10 @@ namespace FastPoints.Entities
 
         /// <summary>The place that transforms move, georeferenced, in CRS units.</summary>
         public double3 Origin;
+
+        /// <summary>The user's, or else the file's.</summary>
+        public CloudUnits Units => UnitMetres > 0 ? new CloudUnits(UnitMetres)
+            : new CloudUnits(MetresPerUnit, VerticalMetresPerUnit);
 
         /// <summary>Where an entity finds the cloud.</summary>
         public PointCloudPaths Paths => new PointCloudPaths
@@ -74,7 +81,7 @@ namespace FastPoints.Entities
         public bool TryGetSpace(out BoundsGeo bounds, out UnitySpace space)
         {
             bounds = new BoundsGeo(BoundsMin, BoundsMax);
-            space = UnitySpace.Of(bounds, UnitMetres > 0 ? UnitMetres : MetresPerUnit, Up);
+            space = UnitySpace.Of(bounds, Units, Up);
             if (HasOrigin)
                 space.OriginGeo = Origin;
             return !bounds.IsEmpty && bounds.IsFinite;

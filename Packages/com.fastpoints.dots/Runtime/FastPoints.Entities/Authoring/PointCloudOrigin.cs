@@ -31,7 +31,11 @@ namespace FastPoints.Entities
 
         [SerializeField]
         [HideInInspector]
-        double m_scale = 1;
+        double m_scale = 1; // Metres of a unit; 0 for degrees, since scenes are text, which has no NaN.
+
+        [SerializeField]
+        [HideInInspector]
+        double m_verticalScale;
 
         [SerializeField]
         [HideInInspector]
@@ -140,11 +144,17 @@ namespace FastPoints.Entities
             s_found.Clear();
         }
 
-        UnitySpace Space => new UnitySpace { OriginGeo = m_place, Scale = m_scale, Up = m_up };
+        UnitySpace Space => new UnitySpace
+        {
+            OriginGeo = m_place,
+            Units = new CloudUnits(m_scale == 0 ? double.NaN : m_scale, m_verticalScale),
+            Up = m_up,
+        };
 
         void Set(double3 place, UnitySpace space, string crs)
         {
-            (m_scale, m_up, m_crs) = (space.Scale, space.Up, crs);
+            m_scale = space.Units.IsInDegrees ? 0 : space.Units.IsKnown ? space.Units.Horizontal : 1;
+            (m_verticalScale, m_up, m_crs) = (space.Units.Vertical, space.Up, crs);
             PositionGeo = place;
             Decided?.Invoke(this);
         }

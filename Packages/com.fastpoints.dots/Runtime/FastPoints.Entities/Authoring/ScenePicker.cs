@@ -75,8 +75,7 @@ namespace FastPoints.Entities
                 return;
             var file = entities.GetComponentData<PointCloudFile>(cloud);
             Pick.Up = file.Up;
-            if (file.UnitMetres > 0)
-                Pick.MetresPerUnit = file.UnitMetres;
+            Pick.Units = file.Units(Pick.Units);
         }
 
         /// <summary>The cloud's number; null if the entity is gone.</summary>

@@ -40,6 +40,8 @@ namespace FastPoints.Entities
             set => m_upXorZ = (int)value ^ (int)UpAxis.Z;
         }
 
+        internal readonly CloudUnits Units(CloudUnits ofCloud) => UnitMetres > 0 ? new CloudUnits(UnitMetres) : ofCloud;
+
         /// <summary>Whether a cloud opened as this says is as another says, but for its place.</summary>
         internal readonly bool OpensSameAs(in PointCloudFile other) => Color == other.Color && Gradient == other.Gradient &&
             HiddenClasses.Equals(other.HiddenClasses) && Up == other.Up && UnitMetres.Equals(other.UnitMetres) &&

@@ -210,7 +210,7 @@ namespace FastPoints.Entities
         /// <summary>Places all states where the first one stood, so that nothing moves when it is replaced.</summary>
         void Place(Entity entity, CloudFacts facts, in PointCloudFile file, double3 shift)
         {
-            var space = UnitySpace.Of(facts.BoundsGeo, file.UnitMetres > 0 ? file.UnitMetres : facts.MetresPerUnit, file.Up);
+            var space = UnitySpace.Of(facts.BoundsGeo, file.Units(facts.Units), file.Up);
             if (file.HasOrigin)
                 space.OriginGeo = file.OriginGeo;
             space.OriginGeo = space.ToGeo(shift);

@@ -142,7 +142,7 @@ namespace FastPoints.E57
             if (string.IsNullOrWhiteSpace(metadata))
                 return;
             double unit = info.Crs.MetresPerUnit;
-            if (WktCoordinateSystem.Read(metadata, info.Crs))
+            if (CrsText.Read(metadata, info.Crs))
                 info.Crs.MetresPerUnit = info.Crs.MetresPerUnit == 0 ? unit : info.Crs.MetresPerUnit;
             else
                 info.Crs.Name = E57Text.OneLine(metadata);

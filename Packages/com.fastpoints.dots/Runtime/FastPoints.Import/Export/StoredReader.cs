@@ -157,6 +157,7 @@ namespace FastPoints.Export
                     Epsg = manifest.CrsEpsg,
                     VerticalEpsg = manifest.CrsVerticalEpsg,
                     MetresPerUnit = manifest.MetresPerUnit,
+                    VerticalMetresPerUnit = manifest.VerticalMetresPerUnit,
                     GeoKeys = manifest.CrsGeoKeys,
                 },
                 GpsTime = manifest.GpsTime,

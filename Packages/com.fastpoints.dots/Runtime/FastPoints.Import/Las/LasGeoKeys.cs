@@ -15,7 +15,9 @@ namespace FastPoints.Las
         const int ProjectedCitationKey = 3073;
         const int LinearUnitsKey = 3076;
         const int LinearUnitSizeKey = 3077;
+        const int AngularUnitsKey = 2054;
         const int VerticalTypeKey = 4096;
+        const int VerticalUnitsKey = 4099;
 
         const int ProjectedModel = 1;
         const int GeographicModel = 2;
@@ -25,13 +27,6 @@ namespace FastPoints.Las
 
         public static readonly ushort[] Records =
             { LasVlr.GeoKeyDirectoryRecord, LasVlr.GeoDoubleParamsRecord, LasVlr.GeoAsciiParamsRecord };
-
-        // EPSG unit codes and their lengths in metres (GeoTIFF 1.0, 6.3.1.3).
-        static readonly Dictionary<int, double> s_metresOfUnit = new Dictionary<int, double>
-        {
-            { 9001, 1 }, { 9002, 0.3048 }, { 9003, 1200.0 / 3937 }, { 9005, 0.3047972654 }, { 9014, 1.8288 },
-            { 9030, 1852 }, { 9036, 1000 }, { 9093, 1609.344 },
-        };
 
         public static void Read(LasVlrTable vlrs, SourceInfo info, CoordinateSystem crs)
         {
@@ -114,6 +109,8 @@ namespace FastPoints.Las
             int m_projected;
             bool m_isProjected;
             int m_unit;
+            int m_angularUnit;
+            int m_verticalUnit;
             double m_unitSize;
             string m_name;
             string m_citation;
@@ -137,6 +134,12 @@ namespace FastPoints.Las
                         break;
                     case VerticalTypeKey:
                         VerticalEpsg = key.Code();
+                        break;
+                    case AngularUnitsKey:
+                        m_angularUnit = key.Code();
+                        break;
+                    case VerticalUnitsKey:
+                        m_verticalUnit = key.Code();
                         break;
                     case LinearUnitsKey:
                         m_unit = key.Code();
@@ -164,21 +167,18 @@ namespace FastPoints.Las
                 crs.Epsg = isDerived ? m_projected : m_geographic;
                 crs.VerticalEpsg = VerticalEpsg;
                 crs.Name = m_name ?? m_citation;
-                if (m_model == GeographicModel || !isDerived && m_geographic != 0 && m_unit == 0 && m_unitSize == 0)
-                    crs.MetresPerUnit = double.NaN;
-                else if (m_unit != 0 && s_metresOfUnit.TryGetValue(m_unit, out double metres))
-                    crs.MetresPerUnit = metres;
-                else if (m_unitSize > 0 && !double.IsInfinity(m_unitSize))
-                    crs.MetresPerUnit = m_unitSize;
-                else if (m_model == GeocentricModel || IsUtm(m_projected))
-                    crs.MetresPerUnit = 1;
+                crs.Kind = m_model == GeocentricModel ? CrsKind.Geocentric : m_isProjected || m_model == ProjectedModel
+                    ? CrsKind.Projected : m_geographic != 0 || m_model == GeographicModel ? CrsKind.Geographic : CrsKind.Unknown;
+                double linear = m_unitSize > 0 && !double.IsInfinity(m_unitSize) ? m_unitSize : 0;
+                linear = EpsgTable.UnitOf(m_unit) is double metres && metres > 0 ? metres : linear;
+                if (m_model == GeographicModel || !isDerived && m_geographic != 0 && linear == 0)
+                    crs.MetresPerUnit = m_angularUnit == 0 ? double.NaN : EpsgTable.UnitOf(m_angularUnit);
+                else
+                    crs.MetresPerUnit = linear == 0 && m_model == GeocentricModel ? 1 : linear;
+                double vertical = EpsgTable.UnitOf(m_verticalUnit);
+                crs.VerticalMetresPerUnit = vertical > 0 ? vertical : 0;
             }
         }
-
-        // UTM zones on WGS 84 (north, south), ETRS89, NAD83, NAD27: metres, which files often do not say.
-        static bool IsUtm(int epsg) =>
-            epsg >= 32601 && epsg <= 32660 || epsg >= 32701 && epsg <= 32760 || epsg >= 25828 && epsg <= 25838
-            || epsg >= 26901 && epsg <= 26923 || epsg >= 26701 && epsg <= 26722;
 
         static ByteReader PayloadOf(LasVlrTable vlrs, ushort recordId, ByteReader otherwise)
         {

@@ -122,8 +122,19 @@ namespace FastPoints.Reading
         /// <summary>The system's name for people, or null.</summary>
         public string Name;
 
-        /// <summary>Metres of one horizontal unit (0.3048 for feet); 0 if unknown; NaN if the unit is an angle.</summary>
+        /// <summary>Metres of one horizontal unit (0.3048 for feet); 0 if unknown; NaN for degrees.</summary>
         public double MetresPerUnit;
+
+        /// <summary>Metres of one vertical unit; 0 if nothing says it.</summary>
+        public double VerticalMetresPerUnit;
+
+        public CloudUnits Units => new CloudUnits(MetresPerUnit, VerticalMetresPerUnit);
+
+        internal CrsKind Kind;
+
+        /// <summary>The order of axes that EPSG's table gives, a letter each (east, north, up); null if unknown. Coordinates are
+        /// never swapped for it.</summary>
+        internal string Axes;
 
         /// <summary>GeoTIFF keys as a LAS file has them, its directory, doubles and text as bytes; null without keys.</summary>
         internal byte[][] GeoKeys;
@@ -135,6 +146,7 @@ namespace FastPoints.Reading
             Epsg = Epsg,
             VerticalEpsg = VerticalEpsg,
             MetresPerUnit = MetresPerUnit,
+            VerticalMetresPerUnit = VerticalMetresPerUnit,
             GeoKeys = GeoKeys,
         };
 
@@ -161,5 +173,15 @@ namespace FastPoints.Reading
                 return code ?? (Wkt != null ? "WKT without a name" : null);
             }
         }
+    }
+
+    internal enum CrsKind
+    {
+        Unknown,
+        Projected,
+        Geographic,
+        Geocentric,
+        Local,
+        Vertical,
     }
 }

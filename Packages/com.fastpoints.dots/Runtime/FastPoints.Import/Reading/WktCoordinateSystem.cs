@@ -8,14 +8,19 @@ namespace FastPoints.Reading
     {
         static readonly string[] s_authority = { "AUTHORITY", "ID" };
         static readonly string[] s_compound = { "COMPD_CS", "COMPOUNDCRS" };
+        static readonly string[] s_projected = { "PROJCS", "PROJCRS", "PROJECTEDCRS" };
         static readonly string[] s_geographic = { "GEOGCS", "GEOGCRS", "GEOGRAPHICCRS", "GEODCRS", "GEODETICCRS" };
-        static readonly string[] s_horizontal =
-        {
-            "PROJCS", "PROJCRS", "PROJECTEDCRS", "GEOGCS", "GEOGCRS", "GEOGRAPHICCRS", "GEODCRS", "GEODETICCRS", "GEOCCS",
-            "LOCAL_CS", "ENGCRS", "BOUNDCRS",
-        };
-        static readonly string[] s_vertical = { "VERT_CS", "VERTCRS", "VERTICALCRS" };
+        static readonly string[] s_geocentric = { "GEOCCS" };
+        static readonly string[] s_local = { "LOCAL_CS", "ENGCRS", "ENGINEERINGCRS" };
+        static readonly string[] s_bound = { "BOUNDCRS" };
+        static readonly string[] s_vertical = { "VERT_CS", "VERTCS", "VERTCRS", "VERTICALCRS" };
         static readonly string[] s_unit = { "UNIT", "LENGTHUNIT" };
+
+        static readonly (string[] Keywords, CrsKind Kind)[] s_kinds =
+        {
+            (s_projected, CrsKind.Projected), (s_geographic, CrsKind.Geographic), (s_geocentric, CrsKind.Geocentric),
+            (s_local, CrsKind.Local), (s_vertical, CrsKind.Vertical),
+        };
 
         // False if it is no well-known text at all; nothing is filled in then.
         public static bool Read(string wkt, CoordinateSystem crs)
@@ -23,16 +28,49 @@ namespace FastPoints.Reading
             var root = WktNode.Parse(wkt);
             if (root == null || root.Values.Count == 0 && root.Children.Count == 0)
                 return false;
-            bool isCompound = System.Array.IndexOf(s_compound, root.Keyword) >= 0;
-            var horizontal = isCompound ? root.Child(s_horizontal) ?? root : root;
+            var whole = Unbound(root);
+            var horizontal = whole;
+            WktNode vertical = whole.Is(s_vertical) ? whole : null;
+            if (whole.Is(s_compound))
+            {
+                vertical = Part(whole, true);
+                horizontal = Part(whole, false) ?? whole;
+            }
             crs.Wkt = wkt;
-            crs.Name = root.Values.Count > 0 ? root.Values[0] : null;
-            crs.Epsg = EpsgOf(root);
+            crs.Name = whole.Values.Count > 0 ? whole.Values[0] : null;
+            crs.Kind = KindOf(horizontal);
+            crs.Epsg = EpsgOf(whole);
             if (crs.Epsg == 0)
                 crs.Epsg = EpsgOf(horizontal);
-            crs.VerticalEpsg = isCompound ? EpsgOf(root.Child(s_vertical)) : 0;
-            crs.MetresPerUnit = UnitOf(horizontal);
+            crs.VerticalEpsg = whole.Is(s_compound) ? EpsgOf(vertical) : 0;
+            crs.MetresPerUnit = vertical == horizontal ? 0 : UnitOf(horizontal);
+            // A third axis has its own unit, as the height above an ellipsoid beside degrees.
+            crs.VerticalMetresPerUnit = vertical != null ? LengthOf(vertical) : UnitOf(ThirdAxis(horizontal)?.Child(s_unit));
             return true;
+        }
+
+        // What is bound to a transformation is the system inside.
+        static WktNode Unbound(WktNode node) => node.Is(s_bound) && node.Child("SOURCECRS") is WktNode source &&
+            source.Children.Count > 0 ? source.Children[0] : node;
+
+        static WktNode Part(WktNode compound, bool isVertical)
+        {
+            foreach (var child in compound.Children)
+            {
+                var part = Unbound(child);
+                if (KindOf(part) != CrsKind.Unknown && part.Is(s_vertical) == isVertical)
+                    return part;
+            }
+            return null;
+        }
+
+        static CrsKind KindOf(WktNode system)
+        {
+            foreach (var (keywords, kind) in s_kinds)
+                if (system.Is(keywords))
+                    // WKT 2 writes geocentric systems with the geographic ones' keyword.
+                    return kind == CrsKind.Geographic && IsCartesian(system.Child("CS")) ? CrsKind.Geocentric : kind;
+            return CrsKind.Unknown;
         }
 
         static int EpsgOf(WktNode node)
@@ -46,23 +84,37 @@ namespace FastPoints.Reading
 
         static double UnitOf(WktNode horizontal)
         {
-            if (System.Array.IndexOf(s_geographic, horizontal.Keyword) >= 0)
-                return IsCartesian(horizontal.Child("CS")) ? LengthOf(horizontal) : double.NaN;
-            return LengthOf(horizontal);
+            if (horizontal == null)
+                return 0;
+            if (horizontal.Is(s_unit))
+                return Metres(horizontal);
+            return KindOf(horizontal) == CrsKind.Geographic ? IsInDegrees(horizontal) ? double.NaN : 0 : LengthOf(horizontal);
         }
 
-        // WKT 2 writes geocentric systems with the geographic ones' keyword.
+        // Grads and the like are no degrees: their unit stays unknown.
+        static bool IsInDegrees(WktNode geographic)
+        {
+            var unit = geographic.Child("UNIT", "ANGLEUNIT") ?? geographic.Child("AXIS")?.Child("UNIT", "ANGLEUNIT");
+            return unit == null || unit.Values.Count < 2 || !NumberText.TryRead(unit.Values[1], out double radians) ||
+                System.Math.Abs(radians - System.Math.PI / 180) < 1e-5;
+        }
+
         static bool IsCartesian(WktNode axes) =>
             axes != null && axes.Values.Count > 0 && axes.Values[0].ToUpperInvariant() == "CARTESIAN";
 
         // WKT 1 and most of WKT 2 give the unit of the whole system; WKT 2 may give it axis by axis instead.
-        static double LengthOf(WktNode system)
+        static double LengthOf(WktNode system) => Metres(system.Child(s_unit) ?? system.Child("AXIS")?.Child(s_unit));
+
+        static double Metres(WktNode unit) => unit != null && unit.Values.Count >= 2 &&
+            NumberText.TryRead(unit.Values[1], out double metres) && metres > 0 && !double.IsInfinity(metres) ? metres : 0;
+
+        static WktNode ThirdAxis(WktNode system)
         {
-            var unit = system.Child(s_unit) ?? system.Child("AXIS")?.Child(s_unit);
-            return unit != null && unit.Values.Count >= 2 && NumberText.TryRead(unit.Values[1], out double metres)
-                && metres > 0 && !double.IsInfinity(metres)
-                ? metres
-                : 0;
+            int axes = 0;
+            foreach (var child in system.Children)
+                if (child.Keyword == "AXIS" && ++axes == 3)
+                    return child;
+            return null;
         }
     }
 
@@ -137,10 +189,12 @@ namespace FastPoints.Reading
             return root;
         }
 
+        public bool Is(string[] keywords) => System.Array.IndexOf(keywords, Keyword) >= 0;
+
         public WktNode Child(params string[] keywords)
         {
             foreach (var child in Children)
-                if (System.Array.IndexOf(keywords, child.Keyword) >= 0)
+                if (child.Is(keywords))
                     return child;
             return null;
         }

@@ -101,7 +101,7 @@ namespace FastPoints.Sampling
                 yield return JobStep.Of(Take(wanted, progress));
             if (!refines || Sample.IsWhole)
                 yield break;
-            var ranges = new DisplayRanges { IsInDegrees = double.IsNaN(m_reader.Info.Crs.MetresPerUnit) };
+            var ranges = new DisplayRanges { Units = m_reader.Info.Crs.Units };
             yield return JobStep.Of(ranges.Measure(Sample.Points, Sample.Transform, UpAxis.Z));
             double before = m_watch.Elapsed.TotalSeconds;
             long bytesBefore = m_waves[m_waves.Count - 1].BytesRead;

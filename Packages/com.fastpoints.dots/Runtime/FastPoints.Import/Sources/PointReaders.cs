@@ -66,7 +66,8 @@ namespace FastPoints.Sources
         /// <summary>Opens files as one cloud (<see cref="TiledReader"/>); a single one directly. Dispose the reader.</summary>
         /// <exception cref="PointCloudException">The same as for one file.</exception>
         public static PointReader Open(IReadOnlyList<string> paths, ReadOptions options = null) =>
-            paths.Count == 1 ? Open(paths[0], options) : TiledReader.Open(paths, path => Open(path, options));
+            paths.Count == 1 ? Open(paths[0], options) :
+            WithPlacement(TiledReader.Open(paths, path => OpenComplete(path, options)));
 
         /// <summary>Opens a LAS, LAZ, PLY, PCD, E57, PTX or text file, a Potree octree by its folder or its index in it, or all
         /// clouds that lie in a folder as one. Dispose the reader.</summary>
@@ -74,14 +75,44 @@ namespace FastPoints.Sources
         /// or the header is broken; one line.</exception>
         public static PointReader Open(string path, ReadOptions options = null)
         {
+            return WithPlacement(OpenComplete(path, options));
+        }
+
+        static PointReader WithPlacement(PointReader reader)
+        {
+            CrsText.WarnOfPlacement(reader.Info);
+            return reader;
+        }
+
+        static PointReader OpenComplete(string path, ReadOptions options)
+        {
+            var reader = OpenAsItIs(path, options);
+            try
+            {
+                // Tiles are complete, each by itself.
+                if (reader is TiledReader)
+                    return reader;
+                options?.Apply(reader.Info);
+                CrsText.Complete(reader.Info);
+                return reader;
+            }
+            catch
+            {
+                reader.Dispose();
+                throw;
+            }
+        }
+
+        static PointReader OpenAsItIs(string path, ReadOptions options)
+        {
             if (!string.IsNullOrEmpty(path) && Directory.Exists(path))
             {
                 // Tiles may lie beside a metadata.json of another kind.
                 string index = SourceFolder.FindIndex(path);
                 if (index == null)
-                    return TiledReader.OpenFolder(path, tile => Open(tile, options));
+                    return TiledReader.OpenFolder(path, tile => OpenComplete(tile, options));
                 using var source = RandomAccessFile.Open(index);
-                return OpenIndex(SourceJson.Read(source)) ?? TiledReader.OpenFolder(path, tile => Open(tile, options));
+                return OpenIndex(SourceJson.Read(source)) ?? TiledReader.OpenFolder(path, tile => OpenComplete(tile, options));
             }
             using (var source = RandomAccessFile.Open(path))
             {
@@ -167,5 +198,25 @@ namespace FastPoints.Sources
         /// <summary>Names of the columns of a text file, in their order: x, y, z, i, r, g, b, nx, ny, nz or any other; "-" leaves
         /// a column out. If null, the file's own names apply, or they are guessed.</summary>
         public string[] TextColumns;
+
+        /// <summary>The coordinate system in place of what files say: <c>EPSG:2229</c>, <c>EPSG:2229+5703</c>, well-known text,
+        /// or a PROJ string. Points are not moved.</summary>
+        public string CoordinateSystem;
+
+        /// <summary>Metres of a unit along all axes, whatever files say; 0 to follow them.</summary>
+        public double MetresPerUnit;
+
+        internal void Apply(SourceInfo info)
+        {
+            if (CoordinateSystem != null)
+            {
+                info.Crs = new CoordinateSystem();
+                if (!CrsText.Read(CoordinateSystem, info.Crs))
+                    throw new PointCloudException(FailureCode.BadInput, info.Path, -1, "wanted a coordinate system such as " +
+                        "EPSG:2229, got " + CoordinateSystem);
+            }
+            if (MetresPerUnit > 0)
+                (info.Crs.MetresPerUnit, info.Crs.VerticalMetresPerUnit) = (MetresPerUnit, MetresPerUnit);
+        }
     }
 }

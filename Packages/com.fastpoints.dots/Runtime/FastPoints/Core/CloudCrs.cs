@@ -13,8 +13,13 @@ namespace FastPoints
         public int Epsg;
         public int VerticalEpsg;
 
-        /// <summary>Metres of a horizontal unit; 0 if unknown, NaN if it is an angle.</summary>
+        /// <summary>Metres of a horizontal unit; 0 if unknown, NaN for degrees.</summary>
         public double MetresPerUnit;
+
+        /// <summary>Metres of a vertical unit; 0 if nothing says it.</summary>
+        public double VerticalMetresPerUnit;
+
+        public CloudUnits Units => new CloudUnits(MetresPerUnit, VerticalMetresPerUnit);
 
         // GeoTIFF keys as LAS has them: directory, doubles, text; null without keys.
         internal byte[][] GeoKeys;

@@ -108,19 +108,19 @@ namespace FastPoints.Drawing
         {
             var drawn = Drawn[i];
             var cloud = (SizeTreeCloud*)Clouds.GetUnsafeReadOnlyPtr() + drawn.Cloud;
-            return GapOf(cloud->Pages[drawn.Page].Nodes[drawn.Node]) * cloud->WorldPerUnit;
+            return GapOf(cloud->Pages[drawn.Page].Nodes[drawn.Node], *cloud);
         }
 
         // A node with others below it has one point in each cell. The last node at its place has all remaining points, most
         // often on a surface or a line; its gap is the larger of what the box's largest face and longest edge give.
-        static float GapOf(in StreamNode node)
+        static float GapOf(in StreamNode node, in SizeTreeCloud cloud)
         {
             if (node.ChildCount + node.ChunkCount > 0 || node.PointCount == 0)
-                return node.Spacing;
-            var edges = 2 * node.Half;
+                return node.Spacing * cloud.SpacingScale;
+            var edges = 2 * node.Half * cloud.AxisScale;
             float area = math.max(edges.x * edges.y, math.max(edges.y * edges.z, edges.z * edges.x));
             float gap = math.max(math.sqrt(area / node.PointCount), math.cmax(edges) / node.PointCount);
-            return math.min(node.Spacing, gap);
+            return math.min(node.Spacing * cloud.SpacingScale, gap);
         }
     }
 
@@ -128,7 +128,8 @@ namespace FastPoints.Drawing
     {
         public HierarchyPage* Pages;
         public NodeCubes Cubes;
-        public float WorldPerUnit; // World units of one CRS unit along the axis that is stretched most.
+        public float3 AxisScale; // World units of a CRS unit along each axis.
+        public float SpacingScale; // See CloudView.
     }
 
     internal unsafe struct SizeTreeLink

@@ -82,8 +82,9 @@ namespace FastPoints.Drawing
                 var listed = new DrawListCloud
                 {
                     Pages = cloud.Pages,
-                    View = new CloudView(view, cloud.Placement),
-                    RightView = rightEye != null ? new CloudView(rightEye.Value, cloud.Placement) : default,
+                    View = new CloudView(view, cloud.Placement, cloud.Source.Cubes.Size),
+                    RightView = rightEye != null ? new CloudView(rightEye.Value, cloud.Placement, cloud.Source.Cubes.Size)
+                        : default,
                     HasBothEyes = rightEye != null,
                     Placement = cloud.Placement,
                     Cubes = cloud.Source.Cubes,

@@ -42,12 +42,7 @@ namespace FastPoints.Drawing
                 if (cloud == null)
                     m_clouds.Add(default);
                 else
-                    m_clouds.Add(new SizeTreeCloud
-                    {
-                        Pages = cloud.Pages,
-                        Cubes = cloud.Source.Cubes,
-                        WorldPerUnit = LargestScale(cloud.Placement.Linear),
-                    });
+                    m_clouds.Add(CloudOf(cloud));
             }
             new BuildSizeTreeJob
             {
@@ -58,6 +53,18 @@ namespace FastPoints.Drawing
                 Nodes = m_nodes,
                 NodeOfDrawn = m_nodeOfDrawn,
             }.Run();
+        }
+
+        static SizeTreeCloud CloudOf(StreamedCloud cloud)
+        {
+            var axisScale = CloudView.AxisScaleOf(cloud.Placement);
+            return new SizeTreeCloud
+            {
+                Pages = cloud.Pages,
+                Cubes = cloud.Source.Cubes,
+                AxisScale = (float3)axisScale,
+                SpacingScale = (float)CloudView.SpacingScaleOf(axisScale, cloud.Source.Cubes.Size),
+            };
         }
 
         /// <summary>Forgets what was built, so that nothing is adaptive.</summary>
@@ -96,8 +103,5 @@ namespace FastPoints.Drawing
             m_links.Dispose();
             m_order.Dispose();
         }
-
-        static float LargestScale(double3x3 linear) =>
-            (float)math.max(math.length(linear.c0), math.max(math.length(linear.c1), math.length(linear.c2)));
     }
 }

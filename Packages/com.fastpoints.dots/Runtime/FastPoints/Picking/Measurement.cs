@@ -15,9 +15,11 @@ namespace FastPoints.Picking
             var steps = b.Position - a.Position;
             DeltaGeo = !IsGeo ? new double3(double.NaN, double.NaN, double.NaN)
                 : isSameGrid ? new double3(steps.X, steps.Y, steps.Z) * a.Grid.Step : b.PositionGeo - a.PositionGeo;
-            double metres = from.MetresPerUnit;
-            MetresPerUnit = IsGeo && metres > 0 && metres <= double.MaxValue ? metres : double.NaN;
             Up = from.Up;
+            Units = from.Units;
+            bool hasMetres = IsGeo && Units.IsKnown;
+            MetresPerUnit = !hasMetres ? new double3(double.NaN, double.NaN, double.NaN)
+                : Units.MetresAt((a.PositionGeo + b.PositionGeo) * 0.5, Up);
         }
 
         /// <summary>Distance in Unity's units, as the clouds stood.</summary>
@@ -29,27 +31,31 @@ namespace FastPoints.Picking
         /// <summary>Vector from the first to the second in CRS units; NaN if it is meaningless.</summary>
         public double3 DeltaGeo { get; }
 
-        /// <summary>NaN if it is unknown, or if the units are angles.</summary>
-        public double MetresPerUnit { get; }
+        /// <summary>Of the first point's cloud.</summary>
+        public CloudUnits Units { get; }
+
+        /// <summary>Metres of a unit along each axis, of degrees half-way between the points; NaN if they are unknown.</summary>
+        public double3 MetresPerUnit { get; }
 
         /// <summary>The axis that points up.</summary>
         public UpAxis Up { get; }
 
-        /// <summary>Length in CRS units.</summary>
+        /// <summary>Length in CRS units; of no use where they differ, as degrees and metres do.</summary>
         public double LengthGeo => math.length(DeltaGeo);
 
         /// <summary>Distance on the map in CRS units, without the difference in height.</summary>
-        public double HorizontalGeo
-        {
-            get
-            {
-                var across = DeltaGeo;
-                across[Up.Index()] = 0;
-                return math.length(across);
-            }
-        }
+        public double HorizontalGeo => math.length(Across(DeltaGeo));
 
-        /// <summary>Length in metres; NaN if <see cref="MetresPerUnit"/> is. Heights count in the horizontal unit.</summary>
-        public double LengthMetres => LengthGeo * MetresPerUnit;
+        /// <summary>Length in metres; NaN if <see cref="MetresPerUnit"/> is.</summary>
+        public double LengthMetres => math.length(DeltaGeo * MetresPerUnit);
+
+        /// <summary>The same on the map.</summary>
+        public double HorizontalMetres => math.length(Across(DeltaGeo * MetresPerUnit));
+
+        double3 Across(double3 delta)
+        {
+            delta[Up.Index()] = 0;
+            return delta;
+        }
     }
 }

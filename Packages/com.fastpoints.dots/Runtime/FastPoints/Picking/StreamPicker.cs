@@ -151,7 +151,7 @@ namespace FastPoints.Picking
             Pick.Cloud = target.Cloud;
             Pick.Path = StoreFormat.FinishedPath(source.Path);
             Pick.Crs = source.Crs;
-            Pick.MetresPerUnit = source.Crs.MetresPerUnit;
+            Pick.Units = source.Crs.Units;
             Pick.IsPreview = !source.HasAllPoints;
             // Later hits have to be nearer.
             m_ray.To = m_found.Point.Distance;
@@ -182,8 +182,8 @@ namespace FastPoints.Picking
         /// <summary>Units and coordinate system of the point's cloud.</summary>
         public CloudCrs Crs { get; internal set; }
 
-        /// <summary>Metres of a horizontal unit, 0 if unknown, NaN if it is an angle, unless overridden.</summary>
-        public double MetresPerUnit { get; set; }
+        /// <summary>As the cloud says, unless overridden.</summary>
+        public CloudUnits Units { get; set; }
 
         /// <summary>The axis of the cloud that points up: Z, unless it is overridden.</summary>
         public UpAxis Up { get; set; } = UpAxis.Z;

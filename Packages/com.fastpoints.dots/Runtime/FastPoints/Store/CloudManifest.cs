@@ -81,8 +81,11 @@ namespace FastPoints.Store
         public int CrsEpsg;
         public int CrsVerticalEpsg;
 
-        /// <summary>Metres of a horizontal unit; 0 where unknown, NaN where it is an angle.</summary>
+        /// <summary>Metres of a horizontal unit; 0 where unknown, NaN for degrees.</summary>
         public double MetresPerUnit;
+
+        /// <summary>Metres of a vertical unit; 0 where nothing says it.</summary>
+        public double VerticalMetresPerUnit;
 
         // GeoTIFF keys as LAS has them: directory, doubles, text; null without keys.
         internal byte[][] CrsGeoKeys;
@@ -98,10 +101,12 @@ namespace FastPoints.Store
                 Epsg = CrsEpsg,
                 VerticalEpsg = CrsVerticalEpsg,
                 MetresPerUnit = MetresPerUnit,
+                VerticalMetresPerUnit = VerticalMetresPerUnit,
                 GeoKeys = CrsGeoKeys,
             };
-            internal set => (CrsName, CrsWkt, CrsEpsg, CrsVerticalEpsg, MetresPerUnit, CrsGeoKeys) =
-                (value.Name, value.Wkt, value.Epsg, value.VerticalEpsg, value.MetresPerUnit, value.GeoKeys);
+            internal set => (CrsName, CrsWkt, CrsEpsg, CrsVerticalEpsg, MetresPerUnit, VerticalMetresPerUnit, CrsGeoKeys) =
+                (value.Name, value.Wkt, value.Epsg, value.VerticalEpsg, value.MetresPerUnit, value.VerticalMetresPerUnit,
+                    value.GeoKeys);
         }
 
         public readonly List<Source> Sources = new List<Source>();
@@ -199,6 +204,8 @@ namespace FastPoints.Store
         {
             json.Add("name", crs.Name).Add("epsg", crs.Epsg).Add("verticalEpsg", crs.VerticalEpsg)
                 .Add("metresPerUnit", crs.MetresPerUnit).Add("wkt", crs.Wkt);
+            if (crs.VerticalMetresPerUnit != 0)
+                json.Add("verticalMetresPerUnit", crs.VerticalMetresPerUnit);
             if (crs.GeoKeys != null)
                 json.Add("geoKeys", Convert.ToBase64String(crs.GeoKeys[0]))
                     .Add("geoDoubles", Convert.ToBase64String(crs.GeoKeys[1]))
@@ -213,6 +220,7 @@ namespace FastPoints.Store
             Epsg = crs.Int("epsg"),
             VerticalEpsg = crs.Int("verticalEpsg"),
             MetresPerUnit = crs.Double("metresPerUnit"),
+            VerticalMetresPerUnit = crs.Has("verticalMetresPerUnit") ? crs.Double("verticalMetresPerUnit") : 0,
             GeoKeys = !crs.Has("geoKeys") ? null
                 : new[] { Base64(crs, "geoKeys"), Base64(crs, "geoDoubles"), Base64(crs, "geoText") },
         };

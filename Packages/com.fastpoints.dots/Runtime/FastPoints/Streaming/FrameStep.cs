@@ -43,7 +43,7 @@ namespace FastPoints.Streaming
             {
                 var cloud = stream.Clouds[c];
                 if (cloud != null && !cloud.IsRemoving)
-                    selector.Add(c, cloud.Pages, cloud.Placement);
+                    selector.Add(c, cloud.Pages, cloud.Placement, cloud.Source.Cubes.Size);
             }
             selector.Choose(views, settings.Selection);
             if (stream.Motion.TryPredictView(views, settings.PrefetchFrames))

@@ -28,8 +28,10 @@ namespace FastPoints.Tests.Las
         {
             string wkt = "COMPD_CS[\"both\"," + Utm.Replace("\"metre\",1", "\"foot\",0.3048")
                 + ",VERT_CS[\"NAVD88\",VERT_DATUM[\"x\",2005],UNIT[\"m\",1.0],AUTHORITY[\"EPSG\",\"5703\"]]]";
-            var crs = Read(new LasTestFile { Minor = 4, Format = 6 }.Evlr("LASF_Projection", 2112, Encoding.ASCII.GetBytes(wkt)));
+            var crs = Read(new LasTestFile { Minor = 4, Format = 6 }.Evlr("LASF_Projection", 2112, Encoding.ASCII.GetBytes(wkt)),
+                "EPSG:26910 is 1 m, the file says 0.3048 m");
             Assert.That(crs.Name, Is.EqualTo("both"));
+            Assert.That(crs.VerticalMetresPerUnit, Is.EqualTo(1));
             Assert.That(crs.Epsg, Is.EqualTo(26910));
             Assert.That(crs.VerticalEpsg, Is.EqualTo(5703));
             Assert.That(crs.MetresPerUnit, Is.EqualTo(0.3048));
@@ -71,9 +73,10 @@ namespace FastPoints.Tests.Las
         public void GeoKeys_Projected_GivesCodesUnitAndCitation()
         {
             var crs = Read(Keys("NAD_1983_UTM|", new double[0], 1024, 0, 1, 1, 3072, 0, 1, 26910, 3073, 34737, 13, 0,
-                3076, 0, 1, 9003, 4096, 0, 1, 5703));
+                3076, 0, 1, 9003, 4096, 0, 1, 5703, 4099, 0, 1, 9002), "EPSG:26910 is 1 m, the file says 0.3048006096012");
             Assert.That(crs.Summary, Is.EqualTo("NAD_1983_UTM (EPSG:26910+5703)"));
-            Assert.That(crs.MetresPerUnit, Is.EqualTo(1200.0 / 3937));
+            Assert.That(crs.MetresPerUnit, Is.EqualTo(1200.0 / 3937).Within(1e-15));
+            Assert.That(crs.VerticalMetresPerUnit, Is.EqualTo(0.3048), "4099 rules over the metres of 5703");
             Assert.That(crs.Wkt, Is.Null);
         }
 
@@ -90,7 +93,7 @@ namespace FastPoints.Tests.Las
         {
             Assert.That(Read(Keys("", new double[0], 1024, 0, 1, 2, 2048, 0, 1, 4326)).MetresPerUnit, Is.NaN);
             Assert.That(Read(Keys("", new double[0], 1024, 0, 1, 1, 3072, 0, 1, 32633)).MetresPerUnit, Is.EqualTo(1));
-            Assert.That(Read(Keys("", new double[0], 1024, 0, 1, 1, 3072, 0, 1, 2994)).MetresPerUnit, Is.Zero);
+            Assert.That(Read(Keys("", new double[0], 1024, 0, 1, 1, 3072, 0, 1, 2994)).MetresPerUnit, Is.EqualTo(0.3048));
         }
 
         /// <summary>The geographic key then names what the system is derived from; its own unit is a length.</summary>
@@ -102,7 +105,7 @@ namespace FastPoints.Tests.Las
         {
             var crs = Read(Keys("", new double[0], 1024, 0, 1, model, 2048, 0, 1, 4326, 3072, 0, 1, projected, 3076, 0, 1, unit));
             Assert.That(crs.Epsg, Is.EqualTo(epsg));
-            Assert.That(crs.MetresPerUnit, Is.EqualTo(metresPerUnit));
+            Assert.That(crs.MetresPerUnit, Is.EqualTo(metresPerUnit).Within(1e-15));
         }
 
         [Test]
@@ -135,12 +138,15 @@ namespace FastPoints.Tests.Las
             Assert.That(Read(file).Epsg, Is.EqualTo(26910));
         }
 
-        static CoordinateSystem Read(LasTestFile file)
+        static CoordinateSystem Read(LasTestFile file, string warning = null)
         {
             using (file.RandomPoints(2).Save())
             using (var reader = PointReaders.Open(file.Path))
             {
-                Assert.That(reader.Info.Warnings, Is.Empty);
+                if (warning != null)
+                    Assert.That(reader.Info.Warnings, Has.Some.Matches<CloudWarning>(w => w.Text.Contains(warning)));
+                else
+                    Assert.That(reader.Info.Warnings, Is.Empty);
                 return reader.Info.Crs;
             }
         }

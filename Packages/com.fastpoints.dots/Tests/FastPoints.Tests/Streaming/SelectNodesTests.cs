@@ -59,6 +59,16 @@ namespace FastPoints.Tests.Streaming
         }
 
         [Test]
+        public void SpacingScale_OfCellsThatAreNoCubes_IsOfTheirLongestEdge()
+        {
+            Assert.That(CloudView.SpacingScaleOf(new double3(78_000, 111_000, 1), new double3(1e-7, 1e-7, 0.01)),
+                Is.EqualTo(1.11).Within(1e-9), "cells of 1e-7 degrees by 1 cm are 1.1 cm long, not 1.1 km");
+            Assert.That(CloudView.SpacingScaleOf(new double3(2, 3, 4), new double3(1, 1, 1)), Is.EqualTo(4));
+            Assert.That(CloudView.SpacingScaleOf(new double3(1, 1, 1), new double3(0.01, 0.01, 0.001)), Is.EqualTo(1));
+            Assert.That(CloudView.SpacingScaleOf(new double3(1, 2, 3), default), Is.EqualTo(3), "unknown cells");
+        }
+
+        [Test]
         public void Choose_AnyView_HasParentsFirstWithinTheBudget()
         {
             foreach (long budget in new[] { 1L, 200_000, 5_000_000, 1_000_000_000 })

@@ -329,6 +329,8 @@ namespace FastPoints.Reading
             if (!tile.Crs.IsKnown)
             {
                 m_withoutCrs++;
+                if (!m_info.Crs.Units.IsKnown)
+                    m_info.Crs = tile.Crs;
             }
             else if (m_pathOfCrs == null)
             {
@@ -378,6 +380,8 @@ namespace FastPoints.Reading
 
         static bool IsSame(CoordinateSystem a, CoordinateSystem b)
         {
+            if (a.Units.IsKnown && b.Units.IsKnown && !a.MetresPerUnit.Equals(b.MetresPerUnit))
+                return false;
             if (a.Epsg != 0 && b.Epsg != 0)
                 return a.Epsg == b.Epsg && a.VerticalEpsg == b.VerticalEpsg;
             return a.Wkt != null || b.Wkt != null ? a.Wkt == b.Wkt : a.Name == b.Name && a.Epsg == b.Epsg;

@@ -155,11 +155,11 @@ namespace FastPoints.Sources
                 return;
             var srs = json.Object("srs");
             string wkt = srs.Text("wkt", "");
-            if (wkt.Length > 0 && !WktCoordinateSystem.Read(wkt, info.Crs))
+            if (wkt.Length > 0 && !CrsText.Read(wkt, info.Crs))
                 info.Warn(-1, "the CRS is no well-known text: left out");
-            if (!info.Crs.IsKnown && srs.Text("authority", "") == "EPSG"
-                && int.TryParse(srs.Text("horizontal", ""), NumberStyles.None, CultureInfo.InvariantCulture, out int code))
-                info.Crs.Epsg = code;
+            string vertical = srs.Text("vertical", "");
+            if (!info.Crs.IsKnown && srs.Text("authority", "") == "EPSG")
+                CrsText.Read("EPSG:" + srs.Text("horizontal", "") + (vertical.Length > 0 ? "+" + vertical : ""), info.Crs);
         }
     }
 

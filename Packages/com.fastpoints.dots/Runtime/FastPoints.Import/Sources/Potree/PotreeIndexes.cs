@@ -64,12 +64,8 @@ namespace FastPoints.Sources
         {
             Info.Fact("spacing", NumberText.Of(Spacing));
             string text = json.Text("projection", "").Trim();
-            if (text.Length == 0 || WktCoordinateSystem.Read(text, Info.Crs))
-                return;
-            Info.Crs.Name = text;
-            if (text.StartsWith("EPSG:", StringComparison.OrdinalIgnoreCase) && int.TryParse(text.Substring(5), NumberStyles.None,
-                CultureInfo.InvariantCulture, out int code))
-                Info.Crs.Epsg = code;
+            if (text.Length > 0 && !CrsText.Read(text, Info.Crs))
+                Info.Crs.Name = text;
         }
     }
 

@@ -131,7 +131,7 @@ namespace FastPoints.Sources
             }
         }
 
-        DisplayRanges NewRanges() => new DisplayRanges { IsInDegrees = double.IsNaN(m_reader.Info.Crs.MetresPerUnit) };
+        DisplayRanges NewRanges() => new DisplayRanges { Units = m_reader.Info.Crs.Units };
 
         // seen: bounds to use if the source claims none.
         CloudFacts Describe(CloudStage stage, DisplayRanges ranges, BoundsGeo seen)
@@ -141,7 +141,7 @@ namespace FastPoints.Sources
             {
                 Stage = stage,
                 BoundsGeo = info.BoundsTrusted.IsEmpty ? seen : info.BoundsTrusted,
-                MetresPerUnit = info.Crs.MetresPerUnit,
+                Units = info.Crs.Units,
                 Ranges = ranges,
             };
         }

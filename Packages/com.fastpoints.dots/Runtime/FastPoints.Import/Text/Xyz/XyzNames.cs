@@ -123,6 +123,10 @@ namespace FastPoints.Text
         public static bool HavePosition(string[] names) => Array.IndexOf(names, AttributeNames.X) >= 0 &&
             Array.IndexOf(names, AttributeNames.Y) >= 0 && Array.IndexOf(names, AttributeNames.Z) >= 0;
 
+        // Whether X and Y are a longitude and a latitude by their names.
+        public static bool AreDegrees(IReadOnlyList<string> given) =>
+            (Has(given, "lat") || Has(given, "latitude")) && (Has(given, "lon") || Has(given, "longitude"));
+
         // x y z, and then by count and values: intensity, colour, normals, or columns without a name. unitLength: for each
         // column, the share of sampled rows that have a vector of length 1 from there on.
         public static string[] Guess(XyzColumn[] columns, double[] unitLength)

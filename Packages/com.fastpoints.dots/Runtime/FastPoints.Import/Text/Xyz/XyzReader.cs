@@ -56,6 +56,8 @@ namespace FastPoints.Text
                     "x, y and z among them (name them to override)", string.Join(", ", given ?? names));
             var reader = new XyzReader(sniff, names, new SourceInfo { Path = source.Path, FileBytes = source.Length });
             reader.Describe(origin);
+            if (given != null && XyzNames.AreDegrees(given))
+                (reader.Info.Crs.MetresPerUnit, reader.Info.Crs.Kind) = (double.NaN, CrsKind.Geographic);
             return reader;
         }
 

@@ -28,8 +28,6 @@ namespace FastPoints.Drawing
         // thousand times.
         const double MaxHeightPerDegree = 200;
 
-        const double MetresPerDegree = 111_320;
-
         // Of 255. Colours darker than this, outliers apart, vanish against the background.
         const double DarkestColor = 12;
 
@@ -50,10 +48,13 @@ namespace FastPoints.Drawing
         // Of the points that are not far out: less than 1 where only the largest of parts far apart is framed.
         double m_shareFramed = 1;
 
-        /// <summary>Whether the CRS says that X and Y are angles; otherwise it is guessed from the bounds.</summary>
-        public bool IsInDegrees;
+        /// <summary>What the CRS says; where it is silent, degrees are guessed from the bounds.</summary>
+        public CloudUnits Units;
 
-        /// <summary>What a CRS unit along each axis is taken for in a picture: 1, or metres where X and Y are degrees.</summary>
+        public bool IsInDegrees => Units.IsInDegrees;
+
+        /// <summary>What a CRS unit along each axis is taken for in a picture: horizontal units, or metres where X and Y are
+        /// degrees.</summary>
         public double3 LengthsPerUnit = new double3(1, 1, 1);
 
         public UpAxis UpAxis = UpAxis.Z;
@@ -115,6 +116,7 @@ namespace FastPoints.Drawing
             var bounds = manifest.BoundsGeo;
             var ranges = new DisplayRanges
             {
+                Units = manifest.Crs.Units,
                 Full = bounds,
                 Robust = bounds,
                 ElevationLow = bounds.IsEmpty ? 0 : bounds.Min.z,
@@ -127,6 +129,7 @@ namespace FastPoints.Drawing
                 ranges.ElevationLow = shown.Elevation.Min;
                 ranges.ElevationHigh = shown.Elevation.Max;
             }
+            ranges.SetLengths();
             int intensity = manifest.Attributes.IndexOf(AttributeNames.Intensity);
             if (intensity >= 0)
             {
@@ -395,15 +398,21 @@ namespace FastPoints.Drawing
         void SetLengths()
         {
             LengthsPerUnit = new double3(1, 1, 1);
-            if (Robust.IsEmpty || UpAxis != UpAxis.Z)
+            if (Robust.IsEmpty)
+                return;
+            var lengths = Units.MetresAt(default, UpAxis);
+            if (!IsInDegrees && Units.IsKnown)
+                LengthsPerUnit = lengths / lengths[(UpAxis.Index() + 1) % 3];
+            if (UpAxis != UpAxis.Z)
                 return;
             double across = math.max(Robust.Size.x, Robust.Size.y);
-            bool isOnEarth = Robust.Min.x >= -180 && Robust.Max.x <= 360 && Robust.Min.y >= -90 && Robust.Max.y <= 90;
+            bool isOnEarth = CloudUnits.IsOnEarth(Robust.Min) && CloudUnits.IsOnEarth(Robust.Max);
             if (!isOnEarth || !IsInDegrees && !(across > 0 && Robust.Size.z > MaxHeightPerDegree * across))
                 return;
             double latitude = math.min(89, math.abs(math.round(Robust.Center.y)));
-            LengthsPerUnit = new double3(MetresPerDegree * math.cos(math.radians(latitude)), MetresPerDegree, 1);
-            Assumptions.Add("X and Y are taken for degrees, Z for metres" +
+            LengthsPerUnit = new CloudUnits(double.NaN, Units.Vertical).MetresAt(new double3(0, latitude, 0), UpAxis);
+            Assumptions.Add("X and Y are taken for degrees, Z for " +
+                (LengthsPerUnit.z == 1 ? "metres" : "units of " + NumberText.Of(LengthsPerUnit.z) + " m") +
                 (IsInDegrees ? ": the CRS says so" : ", by their size"));
         }
 

@@ -46,8 +46,7 @@ namespace FastPoints.Drawing
         /// <summary>Georeferenced, CRS units: the bounds that the source claims, if it claims any.</summary>
         public BoundsGeo BoundsGeo;
 
-        /// <summary>Metres of a horizontal unit; 0 if unknown, NaN if the unit is an angle.</summary>
-        public double MetresPerUnit;
+        public CloudUnits Units;
 
         public DisplayRanges Ranges;
 

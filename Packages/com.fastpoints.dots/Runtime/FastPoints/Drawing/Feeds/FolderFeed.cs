@@ -46,7 +46,7 @@ namespace FastPoints.Drawing
         {
             Stage = folder.IsUnfinished ? CloudStage.Building : CloudStage.Whole,
             BoundsGeo = folder.Manifest.BoundsGeo,
-            MetresPerUnit = folder.Manifest.MetresPerUnit,
+            Units = folder.Manifest.Crs.Units,
             Ranges = DisplayRanges.Of(folder.Manifest),
             RangesHaveOutliers = folder.Manifest.Shown == null,
         };

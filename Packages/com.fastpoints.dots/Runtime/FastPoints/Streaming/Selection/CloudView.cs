@@ -14,11 +14,14 @@ namespace FastPoints.Streaming
 
         // World length of a unit along each axis. If the transform shears, distances are those without shear.
         public double3 AxisScale;
-        public double LargestScale;
+
+        // World length of a unit of spacing: cells are as long as the octree's cubes along each axis, and the longest counts.
+        public double SpacingScale;
 
         fixed double m_planes[StreamView.MaxFrustumPlanes * 4];
 
-        public CloudView(in StreamView view, in CloudPlacement placement)
+        /// <param name="cubeSize">Of the octree's root, in units of each axis.</param>
+        public CloudView(in StreamView view, in CloudPlacement placement, double3 cubeSize)
         {
             var linear = placement.Linear;
             var fromEye = placement.OriginWorld - view.EyeWorld;
@@ -27,8 +30,8 @@ namespace FastPoints.Streaming
             IsShown = view.Mask.Shows(placement.Visibility);
             ScalePx = view.ScalePx;
             PlaneCount = view.PlaneCount;
-            AxisScale = new double3(math.length(linear.c0), math.length(linear.c1), math.length(linear.c2));
-            LargestScale = math.cmax(AxisScale);
+            AxisScale = AxisScaleOf(placement);
+            SpacingScale = SpacingScaleOf(AxisScale, cubeSize);
             fixed (double4* worldPlanes = &view.Plane0)
             {
                 for (int p = 0; p < view.PlaneCount; p++)
@@ -40,6 +43,16 @@ namespace FastPoints.Streaming
                     m_planes[4 * p + 3] = math.dot(normal, fromEye) + worldPlanes[p].w;
                 }
             }
+        }
+
+        public static double3 AxisScaleOf(in CloudPlacement placement) => new double3(math.length(placement.Linear.c0),
+            math.length(placement.Linear.c1), math.length(placement.Linear.c2));
+
+        // Of degrees beside metres the cubes are no cubes in the world.
+        public static double SpacingScaleOf(double3 axisScale, double3 cubeSize)
+        {
+            double longest = math.cmax(cubeSize);
+            return longest > 0 ? math.cmax(axisScale * cubeSize) / longest : math.cmax(axisScale);
         }
 
         // It may be true for a box just outside an edge of the view.

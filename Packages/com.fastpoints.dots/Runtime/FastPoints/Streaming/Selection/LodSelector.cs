@@ -2,6 +2,7 @@ using System;
 using FastPoints.Store;
 using Unity.Collections;
 using Unity.Jobs;
+using Unity.Mathematics;
 
 namespace FastPoints.Streaming
 {
@@ -46,11 +47,11 @@ namespace FastPoints.Streaming
 
         // In rising order of clouds. The pages stay in place until the frame's last selection; clouds without volume are left
         // out.
-        public void Add(int cloud, HierarchyPage* pages, in CloudPlacement placement)
+        public void Add(int cloud, HierarchyPage* pages, in CloudPlacement placement, double3 cubeSize = default)
         {
             if (!placement.IsValid)
                 return;
-            m_clouds.Add(new SelectionCloud { Cloud = cloud, Pages = pages });
+            m_clouds.Add(new SelectionCloud { Cloud = cloud, Pages = pages, CubeSize = cubeSize });
             m_placements.Add(placement);
         }
 
@@ -101,7 +102,7 @@ namespace FastPoints.Streaming
             for (int c = 0; c < m_clouds.Length; c++)
             {
                 for (int v = 0; v < views.Length; v++)
-                    m_views.Add(new CloudView(views[v], m_placements[c]));
+                    m_views.Add(new CloudView(views[v], m_placements[c], m_clouds[c].CubeSize));
                 for (int b = 0; b < m_clipBoxes.Length; b++)
                     m_clips.Add(new LocalClip(m_clipBoxes[b], m_placements[c]));
             }

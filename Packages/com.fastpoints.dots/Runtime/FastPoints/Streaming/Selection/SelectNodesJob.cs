@@ -160,9 +160,9 @@ namespace FastPoints.Streaming
                 double distance = views[v].DistanceTo(center, half);
                 double size = 2 * math.length(half * views[v].AxisScale);
                 // A box without extent, with one point or many at one place, counts as large as the gap that it fills.
-                size = math.max(size, spacing * views[v].LargestScale);
+                size = math.max(size, spacing * views[v].SpacingScale);
                 if (views[v].LengthPx(size, distance) >= Settings.SmallestNodePx)
-                    screenErrorPx = math.max(screenErrorPx, (float)views[v].LengthPx(spacing * views[v].LargestScale, distance));
+                    screenErrorPx = math.max(screenErrorPx, (float)views[v].LengthPx(spacing * views[v].SpacingScale, distance));
             }
             return screenErrorPx > 0;
         }
@@ -184,5 +184,8 @@ namespace FastPoints.Streaming
         /// <summary>Page 0, then one page for each chunk.</summary>
         public HierarchyPage* Pages;
         public int Cloud;
+
+        /// <summary>Of the root, in units of each axis.</summary>
+        public double3 CubeSize;
     }
 }

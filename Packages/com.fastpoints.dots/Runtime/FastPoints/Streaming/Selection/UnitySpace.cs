@@ -9,26 +9,31 @@ namespace FastPoints.Streaming
         /// <summary>The georeferenced position that lies at (0, 0, 0).</summary>
         public double3 OriginGeo;
 
-        /// <summary>Unity's units for one CRS unit.</summary>
-        public double Scale;
+        /// <summary>What a Unity unit, a metre, is in the cloud's coordinates.</summary>
+        public CloudUnits Units;
 
         /// <summary>The cloud's axis that is Unity's Y.</summary>
         public UpAxis Up;
 
-        /// <summary>The middle of the bounds' floor becomes the origin, rounded to a whole unit. Units stay as they are if
-        /// metres are unknown (0) or they are angles (NaN).</summary>
-        public static UnitySpace Of(BoundsGeo boundsGeo, double metresPerUnit, UpAxis up = UpAxis.Z)
+        /// <summary>The middle of the bounds' floor becomes the origin, rounded to a whole unit, or to a thousandth of a degree.
+        /// Units stay as they are if metres are unknown.</summary>
+        public static UnitySpace Of(BoundsGeo boundsGeo, CloudUnits units, UpAxis up = UpAxis.Z)
         {
-            bool isKnown = metresPerUnit > 0 && metresPerUnit <= double.MaxValue;
             var floor = boundsGeo.Center;
             floor[up.Index()] = (up.IsNegative() ? boundsGeo.Max : boundsGeo.Min)[up.Index()];
+            var rounded = math.round(floor);
+            if (units.IsInDegrees && CloudUnits.IsOnEarth(floor))
+                rounded.xy = (math.round(floor * 1000) / 1000).xy;
             return new UnitySpace
             {
-                OriginGeo = boundsGeo.IsEmpty ? new double3(0, 0, 0) : math.round(floor),
-                Scale = isKnown ? metresPerUnit : 1,
+                OriginGeo = boundsGeo.IsEmpty ? new double3(0, 0, 0) : rounded,
+                Units = units,
                 Up = up,
             };
         }
+
+        /// <summary>Metres of a CRS unit along each axis; of degrees, at the origin.</summary>
+        public readonly double3 Scale => Units.MetresAt(OriginGeo, Up);
 
         /// <summary>The cloud's placement under a transform from this space to the world.</summary>
         public CloudPlacement Place(CloudGrid grid, GridCube root, double4x4 localToWorld)
@@ -37,7 +42,8 @@ namespace FastPoints.Streaming
             // The matrix has a column for each of the cloud's axes.
             var fromCloud = math.transpose(new double3x3(east, up, north));
             var toWorld = new double3x3(localToWorld.c0.xyz, localToWorld.c1.xyz, localToWorld.c2.xyz);
-            var linear = math.mul(toWorld, fromCloud) * Scale;
+            var scale = Scale;
+            var linear = math.mul(toWorld, new double3x3(fromCloud.c0 * scale.x, fromCloud.c1 * scale.y, fromCloud.c2 * scale.z));
             var fromOrigin = grid.ToGeo(root.Corner) - OriginGeo;
             return new CloudPlacement(linear, localToWorld.c3.xyz + math.mul(linear, fromOrigin));
         }
