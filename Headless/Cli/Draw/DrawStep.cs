@@ -1,3 +1,5 @@
+using FastPoints.Cli.Settings;
+
 namespace FastPoints.Cli.Draw;
 
 public sealed class DrawStep
@@ -15,6 +17,7 @@ public sealed class DrawStep
     public static DrawStep Run(PointReader reader, PictureOptions options, long budget, CliRun run)
     {
         double begin = run.Seconds;
+        LookSettings.RequireColor(options, reader.Info.Schema, reader.Info.Path);
         var draw = new DrawCloud(reader, options, budget);
         run.RunSteps(draw.Run(run.Progress));
         run.Warn(reader.Info);
@@ -33,6 +36,7 @@ public sealed class DrawStep
     {
         double begin = run.Seconds;
         using var folder = CloudFolder.Open(path);
+        LookSettings.RequireColor(options, folder.Manifest.Attributes, path);
         var draw = new DrawStored(folder, options, budget);
         run.RunSteps(draw.Run(run.Progress));
         return new DrawStep

@@ -1,3 +1,4 @@
+using FastPoints.Cli.Settings;
 using FastPoints.Drawing;
 using FastPoints.Sampling;
 using FastPoints.Sources;
@@ -21,8 +22,9 @@ sealed record FlightCloud(PicturePlan Plan, DisplayRanges Ranges, int Number)
             if (reader.Tree == null)
                 return AddSample(reader, stream, options, cancellation);
             JobCoroutine.RunToEnd(TreeSource.FindTop(reader), cancellation);
+            LookSettings.RequireStreamable(options, reader.Info.Schema, reader.Info.Path);
             var ranges = new DisplayRanges { Units = reader.Info.Crs.Units };
-            using (var batch = ReadTop(reader, ColorModes.AttributesToMeasure(options.Color), cancellation))
+            using (var batch = ReadTop(reader, options.AttributesToMeasure(), cancellation))
                 JobCoroutine.RunToEnd(ranges.Measure(batch, reader.Info.Transform, options.UpAxis), cancellation);
             var source = new TreeSource(reader,
                 CloudLooks.PlanesFor(ranges.Resolve(options.Color), !options.HiddenClasses.IsEmpty));
@@ -39,7 +41,7 @@ sealed record FlightCloud(PicturePlan Plan, DisplayRanges Ranges, int Number)
     /// <summary>Sizes that were not asked for: as far as points are apart. Degrees are no lengths to be apart in.</summary>
     internal static void SetSize(PictureOptions options, params string[] clouds)
     {
-        if (options.PointSizePx >= 1)
+        if (options.PointSizePx >= 1 || options.ColorAttribute != null)
             return;
         if (clouds.Any(IsInDegrees))
             options.PointSizePx = PxOfDegrees;
@@ -58,6 +60,7 @@ sealed record FlightCloud(PicturePlan Plan, DisplayRanges Ranges, int Number)
     static FlightCloud AddSample(PointReader reader, StreamContext stream, PictureOptions options,
         CancellationToken cancellation)
     {
+        LookSettings.RequireStreamable(options, reader.Info.Schema, reader.Info.Path);
         var settings = new PreviewOptions
         {
             Picture = options,
@@ -83,7 +86,8 @@ sealed record FlightCloud(PicturePlan Plan, DisplayRanges Ranges, int Number)
         var folder = CloudFolder.Open(path);
         try
         {
-            var schema = LoadNodes.SchemaFor(folder, ColorModes.AttributesToMeasure(options.Color));
+            LookSettings.RequireStreamable(options, folder.Manifest.Attributes, path);
+            var schema = LoadNodes.SchemaFor(folder, options.AttributesToMeasure());
             var transform = folder.Manifest.Grid.FromCorner(folder.Manifest.Root.Corner);
             var ranges = new DisplayRanges { Units = folder.Manifest.Crs.Units };
             using (var selection = new NodeSelection(folder))

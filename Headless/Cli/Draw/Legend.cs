@@ -45,7 +45,8 @@ public sealed class Legend(ColorMode mode, DisplayRanges ranges, Camera camera, 
             int text = bottom - 2 * row - dot;
             string highest = Human.FourDigits(high) + (isHeight && ranges.UpAxis == UpAxis.Z
                 ? " " + Human.Unit(ranges.Units.Vertical > 0 ? ranges.Units.Vertical : ranges.Units.Horizontal) : "");
-            Write(image, dot, left, text - row, isHeight ? ranges.UpAxis == UpAxis.Z ? "elevation" : "height" : "intensity");
+            Write(image, dot, left, text - row, isHeight ? ranges.UpAxis == UpAxis.Z ? "elevation" : "height"
+                : ranges.ValueAttribute.ToLowerInvariant());
             Write(image, dot, left, text, Human.FourDigits(low));
             Write(image, dot, left + width - WidthOf(highest, dot), text, highest);
             return;

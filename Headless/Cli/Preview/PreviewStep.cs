@@ -1,4 +1,5 @@
 using FastPoints.Cli.Draw;
+using FastPoints.Cli.Settings;
 
 namespace FastPoints.Cli.Preview;
 
@@ -23,6 +24,7 @@ public sealed class PreviewStep
     public static PreviewStep Run(PointReader reader, PreviewOptions options, CliRun run)
     {
         double begin = run.Seconds;
+        LookSettings.RequireColor(options.Picture, reader.Info.Schema, reader.Info.Path);
         using var preview = new PreviewCloud(reader, options);
         var slices = SliceLengths.Measure(() => run.RunSteps(preview.Run(run.Progress)));
         run.Warn(reader.Info);

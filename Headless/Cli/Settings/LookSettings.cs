@@ -21,6 +21,29 @@ public sealed class LookSettings
         command.Add(m_plain);
     }
 
+    /// <summary>Refuses colours by what a cloud has not.</summary>
+    public static void RequireColor(PictureOptions options, PointSchema schema, string path)
+    {
+        if (options.ColorAttribute is { } asked)
+            options.ColorAttribute = schema.Select(a => a.Name)
+                .FirstOrDefault(n => n.Equals(asked, System.StringComparison.OrdinalIgnoreCase)) ?? throw Missing(asked);
+        string? wanted = options.ColorAttribute ?? (options.Color == ColorMode.Rgb ? AttributeNames.Red
+            : ColorModes.AttributeOf(options.Color));
+        if (wanted != null && !schema.Has(wanted))
+            throw Missing(wanted);
+
+        UsageException Missing(string name) => new("--style: " + path + " has no " + name + " to colour by; it has "
+            + string.Join(", ", schema.Select(a => a.Name)));
+    }
+
+    /// <summary>The same of clouds that are streamed, whose shaders know some attributes alone.</summary>
+    public static void RequireStreamable(PictureOptions options, PointSchema schema, string path)
+    {
+        RequireColor(options, schema, path);
+        if (options.ColorAttribute is { } name)
+            throw new UsageException("--style: colours by " + name + " are for one cloud, whole, and not with --gpu, fly, or clips");
+    }
+
     public bool IsPlain(ParseResult parsed) => parsed.GetValue(m_plain);
 
     public PictureOptions Read(ParseResult parsed)

@@ -23,7 +23,7 @@ public sealed class PictureSettings
     readonly Option<string?> m_view = new("--view")
     {
         HelpName = "VIEW",
-        Description = "top, front or iso in place of a camera (default: what shows most).",
+        Description = "top, bottom, front, back, left (or side), right or iso in place of a camera (default: what shows most).",
     };
     readonly Option<string[]> m_clip = new("--clip")
     {
@@ -85,10 +85,9 @@ public sealed class PictureSettings
         options.View = view switch
         {
             null => ViewDirection.Auto,
-            "top" => ViewDirection.Top,
-            "front" => ViewDirection.Front,
-            "iso" => ViewDirection.Iso,
-            _ => throw new UsageException("--view: wanted top, front or iso, got " + view),
+            "side" => ViewDirection.Left,
+            _ => System.Enum.TryParse<ViewDirection>(view, true, out var named) && char.IsLetter(view[0]) ? named
+                : throw new UsageException("--view: wanted top, bottom, front, back, left, right or iso, got " + view),
         };
         return options;
     }

@@ -216,7 +216,8 @@ public sealed class DefaultVerb : Verb
             run.Progress.Group = "picture";
             // As a game draws it, which the card's picture is compared with.
             FlightCloud.SetSize(picture, cloudPath);
-            var drawn = StreamedPictureStep.Run([cloudPath], picture, GpuPoints, run);
+            var drawn = picture.ColorAttribute != null ? DrawStep.RunStored(cloudPath, picture, GpuPoints, run)
+                : StreamedPictureStep.Run([cloudPath], picture, GpuPoints, run);
             OutputFile.Write(picturePath, Png.Encode(drawn.ToImage(look.IsPlain)));
             run.Out.WriteLine("  picture  " + drawn.Describe());
             foreach (string assumption in drawn.Assumptions)
@@ -225,7 +226,8 @@ public sealed class DefaultVerb : Verb
             run.Progress.Group = PageGroup;
             var view = ViewCloud.Take(() => PointReaders.Open(files, source), picture, preview.Camera, run);
             run.Progress.Group = "gpu";
-            var gpu = HeadlessGraphics.IsAvailable ? DrawStep.RunOnGpu([cloudPath], picture, GpuPoints, run) : null;
+            var gpu = HeadlessGraphics.IsAvailable && picture.ColorAttribute == null
+                ? DrawStep.RunOnGpu([cloudPath], picture, GpuPoints, run) : null;
             run.Progress.Group = null;
             if (gpu != null)
                 OutputFile.Write(Path.Combine(folder, "gpu.png"), Png.Encode(gpu.ToImage(look.IsPlain)));

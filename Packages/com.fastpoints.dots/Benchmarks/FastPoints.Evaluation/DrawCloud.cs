@@ -75,7 +75,7 @@ namespace FastPoints.Evaluation
             if (mode == ColorMode.Rgb)
                 return schema.Select(AttributeNames.X, AttributeNames.Y, AttributeNames.Z,
                     AttributeNames.Red, AttributeNames.Green, AttributeNames.Blue);
-            return ColorModes.AttributeOf(mode) is string attribute
+            return Ranges.AttributeOf(mode) is string attribute
                 ? schema.Select(AttributeNames.X, AttributeNames.Y, AttributeNames.Z, attribute)
                 : schema.Select(AttributeNames.X, AttributeNames.Y, AttributeNames.Z);
         }

@@ -73,13 +73,21 @@ namespace FastPoints.Picture
             var view = options.View;
             if (view == ViewDirection.Auto && depth < 0.02 * math.min(width, height))
                 view = ViewDirection.Front;
-            bool isFlat = view == ViewDirection.Top || view == ViewDirection.Front;
+            bool isFlat = view != ViewDirection.Auto && view != ViewDirection.Iso;
             var across = view == ViewDirection.Auto && depth > 1.2 * width ? -east : north;
             var aside = view == ViewDirection.Auto && depth > 1.2 * width ? north : -east;
             bool isLong = view == ViewDirection.Auto && math.max(width, depth) > 3 * math.min(width, depth);
-            var forward = view == ViewDirection.Top ? -up : isFlat ? north
-                : across + (isLong ? 0.25 : 0.55) * aside - 0.75 * up;
-            up = view == ViewDirection.Top ? north : up;
+            var forward = view switch
+            {
+                ViewDirection.Top => -up,
+                ViewDirection.Bottom => up,
+                ViewDirection.Front => north,
+                ViewDirection.Back => -north,
+                ViewDirection.Left => east,
+                ViewDirection.Right => -east,
+                _ => across + (isLong ? 0.25 : 0.55) * aside - 0.75 * up,
+            };
+            up = view == ViewDirection.Top || view == ViewDirection.Bottom ? north : up;
             var camera = isFlat ? Camera.Orthographic(bounds.Center, bounds.Center + forward, up, 1)
                 : Camera.Perspective(bounds.Center, bounds.Center + forward, up, options.FovDegrees);
 

@@ -43,10 +43,10 @@ namespace FastPoints.Picture
         public IEnumerator<JobStep> Run(StageProgress progress)
         {
             progress?.Begin("select");
-            var schema = LoadNodes.SchemaFor(m_folder, ColorModes.AttributesToMeasure(m_options.Color));
+            var schema = LoadNodes.SchemaFor(m_folder, m_options.AttributesToMeasure());
             var transform = m_folder.Manifest.Grid.FromCorner(m_folder.Manifest.Root.Corner);
             var ranges = PlansByManifest ? DisplayRanges.Of(m_folder.Manifest)
-                : new DisplayRanges { Units = m_folder.Manifest.Crs.Units };
+                : m_options.NewRanges(m_folder.Manifest.Crs.Units);
             using (var selection = new NodeSelection(m_folder))
             {
                 if (!PlansByManifest)

@@ -33,6 +33,11 @@ namespace FastPoints.Picture
         internal bool GuessesUpAxis;
 
         public ColorMode Color = ColorMode.Auto;
+
+        /// <summary>The attribute that <see cref="ColorMode.Intensity"/> shows in place of the intensity; null for that. Only for
+        /// pictures that are not streamed.</summary>
+        public string ColorAttribute;
+
         public Gradient Gradient = Gradient.Auto;
 
         /// <summary>Size in pixels; 0 makes points as large as surfaces need to look closed.</summary>
@@ -74,9 +79,27 @@ namespace FastPoints.Picture
         /// <summary>See <see cref="ResolvePictureJob.FillsHoles"/>.</summary>
         public bool FillsHoles;
 
+        // Read before a picture is planned.
+        internal string[] AttributesToMeasure()
+        {
+            var names = new List<string>(ColorModes.AttributesToMeasure(Color));
+            if (ColorAttribute != null)
+                names.Add(ColorAttribute);
+            return names.ToArray();
+        }
+
+        // What is not asked for is the intensity.
+        internal DisplayRanges NewRanges(CloudUnits units)
+        {
+            var ranges = new DisplayRanges { Units = units };
+            if (ColorAttribute != null)
+                ranges.ValueAttribute = ColorAttribute;
+            return ranges;
+        }
+
         /// <summary>Keys that <see cref="TrySetStyle"/> takes, for a help text.</summary>
         public const string StyleHelp =
-            "color=auto|rgb|elevation|intensity|classification|returnnumber|pointsource (the last two of converted clouds), " +
+            "color=auto|rgb|elevation|intensity|classification|returnnumber|pointsource or an attribute's name, " +
             "gradient=auto|viridis|turbo|gray, size=auto|PIXELS|LENGTHu|adaptive[:GAPS], " +
             "points=square|round|paraboloid|splat (the last of converted clouds), " +
             "classes=N+N+... (shown; of converted clouds), edl=auto|on|off|STRENGTH, holes=fill|keep, " +
@@ -90,7 +113,12 @@ namespace FastPoints.Picture
             switch (key)
             {
                 case "color":
-                    return TryName(value, out Color, ref error);
+                    ColorAttribute = null;
+                    if (TryName(value, out Color, ref error) || value.Length == 0)
+                        return error == null;
+                    (Color, ColorAttribute, error) = (ColorMode.Intensity, value, null);
+                    Gradient = Gradient == Gradient.Auto ? Gradient.Viridis : Gradient;
+                    return true;
                 case "gradient":
                     return TryName(value, out Gradient, ref error);
                 case "up":
@@ -214,5 +242,13 @@ namespace FastPoints.Picture
         Front,
         /// <summary>Perspective, from the south-east and above.</summary>
         Iso,
+        /// <summary>Orthographic, from the north.</summary>
+        Back,
+        /// <summary>Orthographic, from the west.</summary>
+        Left,
+        /// <summary>Orthographic, from the east.</summary>
+        Right,
+        /// <summary>Orthographic, from below, north at the top.</summary>
+        Bottom,
     }
 }

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 using FastPoints.Drawing;
 using FastPoints.Reading;
 using FastPoints.Sampling;
@@ -19,6 +20,8 @@ namespace FastPoints.Picture
         {
             m_reader = reader;
             m_options = options;
+            var info = reader.Info;
+            info.SampledToo = info.SampledToo.Union(options.Picture.AttributesToMeasure().Where(info.Schema.Has)).ToArray();
             m_sampling = new PreviewSampling(reader, options);
         }
 
@@ -87,7 +90,7 @@ namespace FastPoints.Picture
 
         IEnumerator<JobStep> MeasureSample()
         {
-            Ranges = new DisplayRanges { Units = m_reader.Info.Crs.Units };
+            Ranges = m_options.Picture.NewRanges(m_reader.Info.Crs.Units);
             return Ranges.Measure(Sample.Points, Sample.Transform, m_options.Picture.UpAxis);
         }
 

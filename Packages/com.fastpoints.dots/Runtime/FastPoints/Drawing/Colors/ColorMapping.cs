@@ -23,7 +23,7 @@ namespace FastPoints.Drawing
         {
             var mapping = Of(mode, ranges, transform, gradient);
             var schema = batch.Schema;
-            if (ColorModes.AttributeOf(mode) is string attribute)
+            if (ranges.AttributeOf(mode) is string attribute)
                 mapping.First = batch.Column(schema.IndexOf(attribute));
             if (mode != ColorMode.Rgb)
                 return mapping;

@@ -36,7 +36,7 @@ namespace FastPoints.Drawing
         const int PointsPerSlice = 1 << 17; // Less than a millisecond of managed code.
 
         // The position first.
-        static readonly string[] s_columns =
+        readonly string[] m_columns =
         {
             AttributeNames.X, AttributeNames.Y, AttributeNames.Z, AttributeNames.Intensity, AttributeNames.Red,
             AttributeNames.Green, AttributeNames.Blue,
@@ -52,6 +52,16 @@ namespace FastPoints.Drawing
         public CloudUnits Units;
 
         public bool IsInDegrees => Units.IsInDegrees;
+
+        /// <summary>The attribute that <see cref="ColorMode.Intensity"/> shows.</summary>
+        internal string ValueAttribute
+        {
+            get => m_columns[IntensityColumn];
+            set => m_columns[IntensityColumn] = value;
+        }
+
+        /// <summary>The one that a mode looks its colours up by; null for the others.</summary>
+        internal string AttributeOf(ColorMode mode) => mode == ColorMode.Intensity ? ValueAttribute : ColorModes.AttributeOf(mode);
 
         /// <summary>What a CRS unit along each axis is taken for in a picture: horizontal units, or metres where X and Y are
         /// degrees.</summary>
@@ -168,12 +178,12 @@ namespace FastPoints.Drawing
         public IEnumerator<JobStep> Measure(PointBatch points, PositionTransform transform, UpAxis upAxis)
         {
             UpAxis = upAxis;
-            var found = new NativeReference<ColumnQuantiles>[s_columns.Length];
+            var found = new NativeReference<ColumnQuantiles>[m_columns.Length];
             var bounds = new NativeReference<PositionBounds>(PositionBounds.Empty, Allocator.Persistent);
             try
             {
                 for (int i = 0; i < found.Length; i++)
-                    if (points.Schema.Has(s_columns[i]))
+                    if (points.Schema.Has(m_columns[i]))
                         found[i] = new NativeReference<ColumnQuantiles>(ColumnQuantiles.Empty, Allocator.Persistent);
                 int slices = (points.Count + PointsPerSlice - 1) / PointsPerSlice;
                 yield return JobStep.Of(Slices.Run(0, slices + 1, 1, (slice, _, after) => slice < slices
@@ -212,7 +222,7 @@ namespace FastPoints.Drawing
             }
         }
 
-        static JobHandle MeasureSlice(PointBatch points, PositionTransform transform, int first,
+        JobHandle MeasureSlice(PointBatch points, PositionTransform transform, int first,
             NativeReference<PositionBounds> bounds, NativeReference<ColumnQuantiles>[] found, JobHandle inputDeps)
         {
             int count = math.min(PointsPerSlice, points.Count - first);
@@ -230,7 +240,7 @@ namespace FastPoints.Drawing
                     all = JobHandle.CombineDependencies(all, new MeasureRangeJob
                     {
                         Bytes = points.Bytes,
-                        Column = points.Column(points.Schema.IndexOf(s_columns[i])),
+                        Column = points.Column(points.Schema.IndexOf(m_columns[i])),
                         First = first,
                         Count = count,
                         Found = found[i],
@@ -267,7 +277,7 @@ namespace FastPoints.Drawing
             }
         }
 
-        static JobHandle MeasureColumns(PointBatch points, PositionTransform transform,
+        JobHandle MeasureColumns(PointBatch points, PositionTransform transform,
             NativeReference<ColumnQuantiles>[] found, JobHandle inputDeps)
         {
             var all = inputDeps;
@@ -280,7 +290,7 @@ namespace FastPoints.Drawing
                 all = JobHandle.CombineDependencies(all, new MeasureColumnJob
                 {
                     Bytes = points.Bytes,
-                    Column = points.Column(points.Schema.IndexOf(s_columns[i])),
+                    Column = points.Column(points.Schema.IndexOf(m_columns[i])),
                     Count = points.Count,
                     Scale = isPosition ? transform.Scale[i] : 1,
                     Offset = isPosition ? transform.Offset[i] : 0,
@@ -461,7 +471,7 @@ namespace FastPoints.Drawing
         unsafe void AddSignal(SpatialSignal signal, PointBatch points, PositionTransform transform, int part)
         {
             var columns = PositionColumns.Of(points);
-            var intensity = points.Column(points.Schema.IndexOf(s_columns[IntensityColumn]));
+            var intensity = points.Column(points.Schema.IndexOf(m_columns[IntensityColumn]));
             byte* bytes = (byte*)points.Bytes.GetUnsafeReadOnlyPtr();
             int step = (points.Count + SpatialSignal.MaxPoints - 1) / SpatialSignal.MaxPoints;
             for (long i = (long)part * step; i < points.Count; i += (long)SignalParts * step)
