@@ -20,16 +20,20 @@ public static class Program
         using var interrupt = PosixSignalRegistration.Create(PosixSignal.SIGINT, Cancel);
         using var terminate = PosixSignalRegistration.Create(PosixSignal.SIGTERM, Cancel);
         var utf8 = new UTF8Encoding(false);
-        using var output = new StreamWriter(Console.OpenStandardOutput(), utf8, 4096);
+        // Not disposed: that would write once more what a full disk has refused.
+        var output = new StreamWriter(Console.OpenStandardOutput(), utf8, 4096);
         using var error = new StreamWriter(Console.OpenStandardError(), utf8, 1024) { AutoFlush = true };
-        int status = CommandLine.Run(args, output, error, !Console.IsErrorRedirected, cancellation.Token, discard.Token);
+        int status = CommandLine.Run(FileNames.Readable(args), output, error, !Console.IsErrorRedirected, cancellation.Token,
+            discard.Token);
         try
         {
             output.Flush();
         }
-        catch (IOException)
+        // A reader that went away (| head) is no failure, and no exception either.
+        catch (IOException e)
         {
-            // Whoever read standard output went away (| head): nothing left to say to them.
+            error.WriteLine("fastpoints: standard output: " + e.Message);
+            return status == ExitStatus.Done ? ExitStatus.Failed : status;
         }
         return status;
     }

@@ -67,10 +67,54 @@ static class OutputNames
         RefuseOther("--output", what, path);
         if (File.Exists(path))
             throw new UsageException("--output: " + what + " is a folder, and this is a file: " + path);
-        if (!force && Directory.Exists(path) && Directory.EnumerateFileSystemEntries(path).Any()
+        if (!force)
+            RefuseFilled(path, marker);
+    }
+
+    static void RefuseFilled(string path, string marker)
+    {
+        if (Directory.Exists(path) && Directory.EnumerateFileSystemEntries(path).Any()
             && !File.Exists(Path.Combine(path, marker)))
             throw new UsageException(path + " has other things in it: --output names another folder, --force writes there");
     }
+
+    /// <summary>A cloud that is there, finished or not, is replaced by one of the same files without a word, as a resumed or
+    /// repeated conversion does, and by no other.</summary>
+    public static void RefuseOtherCloud(string path, PointReader reader)
+    {
+        RefuseFilled(path, StoreFormat.ManifestName);
+        foreach (string folder in new[] { path, Path.TrimEndingDirectorySeparator(path) + StoreFormat.PartSuffix })
+        {
+            string file = Path.Combine(folder, StoreFormat.ManifestName);
+            if (!File.Exists(file) || SourcesOf(file) is not { Count: > 0 } there)
+                continue;
+            var wanted = reader is TiledReader tiles ? Enumerable.Range(0, tiles.TileCount).Select(tiles.TileOf).ToList()
+                : [new CloudManifest.Source { Name = reader.Info.Path, FileBytes = reader.Info.FileBytes }];
+            if (there.Count == wanted.Count && there.Zip(wanted, IsSame).All(same => same))
+                continue;
+            throw new UsageException(folder + " holds a cloud of " + Said(there) + ": --force replaces it by one of "
+                + Said(wanted));
+        }
+    }
+
+    // Null for a cloud that cannot be read: nobody loses it.
+    static List<CloudManifest.Source>? SourcesOf(string manifest)
+    {
+        try
+        {
+            return CloudManifest.FromJson(File.ReadAllText(manifest), manifest).Sources;
+        }
+        catch (PointCloudException)
+        {
+            return null;
+        }
+    }
+
+    static bool IsSame(CloudManifest.Source a, CloudManifest.Source b) =>
+        a.FileBytes == b.FileBytes && Path.GetFileName(a.Name) == Path.GetFileName(b.Name);
+
+    static string Said(List<CloudManifest.Source> sources) => Path.GetFileName(sources[0].Name) + " ("
+        + Human.Count(sources[0].FileBytes) + " bytes)" + (sources.Count > 1 ? " and " + (sources.Count - 1) + " more" : "");
 
     public static bool IsCloud(string path) => s_clouds.Any(ending => HasEnding(path, ending));
 

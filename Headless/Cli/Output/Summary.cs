@@ -40,7 +40,11 @@ public static class Summary
                 WriteFailure(json, failure);
         });
         if (destination == "-")
-            output.WriteLine(Encoding.UTF8.GetString(bytes));
+            OutputFile.WithFileErrors("standard output", () =>
+            {
+                output.WriteLine(Encoding.UTF8.GetString(bytes));
+                output.Flush();
+            });
         else
             OutputFile.Write(destination, bytes);
     }

@@ -41,7 +41,7 @@ public sealed class LookSettings
     {
         RequireColor(options, schema, path);
         if (options.ColorAttribute is { } name)
-            throw new UsageException("--style: colours by " + name + " are for one cloud, whole, and not with --gpu, fly, or clips");
+            throw new UsageException("--style: colours by " + name + " are for pictures of one cloud, whole and without --gpu");
     }
 
     public bool IsPlain(ParseResult parsed) => parsed.GetValue(m_plain);

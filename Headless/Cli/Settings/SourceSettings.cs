@@ -22,8 +22,11 @@ public sealed class SourceSettings
             + "string. Points are not moved.",
     };
 
+    readonly Option<bool> m_recursive = new("--recursive") { Description = "Look into the folders of a folder, too." };
+
     public SourceSettings(Command command)
     {
+        command.Add(m_recursive);
         command.Add(m_columns);
         command.Add(m_unit);
         command.Add(m_crs);
@@ -31,7 +34,11 @@ public sealed class SourceSettings
 
     public ReadOptions Read(ParseResult parsed)
     {
-        var options = new ReadOptions { CoordinateSystem = parsed.GetValue(m_crs) };
+        var options = new ReadOptions
+        {
+            CoordinateSystem = parsed.GetValue(m_crs),
+            IsRecursive = parsed.GetValue(m_recursive),
+        };
         if (options.CoordinateSystem is { } crs && !CrsText.Read(crs, new CoordinateSystem()))
             throw new UsageException("--crs: wanted EPSG:2229, WKT or a PROJ string, got " + crs);
         if (parsed.GetValue(m_unit) is { } unit)

@@ -90,6 +90,8 @@ public sealed class ConvertVerb : Verb
             OutputNames.RefuseForeignFolder("a report", samplers, "pictures.csv", run.Settings.IsForced);
         using var reader = PointReaders.Open(files, m_source.Read(parsed));
         run.Warn(reader.Info);
+        if (!run.Settings.IsForced)
+            OutputNames.RefuseOtherCloud(output, reader);
         if (settings.Attributes?.FirstOrDefault(a => !reader.Info.Schema.Has(a)) is { } unknown)
             throw new UsageException("--attributes: " + reader.Info.Path + " has no " + unknown + "; it has "
                 + string.Join(", ", reader.Info.Schema.Select(a => a.Name)));

@@ -52,7 +52,7 @@ public sealed class DefaultVerb : Verb
     [
         ("./fastpoints", "make a scan, and report on it"),
         ("./fastpoints scan.las", "report on a file, in ./scan-report/"),
-        ("./fastpoints scan.las --out r --json - | jq .preview", "and a summary for scripts"),
+        ("./fastpoints scan.las -o r --json - | jq .preview", "and a summary for scripts"),
     ];
 
     public override void Run(ParseResult parsed, CliRun run)

@@ -321,7 +321,7 @@ public sealed class EditorImportsTests : EditorFixture
         m_project.Apply("Assets/scan.pointcloud", i => (i.UpAxis, i.MetresPerUnit) = (UpAxis.Y, 0.001));
 
         Assert.That(asset.TryGetSpace(out _, out var turned), Is.True);
-        Assert.That((turned.Up, turned.Scale), Is.EqualTo((UpAxis.Y, 0.001)));
+        Assert.That((turned.Up, turned.Scale), Is.EqualTo((UpAxis.Y, new double3(0.001, 0.001, 0.001))));
         Assert.That(turned.OriginGeo.y, Is.EqualTo(bounds.Min.y).Within(0.5), "another floor");
         Assert.That((asset.File().Up, asset.File().UnitMetres), Is.EqualTo((UpAxis.Y, 0.001)));
 

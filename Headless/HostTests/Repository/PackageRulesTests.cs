@@ -25,6 +25,7 @@ public sealed class PackageRulesTests
             """);
         Put("CHANGELOG.md", "# Changelog\n\n## [1.2.0] - 2026-03-04\n\n### Added\n- [a] thing\n\n## [1.1.0] - 2026-01-02\n");
         Put("LICENSE.md", "MIT License");
+        Put("Third Party Notices.md", "Data of others.");
         Put("README.md", "[Manual](Documentation~/index.md)");
         Put("Documentation~/index.md", "Put `Cloud` on a GameObject. See [above](../README.md), [here](#there) and "
             + "[there](https://example.org).");

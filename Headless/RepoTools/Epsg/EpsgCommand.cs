@@ -35,6 +35,8 @@ public static class EpsgCommand
         foreach (object[] row in Rows(connection, Systems))
         {
             string kind = $"{KindOf((string)row[1])} {axes[(long)row[4]]}";
+            // Of geocentric systems no axis is up.
+            kind = kind[0] == 'C' ? kind[..kind.LastIndexOf(' ')] : kind;
             if (!kinds.Contains(kind))
                 kinds.Add(kind);
             entries.Add((int)(long)row[0], (new[] { checked((byte)kinds.IndexOf(kind)) }, (string)row[2]));
@@ -54,7 +56,7 @@ public static class EpsgCommand
             System.Array.Empty<string>());
     }
 
-    // Such as "9003 E N", "9102 N E 9001": code of the unit, directions, and the unit of a third axis where that is another.
+    // Such as "9003 E N", "9102 N E 9001": code of the unit, directions, and the unit of a third axis.
     private static Dictionary<long, string> Axes(SqliteConnection connection) => Rows(connection, "select "
         + "coordinate_system_code, orientation, uom_code from axis where coordinate_system_auth_name = 'EPSG' "
         + "and uom_auth_name = 'EPSG' order by coordinate_system_code, coordinate_system_order")
@@ -66,7 +68,7 @@ public static class EpsgCommand
         string text = units.Take(2).Distinct().Count() == 1 ? units[0] : "0";
         foreach (object[] axis in axes.Take(2))
             text += " " + DirectionOf((string)axis[1]);
-        return units.Length > 2 && units[2] != units[0] ? text + " " + units[2] : text;
+        return units.Length > 2 ? text + " " + units[2] : text;
     }
 
     private static string DirectionOf(string orientation) => orientation switch
@@ -97,7 +99,7 @@ public static class EpsgCommand
             .Where(r => used.Contains(r[0].ToString()!) || (string)r[1] == "length" && (long)r[0] is > 9000 and < 9100)
             // Degrees have many units: one for each way to write them.
             .Select(r => r[0] + " " + ((string)r[1] == "length" ? ((double)r[2]).ToString("R", CultureInfo.InvariantCulture)
-                : (long)r[0] is 9102 or 9122 or > 9106 and < 9121 ? "deg" : "0")));
+                : (long)r[0] is 9102 or 9107 or 9108 or 9122 or > 9114 and < 9121 ? "deg" : "0")));
     }
 
     private static IEnumerable<object[]> Rows(SqliteConnection connection, string query)
@@ -143,7 +145,7 @@ public static class EpsgCommand
                     const string Units = "{units}";
 
                     // P projected, G geographic, C geocentric, V vertical; unit; directions of the first two axes; unit of the
-                    // third where that is another.
+                    // third.
                     const string Kinds = "{string.Join(";", kinds)}";
 
                     // Base64: each code as its step from the last (seven bits a byte, the lowest first), then the index of its

@@ -6,8 +6,11 @@ public static class FileRules
 {
     private const int LongestPath = 140;
 
+    /// <summary>Of packages that have something of others in them.</summary>
+    private const string Notices = "Third Party Notices.md";
+
     private static readonly string[] s_required =
-        { "package.json", "README.md", "LICENSE.md", "Third Party Notices.md", "CHANGELOG.md", "Documentation~/index.md" };
+        { "package.json", "README.md", "LICENSE.md", "CHANGELOG.md", "Documentation~/index.md" };
 
     /// <summary>Unity does not import folders that end in '~': there are these two, and Unity knows what they are for.</summary>
     private static readonly string[] s_hidden = { "Documentation~", "Samples~" };
@@ -64,8 +67,8 @@ public static class FileRules
     {
         bool IsOf(string[] extensions) => extensions.Any(e => file.EndsWith(e, StringComparison.Ordinal));
         if (!file.Contains('/'))
-            return s_required.Contains(file) ||
-                s_required.Concat(s_folders).Contains(file.EndsWith(".meta", StringComparison.Ordinal) ? file[..^5] : "");
+            return s_required.Append(Notices).Contains(file) || s_required.Append(Notices).Concat(s_folders)
+                .Contains(file.EndsWith(".meta", StringComparison.Ordinal) ? file[..^5] : "");
         return isHidden ? IsOf(s_notImported) : s_folders.Contains(top) &&
             (IsOf(s_imported) || top == "Tests" && file.EndsWith(".laz.bytes", StringComparison.Ordinal));
     }

@@ -64,10 +64,11 @@ namespace FastPoints.Reading
                 var info = new FileInfo(path);
                 if (!info.Exists)
                     throw new PointCloudException(FailureCode.NotFound, path, -1, "no such file");
-                if (info.Length == 0)
+                long length = LengthOf(info);
+                if (length == 0)
                     throw new PointCloudException(FailureCode.Truncated, path, -1,
                         "wanted a point cloud, got 0 bytes (an empty file, a pipe or a device)");
-                var source = new RandomAccessFile(path, info.Length);
+                var source = new RandomAccessFile(path, length);
                 source.Stream();
                 return source;
             }
@@ -84,12 +85,21 @@ namespace FastPoints.Reading
             try
             {
                 var file = new FileInfo(path);
-                return file.Exists ? file.Length : NoSuchFile;
+                return file.Exists ? LengthOf(file) : NoSuchFile;
             }
             catch (Exception e) when (FileFailures.IsFileFailure(e))
             {
                 return NoSuchFile;
             }
+        }
+
+        // .NET gives the length of a link, not of the file that it leads to.
+        static long LengthOf(FileInfo file)
+        {
+            if ((file.Attributes & FileAttributes.ReparsePoint) == 0)
+                return file.Length;
+            using var linked = FileChanges.OpenToRead(file.FullName, StreamBufferBytes);
+            return linked.CanSeek ? linked.Length : 0;
         }
 
         // Throws Truncated, before allocating, if the file is too short. The field names the bytes in messages.

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.IO;
 using System.Text;
 using FastPoints.Store;
@@ -10,6 +11,34 @@ namespace FastPoints.Reading
         static readonly string[] s_indexNames = { "metadata.json", "cloud.js", "ept.json", StoreFormat.ManifestName };
 
         public static bool IsIndex(string fileName) => Array.IndexOf(s_indexNames, fileName) >= 0;
+
+        /// <summary>What may be tiles below a folder, in order of their names.</summary>
+        /// <param name="paths">Receives files and, of folders in it, octrees.</param>
+        /// <param name="left">Receives the names of folders that are not looked into: all, or converted clouds and links.</param>
+        public static void List(string folder, bool isRecursive, List<string> paths, List<string> left)
+        {
+            try
+            {
+                paths.AddRange(Directory.GetFiles(folder));
+                foreach (string inner in Directory.GetDirectories(folder))
+                {
+                    string index = isRecursive ? FindIndex(inner) : null;
+                    bool isLink = (File.GetAttributes(inner) & FileAttributes.ReparsePoint) != 0;
+                    if (!isRecursive || isLink || index != null && Path.GetFileName(index) == StoreFormat.ManifestName)
+                        left.Add(Path.GetFileName(inner));
+                    else if (index != null)
+                        paths.Add(inner);
+                    else
+                        List(inner, true, paths, left);
+                }
+            }
+            catch (Exception e) when (FileFailures.IsFileFailure(e))
+            {
+                throw FileFailures.ReadFailure(folder, e);
+            }
+            paths.Sort(string.CompareOrdinal);
+            left.Sort(string.CompareOrdinal);
+        }
 
         public static string FindIndex(string folder)
         {

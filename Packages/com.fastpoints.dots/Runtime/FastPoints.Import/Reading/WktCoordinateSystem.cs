@@ -25,12 +25,15 @@ namespace FastPoints.Reading
         // False if it is no well-known text at all; nothing is filled in then.
         public static bool Read(string wkt, CoordinateSystem crs)
         {
-            var root = WktNode.Parse(wkt);
+            var root = WktNode.Parse(wkt, out int end);
             if (root == null || root.Values.Count == 0 && root.Children.Count == 0)
                 return false;
             var whole = Unbound(root);
             var horizontal = whole;
             WktNode vertical = whole.Is(s_vertical) ? whole : null;
+            // ESRI writes the vertical system behind the other: PROJCS[...],VERTCS[...].
+            if (vertical == null && WktNode.Parse(wkt.Substring(end), out _) is WktNode behind && behind.Is(s_vertical))
+                vertical = behind;
             if (whole.Is(s_compound))
             {
                 vertical = Part(whole, true);
@@ -42,7 +45,7 @@ namespace FastPoints.Reading
             crs.Epsg = EpsgOf(whole);
             if (crs.Epsg == 0)
                 crs.Epsg = EpsgOf(horizontal);
-            crs.VerticalEpsg = whole.Is(s_compound) ? EpsgOf(vertical) : 0;
+            crs.VerticalEpsg = vertical != horizontal ? EpsgOf(vertical) : 0;
             crs.MetresPerUnit = vertical == horizontal ? 0 : UnitOf(horizontal);
             // A third axis has its own unit, as the height above an ellipsoid beside degrees.
             crs.VerticalMetresPerUnit = vertical != null ? LengthOf(vertical) : UnitOf(ThirdAxis(horizontal)?.Child(s_unit));
@@ -131,11 +134,11 @@ namespace FastPoints.Reading
         WktNode(string keyword) => Keyword = keyword;
 
         // The outermost node, or null. Text that breaks off gives what comes before.
-        public static WktNode Parse(string text)
+        public static WktNode Parse(string text, out int at)
         {
             var open = new Stack<WktNode>();
             WktNode root = null;
-            int at = 0;
+            at = 0;
             while (at < text.Length)
             {
                 char c = text[at];
@@ -151,11 +154,11 @@ namespace FastPoints.Reading
                 }
                 else if (c == ']' || c == ')')
                 {
+                    at++;
                     if (open.Count > 0)
                         open.Pop();
                     if (open.Count == 0)
                         return root;
-                    at++;
                 }
                 else if (IsPlain(c))
                 {

@@ -98,21 +98,24 @@ namespace FastPoints.Sources
             }
             catch
             {
-                reader.Dispose();
+                reader.DisposeUnread();
                 throw;
             }
         }
 
         static PointReader OpenAsItIs(string path, ReadOptions options)
         {
+            PointReader OpenTiles() =>
+                TiledReader.OpenFolder(path, options?.IsRecursive == true, tile => OpenComplete(tile, options));
+
             if (!string.IsNullOrEmpty(path) && Directory.Exists(path))
             {
                 // Tiles may lie beside a metadata.json of another kind.
                 string index = SourceFolder.FindIndex(path);
                 if (index == null)
-                    return TiledReader.OpenFolder(path, tile => OpenComplete(tile, options));
+                    return OpenTiles();
                 using var source = RandomAccessFile.Open(index);
-                return OpenIndex(SourceJson.Read(source)) ?? TiledReader.OpenFolder(path, tile => OpenComplete(tile, options));
+                return OpenIndex(SourceJson.Read(source)) ?? OpenTiles();
             }
             using (var source = RandomAccessFile.Open(path))
             {
@@ -205,6 +208,9 @@ namespace FastPoints.Sources
 
         /// <summary>Metres of a unit along all axes, whatever files say; 0 to follow them.</summary>
         public double MetresPerUnit;
+
+        /// <summary>Folders in a folder are looked into, too; an octree in one of them is a tile.</summary>
+        public bool IsRecursive;
 
         internal void Apply(SourceInfo info)
         {

@@ -46,22 +46,16 @@ namespace FastPoints.Reading
 
         // All point clouds of a folder in the order of their names (by character code), not those in folders within. Files that
         // cannot be read are left out with a warning.
-        public static TiledReader OpenFolder(string folder, Func<string, PointReader> openFile)
+        public static TiledReader OpenFolder(string folder, bool isRecursive, Func<string, PointReader> openFile)
         {
-            string[] paths, folders;
-            try
-            {
-                paths = Directory.GetFiles(folder);
-                folders = Directory.GetDirectories(folder);
-            }
-            catch (Exception e) when (FileFailures.IsFileFailure(e))
-            {
-                throw FileFailures.ReadFailure(folder, e);
-            }
-            Array.Sort(paths, string.CompareOrdinal);
+            var paths = new List<string>();
+            var folders = new List<string>();
+            SourceFolder.List(folder, isRecursive, paths, folders);
             var reader = new TiledReader(folder, true, openFile);
-            if (folders.Length > 0)
-                reader.Info.Warn(-1, folders.Length + " folders in it are not looked into");
+            if (folders.Count > 0)
+                reader.Info.Warn(-1, "folders in it are not looked into: " + string.Join(", ", folders.GetRange(0,
+                    Math.Min(folders.Count, MaxShown))) + (folders.Count > MaxShown
+                        ? " and " + (folders.Count - MaxShown) + " more" : ""));
             return reader.OpenAll(paths);
         }
 

@@ -67,8 +67,7 @@ namespace FastPoints.Sources
             long bytes;
             using (var hierarchy = RandomAccessFile.Open(path))
                 bytes = hierarchy.Length;
-            var octree = new FileInfo(SiblingOf(json.Path, OctreeName));
-            long octreeBytes = octree.Exists ? octree.Length : -1;
+            long octreeBytes = RandomAccessFile.LengthOf(SiblingOf(json.Path, OctreeName));
             index.Info.FileBytes += bytes + Math.Max(0, octreeBytes);
             if (octreeBytes < 0)
                 index.Info.Warn(-1, "there is no " + OctreeName

@@ -61,7 +61,8 @@ namespace FastPoints.Drawing
         }
 
         /// <summary>The one that a mode looks its colours up by; null for the others.</summary>
-        internal string AttributeOf(ColorMode mode) => mode == ColorMode.Intensity ? ValueAttribute : ColorModes.AttributeOf(mode);
+        internal string AttributeOf(ColorMode mode) =>
+            mode == ColorMode.Intensity ? ValueAttribute : ColorModes.AttributeOf(mode);
 
         /// <summary>What a CRS unit along each axis is taken for in a picture: horizontal units, or metres where X and Y are
         /// degrees.</summary>
