@@ -213,6 +213,34 @@ public sealed class AuthoringTests : ScratchTests
     }
 #endif
 
+#if !REAL_ENTITIES
+    [Test]
+    public void PointCloud_SwitchedWhileASystemIterates_GoesAndComesWithTheNextFrames()
+    {
+        var scene = new GameObject("scan");
+        var cloud = scene.AddComponent<FastPoints.Entities.PointCloud>();
+        cloud.Path = m_cloud;
+        Frames(() => IsStreamed(cloud.Entity));
+        var entity = cloud.Entity;
+        var store = m_world.EntityManager.Store;
+        void WhileIterating(bool isActive)
+        {
+            store.Iterations++;
+            Assert.That(() => m_world.EntityManager.CreateEntity(), Throws.InvalidOperationException);
+            Assert.That(() => scene.SetActive(isActive), Throws.Nothing);
+            store.Iterations--;
+        }
+
+        WhileIterating(false);
+        Assert.That(cloud.Entity, Is.EqualTo(Entity.Null));
+        Frames(() => !m_world.EntityManager.Exists(entity));
+        WhileIterating(true);
+        SceneLoop.Update();
+        Frames(() => IsStreamed(cloud.Entity));
+        UnityEngine.Object.DestroyImmediate(scene);
+    }
+#endif
+
     [Test]
     public void PointCloud_WorldDisposedFirst_GoesWithoutAnError()
     {

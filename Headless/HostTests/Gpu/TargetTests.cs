@@ -158,6 +158,23 @@ public sealed class TargetTests : PipelineFixture
         return ((ComputeRaster)Field(Field(cameras[0], "Renderer"), "m_raster")).Pixels;
     }
 
+    [Test]
+    public void Renderer_WithoutKernelsForPixels_DrawsThemByPrimitives()
+    {
+        var shaders = new GpuShaders();
+        using var pool = (GraphicsNodePool)shaders.CreatePool(1 << 20, 1 << 20);
+        using var sizes = new SizeTree();
+        bool HasRaster(ComputeShader raster)
+        {
+            using var renderer = new PointRenderer(new PointMaterials(shaders.Points, shaders.Compose, raster), pool, sizes);
+            return typeof(PointRenderer).GetField("m_raster", System.Reflection.BindingFlags.Instance |
+                System.Reflection.BindingFlags.NonPublic).GetValue(renderer) != null;
+        }
+        Assert.That(HasRaster(shaders.Raster), Is.True);
+        Assert.That(HasRaster(shaders.CopyPages), Is.False, "kernels that the device has not");
+        Assert.That(HasRaster(null), Is.False);
+    }
+
     [TestCase(true, null, "compute shaders")]
     [TestCase(false, 1, "storage buffers")]
     [TestCase(false, 2, null)]

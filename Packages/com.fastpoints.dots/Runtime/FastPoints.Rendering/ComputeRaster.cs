@@ -14,18 +14,21 @@ namespace FastPoints.Rendering
         const int BytesPerPixel = 8, ClearThreads = 64;
         const int MaxGroups = 65535; // Along one axis of a dispatch.
 
+        static readonly string[] s_kernels =
+            { ShaderNames.RasterDepthKernel, ShaderNames.RasterColorKernel, ShaderNames.ClearPixelsKernel };
+
         readonly ComputeShader m_shader;
         readonly int[] m_kernels;
 
         public ComputeRaster(ComputeShader shader)
         {
             m_shader = shader;
-            m_kernels = new[]
-            {
-                shader.FindKernel(ShaderNames.RasterDepthKernel), shader.FindKernel(ShaderNames.RasterColorKernel),
-                shader.FindKernel(ShaderNames.ClearPixelsKernel),
-            };
+            m_kernels = Array.ConvertAll(s_kernels, shader.FindKernel);
         }
+
+        // Whether the device has what the kernels need. False for no shader.
+        public static bool CanRun(ComputeShader shader) => shader != null &&
+            Array.TrueForAll(s_kernels, kernel => shader.HasKernel(kernel) && shader.IsSupported(shader.FindKernel(kernel)));
 
         // Depth and colour of each pixel of the largest picture.
         public GraphicsBuffer Pixels { get; private set; }

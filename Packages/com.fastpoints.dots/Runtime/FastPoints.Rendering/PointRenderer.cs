@@ -30,7 +30,7 @@ namespace FastPoints.Rendering
             List = new DrawList(sizes);
             m_pool = pool;
             m_materials = materials;
-            m_raster = materials.Raster != null ? new ComputeRaster(materials.Raster) : null;
+            m_raster = ComputeRaster.CanRun(materials.Raster) ? new ComputeRaster(materials.Raster) : null;
             m_drawArguments = new NativeList<GraphicsBuffer.IndirectDrawIndexedArgs>(Allocator.Persistent);
         }
 

@@ -27,6 +27,17 @@ sealed class EntityStore : IDisposable
         : throw new ObjectDisposedException("EntityManager", "The world has been disposed.");
 
     public int StructuralVersion { get; private set; }
+
+    /// <summary>Systems that iterate over entities now, as by SystemAPI.Query: meanwhile no entity comes, goes or changes its
+    /// components.</summary>
+    public int Iterations { get; set; }
+
+    void BeginStructuralChange()
+    {
+        if (Iterations > 0)
+            throw new InvalidOperationException("Structural changes are not allowed while iterating over entities. Please use "
+                + "EntityCommandBuffer instead.");
+    }
     public int ArchetypeCount => m_archetypes.Count;
 
     public Archetype ArchetypeAt(int index) => m_archetypes[index];
@@ -60,6 +71,7 @@ sealed class EntityStore : IDisposable
 
     public Entity Create(Archetype archetype)
     {
+        BeginStructuralChange();
         StructuralVersion++;
         if (!m_free.TryPop(out int index))
         {
@@ -94,6 +106,7 @@ sealed class EntityStore : IDisposable
 
     public void Destroy(Entity entity)
     {
+        BeginStructuralChange();
         // As in Unity: one that is gone is passed over.
         if (!Exists(entity) || m_places[entity.Index].IsDestroyed)
             return;
@@ -118,6 +131,7 @@ sealed class EntityStore : IDisposable
 
     public bool Add(Entity entity, int type)
     {
+        BeginStructuralChange();
         if (!Exists(entity))
             throw new InvalidOperationException("The entity does not exist: " + entity);
         var archetype = m_places[entity.Index].Archetype;
@@ -132,6 +146,7 @@ sealed class EntityStore : IDisposable
 
     public bool Remove(Entity entity, int type)
     {
+        BeginStructuralChange();
         if (!Exists(entity))
             return false;
         var archetype = m_places[entity.Index].Archetype;

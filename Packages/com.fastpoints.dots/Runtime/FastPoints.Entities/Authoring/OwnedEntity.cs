@@ -1,3 +1,4 @@
+using System;
 using Unity.Entities;
 
 namespace FastPoints.Entities
@@ -16,7 +17,7 @@ namespace FastPoints.Entities
         public Entity Value { get; private set; }
 
         /// <summary>Makes the entity, without components.</summary>
-        /// <returns>Whether there is a world.</returns>
+        /// <returns>Whether there is a world, in which no system iterates.</returns>
         public bool TryCreate(out EntityManager entities)
         {
             // In edit mode, the world may not have been made yet.
@@ -30,8 +31,16 @@ namespace FastPoints.Entities
                 return false;
             }
             entities = m_world.EntityManager;
-            Value = entities.CreateEntity();
-            return true;
+            try
+            {
+                Value = entities.CreateEntity();
+                return true;
+            }
+            // A system that iterates has enabled the component, which tries again with its next update.
+            catch (InvalidOperationException)
+            {
+                return false;
+            }
         }
 
         /// <returns>Whether the entity and its world still exist.</returns>
@@ -45,8 +54,21 @@ namespace FastPoints.Entities
         public void Destroy()
         {
             if (TryGet(out var entities))
-                entities.DestroyEntity(Value);
+                Destroy(entities, Value);
             Value = Entity.Null;
+        }
+
+        static void Destroy(EntityManager entities, Entity entity)
+        {
+            try
+            {
+                entities.DestroyEntity(entity);
+            }
+            // A system that iterates has disabled the component.
+            catch (InvalidOperationException) when (entities.World.GetExistingSystemManaged<PointCloudSystemGroup>() != null)
+            {
+                entities.World.GetExistingSystemManaged<PointCloudSystemGroup>().DestroyLater(entity);
+            }
         }
     }
 }

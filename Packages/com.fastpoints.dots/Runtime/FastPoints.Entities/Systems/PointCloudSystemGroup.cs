@@ -53,6 +53,7 @@ namespace FastPoints.Entities
         NativeList<StreamView> m_views;
         NativeList<StreamView> m_lastViews;
         int m_idleFrames;
+        readonly List<Entity> m_toDestroy = new List<Entity>();
         EntityQuery m_files;
         bool m_cannotDraw;
         FrameStats m_stats;
@@ -142,6 +143,9 @@ namespace FastPoints.Entities
 
         protected override void OnUpdate()
         {
+            foreach (var entity in m_toDestroy)
+                EntityManager.DestroyEntity(entity);
+            m_toDestroy.Clear();
             if (Stream == null && !TryBegin())
             {
                 // No system does it, as on a server.
@@ -174,6 +178,13 @@ namespace FastPoints.Entities
                 m_lastViews.Dispose();
             }
             base.OnDestroy();
+        }
+
+        /// <summary>With the next frame, where something keeps an entity from being destroyed now.</summary>
+        internal void DestroyLater(Entity entity)
+        {
+            m_toDestroy.Add(entity);
+            Wake();
         }
 
         /// <summary>Has frames go on, as something changes that they do not see.</summary>

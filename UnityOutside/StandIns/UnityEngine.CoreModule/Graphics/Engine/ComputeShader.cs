@@ -26,6 +26,11 @@ public sealed class ComputeShader : Object
         return kernel >= 0 ? kernel : throw new ArgumentException($"Kernel '{name}' not found in {this.name}");
     }
 
+    public bool HasKernel(string name) => m_kernels.Exists(k => k.Name == name);
+
+    /// <summary>The device here runs all that is compiled.</summary>
+    public bool IsSupported(int kernelIndex) => Kernel(kernelIndex) != null;
+
     public void EnableKeyword(string keyword) => m_keywords.Set(keyword, true);
     public void DisableKeyword(string keyword) => m_keywords.Set(keyword, false);
     public void SetInt(int nameID, int val) => Constants.Set(nameID, PropertyValue.Of(val));
