@@ -50,7 +50,7 @@ public sealed class LostPointsTests : ScratchTests
     [TestCaseSource(nameof(s_verbs))]
     public void WholeSource_LosesNothing(params string[] args)
     {
-        var call = CliCall.Of(Args(m_whole, args).Append("--strict").Append("--json").Append("-").ToArray());
+        var call = CliCall.Of(Args(m_whole, args).Append("--strict").Append("--force").Append("--json").Append("-").ToArray());
         Assert.That(call.Status, Is.Zero, call.Error);
         Assert.That(call.Json.GetProperty("pointsFound").GetInt64(), Is.EqualTo(Points));
         Assert.That(call.Json.GetProperty("pointsLost").GetInt64(), Is.Zero);

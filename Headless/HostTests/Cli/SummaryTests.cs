@@ -7,6 +7,16 @@ public sealed class SummaryTests : ScratchTests
     [OneTimeSetUp]
     public void MakeDemo() => m_demo = Scratch.Demo();
 
+    [TestCase("\"schema\": 1", "\"schema\": 2"), TestCase("\"points\": 3000", "\"points\": -3")]
+    [TestCase("\"verb\": \"info\"", "\"verb\": \"inform\""), TestCase("\"crsEpsg\": 32632", "\"crsEpsgs\": 32632")]
+    [TestCase("\"warnings\": []", "\"warnings\": {}"), TestCase("\"stages\": []", "\"stages\": [{ \"nam\": 1 }]")]
+    public void Schema_OfASummaryWithAPlantedFault_RefusesIt(string right, string wrong)
+    {
+        string summary = CliCall.Of("info", m_demo, "--json", "-").Output;
+        Assert.That(summary, Does.Contain(right));
+        Assert.That(CliCall.Problems(summary.Replace(right, wrong)), Is.Not.Empty);
+    }
+
     static void HasKey(JsonElement of, string name, params JsonValueKind[] kinds)
     {
         Assert.That(of.TryGetProperty(name, out var value), Is.True, name);

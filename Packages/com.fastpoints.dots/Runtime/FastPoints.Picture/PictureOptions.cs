@@ -114,7 +114,7 @@ namespace FastPoints.Picture
             {
                 case "color":
                     ColorAttribute = null;
-                    if (TryName(value, out Color, ref error) || value.Length == 0)
+                    if (TryName(value, out Color, ref error) || value.Length == 0 || !char.IsLetter(value[0]))
                         return error == null;
                     (Color, ColorAttribute, error) = (ColorMode.Intensity, value, null);
                     Gradient = Gradient == Gradient.Auto ? Gradient.Viridis : Gradient;

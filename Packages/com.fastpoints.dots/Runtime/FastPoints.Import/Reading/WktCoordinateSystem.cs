@@ -150,7 +150,7 @@ namespace FastPoints.Reading
                     end = end < text.Length ? end : text.Length;
                     if (open.Count > 0)
                         open.Peek().Values.Add(text.Substring(at + 1, end - at - 1).Replace("\"\"", "\""));
-                    at = end + 1;
+                    at = System.Math.Min(end + 1, text.Length);
                 }
                 else if (c == ']' || c == ')')
                 {

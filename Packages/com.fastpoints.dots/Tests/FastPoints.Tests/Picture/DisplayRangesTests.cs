@@ -169,6 +169,9 @@ namespace FastPoints.Tests.Picture
             Assert.That(ranges.Rim, Has.Member(positions[777]).And.No.Member(positions[778]));
             foreach (ViewDirection view in System.Enum.GetValues(typeof(ViewDirection)))
             {
+                // From there the slab is so narrow that the point would make the picture more than three times as large.
+                if (view == ViewDirection.Left || view == ViewDirection.Right)
+                    continue;
                 var options = new PictureOptions { View = view, WidthPx = 640, HeightPx = 360 };
                 var projection = new PointProjection(new PicturePlan(options, ranges, PositionTransform.Identity).Camera,
                     PositionTransform.Identity, 640, 360);

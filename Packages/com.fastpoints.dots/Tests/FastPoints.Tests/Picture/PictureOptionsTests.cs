@@ -47,7 +47,7 @@ namespace FastPoints.Tests.Picture
             Assert.That(options.SizeInWorld?.Value ?? options.PointSizePx, Is.EqualTo(size));
         }
 
-        [TestCase("color", "pink"), TestCase("color", "3"), TestCase("size", "0"), TestCase("size", "-")]
+        [TestCase("color", ""), TestCase("color", "3"), TestCase("size", "0"), TestCase("size", "-")]
         [TestCase("size", "u"), TestCase("size", "-1u"), TestCase("size", "adaptive:")]
         [TestCase("size", "adaptive:0"), TestCase("points", "flat"), TestCase("edl", "-1")]
         [TestCase("background", "12345"), TestCase("up", ""), TestCase("shine", "on")]

@@ -196,7 +196,7 @@ namespace FastPoints.Tests.Reading
             Assert.That(warnings, Has.Some.Contains("notes.md"));
             Assert.That(warnings, Has.Some.Contains("broken.ply: left out"));
             Assert.That(warnings, Has.Some.Contains("empty.laz: left out"));
-            Assert.That(warnings, Has.Some.Contains("1 folders in it are not looked into"));
+            Assert.That(warnings, Has.Some.Contains("folders in it are not looked into: sub"));
             Assert.That(reader.Info.Format, Is.EqualTo("LAS"));
         }
 
