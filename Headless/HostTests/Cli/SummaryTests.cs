@@ -14,7 +14,7 @@ public sealed class SummaryTests : ScratchTests
     {
         string summary = CliCall.Of("info", m_demo, "--json", "-").Output;
         Assert.That(summary, Does.Contain(right));
-        Assert.That(CliCall.Problems(summary.Replace(right, wrong)), Is.Not.Empty);
+        Assert.That(SummarySchema.Problems(summary.Replace(right, wrong)), Is.Not.Empty);
     }
 
     static void HasKey(JsonElement of, string name, params JsonValueKind[] kinds)
