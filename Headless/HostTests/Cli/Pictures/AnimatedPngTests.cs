@@ -1,6 +1,6 @@
 using FastPoints.Cli.Output;
 
-namespace FastPoints.HostTests.Cli;
+namespace FastPoints.HostTests.Cli.Pictures;
 
 public class AnimatedPngTests
 {

@@ -1,7 +1,7 @@
 using System.Xml.Linq;
 using FastPoints.Cli.Charts;
 
-namespace FastPoints.HostTests.Cli;
+namespace FastPoints.HostTests.Cli.Pictures;
 
 public sealed class LineChartTests
 {
