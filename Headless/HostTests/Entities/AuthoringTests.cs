@@ -264,6 +264,12 @@ public sealed class AuthoringTests : ScratchTests
         Entity budget = Only<PointCloudBudget>(), clip = Only<PointCloudClip>();
         foreach (var entity in new[] { cloud.Entity, budget, clip })
             m_world.EntityManager.DestroyEntity(entity);
+        // What is left of the cloud's until the next frame has no place and no layer.
+        Assert.That(m_world.EntityManager.Exists(cloud.Entity), Is.True);
+        SceneLoop.Place(scene.transform, Matrix4x4.Translate(new Vector3(50, 0, 0)));
+        scene.layer = 6;
+        Assert.That(() => cloud.Refresh(), Throws.Nothing);
+        Assert.That(SceneLoop.Update, Throws.Nothing);
         Frames(() => IsStreamed(cloud.Entity));
 
         m_world.Dispose();

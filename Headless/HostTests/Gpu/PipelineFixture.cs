@@ -6,7 +6,7 @@ namespace FastPoints.HostTests.Gpu;
 public abstract class PipelineFixture : GraphicsFixture
 {
     protected const int WidthPx = 320, HeightPx = 180;
-    const int MaxFrames = 200_000;
+    protected const int MaxFrames = 200_000;
 
     ScratchFolder m_scratch;
     string m_cloud;

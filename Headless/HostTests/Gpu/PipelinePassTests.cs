@@ -114,6 +114,36 @@ public sealed class PipelinePassTests : PipelineFixture
         otherTarget.Release();
     }
 
+    /// <summary>Adds a cloud, and draws until it is there.</summary>
+    void Stream(PipelineHost host, Camera camera)
+    {
+        using var reference = new StreamContext(new MemoryNodePool(64 << 20, 8 << 20));
+        Add(reference, new PictureOptions { WidthPx = WidthPx, HeightPx = HeightPx, Color = ColorMode.Rgb }, out _);
+        for (int frame = 0; frame < MaxFrames && (frame < 3 || !Group.Stats.IsSettled); frame++)
+        {
+            host.Render(camera);
+            UpdateWorld();
+            Thread.Yield();
+        }
+        host.Render(camera);
+    }
+
+    [Test]
+    public void Render_UrpCameraThatSeesNoCloud_HasNoPass()
+    {
+        using var host = new UrpHost();
+        var camera = LookingCamera(out var target);
+        host.Render(camera);
+        Assert.That(host.PassCount, Is.Zero, "nothing is loaded");
+        Stream(host, camera);
+        Assert.That(host.PassCount, Is.EqualTo(1));
+        camera.worldToCameraMatrix = Matrix4x4.Translate(new Vector3(0, 0, 10_000));
+        host.Render(camera);
+        Assert.That(host.PassCount, Is.Zero, "it looks elsewhere");
+        UnityEngine.Object.DestroyImmediate(camera.gameObject);
+        target.Release();
+    }
+
     [Test]
     public void Render_AfterAUrpCameraThatCouldNotBeCulled_RecordsOnePass()
     {
@@ -122,7 +152,7 @@ public sealed class PipelinePassTests : PipelineFixture
         var unculled = LookingCamera(out var otherTarget);
         RenderPipelineManager.Begin(unculled);
         RenderPipelineManager.Begin(unculled);
-        host.Render(camera);
+        Stream(host, camera);
         Assert.That(host.PassCount, Is.EqualTo(1));
         host.Render(unculled);
         Assert.That(host.PassCount, Is.EqualTo(1));
@@ -169,7 +199,7 @@ public sealed class PipelinePassTests : PipelineFixture
         RenderPipelineManager.beginCameraRendering += DrawMirror;
         try
         {
-            host.Render(camera);
+            Stream(host, camera);
             for (int picture = 0; picture < 3; picture++)
             {
                 host.Render(camera);
@@ -264,7 +294,7 @@ public sealed class PipelinePassTests : PipelineFixture
             Assert.That(host.PassCount, Is.Zero);
             Assert.That(logged, Has.Count.EqualTo(1).And.All.Contains("Compatibility Mode"));
             settings.enableRenderCompatibilityMode = false;
-            host.Render(camera);
+            Stream(host, camera);
             Assert.That(host.PassCount, Is.EqualTo(1));
             UnityEngine.Object.DestroyImmediate(camera.gameObject);
             target.Release();
@@ -355,7 +385,7 @@ public sealed class PipelinePassTests : PipelineFixture
         using var host = new UrpHost();
         var camera = LookingCamera(out var target);
         camera.cameraType = kind;
-        host.Render(camera);
+        Stream(host, camera);
         Assert.That(host.PassCount, Is.EqualTo(1));
         Assert.That(camera.gameObject.GetComponent<UnityEngine.Rendering.Universal.UniversalAdditionalCameraData>() == null);
         UnityEngine.Object.DestroyImmediate(camera.gameObject);
@@ -367,6 +397,7 @@ public sealed class PipelinePassTests : PipelineFixture
     {
         Begin(nameof(UrpHost));
         var camera = LookingCamera(out var target);
+        Stream(Pipeline, camera);
         bool IsSeen()
         {
             long before = Scene.RecordedPictures;

@@ -156,6 +156,28 @@ namespace FastPoints.Rendering
                 views.Insert(at + 1, (drawn, EyeOf(camera, Camera.StereoscopicEye.Right)));
         }
 
+        // Call after AddView where a pass that draws nothing would still part those around it, which tile-based cards pay for.
+        // Whether the camera has clouds before it; the GPU runs the uploads with its picture in either case.
+        public unsafe bool BeginPicture(Camera camera)
+        {
+            m_pool.BeginPicture();
+            var views = CameraOf(camera).Views;
+            for (int c = 0; c < Stream.Clouds.Count && Stream.Drawn.Length > 0; c++)
+            {
+                var cloud = Stream.Clouds[c];
+                if (cloud == null || !cloud.Pages[0].IsLoaded || cloud.Pages[0].NodeCount == 0)
+                    continue;
+                var root = cloud.Pages[0].Nodes[0];
+                for (int v = 0; v < views.Count; v++)
+                {
+                    var seen = new CloudView(views[v].View, cloud.Placement, cloud.Source.Cubes.Size);
+                    if (seen.IsShown && seen.IntersectsFrustum(root.Center, root.Half))
+                        return true;
+                }
+            }
+            return false;
+        }
+
         static double3 PlaceOf(Camera camera)
         {
             var place = camera.transform.position;

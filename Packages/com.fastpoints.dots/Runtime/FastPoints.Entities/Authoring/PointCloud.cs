@@ -109,12 +109,12 @@ namespace FastPoints.Entities
         internal PointCloudOrigin Origin { get; private set; }
 
         /// <summary>The error of opening the cloud, in one line; null if there was none.</summary>
-        public string Error => m_entity.TryGet(out var entities) ? GroupOf(entities)?.ErrorOf(Entity) : null;
+        public string Error => TryGet(out var entities) ? GroupOf(entities)?.ErrorOf(Entity) : null;
 
         /// <summary>The space in which the cloud is shown and that the transform moves.</summary>
         public bool TryGetSpace(out UnitySpace space)
         {
-            bool exists = m_entity.TryGet(out var entities) && entities.HasComponent<PointCloudSpace>(Entity);
+            bool exists = TryGet(out var entities) && entities.HasComponent<PointCloudSpace>(Entity);
             space = exists ? entities.GetComponentData<PointCloudSpace>(Entity).Value : default;
             return exists;
         }
@@ -122,7 +122,7 @@ namespace FastPoints.Entities
         /// <summary>Looks for newer data on disk. What is shown stays until that is ready.</summary>
         public void Refresh()
         {
-            if (!m_entity.TryGet(out var entities))
+            if (!TryGet(out var entities))
             {
                 Reopen();
                 return;
@@ -144,7 +144,7 @@ namespace FastPoints.Entities
         /// <summary>The box around the cloud, in the component's own space and Unity's units.</summary>
         /// <returns>Whether it is known, from the streamed cloud or from its asset.</returns>
         public bool TryGetLocalBounds(out Bounds local) =>
-            (m_entity.TryGet(out var entities) && CloudBounds.TryGet(entities, Entity, out local)) ||
+            (TryGet(out var entities) && CloudBounds.TryGet(entities, Entity, out local)) ||
             CloudBounds.TryGet(m_cloud, out local);
 
         /// <summary>The box along the world's axes around the cloud at its current place.</summary>
@@ -171,11 +171,11 @@ namespace FastPoints.Entities
         void Update()
         {
             // Undo, prefabs and animations change fields and parents without notice; others may end the entity or its world.
-            if (FindOrigin() || !IsUnchanged || HasCloud && !m_entity.TryGet(out _))
+            if (FindOrigin() || !IsUnchanged || HasCloud && !TryGet(out _))
                 Reopen();
             if (Origin != null && m_cloud != null && !ReferenceEquals(m_comparedCrs, m_cloud.Crs))
                 Origin.Compare(this, m_comparedCrs = m_cloud.Crs);
-            if (!m_entity.TryGet(out var entities))
+            if (!TryGet(out var entities))
                 return;
             AssignOwner(entities);
             var layer = Layer;
@@ -188,9 +188,14 @@ namespace FastPoints.Entities
         // Animations, timelines and scripts move what meshes follow after Update.
         void LateUpdate()
         {
-            if (m_entity.TryGet(out var entities))
+            if (TryGet(out var entities))
                 TransformMatrix.Set(entities, Entity, transform, ref m_placed);
         }
+
+        /// <summary>One that others have destroyed keeps its cleanup components for a while, and nothing that could be written
+        /// to.</summary>
+        bool TryGet(out EntityManager entities) =>
+            m_entity.TryGet(out entities) && entities.HasComponent<PointCloudFile>(Entity);
 
         static PointCloudSystemGroup GroupOf(EntityManager entities) =>
             entities.World.GetExistingSystemManaged<PointCloudSystemGroup>();
@@ -221,7 +226,7 @@ namespace FastPoints.Entities
         /// <summary>Places the cloud, in double, when its origin has moved.</summary>
         internal void PlaceByOrigin()
         {
-            if (!m_entity.TryGet(out var entities))
+            if (!TryGet(out var entities))
                 return;
             var file = entities.GetComponentData<PointCloudFile>(Entity);
             Place(ref file);

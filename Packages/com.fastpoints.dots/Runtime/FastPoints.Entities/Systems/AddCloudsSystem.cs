@@ -79,7 +79,8 @@ namespace FastPoints.Entities
         void Follow(Entity entity, LiveCloud live)
         {
             var versions = live.Versions;
-            int shown = EntityManager.GetComponentData<StreamedPointCloud>(entity).Number;
+            var before = EntityManager.GetComponentData<StreamedPointCloud>(entity);
+            int shown = before.Number;
             if (live.Source != null)
                 TakeNext(entity, live);
             versions.Update();
@@ -88,7 +89,10 @@ namespace FastPoints.Entities
             var placement = EntityManager.GetComponentData<PointCloudPlacement>(entity).Value;
             placement.Visibility = VisibilityOf(entity);
             versions.Place(placement);
-            EntityManager.SetComponentData(entity, StreamedOf(versions));
+            // A write completes the jobs of others that read it.
+            var now = StreamedOf(versions);
+            if (now.Number != before.Number || now.Preview != before.Preview || now.Next != before.Next)
+                EntityManager.SetComponentData(entity, now);
         }
 
         CloudVisibility VisibilityOf(Entity entity)

@@ -133,6 +133,8 @@ namespace FastPoints.Rendering.Urp
             if (camera.targetTexture != null && camera.targetTexture.graphicsFormat == GraphicsFormat.None)
                 return;
             scene.AddView(camera, !hasData || cameraData.allowXRRendering);
+            if (!scene.BeginPicture(camera))
+                return;
             if (s_pass == null)
                 s_pass = new UrpPass();
             s_pass.m_camera = camera;

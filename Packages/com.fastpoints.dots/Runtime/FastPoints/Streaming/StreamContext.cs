@@ -166,6 +166,9 @@ namespace FastPoints.Streaming
             m_state.Files.Close(cloud);
             cloud.Dispose();
             m_state.Clouds[index] = null;
+            // With the last one its memory goes: the next level may have none.
+            if (m_state.Clouds.TrueForAll(other => other == null))
+                Pool.FreeEmptyBanks(0);
         }
 
         void VacateBanks()

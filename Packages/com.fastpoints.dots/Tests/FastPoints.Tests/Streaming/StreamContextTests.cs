@@ -79,7 +79,7 @@ namespace FastPoints.Tests.Streaming
             stream.Remove(first);
             stream.Remove(second);
             StreamedTestCloud.Settle(stream, StreamedTestCloud.Overview());
-            Assert.That(stream.Pool.UsedBytes, Is.Zero);
+            Assert.That(stream.Pool.AllocatedBytes, Is.Zero);
             Assert.That(stream.Pool.FindProblem(), Is.Null);
         }
 

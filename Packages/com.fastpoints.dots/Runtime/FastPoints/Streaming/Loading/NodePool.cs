@@ -103,10 +103,10 @@ namespace FastPoints.Streaming
             return true;
         }
 
-        /// <summary>Frees empty banks beyond the limit.</summary>
-        public void FreeEmptyBanks()
+        /// <summary>Frees empty banks from one on: by default, those beyond the limit.</summary>
+        public void FreeEmptyBanks(int first = -1)
         {
-            for (int bank = BankLimit; bank < m_banks.Length; bank++)
+            for (int bank = first < 0 ? BankLimit : first; bank < m_banks.Length; bank++)
                 if (m_banks[bank].IsCreated && m_banks[bank].UsedSlots == 0)
                     Free(bank);
         }
