@@ -7,7 +7,8 @@ public sealed class CliRun(TextWriter output, TextWriter error, RunSettings sett
     readonly Stopwatch m_watch = Stopwatch.StartNew();
     readonly HashSet<string> m_warned = [];
     public TextWriter StandardOutput { get; } = output;
-    public TextWriter Out { get; } = settings.Json == "-" ? TextWriter.Null : output;
+    public StandardStreams Standard { get; } = new();
+    public TextWriter Out { get; private set; } = settings.Json == "-" ? TextWriter.Null : output;
     public RunSettings Settings => settings;
     public StageProgress Progress { get; } = new();
     public CancellationToken Cancellation { get; } = cancellation;
@@ -34,14 +35,24 @@ public sealed class CliRun(TextWriter output, TextWriter error, RunSettings sett
     /// <summary>Writes the verb's own keys; set as soon as they are known, so that a failed run says what it found.</summary>
     public Action<Utf8JsonWriter>? WriteKeys { get; set; }
 
-    public void Begin(IEnumerable<string> inputs, params IEnumerable<string> outputs)
+    /// <returns>The inputs, with a file in place of standard input.</returns>
+    public string[] Begin(IEnumerable<string> inputs, params IEnumerable<string> outputs)
     {
+        int first = Inputs.Count;
         Inputs.AddRange(inputs);
         foreach (string path in settings.Json is null or "-" ? outputs : outputs.Append(settings.Json))
         {
+            if (StandardStreams.IsOutput(path))
+            {
+                if (settings.Json == "-")
+                    throw new UsageException("--json and --output: only one of them can be standard output");
+                Out = TextWriter.Null;
+                continue;
+            }
             OutputNames.RefuseInputs(path, Inputs);
             OutputNames.RefuseForeign(path, settings.IsForced);
         }
+        return Inputs.Skip(first).Select(i => StandardStreams.IsInput(i) ? Standard.Receive(this) : i).ToArray();
     }
 
     /// <summary>Runs work on this thread until it is done, or cancelled.</summary>
@@ -97,11 +108,28 @@ public sealed class CliRun(TextWriter output, TextWriter error, RunSettings sett
         json.WriteEndArray();
     }
 
-    /// <summary>Says that nothing came out, which --strict takes for a failure.</summary>
-    public void WarnEmpty(string line)
+    /// <summary>Says what nodes of a stream could not be shown.</summary>
+    internal void WarnOfFailures(StreamContext stream)
     {
+        while (stream.TryTakeFailure(out var failure))
+        {
+            HasSourceWarnings = true;
+            Warn(failure.ToString());
+        }
+    }
+
+    /// <summary>Says that nothing came out, which --strict takes for a failure.</summary>
+    internal void WarnEmpty(string output, string what, long points, BoundsGeo bounds, IReadOnlyList<ClipBox> clips)
+    {
+        static BoundsGeo Of(ClipBox box)
+        {
+            var half = new double3(box.EdgesWorld.c0.x, box.EdgesWorld.c1.y, box.EdgesWorld.c2.z) / 2;
+            return new BoundsGeo(box.CenterWorld - half, box.CenterWorld + half);
+        }
         IsEmpty = true;
-        Warn(line);
+        Warn(output + ": no point is " + what + " of " + Human.Count(points) + ", which lie in " + Human.Box(bounds)
+            + (clips.Count == 0 ? "" : "; wanted "
+            + string.Join(", ", clips.Select(c => (c.Cuts ? "not " : "") + Human.Box(Of(c))))));
     }
 
     public void Warn(string line, bool isShown = false)

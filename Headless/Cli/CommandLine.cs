@@ -75,15 +75,16 @@ public static class CommandLine
         // A completion request: the arguments may be incomplete.
         if (parsed.Tokens.Any(t => t.Type == TokenType.Directive))
             return null;
-        if (parsed.Errors.Count > 0 && parsed.Action is ParseErrorAction or null)
-            return parsed.Errors[0].Message;
         // Behind -- are files only, whatever they are called.
         int plain = parsed.Tokens.SkipWhile(t => t.Type != TokenType.DoubleDash).Skip(1).Count();
         var words = command.Arguments.SelectMany(a => parsed.GetResult(a)?.Tokens ?? []).ToList();
-        foreach (var word in words.Take(words.Count - plain))
-            if (word.Value.StartsWith('-'))
-                return "unknown option " + word.Value + Suggestion(word.Value, parsed.RootCommandResult.Command.Options
-                    .Where(o => o.Recursive).Concat(command.Options).SelectMany(o => o.Aliases.Append(o.Name)));
+        bool isWrong = parsed.Errors.Count > 0 && parsed.Action is ParseErrorAction or null;
+        // Before what is missing for it.
+        foreach (string word in words.SkipLast(plain).Select(t => t.Value).Concat(isWrong ? parsed.UnmatchedTokens : []))
+            if (word.StartsWith('-') && !StandardStreams.IsInput(word))
+                return "unknown option " + word + Suggestion(word, command, parsed.RootCommandResult.Command);
+        if (isWrong)
+            return parsed.Errors[0].Message;
         var root = parsed.RootCommandResult;
         if (command is not RootCommand)
         {
@@ -100,32 +101,57 @@ public static class CommandLine
         return suggestion.Length > 0 ? "no file and no verb is called " + first + suggestion : null;
     }
 
-    static string Suggestion(string word, IEnumerable<string> known)
+    /// <summary>What other programs call it, or the parts of --style.</summary>
+    static readonly (string Words, string Meant)[] s_synonyms =
+    [
+        ("out dest destination", "--output"), ("overwrite replace yes", "--force"), ("jobs cores workers", "--threads"),
+        ("silent", "--quiet"), ("bbox bounds box crop extent", "--clip"), ("filter query expression", "--where"),
+        ("class classes", "--classes"), ("class classes", "--style classes=N"), ("color colour", "--style color=NAME"),
+        ("gradient", "--style gradient=NAME"), ("background", "--style background=RRGGBB"), ("edl", "--style edl=on"),
+        ("point-size", "--style size=PIXELS"), ("resolution width height", "--size"), ("camera", "--eye"),
+        ("look-at lookat", "--target"), ("top bottom front back left right side iso", "--view"), ("epsg srs", "--crs"),
+        ("fields dimensions", "--attributes"), ("nth stride thin", "--every-nth"), ("first last", "--returns"),
+        ("limit max-points points", "--budget"), ("limit max-points budget", "--points"),
+    ];
+
+    static string Suggestion(string word, Command command, Command root)
     {
-        string? nearest = known.Where(k => Distance(word, k) <= Math.Max(1, word.Length / 2)).MinBy(k => Distance(word, k));
-        return nearest == null ? "" : ": did you mean " + nearest + "?";
+        string plain = word.TrimStart('-').Split('=')[0];
+        var options = root.Options.Where(o => o.Recursive).Concat(command.Options).Select(o => o.Name)
+            // Those are points to make up.
+            .Where(name => command != root || name != "--points").ToList();
+        string? meant = s_synonyms.FirstOrDefault(s => s.Words.Split(' ').Contains(plain)
+            && options.Contains(s.Meant.Split(' ')[0])).Meant;
+        return meant != null ? ": did you mean " + meant + "?" : Suggestion(plain, options.Select(o => o.TrimStart('-')), "--");
     }
 
+    /// <summary>Nearer than a third of its letters, or a beginning.</summary>
+    static string Suggestion(string word, IEnumerable<string> known, string before = "")
+    {
+        int Far(string name) => word.Length > 2 && name.StartsWith(word, StringComparison.Ordinal) ? 1 : Distance(word, name);
+        string? nearest = known.Where(k => Far(k) <= Math.Max(1, word.Length / 3)).MinBy(Far);
+        return nearest == null ? "" : ": did you mean " + before + nearest + "?";
+    }
+
+    /// <summary>Letters changed, left out, added, or swapped with the next.</summary>
     static int Distance(string a, string b)
     {
-        var row = Enumerable.Range(0, b.Length + 1).ToArray();
-        for (int i = 1; i <= a.Length; i++)
-        {
-            int diagonal = row[0];
-            row[0] = i;
-            for (int j = 1; j <= b.Length; j++)
+        var rows = new int[a.Length + 1, b.Length + 1];
+        for (int i = 0; i <= a.Length; i++)
+            for (int j = 0; j <= b.Length; j++)
             {
-                int changed = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-                diagonal = row[j];
-                row[j] = Math.Min(changed, 1 + Math.Min(row[j], row[j - 1]));
+                rows[i, j] = i == 0 || j == 0 ? i + j : Math.Min(rows[i - 1, j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1),
+                    1 + Math.Min(rows[i - 1, j], rows[i, j - 1]));
+                if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+                    rows[i, j] = Math.Min(rows[i, j], 1 + rows[i - 2, j - 2]);
             }
-        }
-        return row[^1];
+        return rows[a.Length, b.Length];
     }
 
     static int Run(Verb verb, ParseResult parsed, CommonOptions common, CliRun run, TextWriter error, bool errorIsTerminal)
     {
         string? json = run.Settings.Json;
+        using var standard = run.Standard;
         using var display = run.Settings.IsQuiet ? null : new ProgressDisplay(run.Progress, error, errorIsTerminal);
         Failure? failure;
         try

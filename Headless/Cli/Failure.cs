@@ -46,6 +46,14 @@ public sealed class Failure
                     Offset = p.ByteOffset,
                     Status = isInput ? ExitStatus.BadInput : ExitStatus.Failed,
                 };
+            // Those of files are named by now.
+            case IOException:
+                return new Failure
+                {
+                    Code = FailureCode.WriteFailed.ToString(),
+                    Message = "standard output: " + e.Message,
+                    Status = ExitStatus.Failed,
+                };
             case OutOfMemoryException:
                 return new Failure { Code = "OutOfMemory", Message = "out of memory", Status = ExitStatus.Failed };
             default:

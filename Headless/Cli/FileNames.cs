@@ -1,3 +1,4 @@
+using System.Buffers;
 using System.Runtime.InteropServices;
 
 namespace FastPoints.Cli;
@@ -7,7 +8,9 @@ static partial class FileNames
 {
     const int ReadOnly = 0, CloseOnExec = 0x80000;
 
-    /// <summary>The arguments, with the names of such files replaced by ones of their open handles.</summary>
+    static string? s_links;
+
+    /// <summary>The arguments, with links of nearly their names, to open handles, in place of such files.</summary>
     public static string[] Readable(string[] args)
     {
         if (!OperatingSystem.IsLinux() || !args.Any(a => a.Contains('\uFFFD')))
@@ -22,8 +25,34 @@ static partial class FileNames
             if (!arg.Contains('\uFFFD') || Encoding.UTF8.GetBytes(arg).AsSpan().SequenceEqual(name))
                 return arg;
             int handle = Open([.. name, 0], ReadOnly | CloseOnExec);
-            return handle < 0 ? arg : "/proc/self/fd/" + handle.ToString(CultureInfo.InvariantCulture);
+            if (handle < 0)
+                throw new UsageException(Shown(name) + ": no such file can be read, and none is written under a name that is "
+                    + "no UTF-8");
+            s_links ??= Directory.CreateTempSubdirectory("fastpoints-").FullName;
+            string folder = Directory.CreateDirectory(Path.Combine(s_links, i.ToString(CultureInfo.InvariantCulture))).FullName;
+            string link = Path.Combine(folder, Shown(name.AsSpan().TrimEnd((byte)'/')).Split('/')[^1]);
+            File.CreateSymbolicLink(link, "/proc/self/fd/" + handle.ToString(CultureInfo.InvariantCulture));
+            return link;
         }).ToArray();
+    }
+
+    public static bool IsLink(string path) => s_links != null && path.StartsWith(s_links, StringComparison.Ordinal);
+
+    public static void DeleteLinks()
+    {
+        if (s_links != null)
+            Directory.Delete(s_links, true);
+    }
+
+    static string Shown(ReadOnlySpan<byte> name)
+    {
+        var text = new StringBuilder();
+        for (int bytes; !name.IsEmpty; name = name[bytes..])
+            if (Rune.DecodeFromUtf8(name, out var rune, out bytes) == OperationStatus.Done)
+                text.Append(rune.ToString());
+            else
+                text.Append('%').Append(System.Convert.ToHexString(name[..bytes]));
+        return text.ToString();
     }
 
     static IEnumerable<byte[]> Split(this byte[] bytes, byte by)

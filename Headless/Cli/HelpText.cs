@@ -54,8 +54,9 @@ public static class HelpText
     static readonly string[] s_notes =
     [
         "Exit status: 0 done, 1 failed, 2 wrong usage, 3 the input is bad, 130 cancelled, 4 incomplete (--strict).",
-        "Ctrl-C leaves nothing half-written, but a build that can go on: the same line does. A second Ctrl-C deletes it.",
+        "Ctrl-C leaves nothing half-written, but a build that can go on: the same line does. A second one meanwhile deletes it.",
         "Options that all verbs have may stand before the verb; behind -- are files only. Counts may be 500k, 2M, 1e6.",
+        "- is standard input; for points (LAS, or -.laz, -.ply) and summaries standard output; by way of files in TMPDIR.",
         "Lengths are metres, times seconds, sizes bytes, unless the name says otherwise.",
     ];
 

@@ -23,17 +23,27 @@ public static class Program
         // Not disposed: that would write once more what a full disk has refused.
         var output = new StreamWriter(Console.OpenStandardOutput(), utf8, 4096);
         using var error = new StreamWriter(Console.OpenStandardError(), utf8, 1024) { AutoFlush = true };
-        int status = CommandLine.Run(FileNames.Readable(args), output, error, !Console.IsErrorRedirected, cancellation.Token,
-            discard.Token);
+        int status = ExitStatus.Failed;
         try
         {
+            status = CommandLine.Run(FileNames.Readable(args), output, error, !Console.IsErrorRedirected, cancellation.Token,
+                discard.Token);
             output.Flush();
+        }
+        catch (UsageException e)
+        {
+            error.WriteLine("fastpoints: " + e.Message);
+            return ExitStatus.Usage;
         }
         // A reader that went away (| head) is no failure, and no exception either.
         catch (IOException e)
         {
             error.WriteLine("fastpoints: standard output: " + e.Message);
             return status == ExitStatus.Done ? ExitStatus.Failed : status;
+        }
+        finally
+        {
+            FileNames.DeleteLinks();
         }
         return status;
     }

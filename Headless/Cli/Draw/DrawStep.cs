@@ -77,8 +77,7 @@ public sealed class DrawStep
         run.Progress.Begin("draw");
         var image = picture.Draw(camera.Value);
         run.Progress.End();
-        while (stream.TryTakeFailure(out var failure))
-            run.Warnings.Add(failure.ToString());
+        run.WarnOfFailures(stream);
         return new DrawStep
         {
             Points = stats.DrawnPoints,

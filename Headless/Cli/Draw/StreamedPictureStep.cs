@@ -45,8 +45,7 @@ public static class StreamedPictureStep
         run.Progress.Begin("draw");
         var image = picture.Draw(camera);
         run.Progress.End();
-        while (stream.TryTakeFailure(out var failure))
-            run.Warnings.Add(failure.ToString());
+        run.WarnOfFailures(stream);
         return new DrawStep
         {
             Points = stats.DrawnPoints,

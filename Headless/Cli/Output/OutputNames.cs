@@ -3,6 +3,8 @@ namespace FastPoints.Cli.Output;
 /// <summary>Names that an output may have: never that of an input, and none that promises another kind of file.</summary>
 static class OutputNames
 {
+    const long MarkTicks = TimeSpan.TicksPerMillisecond * 10;
+
     static readonly string[] s_clouds =
     [
         ".las", ".laz", ".ply", ".e57", ".pts", ".ptx", ".pcd", ".xyz", ".pointcloud", StoreFormat.FolderExtension,
@@ -22,8 +24,23 @@ static class OutputNames
 
     public static void RefuseNoPicture(string path)
     {
+        RefuseUnwritable(path);
         if (Path.GetExtension(path) is { Length: > 0 } ending && !HasEnding(path, ".png"))
             throw new UsageException("--output: a picture is a PNG file, NAME.png; " + ending + " is another kind: " + path);
+    }
+
+    static void RefuseUnwritable(string path)
+    {
+        if (StandardStreams.IsOutput(path))
+            throw new UsageException("--output: standard output takes points (export, demo-cloud) and summaries only, got "
+                + path);
+        RefuseLink(path);
+    }
+
+    static void RefuseLink(string path)
+    {
+        if (FileNames.IsLink(path))
+            throw new UsageException(Path.GetFileName(path) + ": nothing is written under a name that is no UTF-8");
     }
 
     public static void RefuseNoExport(string path)
@@ -36,6 +53,7 @@ static class OutputNames
 
     public static void RefuseFile(string path)
     {
+        RefuseUnwritable(path);
         if (IsCloud(path) && !HasEnding(path, StoreFormat.FolderExtension))
             throw new UsageException("--output: convert makes a folder, NAME" + StoreFormat.FolderExtension
                 + "; the verb export writes point cloud files: " + path);
@@ -45,6 +63,7 @@ static class OutputNames
 
     public static void RefuseInputs(string output, IEnumerable<string> inputs)
     {
+        RefuseLink(output);
         string written = Real(output);
         foreach (string input in inputs)
         {
@@ -64,6 +83,7 @@ static class OutputNames
     /// <summary>The name of a folder for several files: new, empty, or one that the same verb has filled before.</summary>
     public static void RefuseForeignFolder(string what, string path, string marker, bool force)
     {
+        RefuseUnwritable(path);
         RefuseOther("--output", what, path);
         if (File.Exists(path))
             throw new UsageException("--output: " + what + " is a folder, and this is a file: " + path);
@@ -86,35 +106,78 @@ static class OutputNames
         foreach (string folder in new[] { path, Path.TrimEndingDirectorySeparator(path) + StoreFormat.PartSuffix })
         {
             string file = Path.Combine(folder, StoreFormat.ManifestName);
-            if (!File.Exists(file) || SourcesOf(file) is not { Count: > 0 } there)
+            if (!File.Exists(file))
                 continue;
-            var wanted = reader is TiledReader tiles ? Enumerable.Range(0, tiles.TileCount).Select(tiles.TileOf).ToList()
-                : [new CloudManifest.Source { Name = reader.Info.Path, FileBytes = reader.Info.FileBytes }];
-            if (there.Count == wanted.Count && there.Zip(wanted, IsSame).All(same => same))
+            var wanted = SourcesOf(reader);
+            // An unfinished cloud may not know its sources yet.
+            if (SourcesOf(file, folder == path) is not { } there
+                || there.Count == wanted.Count && there.Zip(wanted, IsSame).All(same => same))
                 continue;
-            throw new UsageException(folder + " holds a cloud of " + Said(there) + ": --force replaces it by one of "
-                + Said(wanted));
+            throw new UsageException(folder + " holds " + (there.Count == 0 ? "something else" : "a cloud of " + Said(there))
+                + ": --force replaces it by one of " + Said(wanted));
         }
     }
 
-    // Null for a cloud that cannot be read: nobody loses it.
-    static List<CloudManifest.Source>? SourcesOf(string manifest)
+    /// <summary>Of any version. Empty where it cannot be read; null if unfinished and without sources.</summary>
+    static List<CloudManifest.Source>? SourcesOf(string manifest, bool isFinished)
     {
         try
         {
-            return CloudManifest.FromJson(File.ReadAllText(manifest), manifest).Sources;
+            using var json = JsonDocument.Parse(File.ReadAllBytes(manifest));
+            var sources = json.RootElement.GetProperty("sources").EnumerateArray().Select(s => new CloudManifest.Source
+            {
+                Name = s.GetProperty("name").GetString(),
+                FileBytes = s.GetProperty("bytes").GetInt64(),
+                HeadHash = s.TryGetProperty("head", out var head) ? ulong.Parse(head.GetString()!, NumberStyles.HexNumber,
+                    CultureInfo.InvariantCulture) : 0,
+            }).ToList();
+            return isFinished || sources.Count > 0 ? sources : null;
         }
-        catch (PointCloudException)
+        catch (Exception e) when (e is IOException or UnauthorizedAccessException or JsonException or KeyNotFoundException
+            or InvalidOperationException or FormatException or OverflowException)
         {
-            return null;
+            return isFinished ? [] : null;
         }
     }
 
-    static bool IsSame(CloudManifest.Source a, CloudManifest.Source b) =>
-        a.FileBytes == b.FileBytes && Path.GetFileName(a.Name) == Path.GetFileName(b.Name);
+    static List<CloudManifest.Source> SourcesOf(PointReader reader) => reader is TiledReader tiles
+        ? Enumerable.Range(0, tiles.TileCount).Select(tiles.TileOf).ToList()
+        : [new() { Name = reader.Info.Path, FileBytes = reader.Info.FileBytes, HeadHash = reader.Info.HeadHash }];
 
-    static string Said(List<CloudManifest.Source> sources) => Path.GetFileName(sources[0].Name) + " ("
-        + Human.Count(sources[0].FileBytes) + " bytes)" + (sources.Count > 1 ? " and " + (sources.Count - 1) + " more" : "");
+    // Octrees count their bytes while they are read.
+    static bool IsSame(CloudManifest.Source a, CloudManifest.Source b) => Path.GetFileName(a.Name) == Path.GetFileName(b.Name)
+        && (a.FileBytes == b.FileBytes || SourceFolder.IsIndex(Path.GetFileName(b.Name)))
+        && (a.HeadHash == b.HeadHash || a.HeadHash == 0);
+
+    static string Said(List<CloudManifest.Source> sources) => Path.GetFileName(sources[0].Name)
+        + (sources[0].FileBytes > 0 ? " (" + Human.Count(sources[0].FileBytes) + " bytes)" : "")
+        + (sources.Count > 1 ? " and " + (sources.Count - 1) + " more" : "");
+
+    /// <summary>Like clouds: files of other sources stay, and those that somebody has changed.</summary>
+    public static void RefuseOtherExport(string path, PointReader reader, long mark)
+    {
+        if (!OutputFile.IsDevice(path) && File.Exists(path) && File.GetLastWriteTimeUtc(path).Ticks % MarkTicks != mark)
+            throw new UsageException(path + " was made from other sources than " + Said(SourcesOf(reader))
+                + ", or was changed since: --force replaces it");
+    }
+
+    /// <summary>Has an export's time of writing tell its sources, in the digits below 10 ms: who changes the file changes them,
+    /// and its bytes need no room for it. Where they get lost, as in copies, the file counts as changed.</summary>
+    public static void MarkExport(string path, long mark)
+    {
+        if (OutputFile.IsDevice(path))
+            return;
+        var now = DateTime.UtcNow;
+        OutputFile.WithFileErrors(path, () => File.SetLastWriteTimeUtc(path, now.AddTicks(mark - now.Ticks % MarkTicks)));
+    }
+
+    public static unsafe long MarkOf(PointReader reader)
+    {
+        string text = string.Join('\n', SourcesOf(reader)
+            .Select(s => $"{Path.GetFileName(s.Name)}|{s.FileBytes}|{s.HeadHash:x}"));
+        fixed (char* first = text)
+            return (long)(ContentHash.Of(first, text.Length * sizeof(char)) % MarkTicks);
+    }
 
     public static bool IsCloud(string path) => s_clouds.Any(ending => HasEnding(path, ending));
 

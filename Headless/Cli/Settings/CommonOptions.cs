@@ -18,11 +18,13 @@ public sealed class CommonOptions
     };
     readonly Option<bool> m_force = new("--force")
     {
-        Description = "Write over what exists and was not made by this tool, or by another run of it. Never over an input.",
+        Description = "Write over what this tool did not make, made of other sources, or exported before it was "
+            + "edited. Never over an input.",
     };
     readonly Option<bool> m_strict = new("--strict")
     {
-        Description = "End with 4 where a source has fewer points than it claims, or anything is odd about it.",
+        Description = "End with 4 where a source has fewer points than it claims, anything is odd about it, or no point "
+            + "comes out.",
     };
 
     public CommonOptions(Command root)

@@ -10,7 +10,7 @@ public static class Hints
             return "; an address is not read: download the file, and name that";
         if (failure.Code == FailureCode.Truncated && failure.Message.EndsWith("(an empty file, a pipe or a device)",
             StringComparison.Ordinal))
-            return "; a cloud is read in any order: write what comes from a pipe into a file first";
+            return "; a cloud is read in any order: what comes from a pipe is read as -";
         if (Directory.Exists(path) && FolderBelow(path) is { } below)
             return "; clouds lie in folders below it: name those, such as " + below;
         if (failure.Code != FailureCode.Unsupported)

@@ -13,7 +13,7 @@ public sealed class ConvertVerb : Verb
     {
         HelpName = "NAME.fastpoints",
         Required = true,
-        Description = "The folder to make; a cloud that is there is replaced when the new one is whole.",
+        Description = "The folder to make; a cloud of the same files that is there is replaced when the new one is whole.",
     };
     readonly Option<string> m_sampler = new("--sampler")
     {
@@ -83,11 +83,11 @@ public sealed class ConvertVerb : Verb
             settings.MemoryBytes = Memory.ForBuild(memory);
         string output = parsed.GetRequiredValue(m_output);
         OutputNames.RefuseFile(output);
-        run.Begin(files);
         OutputNames.RefuseInputs(output, files);
         string samplers = Path.ChangeExtension(output, null) + "-samplers";
         if (parsed.GetValue(m_report))
             OutputNames.RefuseForeignFolder("a report", samplers, "pictures.csv", run.Settings.IsForced);
+        files = run.Begin(files);
         using var reader = PointReaders.Open(files, m_source.Read(parsed));
         run.Warn(reader.Info);
         if (!run.Settings.IsForced)

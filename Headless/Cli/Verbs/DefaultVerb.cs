@@ -67,7 +67,7 @@ public sealed class DefaultVerb : Verb
         if (Look().IsFiltered)
             throw new UsageException("--style: classes can be chosen by the verbs picture and fly, of converted clouds");
         run.IsDiscarding = parsed.GetValue(m_discard);
-        run.Begin(files);
+        files = run.Begin(files);
         string demo = Path.Combine(outFolder ?? "demo-report", "demo.las");
         var clouds = files.Length == 0 ? [[demo]]
             : parsed.GetValue(m_asOne) ? [files] : files.Select(f => new[] { f }).ToArray();
@@ -79,33 +79,43 @@ public sealed class DefaultVerb : Verb
         string command = string.Join(' ', parsed.Tokens.Select(t => CloudPage.Quoted(t.Value)).Prepend("fastpoints"));
         var all = new InputResults(clouds.Select(c => c[0]));
         run.WriteKeys = all.WriteKeys;
-        if (files.Length == 0)
-        {
-            Report.Mark(folders[0], demo);
-            run.Out.WriteLine("no file was named: scanning a street of " + Human.Count(points, "point") + " into " + demo);
-            run.Out.Flush();
-            DemoCloud.Write(demo, points, parsed.GetValue(m_seed), Scenes.ScanOrder.Strip, run);
-        }
         var pages = new List<string>();
-        for (int i = 0; i < clouds.Length; i++)
+        var before = folders.SelectMany(f => Directory.Exists(f) ? Directory.GetFileSystemEntries(f) : []).ToHashSet();
+        try
         {
-            string[] cloud = clouds[i];
-            string folder = folders[i];
-            all.Take(run, () =>
+            if (files.Length == 0)
             {
-                if (cloud is [var only] && CloudFolder.IsCloud(only))
+                Report.Mark(folders[0], demo);
+                run.Out.WriteLine("no file was named: scanning a street of " + Human.Count(points, "point") + " into " + demo);
+                run.Out.Flush();
+                DemoCloud.Write(demo, points, parsed.GetValue(m_seed), Scenes.ScanOrder.Strip, run);
+            }
+            for (int i = 0; i < clouds.Length; i++)
+            {
+                string[] cloud = clouds[i];
+                string folder = folders[i];
+                all.Take(run, () =>
                 {
-                    Report.Mark(folder, only);
-                    var stored = ConvertedCloudReport.Make(only, (Look(), isPlain), Report.GpuPoints, folder, command, run);
-                    Report.WriteSummary(folder, only, stored.WriteKeys, stored.Account);
-                    pages.Add(stored.Page);
-                    return (stored.WriteKeys, stored.Account);
-                }
-                var report = Report.Make(cloud, source, (Look(), isPlain), folder, command, run);
-                Report.WriteSummary(folder, cloud[0], report.WriteKeys, report.Account);
-                pages.Add(report.Page);
-                return (report.WriteKeys, report.Account);
-            });
+                    if (cloud is [var only] && CloudFolder.IsCloud(only))
+                    {
+                        Report.Mark(folder, only);
+                        var stored = ConvertedCloudReport.Make(only, (Look(), isPlain), Report.GpuPoints, folder, command, run);
+                        Report.WriteSummary(folder, only, stored.WriteKeys, stored.Account);
+                        pages.Add(stored.Page);
+                        return (stored.WriteKeys, stored.Account);
+                    }
+                    var report = Report.Make(cloud, source, (Look(), isPlain), folder, command, run);
+                    Report.WriteSummary(folder, cloud[0], report.WriteKeys, report.Account);
+                    pages.Add(report.Page);
+                    return (report.WriteKeys, report.Account);
+                });
+            }
+        }
+        catch (OperationCanceledException)
+        {
+            for (int i = 0; i < clouds.Length; i++)
+                Report.Clear(folders[i], clouds[i][0], before);
+            throw;
         }
         StageTable.Of(run.Progress).Write(run.Out, "  ");
         run.Out.WriteLine("  at most " + Human.Bytes(PeakMemory.ResidentBytes) + " of memory");
@@ -118,7 +128,7 @@ public sealed class DefaultVerb : Verb
         const int PreviewPoints = 1_000_000;
         public const int GpuPoints = 1_000_000;
         const string PageGroup = "page";
-        const string SummaryName = "report.json";
+        const string SummaryName = "report.json", PageName = "report.html";
 
         public required string Page { get; init; }
         public required SourceFacts Facts { get; init; }
@@ -173,7 +183,31 @@ public sealed class DefaultVerb : Verb
         public static void Mark(string folder, string file)
         {
             OutputFile.MakeFolder(folder);
+            if (IsFinished(folder, file))
+                return;
             Summary.WriteFile(Path.Combine(folder, SummaryName), json => json.WriteString("input", Path.GetFullPath(file)));
+        }
+
+        static bool IsFinished(string folder, string file) => File.Exists(Path.Combine(folder, PageName))
+            && SummaryInput(Path.Combine(folder, SummaryName)) == Path.GetFullPath(file);
+
+        /// <summary>Takes away a report that was stopped, but for what was there before, and for an octree to go on with and the
+        /// name of its source.</summary>
+        public static void Clear(string folder, string file, HashSet<string> before)
+        {
+            string summary = Path.Combine(folder, SummaryName);
+            if (IsFinished(folder, file) || !File.Exists(summary) || SummaryInput(summary) != Path.GetFullPath(file))
+                return;
+            string cloud = Path.Combine(folder, CloudName.Of(file) + StoreFormat.FolderExtension);
+            string[] made = ["preview.png", "picture.png", "gpu.png", "demo.las"];
+            foreach (string path in made.Select(name => Path.Combine(folder, name)).Where(path => !before.Contains(path)))
+                File.Delete(path);
+            if (Directory.Exists(cloud) && !before.Contains(cloud))
+                FileChanges.DeleteFolder(cloud);
+            if (Directory.EnumerateFileSystemEntries(folder).Any(e => Path.GetFileName(e) != SummaryName))
+                return;
+            File.Delete(summary);
+            Directory.Delete(folder);
         }
 
         public static void WriteSummary(string folder, string file, Action<Utf8JsonWriter> writeKeys, PointCounts account) =>
@@ -197,6 +231,7 @@ public sealed class DefaultVerb : Verb
             run.Out.WriteLine();
             run.Out.Flush();
             run.Warn(reader.Info, isShown: true);
+            LookSettings.RequireColor(look.Options, reader.Info.Schema, reader.Info.Path);
             Mark(folder, file);
 
             string previewPath = Path.Combine(folder, "preview.png"), picturePath = Path.Combine(folder, "picture.png");
@@ -234,7 +269,6 @@ public sealed class DefaultVerb : Verb
             run.Out.WriteLine("  gpu      " +
                 (gpu != null ? gpu.Describe() + ", " + gpu.Device : "no picture: " + HeadlessGraphics.UnsupportedReason));
             run.Out.WriteLine();
-
             var page = new CloudPage
             {
                 Name = files.Length > 1 ? reader.Info.Path : NameOf(file),
@@ -251,7 +285,7 @@ public sealed class DefaultVerb : Verb
                 Inputs = files,
                 UpAxis = picture.UpAxis,
             };
-            string pagePath = Path.Combine(folder, "report.html");
+            string pagePath = Path.Combine(folder, PageName);
             OutputFile.Write(pagePath, page.ToBytes());
             return new Report
             {

@@ -55,7 +55,7 @@ public sealed class DemoCloudVerb : Verb
 
     public override void Run(ParseResult parsed, CliRun run)
     {
-        string output = parsed.GetRequiredValue(m_output);
+        string output = parsed.GetRequiredValue(m_output), file = run.Standard.FileOf(output);
         long written;
         if (parsed.GetValue(m_tile) is { } tile)
         {
@@ -63,7 +63,7 @@ public sealed class DemoCloudVerb : Verb
             if (times < 1)
                 throw new UsageException("--tile wants --times, at least 1");
             run.Begin([tile], output);
-            written = Tile(tile, output, times, run);
+            written = Tile(tile, file, times, run);
         }
         else
         {
@@ -75,12 +75,13 @@ public sealed class DemoCloudVerb : Verb
             if (order != ScanOrder.Strip && written > DemoCloud.MaxOrderedPoints)
                 throw new UsageException("--order " + parsed.GetValue(m_order) + " keeps the points in memory: at most "
                     + Human.Count(DemoCloud.MaxOrderedPoints));
-            if (!HasExtension(output, ".las") && !HasExtension(output, ".laz") && !HasExtension(output, ".ply"))
+            if (!HasExtension(file, ".las") && !HasExtension(file, ".laz") && !HasExtension(file, ".ply"))
                 throw new UsageException("--output: wanted a name that ends in .las, .laz or .ply, got " + output);
             run.Begin([], output);
-            DemoCloud.Write(output, written, parsed.GetValue(m_seed), order, run);
+            DemoCloud.Write(file, written, parsed.GetValue(m_seed), order, run);
         }
-        long bytes = new FileInfo(output).Length;
+        long bytes = new FileInfo(file).Length;
+        run.Standard.Send(output);
         run.WriteKeys = json =>
         {
             json.WriteInteger("points", written);

@@ -79,7 +79,8 @@ public sealed class ExportVerb : Verb
     {
         var clouds = parsed.GetRequiredValue(m_clouds);
         string output = parsed.GetRequiredValue(m_output);
-        OutputNames.RefuseNoExport(output);
+        string file = run.Standard.FileOf(output);
+        OutputNames.RefuseNoExport(file);
         var settings = new ExportSettings
         {
             Level = parsed.GetValue(m_level) is { } level ? Counts.ToInt(level) : -1,
@@ -88,10 +89,14 @@ public sealed class ExportVerb : Verb
         };
         if (parsed.GetValue(m_memory) is { } memory)
             settings.MemoryBytes = Memory.ForBuild(memory);
-        run.Begin(clouds, output);
+        clouds = run.Begin(clouds, output);
         using var reader = clouds is [var only] && CloudFolder.IsCloud(only) ? StoredReader.Open(only)
             : PointReaders.Open(clouds, m_source.Read(parsed));
         run.Warn(reader.Info);
+        // Before the bytes of an octree are counted.
+        long mark = OutputNames.MarkOf(reader);
+        if (!run.Settings.IsForced)
+            OutputNames.RefuseOtherExport(file, reader, mark);
         settings.Clips =
         [
             .. (parsed.GetValue(m_clip) ?? []).Select(box => PictureSettings.Box("--clip", box, false)),
@@ -102,26 +107,20 @@ public sealed class ExportVerb : Verb
             throw new UsageException("--attributes: " + reader.Info.Path + " has no " + unknown + "; it has "
                 + string.Join(", ", reader.Info.Schema.Select(a => a.Name)));
         using var filter = m_filter.Read(parsed, reader);
-        if (filter?.EveryNth > 1 && CopcExport.IsNamed(output))
+        if (filter?.EveryNth > 1 && CopcExport.IsNamed(file))
             throw new UsageException("--every-nth: COPC has its points in another order: wanted --budget or --level");
         settings.Filter = filter;
         ExportResult? result = null;
-        run.RunSteps(ExportCloud.Run(reader, output, settings, r => result = r, run.Progress));
+        run.RunSteps(ExportCloud.Run(reader, file, settings, r => result = r, run.Progress));
+        OutputNames.MarkExport(file, mark);
+        run.Standard.Send(output);
         run.Warn(reader.Info);
         run.Report(reader.Info.Losses);
         bool isWhole = settings.Level < 0 && settings.Budget == 0 && settings.Clips.Count == 0 && filter == null;
         run.Points.Add(reader.Info, isWhole ? result!.PointsRead : reader.PointCount);
         if (result!.Points == 0 && reader.PointCount > 0)
-            run.WarnEmpty(output + ": no point is left of " + Human.Count(reader.PointCount) + ", which lie in "
-                + Human.Box(reader.Info.BoundsClaimed) + (settings.Clips.Count == 0 ? "" : "; wanted "
-                + string.Join(", ", settings.Clips.Select(c => (c.Cuts ? "not " : "") + Human.Box(Of(c))))));
+            run.WarnEmpty(output, "left", reader.PointCount, reader.Info.BoundsClaimed, settings.Clips);
         Say(result!, output, run);
-    }
-
-    static BoundsGeo Of(ClipBox box)
-    {
-        var half = new double3(box.EdgesWorld.c0.x, box.EdgesWorld.c1.y, box.EdgesWorld.c2.z) / 2;
-        return new BoundsGeo(box.CenterWorld - half, box.CenterWorld + half);
     }
 
     static ClipBox Local(ClipBox box, PointReader reader)

@@ -140,8 +140,7 @@ public sealed class FlyVerb : Verb
         }
         if (pictures?.Kept is { } kept)
             run.Out.WriteLine(kept + ": " + Human.Count(frames / every) + " pictures, " + Human.Bytes(pictures.Bytes));
-        while (stream.TryTakeFailure(out var failure))
-            run.Warnings.Add(failure.ToString());
+        run.WarnOfFailures(stream);
         Describe(run, log, stream.Settings.UploadBytesPerFrame, disposeMs);
     }
 

@@ -38,7 +38,7 @@ public sealed class InfoVerb : Verb
     {
         var files = parsed.GetRequiredValue(m_files);
         bool scan = parsed.GetValue(m_scan);
-        run.Begin(files);
+        files = run.Begin(files);
         var source = m_source.Read(parsed);
         var clouds = parsed.GetValue(m_asOne) ? [files] : files.Select(f => new[] { f }).ToArray();
         var all = new InputResults(clouds.Select(c => c[0]));

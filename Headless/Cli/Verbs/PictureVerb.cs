@@ -1,3 +1,4 @@
+using System.Runtime.InteropServices;
 using FastPoints.Drawing;
 
 namespace FastPoints.Cli.Verbs;
@@ -56,7 +57,7 @@ public sealed class PictureVerb : Verb
         var options = m_picture.Read(parsed);
         long budget = parsed.GetValue(m_budget) ?? 0;
         OutputNames.RefuseNoPicture(output);
-        run.Begin(against != null ? clouds.Append(against) : clouds, output);
+        clouds = run.Begin(against != null ? clouds.Append(against) : clouds, output)[..clouds.Length];
         var reference = against != null ? Png.Read(against) : null;
         if (reference != null && (reference.Width != options.WidthPx || reference.Height != options.HeightPx))
             throw PointCloudException.Wanted(FailureCode.BadInput, against, -1, "size",
@@ -68,11 +69,14 @@ public sealed class PictureVerb : Verb
         var result = parsed.GetValue(m_gpu) ? DrawStep.RunOnGpu(clouds, options, budget, run)
             : clouds.Length == 1 && CloudFolder.IsCloud(clouds[0]) && !IsForStream(options)
             ? DrawStep.RunStored(clouds[0], options, budget, run)
-            : clouds.Any(CloudFolder.IsCloud) || (budget > 0 || options.IsFiltered) && clouds.All(HasOctree)
+            : clouds.Any(CloudFolder.IsCloud)
+                || (budget > 0 && options.ColorAttribute == null || options.IsFiltered) && clouds.All(HasOctree)
             ? StreamedPictureStep.Run(clouds, options, budget, run)
             : options.IsFiltered
             ? throw new UsageException("--clip, --cut and classes want clouds that are converted, or bring octrees along")
             : Draw(clouds, m_source.Read(parsed), options, budget, run);
+        if (!MemoryMarshal.Cast<byte, uint>(result.Image.Rgba).ContainsAnyExcept(options.Background))
+            WarnEmpty(output, clouds, m_source.Read(parsed), options, run);
         var image = result.ToImage(m_picture.IsPlain(parsed));
         if (reference != null)
             result.Error = ImageError.Compare(image, reference, options.Background);
@@ -89,6 +93,19 @@ public sealed class PictureVerb : Verb
     }
 
     static bool IsForStream(PictureOptions options) => options.SizeInWorld?.Mode == PointSizeMode.Adaptive || options.IsFiltered;
+
+    static void WarnEmpty(string output, string[] clouds, ReadOptions source, PictureOptions options, CliRun run)
+    {
+        long points = 0;
+        var bounds = BoundsGeo.Empty;
+        foreach (string cloud in clouds)
+        {
+            using PointReader reader = CloudFolder.IsCloud(cloud) ? StoredReader.Open(cloud) : PointReaders.Open(cloud, source);
+            points += reader.Info.PointsReadable;
+            bounds.Include(reader.Info.BoundsTrusted);
+        }
+        run.WarnEmpty(output, "to be seen", points, bounds, options.ClipBoxes);
+    }
 
     static bool HasOctree(string path)
     {

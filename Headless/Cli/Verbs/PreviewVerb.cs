@@ -73,7 +73,7 @@ public sealed class PreviewVerb : Verb
             OutputNames.RefuseForeignFolder("a report", errors, "errors.csv", run.Settings.IsForced);
         string output = parsed.GetRequiredValue(m_output);
         OutputNames.RefuseNoPicture(output);
-        run.Begin(files, output);
+        files = run.Begin(files, output);
         var source = m_source.Read(parsed);
         using var reader = PointReaders.Open(files, source);
         run.Warn(reader.Info);

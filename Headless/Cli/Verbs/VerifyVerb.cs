@@ -40,7 +40,7 @@ public sealed class VerifyVerb : Verb
         {
             if (parsed.GetValue(m_against) is { Length: > 0 } files)
             {
-                run.Begin(files);
+                files = run.Begin(files);
                 readers.Add(PointReaders.Open(files, m_source.Read(parsed)));
                 run.Warn(readers[0].Info);
             }

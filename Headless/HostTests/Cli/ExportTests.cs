@@ -114,7 +114,7 @@ public sealed class ExportTests : ScratchTests
             Assert.That(of(source, "--returns", "last"), Is.EqualTo(of(source, "--where", "ReturnNumber == NumberOfReturns")));
             Assert.That(of(source, "--returns", "first"), Is.EqualTo(of(source, "--returns", "1")).And.GreaterThan(0));
         }
-        string[] args = ["export", m_demo, "-o", Scratch["none.laz"], "--where", "Classification == 255", "--strict"];
+        string[] args = ["export", m_demo, "-o", Scratch["empty.laz"], "--where", "Classification == 255", "--strict"];
         Assert.That(CliCall.Of(args).Status, Is.EqualTo(4));
     }
 

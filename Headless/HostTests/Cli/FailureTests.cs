@@ -29,7 +29,7 @@ public sealed class FailureTests : ScratchPerTest
     [TestCase("lat,lon,alt\n50.1,8.6,120\n50.2,8.7,121\n", "--columns x,y,z")]
     [TestCase("tree 1 2 3\nhouse 4 5 6\n", "--columns x,y,z")]
     [TestCase("\u0089PNG\r\n\u001a\nrest of it", "a picture holds no points")]
-    [TestCase("", "write what comes from a pipe into a file first")]
+    [TestCase("", "what comes from a pipe is read as -")]
     public void Info_OfWhatIsNoCloud_SaysWhatHelps(string content, string hint)
     {
         File.WriteAllBytes(Scratch["odd"], Encoding.Latin1.GetBytes(content));

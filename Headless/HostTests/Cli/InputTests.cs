@@ -70,6 +70,76 @@ public sealed class InputTests : ScratchPerTest
         Assert.That(CliCall.Of([.. Convert("b.las"), "--force"]).Status, Is.Zero);
     }
 
+    [Test]
+    public void Convert_OverACloudOfAnotherScanOfThatNameAndSize_NeedsForce()
+    {
+        string[] Convert(string folder) => ["convert", Scratch[folder + "/s.las"], "-o", Scratch["q.fastpoints"], "--quiet"];
+        foreach (string folder in new[] { "a", "b" })
+        {
+            Directory.CreateDirectory(Scratch[folder]);
+            Assert.That(CliCall.Of("demo-cloud", "-o", Scratch[folder + "/s.las"], "--points", "100", "--seed",
+                folder == "a" ? "1" : "2").Status, Is.Zero);
+        }
+        Assert.That(CliCall.Of(Convert("a")).Status, Is.Zero);
+        Assert.That(CliCall.Of(Convert("b")).Status, Is.EqualTo(ExitStatus.Usage));
+        Assert.That(CliCall.Of(Convert("a")).Status, Is.Zero);
+    }
+
+    [Test]
+    public void Convert_OfATreeThatCountsItsBytesLate_IsRepeated()
+    {
+        Directory.CreateDirectory(Scratch["tree/ept-hierarchy"]);
+        Directory.CreateDirectory(Scratch["tree/ept-data"]);
+        File.WriteAllText(Scratch["tree/ept-hierarchy/0-0-0-0.json"], "{\"0-0-0-0\":1}");
+        File.WriteAllBytes(Scratch["tree/ept-data/0-0-0-0.bin"], new byte[12]);
+        string axes = string.Join(",", "XYZ".Select(c =>
+            $"{{\"name\":\"{c}\",\"type\":\"signed\",\"size\":4,\"scale\":0.01,\"offset\":0}}"));
+        File.WriteAllText(Scratch["tree/ept.json"], "{\"bounds\":[0,0,0,1,1,1],\"boundsConforming\":[0,0,0,1,1,1],"
+            + "\"dataType\":\"binary\",\"hierarchyType\":\"json\",\"points\":1,\"span\":128,\"version\":\"1.0.0\","
+            + "\"schema\":[" + axes + "]}");
+        foreach (string[] line in new[] { new[] { "convert", Scratch["tree"], "-o", Scratch["q.fastpoints"] },
+            ["export", Scratch["tree"], "-o", Scratch["q.las"]] })
+            for (int i = 0; i < 2; i++)
+            {
+                var call = CliCall.Of(line);
+                Assert.That(call.Status, Is.Zero, call.Error);
+            }
+    }
+
+    [TestCase("{\"version\": 1}"), TestCase("not ours")]
+    public void Convert_OverWhatIsNoCloudOfOurs_NeedsForce(string manifest)
+    {
+        Directory.CreateDirectory(Scratch["q.fastpoints"]);
+        File.WriteAllText(Scratch["q.fastpoints/cloud.json"], manifest);
+        string[] convert = ["convert", Scratch.Demo(), "-o", Scratch["q.fastpoints"], "--quiet"];
+        var refused = CliCall.Of(convert);
+        Assert.That(refused.Status, Is.EqualTo(ExitStatus.Usage));
+        Assert.That(refused.Error, Does.Contain("holds something else: --force"));
+        Assert.That(CliCall.Of([.. convert, "--force"]).Status, Is.Zero);
+    }
+
+    [TestCase("out.las"), TestCase("out.laz"), TestCase("out.ply")]
+    public void Export_OverAFileOfOtherSourcesOrAnEditedOne_NeedsForce(string name)
+    {
+        string output = Scratch[name], cloud = Scratch.Converted(), scan = Scratch["s3000.las"];
+        string[] Export(string from) => ["export", from, "-o", output, "--quiet"];
+        Assert.That(CliCall.Of(Export(cloud)).Status, Is.Zero);
+        Assert.That(CliCall.Of([.. Export(cloud), "--every-nth", "2"]).Status, Is.Zero, "of the same cloud");
+
+        var refused = CliCall.Of(Export(scan));
+        Assert.That(refused.Status, Is.EqualTo(ExitStatus.Usage));
+        Assert.That(refused.Error, Does.Contain("other sources than s3000.las").And.Contains("--force"));
+        Assert.That(CliCall.Of([.. Export(scan), "--force"]).Status, Is.Zero);
+        Assert.That(CliCall.Of(Export(scan)).Status, Is.Zero, "of the same file");
+
+        using (var file = File.OpenWrite(output))
+        {
+            file.Seek(-1, SeekOrigin.End);
+            file.WriteByte(1);
+        }
+        Assert.That(CliCall.Of(Export(scan)).Status, Is.EqualTo(ExitStatus.Usage), "edited");
+    }
+
     [TestCase("returnnumber"), TestCase("GpsTime"), TestCase("scanangle"), TestCase("pointsource")]
     public void Picture_ByAnAttribute_OfAFileAndOfACloud_IsNotThatByColour(string color)
     {
@@ -87,11 +157,35 @@ public sealed class InputTests : ScratchPerTest
         }
     }
 
-    [TestCase("picture"), TestCase("preview")]
+    [Test]
+    public void Picture_ByAnAttributeOfAnOctreeWithABudget_IsDrawnFromTheFile()
+    {
+        Assert.That(CliCall.Of("export", Scratch.Demo("scan.las"), "-o", Scratch["scan.copc.laz"]).Status, Is.Zero);
+        var call = CliCall.Of("picture", Scratch["scan.copc.laz"], "-o", Scratch["p.png"], "--budget", "1000", "--style",
+            "color=gpstime");
+        Assert.That(call.Status, Is.Zero, call.Error);
+    }
+
+    [TestCase("--clip", "0,0,0,1,1,1"), TestCase("--style", "classes=99")]
+    public void Picture_WithoutAPoint_WarnsAndIsIncompleteIfStrict(params string[] filter)
+    {
+        string[] draw = ["picture", Scratch.Converted(), "-o", Scratch["p.png"], "--size", "160x90", .. filter];
+        var call = CliCall.Of(draw);
+        Assert.That(call.Status, Is.Zero);
+        Assert.That(call.Error, Does.Match(@"p\.png: no point is to be seen of 3,000, which lie in \(44.*\) to \(44"));
+        Assert.That(call.Error, filter[0] == "--clip" ? Does.Contain("; wanted (0, 0, 0) to (1, 1, 1)")
+            : Does.Not.Contains("wanted"));
+        Assert.That(CliCall.Of([.. draw, "--strict"]).Status, Is.EqualTo(4));
+        Assert.That(CliCall.Of("picture", Scratch["scan.fastpoints"], "-o", Scratch["p.png"], "--strict").Status, Is.Zero);
+    }
+
+    [TestCase("picture"), TestCase("preview"), TestCase("")]
     public void Picture_ByWhatIsNotThere_IsWrongUsageAndNamesWhatIs(string verb)
     {
-        var call = CliCall.Of(verb, Scratch.Demo(), "-o", Scratch["p.png"], "--style", "color=temperature");
+        string[] draw = [Scratch.Demo(), "-o", Scratch[verb == "" ? "report" : "p.png"], "--style", "color=temperature"];
+        var call = CliCall.Of(verb == "" ? draw : [verb, .. draw]);
         Assert.That(call.Status, Is.EqualTo(ExitStatus.Usage));
+        Assert.That(Path.Exists(draw[2]), Is.False, "nothing is written");
         Assert.That(call.Error, Does.Contain("no temperature to colour by; it has X, Y, Z, Intensity"));
     }
 
@@ -114,18 +208,78 @@ public sealed class InputTests : ScratchPerTest
     public void Info_OfANameThatIsNoUtf8_ReadsTheFile()
     {
         Scratch.Demo("scan.las", 100);
-        string line = "cp scan.las NAME; \"$0\" info NAME; status=$?; rm NAME; exit $status".Replace("NAME", "$'a\\xff.las'");
+        string line = "cp scan.las NAME; \"$0\" info NAME; status=$?; rm NAME; exit $status"
+            .Replace("NAME", "$'a\\xff.las'");
         Assert.That(Shell(line, out string output), Is.Zero, output);
-        Assert.That(output, Does.Contain("100 by the header"));
+        Assert.That(output, Does.Contain("100 by the header").And.Contains("/a%FF.las"));
+    }
+
+    [TestCase("convert scan.las -o $'a\\xff.fastpoints'")]
+    [TestCase("export scan.las -o $'b\\xff.las'"), TestCase("info $'c\\xff'")]
+    [Platform("Linux")]
+    public void Output_OfANameThatIsNoUtf8_IsRefusedAndNothingIsWritten(string line)
+    {
+        Scratch.Demo("scan.las", 100);
+        string all = "touch $'b\\xff.las'; \"$0\" " + line + "; status=$?; rm $'b\\xff.las'; exit $status";
+        Assert.That(Shell(all, out string output), Is.EqualTo(ExitStatus.Usage), output);
+        Assert.That(output, Does.Contain("%FF"));
+        Assert.That(Directory.GetFileSystemEntries(Scratch.Root), Has.Length.EqualTo(1));
+    }
+
+    [Test]
+    public void Picture_OfADamagedCloud_NamesFileAndByteAndIsIncompleteIfStrict()
+    {
+        string cloud = Scratch.Converted(), upper = Path.Combine(cloud, "upper.bin");
+        byte[] bytes = File.ReadAllBytes(upper);
+        bytes[100] ^= 4;
+        File.WriteAllBytes(upper, bytes);
+        string[] draw = ["picture", cloud, "-o", Scratch["p.png"], "--size", "160x90"];
+        Assert.That(CliCall.Of(draw).Error, Does.Match(@"upper\.bin.* at (byte )?80: node 0 is damaged"));
+        Assert.That(CliCall.Of([.. draw, "--strict"]).Status, Is.Not.Zero);
+        var export = CliCall.Of("export", cloud, "-o", Scratch["out.las"]);
+        Assert.That(export.Error, Does.Match(@"upper\.bin: at byte 80: .*hash does not fit: wanted \w{16}, got \w{16}"));
+        Assert.That(CliCall.Of("verify", cloud).Output, Does.Match(@"upper\.bin: at byte 80: .*wanted \w{16}, got \w{16}"));
     }
 
     [TestCase("info scan.las"), TestCase("info scan.las --json -"), TestCase("convert --help")]
+    [TestCase("--help"), TestCase("help --man")]
     [Platform("Linux")]
     public void Output_ThatCannotBeWritten_IsAFailure(string line)
     {
         Scratch.Demo("scan.las", 100);
         Assert.That(Shell("\"$0\" " + line + " > /dev/full", out string output), Is.EqualTo(ExitStatus.Failed));
         Assert.That(output, Does.StartWith("fastpoints: standard output: ").And.EndsWith("\n"));
+    }
+
+    [TestCase("-.las", "LAS"), TestCase("-.laz", "LAZ"), TestCase("-.ply", "PLY"), TestCase("-", "LAS")]
+    [Platform("Linux")]
+    public void Pipe_OfExportIntoConvert_IsTheCloud(string output, string format)
+    {
+        Scratch.Demo("scan.las", 3000);
+        string made = Directory.CreateDirectory(Scratch["tmp"]).FullName;
+        Assert.That(Shell($"export TMPDIR={made}; set -o pipefail; \"$0\" export scan.las -o {output} | tee made | "
+            + "\"$0\" convert - -o q.fastpoints", out string said), Is.Zero, said);
+        Assert.That(said, Does.Contain("warning: standard input is kept in " + made).And.Contains("q.fastpoints: 3,000 points"));
+        Assert.That(CliCall.Of("verify", Scratch["q.fastpoints"], "--against", Scratch["made"]).Status, Is.Zero);
+        Assert.That(CliCall.Of("info", Scratch["made"], "--json", "-").Json.GetProperty("format").GetString(),
+            Is.EqualTo(format));
+        Assert.That(Directory.GetFileSystemEntries(made), Is.Empty);
+    }
+
+    [TestCase("printf '1 2 3\\n4 5 6\\n' | \"$0\" info - --scan", 0, "points                2")]
+    [TestCase("\"$0\" info - < /dev/null", ExitStatus.BadInput, "standard input is empty")]
+    [TestCase("\"$0\" info - - < scan.las", ExitStatus.Usage, "can be read once")]
+    [TestCase("\"$0\" export scan.las -o - --json -", ExitStatus.Usage, "only one of them can be standard output")]
+    [TestCase("\"$0\" picture scan.las -o -", ExitStatus.Usage, "standard output takes points")]
+    [TestCase("\"$0\" convert scan.las -o -", ExitStatus.Usage, "standard output takes points")]
+    [TestCase("\"$0\" export scan.las -o - > /dev/full", ExitStatus.Failed, "standard output: ")]
+    [TestCase("\"$0\" demo-cloud -o - --points 9 | \"$0\" info - | grep '9 by the header'", 0, "9 by")]
+    [Platform("Linux")]
+    public void Dash_IsStandardInputOrOutput(string line, int status, string expected)
+    {
+        Scratch.Demo("scan.las", 100);
+        Assert.That(Shell(line, out string said), Is.EqualTo(status), said);
+        Assert.That(said, Does.Contain(expected));
     }
 
     int Shell(string line, out string output)

@@ -48,6 +48,38 @@ public sealed class StopTests : ScratchPerTest
     }
 
     [Test]
+    public void Stop_OfAReport_LeavesNoHalfOfIt([Values(false, true)] bool wasThere)
+    {
+        string folder = Scratch["report"];
+        if (wasThere)
+            Assert.That(CliCall.Of(m_cloud, "-o", folder, "--quiet").Status, Is.Zero);
+        var before = wasThere ? Directory.GetFileSystemEntries(folder) : [];
+        string summary = wasThere ? File.ReadAllText(Path.Combine(folder, "report.json")) : null;
+        using var stop = new CancellationTokenSource();
+        var began = DateTime.UtcNow;
+        bool isDone = false;
+        var watch = Task.Run(() =>
+        {
+            while (!Volatile.Read(ref isDone) && !(File.GetLastWriteTimeUtc(Path.Combine(folder, "preview.png")) > began))
+                Thread.Yield();
+            stop.Cancel();
+        });
+
+        var call = CliCall.Of(stop.Token, m_cloud, "-o", folder, "--quiet");
+        Volatile.Write(ref isDone, true);
+        watch.Wait();
+
+        Assert.That(call.Status, Is.EqualTo(ExitStatus.Cancelled), call.Error);
+        if (!wasThere)
+            Assert.That(Directory.Exists(folder), Is.False);
+        else
+        {
+            Assert.That(Directory.GetFileSystemEntries(folder), Is.EquivalentTo(before));
+            Assert.That(File.ReadAllText(Path.Combine(folder, "report.json")), Is.EqualTo(summary));
+        }
+    }
+
+    [Test]
     public void SecondStop_KeepsNothing()
     {
         LeaveABuild();

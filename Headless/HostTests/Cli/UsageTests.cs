@@ -50,6 +50,28 @@ public sealed class UsageTests
         Assert.That(call.Error, Does.Contain("did you mean " + meant + "?"));
     }
 
+    [TestCase("convert a.las --out b", "--output")]
+    [TestCase("picture a.las -o p.png --top", "--view")]
+    [TestCase("picture a.las -o p.png --class 2", "--style classes=N")]
+    [TestCase("export a.las -o b.las --class 2", "--classes")]
+    [TestCase("preview a.las -o p.png --colour=red", "--style color=NAME")]
+    [TestCase("export a.las -o b.las --bbox 3", "--clip")]
+    [TestCase("preview a.las -o p.png --budget 3", "--points")]
+    [TestCase("convert a.las -o q.fastpoints --mem 1GiB", "--memory")]
+    [TestCase("verify a.fastpoints --agianst a.las", "--against")]
+    [TestCase("a.las --budget 3", null)]
+    [TestCase("a.las --view top", null)]
+    [TestCase("info a.las --size", null)]
+    [TestCase("fly a.las --fps 3", null)]
+    [TestCase("picture a.las -o p.png --exact", null)]
+    public void Option_OfAnotherVerbOrProgram_SuggestsWhatMeansTheSame(string line, string meant)
+    {
+        var call = CliCall.Of(line.Split(' '));
+        Assert.That(call.Status, Is.EqualTo(ExitStatus.Usage));
+        Assert.That(call.Error, Does.StartWith("fastpoints: unknown option --"));
+        Assert.That(call.Error, meant == null ? Does.Not.Contains("did you mean") : Does.Contain("did you mean " + meant + "?"));
+    }
+
     [Test]
     public void Option_OfTheMainJobBehindAnotherVerb_IsNotSuggestedAgain()
     {

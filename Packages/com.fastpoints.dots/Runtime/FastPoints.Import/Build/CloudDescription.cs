@@ -87,6 +87,7 @@ namespace FastPoints.Build
                     {
                         Name = info.Path,
                         FileBytes = info.FileBytes,
+                        HeadHash = info.HeadHash,
                         Points = statistics[i].Count + statistics[i].LeftOut,
                         Crs = info.Crs.ToCloudCrs(),
                     }, manifest);

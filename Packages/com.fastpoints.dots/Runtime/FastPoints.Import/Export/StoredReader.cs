@@ -142,6 +142,7 @@ namespace FastPoints.Export
             return new SourceInfo
             {
                 Path = folder.FolderPath,
+                HeadHash = manifest.CloudId,
                 Format = "FastPoints",
                 Version = NumberText.Of((long)StoreFormat.Version),
                 PointsClaimed = (ulong)manifest.Points,
@@ -249,7 +250,8 @@ namespace FastPoints.Export
                 File.End();
                 if (Result.Value.Error != 0)
                     throw new PointCloudException(FailureCode.BadInput, m_reader.FileOfBlock(Range.Block, out _),
-                        Result.Value.ErrorOffset, "the node's data is damaged: its hash does not fit");
+                        Result.Value.ErrorOffset, "the node's data is damaged: " +
+                            StoreFile.HashProblem(m_ranges[Result.Value.Error - 1].Hash, Result.Value.ErrorGot));
             }
 
             protected override void Cancel() => File.Cancel();
@@ -288,10 +290,10 @@ namespace FastPoints.Export
             for (int p = 0; p < Ranges.Length; p++)
             {
                 byte* plane = file + Ranges[p].OffsetBytes;
-                if (ContentHash.Of(plane, Ranges[p].LengthBytes) == Ranges[p].Hash &&
-                    PlaneView.IsValid(plane, Ranges[p].LengthBytes, Shapes[p], PlaneBlocks))
+                ulong hash = ContentHash.Of(plane, Ranges[p].LengthBytes);
+                if (hash == Ranges[p].Hash && PlaneView.IsValid(plane, Ranges[p].LengthBytes, Shapes[p], PlaneBlocks))
                     continue;
-                Result.Value = new DecodeResult { Error = 1, ErrorOffset = Ranges[p].OffsetBytes };
+                Result.Value = new DecodeResult { Error = 1 + p, ErrorOffset = Ranges[p].OffsetBytes, ErrorGot = hash };
                 return;
             }
             ulong* values = stackalloc ulong[PlaneShape.MaxPointsPerBlock];

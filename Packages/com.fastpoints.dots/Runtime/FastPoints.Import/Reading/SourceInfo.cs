@@ -10,6 +10,9 @@ namespace FastPoints.Reading
         public string Path;
         public long FileBytes;
 
+        /// <summary>Hash of its first bytes: tells files of one name and length apart.</summary>
+        internal ulong HeadHash;
+
         /// <summary>The name of the format: "LAS", "PLY", ...</summary>
         public string Format;
 

@@ -7,6 +7,7 @@ using FastPoints.Las;
 using FastPoints.Laz;
 using FastPoints.Ply;
 using FastPoints.Reading;
+using FastPoints.Store;
 using FastPoints.Text;
 
 namespace FastPoints.Sources
@@ -43,7 +44,7 @@ namespace FastPoints.Sources
             public Kind(string name, string magic) : this(name, Encoding.ASCII.GetBytes(magic)) { }
         }
 
-        const int HeadBytes = 64;
+        const int HeadBytes = 64, HashedBytes = 4096;
 
         static readonly Kind[] s_kinds =
         {
@@ -115,29 +116,48 @@ namespace FastPoints.Sources
                 if (index == null)
                     return OpenTiles();
                 using var source = RandomAccessFile.Open(index);
-                return OpenIndex(SourceJson.Read(source)) ?? OpenTiles();
+                return OpenIndex(SourceJson.Read(source)) is PointReader octree ? Hashed(source, octree) : OpenTiles();
             }
             using (var source = RandomAccessFile.Open(path))
+                return Hashed(source, OpenFile(source, options));
+        }
+
+        static PointReader OpenFile(RandomAccessFile source, ReadOptions options)
+        {
+            byte[] head = source.ReadUpTo(0, HeadBytes).Bytes;
+            if (SourceJson.Is(head))
             {
-                byte[] head = source.ReadUpTo(0, HeadBytes).Bytes;
-                if (SourceJson.Is(head))
-                {
-                    var index = SourceJson.Read(source);
-                    return OpenIndex(index) ?? throw NoOctree(index);
-                }
-                foreach (var kind in s_kinds)
-                {
-                    if (!StartsWith(head, kind.Magic))
-                        continue;
-                    if (kind.Open != null)
-                        return kind.Open(source);
-                    throw new PointCloudException(FailureCode.Unsupported, path, 0,
-                        "this is " + kind.Name + ": wanted LAS, LAZ, PLY, PCD, E57 or Potree");
-                }
-                return (PointReader)PtxReader.Open(source) ?? XyzReader.Open(source, options?.TextColumns) ??
-                    throw new PointCloudException(FailureCode.Unsupported, path, 0,
-                        "no known point cloud format: wanted LAS (LASF), PLY (ply), PCD, E57 (ASTM-E57), or lines of numbers, " +
-                        "got " + Shown(head));
+                var index = SourceJson.Read(source);
+                return OpenIndex(index) ?? throw NoOctree(index);
+            }
+            foreach (var kind in s_kinds)
+            {
+                if (!StartsWith(head, kind.Magic))
+                    continue;
+                if (kind.Open != null)
+                    return kind.Open(source);
+                throw new PointCloudException(FailureCode.Unsupported, source.Path, 0,
+                    "this is " + kind.Name + ": wanted LAS, LAZ, PLY, PCD, E57 or Potree");
+            }
+            return (PointReader)PtxReader.Open(source) ?? XyzReader.Open(source, options?.TextColumns) ??
+                throw new PointCloudException(FailureCode.Unsupported, source.Path, 0,
+                    "no known point cloud format: wanted LAS (LASF), PLY (ply), PCD, E57 (ASTM-E57), or lines of numbers, " +
+                    "got " + Shown(head));
+        }
+
+        static unsafe PointReader Hashed(RandomAccessFile source, PointReader reader)
+        {
+            try
+            {
+                byte[] head = source.ReadUpTo(0, HashedBytes).Bytes;
+                fixed (byte* first = head)
+                    reader.Info.HeadHash = ContentHash.Of(first, head.Length);
+                return reader;
+            }
+            catch
+            {
+                reader.DisposeUnread();
+                throw;
             }
         }
 

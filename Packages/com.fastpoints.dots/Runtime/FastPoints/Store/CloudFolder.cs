@@ -116,9 +116,10 @@ namespace FastPoints.Store
                 throw new PointCloudException(FailureCode.BadInput, path, 0, "is not the file that the hierarchy means");
             using var bytes = StoreFile.Read(path, header.TableOffset, header.FileBytes - header.TableOffset,
                 Allocator.Persistent);
-            if (ContentHash.Of(bytes.GetUnsafeReadOnlyPtr(), bytes.Length) != header.TableHash)
+            ulong hash = ContentHash.Of(bytes.GetUnsafeReadOnlyPtr(), bytes.Length);
+            if (hash != header.TableHash)
                 throw new PointCloudException(FailureCode.BadInput, path, header.TableOffset,
-                    "the node table is damaged: its hash does not fit");
+                    "the node table is damaged: " + StoreFile.HashProblem(header.TableHash, hash));
             var table = Take(bytes, header.NodeCount, header.PlaneCount);
             string problem = table.FindProblem(record.Cube, header.TableOffset, Layout, true) ?? FindCountProblem(table,
                 header.PointCount);
@@ -144,9 +145,14 @@ namespace FastPoints.Store
             using (var bytes = StoreFile.Read(path, 0, header.FileBytes, Allocator.Persistent))
             {
                 var start = (byte*)bytes.GetUnsafeReadOnlyPtr();
-                if (ContentHash.Of(start, bytes.Length) != Manifest.HierarchyHash ||
-                    ContentHash.Of(start + FileHeader.SizeBytes, bytes.Length - FileHeader.SizeBytes) != header.TableHash)
-                    throw new PointCloudException(FailureCode.BadInput, path, -1, "is damaged: its hash does not fit");
+                ulong hash = ContentHash.Of(start, bytes.Length);
+                if (hash != Manifest.HierarchyHash)
+                    throw new PointCloudException(FailureCode.BadInput, path, 0,
+                        "is damaged: " + StoreFile.HashProblem(Manifest.HierarchyHash, hash));
+                hash = ContentHash.Of(start + FileHeader.SizeBytes, bytes.Length - FileHeader.SizeBytes);
+                if (hash != header.TableHash)
+                    throw new PointCloudException(FailureCode.BadInput, path, FileHeader.SizeBytes,
+                        "is damaged: " + StoreFile.HashProblem(header.TableHash, hash));
                 var table = bytes.GetSubArray(FileHeader.SizeBytes, bytes.Length - FileHeader.SizeBytes);
                 Upper = Take(table, header.NodeCount, header.PlaneCount);
                 int chunkBytes = header.ChunkCount * ChunkRecord.SizeBytes;

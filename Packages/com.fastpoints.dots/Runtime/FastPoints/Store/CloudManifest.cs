@@ -20,6 +20,9 @@ namespace FastPoints.Store
             public long FileBytes;
             public long Points;
 
+            // 0 in clouds of earlier versions: see SourceInfo.
+            internal ulong HeadHash;
+
             /// <summary>The file's own coordinate system, where files of several make one cloud; null where it is the
             /// cloud's.</summary>
             public CloudCrs Crs;
@@ -193,6 +196,8 @@ namespace FastPoints.Store
             {
                 json.BeginObject().Add("name", Sources[i].Name).Add("bytes", Sources[i].FileBytes)
                     .Add("points", Sources[i].Points);
+                if (Sources[i].HeadHash != 0)
+                    json.AddHex("head", Sources[i].HeadHash);
                 if (systems.Count > 1)
                     json.Add("system", ofSource[i]);
                 json.EndObject();
@@ -316,6 +321,7 @@ namespace FastPoints.Store
                     Name = source.Text("name"),
                     FileBytes = source.Count("bytes"),
                     Points = source.Count("points"),
+                    HeadHash = source.Has("head") ? source.Hex("head") : 0,
                     Crs = systems?[(int)source.Count("system", systems.Count - 1)],
                 });
             }

@@ -53,7 +53,8 @@ namespace FastPoints.Store
         {
             return problem.Fault switch
             {
-                TableFault.Hash => "the node table is damaged: its hash does not fit",
+                TableFault.Hash => "the node table is damaged: " + StoreFile.HashProblem((ulong)problem.Wanted,
+                    (ulong)problem.Got),
                 TableFault.Roots => "wanted " + (check.IsChunk ? "nodes" : "one node") +
                     " without a parent at the table's start, got " + problem.Got,
                 TableFault.Orphans => "nodes " + problem.Node + " and on are no node's children",

@@ -68,7 +68,7 @@ namespace FastPoints.Store
                 return "version: wanted " + StoreFormat.Version + ", got " + header.Version;
             ulong hash = ContentHash.Of(&header, FileHeader.SizeBytes - sizeof(ulong));
             if (header.HeaderHash != hash)
-                return "the header is damaged: its hash does not fit";
+                return "the header is damaged: " + HashProblem(header.HeaderHash, hash);
             if (header.FileBytes != fileBytes)
                 return "wanted " + header.FileBytes + " bytes, got " + fileBytes;
             long table = (long)header.NodeCount * (NodeRecord.SizeBytes + (long)header.PlaneCount * PlaneRange.SizeBytes) +
@@ -79,6 +79,9 @@ namespace FastPoints.Store
                     " planes at " + header.TableOffset + " does not end the file";
             return null;
         }
+
+        public static string HashProblem(ulong wanted, ulong got) =>
+            "its hash does not fit: wanted " + wanted.ToString("x16") + ", got " + got.ToString("x16");
 
         static T Reading<T>(string path, Func<FileStream, T> read)
         {

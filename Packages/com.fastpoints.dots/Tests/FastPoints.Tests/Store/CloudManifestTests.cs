@@ -44,7 +44,7 @@ namespace FastPoints.Tests.Store
                 HierarchyHash = 42,
                 UpperBytes = 67890,
             };
-            manifest.Sources.Add(new CloudManifest.Source { Name = "a.las", FileBytes = 5, Points = 6 });
+            manifest.Sources.Add(new CloudManifest.Source { Name = "a.las", FileBytes = 5, Points = 6, HeadHash = 7 });
             return manifest;
         }
 

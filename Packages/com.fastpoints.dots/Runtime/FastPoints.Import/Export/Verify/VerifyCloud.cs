@@ -177,7 +177,7 @@ namespace FastPoints.Export
             {
                 var range = table.Planes[node.PlaneNode * table.PlaneCount + result.Plane];
                 m_result.Add(string.Format(CultureInfo.InvariantCulture, "{0}: at byte {1}: node {2}, plane \"{3}\": {4}", path,
-                    range.OffsetBytes, index, m_folder.Layout.Planes[result.Plane].Name, Describe(result.What)));
+                    range.OffsetBytes, index, m_folder.Layout.Planes[result.Plane].Name, Describe(result, range)));
                 return;
             }
             m_nodes++;
@@ -199,9 +199,9 @@ namespace FastPoints.Export
             m_result.Levels[level] = at;
         }
 
-        static string Describe(NodeCheckResult.Fault fault) => fault switch
+        static string Describe(in NodeCheckResult result, in PlaneRange range) => result.What switch
         {
-            NodeCheckResult.Fault.PlaneHash => "is damaged: its hash does not fit",
+            NodeCheckResult.Fault.PlaneHash => "is damaged: " + StoreFile.HashProblem(range.Hash, result.Hash),
             NodeCheckResult.Fault.PlaneShape => "its blocks do not lie inside it one after the other",
             NodeCheckResult.Fault.BlockCounts => "its blocks have other numbers of points than the node",
             NodeCheckResult.Fault.OutsideCube => "a point outside of the node's cube",

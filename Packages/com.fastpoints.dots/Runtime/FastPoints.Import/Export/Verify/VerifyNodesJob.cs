@@ -70,7 +70,8 @@ namespace FastPoints.Export
             {
                 var range = Planes[index * PlaneCount + p];
                 result.Plane = p;
-                if (ContentHash.Of(file + range.OffsetBytes, range.LengthBytes) != range.Hash)
+                result.Hash = ContentHash.Of(file + range.OffsetBytes, range.LengthBytes);
+                if (result.Hash != range.Hash)
                     result.What = NodeCheckResult.Fault.PlaneHash;
                 else if (!PlaneView.IsValid(file + range.OffsetBytes, range.LengthBytes, ShapeOf(p, Nodes[index].IsWide),
                     Nodes[index].PlaneBlocks))
@@ -189,6 +190,9 @@ namespace FastPoints.Export
 
         public int Plane;
 
+        /// <summary>What the plane has, if it is another than it should be.</summary>
+        public ulong Hash;
+
         /// <summary>Sums of the points' hashes: see <see cref="RecordHash"/>.</summary>
         public ulong FirstSum;
         public ulong SecondSum;
@@ -209,6 +213,7 @@ namespace FastPoints.Export
             {
                 What = part.What;
                 Plane = part.Plane;
+                Hash = part.Hash;
             }
             FirstSum += part.FirstSum;
             SecondSum += part.SecondSum;

@@ -81,6 +81,9 @@ namespace FastPoints.Reading
 
         /// <summary>Offset of the error in the file.</summary>
         public long ErrorOffset;
+
+        // The hash of what is there, where another was wanted.
+        internal ulong ErrorGot;
     }
 
     // Decoding continues from it in any slot with the same reader and attributes. Who requested it disposes it.

@@ -235,6 +235,7 @@ namespace FastPoints.Reading
     {
         public string Path;
         public long FileBytes;
+        public ulong HeadHash;
 
         // Shared by all tiles with equal schemas.
         public PointSchema Schema;

@@ -88,6 +88,7 @@ namespace FastPoints.Reading
         {
             Name = m_tiles[tile].Path,
             FileBytes = m_tiles[tile].FileBytes,
+            HeadHash = m_tiles[tile].HeadHash,
             Points = m_tiles[tile].Points,
             Crs = m_tiles[tile].Crs,
         };
@@ -319,6 +320,7 @@ namespace FastPoints.Reading
                     {
                         Path = path,
                         FileBytes = reader.Info.FileBytes,
+                        HeadHash = reader.Info.HeadHash,
                         Schema = Shared(reader.Info.Schema),
                         Transform = reader.Info.Transform,
                         IsKnown = reader.BlocksAreKnown,

@@ -129,8 +129,9 @@ namespace FastPoints.Store
 
         TableProblem Find(in TableCheck check)
         {
-            if (ContentHash.Of(Table.GetUnsafeReadOnlyPtr(), Table.Length) != Chunk.TableHash)
-                return new TableProblem(TableFault.Hash);
+            ulong hash = ContentHash.Of(Table.GetUnsafeReadOnlyPtr(), Table.Length);
+            if (hash != Chunk.TableHash)
+                return new TableProblem(TableFault.Hash, 0, (long)Chunk.TableHash, (long)hash);
             var problem = check.Find();
             long points = 0;
             for (int n = 0; problem.IsNone && n < check.NodeCount; n++)
