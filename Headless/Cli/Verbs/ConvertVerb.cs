@@ -44,6 +44,7 @@ public sealed class ConvertVerb : Verb
     {
         Description = "Do not go on with a build that was stopped, and keep nothing of this one when it is.",
     };
+    readonly FilterSettings m_filter;
     readonly SourceSettings m_source;
 
     public ConvertVerb() : base(new Command("convert",
@@ -54,6 +55,7 @@ public sealed class ConvertVerb : Verb
         Command.Add(m_sampler);
         Command.Add(m_memory);
         Command.Add(m_attributes);
+        m_filter = new FilterSettings(Command);
         Command.Add(m_report);
         Command.Add(m_discard);
         m_source = new SourceSettings(Command);
@@ -66,6 +68,7 @@ public sealed class ConvertVerb : Verb
         ("./fastpoints convert *.las -o all.fastpoints --attributes Red,Green,Blue", "tiles as one cloud, colour only"),
         ("./fastpoints convert scan.las -o scan.fastpoints --report", "what each sampler costs and gains"),
         ("./fastpoints convert tiles/ -o all.fastpoints", "all clouds in a folder as one"),
+        ("./fastpoints convert scan.las -o ground.fastpoints --classes 2,9", "ground and water"),
     ];
 
     public override void Run(ParseResult parsed, CliRun run)
@@ -96,15 +99,19 @@ public sealed class ConvertVerb : Verb
             throw new UsageException("--attributes: " + reader.Info.Path + " has no " + unknown + "; it has "
                 + string.Join(", ", reader.Info.Schema.Select(a => a.Name)));
         run.IsDiscarding = parsed.GetValue(m_discard);
-        var result = ConvertStep.Run([reader], output, settings, run);
-        run.Points.Add(reader.Info, result.PointsFound);
+        using var filter = m_filter.Read(parsed, reader);
+        var wanted = filter == null ? reader : new FilteredReader(reader, filter);
+        var result = ConvertStep.Run([wanted], output, settings, run);
+        run.Points.Add(reader.Info, filter == null ? result.PointsFound : reader.PointCount);
+        if (result.PointsFound == 0 && reader.PointCount > 0)
+            run.WarnEmpty(output, "left", reader.PointCount, reader.Info.BoundsClaimed, []);
         run.WriteKeys = result.WriteKeys;
         run.Out.WriteLine(output + ": " + result.Describe());
         run.Out.WriteLine("  unit   " + SourceFacts.UnitOf(reader.Info.Crs.Units, result.Result.Manifest.BoundsGeo));
         StageTable.Of(run.Progress).Write(run.Out, "  ");
         if (!parsed.GetValue(m_report))
             return;
-        new SamplerReport(reader, samplers, settings, run).Write();
+        new SamplerReport(wanted, samplers, settings, run).Write();
         run.Out.WriteLine(Path.Combine(samplers, "report.html"));
     }
 }

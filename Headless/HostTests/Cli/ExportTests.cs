@@ -118,6 +118,24 @@ public sealed class ExportTests : ScratchTests
         Assert.That(CliCall.Of(args).Status, Is.EqualTo(4));
     }
 
+    [TestCase("--every-nth", "7"), TestCase("--classes", "2")]
+    [TestCase("--where", "Intensity > 100 && Z > 0", "--returns", "last")]
+    public void Convert_Filtered_HasThePointsThatExportLeaves(params string[] filter)
+    {
+        string cloud = Scratch["part.fastpoints"], tiles = Scratch["two"];
+        Directory.CreateDirectory(tiles);
+        foreach (string tile in new[] { "a.las", "b.las" })
+            File.Copy(m_demo, Path.Combine(tiles, tile), true);
+        foreach (string source in new[] { m_demo, tiles })
+        {
+            string[] build = ["convert", source, "-o", cloud, "--attributes", "Intensity", "--force", .. filter];
+            Assert.That(CliCall.Of(build).Status, Is.Zero);
+            var wanted = Export("wanted.las", [source, "--force", "--attributes", "Intensity", .. filter]);
+            Assert.That(wanted.GetProperty("points").GetInt64(), Is.GreaterThan(0).And.LessThan(120_000));
+            Assert.That(CliCall.Of("verify", cloud, "--against", Scratch["wanted.las"]).Status, Is.Zero);
+        }
+    }
+
     [Test]
     public void Losses_AreNamedOnceInWordsAndInJson()
     {

@@ -149,7 +149,10 @@ namespace FastPoints.Build
                 string path = reader.Info.Path;
                 text.Append(Path.GetFullPath(path)).Append('|').Append(reader.Info.FileBytes).Append('|')
                     .Append(reader.PointCount)
-                    .Append('|').Append(File.Exists(path) ? File.GetLastWriteTimeUtc(path).Ticks : 0).Append('\n');
+                    .Append('|').Append(File.Exists(path) ? File.GetLastWriteTimeUtc(path).Ticks : 0);
+                if (reader.FilterHash != 0)
+                    text.Append('|').Append(reader.FilterHash);
+                text.Append('\n');
             }
             foreach (var attribute in build.Attributes)
                 text.Append(attribute).Append('\n');

@@ -66,7 +66,7 @@ namespace FastPoints.Build
         {
             var paths = new List<string>();
             foreach (var reader in readers)
-                if (reader is TiledReader tiles)
+                if (reader.Unfiltered is TiledReader tiles)
                     paths.AddRange(tiles.Paths);
                 else
                     paths.Add(reader.Info.Path);
@@ -80,9 +80,10 @@ namespace FastPoints.Build
             for (int i = 0; i < readers.Count; i++)
             {
                 var info = readers[i].Info;
-                for (int t = 0; t < (readers[i] as TiledReader)?.TileCount; t++)
-                    AddSource(((TiledReader)readers[i]).TileOf(t), manifest);
-                if (!(readers[i] is TiledReader))
+                var tiles = readers[i].Unfiltered as TiledReader;
+                for (int t = 0; t < tiles?.TileCount; t++)
+                    AddSource(tiles.TileOf(t), manifest);
+                if (tiles == null)
                     AddSource(new CloudManifest.Source
                     {
                         Name = info.Path,

@@ -27,6 +27,12 @@ namespace FastPoints.Reading
             yield break;
         }
 
+        // The reader that this one takes points from, where it leaves some out.
+        internal virtual PointReader Unfiltered => this;
+
+        // Of what it leaves out; 0 for nothing.
+        internal virtual ulong FilterHash => 0;
+
         // The octree that the source contains, or null. Its blocks come level by level within each page of the hierarchy.
         internal virtual SourceTree Tree => null;
 

@@ -1,7 +1,9 @@
 using System;
 using System.Collections.Generic;
 using System.IO;
+using FastPoints.Store;
 using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
 using Unity.Mathematics;
 
 namespace FastPoints.Reading
@@ -38,6 +40,10 @@ namespace FastPoints.Reading
 
         /// <summary>By slab, in each by polygon.</summary>
         public NativeArray<FilterEdge> EdgesOfSlabs { get; private set; }
+
+        /// <summary>Another for other polygons.</summary>
+        public unsafe ulong Hash => ContentHash.Of(EdgesOfSlabs.GetUnsafeReadOnlyPtr(),
+            (long)EdgesOfSlabs.Length * sizeof(FilterEdge)) ^ math.asulong(m_min.x) ^ 2 * math.asulong(m_min.y);
 
         /// <exception cref="PointCloudException">The file cannot be read or is no polygon.</exception>
         public static FilterPolygons Read(string path)

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using FastPoints.Store;
 using FastPoints.Streaming;
 using Unity.Burst;
 using Unity.Collections;
@@ -13,6 +14,7 @@ namespace FastPoints.Reading
     internal sealed class PointFilter : IDisposable
     {
         readonly List<FilterExpression> m_expressions = new List<FilterExpression>();
+        readonly List<string> m_texts = new List<string>();
 
         /// <summary>Every so manieth point in the source's order, from the first; 0 or 1 for all.</summary>
         public long EveryNth;
@@ -42,8 +44,27 @@ namespace FastPoints.Reading
             }
         }
 
+        /// <summary>Another where other points are wanted.</summary>
+        public unsafe ulong Hash
+        {
+            get
+            {
+                ulong hash = (ulong)EveryNth;
+                foreach (string expression in m_texts)
+                    fixed (char* first = expression)
+                        hash = hash * 31 ^ ContentHash.Of(first, expression.Length * sizeof(char));
+                if (Polygons != null)
+                    hash = hash * 31 ^ Polygons.Hash;
+                return hash;
+            }
+        }
+
         /// <exception cref="FormatException">See <see cref="FilterExpression.Parse"/>.</exception>
-        public void Add(string expression) => m_expressions.Add(FilterExpression.Parse(expression));
+        public void Add(string expression)
+        {
+            m_expressions.Add(FilterExpression.Parse(expression));
+            m_texts.Add(expression);
+        }
 
         public void Dispose() => Polygons?.Dispose();
 
