@@ -105,6 +105,8 @@ public sealed class ConvertedCloudFacts
                 + Human.Coordinate(bounds.Min[axis], m_cloud.Grid.Step[axis]) + " to "
                 + Human.Coordinate(bounds.Max[axis], m_cloud.Grid.Step[axis]));
         yield return ("crs", m_cloud.CrsName ?? "unknown");
+        if (SourceFacts.AxesOf(m_cloud.Crs) is var (kind, axes))
+            yield return ("axes", axes + ", " + kind + "; coordinates are never swapped for them");
         yield return ("unit", SourceFacts.UnitOf(m_cloud.Crs.Units, m_cloud.BoundsGeo));
         if (m_cloud.GpsTime.Kind != GpsTimeKind.Unknown)
             yield return ("GPS times", m_cloud.GpsTime.ToString());

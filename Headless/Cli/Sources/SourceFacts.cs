@@ -46,6 +46,8 @@ public sealed class SourceFacts(PointReader reader)
         foreach (var line in SpreadLines())
             yield return line;
         yield return ("crs", Info.Crs.Summary ?? "unknown");
+        if (AxesOf(Info.Crs.ToCloudCrs()) is var (kind, axes))
+            yield return ("axes", axes + ", " + kind + "; coordinates are never swapped for them");
         yield return ("unit", UnitOf(Info.Crs.Units, Info.BoundsTrusted));
         if (Info.GpsTime.Kind != GpsTimeKind.Unknown)
             yield return ("GPS times", Info.GpsTime.ToString());
@@ -162,11 +164,23 @@ public sealed class SourceFacts(PointReader reader)
     public static string UnitOf(CloudUnits units, BoundsGeo bounds) =>
         units.Describe(bounds) + (units.IsKnown ? "" : ": say it by --unit m, ft, us-ft or its metres");
 
+    /// <returns>What EPSG's table says; null where it has no such system.</returns>
+    public static (string Kind, string Axes)? AxesOf(CloudCrs crs)
+    {
+        if (crs.Epsg == 0 || EpsgTable.Find(crs.Epsg) is not { } system)
+            return null;
+        string axes = system.Axes + (system.Axes.Length < 3 && crs.VerticalEpsg != 0
+            ? EpsgTable.Find(crs.VerticalEpsg)?.Axes : "");
+        return (system.Kind.ToString().ToLowerInvariant(), axes);
+    }
+
     public static void WriteCrs(Utf8JsonWriter json, CloudCrs crs, BoundsGeo bounds)
     {
         json.WriteString("crs", crs.Name);
         WriteCode(json, "crsEpsg", crs.Epsg);
         WriteCode(json, "crsVerticalEpsg", crs.VerticalEpsg);
+        json.WriteString("crsKind", AxesOf(crs)?.Kind);
+        json.WriteString("crsAxes", AxesOf(crs)?.Axes);
         json.WriteReal("crsMetresPerUnit", crs.MetresPerUnit > 0 ? crs.MetresPerUnit : double.NaN);
         json.WriteReal("crsVerticalMetresPerUnit", crs.VerticalMetresPerUnit > 0 ? crs.VerticalMetresPerUnit : double.NaN);
         json.WriteBoolean("crsUnitKnown", crs.Units.IsKnown);

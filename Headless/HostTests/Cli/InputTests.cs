@@ -48,6 +48,10 @@ public sealed class InputTests : ScratchPerTest
         json = CliCall.Of("info", Scratch["scan.fastpoints"], "--json", "-").Json;
         Assert.That(json.GetProperty("crs").GetString(), Is.EqualTo("NAD83 / California zone 5 (ftUS) (EPSG:2229+5703)"));
         Assert.That(json.GetProperty("crsVerticalMetresPerUnit").GetDouble(), Is.EqualTo(1));
+        Assert.That((json.GetProperty("crsKind").GetString(), json.GetProperty("crsAxes").GetString()),
+            Is.EqualTo(("projected", "ENU")));
+        var lost = CliCall.Of("export", Scratch["scan.xyz"], "-o", Scratch["scan.las"], "--unit", "us-ft");
+        Assert.That(lost.Error, Does.Contain("the unit, US survey feet"));
         foreach (string wrong in new[] { "--unit=cubit", "--crs=2229" })
             Assert.That(CliCall.Of("info", Scratch["scan.xyz"], wrong).Status, Is.EqualTo(ExitStatus.Usage));
     }

@@ -457,6 +457,11 @@ namespace FastPoints.Export
             {
                 Losses.Add(new Loss("the coordinate system " + crs.Summary, m_path, "LAS has no place for a name alone"));
             }
+            else if (crs.Units.IsKnown)
+            {
+                Losses.Add(new Loss("the unit, " + crs.Units.Describe(BoundsGeo.Empty), m_path,
+                    "LAS has a place for it in a coordinate system alone"));
+            }
         }
 
         void WarnOfKeysAlone(CoordinateSystem crs)
