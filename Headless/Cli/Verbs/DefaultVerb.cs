@@ -204,6 +204,7 @@ public sealed class DefaultVerb : Verb
                 File.Delete(path);
             if (Directory.Exists(cloud) && !before.Contains(cloud))
                 FileChanges.DeleteFolder(cloud);
+            FileChanges.AwaitDeletes();
             if (Directory.EnumerateFileSystemEntries(folder).Any(e => Path.GetFileName(e) != SummaryName))
                 return;
             File.Delete(summary);
