@@ -107,6 +107,8 @@ publish() { # rid
   }
 }
 
+zip_folder() { (cd "$scratch" && zip -qrX "$2" "$1"); }
+
 is_program_of() { # rid, file: by its first bytes, and for processors of ELF by their number
   local start
   start=$(od -An -tx1 -N20 "$2" | tr -d ' \n')
@@ -124,7 +126,7 @@ make_archive() { # rid
   case $rid in win-*) program=fastpoints.exe archive=$name.zip ;; *) archive=$name.tar.gz ;; esac
   if ! publish "$rid" >"$scratch/publish.log" 2>&1 </dev/null; then
     if grep -qE 'error NU11' "$scratch/publish.log"; then
-      skip "$archive: $(grep -oE 'Unable to find [^.]*[A-Za-z0-9.-]+' "$scratch/publish.log" | sort -u | paste -sd';')"
+      skip "$archive: $(grep -oE 'Unable to find [^.]*[A-Za-z0-9.-]+' "$scratch/publish.log" | sed 's/\.$//' | sort -u | paste -sd,)"
       if [ -n "$all" ]; then failed=$((failed + 1)); fi
     else
       failed=$((failed + 1))
@@ -142,7 +144,7 @@ make_archive() { # rid
   check "$archive is one program" [ "$(ls "$scratch/publish-$rid" | grep -vc '\.pdb$')" -eq 1 ]
   check "$archive is of its system" is_program_of "$rid" "$scratch/$name/$program"
   case $archive in
-    *.zip) check "$archive" eval 'cd "$scratch" && zip -qrX "$folder/$archive" "$name"' ;;
+    *.zip) check "$archive" zip_folder "$name" "$folder/$archive" ;;
     *) check "$archive" tar -C "$scratch" --owner=0 --group=0 --numeric-owner -czf "$folder/$archive" "$name" ;;
   esac || return
   echo "$archive: $(size "$folder/$archive"); unpacked $(size "$scratch/$name/$program")"
