@@ -81,7 +81,9 @@ only=${2:+&FullyQualifiedName~$2}
 run_tests() { # way, assembly, filter
   local name=$1-$2 start=$SECONDS trx log=$results/$1-$2.log
   trx=$results/$name.trx
-  REAL_ENTITIES=$1 dotnet test "$artifacts/$1/$2/$2.dll" --results-directory "$results" --logger "trx;LogFileName=$name.trx" \
+  # Both ways run at once, and make scans of the same names.
+  mkdir -p "$artifacts/$1/tmp"
+  TMPDIR=$artifacts/$1/tmp REAL_ENTITIES=$1 dotnet test "$artifacts/$1/$2/$2.dll" --results-directory "$results" --logger "trx;LogFileName=$name.trx" \
     --logger "console;verbosity=minimal" --filter "$3" >"$log" 2>&1 </dev/null
   echo "$? $((SECONDS - start))" >"$results/$name.ended"
 }

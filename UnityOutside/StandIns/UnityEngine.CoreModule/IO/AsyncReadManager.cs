@@ -1,7 +1,7 @@
 namespace Unity.IO.LowLevel.Unsafe;
 
 /// <summary>Reads files into native memory on threads of its own.</summary>
-public static unsafe class AsyncReadManager
+public static unsafe partial class AsyncReadManager
 {
     /// <summary>Opens the file if it is not open since a read before, and reads the commands one after the other. The commands
     /// and their memory must stay until the read is done.</summary>
