@@ -317,5 +317,13 @@ public sealed class CloudDropTests : EditorFixture
         Assert.That(made.transform.parent, Is.SameAs(on.transform));
         made = Drop(0, HierarchyDropFlags.None);
         Assert.That(made.scene == first, Is.True);
+
+        var standard = ObjectFactory.s_defaultParent = new GameObject("default parent").transform;
+        standard.position = new Vector3(100, 0, 0);
+        on.transform.position = new Vector3(0, 5, 0);
+        Assert.That(Drop(1, HierarchyDropFlags.DropUpon).transform.position, Is.EqualTo(new Vector3(0, 5, 0)));
+        made = Drop(7, HierarchyDropFlags.DropUpon);
+        Assert.That((made.transform.parent, made.transform.position), Is.EqualTo(((Transform)null, new Vector3(0, 0, 0))));
+        ObjectFactory.s_defaultParent = null;
     }
 }

@@ -129,9 +129,14 @@ public static class PrefabUtility
 /// <summary>Undo takes away what it makes.</summary>
 public static class ObjectFactory
 {
+    /// <summary>The Hierarchy's; null for none.</summary>
+    internal static Transform s_defaultParent;
+
     public static GameObject CreateGameObject(string name, params Type[] types)
     {
         var made = new GameObject(name);
+        if (s_defaultParent != null)
+            made.transform.SetParent(s_defaultParent, true);
         Undo.Add(() => Object.DestroyImmediate(made));
         return made;
     }

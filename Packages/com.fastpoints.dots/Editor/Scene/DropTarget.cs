@@ -100,15 +100,13 @@ namespace FastPoints.Editor
         GameObject Create(string name, Transform parent, bool isOfDrop)
         {
             var made = ObjectFactory.CreateGameObject(name);
+            // The Hierarchy's default parent has it by its place in the world: beneath another it would lie elsewhere.
+            if (parent != null || Scene.IsValid())
+                made.transform.SetParent(null, true);
             if (parent != null)
-            {
                 made.transform.SetParent(parent, false);
-            }
             else if (Scene.IsValid() && made.scene != Scene)
-            {
-                made.transform.SetParent(null, false);
                 SceneManager.MoveGameObjectToScene(made, Scene);
-            }
             if (isOfDrop && m_sibling >= 0)
                 made.transform.SetSiblingIndex(m_sibling++);
             return made;

@@ -40,9 +40,13 @@ public class Transform : Component
     internal Transform Parent { get; private set; }
     internal List<Transform> Children { get; } = new List<Transform>();
 
-    /// <summary>Remembered, but the matrix stays its own.</summary>
+    /// <summary>The parent is remembered, and moves it no more.</summary>
     public void SetParent(Transform parent, bool worldPositionStays)
     {
+        if (!worldPositionStays && Parent is not null)
+            localToWorldMatrix = Parent.localToWorldMatrix.inverse * localToWorldMatrix;
+        if (!worldPositionStays && parent is not null)
+            localToWorldMatrix = parent.localToWorldMatrix * localToWorldMatrix;
         Leave();
         Parent = parent;
         parent?.Children.Add(this);

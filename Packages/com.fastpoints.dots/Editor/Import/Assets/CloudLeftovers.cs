@@ -38,7 +38,8 @@ namespace FastPoints.Editor
         /// <summary>Called once an update of the editor: not while Unity imports.</summary>
         public void Prompt()
         {
-            if (m_left.Count == 0)
+            // A question would be in the way of who plays.
+            if (m_left.Count == 0 || EditorApplication.isPlayingOrWillChangePlaymode)
                 return;
             foreach (string cloud in m_left)
                 if (!CloudFolder.IsCloud(cloud) && m_imports.Assets.Of(cloud).Count == 0 &&

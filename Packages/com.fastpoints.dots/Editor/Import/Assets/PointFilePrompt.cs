@@ -41,7 +41,9 @@ namespace FastPoints.Editor
                 m_before = m_settings.PointFiles;
                 AddExisting();
             }
-            if (m_offered.Count == 0 || m_settings.PointFiles != PointFiles.Ask || Application.isBatchMode)
+            // A question would be in the way of who plays.
+            if (m_offered.Count == 0 || m_settings.PointFiles != PointFiles.Ask || Application.isBatchMode ||
+                EditorApplication.isPlayingOrWillChangePlaymode)
                 return;
             m_settings.PointFiles = EditorUtility.DisplayDialog("Point clouds in Assets", "Shall FastPoints import the LAS, " +
                 "LAZ and PLY files in Assets, " + m_offered.Count + " now, that no other package imports? The answer is kept: " +
