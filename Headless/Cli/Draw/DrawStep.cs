@@ -26,7 +26,7 @@ public sealed class DrawStep
             Points = draw.PointsDrawn,
             Seconds = run.Seconds - begin,
             Image = draw.Image,
-            Legend = Legend.Of(draw.Plan, options),
+            Legend = Legend.Of(draw.Plan, options, reader.Info.Crs.ToCloudCrs()),
             Assumptions = draw.Plan.Assumptions,
         };
     }
@@ -45,7 +45,7 @@ public sealed class DrawStep
             Nodes = draw.NodesDrawn,
             Seconds = run.Seconds - begin,
             Image = draw.Image,
-            Legend = Legend.Of(draw.Plan, options),
+            Legend = Legend.Of(draw.Plan, options, folder.Manifest.Crs),
             Assumptions = draw.Plan.Assumptions,
         };
     }
@@ -67,8 +67,8 @@ public sealed class DrawStep
         Legend? legend = null;
         foreach (string path in paths)
         {
-            var (plan, _, number) = FlightCloud.Add(path, stream, options, run.Cancellation);
-            legend ??= Legend.Of(plan, options);
+            var (plan, _, number, crs) = FlightCloud.Add(path, stream, options, run.Cancellation);
+            legend ??= Legend.Of(plan, options, crs);
             picture.Add(number, plan);
             assumptions.AddRange(plan.Assumptions);
             camera ??= plan.Camera;

@@ -6,7 +6,7 @@ using FastPoints.Sources;
 namespace FastPoints.Cli.Draw;
 
 /// <summary>A cloud that is flown over: its number in the stream, and how it is drawn.</summary>
-sealed record FlightCloud(PicturePlan Plan, DisplayRanges Ranges, int Number)
+sealed record FlightCloud(PicturePlan Plan, DisplayRanges Ranges, int Number, CloudCrs Crs)
 {
     const int PointsToPlanWith = DrawStored.PointsToPlanWith, PxOfDegrees = 3;
 
@@ -29,7 +29,8 @@ sealed record FlightCloud(PicturePlan Plan, DisplayRanges Ranges, int Number)
             var source = new TreeSource(reader,
                 CloudLooks.PlanesFor(ranges.Resolve(options.Color), !options.HiddenClasses.IsEmpty));
             var plan = new PicturePlan(options, ranges, source.Grid.FromCorner(source.Root.Corner));
-            return new FlightCloud(plan, ranges, stream.Add(source, CloudPlacement.Geo(source.Grid, source.Root)));
+            return new FlightCloud(plan, ranges, stream.Add(source, CloudPlacement.Geo(source.Grid, source.Root)),
+                reader.Info.Crs.ToCloudCrs());
         }
         catch
         {
@@ -78,7 +79,7 @@ sealed record FlightCloud(PicturePlan Plan, DisplayRanges Ranges, int Number)
         }
         var source = new TreeSource(sample, CloudLooks.PlanesFor(ranges.Resolve(options.Color), !options.HiddenClasses.IsEmpty));
         return new FlightCloud(new PicturePlan(options, ranges, source.Grid.FromCorner(source.Root.Corner)), ranges,
-            stream.Add(source, CloudPlacement.Geo(source.Grid, source.Root)));
+            stream.Add(source, CloudPlacement.Geo(source.Grid, source.Root)), reader.Info.Crs.ToCloudCrs());
     }
 
     static FlightCloud AddFolder(string path, StreamContext stream, PictureOptions options, CancellationToken cancellation)
@@ -99,7 +100,8 @@ sealed record FlightCloud(PicturePlan Plan, DisplayRanges Ranges, int Number)
             }
             var plan = new PicturePlan(options, ranges, transform);
             var source = new FolderSource(folder, CloudLooks.PlanesFor(plan.Mode, !options.HiddenClasses.IsEmpty));
-            return new FlightCloud(plan, ranges, stream.Add(source, CloudPlacement.Geo(source.Grid, source.Root)));
+            return new FlightCloud(plan, ranges, stream.Add(source, CloudPlacement.Geo(source.Grid, source.Root)),
+                folder.Manifest.Crs);
         }
         catch
         {

@@ -18,13 +18,14 @@ public static class StreamedPictureStep
         using var picture = new StreamedPicture(options);
         run.Progress.Begin("select");
         var bounds = BoundsGeo.Empty;
-        (PicturePlan Plan, DisplayRanges Ranges)? legend = null;
+        FlightCloud? first = null;
         List<double3> outline = [], rim = [];
         var assumptions = new List<string>();
         foreach (string cloud in clouds)
         {
-            var (plan, ranges, number) = FlightCloud.Add(cloud, stream, options, run.Cancellation);
-            legend ??= (plan, ranges);
+            var added = FlightCloud.Add(cloud, stream, options, run.Cancellation);
+            var (plan, ranges, number, _) = added;
+            first ??= added;
             picture.Add(new StreamedBlocks(stream, number, plan), plan.Mode);
             assumptions.AddRange(plan.Assumptions.Where(a => !assumptions.Contains(a)));
             outline.AddRange(ranges.Outline);
@@ -52,7 +53,7 @@ public static class StreamedPictureStep
             Nodes = stats.DrawnNodes,
             Seconds = run.Seconds - begin,
             Image = image,
-            Legend = new Legend(legend!.Value.Plan.Mode, legend.Value.Ranges, camera, options),
+            Legend = new Legend(first!.Plan.Mode, first.Ranges, camera, options, first.Crs),
             Assumptions = assumptions,
         };
     }

@@ -38,7 +38,7 @@ public sealed class PreviewStep
             Slices = slices,
             Seconds = run.Seconds - begin,
             Image = preview.Image,
-            Legend = Legend.Of(preview.Plan, options.Picture),
+            Legend = Legend.Of(preview.Plan, options.Picture, reader.Info.Crs.ToCloudCrs()),
             Camera = preview.Plan.Camera,
             Mode = preview.Plan.Mode,
             Assumptions = preview.Plan.Assumptions,

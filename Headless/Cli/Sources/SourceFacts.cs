@@ -174,6 +174,11 @@ public sealed class SourceFacts(PointReader reader)
         return (system.Kind.ToString().ToLowerInvariant(), axes);
     }
 
+    /// <summary>A projected system whose second coordinate grows to the north, whatever the order of its axes.</summary>
+    public static bool IsNorthAlongY(CloudCrs crs) => AxesOf(crs) is var (kind, axes)
+        ? kind == "projected" && axes.Contains('N') && axes.Contains('E')
+        : crs.Wkt is { } wkt && (wkt.Contains("PROJCS[") || wkt.Contains("PROJCRS[")) && !wkt.Contains("SOUTH");
+
     public static void WriteCrs(Utf8JsonWriter json, CloudCrs crs, BoundsGeo bounds)
     {
         json.WriteString("crs", crs.Name);

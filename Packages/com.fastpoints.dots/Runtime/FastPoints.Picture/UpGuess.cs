@@ -4,13 +4,17 @@ using Unity.Mathematics;
 
 namespace FastPoints.Picture
 {
-    // Guesses the up axis of formats that do not say it: across the plane that most points lie in, the ground or a floor.
+    // Guesses the up axis of formats that do not say it: across the plane that most points lie in, the ground or a floor. Without
+    // one it is Y, as models have it, but where coordinates are a survey's.
     static class UpGuess
     {
         const double Thickness = 1.0 / 32; // Of the longest edge.
 
         // So many times as many points lie in it as in the best plane across another axis.
         const double MinRatio = 1.5;
+
+        // Models lie about their origin. What is so many times its own size away from it was surveyed.
+        const double MinSizesFromOrigin = 100;
 
         // All but PLY have Z up, by their standards or by custom.
         public static bool Applies(string format) => format != null && format.StartsWith("PLY", StringComparison.Ordinal);
@@ -19,7 +23,7 @@ namespace FastPoints.Picture
         public static UpAxis Of(double3[] positions, out string reason)
         {
             var shares = new double3();
-            double longest = 0;
+            double longest = 0, farthest = 0;
             var values = new double[3][];
             for (int axis = 0; axis < 3; axis++)
             {
@@ -27,8 +31,10 @@ namespace FastPoints.Picture
                 for (int i = 0; i < positions.Length; i++)
                     values[axis][i] = positions[i][axis];
                 Array.Sort(values[axis]);
-                if (positions.Length > 0)
-                    longest = math.max(longest, values[axis][positions.Length - 1] - values[axis][0]);
+                if (positions.Length == 0)
+                    continue;
+                longest = math.max(longest, values[axis][positions.Length - 1] - values[axis][0]);
+                farthest = math.max(farthest, math.abs(values[axis][positions.Length / 2]));
             }
             int best = 2;
             for (int axis = 0; axis < 3; axis++)
@@ -39,9 +45,11 @@ namespace FastPoints.Picture
             double other = math.max(shares[(best + 1) % 3], shares[(best + 2) % 3]);
             bool isClear = shares[best] > MinRatio * other;
             string share = (100 * shares[best]).ToString("0", CultureInfo.InvariantCulture) + " %";
-            reason = isClear ? (UpAxis)best + " is taken for up: " + share + " of the points lie in one plane across it"
-                : "Z is taken for up, as no plane across an axis has most points";
-            return isClear ? (UpAxis)best : UpAxis.Z;
+            bool isModel = positions.Length > 0 && farthest <= MinSizesFromOrigin * longest;
+            var up = isClear ? (UpAxis)best : isModel ? UpAxis.Y : UpAxis.Z;
+            reason = up + " is taken for up: " + (isClear ? share + " of the points lie in one plane across it"
+                : "no plane across an axis has most points, and this looks like a " + (isModel ? "model" : "survey"));
+            return up;
         }
 
         // The most of some sorted values that lie within a length.

@@ -161,7 +161,7 @@ namespace FastPoints.Store
                 json.BeginObject("shown").Add("min", of.Min.x, of.Min.y, of.Min.z).Add("max", of.Max.x, of.Max.y, of.Max.z)
                     .Add("elevationMin", shown.Elevation.Min).Add("elevationMax", shown.Elevation.Max)
                     .Add("intensityMin", shown.Intensity.Min).Add("intensityMax", shown.Intensity.Max)
-                    .Add("color", shown.HasColor).EndObject();
+                    .Add("color", shown.HasColor).Add("classes", shown.AreClassesSet).EndObject();
             }
             Write(json.BeginObject("crs"), Crs);
             if (GpsTime.Kind != GpsTimeKind.Unknown)
@@ -301,6 +301,7 @@ namespace FastPoints.Store
             Elevation = new Range { Min = shown.Number("elevationMin"), Max = shown.Number("elevationMax") },
             Intensity = new Range { Min = shown.Number("intensityMin"), Max = shown.Number("intensityMax") },
             HasColor = shown.Flag("color"),
+            AreClassesSet = shown.Has("classes") && shown.Flag("classes"),
         };
 
         void ReadProvenance(JsonMembers json)
@@ -358,5 +359,6 @@ namespace FastPoints.Store
         public CloudManifest.Range Elevation; // Along Z, in CRS units.
         public CloudManifest.Range Intensity; // Stored values; both 0 where there is no intensity.
         public bool HasColor; // More than outliers have it.
+        public bool AreClassesSet; // Several, and most points are of one that means something.
     }
 }

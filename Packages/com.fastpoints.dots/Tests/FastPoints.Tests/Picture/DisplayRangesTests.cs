@@ -81,7 +81,7 @@ namespace FastPoints.Tests.Picture
         }
 
         [Test]
-        public void Measure_IntensityThatVaries_IsUsedBeforeElevation()
+        public void Measure_IntensityThatVaries_HasItsRange()
         {
             using var batch = TestBatches.Scan(5000, 4);
             var ranges = Measure(batch);
@@ -89,30 +89,17 @@ namespace FastPoints.Tests.Picture
             Assert.That(ranges.IntensityLow, Is.InRange(10, 90));
             Assert.That(ranges.IntensityHigh, Is.InRange(3900, 4000));
             Assert.That(ranges.Color, Is.EqualTo(ColorDepth.Bits16));
-            ranges.Color = ColorDepth.None;
-            ranges.IsIntensityUseful = true;
-            Assert.That(ranges.Resolve(ColorMode.Auto), Is.EqualTo(ColorMode.Intensity));
-            ranges.IsIntensityUseful = false;
-            Assert.That(ranges.Resolve(ColorMode.Auto), Is.EqualTo(ColorMode.Elevation));
-            Assert.That(ranges.Resolve(ColorMode.Classification), Is.EqualTo(ColorMode.Classification));
         }
 
-        [TestCase("stripes", ColorMode.Intensity), TestCase("noisy stripes", ColorMode.Intensity)]
-        [TestCase("noise", ColorMode.Elevation), TestCase("nearly flat", ColorMode.Elevation)]
-        [TestCase("flat", ColorMode.Elevation)]
-        public void Resolve_IntensityOf_IsUsedWhereItShowsAnything(string kind, ColorMode mode)
+        [TestCase(0, 0, ColorMode.Elevation), TestCase(0, 1, ColorMode.Elevation), TestCase(2, 2, ColorMode.Elevation)]
+        [TestCase(2, 1, ColorMode.Elevation), TestCase(1, 2, ColorMode.Classification), TestCase(2, 6, ColorMode.Classification)]
+        public void Resolve_WithoutColour_IsClassesWhereTheyAreSetElseElevation(int one, int other, ColorMode mode)
         {
-            using var batch = TestBatches.Scan(20_000, 4);
-            var random = new Unity.Mathematics.Random(8);
+            using var batch = TestBatches.Scan(5000, 4);
             for (int i = 0; i < batch.Count; i++)
-            {
-                double noise = random.NextDouble(0, 1000), x = random.NextDouble(0, 100_000);
-                double stripe = x % 25_000 < 12_500 ? 500 : 1500;
-                TestBatches.Set(batch, 0, i, x);
-                TestBatches.Set(batch, 3, i, kind == "noise" ? noise : kind == "stripes" ? stripe
-                    : kind == "noisy stripes" ? stripe + noise : kind == "nearly flat" && i % 10 == 0 ? stripe : 700);
-            }
+                TestBatches.Set(batch, 4, i, i % 3 == 0 ? one : other);
             var ranges = Measure(batch);
+            Assert.That(ranges.Resolve(ColorMode.Auto), Is.EqualTo(ColorMode.Rgb));
             ranges.Color = ColorDepth.None;
             Assert.That(ranges.Resolve(ColorMode.Auto), Is.EqualTo(mode));
             Assert.That(ranges.Resolve(ColorMode.Intensity), Is.EqualTo(ColorMode.Intensity));
@@ -142,15 +129,15 @@ namespace FastPoints.Tests.Picture
             Assert.That(reason, Does.Match("^[XYZ] is taken for up: [34]. % of the points lie in one plane across it$"));
         }
 
-        [Test]
-        public void UpGuess_NoPlane_IsZAndReportsIt()
+        [TestCase(0, UpAxis.Y, "model"), TestCase(500_000, UpAxis.Z, "survey")]
+        public void UpGuess_NoPlane_IsYOfModelsAndZOfSurveys(double x, UpAxis up, string kind)
         {
             var random = new Unity.Mathematics.Random(3);
             var ball = new double3[4000];
             for (int i = 0; i < ball.Length; i++)
-                ball[i] = math.normalize(random.NextDouble3(new double3(-1, -1, -1), new double3(1, 1, 1)));
-            Assert.That(UpGuess.Of(ball, out string reason), Is.EqualTo(UpAxis.Z));
-            Assert.That(reason, Does.Contain("no plane"));
+                ball[i] = math.normalize(random.NextDouble3(new double3(-1, -1, -1), new double3(1, 1, 1))) + new double3(x, 0, 0);
+            Assert.That(UpGuess.Of(ball, out string reason), Is.EqualTo(up));
+            Assert.That(reason, Does.Contain("no plane").And.Contains(kind));
             Assert.That(UpGuess.Of(new double3[0], out _), Is.EqualTo(UpAxis.Z));
         }
 

@@ -37,7 +37,7 @@ namespace FastPoints.Drawing
     /// <summary>What the colour of a point shows.</summary>
     public enum ColorMode
     {
-        /// <summary>RGB if there is any and it is not all black, else intensity if it shows anything, else elevation.</summary>
+        /// <summary>RGB if there is any and it is not all black, else classes where they are set, else elevation.</summary>
         Auto,
         /// <summary>The point's own colour: its sRGB values as they are, or the upper eight of sixteen bits.</summary>
         Rgb,

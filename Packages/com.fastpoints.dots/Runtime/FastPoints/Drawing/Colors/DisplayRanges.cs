@@ -32,7 +32,8 @@ namespace FastPoints.Drawing
         const double DarkestColor = 12;
 
         const int MaxOutlinePoints = 4096;
-        const int SignalParts = 4; // A millisecond each.
+        const int MaxPointsForClasses = 100_000;
+        const int FirstClassWithMeaning = 2; // 0 and 1 are points that nobody has classified.
         const int PointsPerSlice = 1 << 17; // Less than a millisecond of managed code.
 
         // The position first.
@@ -97,14 +98,14 @@ namespace FastPoints.Drawing
 
         public bool HasIntensity;
 
-        /// <summary>Whether neighbours have more alike intensity than any two points, and not nearly all the same.</summary>
-        public bool IsIntensityUseful;
-
         /// <summary>Those of <see cref="ColorModes.Categories"/> whose attributes are there.</summary>
         public readonly HashSet<ColorMode> Categories = new HashSet<ColorMode>();
 
-        /// <summary>Classes of some of the points, where they have any.</summary>
+        /// <summary>Classes of some of the points, where they have any; none of a manifest.</summary>
         public readonly SortedSet<int> Classes = new SortedSet<int>();
+
+        /// <summary>There are several classes, and most points are of one that means something.</summary>
+        public bool AreClassesSet;
 
         /// <summary>None where there is no colour or it is all black.</summary>
         public ColorDepth Color;
@@ -119,6 +120,7 @@ namespace FastPoints.Drawing
             Elevation = new CloudManifest.Range { Min = ElevationLow, Max = ElevationHigh },
             Intensity = new CloudManifest.Range { Min = IntensityLow, Max = IntensityHigh },
             HasColor = Color != ColorDepth.None,
+            AreClassesSet = AreClassesSet,
         };
 
         /// <summary>What a manifest says: what is shown of the cloud, or else bounds and ranges with outliers.</summary>
@@ -139,6 +141,7 @@ namespace FastPoints.Drawing
                 ranges.Robust = shown.BoundsGeo;
                 ranges.ElevationLow = shown.Elevation.Min;
                 ranges.ElevationHigh = shown.Elevation.Max;
+                ranges.AreClassesSet = shown.AreClassesSet;
             }
             ranges.SetLengths();
             int intensity = manifest.Attributes.IndexOf(AttributeNames.Intensity);
@@ -147,7 +150,7 @@ namespace FastPoints.Drawing
                 ranges.HasIntensity = true;
                 ranges.IntensityLow = manifest.Ranges[intensity].Min;
                 ranges.IntensityHigh = manifest.Ranges[intensity].Max;
-                ranges.IsIntensityUseful = ranges.IntensityVaries = ranges.IntensityHigh > ranges.IntensityLow;
+                ranges.IntensityVaries = ranges.IntensityHigh > ranges.IntensityLow;
                 if (manifest.Shown is StoredDisplayRanges of && ranges.IntensityVaries)
                 {
                     ranges.IntensityLow = of.Intensity.Min;
@@ -200,16 +203,7 @@ namespace FastPoints.Drawing
                 yield return JobStep.Of(MeasureRim(points, transform));
                 FindClasses(points);
                 if (found[IntensityColumn].IsCreated)
-                {
                     SetIntensity(found[IntensityColumn].Value);
-                    var signal = new SpatialSignal(Robust);
-                    for (int part = 0; IntensityVaries && part < SignalParts; part++)
-                    {
-                        yield return default;
-                        AddSignal(signal, points, transform, part);
-                    }
-                    IsIntensityUseful = IntensityVaries && signal.IsFound;
-                }
                 if (points.Schema.HasColor)
                     SetColor(points.Schema[points.Schema.IndexOf(AttributeNames.Red)].Type, found[IntensityColumn + 1].Value,
                         found[IntensityColumn + 2].Value, found[IntensityColumn + 3].Value);
@@ -327,7 +321,7 @@ namespace FastPoints.Drawing
                     return wanted;
                 default:
                     return Categories.Contains(wanted) ? wanted
-                        : Color != ColorDepth.None ? ColorMode.Rgb : IsIntensityUseful ? ColorMode.Intensity
+                        : Color != ColorDepth.None ? ColorMode.Rgb : AreClassesSet ? ColorMode.Classification
                             : ColorMode.Elevation;
             }
         }
@@ -460,28 +454,19 @@ namespace FastPoints.Drawing
         unsafe void FindClasses(PointBatch points)
         {
             int at = points.Schema.IndexOf(AttributeNames.Classification);
-            int step = (points.Count + SpatialSignal.MaxPoints - 1) / SpatialSignal.MaxPoints;
+            int step = (points.Count + MaxPointsForClasses - 1) / MaxPointsForClasses;
             if (at < 0)
                 return;
             var column = points.Column(at);
             byte* bytes = (byte*)points.Bytes.GetUnsafeReadOnlyPtr();
-            for (long i = 0; i < points.Count; i += step)
-                Classes.Add((int)ColumnValues.ToDouble(bytes + column.OffsetBytes, column.Type, (int)i));
-        }
-
-        unsafe void AddSignal(SpatialSignal signal, PointBatch points, PositionTransform transform, int part)
-        {
-            var columns = PositionColumns.Of(points);
-            var intensity = points.Column(points.Schema.IndexOf(m_columns[IntensityColumn]));
-            byte* bytes = (byte*)points.Bytes.GetUnsafeReadOnlyPtr();
-            int step = (points.Count + SpatialSignal.MaxPoints - 1) / SpatialSignal.MaxPoints;
-            for (long i = (long)part * step; i < points.Count; i += (long)SignalParts * step)
+            int looked = 0, meant = 0;
+            for (long i = 0; i < points.Count; i += step, looked++)
             {
-                var position = columns.GeoAt(bytes, transform, (int)i);
-                double value = ColumnValues.ToDouble(bytes + intensity.OffsetBytes, intensity.Type, (int)i);
-                if (Robust.Contains(position) && value - value == 0)
-                    signal.Add(position, math.clamp(value, IntensityLow, IntensityHigh));
+                int found = (int)ColumnValues.ToDouble(bytes + column.OffsetBytes, column.Type, (int)i);
+                Classes.Add(found);
+                meant += found >= FirstClassWithMeaning ? 1 : 0;
             }
+            AreClassesSet = Classes.Count > 1 && 2 * meant > looked;
         }
 
         void SetColor(AttributeType type, ColumnQuantiles red, ColumnQuantiles green, ColumnQuantiles blue)
