@@ -11,6 +11,9 @@ public sealed class ReportPage(string title, string? lead = null)
 
     public static string Escape(string text) => WebUtility.HtmlEncode(text);
 
+    /// <summary>Long names of one word break behind their underscores and slashes, not within parts.</summary>
+    static string Breakable(string text) => Escape(text).Replace("_", "_<wbr>").Replace("/", "/<wbr>");
+
     static string Resource(string name)
     {
         using var reader = new StreamReader(typeof(ReportPage).Assembly.GetManifestResourceStream(name)!);
@@ -20,17 +23,17 @@ public sealed class ReportPage(string title, string? lead = null)
     public void Html(string html) => m_body.Append(html).Append('\n');
 
     /// <summary>The 3D view.</summary>
-    public void View(string json, byte[] png, string alt, string time, string note)
+    public void View(string json, byte[] png, string alt, string time, string note, string unit)
     {
         string[] parts = Resource("view.html").Replace("{alt}", Escape(alt)).Replace("{time}", Escape(time))
-            .Replace("{note}", note).Replace("{png}", System.Convert.ToBase64String(png)).Split("{data}");
+            .Replace("{note}", note).Replace("{unit}", Escape(unit)).Replace("{png}", System.Convert.ToBase64String(png)).Split("{data}");
         m_body.Append(parts[0]).Append(json).Append(parts[1]);
-        m_scripts.Add("view.js");
+        m_scripts.AddRange(["points.js", "camera.js", "renderer.js", "colors.js", "tools.js", "view.js"]);
     }
 
     public void Tiles(IEnumerable<(string Name, string Value)> tiles) =>
         Html("<dl class=\"tiles\">" + string.Concat(tiles.Select(t =>
-            $"<div><dt>{Escape(t.Name)}</dt><dd>{Escape(t.Value)}</dd></div>\n")) + "</dl>");
+            $"<div><dt>{Escape(t.Name)}</dt><dd>{Breakable(t.Value)}</dd></div>\n")) + "</dl>");
 
     public void Row(IEnumerable<string> html) => Html("<div class=\"row\">" + string.Concat(html.Select(h =>
         "<figure>" + h + "</figure>\n")) + "</div>");
@@ -50,7 +53,7 @@ public sealed class ReportPage(string title, string? lead = null)
     {
         m_body.Append("<table class=\"facts\">\n");
         foreach (var (name, value) in facts)
-            m_body.Append("<tr><td>").Append(Escape(name)).Append("</td><td>").Append(Escape(value)).Append("</td></tr>\n");
+            m_body.Append("<tr><td>").Append(Escape(name)).Append("</td><td>").Append(Breakable(value)).Append("</td></tr>\n");
         m_body.Append("</table>\n");
     }
 

@@ -18,6 +18,9 @@ sealed class CloudPage
     public required IReadOnlyList<string> Inputs { get; init; }
     public required UpAxis UpAxis { get; init; }
 
+    /// <summary>Else the cloud is gone once its page is there.</summary>
+    public required bool IsKept { get; init; }
+
     SourceInfo Info => Facts.Info;
     CloudManifest Manifest => Convert.Result.Manifest;
 
@@ -26,19 +29,16 @@ sealed class CloudPage
 
     public byte[] ToBytes()
     {
-        var density = new DensityMap(View.Points, View.Bounds, View.Ranges.LengthsPerUnit, UpAxis, Manifest.Points);
-        var page = new ReportPage(Name, Facts.Kind + " · " + (Info.Crs.Units.IsKnown ? "in " : "UNIT ") +
-            Info.Crs.Units.Describe(BoundsGeo.Empty) + " · made by FastPoints " + Version + " on " + Today);
-        page.Tiles(Tiles(density));
-        var odd = Odd().ToList();
-        page.Html(odd.Count == 0 ? "<p class=\"note\">Nothing odd was found in it.</p>"
-            : "<ul class=\"odd\" aria-label=\"What is odd\">"
-                + string.Concat(odd.Select(o => $"<li>{ReportPage.Escape(o)}</li>")) + "</ul>");
+        var distribution = new CloudDistribution(View, UpAxis, Manifest.Points, Manifest.BoundsGeo);
+        var page = new ReportPage(Name, Facts.Kind + " · " + UnitOf(Info.Crs.Units) + " · made by FastPoints " + Version + " on " + Today);
+        page.Tiles(distribution.Tiles().Concat([("coordinates", Info.Crs.Summary ?? "unknown"),
+            ("size", Human.Bytes(Info.FileBytes)), ("as an octree", Human.Bytes(Convert.Result.BytesOnDisk))]));
+        CloudDistribution.Write(page, Odd(distribution).ToList());
         var pictures = Pictures().ToList();
         byte[] preview = Preview.ToPng(isPlain: false);
         int others = pictures.Sum(p => p.Length) + 4 * preview.Length / 3 + 200_000;
         string json = View.ToJson(Math.Max(MaxBytes - others, MaxBytes / 8), out int shown);
-        page.View(json, preview, Name + ": " + Human.Count(shown) + " of its points", "Waves of the preview", Note(shown));
+        page.View(json, preview, Name + ": " + Human.Count(shown) + " of its points", "Waves of the preview", Note(shown), View.Unit);
         page.Heading("Facts");
         page.Html("<div class=\"row two\"><div>");
         page.Facts(Facts.Lines());
@@ -52,7 +52,7 @@ sealed class CloudPage
         page.Table(Attributes());
         page.Html("</div></div>");
         page.Heading("Distribution");
-        page.Row(density.HasArea ? Histograms().Append(density.ToHtml(View.Unit)) : Histograms());
+        page.Row(distribution.Charts());
         Speed(page);
         page.Heading("Pictures of the octree");
         page.Row(pictures);
@@ -68,24 +68,8 @@ sealed class CloudPage
     public static string Today => DateTime.UtcNow.ToString("yyyy-MM-dd HH:mm", CultureInfo.InvariantCulture) + " UTC";
     public static string Version => typeof(CloudPage).Assembly.GetName().Version!.ToString(3);
 
-    IEnumerable<(string, string)> Tiles(DensityMap density)
-    {
-        yield return ("points", Human.Count(Manifest.Points));
-        if (!Manifest.BoundsGeo.IsEmpty)
-        {
-            double3 size = Manifest.BoundsGeo.Size * View.Ranges.LengthsPerUnit;
-            yield return ("extent, " + View.Unit, string.Join(" × ", new[] { size.x, size.y, size.z }.Select(Amount)));
-        }
-        yield return ("median density", density.HasArea ? Amount(density.Quartiles[1]) + " /" + View.Unit + "²" : "no area");
-        yield return ("coordinates", Info.Crs.Summary ?? "unknown");
-        yield return ("size", Human.Bytes(Info.FileBytes));
-        yield return ("as an octree", Human.Bytes(Convert.Result.BytesOnDisk));
-    }
-
-    static string Amount(double value) => value >= 1000 ? Human.Count((long)Math.Round(value)) : Human.FourDigits(value);
-
     /// <summary>Whatever does not fit together, or is not as a user would expect.</summary>
-    IEnumerable<string> Odd()
+    IEnumerable<string> Odd(CloudDistribution distribution)
     {
         foreach (var warning in Info.Warnings)
             yield return warning.ToString();
@@ -106,15 +90,8 @@ sealed class CloudPage
                     if (!(Math.Abs(claimed - real) <= Math.Max(2 * Math.Abs(Info.Transform.Scale[axis]), 1e-9 * Math.Abs(real))))
                         yield return $"Bounds: by the header the {end} {"xyz"[axis]} is {Human.Value(claimed)}; "
                             + $"of the points it is {Human.Value(real)}.";
-        if (!Info.Crs.IsKnown)
-            yield return "No coordinate system is named: what a unit is, and where on earth this is, cannot be known.";
-        if (Info.Schema.HasColor && View.Ranges.Color == ColorDepth.None)
-            yield return "There are colours, but all points are black.";
-        if (View.Points.Attributes.TryGetValue(AttributeNames.Classification, out var classes)
-            && classes.Count > 0 && classes.All(c => c == classes[0]))
-            yield return "All points are of one class: " + ViewColumn.NameOf(AttributeNames.Classification, classes[0]) + ".";
-        foreach (string assumption in View.Ranges.Assumptions)
-            yield return char.ToUpperInvariant(assumption[0]) + assumption[1..] + ".";
+        foreach (string odd in distribution.Odd(Info.Crs.IsKnown ? Info.Crs.Summary ?? "" : null, Info.Schema))
+            yield return odd;
     }
 
     /// <summary>With what the conversion found: in order, so that constants stand out.</summary>
@@ -136,35 +113,9 @@ sealed class CloudPage
 
     string Note(int shown)
     {
-        var error = View.PositionError;
-        string text = Human.Count(shown) + " of " + Human.Count(Manifest.Points, "point") + ", as the preview chooses them. "
-            + "Positions are rounded for this page: each is within " + string.Join(" × ", new[] { error.x, error.y, error.z }
-                .Select(e => e.ToString("G2", CultureInfo.InvariantCulture))) + " (x, y, z, in the file's units) of the file's. "
-            + "Amounts are rounded to 256 steps. The data themselves are not changed.";
-        return ReportPage.Escape(text);
+        return ReportPage.Escape(Human.Count(shown) + " of " + Human.Count(Manifest.Points, "point")
+            + ", as the preview chooses them, with all attributes as the file has them.");
     }
-
-    IEnumerable<string> Histograms()
-    {
-        var points = View.Points;
-        yield return BarChart.Histogram("Elevation", points.Positions[UpAxis.Index()].Select(v => UpAxis.IsNegative() ? -v : v),
-            View.Unit == "m" ? "m" : "in units of the file");
-        foreach (string name in new[] { AttributeNames.Intensity, AttributeNames.Classification, AttributeNames.ReturnNumber,
-            AttributeNames.GpsTime })
-        {
-            if (!points.Attributes.TryGetValue(name, out var values)
-                || values.Where(double.IsFinite).Distinct().Take(2).Count() < 2)
-                continue;
-            if (name is AttributeNames.Classification or AttributeNames.ReturnNumber)
-                yield return BarChart.Rows(name, values.CountBy(v => v).OrderBy(c => c.Key).Select(c =>
-                    (ViewColumn.NameOf(name, c.Key), (double)c.Value, Percent(c.Value, values.Count))).ToList());
-            else
-                yield return BarChart.Histogram(name == AttributeNames.GpsTime ? "GPS time" : name, values,
-                    name == AttributeNames.GpsTime ? "seconds" : "as stored");
-        }
-    }
-
-    static string Percent(int count, int of) => (100.0 * count / of).ToString("0.##", CultureInfo.InvariantCulture) + " %";
 
     void Speed(ReportPage page)
     {
@@ -195,7 +146,9 @@ sealed class CloudPage
             yield return Picture(Gpu.Image, "Streamed, and drawn as a game would: " + Gpu.Describe() + ", " + Gpu.Device);
     }
 
-    static string Picture(RgbaImage image, string caption)
+    public static string UnitOf(CloudUnits units) => (units.IsKnown ? "in " : "UNIT ") + units.Describe(BoundsGeo.Empty);
+
+    public static string Picture(RgbaImage image, string caption)
     {
         var half = new RgbaImage(Math.Max(1, image.Width / 2), Math.Max(1, image.Height / 2));
         for (int y = 0; y < half.Height; y++)
@@ -212,6 +165,12 @@ sealed class CloudPage
 
     IEnumerable<(string, string)> NextLines()
     {
+        if (!IsKept)
+        {
+            yield return ("A page of a scan of your own", "fastpoints scan.laz");
+            yield return ("Keep this scan and its octree, to fly over and to export", "fastpoints --keep -o kept");
+            yield break;
+        }
         string inputs = string.Join(' ', Inputs.Select(Quoted)), cloud = Quoted(CloudPath);
         yield return ("Fly over it: a camera path, pictures and a page with figures of each frame",
             "fastpoints fly " + cloud + " -o flight");

@@ -32,15 +32,27 @@ sealed class ConvertedCloudReport
         var view = ViewCloud.OfFlight([path], options, [options.Camera!.Value], 0, run);
         run.Progress.Group = null;
         string name = CloudName.Of(path);
-        var page = new ReportPage(name, "Converted cloud · made by FastPoints " + CloudPage.Version + " on " + CloudPage.Today);
-        page.Tiles([("points", Human.Count(report.m_facts.Points)), ("size", Human.Bytes(report.m_facts.Bytes))]);
+        var page = new ReportPage(name, "Converted cloud · " + CloudPage.UnitOf(report.m_facts.Cloud.Crs.Units)
+            + " · made by FastPoints " + CloudPage.Version + " on " + CloudPage.Today);
+        var cloud = report.m_facts.Cloud;
+        var distribution = new CloudDistribution(view, options.UpAxis, cloud.Points, cloud.BoundsGeo);
+        page.Tiles(distribution.Tiles().Concat([("coordinates", cloud.CrsName ?? "unknown"),
+            ("size", Human.Bytes(report.m_facts.Bytes)), ("nodes", Human.Count(cloud.NodeCount))]));
+        CloudDistribution.Write(page, distribution.Odd(cloud.CrsName, cloud.Attributes).ToList());
         string json = view.ToJson(ViewBytes, out int shown);
         page.View(json, Png.Encode(drawn.ToImage(false)), name + ": " + Human.Count(shown) + " of its points", "",
-            Human.Count(shown, "point") + " of the upper levels.");
+            Human.Count(shown) + " of " + Human.Count(cloud.Points, "point") + ", those of the upper levels, with all attributes.", view.Unit);
         page.Heading("Facts");
+        page.Html("<div class=\"row two\"><div>");
         page.Facts(report.m_facts.Lines());
+        page.Html("</div><div>");
         foreach (var table in report.m_facts.Tables())
             page.Table(table);
+        page.Html("</div></div>");
+        page.Heading("Distribution");
+        page.Row(distribution.Charts());
+        page.Heading("Pictures");
+        page.Row(report.m_pictures.Select(p => CloudPage.Picture(p.Drawn.Image, p.Drawn.Describe() + ", " + p.Drawn.Device)));
         page.Heading("What to do next");
         page.Commands([("Fly over it", "fastpoints fly " + CloudPage.Quoted(path) + " -o flight"),
             ("Prove that it is undamaged", "fastpoints verify " + CloudPage.Quoted(path)),

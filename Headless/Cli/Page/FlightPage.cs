@@ -32,7 +32,7 @@ static class FlightPage
         string note = ReportPage.Escape(Human.Count(shown, "point") + " stand for the clouds here: the upper levels of "
             + "octrees, previews of files. "
             + "The flight itself streamed others, as each frame needed them.");
-        page.View(json, Png.Encode(last), name + ": " + Human.Count(shown, "point"), "Frames of the flight", note);
+        page.View(json, Png.Encode(last), name + ": " + Human.Count(shown, "point"), "Frames of the flight", note, view.Unit);
         page.Heading("Each frame");
         page.Charts([Chart("Points drawn", "points", log.Of(s => s.DrawnPoints)),
             Chart("Main thread", "milliseconds", log.MainThreadByFrame), Chart("Read", "MB", log.Of(s => s.ReadBytes / 1e6)),

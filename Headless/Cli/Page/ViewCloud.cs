@@ -3,17 +3,22 @@ using FastPoints.Cli.Preview;
 
 namespace FastPoints.Cli.Page;
 
-/// <summary>What a page's 3D view shows: points in waves as a preview takes them, quantised, and a camera or a way of
-/// one.</summary>
+/// <summary>What a page's 3D view shows: points in waves as a preview takes them, with the values
+/// of the file, and a camera or a path of one.</summary>
 sealed class ViewCloud
 {
     public const int MaxPoints = 400_000;
-    const int Steps = 65_535;
+
+    /// <summary>Of the points, packed to see how many fit.</summary>
+    const double TriedShare = 1 / 8.0;
 
     /// <summary>Of base 64.</summary>
     const double BytesOfLetters = 4 / 3.0;
 
     const double FarBounds = 4;
+
+    /// <summary>A mode of the view's script; -1 is the elevation, and from 0 on they are columns.</summary>
+    const int ColorsOfPoints = -2;
 
     readonly List<ViewPoints> m_sets = [];
     readonly PictureOptions m_options;
@@ -26,22 +31,30 @@ sealed class ViewCloud
     public List<ViewWave> Waves { get; } = [];
 
     /// <summary>What is shown: everything, or what nearly all points are in where few far ones would leave it too few
-    /// steps.</summary>
+    /// pixels.</summary>
     public BoundsGeo Bounds { get; private set; } = new(new double3(0, 0, 0), new double3(1, 1, 1));
 
     public ViewPoints Points => m_sets[^1];
     public double Spacing { get; private set; }
     public required Camera Camera { get; init; }
-    public (List<Camera> Cameras, int Every)? Path { get; init; }
-    public double3 PositionError => Bounds.Size / Steps / 2;
+    public required CloudCrs Crs { get; init; }
 
-    public static ViewCloud Take(Func<PointReader> open, PictureOptions options, Camera camera, CliRun run)
+    /// <summary>What a command line that exports a part of it reads.</summary>
+    public string Source { get; init; } = "";
+    public (List<Camera> Cameras, int Every)? Path { get; init; }
+    /// <param name="source">As a command line names it.</param>
+    public static ViewCloud Take(Func<PointReader> open, string source, PictureOptions options, Camera camera, CliRun run)
     {
         var preview = new PreviewOptions { Points = MaxPoints, Picture = options };
         using var reader = open();
         using var taken = new SampleTakers(() => WithAll(open()), preview, run) { Runs = 1 }.Ours();
         var errors = WaveErrors.Measure(reader, taken, run);
-        var view = new ViewCloud(options, new DisplayRanges { Units = reader.Info.Crs.Units }) { Camera = camera };
+        var view = new ViewCloud(options, new DisplayRanges { Units = reader.Info.Crs.Units })
+        {
+            Camera = camera,
+            Crs = reader.Info.Crs.ToCloudCrs(),
+            Source = source,
+        };
         for (int i = 0; i < taken.Waves.Count; i++)
         {
             var (wave, points) = taken.Waves[i];
@@ -63,11 +76,17 @@ sealed class ViewCloud
         var parts = new List<ViewPoints>();
         foreach (string cloud in clouds)
         {
-            using var batch = Load(cloud, MaxPoints / clouds.Length, run, out var transform, out var units);
-            var ranges = new DisplayRanges { Units = units };
+            using var batch = Load(cloud, MaxPoints / clouds.Length, run, out var transform, out var crs);
+            var ranges = new DisplayRanges { Units = crs.Units };
             run.RunSteps(ranges.Measure(batch, transform, options.UpAxis));
             parts.Add(ViewPoints.Of(batch, batch.Count, transform));
-            view ??= new ViewCloud(options, ranges) { Camera = cameras[0], Path = every > 0 ? (cameras, every) : null };
+            view ??= new ViewCloud(options, ranges)
+            {
+                Camera = cameras[0],
+                Path = every > 0 ? (cameras, every) : null,
+                Crs = crs,
+                Source = clouds.Length == 1 ? CloudPage.Quoted(cloud) : "",
+            };
             if (ranges.Full.IsEmpty)
                 continue;
             view.Ranges.Full = Around(view.Ranges.Full, ranges.Full);
@@ -82,13 +101,13 @@ sealed class ViewCloud
 
     static BoundsGeo Around(BoundsGeo a, BoundsGeo b) => new(math.min(a.Min, b.Min), math.max(a.Max, b.Max));
 
-    static PointBatch Load(string path, int max, CliRun run, out PositionTransform transform, out CloudUnits units)
+    static PointBatch Load(string path, int max, CliRun run, out PositionTransform transform, out CloudCrs crs)
     {
         if (!CloudFolder.IsCloud(path))
         {
             using var reader = WithAll(PointReaders.Open(path));
             using var sampler = Sampled(reader, max, run);
-            (transform, units) = (reader.Info.Transform, reader.Info.Crs.Units);
+            (transform, crs) = (reader.Info.Transform, reader.Info.Crs.ToCloudCrs());
             return sampler.TakeSample().Points;
         }
         using var folder = CloudFolder.Open(path);
@@ -98,7 +117,7 @@ sealed class ViewCloud
         var batch = new PointBatch(schema, checked((int)selection.Points), Allocator.Persistent);
         run.RunSteps(LoadNodes.Run(folder, selection, batch, null));
         transform = folder.Manifest.Grid.FromCorner(folder.Manifest.Root.Corner);
-        units = folder.Manifest.Crs.Units;
+        crs = folder.Manifest.Crs;
         return batch;
     }
 
@@ -130,27 +149,26 @@ sealed class ViewCloud
     /// <summary>For the page's script; fewer points where the page would be too large.</summary>
     public string ToJson(int maxBytes, out int shown)
     {
-        List<int[]> kept;
-        List<byte[]> packed;
-        for (double share = 1; ; share *= 0.95 * maxBytes / (packed.Sum(p => p.Length) * BytesOfLetters))
+        // A first try with few points costs little, and tells how many fit: one more is enough in most cases.
+        double share = Points.Count < MaxPoints / 16 ? 1 : TriedShare;
+        while (true)
         {
-            // What lies far outside is left out: its places would leave too few for the rest.
-            kept = m_sets.Select(s => Enumerable.Range(0, s.Count).Where(i =>
-                (i == 0 || (long)(i * share) != (long)((i - 1) * share)) && IsInside(s[i])).ToArray()).ToList();
-            packed = m_sets.Select((s, i) => Pack(s, kept[i])).ToList();
-            shown = kept[^1].Length;
-            if (packed.Sum(p => p.Length) * BytesOfLetters <= maxBytes || shown < 1000)
-                return ToJson(kept, packed);
+            var sets = m_sets.Select(s => Pack(s, share)).ToList();
+            shown = sets[^1].Kept.Length;
+            double bytes = sets.Sum(s => s.Bytes.Length) * BytesOfLetters;
+            if (share == 1 ? bytes <= maxBytes : share != TriedShare && (bytes <= maxBytes || shown < 1000))
+                return ToJson(sets);
+            share = Math.Min(share == TriedShare ? 1 : 0.97 * share, share * 0.97 * maxBytes / Math.Max(1, bytes));
         }
     }
 
-    string ToJson(List<int[]> kept, List<byte[]> packed)
+    string ToJson(List<PackedSet> sets)
     {
-        var stream = new MemoryStream((int)(packed.Sum(p => p.Length) * BytesOfLetters) + 100_000);
+        var stream = new MemoryStream((int)(sets.Sum(s => s.Bytes.Length) * BytesOfLetters) + 100_000);
         using (var json = new Utf8JsonWriter(stream))
         {
             json.WriteStartObject();
-            WriteFrame(json, kept[^1].Length);
+            WriteFrame(json, sets[^1].Kept.Length);
             json.WriteStartObject("ramps");
             foreach (var (name, gradient) in new[] { ("viridis", Gradient.Viridis), ("gray", Gradient.Gray) })
             {
@@ -163,11 +181,21 @@ sealed class ViewCloud
                 column.Write(json, Points);
             json.WriteEndArray();
             json.WriteStartArray("sets");
-            for (int i = 0; i < m_sets.Count; i++)
+            foreach (var set in sets)
             {
                 json.WriteStartObject();
-                json.WriteNumber("count", kept[i].Length);
-                json.WriteBase64String("data", packed[i]);
+                json.WriteNumber("count", set.Kept.Length);
+                json.WriteStartArray("differences");
+                foreach (var column in set.Columns)
+                {
+                    json.WriteStartArray();
+                    json.WriteNumberValue(column.Bytes);
+                    json.WriteNumberValue(column.First);
+                    json.WriteNumberValue(column.Step);
+                    json.WriteEndArray();
+                }
+                json.WriteEndArray();
+                json.WriteBase64String("data", set.Bytes);
                 json.WriteEndObject();
             }
             json.WriteEndArray();
@@ -176,7 +204,7 @@ sealed class ViewCloud
             {
                 json.WriteStartObject();
                 json.WriteNumber("set", wave.Set);
-                json.WriteNumber("shown", kept[wave.Set].Count(i => i < wave.Points));
+                json.WriteNumber("shown", sets[wave.Set].Kept.Count(i => i < wave.Points));
                 json.WriteString("text", Describe(wave));
                 json.WriteEndObject();
             }
@@ -195,8 +223,7 @@ sealed class ViewCloud
     {
         m_options.UpAxis.Directions(out var east, out var north, out var up);
         var mode = Ranges.Resolve(m_options.Color);
-        string name = mode == ColorMode.Rgb ? "Colour" : ColorModes.AttributeOf(mode) ?? "";
-        double step = math.cmax(Bounds.Size) / Steps;
+        string name = m_options.ColorAttribute ?? ColorModes.AttributeOf(mode) ?? "";
         json.WriteVector("origin", Bounds.Min);
         json.WriteVector("size", Bounds.Size);
         json.WriteVector("lengths", Ranges.LengthsPerUnit);
@@ -206,10 +233,23 @@ sealed class ViewCloud
             Write(json, axis);
         json.WriteEndArray();
         json.WriteString("unit", Unit);
-        json.WriteNumber("decimals", step > 0 ? Math.Clamp((int)Math.Ceiling(-Math.Log10(step)), 0, 8) : 3);
+        json.WriteStartArray("position");
+        foreach (var axis in Points.Positions)
+        {
+            json.WriteStartObject();
+            axis.WriteType(json, axis.Scale);
+            json.WriteEndObject();
+        }
+        json.WriteEndArray();
+        int decimals = Points.Positions.Max(p => p.Decimals);
+        json.WriteNumber("clipDecimals", decimals);
+        json.WriteNumber("lengthDecimals", Ranges.IsInDegrees ? 3 : Math.Clamp(decimals, 2, 6));
+        WriteColor(json);
+        json.WriteBoolean("north", SourceFacts.IsNorthAlongY(Crs) && m_options.UpAxis == UpAxis.Z);
+        json.WriteString("source", Source);
         // A little larger than their distance: what is askew would have holes.
         json.WriteNumber("spacing", 2 * Spacing * Math.Sqrt(Points.Count / Math.Max(1.0, shown)));
-        json.WriteNumber("mode", m_columns.FindIndex(c => c.Name == name));
+        json.WriteNumber("mode", mode == ColorMode.Rgb ? ColorsOfPoints : m_columns.FindIndex(c => c.Name == name));
         json.WriteBoolean("shaded", mode != ColorMode.Rgb);
         json.WriteStartArray("elevation");
         json.WriteNumberValue(Ranges.ElevationLow);
@@ -249,34 +289,36 @@ sealed class ViewCloud
         json.WriteEndArray();
     }
 
-    /// <summary>Columns as differences from point to point, low and high bytes apart, deflated.</summary>
-    byte[] Pack(ViewPoints points, int[] kept)
+    /// <summary>How a browser makes 8 bits of a channel.</summary>
+    void WriteColor(Utf8JsonWriter json)
     {
+        if (Ranges.Color == ColorDepth.None)
+            return;
+        json.WriteStartObject("rgb");
+        json.WriteNumber("scale", Ranges.Color switch { ColorDepth.Unit => 255, ColorDepth.Bits16 => 1 / 256.0, _ => 1 });
+        json.WriteNumber("bias", Ranges.Color == ColorDepth.Unit ? 0.5 : 0);
+        json.WriteStartArray("columns");
+        foreach (string name in new[] { AttributeNames.Red, AttributeNames.Green, AttributeNames.Blue })
+            json.WriteNumberValue(m_columns.FindIndex(c => c.Name == name));
+        json.WriteEndArray();
+        json.WriteEndObject();
+    }
+
+    /// <summary>Without what lies far outside, beside which the rest would be a dot.</summary>
+    PackedSet Pack(ViewPoints points, double share)
+    {
+        int[] kept = Enumerable.Range(0, points.Count).Where(i =>
+            (i == 0 || (long)(i * share) != (long)((i - 1) * share)) && IsInside(points[i])).ToArray();
         var packed = new MemoryStream();
+        var columns = new List<Differences>();
         using (var deflate = new ZLibStream(packed, CompressionLevel.Optimal))
         {
-            for (int axis = 0; axis < 3; axis++)
-            {
-                double low = Bounds.Min[axis], size = Bounds.Size[axis];
-                double perStep = size > 0 ? Steps / size : 0;
-                byte[] lows = new byte[kept.Length], highs = new byte[kept.Length];
-                int before = 0;
-                for (int i = 0; i < kept.Length; i++)
-                {
-                    int place = (int)Math.Round((points.Positions[axis][kept[i]] - low) * perStep);
-                    (lows[i], highs[i]) = ((byte)(place - before), (byte)(place - before >> 8));
-                    before = place;
-                }
-                deflate.Write(lows);
-                deflate.Write(highs);
-            }
-            foreach (byte[] plane in m_columns.SelectMany(c => c.Planes(points, kept)))
-            {
-                for (int i = plane.Length - 1; i > 0; i--)
-                    plane[i] -= plane[i - 1];
-                deflate.Write(plane);
-            }
+            foreach (var values in points.Positions.Concat(m_columns.Where(c => !c.IsConstant)
+                .Select(c => points.Attributes[c.Name])))
+                columns.AddRange(values.Pack(kept, deflate));
         }
-        return packed.ToArray();
+        return new PackedSet(kept, columns, packed.ToArray());
     }
+
+    sealed record PackedSet(int[] Kept, List<Differences> Columns, byte[] Bytes);
 }

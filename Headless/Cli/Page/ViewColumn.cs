@@ -1,82 +1,80 @@
 namespace FastPoints.Cli.Page;
 
-/// <summary>One attribute in a page's 3D view: a byte a point, as an amount within a range or one of some values, or three for
-/// colours.</summary>
+/// <summary>One attribute in a page's 3D view, with the values of the file: the browser finds colours for them.</summary>
 sealed class ViewColumn
 {
     const int MaxCategories = 32, MaxNames = 256;
     const double OutlierShare = 0.01;
 
-    Func<ViewPoints, ViewValues>[] m_planes = [];
-    Func<double, double> m_toByte = v => v;
+    /// <summary>Of LAS's int16 scan angles, in degrees.</summary>
+    const double ScanAngleStep = 0.006;
 
     public required string Name { get; init; }
+
+    /// <summary>Channels are a colour's.</summary>
+    public bool IsChannel { get; private init; }
+
+    /// <summary>Of an amount: what its colours span.</summary>
     public double Low { get; private set; }
     public double High { get; private set; }
 
     /// <summary>Of a category; otherwise empty.</summary>
     public double[] Values { get; private set; } = [];
 
-    public bool IsRgb => m_planes.Length == 3;
+    /// <summary>The one value that all points have; NaN where there are several.</summary>
+    public double Constant { get; private init; } = double.NaN;
+
+    public bool IsConstant => !double.IsNaN(Constant);
 
     public static List<ViewColumn> Of(IReadOnlyList<ViewPoints> sets, DisplayRanges ranges)
     {
-        string[] rgb = [AttributeNames.Red, AttributeNames.Green, AttributeNames.Blue];
         var columns = new List<ViewColumn>();
-        if (ranges.Color != ColorDepth.None)
-            columns.Add(new ViewColumn
-            {
-                Name = "Colour",
-                m_planes = rgb.Select(name => (Func<ViewPoints, ViewValues>)(s => s.Attributes[name])).ToArray(),
-                m_toByte = ranges.Color switch
-                {
-                    ColorDepth.Unit => v => v * 255 + 0.5,
-                    ColorDepth.Bits16 => v => v / 256,
-                    _ => v => v,
-                },
-            });
-        foreach (string name in sets[^1].Attributes.Keys.Except(rgb))
+        foreach (string name in sets[^1].Attributes.Keys)
         {
             // One more than a category may have is enough to know: listing all values would take much memory.
-            double[] distinct = sets.SelectMany(s => s.Attributes[name]).Where(double.IsFinite).Distinct().Take(MaxNames + 1)
+            double[] distinct = sets.SelectMany(s => Shown(name, s)).Where(double.IsFinite).Distinct().Take(MaxNames + 1)
                 .Order().ToArray();
-            if (distinct.Length < 2)
-                continue;
-            var column = new ViewColumn { Name = name, m_planes = [s => s.Attributes[name]] };
+            bool isChannel = name is AttributeNames.Red or AttributeNames.Green or AttributeNames.Blue
+                && ranges.Color != ColorDepth.None;
+            var column = new ViewColumn
+            {
+                Name = name,
+                IsChannel = isChannel,
+                Constant = distinct.Length == 1 && !isChannel && sets.All(s => s.Attributes[name].All(double.IsFinite))
+                    ? distinct[0] : double.NaN,
+            };
             bool isCategory = name is AttributeNames.Classification or AttributeNames.PointSourceId ? distinct.Length <= MaxNames
-                : name != AttributeNames.Intensity && distinct.Length <= MaxCategories;
-            if (isCategory && distinct.All(v => v == Math.Floor(v)))
-                column.SetValues(distinct);
-            else
-                column.SetRange(sets[^1].Attributes[name], ranges);
+                : name is not AttributeNames.Intensity and not AttributeNames.ScanAngle && distinct.Length <= MaxCategories;
+            if (isCategory && distinct.Length > 1 && distinct.All(v => v == Math.Floor(v)))
+                column.Values = distinct;
+            else if (distinct.Length > 0)
+                column.SetRange(Shown(name, sets[^1]), ranges);
             columns.Add(column);
         }
         return columns;
     }
 
-    void SetValues(double[] values)
+    static double ScaleOf(string name, ViewValues values) =>
+        name == AttributeNames.ScanAngle && values.Type == AttributeType.Int16 && values.Scale == 1 ? ScanAngleStep : values.Scale;
+
+    static IEnumerable<double> Shown(string name, ViewPoints points)
     {
-        Values = values;
-        m_toByte = v => Math.Max(0, Array.BinarySearch(values, v));
+        var values = points.Attributes[name];
+        double factor = ScaleOf(name, values) / values.Scale;
+        return factor == 1 ? values : values.Select(v => v * factor);
     }
 
-    void SetRange(ViewValues values, DisplayRanges ranges)
+    void SetRange(IEnumerable<double> values, DisplayRanges ranges)
     {
         double[] sorted = values.Where(double.IsFinite).Order().ToArray();
+        if (sorted.Length == 0)
+            return;
         int outliers = (int)(sorted.Length * OutlierShare);
         (Low, High) = Name == AttributeNames.Intensity && ranges.IntensityVaries ? (ranges.IntensityLow, ranges.IntensityHigh)
             : (sorted[outliers], sorted[sorted.Length - 1 - outliers]);
         if (!(High > Low))
             (Low, High) = (sorted[0], sorted[^1]);
-        double low = Low, perStep = 255 / (High - Low);
-        m_toByte = v => (v - low) * perStep + 0.5;
     }
-
-    public IEnumerable<byte[]> Planes(ViewPoints points, int[] kept) => m_planes.Select(plane =>
-    {
-        var values = plane(points);
-        return kept.Select(i => (byte)Math.Clamp(double.IsFinite(values[i]) ? m_toByte(values[i]) : 0, 0, 255)).ToArray();
-    });
 
     public static string NameOf(string attribute, double value)
     {
@@ -86,40 +84,51 @@ sealed class ViewColumn
 
     public void Write(Utf8JsonWriter json, ViewPoints points)
     {
+        var values = points.Attributes[Name];
         json.WriteStartObject();
         json.WriteString("name", Name);
-        json.WriteNumber("planes", m_planes.Length);
-        json.WriteString("kind", IsRgb ? "rgb" : Values.Length > 0 ? "category" : "amount");
-        if (Values.Length > 0)
-        {
-            var mode = Name switch
-            {
-                AttributeNames.Classification => ColorMode.Classification,
-                AttributeNames.ReturnNumber or AttributeNames.NumberOfReturns => ColorMode.ReturnNumber,
-                _ => ColorMode.PointSource,
-            };
-            using var palette = Palettes.Create(mode, Allocator.Persistent);
-            var counts = points.Attributes[Name].CountBy(v => v).ToDictionary();
-            json.WriteStartArray("names");
-            foreach (double value in Values)
-                json.WriteStringValue(NameOf(Name, value));
-            json.WriteEndArray();
-            json.WriteStartArray("colors");
-            foreach (double value in Values)
-                json.WriteStringValue(Hex(palette[(int)Math.Clamp(value, 0, 65535) % Palettes.Length]));
-            json.WriteEndArray();
-            json.WriteStartArray("counts");
-            foreach (double value in Values)
-                json.WriteNumberValue(counts.GetValueOrDefault(value));
-            json.WriteEndArray();
-        }
-        else if (!IsRgb)
+        values.WriteType(json, ScaleOf(Name, values));
+        json.WriteString("kind", IsChannel ? "channel" : IsConstant ? "constant" : Values.Length > 0 ? "category" : "amount");
+        if (IsConstant)
+            json.WriteString("value", NameOf(Name, Constant));
+        else if (Values.Length > 0)
+            WriteCategories(json, values);
+        else if (!IsChannel)
         {
             json.WriteNumber("low", Low);
             json.WriteNumber("high", High);
             json.WriteString("ramp", Name == AttributeNames.Intensity ? "gray" : "viridis");
+            json.WriteString("unit", Name switch
+            {
+                AttributeNames.ScanAngle => "°",
+                AttributeNames.GpsTime => "s",
+                _ => "",
+            });
         }
         json.WriteEndObject();
+    }
+
+    void WriteCategories(Utf8JsonWriter json, ViewValues values)
+    {
+        var mode = Name switch
+        {
+            AttributeNames.Classification => ColorMode.Classification,
+            AttributeNames.ReturnNumber or AttributeNames.NumberOfReturns => ColorMode.ReturnNumber,
+            _ => ColorMode.PointSource,
+        };
+        using var palette = Palettes.Create(mode, Allocator.Persistent);
+        var counts = values.CountBy(v => v).ToDictionary();
+        json.WriteStartArray("categories");
+        foreach (double value in Values)
+        {
+            json.WriteStartObject();
+            json.WriteNumber("value", value);
+            json.WriteString("name", NameOf(Name, value));
+            json.WriteString("color", Hex(palette[(int)Math.Clamp(value, 0, 65535) % Palettes.Length]));
+            json.WriteNumber("count", counts.GetValueOrDefault(value));
+            json.WriteEndObject();
+        }
+        json.WriteEndArray();
     }
 
     public static string Hex(uint color) => $"{color & 255:x2}{color >> 8 & 255:x2}{color >> 16 & 255:x2}";

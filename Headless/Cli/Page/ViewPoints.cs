@@ -32,6 +32,8 @@ sealed class ViewPoints(int count)
     /// <summary>One behind the other; what some lack is 0 for those.</summary>
     public static ViewPoints Join(IReadOnlyList<ViewPoints> parts)
     {
+        if (parts.Count == 1)
+            return parts[0];
         var joined = new ViewPoints(parts.Sum(p => p.Count));
         foreach (string name in parts.SelectMany(p => p.Attributes.Keys).Distinct())
             joined.Attributes[name] = ViewValues.Of(parts.SelectMany(p =>
@@ -73,6 +75,99 @@ sealed class ViewPoints(int count)
 sealed class ViewValues(byte[] stored, AttributeType type, double scale, double offset) : IReadOnlyList<double>
 {
     public int Count { get; } = stored.Length / type.SizeOf();
+    public AttributeType Type => type;
+    public double Scale => scale;
+
+    /// <summary>Integers of 64 bits go to a browser as doubles, as it has no others.</summary>
+    AttributeType TypeSent => type is AttributeType.Int64 or AttributeType.UInt64 ? AttributeType.Float64 : type;
+
+    /// <summary>What the browser makes of the values that <see cref="Pack"/> writes.</summary>
+    /// <param name="shownScale">In place of the file's.</param>
+    public void WriteType(Utf8JsonWriter json, double shownScale)
+    {
+        json.WriteString("type", TypeSent.ToString());
+        json.WriteNumber("scale", shownScale);
+        json.WriteNumber("offset", offset);
+        if (!type.IsFloat())
+            json.WriteNumber("decimals", Math.Max(DecimalsOf(shownScale), DecimalsOf(offset)));
+    }
+
+    /// <summary>Digits after the point that are worth showing: all of integers, of floats as many as a metre's tenths of
+    /// millimetres.</summary>
+    public int Decimals => type.IsFloat() ? 4 : Math.Max(DecimalsOf(scale), DecimalsOf(offset));
+
+    /// <summary>Digits after the point that write a number in full, at most 12.</summary>
+    static int DecimalsOf(double value)
+    {
+        int decimals = 0;
+        while (decimals < 12 && Math.Round(value, decimals) != value)
+            decimals++;
+        return decimals;
+    }
+
+    /// <summary>Writes some of the values, exact: differences from one to the next, those of small size as small numbers of no
+    /// sign, byte by byte, because that is what deflate makes least of. Doubles are two numbers each, low bits first.</summary>
+    public IEnumerable<Differences> Pack(int[] kept, Stream packed)
+    {
+        int width = TypeSent.SizeOf(), bits = Math.Min(32, 8 * width);
+        var differences = new uint[kept.Length];
+        var plane = new byte[kept.Length];
+        for (int number = 0; number < (width + 3) / 4; number++)
+        {
+            int step = width is 2 or 4 && !TypeSent.IsFloat() ? StepOf(kept) : 1;
+            int first = step > 1 ? (int)Whole(kept[0]) : 0;
+            long before = first;
+            uint all = 0;
+            for (int i = 0; i < kept.Length; i++)
+            {
+                long value = step > 1 ? Whole(kept[i]) : (uint)(BitsOf(kept[i]) >> 32 * number);
+                int difference = step > 1 ? (int)((value - before) / step) : (int)(value - before << 32 - bits) >> 32 - bits;
+                differences[i] = (uint)(difference << 1 ^ difference >> 31);
+                all |= differences[i];
+                before = value;
+            }
+            int bytes = 0;
+            for (; all != 0; all >>= 8, bytes++)
+            {
+                for (int i = 0; i < plane.Length; i++)
+                    plane[i] = (byte)(differences[i] >> 8 * bytes);
+                packed.Write(plane);
+            }
+            yield return new Differences(bytes, first, step);
+        }
+    }
+
+    long Whole(int point) => (long)Math.Round((this[point] - offset) / scale);
+
+    /// <summary>What all differences of whole numbers are multiples of: 257 of colours that had 8 bits once.</summary>
+    int StepOf(int[] kept)
+    {
+        long step = 0;
+        for (int i = 1; i < kept.Length && step != 1; i++)
+            for (long rest = Math.Abs(Whole(kept[i]) - Whole(kept[i - 1])); rest != 0;)
+                (step, rest) = (rest, step % rest);
+        return step is > 1 and <= int.MaxValue ? (int)step : 1;
+    }
+
+    ulong BitsOf(int point)
+    {
+        var bytes = stored.AsSpan(point * type.SizeOf());
+        return type switch
+        {
+            AttributeType.Int64 => BitConverter.DoubleToUInt64Bits(MemoryMarshal.Read<long>(bytes)),
+            AttributeType.UInt64 => BitConverter.DoubleToUInt64Bits(MemoryMarshal.Read<ulong>(bytes)),
+            _ => BitsOf(bytes),
+        };
+    }
+
+    ulong BitsOf(ReadOnlySpan<byte> bytes) =>
+        type.SizeOf() switch
+        {
+            1 => bytes[0],
+            2 => MemoryMarshal.Read<ushort>(bytes),
+            4 => MemoryMarshal.Read<uint>(bytes),
+            _ => MemoryMarshal.Read<ulong>(bytes),
+        };
 
     public unsafe double this[int point]
     {
@@ -96,6 +191,11 @@ sealed class ViewValues(byte[] stored, AttributeType type, double scale, double 
 
     IEnumerator IEnumerable.GetEnumerator() => GetEnumerator();
 }
+
+/// <summary>How a column's differences are written.</summary>
+/// <param name="Bytes">Of each.</param>
+/// <param name="First">What the first value differs from.</param>
+readonly record struct Differences(int Bytes, int First, int Step);
 
 /// <param name="Rms">Distance from points of the cloud to the nearest of these; NaN where it was not measured.</param>
 sealed record ViewWave(int Set, int Points, double Seconds, long BytesRead, double Rms);

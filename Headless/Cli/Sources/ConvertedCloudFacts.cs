@@ -90,7 +90,7 @@ public sealed class ConvertedCloudFacts
         yield return planes;
     }
 
-    public long Points => m_cloud.Points;
+    public CloudManifest Cloud => m_cloud;
     public long Bytes => m_bytes;
 
     public IEnumerable<(string Name, string Value)> Lines()

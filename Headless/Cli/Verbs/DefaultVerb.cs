@@ -10,7 +10,7 @@ public sealed class DefaultVerb : Verb
     {
         Arity = ArgumentArity.ZeroOrMore,
         Description = "Point clouds, folders of them, or converted clouds. Without one, "
-            + "a street is scanned first (see demo-cloud).",
+            + "a street is scanned first (see demo-cloud), and goes again when its page is there.",
     };
     readonly Option<bool> m_asOne = new("--as-one") { Description = "The files are tiles of one cloud: report on that." };
     readonly Option<string?> m_out = new("--output", "-o", "--out")
@@ -27,12 +27,16 @@ public sealed class DefaultVerb : Verb
         DefaultValueFactory = _ => 1,
     };
 
+    readonly Option<bool> m_keep = new("--keep") { Description = "Keep the scan that is made without a FILE, and its octree." };
     readonly Option<bool> m_discard = new("--discard")
     {
         Description = "Do not go on with an octree that was stopped, and keep nothing of this one when it is.",
     };
     readonly LookSettings m_look;
     readonly SourceSettings m_source;
+
+    /// <summary>36 of the record, and what an octree takes of one.</summary>
+    const int DemoBytesOfPoint = 36 + 18;
 
     public DefaultVerb() : base(new RootCommand(
         "Point clouds: says what a file is, draws a sample of it at once, builds its octree and draws from that, and writes "
@@ -43,6 +47,7 @@ public sealed class DefaultVerb : Verb
         Command.Add(m_out);
         Command.Add(m_points);
         Command.Add(m_seed);
+        Command.Add(m_keep);
         Command.Add(m_discard);
         m_look = new LookSettings(Command);
         m_source = new SourceSettings(Command);
@@ -74,6 +79,7 @@ public sealed class DefaultVerb : Verb
         string[] folders = files.Length == 0 ? [Path.GetDirectoryName(demo)!]
             : clouds.Length == 1 && outFolder != null ? [outFolder]
             : Report.FoldersOf(clouds).Select(f => Path.Combine(outFolder ?? "", f)).ToArray();
+        bool keeps = files.Length > 0 || parsed.GetValue(m_keep);
         for (int i = 0; i < clouds.Length; i++)
             Report.Refuse(folders[i], clouds[i][0], run.Settings.IsForced);
         string command = string.Join(' ', parsed.Tokens.Select(t => CloudPage.Quoted(t.Value)).Prepend("fastpoints"));
@@ -86,7 +92,9 @@ public sealed class DefaultVerb : Verb
             if (files.Length == 0)
             {
                 Report.Mark(folders[0], demo);
-                run.Out.WriteLine("no file was named: scanning a street of " + Human.Count(points, "point") + " into " + demo);
+                run.Out.WriteLine("no file was named: scanning a street of " + Human.Count(points, "point") + " into " + demo
+                    + ", some " + Human.Bytes(points * (double)DemoBytesOfPoint) + " with its octree"
+                    + (keeps ? "" : "; only the page and its pictures stay (--keep keeps all)"));
                 run.Out.Flush();
                 DemoCloud.Write(demo, points, parsed.GetValue(m_seed), Scenes.ScanOrder.Strip, run);
             }
@@ -104,7 +112,7 @@ public sealed class DefaultVerb : Verb
                         pages.Add(stored.Page);
                         return (stored.WriteKeys, stored.Account);
                     }
-                    var report = Report.Make(cloud, source, (Look(), isPlain), folder, command, run);
+                    var report = Report.Make(cloud, source, (Look(), isPlain), (folder, keeps), command, run);
                     Report.WriteSummary(folder, cloud[0], report.WriteKeys, report.Account);
                     pages.Add(report.Page);
                     return (report.WriteKeys, report.Account);
@@ -117,6 +125,8 @@ public sealed class DefaultVerb : Verb
                 Report.Clear(folders[i], clouds[i][0], before);
             throw;
         }
+        if (!keeps)
+            Report.ClearDemo(demo, before);
         StageTable.Of(run.Progress).Write(run.Out, "  ");
         run.Out.WriteLine("  at most " + Human.Bytes(PeakMemory.ResidentBytes) + " of memory");
         foreach (string page in pages)
@@ -211,6 +221,17 @@ public sealed class DefaultVerb : Verb
             Directory.Delete(folder);
         }
 
+        /// <summary>Takes away the scan that was made, and its octree; what was there before stays.</summary>
+        public static void ClearDemo(string demo, HashSet<string> before)
+        {
+            string cloud = Path.Combine(Path.GetDirectoryName(demo)!, CloudName.Of(demo) + StoreFormat.FolderExtension);
+            if (!before.Contains(demo))
+                File.Delete(demo);
+            if (Directory.Exists(cloud) && !before.Contains(cloud))
+                FileChanges.DeleteFolder(cloud);
+            FileChanges.AwaitDeletes();
+        }
+
         public static void WriteSummary(string folder, string file, Action<Utf8JsonWriter> writeKeys, PointCounts account) =>
             Summary.WriteFile(Path.Combine(folder, SummaryName), json =>
             {
@@ -220,8 +241,9 @@ public sealed class DefaultVerb : Verb
             });
 
         public static Report Make(string[] files, ReadOptions source, (PictureOptions Options, bool IsPlain) look,
-            string folder, string command, CliRun run)
+            (string Folder, bool IsKept) target, string command, CliRun run)
         {
+            string folder = target.Folder;
             int firstStage = run.Progress.Finished.Count;
             using var reader = PointReaders.Open(files, source);
             string file = files[0];
@@ -260,7 +282,8 @@ public sealed class DefaultVerb : Verb
                 run.Out.WriteLine("           " + assumption);
             // Before the card: what draws in its place keeps its memory to the end.
             run.Progress.Group = PageGroup;
-            var view = ViewCloud.Take(() => PointReaders.Open(files, source), picture, preview.Camera, run);
+            var view = ViewCloud.Take(() => PointReaders.Open(files, source),
+                string.Join(' ', files.Select(CloudPage.Quoted)), picture, preview.Camera, run);
             run.Progress.Group = "gpu";
             var gpu = HeadlessGraphics.IsAvailable && picture.ColorAttribute == null
                 ? DrawStep.RunOnGpu([cloudPath], picture, GpuPoints, run) : null;
@@ -284,6 +307,7 @@ public sealed class DefaultVerb : Verb
                 Stages = run.Progress.Finished.Skip(firstStage)
                     .Where(s => !s.Name.StartsWith(PageGroup + ":", StringComparison.Ordinal)).ToList(),
                 Inputs = files,
+                IsKept = target.IsKept,
                 UpAxis = picture.UpAxis,
             };
             string pagePath = Path.Combine(folder, PageName);

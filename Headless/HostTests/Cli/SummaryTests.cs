@@ -255,13 +255,16 @@ public sealed class SummaryTests : ScratchTests
         Assert.That(File.ReadAllText(Path.Combine(folder, "report.html")), Does.Contain("data:image/png;base64,"));
     }
 
-    [Test]
-    public void MainJob_WithoutAFile_MakesItsOwn()
+    [TestCase(false), TestCase(true)]
+    public void MainJob_WithoutAFile_MakesItsOwnAndKeepsItIfAsked(bool keeps)
     {
-        string folder = Scratch["own"];
-        var json = Summary("", "--out", folder, "--points", "3000");
+        string folder = Scratch["own" + keeps];
+        string[] options = ["--out", folder, "--points", "3000"];
+        var json = Summary("", keeps ? [.. options, "--keep"] : options);
         HasInfoKeys(json.GetProperty("info"), false);
-        Assert.That(File.Exists(Path.Combine(folder, "demo.las")), Is.True);
+        Assert.That(File.Exists(Path.Combine(folder, "demo.las")), Is.EqualTo(keeps));
+        Assert.That(Directory.Exists(Path.Combine(folder, "demo.fastpoints")), Is.EqualTo(keeps));
+        Assert.That(File.Exists(Path.Combine(folder, "report.html")), Is.True);
     }
 
     [Test]

@@ -10,4 +10,5 @@ using System.Runtime.CompilerServices;
 [assembly: InternalsVisibleTo("FastPoints.UnityTests")]
 [assembly: InternalsVisibleTo("FastPoints.Cli")]
 [assembly: InternalsVisibleTo("HostTests")]
+[assembly: InternalsVisibleTo("PageTests")]
 [assembly: InternalsVisibleTo("MonoTests")]
