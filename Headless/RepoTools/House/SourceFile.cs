@@ -45,7 +45,8 @@ public sealed record SourceFile(string Path, string Text)
     public int WordCount => ReferenceBlock.Remove(Text).Replace('|', ' ')
         .Split((char[]?)null, StringSplitOptions.RemoveEmptyEntries).Length;
 
-    public static bool IsWanted(string path) => IsCodePath(path) || new SourceFile(path, "") is { IsManual: true } or { IsReadme: true };
+    public static bool IsWanted(string path) => IsCodePath(path) ||
+        new SourceFile(path, "") is { IsManual: true } or { IsReadme: true };
 
     // Tables that a verb makes are data.
     private static bool IsCodePath(string path) => s_code.Any(e => path.EndsWith(e, StringComparison.Ordinal)) &&
