@@ -44,7 +44,8 @@ public sealed class ManualFactsTests
     {
         var start = new ProcessStartInfo("git", "tag --list")
         {
-            WorkingDirectory = Checkout.Repository.Root, RedirectStandardOutput = true,
+            WorkingDirectory = Checkout.Repository.Root,
+            RedirectStandardOutput = true,
         };
         using var git = Process.Start(start);
         string output = git.StandardOutput.ReadToEnd();
