@@ -24,7 +24,7 @@ public static class Program
           threads   Headless/Api/threads.tsv: on which threads the members of Unity that the package uses may be called, from
                     these builds and the full table beside that list
           hlsl      Shaders/Generated/*.hlsl from the structs marked [GenerateHlsl]
-          formats   compares the byte tables in Documentation~/disk-format.md with the structs marked [DiskFormat]
+          formats   compares the byte tables in Documentation~/internals/disk-format.md with the structs marked [DiskFormat]
           behaviour compares Headless/Api/behaviour.tsv with the stand-ins and tests that it names; makes the manual's list
                     of what is unverified from it
           reference the reference at the end of Documentation~/api.md: the public types of the compiled package

@@ -6,7 +6,7 @@ static class CardStage
 {
     const int MaxBytes = 256 << 20;
 
-    /// <summary>Of covered pixels: discs are cut out pixel by pixel, see Documentation~/rendering.md.</summary>
+    /// <summary>Of covered pixels: discs are cut out pixel by pixel, see internals/rendering.md.</summary>
     const double MaxDifferent = 0.002;
 
     /// <summary>In 255ths: of entries of the palette that lie beside one another. Places on a lattice often lie at the border

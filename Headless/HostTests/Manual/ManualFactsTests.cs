@@ -1,3 +1,4 @@
+using System.Diagnostics;
 using System.Reflection;
 using FastPoints.RepoTools.Reference;
 
@@ -31,8 +32,26 @@ public sealed class ManualFactsTests
             .Prepend("Unity " + manifest.GetProperty("unity").GetString() + " or later");
 
         Assert.That(page.TableUnder("## What it needs").Select(r => r[0] + " " + r[1]), Is.EqualTo(wanted));
-        Assert.That(Regex.Matches(page.Text, @"dots#([\w.]+)").Select(m => m.Groups[1].Value).Distinct(),
-            Is.EqualTo(new[] { manifest.GetProperty("version").GetString() }));
+    }
+
+    /// <summary>A git URL that ends in what is no tag installs nothing.</summary>
+    [Test]
+    public void Tags_OfGitUrls_AreThere() => Assert.That(ManualPage.All()
+        .SelectMany(p => Regex.Matches(p.Text, @"com\.fastpoints\.dots#([\w.-]+)").Select(m => m.Groups[1].Value))
+        .Except(Tags()), Is.Empty);
+
+    static string[] Tags()
+    {
+        var start = new ProcessStartInfo("git", "tag --list")
+        {
+            WorkingDirectory = Checkout.Repository.Root,
+            RedirectStandardOutput = true,
+        };
+        using var git = Process.Start(start);
+        string output = git.StandardOutput.ReadToEnd();
+        git.WaitForExit();
+        Assert.That(git.ExitCode, Is.Zero);
+        return output.Split('\n', StringSplitOptions.RemoveEmptyEntries);
     }
 
     [Test]
@@ -91,7 +110,7 @@ public sealed class ManualFactsTests
     public void TypesInCode_OfTheTaskPages_Exist()
     {
         string[] pages = { "show.md", "style.md", "run-time.md", "players.md", "performance.md",
-            "troubleshooting.md", "api.md", "streaming.md" };
+            "troubleshooting.md", "api.md", "internals/streaming.md" };
         var missing = pages.Select(ManualPage.Of).SelectMany(p => ManualPage.Code(ReferenceBlock.Remove(p.Text))
             .Where(c => Regex.IsMatch(c, @"^(Point|Cloud|Stream|Convert|Preview)[A-Z]\w+(\.\w+)?(\(\))?$"))
             .Where(c => !IsThere(c.TrimEnd('(', ')')))

@@ -9,7 +9,8 @@ public sealed class ManualLinksTests
     public void TableOfContents_HasEachPageOnce()
     {
         string folder = Path.Combine(Checkout.Repository.PackageRoot, "Documentation~");
-        var pages = Directory.GetFiles(folder, "*.md").Select(Path.GetFileName).Where(n => n != "TableOfContents.md");
+        var pages = Directory.GetFiles(folder, "*.md", SearchOption.AllDirectories)
+            .Select(f => Path.GetRelativePath(folder, f).Replace('\\', '/')).Where(n => n != "TableOfContents.md");
 
         Assert.That(ManualPage.Of("TableOfContents.md").Links(), Is.EquivalentTo(pages));
     }

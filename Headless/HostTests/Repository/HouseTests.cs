@@ -12,10 +12,10 @@ public sealed class HouseTests
     private static readonly string[] s_measures =
     {
         "product-lines", "csharp-lines", "outside-lines", "rooms", "public-types", "small-files", "folders", "parameters",
-        "methods", "wide-lines", "manual-words", "long-pages", "not-words",
+        "methods", "wide-lines", "manual-words", "readme-words", "long-pages", "not-words",
     };
 
-    private static readonly SourceFile s_glossary = new SourceFile(Manual + "glossary.md",
+    private static readonly SourceFile s_glossary = new SourceFile(Manual + "internals/glossary.md",
         "| Word | Meaning | Not |\n|---|---|---|\n| **run** | points in a row | span, `slice` (of a file), page |\n" +
         "| page | a part of the view | bare cell, Sees, `TryPredictView`, Most... |\n\n| other | table | heap |\n");
 
@@ -27,6 +27,7 @@ public sealed class HouseTests
     [TestCase("public-types", 2)]
     [TestCase("small-files", 2)]
     [TestCase("manual-words", 3)]
+    [TestCase("readme-words", 2)]
     public void Figure_OfFewFiles_IsTheirSum(string measure, int figure)
     {
         SourceFile[] files =
@@ -37,6 +38,9 @@ public sealed class HouseTests
             new SourceFile("Headless/Cli/A.cs", "public class E\n{ }"),
             new SourceFile("UnityOutside/A/A.cs", "class F { }"),
             new SourceFile(Manual + "a.md", "Three small\n\nwords.\n"),
+            new SourceFile(Manual + "internals/b.md", "Of developers.\n"),
+            new SourceFile("README.md", "Two words.\n"),
+            new SourceFile("Projects/README.md", "Another.\n"),
         };
 
         Assert.That(Report(files).Figures[measure], Is.EqualTo(figure));
@@ -112,7 +116,7 @@ public sealed class HouseTests
 
         Assert.That(Report(new SourceFile(Manual + "a.md", words)).Figures["long-pages"], Is.EqualTo(0));
         Assert.That(Report(new SourceFile(Manual + "a.md", words + "more")).Figures["long-pages"], Is.EqualTo(1));
-        Assert.That(Report(new SourceFile("README.md", words + "more")).Figures["long-pages"], Is.EqualTo(0));
+        Assert.That(Report(new SourceFile(Manual + "internals/a.md", words + "more")).Figures["long-pages"], Is.EqualTo(1));
     }
 
     [Test]

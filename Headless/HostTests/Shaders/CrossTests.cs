@@ -61,7 +61,7 @@ public sealed class CrossTests
         int columns = CrossCompilers.MissingForWebGpu.Length == 0 ? 7 : 6;
         string[] Lines(IEnumerable<string[]> rows) => rows.Select(r => $"| {string.Join(" | ", r.Take(columns))} |").ToArray();
         string[] rows = Lines(Rows());
-        Assert.That(Lines(ManualPage.Of("rendering.md").TableUnder("## Where the shaders go")), Is.EqualTo(rows),
+        Assert.That(Lines(ManualPage.Of("internals/rendering.md").TableUnder("## Where the shaders go")), Is.EqualTo(rows),
             string.Join("\n", rows));
     }
 

@@ -2,7 +2,7 @@ namespace FastPoints.RepoTools.House;
 
 public sealed class Glossary
 {
-    public const string Path = "Packages/com.fastpoints.dots/Documentation~/glossary.md";
+    public const string Path = "Packages/com.fastpoints.dots/Documentation~/internals/glossary.md";
 
     private static readonly Regex s_part = new Regex("[A-Z]+(?![a-z])|[A-Z]?[a-z]+");
     private static readonly Regex s_mark = new Regex(@"\([^)]*\)|[*_`""]");

@@ -29,12 +29,15 @@ public sealed record HouseMeasure(string Name, string What, bool IsSum, Func<Hou
         new HouseMeasure("methods", "methods of more than {0} lines", false,
             s => s.CSharp.SelectMany(f => s.ShapeOf(f).Methods, (f, m) => Of(f, m, "lines"))),
         new HouseMeasure("wide-lines", "lines of C# and shaders over {0} columns", false, s => s.Code.SelectMany(Widths)),
-        new HouseMeasure("manual-words", "words of the manual, without its generated reference", true,
-            s => s.Manual.Select(f => new Finding(f.Path, f.WordCount, $"{f.WordCount} words"))),
-        new HouseMeasure("long-pages", "pages of the manual of more than {0} words", false,
-            s => s.Manual.Select(f => new Finding(f.Path, f.WordCount, $"{f.WordCount} words"))),
+        new HouseMeasure("manual-words", "words of the manual's pages for users, without internals and generated reference", true,
+            s => s.Manual.Where(f => f.IsForUsers).Select(Words)),
+        new HouseMeasure("readme-words", "words of README.md", true, s => s.Readme.Select(Words)),
+        new HouseMeasure("long-pages", "pages of the manual, internals too, of more than {0} words", false,
+            s => s.Manual.Select(Words)),
         new HouseMeasure("not-words", "words in names of Runtime and Editor that the glossary says not to use", false, NotWords),
     };
+
+    private static Finding Words(SourceFile page) => new Finding(page.Path, page.WordCount, $"{page.WordCount} words");
 
     private static Finding Of(SourceFile file, Counted member, string unit) =>
         new Finding(file.Path, member.Amount, $"{member.Amount} {unit}, {member.Name} in line {member.Line}");

@@ -11,6 +11,7 @@ public sealed class HouseSources
         CSharp = Code.Where(f => f.IsCSharp).ToList();
         Product = CSharp.Where(f => f.IsProduct).ToList();
         Manual = all.Where(f => f.IsManual).ToList();
+        Readme = all.Where(f => f.IsReadme).ToList();
         SourceFile? glossary = Manual.FirstOrDefault(f => f.Path == Glossary.Path);
         HasGlossary = glossary != null;
         Glossary = Glossary.Parse(glossary?.Text ?? "");
@@ -25,6 +26,7 @@ public sealed class HouseSources
     public IReadOnlyList<SourceFile> CSharp { get; }
     public IReadOnlyList<SourceFile> Product { get; }
     public IReadOnlyList<SourceFile> Manual { get; }
+    public IReadOnlyList<SourceFile> Readme { get; }
     public Glossary Glossary { get; }
     public bool HasGlossary { get; }
 

@@ -5,6 +5,7 @@ namespace FastPoints.RepoTools.House;
 public sealed record SourceFile(string Path, string Text)
 {
     private const string Package = "Packages/com.fastpoints.dots/";
+    private const string Manual = Package + "Documentation~/";
     private const string Entities = "FastPoints.Entities";
 
     private static readonly string[] s_code = { ".cs", ".hlsl", ".shader", ".compute" };
@@ -31,8 +32,12 @@ public sealed record SourceFile(string Path, string Text)
         }
     }
 
-    public bool IsManual => Path.StartsWith(Package + "Documentation~/", StringComparison.Ordinal) &&
-        Path.EndsWith(".md", StringComparison.Ordinal);
+    public bool IsManual => Path.StartsWith(Manual, StringComparison.Ordinal) && Path.EndsWith(".md", StringComparison.Ordinal);
+
+    /// <summary>Of the manual: what its users read.</summary>
+    public bool IsForUsers => IsManual && !Path.StartsWith(Manual + "internals/", StringComparison.Ordinal);
+
+    public bool IsReadme => Path == "README.md";
 
     public string Folder => Path.Contains('/') ? Path[..Path.LastIndexOf('/')] : ".";
     public int LineCount => Text.Count(c => c == '\n') + (Text.Length > 0 && Text[^1] != '\n' ? 1 : 0);
@@ -40,7 +45,8 @@ public sealed record SourceFile(string Path, string Text)
     public int WordCount => ReferenceBlock.Remove(Text).Replace('|', ' ')
         .Split((char[]?)null, StringSplitOptions.RemoveEmptyEntries).Length;
 
-    public static bool IsWanted(string path) => IsCodePath(path) || new SourceFile(path, "").IsManual;
+    public static bool IsWanted(string path) => IsCodePath(path) ||
+        new SourceFile(path, "") is { IsManual: true } or { IsReadme: true };
 
     // Tables that a verb makes are data.
     private static bool IsCodePath(string path) => s_code.Any(e => path.EndsWith(e, StringComparison.Ordinal)) &&

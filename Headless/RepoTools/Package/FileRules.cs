@@ -21,7 +21,7 @@ public static class FileRules
 
     /// <summary>Of the two folders that Unity does not import; vector graphics are of no use to it.</summary>
     private static readonly string[] s_notImported =
-        { ".md", ".png", ".svg", ".json", ".cs", ".asmdef", ".meta", ".hlsl", ".shader", ".bytes" };
+        { ".md", ".png", ".webp", ".svg", ".json", ".cs", ".asmdef", ".meta", ".hlsl", ".shader", ".bytes" };
 
     private static readonly Regex s_direct = new Regex(
         @"(?<![\w.])(System\.IO\.)?File\.(Replace|Move|Delete|Copy|Open\w*|Create\w*)\(|" +

@@ -1,4 +1,4 @@
-// Packed blocks as they lie on disk and in a bank of the pool: see Documentation~/disk-format.md, "Planes and blocks". A point
+// Packed blocks as they lie on disk and in a bank of the pool: see internals/disk-format.md, "Planes and blocks". A point
 // is unpacked alone. Nothing of Unity's is used here.
 #ifndef FASTPOINTS_POINT_BLOCKS_INCLUDED
 #define FASTPOINTS_POINT_BLOCKS_INCLUDED

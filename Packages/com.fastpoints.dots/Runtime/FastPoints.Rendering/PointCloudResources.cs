@@ -3,7 +3,7 @@ using UnityEngine;
 namespace FastPoints.Rendering
 {
     /// <summary>Refers to the package's shaders, so that builds keep them.</summary>
-    [HelpPage("rendering")]
+    [HelpPage("internals/rendering")]
     public sealed class PointCloudResources : ScriptableObject
     {
         /// <summary>Below any Resources folder.</summary>

@@ -3,7 +3,7 @@ using UnityEngine;
 
 namespace FastPoints
 {
-    // Marks a struct that lies on disk as in memory: a check keeps it equal to its table in Documentation~/disk-format.md.
+    // Marks a struct that lies on disk as in memory: a check keeps it equal to its table in internals/disk-format.md.
     [AttributeUsage(AttributeTargets.Struct)]
     internal sealed class DiskFormatAttribute : Attribute { }
 

@@ -4,7 +4,7 @@ using System.Runtime.InteropServices;
 
 namespace FastPoints.Store
 {
-    /// <summary>The names of a converted cloud's files; their bytes are in <c>Documentation~/disk-format.md</c>.</summary>
+    /// <summary>The names of a converted cloud's files; <c>internals/disk-format.md</c> of the manual has their bytes.</summary>
     public static class StoreFormat
     {
         public const uint Version = 2;

@@ -2,7 +2,7 @@ using System.IO;
 
 namespace FastPoints.Benchmarks
 {
-    /// <summary>Real clouds of workloads, since made ones compress unlike them (Documentation~/benchmarks.md). Where one is
+    /// <summary>Real clouds of workloads, since made ones compress unlike them (Documentation~/figures.md). Where one is
     /// absent, its workloads do nothing and report no points.</summary>
     static class BenchmarkSamples
     {
