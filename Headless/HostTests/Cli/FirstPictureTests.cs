@@ -19,7 +19,7 @@ public class FirstPictureTests : ScratchPerTest
     }
 
     [Test]
-    public void MainJob_Street_CutsNothingOff()
+    public void MainJob_Street_FramesAllPoints()
     {
         string folder = Scratch["report"];
         var call = CliCall.Of(Scratch.Demo(points: 60_000), "-o", folder, "--plain", "--quiet");
@@ -30,7 +30,7 @@ public class FirstPictureTests : ScratchPerTest
     }
 
     [TestCase("top"), TestCase("front"), TestCase("iso")]
-    public void Preview_StreetFromAnySide_CutsNothingOff(string view)
+    public void Preview_StreetFromAnySide_FramesAllPoints(string view)
     {
         string picture = Scratch["p.png"];
         CliCall.Of("preview", Scratch.Demo(points: 60_000), "-o", picture, "--view", view, "--plain", "--quiet");
@@ -66,7 +66,7 @@ public class FirstPictureTests : ScratchPerTest
 
     /// <summary>Seen from above, a metre of the picture is as long as its bar says.</summary>
     [Test]
-    public void Picture_ScaleBarFromAbove_IsAsLongAsItSays()
+    public void Picture_ScaleBarFromAbove_HasItsLength()
     {
         string file = Scratch["square.xyz"], picture = Scratch["p.png"];
         File.WriteAllLines(file, Enumerable.Range(0, 10_201).Select(i => $"{i % 101} {i / 101} {i % 7 / 10.0}"));
@@ -81,7 +81,7 @@ public class FirstPictureTests : ScratchPerTest
     }
 
     [TestCase("", "Y is taken for up"), TestCase("z", "coloured by")]
-    public void Picture_PlyWithYUp_IsGuessedUnlessItIsSaid(string up, string expected)
+    public void Picture_PlyWithYUp_IsGuessedUnlessGiven(string up, string expected)
     {
         string file = Scratch["y.ply"];
         var random = new Unity.Mathematics.Random(3);
@@ -99,7 +99,7 @@ public class FirstPictureTests : ScratchPerTest
     }
 
     [TestCase("x", -1, 1, -1), TestCase("y", 1, -1, -1), TestCase("z", 1, -1, -1)]
-    public void Picture_NegativeUp_IsThatOfTheTurnedCloud(string axis, int x, int y, int z)
+    public void Picture_NegativeUp_MatchesTheRotatedCloud(string axis, int x, int y, int z)
     {
         var random = new System.Random(5);
         string[] files = [Scratch["down.xyz"], Scratch["turned.xyz"]];

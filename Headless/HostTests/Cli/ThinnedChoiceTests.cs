@@ -26,7 +26,7 @@ public sealed class ThinnedChoiceTests
     }
 
     [Test]
-    public void Take_MoreThanPlaces_HasEachPlaceAndFillsUp()
+    public void Take_MoreThanCells_FillsEachCellFirst()
     {
         var x = Take(500);
         Assert.That(x, Has.Length.EqualTo(500));

@@ -14,7 +14,7 @@ public sealed class CoordinateSystemConformanceTests
         : double.Parse(text, CultureInfo.InvariantCulture);
 
     [Test]
-    public void Codes_OfEpsg_HaveTheUnitsThatProjSays() => Assert.Multiple(() =>
+    public void Codes_OfEpsg_HaveTheUnitsOfProj() => Assert.Multiple(() =>
     {
         var lines = File.ReadAllLines(Here("crs-codes.tsv")).Select(l => l.Split('\t')).ToList();
         Assert.That(lines, Has.Count.EqualTo(100));
@@ -27,7 +27,7 @@ public sealed class CoordinateSystemConformanceTests
     });
 
     [Test]
-    public void Texts_OfAllKinds_HaveTheUnitsThatTheySay() => Assert.Multiple(() =>
+    public void Texts_OfAllKinds_HaveTheStatedUnits() => Assert.Multiple(() =>
     {
         using var texts = JsonDocument.Parse(File.ReadAllText(Here("crs-texts.json")));
         Assert.That(texts.RootElement.GetArrayLength(), Is.EqualTo(20));

@@ -20,7 +20,7 @@ public sealed class PackageConformanceTests(string generation)
 
     /// <summary>Constants, enum values and default arguments leave no name in the IL, so the stand-ins must be right.</summary>
     [Test]
-    public void StandIns_PublicFace_IsUnitys()
+    public void StandIns_PublicApi_IsUnitys()
     {
         var audit = new StandInAudit(FullList());
         using GenerationBuilds builds = Checkout.Builds(m_generation);

@@ -13,7 +13,7 @@ public sealed class BackgroundWorkTests : EditorFixture
     [TestCase(false, 16, 4)]
     [TestCase(false, 100, 24)]
     [TestCase(false, 100_000, 250)]
-    public void Pace_OfUpdatesApart_GrowsWithoutFocus(bool isFocused, double apartMs, double wantedMs)
+    public void Pace_RareUpdates_GrowsWithoutFocus(bool isFocused, double apartMs, double wantedMs)
     {
         var pace = new EditorPace();
         var now = new DateTime(2026, 1, 1, 0, 0, 0, DateTimeKind.Utc);
@@ -86,7 +86,7 @@ public sealed class BackgroundWorkTests : EditorFixture
     }
 
     [Test]
-    public void BatchConvert_SourceThatIsMissing_FailsAndNamesIt()
+    public void BatchConvert_MissingSource_FailsAndNamesIt()
     {
         FastPointsSettings.instance.ConvertAtOnce = false;
         string source = m_project.Scratch.Demo("gone.las", 1000);
@@ -99,7 +99,7 @@ public sealed class BackgroundWorkTests : EditorFixture
     }
 
     [Test]
-    public void BatchConvert_FilesThatAreRefusedForAMoment_AreWrittenLater()
+    public void BatchConvert_FilesLockedForAMoment_AreWrittenLater()
     {
         FastPointsSettings.instance.ConvertAtOnce = false;
         m_project.Imports.CreateAsset(m_project.Scratch.Demo("scan.las", 1000), "Assets");
@@ -125,7 +125,7 @@ public sealed class BackgroundWorkTests : EditorFixture
     }
 
     [Test]
-    public void Imports_ThatBegin_DeleteWhatWasLeftOfDeletedClouds()
+    public void Imports_AtStart_FinishInterruptedDeletions()
     {
         Directory.CreateDirectory("PointClouds/far.fastpoints.deleted2/chunks");
         Directory.CreateDirectory("PointClouds/near.fastpoints");
@@ -135,7 +135,7 @@ public sealed class BackgroundWorkTests : EditorFixture
     }
 
     [Test]
-    public void BatchConvert_AnotherEditorHasTheFolder_SaysWho()
+    public void BatchConvert_FolderLockedByAnotherEditor_NamesIt()
     {
         m_project.Imports.CreateAsset(m_project.Scratch.Demo("scan.las", 1000), "Assets");
         Assert.That(FolderLock.TryTake(Path.Combine("PointClouds", ImportQueue.LockName), out var held), Is.Null);
@@ -146,7 +146,7 @@ public sealed class BackgroundWorkTests : EditorFixture
     /// <summary>Its Assets are those of the project, which only the main editor imports; its updates would ask a second
     /// time.</summary>
     [Test]
-    public void CloneOfMultiplayerPlayMode_LeavesAllToTheMainEditor()
+    public void VirtualPlayer_OfMultiplayerPlayMode_LeavesImportsToTheMainEditor()
     {
         var (heard, arguments) = (EditorApplication.update, PointCloudImports.s_arguments);
         try
@@ -178,7 +178,7 @@ public sealed class BackgroundWorkTests : EditorFixture
     }
 
     [Test]
-    public void BatchMode_ThatBegins_HearsNoUpdates()
+    public void BatchMode_AtStart_SubscribesToNoUpdates()
     {
         var heard = EditorApplication.update;
         try

@@ -56,7 +56,7 @@ public sealed class OriginTests : EditorFixture
     }
 
     [Test]
-    public void Clouds_BeneathAnOrigin_LieByItsPlaceAndLeaveItAgain()
+    public void Clouds_UnderAnOrigin_AreGeoreferencedByItUntilTheyLeave()
     {
         var origin = Origin();
         var cloud = Shown("a", origin);
@@ -80,7 +80,7 @@ public sealed class OriginTests : EditorFixture
     }
 
     [Test]
-    public void Update_PlaceAndSystemThatACloudDecides_AreKeptOnceAndInEditModeAlone()
+    public void Update_OriginTakenFromACloud_IsStoredOnceInEditMode()
     {
         System.Runtime.CompilerServices.RuntimeHelpers.RunClassConstructor(typeof(SceneVisibility).TypeHandle);
         var origin = Origin();
@@ -121,7 +121,7 @@ public sealed class OriginTests : EditorFixture
 
     /// <summary>Each frame of a long flight: what lies at the camera stays there to 1e-6, though it is 1,000 km off.</summary>
     [Test]
-    public void Shift_AgainAndAgain_NeitherJumpsNorDrifts()
+    public void Shift_Repeated_NeitherJumpsNorDrifts()
     {
         var origin = Origin();
         var cloud = Shown("a", origin);
@@ -145,7 +145,7 @@ public sealed class OriginTests : EditorFixture
     }
 
     [Test]
-    public void Shift_EntityClouds_ByACallOpenOrNot()
+    public void Shift_EntityClouds_MovesOpenAndUnopenedOnes()
     {
         string folder = m_project.Scratch["far.fastpoints"];
         Assert.That(CliCall.Of("convert", m_project.Scratch.Demo(points: 3000), "-o", folder, "--quiet").Status, Is.Zero);
@@ -186,7 +186,7 @@ public sealed class OriginTests : EditorFixture
     }
 
     [Test]
-    public void Compare_CloudOfAnotherCrs_IsWarnedOfOnceWithBothNames()
+    public void Compare_CloudOfAnotherCrs_WarnsOnceWithBothNames()
     {
         var origin = Origin();
         Shown("a", origin, "EPSG:25832 ETRS89 / UTM zone 32N");
@@ -200,7 +200,7 @@ public sealed class OriginTests : EditorFixture
     }
 
     [Test]
-    public void Convert_CloudBeneathAnOrigin_KeepsAnOriginOfItsOwn()
+    public void Convert_CloudUnderAnOrigin_KeepsItsOwnOrigin()
     {
         var origin = Origin();
         origin.PositionGeo = new double3(1e6, 1e6, 0);
@@ -212,7 +212,7 @@ public sealed class OriginTests : EditorFixture
     }
 
     [Test]
-    public void Undo_OfAPlace_MovesTheCloudsBack()
+    public void Undo_OfAPosition_MovesTheCloudsBack()
     {
         var origin = Origin();
         var cloud = Shown("a", origin);
@@ -252,7 +252,7 @@ public sealed class OriginTests : EditorFixture
     }
 
     [Test]
-    public void Inspector_TypedPlace_IsOneAndATypedCoordinateSystemIsNone()
+    public void Inspector_TypedPosition_IsSetAndTypedCrsAloneIsNot()
     {
         var origin = Origin();
         var editor = UnityEditor.Editor.Of<PointCloudOriginEditor>(origin);
@@ -272,7 +272,7 @@ public sealed class OriginTests : EditorFixture
     }
 
     [Test]
-    public void AlignTo_CloudThatOnlyAPathNames_IsTheMiddleOfItsFloor()
+    public void AlignTo_CloudKnownByPathOnly_MovesToTheMiddleOfItsFloor()
     {
         var origin = Origin();
         origin.PositionGeo = new double3(1, 2, 3);

@@ -31,7 +31,7 @@ public sealed class AuthoringTests : ScratchTests
     bool IsStreamed(Entity entity) => m_world.EntityManager.HasComponent<StreamedPointCloud>(entity);
 
     [Test]
-    public void PointCloud_OnAGameObject_IsAnEntityThatFollowsItAndGoesWithIt()
+    public void PointCloud_OnAGameObject_HasAnEntityThatFollowsIt()
     {
         var scene = new GameObject("scan");
         var cloud = scene.AddComponent<FastPoints.Entities.PointCloud>();
@@ -86,7 +86,7 @@ public sealed class AuthoringTests : ScratchTests
     }
 
     [Test]
-    public void PointCloud_LayerSceneAndEye_AreThoseOfItsGameObject()
+    public void PointCloud_LayerSceneAndVisibility_FollowItsGameObject()
     {
         System.Runtime.CompilerServices.RuntimeHelpers.RunClassConstructor(typeof(FastPoints.Editor.SceneVisibility).TypeHandle);
         var scene = new GameObject("scan") { layer = 5 };
@@ -128,7 +128,7 @@ public sealed class AuthoringTests : ScratchTests
     }
 
     [Test]
-    public void PointCloud_ColourAndClasses_DecideOnWhatIsStreamed()
+    public void PointCloud_ColourAndClasses_SelectTheStreamedPlanes()
     {
         var scene = new GameObject("scan");
         var cloud = scene.AddComponent<FastPoints.Entities.PointCloud>();
@@ -156,7 +156,7 @@ public sealed class AuthoringTests : ScratchTests
     }
 
     [Test]
-    public void PointCloudClipBox_OnAGameObject_ClipsAsItStandsUntilItGoes()
+    public void PointCloudClipBox_OnAGameObject_ClipsByItsTransformUntilDestroyed()
     {
         var clips = m_group.Stream.ClipBoxes;
         var scene = new GameObject("box");
@@ -184,7 +184,7 @@ public sealed class AuthoringTests : ScratchTests
     /// <summary>A write completes other people's jobs, and those who look for changes look again. Unity's own counts no
     /// writes.</summary>
     [Test]
-    public void Components_ThatStandStill_WriteNothing()
+    public void Components_Unchanged_WriteNothing()
     {
         var scene = new GameObject("scan");
         var cloud = scene.AddComponent<FastPoints.Entities.PointCloud>();
@@ -215,7 +215,7 @@ public sealed class AuthoringTests : ScratchTests
 
 #if !REAL_ENTITIES
     [Test]
-    public void PointCloud_SwitchedWhileASystemIterates_GoesAndComesWithTheNextFrames()
+    public void PointCloud_ToggledDuringIteration_ChangesInTheNextFrames()
     {
         var scene = new GameObject("scan");
         var cloud = scene.AddComponent<FastPoints.Entities.PointCloud>();
@@ -242,7 +242,7 @@ public sealed class AuthoringTests : ScratchTests
 #endif
 
     [Test]
-    public void PointCloud_WorldDisposedFirst_GoesWithoutAnError()
+    public void PointCloud_WorldDisposedFirst_IsDestroyedWithoutError()
     {
         var scene = new GameObject("scan");
         var cloud = scene.AddComponent<FastPoints.Entities.PointCloud>();
@@ -253,7 +253,7 @@ public sealed class AuthoringTests : ScratchTests
     }
 
     [Test]
-    public void Components_EntitiesOrTheWorldWereEndedByOthers_MakeTheirOwnAgain()
+    public void Components_EntitiesOrWorldDestroyedByOthers_CreateThemAgain()
     {
         var scene = new GameObject("scan");
         var cloud = scene.AddComponent<FastPoints.Entities.PointCloud>();
@@ -289,7 +289,7 @@ public sealed class AuthoringTests : ScratchTests
     }
 
     [Test]
-    public void Baker_OfAnAuthoringComponent_MakesWhatStreams()
+    public void Baker_AuthoringComponent_CreatesAStreamedCloud()
     {
         var scene = new GameObject("scan");
         var authoring = scene.AddComponent<PointCloudAuthoring>();
@@ -302,7 +302,7 @@ public sealed class AuthoringTests : ScratchTests
     }
 
     [Test]
-    public void Baker_OfAClipBoxAndSettings_MakesWhatTheyMakeInScenes()
+    public void Baker_ClipBoxAndSettings_MatchesTheScene()
     {
         var entities = m_world.EntityManager;
         var scene = new GameObject("all");
@@ -353,7 +353,7 @@ public sealed class AuthoringTests : ScratchTests
     }
 
     [Test]
-    public void Baker_AgainInAnOpenSubscene_ShowsWhatHasChanged()
+    public void Baker_RunAgainInAnOpenSubscene_ShowsTheChange()
     {
         var entities = m_world.EntityManager;
         var scene = new GameObject("scan");
@@ -394,7 +394,7 @@ public sealed class AuthoringTests : ScratchTests
     }
 
     [Test]
-    public void Baker_BeneathAnOrigin_LiesByItAndMovesWithIt()
+    public void Baker_UnderAnOrigin_IsPlacedByItAndFollowsIt()
     {
         var entities = m_world.EntityManager;
         var root = new GameObject("origin");
@@ -435,7 +435,7 @@ public sealed class AuthoringTests : ScratchTests
     }
 
     [Test]
-    public void Worlds_ThatBothDraw_OneShowsTheCloudsAndTheChoiceCounts()
+    public void Worlds_BothDrawing_ShowCloudsInTheChosenOne()
     {
         var server = new World("server");
         World.DefaultGameObjectInjectionWorld = server;

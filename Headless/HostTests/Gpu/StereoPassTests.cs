@@ -113,7 +113,7 @@ public sealed class StereoPassTests : PipelineFixture
 
     [TestCase(nameof(BuiltInHost))]
     [TestCase(nameof(UrpHost))]
-    public void Render_OneEyeAtATime_IsThePictureOfACameraThereAndSelectsForBothOnce(string pipeline)
+    public void Render_OneEyeAtATime_MatchesACameraThereAndSelectsOnce(string pipeline)
     {
         using var reference = Show(pipeline, "discs");
         var single = Target(1);
@@ -145,7 +145,7 @@ public sealed class StereoPassTests : PipelineFixture
     /// <summary>A spectator's on a desktop, beside the headset.</summary>
     [TestCase(nameof(UrpHost))]
     [TestCase(nameof(HdrpHost))]
-    public void Render_CameraThatTheHeadsetDoesNotShow_IsItsOwnPictureAndSelection(string pipeline)
+    public void Render_CameraNotShownByTheHeadset_HasItsOwnPictureAndSelection(string pipeline)
     {
         using var reference = Show(pipeline, "discs");
         // HDRP's targets have a slice for each eye, whoever is drawn.

@@ -7,10 +7,10 @@ public sealed class ManualMenusTests
     static readonly string[] s_roots = { "Assets", "FastPoints", "GameObject", "Project Settings", "Tools" };
 
     [Test]
-    public void Menus_ThatPagesName_Exist() => Assert.That(ManualPage.All().SelectMany(p => Unknown(p, Menus())), Is.Empty);
+    public void Menus_NamedOnPages_Exist() => Assert.That(ManualPage.All().SelectMany(p => Unknown(p, Menus())), Is.Empty);
 
     [Test]
-    public void Menus_ThatAreThere_AreNamedInTheManual()
+    public void Menus_Existing_AreNamedInTheManual()
     {
         var named = ManualPage.All().SelectMany(Named).ToHashSet();
 

@@ -38,7 +38,7 @@ public sealed class ManualSettingsTests
     [TestCase("UploadMebibytesPerFrame", "Upload Mebibytes Per Frame")]
     [TestCase("m_hiddenClasses", "Hidden Classes")]
     [TestCase("MaxSizePx", "Max Size Px")]
-    public void Nicified_Field_IsAsTheInspectorHasIt(string field, string shown) =>
+    public void Nicified_Field_MatchesTheInspector(string field, string shown) =>
         Assert.That(Nicified(field), Is.EqualTo(shown));
 
     [Test]

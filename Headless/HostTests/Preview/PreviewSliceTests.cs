@@ -32,7 +32,7 @@ public sealed class PreviewSliceTests
     }
 
     [Test]
-    public void Preview_ByRuns_IsCut()
+    public void Preview_ByRanges_IsSliced()
     {
         const int points = 1_000_000;
         string path = Path.Combine(Path.GetTempPath(), $"fastpoints-slices-{Guid.NewGuid():N}.ply");
@@ -65,7 +65,7 @@ public sealed class PreviewSliceTests
 
     [TestCase(20_000)]
     [TestCase(1_000_000)]
-    public void Refining_IsCut(int blockPoints)
+    public void Refining_LargePreview_IsSliced(int blockPoints)
     {
         const int points = 1_000_000, all = 3_000_000, waves = 2;
         using var reader = new VirtualReader(all, blockPoints, false);

@@ -27,7 +27,7 @@ public sealed class HouseTests
     [TestCase("public-types", 2)]
     [TestCase("small-files", 2)]
     [TestCase("manual-words", 3)]
-    public void Figure_OfFewFiles_IsTheirSum(string measure, int figure)
+    public void Figure_FewFiles_IsTheirSum(string measure, int figure)
     {
         SourceFile[] files =
         {
@@ -73,7 +73,7 @@ public sealed class HouseTests
     [TestCase("record A { A({7}) { } }", 0)]
     [TestCase("readonly struct A { A({7}) { } }", 0)]
     [TestCase("#if ENABLE_UNITY_COLLECTIONS_CHECKS\nclass A { A({7}) { } }\n#endif", 1)]
-    public void Figure_MethodOfSevenParametersCounts(string code, int figure)
+    public void Figure_MethodOfSevenParameters_IsCounted(string code, int figure)
     {
         string seven = string.Join(", ", Enumerable.Range(0, 7).Select(i => $"int a{i}"));
         code = code.Replace("{7}", seven).Replace("{6}", seven[..^", int a6".Length]);
@@ -85,7 +85,7 @@ public sealed class HouseTests
     [TestCase("[Test]\nvoid B()\n{", 79, 1)]
     [TestCase("int B\n{ get {", 78, 0)]
     [TestCase("int B\n{ get {", 79, 1)]
-    public void Figure_Method_OfMoreThanEightyLinesCounts(string head, int lineEnds, int figure)
+    public void Figure_MethodOverEightyLines_IsCounted(string head, int lineEnds, int figure)
     {
         string braces = head.StartsWith("int", StringComparison.Ordinal) ? "} }" : "}";
         var file = new SourceFile("Headless/A.cs", "class A\n{\n" + head + new string('\n', lineEnds) + braces + "\n}\n");
@@ -97,7 +97,7 @@ public sealed class HouseTests
     [TestCase("Headless/A.cs", 131, 1)]
     [TestCase("Packages/com.fastpoints.dots/Shaders/A.hlsl", 131, 1)]
     [TestCase("README.md", 131, 0)]
-    public void Figure_Line_OfMoreThan130ColumnsCounts(string path, int columns, int figure)
+    public void Figure_LineOver130Columns_IsCounted(string path, int columns, int figure)
     {
         string line = "//" + new string('\u00e9', columns - 2);
 
@@ -106,7 +106,7 @@ public sealed class HouseTests
     }
 
     [Test]
-    public void Figure_Page_OfMoreThan1500WordsCounts()
+    public void Figure_PageOver1500Words_IsCounted()
     {
         string words = string.Concat(Enumerable.Repeat("word ", 1500));
 
@@ -131,7 +131,7 @@ public sealed class HouseTests
     [TestCase("class A { int MostFrameMs, m_most; bool Sees() { } bool See(); }", 3, TestName = "first words, verbs")]
     [TestCase("class A { void TryPredictView() { } void Try() { } void ForeseeTry() { } }", 1, TestName = "words in their order")]
     [TestCase("class A { string b = \"span\"; }", 0, TestName = "literals")]
-    public void Figure_WordsThatTheGlossaryRefuses(string code, int figure) =>
+    public void Figure_WordRefusedByTheGlossary_IsCounted(string code, int figure) =>
         Assert.That(Report(s_glossary, new SourceFile(Room + "A.cs", code)).Figures["not-words"], Is.EqualTo(figure));
 
     [Test]
@@ -176,7 +176,7 @@ public sealed class HouseTests
 
     [TestCase("1\t2\t3\t4\n", null)]
     [TestCase("1\t5\t3\t4\n", "copy.tsv is no copy of")]
-    public void Ceilings_CopyThatDiffersFromWhatIsGiven_IsAProblem(string copied, string problem)
+    public void Ceilings_CopyThatDiffers_IsAProblem(string copied, string problem)
     {
         DirectoryInfo root = Directory.CreateTempSubdirectory("fastpoints-house-");
         try
@@ -202,7 +202,7 @@ public sealed class HouseTests
     [TestCase("wide-lines\tA.cs\t139\t\t\tA table.\n", 1)]
     [TestCase("methods\tA.cs\t140\t\t\tA table.\n", 1)]
     [TestCase("wide-lines\ts\t140\t\t\tA table.\n", 1)]
-    public void Figure_ThingThatIsExcepted_CountsBeyondItsOwnNumber(string row, int figure) =>
+    public void Figure_Exception_CountsBeyondItsOwnLimit(string row, int figure) =>
         Assert.That(Report(Table(row), new SourceFile("Headless/A.cs", new string('/', 140))).Figures["wide-lines"],
             Is.EqualTo(figure));
 
@@ -218,7 +218,7 @@ public sealed class HouseTests
     [TestCase("a\tb\n")]
     [TestCase("wide-lines\t*\tmany\t0\t0\t\n")]
     [TestCase("wide-lines\t*\t-1\t0\t0\t\n")]
-    public void Parse_LineThatIsNoRow_Throws(string row) =>
+    public void Parse_InvalidRow_Throws(string row) =>
         Assert.That(() => HouseTable.Parse(Header + row), Throws.TypeOf<ToolException>());
 
     [Test]
@@ -237,7 +237,7 @@ public sealed class HouseTests
     [TestCase(10, 10, TestName = "beyond the limit: it stays")]
     [TestCase(7, 7, TestName = "between goal and limit: it falls")]
     [TestCase(1, 5, TestName = "below the goal: it falls to the goal")]
-    public void Lowered_FigureOfALimitOfNine(int figure, int limit)
+    public void Lowered_LimitOfNine_FallsToTheFigure(int figure, int limit)
     {
         string text = Header + "folders\t*\t30\t{0}\t5\t\nfolders\tRoom/\t40\t\t\tA room.\n";
         var figures = new Dictionary<string, long> { ["folders"] = figure };
@@ -247,7 +247,7 @@ public sealed class HouseTests
     }
 
     [Test]
-    public void Main_HouseOfAPlantedRepository_PrintsRefusesListsAndLowers()
+    public void Main_HouseOfAPlantedRepository_PrintsChecksListsAndLowers()
     {
         DirectoryInfo root = Directory.CreateTempSubdirectory("fastpoints-house-");
         try

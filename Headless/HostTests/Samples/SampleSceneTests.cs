@@ -76,7 +76,7 @@ public sealed class SampleSceneTests
 
     /// <summary>Whatever fails: the next request begins anew.</summary>
     [Test]
-    public void Get_PlaceThatCannotBeMade_ReportsItAndCanBeAskedAgain()
+    public void Get_UnwritableFolder_ReportsItAndCanBeRetried()
     {
         var logged = new List<string>();
         Debug.s_sink = (type, text) => logged.Add(type + ": " + text);
@@ -116,7 +116,7 @@ public sealed class SampleSceneTests
     }
 
     [Test]
-    public void Make_UserKeepsHisScene_NothingIsMade()
+    public void Create_UserKeepsTheScene_CreatesNothing()
     {
         PutSmallStreet();
         EditorSceneManager.s_goesOn = false;
@@ -132,7 +132,7 @@ public sealed class SampleSceneTests
 
     /// <summary>In play mode Unity makes no scenes: it throws.</summary>
     [Test]
-    public void Make_InPlayMode_ReportsItAndMakesNothing()
+    public void Create_InPlayMode_ReportsItAndCreatesNothing()
     {
         PutSmallStreet();
         var logged = new List<string>();
@@ -149,7 +149,7 @@ public sealed class SampleSceneTests
     }
 
     [Test]
-    public void Get_AskedTwiceAndAgain_MakesOneAsset()
+    public void Get_CalledRepeatedly_CreatesOneAsset()
     {
         PutSmallStreet();
 
@@ -162,7 +162,7 @@ public sealed class SampleSceneTests
 
     /// <summary>What the scan is, and its source, are for nobody's version control.</summary>
     [Test]
-    public void Get_MakesThePlaceAsOthersDo()
+    public void Get_NewProject_CreatesTheDataFolder()
     {
         PutPackagedStreet();
         SampleScan.Get();
@@ -171,7 +171,7 @@ public sealed class SampleSceneTests
 
     /// <summary>Of a team's clone: the asset is there, the scan is not.</summary>
     [Test]
-    public void Get_AssetWithoutItsScan_MakesItAgain()
+    public void Get_AssetWithoutItsScan_CreatesItAgain()
     {
         PutSmallStreet();
         var got = SampleScan.Get();

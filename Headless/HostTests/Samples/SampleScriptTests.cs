@@ -55,7 +55,7 @@ public sealed class SampleScriptTests
     }
 
     [Test]
-    public void LoadFromDisk_FileThatIsNotThere_ReportsIt()
+    public void LoadFromDisk_MissingFile_ReportsIt()
     {
         var logged = "";
         UnityEngine.Debug.s_sink = (_, text) => logged += text;
@@ -96,7 +96,7 @@ public sealed class SampleScriptTests
     }
 
     [Test]
-    public void EntitiesOnlyStart_WithoutWishForNodes_FramesMakeNoStructuralChange()
+    public void EntitiesOnlyStart_NodesNotRequested_MakesNoStructuralChanges()
     {
         var asset = m_world.Asset(20_000);
         m_world.Add<EntitiesOnlyStart>(s => s.Cloud = asset);
@@ -122,7 +122,7 @@ public sealed class SampleScriptTests
     }
 
     [Test]
-    public void CloudGrid_NineClouds_ShareTheStreamAndGoWithTheGrid()
+    public void CloudGrid_NineClouds_ShareTheStreamAndAreRemovedWithTheGrid()
     {
         var asset = m_world.Asset(3000);
         var grid = m_world.Add<FastPoints.Samples.ManyClouds.CloudGrid>(g => (g.Cloud, g.Side) = (asset, 3));
@@ -138,7 +138,7 @@ public sealed class SampleScriptTests
     }
 
     [Test]
-    public void FlyThrough_OneRound_StaysInTheCloudAndComesBack()
+    public void FlyThrough_OneRound_StaysInTheCloudAndReturns()
     {
         var asset = m_world.Asset(3000);
         var cloud = m_world.Add<FastPoints.Entities.PointCloud>(c => c.Cloud = asset);
@@ -163,7 +163,7 @@ public sealed class SampleScriptTests
     }
 
     [Test]
-    public void FrameFigures_OfAFrame_SayWhatIsDrawn()
+    public void FrameFigures_OfAFrame_NameWhatIsDrawn()
     {
         m_world.Add<FastPoints.Entities.PointCloud>(c => c.Cloud = m_world.Asset(3000));
         m_world.Settle();
@@ -173,7 +173,7 @@ public sealed class SampleScriptTests
     }
 
     [Test]
-    public void ColourSwitch_ClassHidden_IsNotShownUntilItIsAgain()
+    public void ColourSwitch_ClassHidden_IsNotDrawnUntilShownAgain()
     {
         var asset = m_world.Asset(3000);
         var colours = m_world.Add<ColourSwitch>();

@@ -26,7 +26,7 @@ public sealed class BakingTests
     }
 
     [Test]
-    public void Bake_AnObjectThatIsReadWithoutADependency_IsRefused() =>
+    public void Bake_ObjectReadWithoutADependency_IsRefused() =>
         Assert.That(() => Baking.Bake(new CarelessBaker(), m_authoring, m_world),
             Throws.InvalidOperationException.With.Message.Contains("Used"));
 

@@ -38,7 +38,7 @@ public sealed class EntityTests
     int Count(EntityQuery query) => query.CalculateEntityCount();
 
     [Test]
-    public void Query_DisabledEntities_AreThereForThoseWhoAskForThem()
+    public void Query_DisabledEntities_AreIncludedOnRequest()
     {
         Entities.CreateEntity(ComponentType.ReadWrite<Health>());
         Entities.AddComponent<Disabled>(Entities.CreateEntity(ComponentType.ReadWrite<Health>()));
@@ -77,7 +77,7 @@ public sealed class EntityTests
     }
 
     [Test]
-    public void Queries_OfEnableableComponents_LookAtTheirBits()
+    public void Queries_OfEnableableComponents_CheckTheirBits()
     {
         var burns = Entities.CreateEntity(ComponentType.ReadWrite<Health>(), ComponentType.ReadWrite<Burning>());
         var out1 = Entities.CreateEntity(ComponentType.ReadWrite<Health>(), ComponentType.ReadWrite<Burning>());
@@ -108,7 +108,7 @@ public sealed class EntityTests
     }
 
     [Test]
-    public void Instantiate_CleanupAndPrefab_AreNotOfTheCopyAndBuffersAreItsOwn()
+    public void Instantiate_CleanupAndPrefab_AreNotCopiedAndBuffersAre()
     {
         var entity = Entities.CreateEntity(ComponentType.ReadWrite<Health>(), ComponentType.ReadWrite<Prefab>());
         Entities.AddComponentData(entity, new Grave { Number = 7 });
@@ -133,7 +133,7 @@ public sealed class EntityTests
     }
 
     [Test]
-    public void LinkedEntities_AreInstantiatedAndDestroyedWithTheirs()
+    public void LinkedEntities_OfAPrefab_FollowIt()
     {
         Entity root = Entities.CreateEntity(), child = Entities.CreateEntity(ComponentType.ReadWrite<Health>());
         var group = Entities.AddBuffer<LinkedEntityGroup>(root);
@@ -148,7 +148,7 @@ public sealed class EntityTests
     }
 
     [Test]
-    public void CommandBuffer_PlayedBack_DoesInOrderWhatWasAsked()
+    public void CommandBuffer_PlayedBack_RunsCommandsInOrder()
     {
         var commands = new EntityCommandBuffer(Allocator.Temp);
         var made = commands.CreateEntity();
@@ -175,7 +175,7 @@ public sealed class EntityTests
 
     /// <summary>Planted violations: what Unity refuses.</summary>
     [Test]
-    public void Misuse_Throws()
+    public void RadixSort_Misused_Throws()
     {
         var gone = Entities.CreateEntity(ComponentType.ReadWrite<Health>());
         Entities.DestroyEntity(gone);
@@ -232,7 +232,7 @@ public sealed class EntityTests
     sealed class D : Noting { }
 
     [Test]
-    public void Systems_OfAGroup_RunInTheOrderThatTheyAskFor()
+    public void Systems_OfAGroup_RunInTheRequestedOrder()
     {
         s_calls.Clear();
         DefaultWorldInitialization.AddSystemsToRootLevelSystemGroups(m_world, typeof(Group), typeof(A), typeof(B), typeof(C),
@@ -265,7 +265,7 @@ public sealed class EntityTests
     }
 
     [Test]
-    public void System_ThatThrows_IsLoggedAndKeepsNoOtherFromRunning()
+    public void System_ThatThrows_IsLoggedAndOthersRun()
     {
         DefaultWorldInitialization.AddSystemsToRootLevelSystemGroups(m_world, typeof(Group), typeof(A), typeof(E));
         s_calls.Clear();

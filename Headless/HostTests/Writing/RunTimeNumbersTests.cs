@@ -23,7 +23,7 @@ public sealed class RunTimeNumbersTests
     [TestCase(nameof(Planted.Built), 1)]
     [TestCase(nameof(Planted.Read), 2)]
     [TestCase(nameof(Planted.ForPeople), 0)]
-    public void Planted_Method_IsFound(string method, int statistics)
+    public void FindMethod_Planted_IsFound(string method, int statistics)
     {
         using ModuleDefinition module = ModuleDefinition.ReadModule(typeof(RunTimeNumbersTests).Assembly.Location);
         TypeDefinition planted = module.GetType(typeof(RunTimeNumbersTests).FullName)

@@ -146,7 +146,7 @@ public sealed class JobDependencyTests
     }
 
     [Test]
-    public void Combined_DeepChainWithoutWork_IsDoneWhenTheLastJobIs()
+    public void Combined_DeepChainWithoutWork_CompletesWithTheLastJob()
     {
         JobHandle all = default;
         for (int i = 0; i < 20000; i++)
@@ -215,7 +215,7 @@ public sealed class JobDependencyTests
 
     /// <summary>What else would tell: the rest of a test that nobody looks at.</summary>
     [Test]
-    public void Exception_ThatNoTestTook_FailsTheTest()
+    public void Exception_NotExpectedByATest_FailsIt()
     {
         new ThrowingJob().Schedule().Complete();
         Assert.That(() => new AsInUnityAttribute().AfterTest(null), Throws.TypeOf<ArithmeticException>());
@@ -251,7 +251,7 @@ public sealed class JobDependencyTests
     }
 
     [Test]
-    public void Job_ThatWasScheduled_WaitsUntilSomebodyFlushes()
+    public void Job_Scheduled_WaitsUntilFlushed()
     {
         static void Waits(Action flush)
         {

@@ -123,7 +123,7 @@ public sealed class FrameTests : GraphicsFixture
     }
 
     [Test]
-    public void Frames_CardFarBehind_FencesPassSoManyFramesLater()
+    public void Frames_GpuFarBehind_FencesPassFramesLater()
     {
         HeadlessGraphics.FramesBehind = 3;
         Frame(0, draws: 1);

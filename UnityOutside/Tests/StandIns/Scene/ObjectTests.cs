@@ -25,7 +25,7 @@ public sealed class ObjectTests
     }
 
     [Test]
-    public void Layer_OutOfRange_IsLoggedAndStaysAsItWas()
+    public void Layer_OutOfRange_IsLoggedAndUnchanged()
     {
         m_object.layer = 31;
         m_object.layer = 32;
@@ -34,7 +34,7 @@ public sealed class ObjectTests
     }
 
     [Test]
-    public void Destroyed_Object_IsNullAndIsNotToBeUsed()
+    public void Destroyed_Object_EqualsNullAndThrows()
     {
         var reported = m_object.AddComponent<AlwaysTold>();
         reported.Kept = 3;
@@ -70,7 +70,7 @@ public sealed class ObjectTests
     }
 
     [Test]
-    public void Messages_InEditMode_AreForThoseThatAreAlwaysExecuted()
+    public void Messages_InEditMode_ReachExecuteAlwaysOnly()
     {
         m_object.AddComponent<Told>();
         Assert.That(s_told, Is.EqualTo(new[] { "Reset" }));
@@ -115,7 +115,7 @@ public sealed class ObjectTests
     }
 
     [Test]
-    public void AddComponent_ASecondThatIsDisallowed_IsNull()
+    public void AddComponent_DisallowedDuplicate_ReturnsNull()
     {
         m_object.AddComponent<Single>();
         Assert.That(m_object.AddComponent<Single>(), Is.Null);
@@ -123,7 +123,7 @@ public sealed class ObjectTests
     }
 
     [Test]
-    public void FindObjectsOfTypeAll_Components_AreThoseThatAreOff_Too()
+    public void FindObjectsOfTypeAll_Components_IncludesDisabledOnes()
     {
         m_object.SetActive(false);
         var off = m_object.AddComponent<Told>();

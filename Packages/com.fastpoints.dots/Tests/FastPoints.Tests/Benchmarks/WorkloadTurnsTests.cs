@@ -103,7 +103,7 @@ namespace FastPoints.Tests.Benchmarks
         }
 
         [Test]
-        public void Groups_ALimitedWorkload_BringsItsLimitBeforeIt()
+        public void Groups_WorkloadWithALimit_HasItsLimitFirst()
         {
             var log = new List<string>();
             var all = new IWorkload[] { new Told("a", "z", log), new Told("b", null, log), new Told("z", null, log) };
@@ -114,7 +114,7 @@ namespace FastPoints.Tests.Benchmarks
         }
 
         [Test]
-        public void Groups_OfAllWorkloads_HoldEachOnceAndEveryLimit()
+        public void Groups_OfAllWorkloads_ContainEachOnceAndEveryLimit()
         {
             List<IWorkload> all = WorkloadList.All();
             List<IWorkload> grouped = WorkloadTurns.Groups(all, all).SelectMany(g => g).ToList();

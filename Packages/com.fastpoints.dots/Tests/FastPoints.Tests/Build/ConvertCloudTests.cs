@@ -106,7 +106,7 @@ namespace FastPoints.Tests.Build
         }
 
         [Test]
-        public void Convert_SixtyThousandEqualInACloud_MakeAChain([Values(Sampler.Random, Sampler.Poisson)] Sampler sampler)
+        public void Convert_SixtyThousandEqualPoints_BecomeAChain([Values(Sampler.Random, Sampler.Poisson)] Sampler sampler)
         {
             var places = Uniform(90000, 20000);
             for (int i = 0; i < 60000; i++)
@@ -117,7 +117,7 @@ namespace FastPoints.Tests.Build
         }
 
         [Test]
-        public void Convert_AllEqual_MakeAChainWithoutBitsForPositions()
+        public void Convert_AllEqual_CreatesAChainWithoutPositionBits()
         {
             var places = new int3[120000];
             for (int i = 0; i < places.Length; i++)
@@ -141,7 +141,7 @@ namespace FastPoints.Tests.Build
         }
 
         [Test]
-        public void Convert_UtmOffsetsWithFineScale_KeepExactPlaces()
+        public void Convert_UtmOffsetsWithFineScale_KeepsExactPositions()
         {
             var transform = new PositionTransform { Scale = new double3(1e-4, 1e-4, 1e-4), Offset = new double3(1e7, 5e6, -100) };
             var made = Prove(MemoryReader.Of(Uniform(30000, 30000000), transform));
@@ -150,7 +150,7 @@ namespace FastPoints.Tests.Build
         }
 
         [Test]
-        public void Convert_FilesOfDifferentScaleAndOffset_MeetOnOneGrid()
+        public void Convert_FilesOfDifferentScaleAndOffset_ShareOneGrid()
         {
             var places = Uniform(20000, 100000);
             var coarse = MemoryReader.Of(places, s_centimetres, 1000, 5);
@@ -180,7 +180,7 @@ namespace FastPoints.Tests.Build
         }
 
         [Test]
-        public void Convert_FloatsWithNaN_LeavesThoseOut()
+        public void Convert_FloatsWithNaN_SkipsThem()
         {
             var random = new Unity.Mathematics.Random(3);
             float[] x = new float[5000], y = new float[5000], z = new float[5000];
@@ -236,7 +236,7 @@ namespace FastPoints.Tests.Build
         }
 
         [Test]
-        public void Convert_SomeOutliers_ReportsWhatToShowWithoutThem()
+        public void Convert_SomeOutliers_StoresDisplayRangesWithoutThem()
         {
             var places = Uniform(20000, 1000);
             for (int i = 0; i < 20; i++)
@@ -261,7 +261,7 @@ namespace FastPoints.Tests.Build
         }
 
         [TestCase(1), TestCase(3)]
-        public void Convert_SomeOfTheWorkers_ReadsSoManyBlocksSideBySide(int workers)
+        public void Convert_SomeWorkers_ReadsAsManyBlocksAtOnce(int workers)
         {
             using var threads = new WorkerCount(3);
             var reader = MemoryReader.Of(Uniform(20000, 3000), s_centimetres, 1000);

@@ -48,7 +48,7 @@ namespace FastPoints.Tests.Build
         };
 
         [Test]
-        public void Convert_WorkersThatNeverHaveEnough_KeepsBlocksInFlightWithinTheMemory([Values(1, 8)] int memoryMegabytes)
+        public void Convert_StarvedWorkers_KeepsBlocksInFlightWithinTheMemory([Values(1, 8)] int memoryMegabytes)
         {
             var reader = Uneven(300000, 500);
             var settings = InFiles();
@@ -109,7 +109,7 @@ namespace FastPoints.Tests.Build
         }
 
         [Test]
-        public void Convert_PointsAtOnePlace_AreSplitByNumberIntoOneChain()
+        public void Convert_PointsAtOnePosition_AreSplitByCountIntoOneChain()
         {
             const int count = 330000;
             var reader = Equal(count);
@@ -122,7 +122,7 @@ namespace FastPoints.Tests.Build
         }
 
         [Test]
-        public void Convert_ManySmallChunks_MergeTheirTopsInRegions()
+        public void Convert_ManySmallChunks_MergesTopsByRegion()
         {
             // Tops of a filled volume are as large as nodes may be: 8 * 50,000 points are one region's.
             var random = new Unity.Mathematics.Random(9);
@@ -136,7 +136,7 @@ namespace FastPoints.Tests.Build
         }
 
         [Test]
-        public void Convert_PoissonInRegions_KeepsTheSpacingOfWhatIsSampledTogether()
+        public void Convert_PoissonInRegions_KeepsTheSpacingWithinRegions()
         {
             // Chunks are their tops whole: so many points that two regions and the root sample them.
             var random = new Unity.Mathematics.Random(9);
@@ -217,7 +217,7 @@ namespace FastPoints.Tests.Build
         }
 
         [Test]
-        public void Convert_ReadingThatIsSlow_CanBeTakenUpAfterFewerPoints([Values(0, 1e9)] double secondsPerCheckpoint)
+        public void Convert_SlowReading_CanResumeAfterFewerPoints([Values(0, 1e9)] double secondsPerCheckpoint)
         {
             var settings = InFiles();
             (settings.PointsPerCheckpoint, settings.SecondsPerCheckpoint) = (100_000, secondsPerCheckpoint);
@@ -308,7 +308,7 @@ namespace FastPoints.Tests.Build
         }
 
         [Test]
-        public void Convert_CancelledWhileFilesAreThere_LeavesNothing()
+        public void Convert_CancelledWithTemporaryFiles_LeavesNothing()
         {
             string part = Target("cloud") + StoreFormat.PartSuffix;
             var work = new CoroutineStack(ConvertCloud.Run(new[] { Uneven() }, Target("cloud"), InFiles(), r => { }, null));
@@ -323,7 +323,7 @@ namespace FastPoints.Tests.Build
 
         [TestCase(true, Sampler.Random), TestCase(false, Sampler.Random), TestCase(true, Sampler.Poisson)]
         [TestCase(false, Sampler.Average)]
-        public void Convert_BeforeItsFirstChunk_ShowsASampleOfAllThatMakesWayForChunks(bool inFiles, Sampler sampler)
+        public void Convert_BeforeTheFirstChunk_ShowsPlaceholdersThatChunksReplace(bool inFiles, Sampler sampler)
         {
             var settings = inFiles ? InFiles() : InMemory();
             settings.SecondsToFirstGeneration = 0;
@@ -351,7 +351,7 @@ namespace FastPoints.Tests.Build
         }
 
         [TestCase(true), TestCase(false)]
-        public void Convert_InTheMaking_CanBeOpenedAndVerified(bool inFiles)
+        public void Convert_Unfinished_CanBeOpenedAndVerified(bool inFiles)
         {
             var settings = inFiles ? InFiles() : InMemory();
             settings.SecondsPerGeneration = 0;

@@ -100,7 +100,7 @@ namespace FastPoints.Tests.Build
         }
 
         [Test]
-        public void Errors_OfRuns_CoverTheTruthInNineOfTenCells([Values] Order order, [Values(10_000, 50_000)] int wanted)
+        public void Errors_OfRanges_CoverTheTruthInNineOfTenCells([Values] Order order, [Values(10_000, 50_000)] int wanted)
         {
             int known = 0, covered = 0;
             var relative = new List<double>();
@@ -131,7 +131,7 @@ namespace FastPoints.Tests.Build
         }
 
         [Test]
-        public void Cells_ThatNoPointWasSampledIn_AreUnknownAndNotEmpty()
+        public void Cells_WithoutSampledPoints_AreUnknownAndNotEmpty()
         {
             var cloud = Cloud(Order.ScanLines, 3);
             using var tree = Estimate(cloud, 20_000, 3);
@@ -141,7 +141,7 @@ namespace FastPoints.Tests.Build
         }
 
         [Test]
-        public void Estimate_OfAllPoints_IsExactAndWithoutError()
+        public void Estimate_OfAllPoints_IsExact()
         {
             var cloud = Cloud(Order.Chance, 5);
             using var tree = Estimate(cloud, Points, 5);

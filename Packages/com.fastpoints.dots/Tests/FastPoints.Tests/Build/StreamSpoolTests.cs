@@ -42,7 +42,7 @@ namespace FastPoints.Tests.Build
         }
 
         [TestCase(-1), TestCase(Length)]
-        public void Work_Stream_IsTheFile(long length)
+        public void Spool_Stream_WritesTheFile(long length)
         {
             string path = Folder.File("scan.las");
             File.WriteAllText(path, "what was there before");
@@ -55,7 +55,7 @@ namespace FastPoints.Tests.Build
         }
 
         [Test]
-        public void Work_StreamThatEndsEarly_ReportsItAndLeavesNothing()
+        public void Spool_TruncatedStream_ReportsItAndLeavesNothing()
         {
             string path = Folder.File("scan.las");
             using var spool = new StreamSpool(() => new Trickle(Bytes()), path, Length + 1);
@@ -64,7 +64,7 @@ namespace FastPoints.Tests.Build
         }
 
         [Test]
-        public void Work_FolderThatIsNotThere_ReportsIt()
+        public void Spool_MissingFolder_ReportsIt()
         {
             string path = Folder.File("none/scan.las");
             using var spool = new StreamSpool(() => new Trickle(Bytes()), path);
@@ -72,7 +72,7 @@ namespace FastPoints.Tests.Build
         }
 
         [Test]
-        public void Dispose_Meanwhile_LeavesNothing()
+        public void Dispose_WhileDownloading_LeavesNothing()
         {
             using var hasMore = new ManualResetEventSlim();
             string path = Folder.File("scan.las");

@@ -177,7 +177,7 @@ namespace FastPoints.Tests.Drawing
         }
 
         [Test]
-        public void Build_CameraSeesAPart_ListsItsNodesAndEachBlockOnce()
+        public void Build_CameraSeesAPart_ListsVisibleNodesAndEachBlockOnce()
         {
             using var cloud = new StreamedTestCloud(60_000, 4000);
             using var stream = Open(cloud, double3x3.identity, StreamedTestCloud.OriginGeo);

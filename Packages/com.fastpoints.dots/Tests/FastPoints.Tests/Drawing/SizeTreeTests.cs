@@ -52,7 +52,7 @@ namespace FastPoints.Tests.Drawing
         }
 
         [TestCase(5_000, 1.0), TestCase(30_000, 1.0), TestCase(1_000_000, 3.5)]
-        public void GapAt_AnyPlaceOfAnyNode_IsThatOfTheDeepestNodeDrawnThere(int budget, double scale)
+        public void GapAt_AnyPositionInAnyNode_IsThatOfTheDeepestDrawnNode(int budget, double scale)
         {
             using var stream = StreamedTestCloud.Stream();
             using var sizes = new SizeTree();
@@ -67,7 +67,7 @@ namespace FastPoints.Tests.Drawing
         }
 
         [Test]
-        public void GapAt_NodesSeveralLevelsBelowTheirParents_IsThatOfTheDeepestNodeDrawnThere()
+        public void GapAt_NodesLevelsBelowTheirParents_IsThatOfTheDeepestDrawnNode()
         {
             var random = new Random(3);
             var places = new int3[60_000];
@@ -142,7 +142,7 @@ namespace FastPoints.Tests.Drawing
         /// <summary>A surface of the test's cloud has 3 points a square unit: the last nodes know that, whatever their
         /// spacing is.</summary>
         [Test]
-        public void Gap_LastNodesOfASurface_IsAboutTheDistanceOfItsPoints()
+        public void Gap_LeavesOfASurface_IsAboutThePointSpacing()
         {
             using var stream = StreamedTestCloud.Stream();
             using var sizes = new SizeTree();

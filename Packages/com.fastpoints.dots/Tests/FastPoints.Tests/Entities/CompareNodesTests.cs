@@ -77,7 +77,7 @@ namespace FastPoints.Tests.Entities
         }
 
         [Test]
-        public void Execute_MoreThanAFrameMayChange_IsDoneInBatches()
+        public void Execute_MoreChangesThanAFrameAllows_AreBatched()
         {
             Set(CachePhase.Requested, 1);
             Assert.That(Follow(), Is.EqualTo(new[] { (10, 0, 0), (10, 0, 0), (10, 0, 0), (10, 0, 0), (5, 0, 0) }));
@@ -92,7 +92,7 @@ namespace FastPoints.Tests.Entities
 
         /// <summary>Slots at the beginning that change with every frame would starve the others.</summary>
         [Test]
-        public void Execute_SomeChangeInEachFrame_OthersHaveTheirTurn()
+        public void Execute_ConstantChanges_OthersAreNotStarved()
         {
             var made = new HashSet<int>();
             for (int frame = 1; frame <= 10; frame++)
@@ -107,7 +107,7 @@ namespace FastPoints.Tests.Entities
         }
 
         [Test]
-        public void Execute_NoSlots_LetsAllGo()
+        public void Execute_NoSlots_DestroysAllEntities()
         {
             Set(CachePhase.Resident, 1);
             Follow();

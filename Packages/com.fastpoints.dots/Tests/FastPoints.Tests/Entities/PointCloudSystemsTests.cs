@@ -176,7 +176,7 @@ namespace FastPoints.Tests.Entities
         }
 
         [Test]
-        public void Update_AtRest_ChangesNoEntity()
+        public void Update_Idle_ChangesNoEntity()
         {
             Begin();
             Add();
@@ -188,7 +188,7 @@ namespace FastPoints.Tests.Entities
         }
 
         [Test]
-        public void Update_SomebodyDestroysEntitiesOfNodes_GoesOn()
+        public void Update_NodeEntitiesDestroyedByOthers_Continues()
         {
             Begin();
             Add();
@@ -216,7 +216,7 @@ namespace FastPoints.Tests.Entities
         }
 
         [Test]
-        public void Hidden_NodeOfUsers_IsNotDrawnUntilItIsShownAgain()
+        public void Hidden_NodeHiddenByUser_IsNotDrawnUntilShownAgain()
         {
             Begin();
             Add();
@@ -232,7 +232,7 @@ namespace FastPoints.Tests.Entities
         }
 
         [Test]
-        public void Tint_NodeOfUsers_IsInTheListOfDraws()
+        public void Tint_NodeTintedByUser_IsInTheDrawList()
         {
             Begin();
             Add();
@@ -249,7 +249,7 @@ namespace FastPoints.Tests.Entities
         }
 
         [Test]
-        public void Pinned_NodeOfUsers_StaysWhenOthersAreEvicted()
+        public void Pinned_NodePinnedByUser_StaysWhenOthersAreEvicted()
         {
             Begin(1 << 18);
             Add();
@@ -268,7 +268,7 @@ namespace FastPoints.Tests.Entities
         }
 
         [Test]
-        public void DestroyEntity_OfACloud_TakesItOutOfTheStreamAndItsNodesWithIt()
+        public void DestroyEntity_OfACloud_RemovesItAndItsNodesFromTheStream()
         {
             Begin();
             var cloud = Add();
@@ -313,7 +313,7 @@ namespace FastPoints.Tests.Entities
         }
 
         [Test]
-        public void File_WithATransform_IsOpenedAndStandsWhereThatIs()
+        public void File_WithATransform_IsShownThere()
         {
             Begin();
             var entity = AddFile(m_cloud.Path, float4x4.Translate(new float3(1000, 20, -300)));
@@ -335,7 +335,7 @@ namespace FastPoints.Tests.Entities
         }
 
         [Test]
-        public void File_ThatIsNotThere_ReportsItOnceAndTheOthersStream()
+        public void File_Missing_IsReportedOnceAndOthersStream()
         {
             Begin();
             var broken = AddFile(m_cloud.Path + "-gone", float4x4.identity);
@@ -346,7 +346,7 @@ namespace FastPoints.Tests.Entities
         }
 
         [Test]
-        public void Budget_OfTheWorld_HoldsFromTheNextFrameOn()
+        public void Budget_OfTheWorld_AppliesFromTheNextFrame()
         {
             Begin();
             Add();

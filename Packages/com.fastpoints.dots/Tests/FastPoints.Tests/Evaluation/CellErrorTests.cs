@@ -91,7 +91,7 @@ namespace FastPoints.Tests.Evaluation
         }
 
         [Test]
-        public void Compare_SeededClouds_IsWhatADictionaryFinds([Values(1u, 2u, 3u)] uint seed)
+        public void Compare_SeededClouds_MatchesADictionary([Values(1u, 2u, 3u)] uint seed)
         {
             var cloud = Cloud(40_000, seed);
             var random = new Unity.Mathematics.Random(seed + 100);
@@ -131,7 +131,7 @@ namespace FastPoints.Tests.Evaluation
         }
 
         [Test]
-        public void Compare_RandomSamples_VaryAsChanceSays()
+        public void Compare_RandomSamples_VaryAsExpectedByChance()
         {
             const int Samples = 100;
             var cloud = Cloud(60_000, 5);
@@ -183,7 +183,7 @@ namespace FastPoints.Tests.Evaluation
         }
 
         [Test]
-        public void Compare_NothingSampled_LeavesAllBare()
+        public void Compare_NothingSampled_LeavesAllCellsEmpty()
         {
             var cloud = Cloud(3000, 9);
             var error = Compare(GridOf(cloud), cloud, new double3[0]);

@@ -38,7 +38,7 @@ namespace FastPoints.Tests.Evaluation
         }
 
         [Test]
-        public void Single_IsTheSameChoice()
+        public void Poisson_SinglePoints_ChoosesTheSame()
         {
             using var reader = Numbered(10_000, 777);
             Assert.That(Take(reader, RangeSampler.Single(reader, 321), 321),
@@ -46,7 +46,7 @@ namespace FastPoints.Tests.Evaluation
         }
 
         [Test]
-        public void First_IsTheBeginning()
+        public void First_OfASource_IsItsBeginning()
         {
             using var reader = Numbered(10_000, 777);
             Assert.That(Take(reader, RangeSampler.First(reader, 2345), 2345), Is.EqualTo(Enumerable.Range(0, 2345)));
@@ -63,7 +63,7 @@ namespace FastPoints.Tests.Evaluation
         }
 
         [Test]
-        public void SourceThatEndsEarly_GivesWhatIsThere()
+        public void Sample_TruncatedSource_GivesTheExistingPoints()
         {
             using var reader = Numbered(10_000, 777, 4321);
             Assert.That(Take(reader, RangeSampler.Whole(reader), 100), Is.EqualTo(Enumerable.Range(0, 44).Select(i => i * 100)));
@@ -78,7 +78,7 @@ namespace FastPoints.Tests.Evaluation
         }
 
         [Test]
-        public void Cancelled_FreesWhatItHolds()
+        public void Cancel_InTheMiddle_FreesItsMemory()
         {
             using var reader = Numbered(100_000, 100);
             using var sampler = new RangeSampler(reader, RangeSampler.Whole(reader), 1000);

@@ -41,7 +41,7 @@ namespace FastPoints.Tests.Evaluation
         }
 
         [Test]
-        public void Draw_AllIsResident_IsThePictureOfTheStoredCloud()
+        public void Draw_AllResident_MatchesTheStoredCloud()
         {
             var camera = StreamedTestCloud.Near(40, 60, 0.8);
             DrawStored stored;

@@ -60,7 +60,7 @@ namespace FastPoints.Tests.Laz
         };
 
         [TestCase(LazTablePlace.AtOffset), TestCase(LazTablePlace.AtFileEnd), TestCase(LazTablePlace.Missing)]
-        public void Read_HeaderClaimsMoreThanTheLastChunkHas_GivesNoPhantoms(LazTablePlace table)
+        public void Read_HeaderClaimsMoreThanTheLastChunkHas_GivesNoPhantomPoints(LazTablePlace table)
         {
             int exact = 0, files = 0, same = 0, maxMissing = 0;
             for (int seed = 0; seed < 240; seed++)
@@ -96,7 +96,7 @@ namespace FastPoints.Tests.Laz
         }
 
         [Test]
-        public void Read_OneStreamWhoseHeaderClaimsMore_GivesNoPhantoms([Values(0, 1, 2, 3)] int alike)
+        public void Read_OneStreamWhoseHeaderClaimsMore_GivesNoPhantomPoints([Values(0, 1, 2, 3)] int alike)
         {
             for (int seed = 0; seed < 12; seed++)
             {
@@ -114,7 +114,7 @@ namespace FastPoints.Tests.Laz
         }
 
         [Test]
-        public void Read_CutAnywhere_GivesWhatWasWrittenAndReportsIt([Values(LazTablePlace.AtOffset, LazTablePlace.Missing)]
+        public void Read_TruncatedAnywhere_GivesPointsBeforeAndReportsIt([Values(LazTablePlace.AtOffset, LazTablePlace.Missing)]
             LazTablePlace table)
         {
             for (int seed = 0; seed < 120; seed++)
@@ -136,7 +136,7 @@ namespace FastPoints.Tests.Laz
         }
 
         [Test]
-        public void Read_ZerosOrTheTableBehindTheLastChunk_AreNoPoints([Values] bool areZeros)
+        public void Read_ZerosOrTheTableAfterTheLastChunk_AreNotReadAsPoints([Values] bool areZeros)
         {
             for (int seed = 0; seed < 24; seed++)
             {

@@ -10,7 +10,7 @@ namespace FastPoints.Tests.Nodes
         /// <summary>Vectors, plain code and a comparison with every sample find the same: of full, empty and overfull cells,
         /// and of spacings that are compared in steps and in parts.</summary>
         [Test]
-        public void IsNear_OfAnySpacing_IsThatOfEveryPair([Values(1, 2, 5, 11, 12, 20, 40)] int cell)
+        public void IsNear_AnySpacing_MatchesBruteForce([Values(1, 2, 5, 11, 12, 20, 40)] int cell)
         {
             var random = new Unity.Mathematics.Random(7);
             const int Tiles = 3;

@@ -25,7 +25,7 @@ namespace FastPoints.Tests.Nodes
         }
 
         [TestCaseSource(nameof(Clouds))]
-        public void Order_AnyCloud_IsAsBySorting(Grid3[] places)
+        public void Order_AnyCloud_MatchesSorting(Grid3[] places)
         {
             var expected = Bytes(places, 9, out var layout);
             var order = new int[places.Length];

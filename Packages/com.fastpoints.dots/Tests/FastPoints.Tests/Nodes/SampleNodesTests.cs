@@ -41,7 +41,7 @@ namespace FastPoints.Tests.Nodes
         // 16 cells along an edge: of 280 places in a volume a node would take all but a few, of so many on two lines 64 at most.
         [TestCase(Sampler.Random)]
         [TestCase(Sampler.Poisson)]
-        public void Sample_CubeThatANodeWouldTakeAlmostWhole_IsALeaf(Sampler sampler)
+        public void Sample_CubeAlmostExhaustedByANode_IsALeaf(Sampler sampler)
         {
             var scattered = SampledPoints.Run(SamplingClouds.Volume(280, 1 << 20), sampler, s_small);
             Assert.That(scattered.Nodes, Has.Length.EqualTo(1));
@@ -93,7 +93,7 @@ namespace FastPoints.Tests.Nodes
             (long)(((ulong)random.NextUInt() << 32 | random.NextUInt()) >> (64 - bits));
 
         [Test]
-        public void Sample_DenserThanANodeMayBe_StopsAtItsLimit()
+        public void Sample_DenserThanANodeAllows_StopsAtItsLimit()
         {
             // The cap is less than what would fit at the coarsest cells that it allows: neighbours at exactly the spacing.
             var sizes = new NodeSizes { CellsLog2 = 4, MaxPointsPerLeaf = 10, MaxPointsPerNode = 64 };
@@ -115,7 +115,7 @@ namespace FastPoints.Tests.Nodes
         }
 
         [Test]
-        public void Sample_Spacing_IsAsEvenAsDartThrowingInRandomOrder()
+        public void Sample_Spacing_MatchesRandomDartThrowing()
         {
             var sizes = new NodeSizes { CellsLog2 = 5, MaxPointsPerLeaf = 100, MaxPointsPerNode = StoreFormat.MaxPointsPerNode };
             foreach (var places in new[] { SamplingClouds.Volume(6000, 1 << 20), SamplingClouds.Surface(6000, 1 << 18) })

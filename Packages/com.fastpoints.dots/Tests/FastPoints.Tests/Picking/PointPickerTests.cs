@@ -81,7 +81,7 @@ namespace FastPoints.Tests.Picking
         }
 
         [Test]
-        public void Find_CameraOneCentimetreFromAPoint_IsThatPointToItsLastDigit()
+        public void Find_CameraOneCentimetreFromAPoint_IsExact()
         {
             var random = new Unity.Mathematics.Random(4);
             for (int trial = 0; trial < 20; trial++)
@@ -116,7 +116,7 @@ namespace FastPoints.Tests.Picking
         }
 
         [Test]
-        public void Find_HiddenClassesAndClipBoxes_AreLookedThrough()
+        public void Find_HiddenClassesAndClipBoxes_AreNotHit()
         {
             var random = new Unity.Mathematics.Random(2);
             var box = new ClipBox(PickTestCloud.OriginGeo + new double3(0, 0, 3),
@@ -143,7 +143,7 @@ namespace FastPoints.Tests.Picking
         }
 
         [Test]
-        public void Find_FromFarAway_ReadsNoMoreThanAScreenShows()
+        public void Find_FromFarAway_ReadsNoMoreThanIsVisible()
         {
             var eye = PickTestCloud.OriginGeo + new double3(50, -3000, 3000);
             long all = 0, shown = 0;
@@ -163,7 +163,7 @@ namespace FastPoints.Tests.Picking
         }
 
         [Test]
-        public void Find_BeyondItsBytes_EndsWithWhatItHas()
+        public void Find_ByteLimitExceeded_ReturnsTheBestSoFar()
         {
             var ray = PickRay.FromEye(m_cloud.Geo(5) + new double3(0, 0, 0.01), new double3(0, 0, -1), 800, 1);
             var options = EveryPoint;
@@ -207,7 +207,7 @@ namespace FastPoints.Tests.Picking
         }
 
         [Test]
-        public void Find_DamagedChunk_SaysWhichFileAndByte()
+        public void Find_DamagedChunk_NamesFileAndByte()
         {
             using var cloud = new PickTestCloud(20_000);
             foreach (string file in cloud.ChunkFiles)

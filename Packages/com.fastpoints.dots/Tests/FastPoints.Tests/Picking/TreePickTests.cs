@@ -26,7 +26,7 @@ namespace FastPoints.Tests.Picking
         static PickOptions EveryPoint => new PickOptions { FinestSpacing = 0 };
 
         [Test]
-        public void Find_AnyRay_IsThePointThatTheConvertedCloudHas(
+        public void Find_AnyRay_MatchesTheConvertedCloud(
             [ValueSource(typeof(TreeTestCloud), nameof(TreeTestCloud.Kinds))] string kind)
         {
             using var cloud = new TreeTestCloud(kind);
@@ -40,11 +40,11 @@ namespace FastPoints.Tests.Picking
         [TestCase("potree/lion_takanawa/cloud.js")]
         [TestCase("potree/lion_takanawa_laz/cloud.js")]
         [TestCase("potree/v2-mixedconifer-default/metadata.json")]
-        public void Find_Sample_IsThePointThatTheConvertedCloudHas(string sample) =>
+        public void Find_Sample_MatchesTheConvertedCloud(string sample) =>
             Compare(TestData.SampleOrIgnore(sample), 12, EveryPoint);
 
         [Test]
-        public void Find_HiddenClassesAndClipBoxes_AreLookedThrough()
+        public void Find_HiddenClassesAndClipBoxes_AreNotHit()
         {
             using var cloud = new TreeTestCloud(TreeTestCloud.Copc);
             var options = EveryPoint;
@@ -123,7 +123,7 @@ namespace FastPoints.Tests.Picking
         static CloudPlacement Geo(PointPicker picker) => CloudPlacement.Geo(picker.Source.Grid, picker.Source.Root);
 
         [Test]
-        public void Find_FewBytes_EndsWithWhatItHas()
+        public void Find_FewBytesAllowed_ReturnsTheBestSoFar()
         {
             using var cloud = new TreeTestCloud(TreeTestCloud.Copc);
             using var streamed = cloud.Open();
@@ -142,7 +142,7 @@ namespace FastPoints.Tests.Picking
         }
 
         [Test]
-        public void Find_DamagedNode_SaysWhichFileAndByte()
+        public void Find_DamagedNode_NamesFileAndByte()
         {
             var writer = new CopcFileWriter { MaxNodePoints = 4000 };
             var bytes = writer.Write(LazRecords.Make(7, 0, 3000, 7));
@@ -232,7 +232,7 @@ namespace FastPoints.Tests.Picking
         }
 
         [Test]
-        public void StreamPicker_FileMissing_ReportsAndGoesOnWithTheOthers()
+        public void StreamPicker_MissingFile_ReportsItAndSearchesTheOthers()
         {
             using var folder = new StreamedTestCloud(20_000, 4000);
             using var copc = new TreeTestCloud(TreeTestCloud.Copc);

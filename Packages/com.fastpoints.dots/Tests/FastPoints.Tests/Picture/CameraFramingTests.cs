@@ -76,7 +76,7 @@ namespace FastPoints.Tests.Picture
         }
 
         [Test]
-        public void Frame_OnePlaceFarOut_IsSeenFromAUnitAwayOrMore([Values(0, 1e-7)] double size)
+        public void Frame_OnePositionFarOut_IsAtLeastAUnitAway([Values(0, 1e-7)] double size)
         {
             var place = new double3(500_000, 5_400_000, 100);
             var outline = new double3[20];

@@ -44,7 +44,7 @@ namespace FastPoints.Tests.Picture
         [TestCase(AttributeType.Float32, ColorDepth.Unit, 0.5, 128)]
         [TestCase(AttributeType.Float32, ColorDepth.Unit, 7, 255)]
         [TestCase(AttributeType.Float32, ColorDepth.Unit, double.NaN, 0)]
-        public void Rgb_EachDepth_BecomesABytes(AttributeType type, ColorDepth depth, double stored, int value)
+        public void Rgb_EachBitDepth_BecomesBytes(AttributeType type, ColorDepth depth, double stored, int value)
         {
             using var batch = With(s_rgb, type, new[] { 0, 0, 0, stored, 0, stored });
             var color = Colors(batch, new DisplayRanges { Color = depth }, ColorMode.Rgb, PositionTransform.Identity)[0];

@@ -38,7 +38,7 @@ namespace FastPoints.Tests.Picture
         [TestCase(AttributeType.Float64, double.NaN, ColorDepth.None)]
         [TestCase(AttributeType.UInt16, 0, ColorDepth.None)]
         [TestCase(AttributeType.Float32, 0, ColorDepth.None)]
-        public void Measure_Colour_DecidesOnceFromTheLargest(AttributeType type, double max, ColorDepth depth)
+        public void Measure_Colour_UsesTheMaximumOnce(AttributeType type, double max, ColorDepth depth)
         {
             using var batch = Colored(type, 0, max, 0);
             var ranges = Measure(batch);
@@ -63,7 +63,7 @@ namespace FastPoints.Tests.Picture
         }
 
         [Test]
-        public void Measure_FewOutliers_DoNotSpreadTheRobustBounds()
+        public void Measure_FewOutliers_DoNotEnlargeTheRobustBounds()
         {
             var positions = new double3[10_000];
             var random = new Unity.Mathematics.Random(21);
@@ -100,7 +100,7 @@ namespace FastPoints.Tests.Picture
         [TestCase("stripes", ColorMode.Intensity), TestCase("noisy stripes", ColorMode.Intensity)]
         [TestCase("noise", ColorMode.Elevation), TestCase("nearly flat", ColorMode.Elevation)]
         [TestCase("flat", ColorMode.Elevation)]
-        public void Resolve_IntensityOf_IsUsedWhereItShowsAnything(string kind, ColorMode mode)
+        public void Resolve_Intensity_IsUsedIfItVaries(string kind, ColorMode mode)
         {
             using var batch = TestBatches.Scan(20_000, 4);
             var random = new Unity.Mathematics.Random(8);
@@ -119,7 +119,7 @@ namespace FastPoints.Tests.Picture
         }
 
         [Test]
-        public void Measure_Classes_AreThoseThatPointsHave()
+        public void Measure_Classes_AreTheExistingOnes()
         {
             using var batch = TestBatches.Scan(5000, 4);
             for (int i = 0; i < batch.Count; i++)
@@ -155,7 +155,7 @@ namespace FastPoints.Tests.Picture
         }
 
         [Test]
-        public void Measure_FarthestPoints_AreInTheRimButForOutliers()
+        public void Measure_FarthestPoints_AreInTheRimExceptOutliers()
         {
             var random = new Unity.Mathematics.Random(5);
             var positions = new double3[30_000];

@@ -13,7 +13,7 @@ namespace FastPoints.Tests.Picture
     public class PreviewCloudTests
     {
         [Test]
-        public void WaveReady_OfBlocksReadDeeper_HandsEachWaveOut()
+        public void WaveReady_BlocksReadDeeper_IsCalledForEachWave()
         {
             var batch = TestBatches.New(600_000, TestBatches.Xyz(AttributeType.Int32));
             for (int i = 0; i < batch.Count; i++)
@@ -168,7 +168,7 @@ namespace FastPoints.Tests.Picture
         }
 
         [TestCase(double.NaN, "the CRS says so"), TestCase(0, "by their size")]
-        public void Picture_InDegrees_IsAsWideAsItWouldBeInMetresAndReportsIt(double metresPerUnit, string expected)
+        public void Picture_InDegrees_HasTheAspectInMetresAndReportsIt(double metresPerUnit, string expected)
         {
             using var metres = TestBatches.OfPositions(Square(new double3(4e5, 5e6, 100), 1));
             using var wanted = Draw(metres);
@@ -181,7 +181,7 @@ namespace FastPoints.Tests.Picture
         }
 
         [Test]
-        public void Picture_OfATowerNearTheOrigin_IsNotTakenForDegrees()
+        public void Picture_OfATowerNearTheOrigin_IsNotInDegrees()
         {
             using var batch = TestBatches.OfPositions(Square(default, new double3(0.01, 0.01, 4)));
             using var preview = Draw(batch);

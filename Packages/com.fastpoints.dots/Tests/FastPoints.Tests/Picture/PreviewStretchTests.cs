@@ -39,7 +39,7 @@ namespace FastPoints.Tests.Picture
         [TestCase(".xyz", "")]
         [TestCase(".ply", "ply\nformat ascii 1.0\nelement vertex 800000\nproperty float x\n"
             + "property float y\nproperty float z\nend_header\n")]
-        public void QuickPreview_OfLongText_IsFairToLinesOfAnyLength(string name, string header)
+        public void QuickPreview_LongText_SamplesLinesOfAnyLengthEvenly(string name, string header)
         {
             Write(name, header);
             using var reader = PointReaders.Open(m_path);
@@ -65,7 +65,7 @@ namespace FastPoints.Tests.Picture
         }
 
         [Test]
-        public void Preview_OfLongText_EndsWithTheFullScansPoints()
+        public void Preview_LongText_EndsWithTheFullScansPoints()
         {
             Write(".xyz", "");
             using var exactReader = PointReaders.Open(m_path);

@@ -55,7 +55,7 @@ namespace FastPoints.Tests.Reading
         }
 
         [TestCaseSource(nameof(Fixtures))]
-        public void EachCloud_OpensAsItsFormat(FormatFixture fixture)
+        public void Open_EachSampleCloud_HasItsFormat(FormatFixture fixture)
         {
             using var reader = PointReaders.Open(fixture.Write(Folder.Path));
             Assert.That(reader.Info.Format, Is.EqualTo(fixture.Format));

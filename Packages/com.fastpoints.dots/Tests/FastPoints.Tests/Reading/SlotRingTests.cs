@@ -12,7 +12,7 @@ namespace FastPoints.Tests.Reading
         [TestCase(3, 2)]
         [TestCase(1, 3)]
         [TestCase(0, 0)]
-        public void Run_MoreOrFewerThingsThanSlots_EndsEachOnceInItsOrder(int slots, int things)
+        public void Run_AnyNumberOfItems_EndsEachOnceInOrder(int slots, int things)
         {
             var inFlight = new Dictionary<int, int>();
             var ended = new List<int>();

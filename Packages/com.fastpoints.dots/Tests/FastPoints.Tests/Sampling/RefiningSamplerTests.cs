@@ -53,7 +53,7 @@ namespace FastPoints.Tests.Sampling
         }
 
         [TestCase(1600), TestCase(1777), TestCase(160_000), TestCase(500)]
-        public void Sample_InTheEnd_IsTheFullScansPointForPoint(int pointsPerBlock)
+        public void Sample_AtTheEnd_EqualsTheFullScans(int pointsPerBlock)
         {
             using var reader = Square(pointsPerBlock);
             using var exact = new UniformSampler(reader, 30_000, 5);
@@ -126,7 +126,7 @@ namespace FastPoints.Tests.Sampling
         }
 
         [Test]
-        public void Waves_AtAHalf_LeaveNoRegionBareOfWhichPointsWereRead()
+        public void Waves_AtAHalf_LeaveNoReadRegionEmpty()
         {
             // One point in 20 is anywhere in the square, all others are in a tenth of its edges.
             var batch = TestBatches.New(160_000, TestBatches.Xyz(AttributeType.Int32));
@@ -152,7 +152,7 @@ namespace FastPoints.Tests.Sampling
         }
 
         [Test]
-        public void Sample_OfASourceThatEndsEarly_IsOfWhatIsThere()
+        public void Sample_TruncatedSource_SamplesTheExistingPoints()
         {
             using var reader = Square(1600, 100_000);
             using var sampler = new RefiningSampler(reader, 16_000, 1, null, Bounds);
@@ -179,7 +179,7 @@ namespace FastPoints.Tests.Sampling
         }
 
         [Test]
-        public void Run_CancelledAnywhere_FreesWhatItHoldsAndKeepsTheLastWave()
+        public void Run_CancelledAnywhere_FreesItsMemoryAndKeepsTheLastWave()
         {
             using var reader = Square(1600);
             for (int steps = 0; steps < 400; steps += 23)
@@ -194,7 +194,7 @@ namespace FastPoints.Tests.Sampling
         }
 
         [Test]
-        public void Run_WhilePaused_ReadsNothingAndGoesOnAfterwards()
+        public void Run_WhilePaused_ReadsNothingUntilResumed()
         {
             using var reader = Square(1600);
             using var sampler = new RefiningSampler(reader, 16_000, 1, null, Bounds) { IsPaused = true };

@@ -8,7 +8,7 @@ namespace FastPoints.Tests.Sampling
     public class RunPlanTests
     {
         [TestCase(1), TestCase(2), TestCase(1000), TestCase(4096), TestCase(4097)]
-        public void Order_AllPlaces_VisitEachStratumOnce(int strata)
+        public void Order_AllIndices_VisitEachStratumOnce(int strata)
         {
             var order = new SampleOrder(strata, 7);
             var seen = new bool[strata];
@@ -24,7 +24,7 @@ namespace FastPoints.Tests.Sampling
         }
 
         [Test]
-        public void Order_FirstPlaces_LieOneInEachPartOfTheStrata([Range(0, 12)] int bits)
+        public void Order_FirstIndices_AreSpreadOverTheStrata([Range(0, 12)] int bits)
         {
             var order = new SampleOrder(4096, 3);
             var taken = new int[1 << bits];
@@ -45,7 +45,7 @@ namespace FastPoints.Tests.Sampling
 
         [TestCase(1, 1), TestCase(10, 100), TestCase(1000, 17), TestCase(5003, 5003), TestCase(40_000, 39_999)]
         [TestCase(40_000, 7001), TestCase(1_000_003, 5000)]
-        public void Runs_OfAnySource_TakeEachPointAtMostOnceAndFillEachPlace(int points, int wanted)
+        public void Ranges_AnySource_TakeEachPointAtMostOnceAndFillTheSample(int points, int wanted)
         {
             var plan = new RunPlan(points, wanted, 34, 5);
             var taken = new bool[points];
@@ -85,7 +85,7 @@ namespace FastPoints.Tests.Sampling
         // Over many seeds each point of the file is taken as often as every other. The count of a point is binomial; 6 standard
         // deviations leave one false alarm in about 10^5 runs of the test over 2,000 points.
         [TestCase(2000, 100), TestCase(2000, 900), TestCase(4000, 1777)]
-        public void Runs_OverManySeeds_TakeEveryPointEquallyOften(int points, int wanted)
+        public void Ranges_ManySeeds_TakeEveryPointEquallyOften(int points, int wanted)
         {
             const int Seeds = 2000;
             var count = new int[points];

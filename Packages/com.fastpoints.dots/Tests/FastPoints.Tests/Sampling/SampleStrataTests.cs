@@ -43,7 +43,7 @@ namespace FastPoints.Tests.Sampling
         }
 
         [Test]
-        public void Chosen_ManyStrata_AreEvenWithinThem()
+        public void Chosen_ManyStrata_AreUniformWithinThem()
         {
             // 100 places in each of 20,000 strata: chi-square with 99 degrees of freedom exceeds 148 once in a thousand.
             var strata = new SampleStrata(2_000_000, 20_000, 12345);

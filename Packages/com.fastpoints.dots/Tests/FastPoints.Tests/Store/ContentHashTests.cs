@@ -70,7 +70,7 @@ namespace FastPoints.Tests.Store
 
         /// <summary>As in a lattice, or on a plumb line. The lowest priorities are chosen, so they must lie at random.</summary>
         [Test]
-        public void RecordHash_OneColumn_HasItsLowestPrioritiesAnywhere([Values(0, 4, 8)] int attributeBytes)
+        public void RecordHash_OneColumn_SpreadsTheLowestPriorities([Values(0, 4, 8)] int attributeBytes)
         {
             long* record = stackalloc long[6];
             for (int column = 0; column < 100; column++)

@@ -42,7 +42,7 @@ namespace FastPoints.Tests.Streaming
             .Where(c => m_stream.Clouds[c] != null && !m_stream.Clouds[c].IsRemoving).ToArray();
 
         [Test]
-        public void Update_PreviewBesideABuild_StaysUntilTheWholeIsThere()
+        public void Update_PreviewBesideABuild_StaysUntilTheBuildIsFinished()
         {
             Add(CloudStage.Preview);
             int preview = m_versions.Cloud;
@@ -89,7 +89,7 @@ namespace FastPoints.Tests.Streaming
         }
 
         [Test]
-        public void Place_StatesWithOtherCubes_PutsEveryPlaceWhereItWas()
+        public void Place_StatesWithOtherCubes_KeepsPositions()
         {
             using var other = new StreamedTestCloud(3000, 8000, 12);
             var random = new Random(5);

@@ -14,7 +14,7 @@ namespace FastPoints.Tests.Streaming
         const int Points = 120_000, MaxFrames = 1_000_000;
 
         [Test]
-        public void Update_CloudInTheMaking_ShowsMoreWithEachGenerationAndAllInTheEnd()
+        public void Update_UnfinishedCloud_ShowsMoreWithEachGeneration()
         {
             var random = new Unity.Mathematics.Random(11);
             var places = new int3[Points];
@@ -73,7 +73,7 @@ namespace FastPoints.Tests.Streaming
         }
 
         [Test]
-        public void Update_FinishedCloud_LooksNoMore()
+        public void Update_FinishedCloud_StopsPolling()
         {
             using var cloud = new StreamedTestCloud(20_000, 8000);
             using var stream = StreamedTestCloud.Stream();

@@ -66,7 +66,7 @@ namespace FastPoints.Tests.Streaming
         [TestCase(StoreLayout.ColorName, 32 << 10)]
         [TestCase(AttributeNames.Intensity, 0)]
         [TestCase(AttributeNames.Intensity, 1 << 20)]
-        public void Run_CameraAtRest_DrawsWhatIsSelectedByteForByte(string plane, int gapBytes)
+        public void Run_StillCamera_DrawsTheSelectionByteForByte(string plane, int gapBytes)
         {
             m_stream.Dispose();
             m_stream = StreamedTestCloud.Stream();
@@ -96,7 +96,7 @@ namespace FastPoints.Tests.Streaming
         }
 
         [Test]
-        public void Run_PlanesApart_ReadsNoMoreThanTheGapsThatItMay()
+        public void Run_DistantPlanes_ReadsNoLargerGapsThanAllowed()
         {
             long BytesRead(int gapBytes, out long requested)
             {
@@ -135,7 +135,7 @@ namespace FastPoints.Tests.Streaming
         }
 
         [Test]
-        public void Run_OnTheWay_DrawsOnlyWhatIsCompleteWithAllAbove()
+        public void Run_WhileLoading_DrawsOnlyNodesWithAllAncestors()
         {
             m_stream.Settings.UploadNodesPerFrame = 20;
             m_stream.Settings.BytesPerRead = 50_000;
@@ -164,7 +164,7 @@ namespace FastPoints.Tests.Streaming
         }
 
         [Test]
-        public void Run_PoolTooSmall_KeepsTheMostNeededAndRests()
+        public void Run_PoolTooSmall_KeepsTheMostImportantAndSettles()
         {
             Open(StreamedTestCloud.Stream(256 << 10, 64 << 10));
             var camera = StreamedTestCloud.Near(100, 100, 2);
@@ -185,7 +185,7 @@ namespace FastPoints.Tests.Streaming
         }
 
         [Test]
-        public void Run_LimitChanged_IsNeverPassed()
+        public void Run_LimitChanged_IsNeverExceeded()
         {
             var camera = StreamedTestCloud.Overview();
             StreamedTestCloud.Settle(m_stream, camera);
@@ -202,7 +202,7 @@ namespace FastPoints.Tests.Streaming
         }
 
         [Test]
-        public void Run_AtRestAndAmongWhatIsThere_MakesNoGarbage()
+        public void Run_IdleAndAmongResidentNodes_MakesNoGarbage()
         {
             var camera = StreamedTestCloud.Near(60, 60, 0.6);
             using var views = new NativeArray<StreamView>(1, Allocator.Persistent);

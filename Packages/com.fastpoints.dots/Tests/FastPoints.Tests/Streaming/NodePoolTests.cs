@@ -28,7 +28,7 @@ namespace FastPoints.Tests.Streaming
         }
 
         [Test]
-        public void TryShorten_RunThatIsLongerThanNeeded_GivesTheRestBack()
+        public void TryShorten_LongerRangeThanNeeded_FreesTheRest()
         {
             using var pool = new MemoryNodePool(BankBytes, BankBytes);
             pool.TryAllocate(BankBytes, out var run);

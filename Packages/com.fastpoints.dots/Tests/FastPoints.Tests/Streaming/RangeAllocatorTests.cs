@@ -9,7 +9,7 @@ namespace FastPoints.Tests.Streaming
     public class RangeAllocatorTests
     {
         [TestCase(1, 1u), TestCase(64, 2u), TestCase(1000, 3u), TestCase(4096, 4u)]
-        public void TakeAndGive_AtRandom_NeverOverlapAndLoseNothing(int capacity, uint seed)
+        public void AllocateAndFree_AtRandom_NeverOverlapAndLoseNothing(int capacity, uint seed)
         {
             var random = new Unity.Mathematics.Random(seed);
             var owner = new int[capacity];
@@ -79,7 +79,7 @@ namespace FastPoints.Tests.Streaming
         }
 
         [Test]
-        public void Give_WhatIsNoRun_Throws()
+        public void Free_InvalidRange_Throws()
         {
             using var heap = new RangeAllocator(100, Allocator.Persistent);
             var books = heap;
@@ -92,7 +92,7 @@ namespace FastPoints.Tests.Streaming
         }
 
         [Test]
-        public void Take_MoreThanThereIs_IsNone()
+        public void Allocate_MoreThanAvailable_Fails()
         {
             using var heap = new RangeAllocator(100, Allocator.Persistent);
             var books = heap;

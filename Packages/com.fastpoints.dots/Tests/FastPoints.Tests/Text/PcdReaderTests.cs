@@ -56,7 +56,7 @@ namespace FastPoints.Tests.Text
         }
 
         [TestCase(3922, 0, 0), TestCase(1, 0, 0), TestCase(4096, 0, 1), TestCase(3922, 1, 1)]
-        public void Open_BinaryWithBytesBehind_WarnsUnlessTheyPadAPage(int behind, byte last, int warnings)
+        public void Open_BinaryWithTrailingBytes_WarnsUnlessTheyPadAPage(int behind, byte last, int warnings)
         {
             var padding = new byte[behind];
             padding[behind - 1] = last;
@@ -66,7 +66,7 @@ namespace FastPoints.Tests.Text
         }
 
         [Test]
-        public void Compressed_RangesInAnyOrder_AreThosePoints()
+        public void Compressed_RangesInAnyOrder_GiveThesePoints()
         {
             using var reader = ReadPoints.Open(Write(PcdTestFile.Make("binary_compressed", Many)));
             Assert.That(reader.BlockCount, Is.GreaterThan(2));
@@ -88,7 +88,7 @@ namespace FastPoints.Tests.Text
         }
 
         [TestCase("ascii"), TestCase("binary"), TestCase("binary_compressed")]
-        public void Cut_File_GivesThePointsBeforeAndAWarning(string data)
+        public void Read_TruncatedFile_GivesThePointsBeforeAndAWarning(string data)
         {
             byte[] whole = PcdTestFile.Make(data, 3000);
             // Text ends with a whole line: a broken one is told when it is decoded.
@@ -129,7 +129,7 @@ namespace FastPoints.Tests.Text
         }
 
         [TestCase("# .PCD v.5 - Point Cloud Data file format\nVERSION .5\n"), TestCase("VERSION 0.6\n"), TestCase("")]
-        public void Open_EachBeginning_IsPcd(string head)
+        public void Open_EachSignature_IsPcd(string head)
         {
             string text = head + "FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH 1\nHEIGHT 1\nPOINTS 1\nDATA ascii\n1 2 3\n";
             using var reader = ReadPoints.Open(Write(Encoding.ASCII.GetBytes(text)));
@@ -147,7 +147,7 @@ namespace FastPoints.Tests.Text
         [TestCase("DATA ascii\n", "", "no DATA line")]
         [TestCase("TYPE F F F\n", "", "no TYPE line")]
         [TestCase("POINTS 2\n", "POINTS 99999999999999999999\n", "POINTS: wanted a whole number")]
-        public void BadHeader_IsAnErrorThatSaysWhat(string sound, string bad, string detail)
+        public void Open_BadHeader_NamesTheFault(string sound, string bad, string detail)
         {
             string text = "# .PCD v0.7\nVERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH 2\nHEIGHT 1\nPOINTS 2\n" +
                 "DATA ascii\n1 2 3\n4 5 6\n";
@@ -158,7 +158,7 @@ namespace FastPoints.Tests.Text
         }
 
         [Test]
-        public void OddLinesAndCounts_AreWarnings()
+        public void Open_OddLinesAndCounts_Warns()
         {
             string path = Write(Encoding.ASCII.GetBytes("# .PCD v0.7\nVERSION 0.7\nAUTHOR me\nFIELDS x y z\nSIZE 4 4 4\n" +
                 "TYPE F F F\nWIDTH 3\nHEIGHT 1\nPOINTS 2\nDATA ascii\n1 2 3\n4 5 6\n"));
@@ -177,7 +177,7 @@ namespace FastPoints.Tests.Text
         }
 
         [Test]
-        public void Lzf_OfNoise_RunsAndLongCopies_IsWhatWasCompressed()
+        public void Lzf_NoiseRunsAndLongCopies_RoundTrips()
         {
             var random = new Random(3);
             foreach (byte[] bytes in new[]

@@ -130,7 +130,7 @@ namespace FastPoints.Tests.Text
         }
 
         [Test]
-        public void Open_ColumnsAsTold_OverrideTheGuess()
+        public void Open_ColumnsGiven_OverrideTheGuess()
         {
             using (var reader = Open("a 10 20 30 1.5 2.5 3.5 9\nb 10 20 31 1.5 2.5 3.5 9\n", "-", "r", "g", "b", "x", "y", "z"))
             {
@@ -183,7 +183,7 @@ namespace FastPoints.Tests.Text
         }
 
         [Test]
-        public void Read_BadLines_AreCountedAndLeftOut()
+        public void Read_BadLines_AreCountedAndSkipped()
         {
             var lines = Enumerable.Range(0, 100).Select(i => i + " 2 3 4 5 6").ToList();
             lines[20] = "20 2 3 4 5";
@@ -222,7 +222,7 @@ namespace FastPoints.Tests.Text
         }
 
         [Test]
-        public void Read_ValuesThatDoNotFit_AreTheNearest()
+        public void Read_ValuesOutOfRange_AreClamped()
         {
             var text = new StringBuilder();
             for (int i = 0; i < 200000; i++)
@@ -297,7 +297,7 @@ namespace FastPoints.Tests.Text
         }
 
         [Test]
-        public void Read_LongLines_AreLeftOut()
+        public void Read_LongLines_AreSkipped()
         {
             var text = new StringBuilder();
             for (int i = 0; i < 10000; i++)

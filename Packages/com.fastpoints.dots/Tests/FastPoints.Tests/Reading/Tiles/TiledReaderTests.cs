@@ -119,7 +119,7 @@ namespace FastPoints.Tests.Reading
                 System.Globalization.NumberStyles.Float, System.Globalization.CultureInfo.InvariantCulture);
 
         [Test]
-        public void Open_OffsetsWithoutACommonStep_SaysWhatItCosts()
+        public void Open_OffsetsWithoutACommonStep_NamesTheLoss()
         {
             var scale = new double3(0.01, 0.01, 0.01);
             string a = WriteLas("a.las", Places(10, 1), scale, default);
@@ -179,7 +179,7 @@ namespace FastPoints.Tests.Reading
         }
 
         [Test]
-        public void OpenFolder_TakesCloudsInOrderOfNames_AndNamesTheOthers()
+        public void OpenFolder_MixedFiles_TakesCloudsByNameAndListsTheOthers()
         {
             var scale = new double3(0.01, 0.01, 0.01);
             WriteLas("b.las", Places(2, 2), scale, default);

@@ -115,7 +115,7 @@ namespace FastPoints.Tests.Sources
         }
 
         [Test]
-        public void Update_WavesThenABuildThenItsResult_ShowMoreAndMoreAndAreNeverGone()
+        public void Update_WavesThenBuildThenResult_AlwaysShowMore()
         {
             const int Points = 150_000;
             var random = new Unity.Mathematics.Random(3);
