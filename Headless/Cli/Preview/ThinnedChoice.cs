@@ -24,10 +24,10 @@ public static class ThinnedChoice
         {
             for (int first = 0; first < points.Count; first += BatchLength)
             {
-                int run = Math.Min(BatchLength, points.Count - first);
-                positions.Load(bytes, first, run, x, y, z);
-                transform.ToGeo(run, x, y, z);
-                for (int i = 0; i < run; i++)
+                int length = Math.Min(BatchLength, points.Count - first);
+                positions.Load(bytes, first, length, x, y, z);
+                transform.ToGeo(length, x, y, z);
+                for (int i = 0; i < length; i++)
                     if (PositionBounds.IsFinite(x[i], y[i], z[i]) && cells.Mark(table, x[i], y[i], z[i]))
                     {
                         isFirst[first + i] = true;

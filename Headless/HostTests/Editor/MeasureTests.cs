@@ -283,9 +283,9 @@ public sealed class MeasureTests : ScratchTests
         try
         {
             var other = above.AddComponent<PointCloud>();
-            var place = m_scene.transform.localToWorldMatrix;
-            place.m13 += 10;
-            SceneLoop.Place(above.transform, place);
+            var position = m_scene.transform.localToWorldMatrix;
+            position.m13 += 10;
+            SceneLoop.Place(above.transform, position);
             other.Path = m_path;
             Frames(() => m_world.EntityManager.HasComponent<StreamedPointCloud>(other.Entity));
             Frames(() => true);

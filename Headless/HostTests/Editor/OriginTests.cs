@@ -217,14 +217,14 @@ public sealed class OriginTests : EditorFixture
         var origin = Origin();
         var cloud = Shown("a", origin);
         Update();
-        var (place, before) = (origin.PositionGeo, PlacementOf(cloud.Entity).OriginWorld);
+        var (position, before) = (origin.PositionGeo, PlacementOf(cloud.Entity).OriginWorld);
         Undo.IncrementCurrentGroup();
         Undo.RecordObject(origin, "Set origin");
         origin.Shift(new double3(5, 0, 0));
         m_world.Update();
         Assert.That(PlacementOf(cloud.Entity).OriginWorld.x, Is.EqualTo(before.x - 5).Within(1e-9));
         Undo.PerformUndo();
-        Assert.That(origin.PositionGeo, Is.EqualTo(place));
+        Assert.That(origin.PositionGeo, Is.EqualTo(position));
         Update();
         Assert.That(PlacementOf(cloud.Entity).OriginWorld, Is.EqualTo(before));
     }
@@ -235,7 +235,7 @@ public sealed class OriginTests : EditorFixture
         var origin = Origin();
         var cloud = Shown("a", origin);
         Update();
-        var place = origin.PositionGeo;
+        var position = origin.PositionGeo;
         var editor = UnityEditor.Editor.Of<PointCloudOriginEditor>(origin);
         editor.Draw();
         SceneView.lastActiveSceneView = new SceneView { pivot = new Vector3(7, 0, 0) };
@@ -243,11 +243,11 @@ public sealed class OriginTests : EditorFixture
         GUILayout.Pressed = "Set origin here";
         GUILayoutUtility.Send(new Event { type = EventType.MouseUp }, editor.OnInspectorGUI);
         (GUILayout.Pressed, Event.current, SceneView.lastActiveSceneView) = (null, null, null);
-        Assert.That(origin.PositionGeo.x, Is.EqualTo(place.x + 7).Within(1e-9), "east is Unity's X");
+        Assert.That(origin.PositionGeo.x, Is.EqualTo(position.x + 7).Within(1e-9), "east is Unity's X");
         m_world.Update();
         Assert.That(WorldOf(cloud, origin.PositionGeo).x, Is.Zero.Within(1e-8));
         Undo.PerformUndo();
-        Assert.That(origin.PositionGeo, Is.EqualTo(place));
+        Assert.That(origin.PositionGeo, Is.EqualTo(position));
         Object.DestroyImmediate(editor);
     }
 

@@ -146,7 +146,7 @@ public sealed class AuthoringTests : ScratchTests
 
         cloud.Color = ColorMode.Elevation;
         Assert.That(Planes(), Is.EqualTo(new[] { StoreLayout.PositionName }));
-        Assert.That(Look().Value.Source, Is.EqualTo(ColorSource.Place));
+        Assert.That(Look().Value.Source, Is.EqualTo(ColorSource.Position));
 
         cloud.HiddenClasses = new[] { 2, 6 };
         Assert.That(Planes(), Is.EqualTo(new[] { StoreLayout.PositionName, AttributeNames.Classification }));

@@ -21,7 +21,7 @@ public static class FileCycles
             "a reader, its slots and its lists are one thing in files of a readable length"),
         ("Reading/Blocks/BlockRead.cs, Reading/PointReader.cs, Reading/SourceTree.cs",
             "a reader, its slots and its lists are one thing in files of a readable length"),
-        ("Reading/Blocks/RecordReader.cs, Reading/Blocks/RunRead.cs, Reading/SourceScan.cs",
+        ("Reading/Blocks/RecordReader.cs, Reading/Blocks/StridedRead.cs, Reading/SourceScan.cs",
             "a reader, its slots and its lists are one thing in files of a readable length"),
         ("Sources/Copc/CopcHierarchy.cs, Sources/Copc/CopcReader.cs",
             "a reader, its slots and its lists are one thing in files of a readable length"),

@@ -51,7 +51,7 @@ internal static class ThreadRoots
     private static IEnumerable<ThreadRoot> AtCall(CodeIndex code, ValueOrigins origins, MethodDefinition method, Instruction at)
     {
         var called = (MethodReference)at.Operand;
-        string place = CodePlace.Of(method, at);
+        string place = CodeLocation.Of(method, at);
         TypeDefinition within = method.DeclaringType;
         if (ThreadStarts.IsConfigureAwaitFalse(at))
             yield return new ThreadRoot($"after ConfigureAwait(false) ({place})", within, method, From: at);

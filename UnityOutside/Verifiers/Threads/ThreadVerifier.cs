@@ -343,7 +343,7 @@ public sealed class ThreadVerifier
             IReadOnlyList<string> path = m_visit?.Path ?? Array.Empty<string>();
             IEnumerable<string> steps = path.Count <= MaxSteps ? path
                 : path.Take(2).Append("...").Concat(path.Skip(path.Count - MaxSteps + 2));
-            string place = m_at == null ? "" : $" ({CodePlace.Of(Method, m_at)})";
+            string place = m_at == null ? "" : $" ({CodeLocation.Of(Method, m_at)})";
             m_verifier.m_problems.Add($"{m_root.Name}: {string.Join(" > ", steps)}{place}: {what}");
         }
 

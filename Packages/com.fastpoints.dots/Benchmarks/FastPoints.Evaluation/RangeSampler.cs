@@ -204,18 +204,18 @@ namespace FastPoints.Evaluation
             long choice = FirstChoiceFrom(FirstPoint);
             while (choice < Wanted)
             {
-                int run = 0;
-                for (; run < BatchLength && choice < Wanted; choice++)
+                int length = 0;
+                for (; length < BatchLength && choice < Wanted; choice++)
                 {
                     long point = choice * Total / Wanted;
                     if (point >= end)
                         break;
-                    from[run] = (int)(point - FirstPoint);
-                    to[run++] = filled++;
+                    from[length] = (int)(point - FirstPoint);
+                    to[length++] = filled++;
                 }
-                if (run == 0)
+                if (length == 0)
                     break;
-                copy.Scatter(from, to, run);
+                copy.Scatter(from, to, length);
             }
             Filled.Value = filled;
         }

@@ -41,8 +41,8 @@ namespace FastPoints.Evaluation
         {
             if (Count == 0)
                 return 0;
-            int place = (int)math.ceil(share * Count);
-            return math.sqrt(sortedSq[math.clamp(place, 1, Count) - 1]);
+            int index = (int)math.ceil(share * Count);
+            return math.sqrt(sortedSq[math.clamp(index, 1, Count) - 1]);
         }
     }
 

@@ -42,24 +42,24 @@ namespace FastPoints.Picture
             double* y = stackalloc double[ColumnValues.BatchLength];
             double* z = stackalloc double[ColumnValues.BatchLength];
             uint* colors = stackalloc uint[ColumnValues.BatchLength];
-            var run = new PointRun { X = x, Y = y, Z = z, Colors = colors };
+            var span = new PointSpan { X = x, Y = y, Z = z, Colors = colors };
             for (int done = 0; done < count; done += ColumnValues.BatchLength)
             {
-                run.Count = math.min(ColumnValues.BatchLength, count - done);
-                Positions.Load(bytes, first + done, run.Count, x, y, z);
-                PointColoring.ColorRun(bytes, first + done, Colors, picture.Palettes, run);
+                span.Count = math.min(ColumnValues.BatchLength, count - done);
+                Positions.Load(bytes, first + done, span.Count, x, y, z);
+                PointColoring.ColorBatch(bytes, first + done, Colors, picture.Palettes, span);
                 if (LargestPx <= 1 && picture.Sums == null)
-                    DrawPixels(run, picture.Pixels);
+                    DrawPixels(span, picture.Pixels);
                 else
-                    DrawSplats(run, picture, picture.Gaps == null ? null : picture.Gaps + done);
+                    DrawSplats(span, picture, picture.Gaps == null ? null : picture.Gaps + done);
             }
         }
 
-        readonly unsafe void DrawPixels(in PointRun run, ulong* pixels)
+        readonly unsafe void DrawPixels(in PointSpan span, ulong* pixels)
         {
-            double* x = run.X, y = run.Y, z = run.Z;
-            uint* colors = run.Colors;
-            int count = run.Count;
+            double* x = span.X, y = span.Y, z = span.Z;
+            uint* colors = span.Colors;
+            int count = span.Count;
             int width = Projection.WidthPx;
             double widthPx = width, heightPx = Projection.HeightPx;
             for (int i = 0; i < count; i++)
@@ -72,12 +72,12 @@ namespace FastPoints.Picture
             }
         }
 
-        readonly unsafe void DrawSplats(in PointRun run, in PictureMemory picture, float* gaps)
+        readonly unsafe void DrawSplats(in PointSpan span, in PictureMemory picture, float* gaps)
         {
-            double* x = run.X, y = run.Y, z = run.Z;
-            uint* colors = run.Colors;
+            double* x = span.X, y = span.Y, z = span.Z;
+            uint* colors = span.Colors;
             ulong* pixels = picture.Pixels, sums = picture.Sums;
-            int count = run.Count;
+            int count = span.Count;
             int width = Projection.WidthPx, height = Projection.HeightPx;
             int tilesAcross = PointSizing.TilesAlong(width);
             double maxHalf = LargestPx * 0.5;

@@ -36,7 +36,7 @@ namespace FastPoints.Rendering
                     look.Plane = PlaneOf(source, StoreLayout.ColorName);
                     break;
                 case ColorMode.Elevation:
-                    look.Source = ColorSource.Place;
+                    look.Source = ColorSource.Position;
                     look.ValuePerUnit = colors.PositionWeights * colors.Scale / source.Grid.Step;
                     break;
                 default:

@@ -180,8 +180,8 @@ namespace FastPoints.Rendering
 
         static double3 PlaceOf(Camera camera)
         {
-            var place = camera.transform.position;
-            return new double3(place.x, place.y, place.z);
+            var position = camera.transform.position;
+            return new double3(position.x, position.y, position.z);
         }
 
         static StreamView EyeOf(Camera camera, Camera.StereoscopicEye eye) =>

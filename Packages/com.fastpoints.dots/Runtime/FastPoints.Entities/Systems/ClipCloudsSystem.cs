@@ -35,10 +35,10 @@ namespace FastPoints.Entities
                 boxes.Add(BoxOf(places[i].Value, clips[i].Cuts));
         }
 
-        static ClipBox BoxOf(float4x4 place, bool cuts) => new ClipBox
+        static ClipBox BoxOf(float4x4 position, bool cuts) => new ClipBox
         {
-            CenterWorld = new double3(place.c3.xyz),
-            EdgesWorld = new double3x3(new double3(place.c0.xyz), new double3(place.c1.xyz), new double3(place.c2.xyz)),
+            CenterWorld = new double3(position.c3.xyz),
+            EdgesWorld = new double3x3(new double3(position.c0.xyz), new double3(position.c1.xyz), new double3(position.c2.xyz)),
             Cuts = cuts,
         };
     }

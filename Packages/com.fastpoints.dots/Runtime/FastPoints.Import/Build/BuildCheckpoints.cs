@@ -130,7 +130,7 @@ namespace FastPoints.Build
             Journal.Chunks.Clear();
             if (Journal.At == BuildJournal.Stage.Split || Journal.At == BuildJournal.Stage.Index)
                 foreach (var chunk in m_chunks.Chunks)
-                    Journal.Chunks.Add(new BuildJournal.Chunk { Cube = chunk.Cube, Runs = chunk.Runs.ToArray() });
+                    Journal.Chunks.Add(new BuildJournal.Chunk { Cube = chunk.Cube, Ranges = chunk.Ranges.ToArray() });
             return Journal.ToJson();
         }
     }

@@ -22,7 +22,7 @@ namespace FastPoints.Build
         public struct Chunk
         {
             public GridCube Cube;
-            public RecordRange[] Runs;
+            public RecordRange[] Ranges;
         }
 
         const int Version = 1;
@@ -78,8 +78,8 @@ namespace FastPoints.Build
             {
                 json.BeginObject().Add("corner", chunk.Cube.Corner.X, chunk.Cube.Corner.Y, chunk.Cube.Corner.Z)
                     .Add("sideLog2", chunk.Cube.SideLog2).BeginArray("runs");
-                foreach (var run in chunk.Runs)
-                    json.Add(null, run.File, run.First, run.Count);
+                foreach (var range in chunk.Ranges)
+                    json.Add(null, range.File, range.First, range.Count);
                 json.EndArray().EndObject();
             }
             json.EndArray().BeginArray("bytesOfPlane");
@@ -140,11 +140,11 @@ namespace FastPoints.Build
                 journal.Chunks.Add(new Chunk
                 {
                     Cube = new GridCube(Place(item, "corner"), item.Int("sideLog2")),
-                    Runs = item.Lists("runs", 3).ConvertAll(run => new RecordRange
+                    Ranges = item.Lists("runs", 3).ConvertAll(range => new RecordRange
                     {
-                        File = checked((int)run[0]),
-                        First = run[1],
-                        Count = run[2],
+                        File = checked((int)range[0]),
+                        First = range[1],
+                        Count = range[2],
                     }).ToArray(),
                 });
             }

@@ -241,7 +241,7 @@ namespace FastPoints.Build
             else
             {
                 foreach (var chunk in journal.Chunks)
-                    m_chunks.Add(chunk.Cube, chunk.Runs);
+                    m_chunks.Add(chunk.Cube, chunk.Ranges);
             }
             m_chunks.Rebalanced = m_checkpoints.Write;
             if (journal.At == BuildJournal.Stage.Split)

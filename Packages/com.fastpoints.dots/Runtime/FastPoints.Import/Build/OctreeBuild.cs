@@ -192,8 +192,8 @@ namespace FastPoints.Build
                     continue;
                 }
                 m_pointsDone += chunk.Count;
-                foreach (var run in chunk.Runs)
-                    m_build.Files.Release(run.File);
+                foreach (var range in chunk.Ranges)
+                    m_build.Files.Release(range.File);
             }
             order.Sort((a, b) =>
             {
@@ -249,7 +249,7 @@ namespace FastPoints.Build
             var ready = default(JobHandle);
             if (files != null)
             {
-                slot.Load.Begin(chunk.Runs, 0, chunk.Count);
+                slot.Load.Begin(chunk.Ranges, 0, chunk.Count);
                 chunk.Pages = slot.Load.Pages;
                 slot.Outside.Value = 0;
                 ready = CheckRecordsJob.Schedule(new CheckRecordsJob
@@ -319,7 +319,7 @@ namespace FastPoints.Build
                 slot.Load.Complete();
                 if (slot.Outside.Value > 0)
                     throw new PointCloudException(FailureCode.ReadFailed,
-                        m_build.Files.PathOf(m_chunks.Chunks[slot.Chunk].Runs[0].File), -1,
+                        m_build.Files.PathOf(m_chunks.Chunks[slot.Chunk].Ranges[0].File), -1,
                         "the points that were set aside there are damaged: delete the folder, and start again");
             }
             m_writes.Poll(0);
@@ -413,8 +413,8 @@ namespace FastPoints.Build
                 if (!done.Top.IsCreated)
                     continue;
                 done.Top.Dispose();
-                foreach (var run in m_chunks.Chunks[done.Chunk].Runs)
-                    m_files.Release(run.File);
+                foreach (var range in m_chunks.Chunks[done.Chunk].Ranges)
+                    m_files.Release(range.File);
             }
         }
 

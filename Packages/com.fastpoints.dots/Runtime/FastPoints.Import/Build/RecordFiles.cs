@@ -56,12 +56,12 @@ namespace FastPoints.Build
             var users = new int[journal.Records.Count];
             bool isReading = journal.At == BuildJournal.Stage.Read;
             foreach (var chunk in journal.Chunks)
-                foreach (var run in chunk.Runs)
-                    if (run.File < 0 || run.File >= users.Length || run.First < 0 || run.Count < 0 ||
-                        run.First > journal.Records[run.File] - run.Count)
+                foreach (var range in chunk.Ranges)
+                    if (range.File < 0 || range.File >= users.Length || range.First < 0 || range.Count < 0 ||
+                        range.First > journal.Records[range.File] - range.Count)
                         return false;
                     else
-                        users[run.File]++;
+                        users[range.File]++;
             var known = new HashSet<string>();
             for (int file = 0; file < users.Length; file++)
             {

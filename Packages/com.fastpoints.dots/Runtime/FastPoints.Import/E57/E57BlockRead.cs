@@ -242,8 +242,8 @@ namespace FastPoints.E57
 
         JobHandle Schedule(long first, int count)
         {
-            int runs = m_section.PagesOf(first, first + count, m_isWanted, m_firstPages, m_endPages);
-            for (int i = 0; i < runs; i++)
+            int rangeCount = m_section.PagesOf(first, first + count, m_isWanted, m_firstPages, m_endPages);
+            for (int i = 0; i < rangeCount; i++)
                 m_pages.Add(m_firstPages[i], (int)(m_endPages[i] - m_firstPages[i]));
             for (int i = 0; i < m_readCount; i++)
             {

@@ -95,14 +95,14 @@ namespace FastPoints.E57
         // stream, are filled as far as the number returned. isWanted: by stream; null for all.
         public int PagesOf(long firstRecord, long endRecord, bool[] isWanted, long[] firstPages, long[] endPages)
         {
-            int runs = 0;
+            int ranges = 0;
             for (int stream = 0; stream < EndOfStream.Length; stream++)
             {
                 if (Scan.Fields[stream].Bits <= 0 || isWanted != null && !isWanted[stream])
                     continue;
                 long first = MarkOf(stream, firstRecord).PacketOffset / E57Pages.DataBytes;
                 long end = (EndOf(stream, endRecord) + E57Pages.DataBytes - 1) / E57Pages.DataBytes;
-                int at = runs++;
+                int at = ranges++;
                 for (; at > 0 && firstPages[at - 1] > first; at--)
                 {
                     firstPages[at] = firstPages[at - 1];
@@ -112,7 +112,7 @@ namespace FastPoints.E57
                 endPages[at] = end;
             }
             int merged = 0;
-            for (int i = 1; i < runs; i++)
+            for (int i = 1; i < ranges; i++)
             {
                 if (firstPages[i] > endPages[merged] + GapPages)
                 {
@@ -125,7 +125,7 @@ namespace FastPoints.E57
                     endPages[merged] = Math.Max(endPages[merged], endPages[i]);
                 }
             }
-            return runs == 0 ? 0 : merged + 1;
+            return ranges == 0 ? 0 : merged + 1;
         }
 
         public E57Checkpoint MarkOf(int stream, long record) => MarksOfStream[stream][(int)(record / CheckpointRecords)];
@@ -281,10 +281,10 @@ namespace FastPoints.E57
             var endPages = new long[section.EndOfStream.Length];
             for (long first = 0; first < section.Records; first += section.BlockPoints)
             {
-                int runs = section.PagesOf(first, Math.Min(first + section.BlockPoints, section.Records), null, firstPages,
+                int ranges = section.PagesOf(first, Math.Min(first + section.BlockPoints, section.Records), null, firstPages,
                     endPages);
                 long pages = 0;
-                for (int i = 0; i < runs; i++)
+                for (int i = 0; i < ranges; i++)
                     pages += endPages[i] - firstPages[i];
                 if (pages > MaxBlockPages)
                 {

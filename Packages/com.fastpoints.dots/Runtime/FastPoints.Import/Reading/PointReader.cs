@@ -100,7 +100,7 @@ namespace FastPoints.Reading
         // Coroutine, of bounded time: without a pass over the file, of text at so many places. What it finds are the blocks,
         // although BlocksAreKnown is false, until FindBlocks replaces them while there are no slots. Called again for more
         // places, earlier blocks keep their numbers.
-        IEnumerator<JobStep> FindPrefixes(int places);
+        IEnumerator<JobStep> FindPrefixes(int count);
 
         PointEstimate EstimatedPoints { get; }
     }

@@ -196,7 +196,7 @@ namespace FastPoints.Sampling
             using var drawn = new SampleBuffer(m_schema, m_reader.Info.Transform,
                 (int)Math.Min(m_strata.Count, own + m_placeholders.Count));
             yield return JobStep.Of(drawn.Append(m_buffer, 0, m_strata.Count));
-            int others = Math.Min(m_placeholders.Count, drawn.Places - drawn.Closed);
+            int others = Math.Min(m_placeholders.Count, drawn.EntryCount - drawn.Closed);
             yield return JobStep.Of(drawn.Append(m_placeholders.Points, 0, others));
             Replace(drawn.ShareSample());
             m_sample.PointsInSource = m_reader.PointCount;
@@ -206,7 +206,7 @@ namespace FastPoints.Sampling
 
         IEnumerator<JobStep> Close()
         {
-            yield return JobStep.Of(m_buffer.Close(0, m_buffer.Places));
+            yield return JobStep.Of(m_buffer.Close(0, m_buffer.EntryCount));
             Replace(m_buffer.ShareSample());
             m_sample.PointsInSource = m_pointsFound;
             m_sample.IsFullScan = true;

@@ -78,7 +78,7 @@ namespace FastPoints.Drawing
                 var cloud = clouds + drawn.Cloud;
                 int blocks = cloud->Pages[drawn.Page].Nodes[drawn.Node].BlockCount;
                 uint firstWord = (uint)drawn.Range.FirstPage * (NodePool.PageBytes / sizeof(uint));
-                var node = cloud->Place(drawn.Cloud, drawn.Page, drawn.Node, firstWord);
+                var node = cloud->ToGpu(drawn.Cloud, drawn.Page, drawn.Node, firstWord);
                 int instance = InstanceOfBank[drawn.Range.Bank];
                 InstanceOfBank[drawn.Range.Bank] = instance + blocks;
                 node.FirstInstance = (uint)instance;

@@ -77,13 +77,13 @@ namespace FastPoints.Drawing
 
         // The node is the one that the point is drawn with, the place that in its cube: from 0 to 1 along each axis.
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        internal static float GapAt(GpuSizeNode* nodes, int node, float3 place)
+        internal static float GapAt(GpuSizeNode* nodes, int node, float3 position)
         {
             for (int level = 0; level < MaxLevels; level++)
             {
-                place *= 2;
-                var upper = place >= 1;
-                place -= math.select(float3.zero, new float3(1), upper);
+                position *= 2;
+                var upper = position >= 1;
+                position -= math.select(float3.zero, new float3(1), upper);
                 uint octant = math.select(0u, 1u, upper.x) | math.select(0u, 2u, upper.y) | math.select(0u, 4u, upper.z);
                 uint children = nodes[node].Children;
                 if ((children >> (int)octant & 1) == 0)

@@ -91,7 +91,7 @@ namespace FastPoints.Picking
                 Clips = clips,
                 Step = Source.Grid.Step,
                 RootCorner = Source.Root.Corner,
-                Place = m_cloud.Pages[page].Places[node],
+                Address = m_cloud.Pages[page].Addresses[node],
                 Page = page,
                 Node = node,
                 Best = m_best,

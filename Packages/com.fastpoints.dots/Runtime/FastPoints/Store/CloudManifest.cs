@@ -342,11 +342,11 @@ namespace FastPoints.Store
         static Grid3 ReadGrid3(JsonMembers json, string name)
         {
             long[] steps = json.Longs(name, 3);
-            var place = new Grid3(steps[0], steps[1], steps[2]);
+            var position = new Grid3(steps[0], steps[1], steps[2]);
             const long limit = 1L << GridCube.MaxSideLog2;
-            if (place != Grid3.Max(Grid3.Min(place, new Grid3(limit, limit, limit)), new Grid3(-limit, -limit, -limit)))
+            if (position != Grid3.Max(Grid3.Min(position, new Grid3(limit, limit, limit)), new Grid3(-limit, -limit, -limit)))
                 throw json.Bad(name, "numbers within 2^" + GridCube.MaxSideLog2);
-            return place;
+            return position;
         }
     }
 

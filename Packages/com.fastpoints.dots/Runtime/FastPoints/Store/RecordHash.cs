@@ -26,10 +26,10 @@ namespace FastPoints.Store
 
         // The attributes are padded with zeros, to a multiple of 4 bytes.
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public static ulong Of(Grid3 place, byte* attributes, int paddedBytes, ulong seed)
+        public static ulong Of(Grid3 position, byte* attributes, int paddedBytes, ulong seed)
         {
-            ulong hash = Fold((ulong)place.X ^ K1, (ulong)place.Y ^ K2 ^ seed);
-            ulong word = (ulong)place.Z ^ K3;
+            ulong hash = Fold((ulong)position.X ^ K1, (ulong)position.Y ^ K2 ^ seed);
+            ulong word = (ulong)position.Z ^ K3;
             int at = 0;
             for (; at + 8 <= paddedBytes; at += 8)
             {

@@ -22,22 +22,22 @@ namespace FastPoints.Tests.Build
         static MemoryReader Uneven(int count = Points, int blockPoints = 2000)
         {
             var random = new Unity.Mathematics.Random(5);
-            var places = new int3[count];
+            var positions = new int3[count];
             for (int i = 0; i < count; i++)
             {
-                places[i] = i % 4 == 0 ? new int3(70000, 60000, 50000) + random.NextInt3(300)
+                positions[i] = i % 4 == 0 ? new int3(70000, 60000, 50000) + random.NextInt3(300)
                     : random.NextInt3(new int3(100000, 100000, 1000));
             }
-            places[count * 2 / 3] = new int3(-300000000, 7, 7);
-            return MemoryReader.Of(places, s_centimetres, blockPoints);
+            positions[count * 2 / 3] = new int3(-300000000, 7, 7);
+            return MemoryReader.Of(positions, s_centimetres, blockPoints);
         }
 
         static MemoryReader Equal(int count)
         {
-            var places = new int3[count];
+            var positions = new int3[count];
             for (int i = 0; i < count; i++)
-                places[i] = new int3(-5, 600, 7);
-            return MemoryReader.Of(places, s_centimetres, 5000);
+                positions[i] = new int3(-5, 600, 7);
+            return MemoryReader.Of(positions, s_centimetres, 5000);
         }
 
         static ConvertSettings InFiles(long pointsPerChunk = 10000) => new ConvertSettings
@@ -126,10 +126,10 @@ namespace FastPoints.Tests.Build
         {
             // Tops of a filled volume are as large as nodes may be: 8 * 50,000 points are one region's.
             var random = new Unity.Mathematics.Random(9);
-            var places = new int3[1000000];
-            for (int i = 0; i < places.Length; i++)
-                places[i] = random.NextInt3(4000);
-            var reader = MemoryReader.Of(places, s_centimetres, 20000);
+            var positions = new int3[1000000];
+            for (int i = 0; i < positions.Length; i++)
+                positions[i] = random.NextInt3(4000);
+            var reader = MemoryReader.Of(positions, s_centimetres, 20000);
             var made = Convert(reader, "cloud", InMemory(20000));
             Assert.That(made.Manifest.NodeCount, Is.GreaterThan(10));
             Prove(reader, "cloud");
@@ -140,10 +140,10 @@ namespace FastPoints.Tests.Build
         {
             // Chunks are their tops whole: so many points that two regions and the root sample them.
             var random = new Unity.Mathematics.Random(9);
-            var places = new int3[850000];
-            for (int i = 0; i < places.Length; i++)
-                places[i] = new int3(random.NextInt(40000), random.NextInt(40000), 0);
-            Convert(MemoryReader.Of(places, s_centimetres, 20000), "cloud",
+            var positions = new int3[850000];
+            for (int i = 0; i < positions.Length; i++)
+                positions[i] = new int3(random.NextInt(40000), random.NextInt(40000), 0);
+            Convert(MemoryReader.Of(positions, s_centimetres, 20000), "cloud",
                 new ConvertSettings { PointsPerChunk = 20000, Sampler = Sampler.Poisson });
             var goes = new HashSet<int>();
             using (var folder = CloudFolder.Open(Target("cloud")))

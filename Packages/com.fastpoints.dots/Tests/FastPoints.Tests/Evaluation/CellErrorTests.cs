@@ -71,7 +71,7 @@ namespace FastPoints.Tests.Evaluation
             return new ErrorGrid(bounds);
         }
 
-        /// <summary>Cells by their place, without bits or Morton codes.</summary>
+        /// <summary>Cells by their position, without bits or Morton codes.</summary>
         static Dictionary<(int, int, int), int> ByHand(BoundsGeo bounds, double3[] points, int along)
         {
             double edge = math.cmax(bounds.Size) / ErrorGrid.Cells;

@@ -45,8 +45,8 @@ namespace FastPoints.Tests.Laz
                 ItemVersion = format >= 6 ? 3 + seed % 2 : 2,
                 ExtraBytes = seed % 3,
                 HasVariableChunks = kind == "Variable",
-                TablePlace = kind == "Lost" ? LazTablePlace.Missing : seed % 2 == 0 ? LazTablePlace.AtFileEnd
-                    : LazTablePlace.AtOffset,
+                TableLocation = kind == "Lost" ? LazTableLocation.Missing : seed % 2 == 0 ? LazTableLocation.AtFileEnd
+                    : LazTableLocation.AtOffset,
                 ChunkPoints = kind == "One" ? new int[0] : new[] { 40 },
             };
             return writer.Write(LazRecords.Make(format, writer.ExtraBytes, 100, seed));

@@ -41,18 +41,18 @@ namespace FastPoints.Tests.Laz
             Check(writer, LazRecords.Make(format, 0, 1500, 3), 0);
         }
 
-        [TestCase(1, LazTablePlace.AtFileEnd), TestCase(8, LazTablePlace.AtFileEnd)]
-        [TestCase(3, LazTablePlace.Missing), TestCase(6, LazTablePlace.Missing)]
-        public void Read_TableElsewhereOrLost_GivesEveryByte(int format, LazTablePlace place)
+        [TestCase(1, LazTableLocation.AtFileEnd), TestCase(8, LazTableLocation.AtFileEnd)]
+        [TestCase(3, LazTableLocation.Missing), TestCase(6, LazTableLocation.Missing)]
+        public void Read_TableElsewhereOrLost_GivesEveryByte(int format, LazTableLocation place)
         {
             var writer = new LazFileWriter
             {
                 PointFormat = format,
                 ItemVersion = format < 6 ? 2 : 4,
                 ChunkPoints = new[] { 400 },
-                TablePlace = place,
+                TableLocation = place,
             };
-            Check(writer, LazRecords.Make(format, 0, 1500, 5), place == LazTablePlace.Missing ? 1 : 0);
+            Check(writer, LazRecords.Make(format, 0, 1500, 5), place == LazTableLocation.Missing ? 1 : 0);
         }
 
         [Test]
@@ -64,7 +64,7 @@ namespace FastPoints.Tests.Laz
                 ItemVersion = 3,
                 ChunkPoints = new[] { 100, 3, 700, 1 },
                 HasVariableChunks = true,
-                TablePlace = LazTablePlace.Missing,
+                TableLocation = LazTableLocation.Missing,
             };
             Check(writer, LazRecords.Make(7, 0, 803, 5), 1);
         }
@@ -77,7 +77,7 @@ namespace FastPoints.Tests.Laz
                 PointFormat = 1,
                 ChunkPoints = new[] { 100, 3, 700 },
                 HasVariableChunks = true,
-                TablePlace = LazTablePlace.Missing,
+                TableLocation = LazTableLocation.Missing,
             };
             using var file = new TemporaryFile(writer.Write(LazRecords.Make(1, 0, 803, 5)), ".laz");
             Assert.That(() => LazFileReading.Open(file.Path),

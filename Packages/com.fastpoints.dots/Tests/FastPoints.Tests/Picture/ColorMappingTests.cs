@@ -19,8 +19,8 @@ namespace FastPoints.Tests.Picture
             PositionColumns.Of(batch).Load(bytes, 0, batch.Count, x, y, z);
             var colors = new uint[batch.Count];
             fixed (uint* at = colors)
-                PointColoring.ColorRun(bytes, 0, mapping, (uint*)palettes.GetUnsafeReadOnlyPtr(),
-                    new PointRun { Count = batch.Count, X = x, Y = y, Z = z, Colors = at });
+                PointColoring.ColorBatch(bytes, 0, mapping, (uint*)palettes.GetUnsafeReadOnlyPtr(),
+                    new PointSpan { Count = batch.Count, X = x, Y = y, Z = z, Colors = at });
             return colors;
         }
 

@@ -17,7 +17,7 @@ namespace FastPoints.Tests.Picture
         {
             PointFormat = 3,
             ChunkPoints = chunkPoints == 0 ? new int[0] : new[] { chunkPoints },
-            TablePlace = chunkPoints == 0 || chunkPoints == Points ? LazTablePlace.AtOffset : LazTablePlace.Missing,
+            TableLocation = chunkPoints == 0 || chunkPoints == Points ? LazTableLocation.AtOffset : LazTableLocation.Missing,
         };
 
         static PointReader Open(TemporaryFile file)

@@ -41,11 +41,11 @@ namespace FastPoints.Tests.Picture
         }
 
         /// <summary>A wavy square of 100 x 100 around a place.</summary>
-        static double3[] Square(double3 place, double3 lengths)
+        static double3[] Square(double3 position, double3 lengths)
         {
             var positions = new double3[10_000];
             for (int i = 0; i < positions.Length; i++)
-                positions[i] = place + new double3(i % 100, i / 100, 5 * Math.Sin(i % 100 * 0.1)) * lengths;
+                positions[i] = position + new double3(i % 100, i / 100, 5 * Math.Sin(i % 100 * 0.1)) * lengths;
             return positions;
         }
 

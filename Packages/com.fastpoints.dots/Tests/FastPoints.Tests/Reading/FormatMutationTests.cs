@@ -44,7 +44,7 @@ namespace FastPoints.Tests.Reading
             var sound = Directory.GetFiles(Folder.Path, "*", SearchOption.AllDirectories).OrderBy(p => p, StringComparer.Ordinal)
                 .Select(p => (Path: p, Bytes: File.ReadAllBytes(p))).ToList();
             var indexes = sound.Where(f => f.Path == main || IsIndex(f.Path)).ToList();
-            var telling = sound.ToDictionary(f => f.Path, f => TellingPlaces.Of(f.Bytes));
+            var telling = sound.ToDictionary(f => f.Path, f => KeyFields.Of(f.Bytes));
             Assert.That(Reads(main, "as it is"), Is.True, fixture + " as it is");
             var random = new Random(seed);
             int readable = 0;

@@ -13,9 +13,9 @@ namespace FastPoints.Tests.Sampling
             ReadPace quick = ReadPace.Of(100e-6, LargeBytes), slow = ReadPace.Of(10e-3, LargeBytes);
             Assert.That(quick.IsSlow, Is.False);
             Assert.That(slow.IsSlow, Is.True);
-            Assert.That(slow.PointsPerRun, Is.EqualTo(8 * quick.PointsPerRun));
+            Assert.That(slow.PointsPerRange, Is.EqualTo(8 * quick.PointsPerRange));
             Assert.That(slow.Slots, Is.GreaterThan(quick.Slots));
-            Assert.That(slow.RunsPerRequest(16, slow.Slots, 4, 256), Is.EqualTo(1));
+            Assert.That(slow.RangesPerRequest(16, slow.Slots, 4, 256), Is.EqualTo(1));
             Assert.That(slow.GapBytes(5e-3), Is.GreaterThan(quick.GapBytes(5e-3)));
         }
 

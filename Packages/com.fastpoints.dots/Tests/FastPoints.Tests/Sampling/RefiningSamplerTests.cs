@@ -19,9 +19,9 @@ namespace FastPoints.Tests.Sampling
                 new PointAttribute(AttributeNames.Intensity, AttributeType.UInt16));
             for (int i = 0; i < batch.Count; i++)
             {
-                int square = i / 1600, place = i % 400;
-                TestBatches.Set(batch, 0, i, square % 10 * 20 + place % 20);
-                TestBatches.Set(batch, 1, i, square / 10 * 20 + place / 20);
+                int square = i / 1600, index = i % 400;
+                TestBatches.Set(batch, 0, i, square % 10 * 20 + index % 20);
+                TestBatches.Set(batch, 1, i, square / 10 * 20 + index / 20);
                 TestBatches.Set(batch, 2, i, i % 1600 / 400);
                 TestBatches.Set(batch, 3, i, i % 60_000);
             }

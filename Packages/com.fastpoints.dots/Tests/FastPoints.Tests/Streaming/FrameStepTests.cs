@@ -250,8 +250,8 @@ namespace FastPoints.Tests.Streaming
             var random = new Unity.Mathematics.Random(3);
             for (int i = 0; i < 300; i++)
             {
-                var place = random.NextFloat2(200);
-                StreamedTestCloud.Frame(m_stream, StreamedTestCloud.Near(place.x, place.y, random.NextFloat(6)));
+                var position = random.NextFloat2(200);
+                StreamedTestCloud.Frame(m_stream, StreamedTestCloud.Near(position.x, position.y, random.NextFloat(6)));
             }
             var camera = StreamedTestCloud.Near(20, 30, 0.6);
             StreamedTestCloud.Settle(m_stream, camera);

@@ -116,8 +116,8 @@ namespace FastPoints.Tests.Streaming
                     bool isSeen = false;
                     for (int i = 0; i < 9 * 9 * 9 && !isSeen; i++)
                     {
-                        var place = node.Center + (double3)node.Half * (new double3(i % 9, i / 9 % 9, i / 81) / 4 - 1);
-                        var from = place - eye;
+                        var position = node.Center + (double3)node.Half * (new double3(i % 9, i / 9 % 9, i / 81) / 4 - 1);
+                        var from = position - eye;
                         double depth = math.dot(from, forward);
                         isSeen = depth > 0 && math.abs(math.dot(from, right)) <= tanX * depth &&
                             math.abs(math.dot(from, up)) <= tanY * depth;

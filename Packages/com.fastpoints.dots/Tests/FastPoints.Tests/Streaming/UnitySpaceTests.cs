@@ -58,8 +58,8 @@ namespace FastPoints.Tests.Streaming
             Assert.That(space.Scale.x, Is.EqualTo(perLongitude).Within(0.01));
             Assert.That(space.Scale.y, Is.EqualTo(perLatitude).Within(0.01));
             Assert.That(space.Scale.z, Is.EqualTo(1));
-            var place = new double3(-122.998765, latitude + 0.0012345, 7);
-            Assert.That(math.cmax(math.abs(space.ToGeo(space.FromGeo(place)) - place)), Is.LessThan(1e-12), "picked back");
+            var position = new double3(-122.998765, latitude + 0.0012345, 7);
+            Assert.That(math.cmax(math.abs(space.ToGeo(space.FromGeo(position)) - position)), Is.LessThan(1e-12), "picked back");
         }
 
         // The earth drops below its tangent by length²/2R; a degree of longitude at the northern corners is shorter than in the

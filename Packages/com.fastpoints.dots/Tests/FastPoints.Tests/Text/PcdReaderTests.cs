@@ -21,7 +21,7 @@ namespace FastPoints.Tests.Text
             return path;
         }
 
-        static IEnumerable<double> Places(PointReader reader, string axis) =>
+        static IEnumerable<double> Positions(PointReader reader, string axis) =>
             reader.Info.Schema.Single(a => a.Name == axis).Type == AttributeType.Float64 ? ReadPoints.Column<double>(reader, axis)
                 : ReadPoints.Column<float>(reader, axis).Select(v => (double)v);
 
@@ -29,8 +29,8 @@ namespace FastPoints.Tests.Text
         {
             Assert.That(reader.PointCount, Is.EqualTo(points));
             var all = Enumerable.Range(0, points).ToArray();
-            Assert.That(Places(reader, "X"), Is.EqualTo(all.Select(i => i + 0.5)));
-            Assert.That(Places(reader, "Y"), Is.EqualTo(all.Select(i => (double)-i)));
+            Assert.That(Positions(reader, "X"), Is.EqualTo(all.Select(i => i + 0.5)));
+            Assert.That(Positions(reader, "Y"), Is.EqualTo(all.Select(i => (double)-i)));
             Assert.That(ReadPoints.Column<double>(reader, "Z"), Is.EqualTo(all.Select(i => i * 1e-3)).Within(1e-12));
             Assert.That(ReadPoints.Column<byte>(reader, "Red"), Is.EqualTo(all.Select(i => (byte)(i * 7))));
             Assert.That(ReadPoints.Column<byte>(reader, "Green"), Is.EqualTo(all.Select(i => (byte)(i * 5))));
@@ -113,7 +113,7 @@ namespace FastPoints.Tests.Text
                 using var reader = ReadPoints.Open(Write(head.Concat(point).ToArray()));
                 Assert.That(ReadPoints.Column<byte>(reader, "Red"), Is.EqualTo(new byte[] { 0x10 }), data);
                 Assert.That(ReadPoints.Column<byte>(reader, "Blue"), Is.EqualTo(new byte[] { 0x30 }), data);
-                Assert.That(Places(reader, "Z").Single(), Is.NaN);
+                Assert.That(Positions(reader, "Z").Single(), Is.NaN);
             }
         }
 
@@ -124,7 +124,7 @@ namespace FastPoints.Tests.Text
             string text = "VERSION .7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH 1\nHEIGHT 1\nDATA ascii\n" +
                 "512345.678 4123456.789 12.345\n";
             using var reader = ReadPoints.Open(Write(Encoding.ASCII.GetBytes(text)));
-            Assert.That(new[] { "X", "Y", "Z" }.Select(a => Places(reader, a).Single()),
+            Assert.That(new[] { "X", "Y", "Z" }.Select(a => Positions(reader, a).Single()),
                 Is.EqualTo(new[] { 512345.678, 4123456.789, 12.345 }));
         }
 

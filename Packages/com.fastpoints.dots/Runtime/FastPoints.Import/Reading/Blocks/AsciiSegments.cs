@@ -94,11 +94,11 @@ namespace FastPoints.Reading
         // The finaliser of SplitMix64.
         long OffsetOf(int part)
         {
-            long first = m_bytes / Count * part, places = m_bytes / Count - SegmentBytes + 1;
+            long first = m_bytes / Count * part, count = m_bytes / Count - SegmentBytes + 1;
             ulong hash = (ulong)(part + 1) * 0x9E3779B97F4A7C15UL;
             hash = (hash ^ hash >> 30) * 0xBF58476D1CE4E5B9UL;
             hash = (hash ^ hash >> 27) * 0x94D049BB133111EBUL;
-            return m_offset + first + (long)((hash ^ hash >> 31) % (ulong)places);
+            return m_offset + first + (long)((hash ^ hash >> 31) % (ulong)count);
         }
 
         void Take(AsciiSlot slot, int part)

@@ -52,10 +52,10 @@ namespace FastPoints.Reading
         public PointEstimate EstimatedPoints =>
             Info.HasPointsClaimed ? new PointEstimate(Info.PointsClaimed, 0) : m_segments.Estimate;
 
-        public IEnumerator<JobStep> FindPrefixes(int places)
+        public IEnumerator<JobStep> FindPrefixes(int count)
         {
             m_segments ??= new AsciiSegments(File, Info.FileBytes, m_dataOffset);
-            yield return JobStep.Of(m_segments.Find(places));
+            yield return JobStep.Of(m_segments.Find(count));
             Blocks.Take(m_segments.Blocks);
             BlocksFound();
         }

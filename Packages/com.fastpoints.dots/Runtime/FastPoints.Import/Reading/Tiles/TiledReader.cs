@@ -213,9 +213,9 @@ namespace FastPoints.Reading
             {
                 var warning = warnings[i];
                 bool isReported = false;
-                foreach (int place in tile.Warnings)
-                    isReported |= place >= 0 && Info.Warnings[place].ByteOffset == warning.ByteOffset &&
-                        Info.Warnings[place].Path == warning.Path && Info.Warnings[place].Text == warning.Text;
+                foreach (int index in tile.Warnings)
+                    isReported |= index >= 0 && Info.Warnings[index].ByteOffset == warning.ByteOffset &&
+                        Info.Warnings[index].Path == warning.Path && Info.Warnings[index].Text == warning.Text;
                 if (isReported)
                     continue;
                 // A reader continues counting in the warning that it has.

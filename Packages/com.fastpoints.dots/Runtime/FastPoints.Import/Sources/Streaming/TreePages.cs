@@ -264,7 +264,7 @@ namespace FastPoints.Sources
             Grid.BoxOf(source.Key, out node.Center, out node.Half);
             page.Nodes[n] = node;
             page.States[n] = new NodeState { Slot = NodeState.NoSlot, Failures = hasPoints ? 0 : NodeState.IsHole };
-            page.Places[n] = new NodeAddress
+            page.Addresses[n] = new NodeAddress
             {
                 Corner = Grid.Corner - Grid.Root.Corner,
                 IsWide = Grid.IsWide,

@@ -11,7 +11,7 @@ namespace FastPoints.Store
         /// <summary>Null while the page is not loaded, as are the other pointers.</summary>
         public StreamNode* Nodes;
         public NodeState* States;
-        public NodeAddress* Places;
+        public NodeAddress* Addresses;
 
         /// <summary>Indexed by node times streamed planes, plus plane.</summary>
         public PlaneRange* Planes;
@@ -55,8 +55,8 @@ namespace FastPoints.Store
         {
             Nodes = (StreamNode*)UnsafeUtility.Malloc(math.max(64, BytesFor(nodeCount, planeCount)), 64, Allocator.Persistent);
             States = (NodeState*)(Nodes + nodeCount);
-            Places = (NodeAddress*)(States + nodeCount);
-            Planes = (PlaneRange*)(Places + nodeCount);
+            Addresses = (NodeAddress*)(States + nodeCount);
+            Planes = (PlaneRange*)(Addresses + nodeCount);
             NodeCount = nodeCount;
             RootCount = 0;
         }
@@ -67,7 +67,7 @@ namespace FastPoints.Store
             UnsafeUtility.Free(Nodes, Allocator.Persistent);
             Nodes = null;
             States = null;
-            Places = null;
+            Addresses = null;
             Planes = null;
             NodeCount = 0;
             Status = HierarchyPageStatus.Absent;
@@ -179,9 +179,9 @@ namespace FastPoints.Store
             BoundsMax = manifest.BoundsMax;
         }
 
-        public double3 ToLocal(Grid3 place)
+        public double3 ToLocal(Grid3 position)
         {
-            var from = place - Corner;
+            var from = position - Corner;
             return new double3(from.X, from.Y, from.Z) * Step;
         }
 

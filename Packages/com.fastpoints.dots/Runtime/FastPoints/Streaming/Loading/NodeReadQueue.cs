@@ -288,9 +288,9 @@ namespace FastPoints.Streaming
             {
                 page->Failures = 0;
                 // A node with points outside its cube exceeds its bound: it is requested again with its true length.
-                var run = m_state.Cache[node.Slot].Range;
-                if (m_state.Pool.TryShorten(ref run, fetch.Cloud.BytesOf(fetch.Page, node.Node)))
-                    m_state.Cache.SetRange(node.Slot, run);
+                var range = m_state.Cache[node.Slot].Range;
+                if (m_state.Pool.TryShorten(ref range, fetch.Cloud.BytesOf(fetch.Page, node.Node)))
+                    m_state.Cache.SetRange(node.Slot, range);
                 else
                     Drop(fetch, page);
                 return;

@@ -69,13 +69,13 @@ namespace FastPoints.Streaming
                 if (points > 0 && points + cost > Settings.PointBudget)
                     break;
                 points += cost;
-                int place = Choose(best, cloud, page, ref more);
+                int index = Choose(best, cloud, page, ref more);
                 if (IsPrefetch && more >= PrefetchPoints)
                     break;
                 for (int i = 0; i < node->ChildCount; i++)
-                    PushNode(best.Cloud, page, best.Page, node->FirstChild + i, node->Spacing, place);
+                    PushNode(best.Cloud, page, best.Page, node->FirstChild + i, node->Spacing, index);
                 for (int i = 0; i < node->ChunkCount; i++)
-                    PushPage(best.Cloud, cloud.Pages, 1 + node->FirstChunk + i, node->Spacing, place);
+                    PushPage(best.Cloud, cloud.Pages, 1 + node->FirstChunk + i, node->Spacing, index);
             }
             Points.Value = points;
         }

@@ -23,7 +23,7 @@ namespace FastPoints.Tests.Sources
             Assert.That(reader.Tree.NodeCount, Is.EqualTo(nodes));
             Assert.That(reader.Tree.LevelCount, Is.EqualTo(levels));
             Assert.That(reader.Tree.PageCount, Is.EqualTo(pages));
-            CheckPlaces(reader);
+            CheckPositions(reader);
             Assert.That(reader.Info.Warnings, Is.Empty);
         }
 
@@ -47,7 +47,7 @@ namespace FastPoints.Tests.Sources
             PointMultiset.CheckTwins(reader, other, names, math.abs(reader.Info.Transform.Scale), points);
         }
 
-        static void CheckPlaces(PointReader reader)
+        static void CheckPositions(PointReader reader)
         {
             var wanted = reader.Info.Schema.Select(AttributeNames.X, AttributeNames.Y, AttributeNames.Z);
             var nodeOfBlock = Enumerable.Range(0, reader.Tree.NodeCount).Where(i => reader.Tree[i].Block >= 0)

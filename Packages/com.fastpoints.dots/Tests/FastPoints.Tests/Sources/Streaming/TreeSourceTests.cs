@@ -201,7 +201,8 @@ namespace FastPoints.Tests.Sources
         }
 
         [Test]
-        public void Run_PoolTooSmall_KeepsMostImportantAndSettles([Values(TreeTestCloud.Copc, TreeTestCloud.EptBinary)] string kind)
+        public void Run_PoolTooSmall_KeepsMostImportantAndSettles([Values(TreeTestCloud.Copc,
+            TreeTestCloud.EptBinary)] string kind)
         {
             using var cloud = new TreeTestCloud(kind, 20_000);
             using var stream = StreamedTestCloud.Stream(64 << 10, 32 << 10);
