@@ -76,7 +76,7 @@ public sealed class GpuFlightRenderer : FlightRenderer
         return new PointStyle
         {
             Shape = size.LimitsPx.y <= 1 ? PointShape.Pixel
-                : options.DomedPoints ? PointShape.Paraboloid
+                : options.ParaboloidPoints ? PointShape.Paraboloid
                 : options.BlendedPoints ? PointShape.Splat
                 : options.RoundPoints ? PointShape.Disc
                 : PointShape.Square,

@@ -12,7 +12,7 @@ public sealed class ProgressDisplay : IDisposable
     readonly StageProgress m_progress;
     readonly TextWriter m_error;
     readonly bool m_isTerminal;
-    readonly Stopwatch m_sinceSaid = Stopwatch.StartNew();
+    readonly Stopwatch m_sinceReport = Stopwatch.StartNew();
     bool m_isDrawn;
 
     public ProgressDisplay(StageProgress progress, TextWriter error, bool isTerminal)
@@ -25,9 +25,9 @@ public sealed class ProgressDisplay : IDisposable
 
     void Show(StageProgress progress)
     {
-        if (progress.Current == null || m_sinceSaid.Elapsed.TotalSeconds < (m_isTerminal ? RedrawSeconds : LineSeconds))
+        if (progress.Current == null || m_sinceReport.Elapsed.TotalSeconds < (m_isTerminal ? RedrawSeconds : LineSeconds))
             return;
-        m_sinceSaid.Restart();
+        m_sinceReport.Restart();
         // Some work counts no points.
         string speed = progress.Points > 0 ? Human.Short(progress.PointsPerSecond) + " points/s  " : "";
         string figures = string.Format(CultureInfo.InvariantCulture, "{0,3:0}%  {1}{2} left", 100 * progress.Share, speed,

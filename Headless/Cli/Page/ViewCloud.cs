@@ -39,7 +39,7 @@ sealed class ViewCloud
     {
         var preview = new PreviewOptions { Points = MaxPoints, Picture = options };
         using var reader = open();
-        using var taken = new SampleTakers(() => WithAll(open()), preview, run) { Runs = 1 }.Ours();
+        using var taken = new SampleMethods(() => WithAll(open()), preview, run) { Runs = 1 }.Ours();
         var errors = WaveErrors.Measure(reader, taken, run);
         var view = new ViewCloud(options, new DisplayRanges { Units = reader.Info.Crs.Units }) { Camera = camera };
         for (int i = 0; i < taken.Waves.Count; i++)

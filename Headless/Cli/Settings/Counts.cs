@@ -7,12 +7,12 @@ public static class Counts
 {
     const double Largest = 1L << 53;
 
-    public static Option<long> Of(string name, string description, long otherwise, string helpName = "N", long min = 1) =>
+    public static Option<long> Of(string name, string description, long fallback, string helpName = "N", long min = 1) =>
         new(name)
         {
             HelpName = helpName,
             Description = description,
-            DefaultValueFactory = _ => otherwise,
+            DefaultValueFactory = _ => fallback,
             CustomParser = result => Parse(result, min),
         };
 

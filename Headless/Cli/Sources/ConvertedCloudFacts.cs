@@ -24,7 +24,7 @@ public sealed class ConvertedCloudFacts
         m_path = path;
         using var folder = CloudFolder.Open(path);
         m_cloud = folder.Manifest;
-        KeptFacts.AddTo(m_source, folder);
+        StoredFacts.AddTo(m_source, folder);
         m_bytes = Directory.GetFiles(folder.FolderPath, "*", SearchOption.AllDirectories).Sum(f => new FileInfo(f).Length);
         var bytesOfPlane = new long[folder.Layout.Planes.Count];
         Take(folder.Upper, bytesOfPlane);

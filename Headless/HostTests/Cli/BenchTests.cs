@@ -118,7 +118,7 @@ public sealed class BenchTests : ScratchTests
     [TestCase(40, 20, "slower")]
     [TestCase(20, 5, "slower")]
     public void Baseline_ChangeBeyondTheCommonOne_IsNamed(double own, double others, string result) =>
-        Assert.That(Compare(own, others)[0].Verdict, Is.EqualTo(result));
+        Assert.That(Compare(own, others)[0].Outcome, Is.EqualTo(result));
 
     [Test]
     public void Baseline_OtherInput_IsNotCompared() =>

@@ -51,7 +51,7 @@ sealed class TwinStreams : IDisposable
     /// and more where the edges of large squares do. Discs are cut out pixel by pixel, without that. With eye-dome lighting a
     /// pixel that differs changes the shade of those around it.</summary>
     public double MaxDifferent =>
-        !m_options.RoundPoints && !m_options.DomedPoints ? 0.015 : m_options.EdlStrength > 0 ? 0.003 : 0.001;
+        !m_options.RoundPoints && !m_options.ParaboloidPoints ? 0.015 : m_options.EdlStrength > 0 ? 0.003 : 0.001;
 
     public PicturePlan Plan { get; private set; }
     public DisplayRanges Ranges { get; private set; }

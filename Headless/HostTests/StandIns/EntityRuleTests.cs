@@ -12,7 +12,7 @@ public sealed class EntityRuleTests
 
     struct Burning : IComponentData, IEnableableComponent { }
 
-    struct Grave : ICleanupComponentData
+    struct Tombstone : ICleanupComponentData
     {
         public int Number;
     }
@@ -93,11 +93,11 @@ public sealed class EntityRuleTests
     public void CleanupComponents_OfLivingEntities_BehaveLikeOthers()
     {
         Entity living = Entities.CreateEntity(), destroyed = Entities.CreateEntity();
-        Entities.AddComponentData(living, new Grave { Number = 1 });
-        Entities.AddComponentData(destroyed, new Grave { Number = 2 });
+        Entities.AddComponentData(living, new Tombstone { Number = 1 });
+        Entities.AddComponentData(destroyed, new Tombstone { Number = 2 });
         Entities.DestroyEntity(destroyed);
         Entities.DestroyEntity(destroyed);
-        Entities.RemoveComponent<Grave>(living);
+        Entities.RemoveComponent<Tombstone>(living);
         Assert.That((Entities.Exists(living), Entities.Exists(destroyed)), Is.EqualTo((true, true)));
         using var copies = new NativeArray<Entity>(1, Allocator.Temp);
         Assert.That(() => Entities.Instantiate(destroyed, copies),

@@ -9,7 +9,7 @@ public sealed class EntityTests
 
     struct Burning : IComponentData, IEnableableComponent { }
 
-    struct Grave : ICleanupComponentData
+    struct Tombstone : ICleanupComponentData
     {
         public int Number;
     }
@@ -98,12 +98,12 @@ public sealed class EntityTests
     public void DestroyEntity_WithCleanup_KeepsThatUntilItIsRemoved()
     {
         var entity = Entities.CreateEntity(ComponentType.ReadWrite<Health>());
-        Entities.AddComponentData(entity, new Grave { Number = 7 });
+        Entities.AddComponentData(entity, new Tombstone { Number = 7 });
         Entities.DestroyEntity(entity);
         Assert.That(Entities.Exists(entity), Is.True);
         Assert.That(Entities.HasComponent<Health>(entity), Is.False);
-        Assert.That(Entities.GetComponentData<Grave>(entity).Number, Is.EqualTo(7));
-        Entities.RemoveComponent<Grave>(entity);
+        Assert.That(Entities.GetComponentData<Tombstone>(entity).Number, Is.EqualTo(7));
+        Entities.RemoveComponent<Tombstone>(entity);
         Assert.That(Entities.Exists(entity), Is.False);
     }
 
@@ -111,10 +111,10 @@ public sealed class EntityTests
     public void Instantiate_CleanupAndPrefab_AreNotCopiedAndBuffersAre()
     {
         var entity = Entities.CreateEntity(ComponentType.ReadWrite<Health>(), ComponentType.ReadWrite<Prefab>());
-        Entities.AddComponentData(entity, new Grave { Number = 7 });
+        Entities.AddComponentData(entity, new Tombstone { Number = 7 });
         Entities.AddBuffer<Item>(entity).Add(new Item { Value = 5 });
         var copy = Entities.Instantiate(entity);
-        Assert.That(Entities.HasComponent<Grave>(copy) || Entities.HasComponent<Prefab>(copy), Is.False);
+        Assert.That(Entities.HasComponent<Tombstone>(copy) || Entities.HasComponent<Prefab>(copy), Is.False);
         var items = Entities.GetBuffer<Item>(copy);
         items[0] = new Item { Value = 6 };
         for (int i = 0; i < 100; i++)
@@ -129,7 +129,7 @@ public sealed class EntityTests
         other.EntityManager.CopyEntitiesFrom(Entities, sources, copies);
         Assert.That(other.EntityManager.GetBuffer<Item>(copies[0])[0].Value, Is.EqualTo(5));
         Assert.That(other.EntityManager.HasComponent<Prefab>(copies[0]), Is.True);
-        Assert.That(other.EntityManager.HasComponent<Grave>(copies[0]), Is.False);
+        Assert.That(other.EntityManager.HasComponent<Tombstone>(copies[0]), Is.False);
     }
 
     [Test]
@@ -205,7 +205,7 @@ public sealed class EntityTests
 
     static readonly List<string> s_calls = new List<string>();
 
-    abstract class Noting : SystemBase
+    abstract class RecordingSystem : SystemBase
     {
         protected override void OnCreate() => s_calls.Add("+" + GetType().Name);
         protected override void OnStartRunning() => s_calls.Add(">" + GetType().Name);
@@ -218,18 +218,18 @@ public sealed class EntityTests
     sealed class Group : ComponentSystemGroup { }
 
     [UpdateInGroup(typeof(Group), OrderLast = true)]
-    sealed class A : Noting { }
+    sealed class A : RecordingSystem { }
 
     [UpdateInGroup(typeof(Group))]
     [UpdateAfter(typeof(C))]
-    sealed class B : Noting { }
+    sealed class B : RecordingSystem { }
 
     [UpdateInGroup(typeof(Group))]
-    sealed class C : Noting { }
+    sealed class C : RecordingSystem { }
 
     [UpdateInGroup(typeof(Group))]
     [UpdateBefore(typeof(C))]
-    sealed class D : Noting { }
+    sealed class D : RecordingSystem { }
 
     [Test]
     public void Systems_OfAGroup_RunInTheRequestedOrder()
@@ -258,7 +258,7 @@ public sealed class EntityTests
     }
 
     [UpdateInGroup(typeof(Group))]
-    sealed class E : Noting
+    sealed class E : RecordingSystem
     {
         protected override void OnUpdate() => throw new ArithmeticException("thrown in a system");
         protected override void OnDestroy() => throw new ArithmeticException("thrown at the end");
@@ -279,12 +279,12 @@ public sealed class EntityTests
 
     [UpdateInGroup(typeof(Group), OrderFirst = true)]
     [UpdateAfter(typeof(C))]
-    sealed class F : Noting { }
+    sealed class F : RecordingSystem { }
 
     [UpdateInGroup(typeof(Group))]
     [UpdateBefore(typeof(A))]
     [UpdateAfter(typeof(G))]
-    sealed class G : Noting { }
+    sealed class G : RecordingSystem { }
 
     [Test]
     public void Systems_WhoseOrderUnityIgnores_AreWarnedOf()

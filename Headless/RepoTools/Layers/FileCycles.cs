@@ -9,7 +9,7 @@ namespace FastPoints.RepoTools.Layers;
 /// found.</summary>
 public static class FileCycles
 {
-    private static readonly (string Files, string Why)[] s_kept =
+    private static readonly (string Files, string Reason)[] s_kept =
     {
         ("Authoring/PointCloud.cs, Authoring/PointCloudOrigin.cs", "origins place clouds that set them; Unity wants a file each"),
         ("Reading/Tiles/TiledRead.cs, Reading/Tiles/TiledReader.cs", "a slot enters and leaves the tiles that its reader counts"),

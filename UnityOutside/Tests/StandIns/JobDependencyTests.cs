@@ -245,7 +245,7 @@ public sealed class JobDependencyTests
 
     static volatile bool s_ran;
 
-    struct TellingJob : IJob
+    struct LoggingJob : IJob
     {
         public void Execute() => s_ran = true;
     }
@@ -256,7 +256,7 @@ public sealed class JobDependencyTests
         static void Waits(Action flush)
         {
             s_ran = false;
-            JobHandle handle = new TellingJob().Schedule();
+            JobHandle handle = new LoggingJob().Schedule();
             System.Threading.Thread.Sleep(30);
             Assert.That(s_ran, Is.False, "nobody flushed");
             flush();

@@ -320,7 +320,7 @@ public sealed class ThreadVerifier
             string threads = row.In(m_verifier.m_generation, accessor);
             string users = threads == "main" ? "the main thread" : "nobody knows which threads";
             if (threads != "any")
-                Add($"uses {shown}, which is for {users} ({row.Why})");
+                Add($"uses {shown}, which is for {users} ({row.Reason})");
             else if (row.IsAskedForMain)
                 Add($"uses {shown}, for which the manual asks for the main thread");
         }

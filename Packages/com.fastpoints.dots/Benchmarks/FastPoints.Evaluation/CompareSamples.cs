@@ -258,7 +258,7 @@ namespace FastPoints.Evaluation
             Color = m_options.Color,
             PointSizePx = m_options.PointSizePx,
             RoundPoints = m_options.RoundPoints,
-            DomedPoints = m_options.DomedPoints,
+            ParaboloidPoints = m_options.ParaboloidPoints,
             FillsHoles = m_options.FillsHoles,
             Background = m_options.Background,
             EdlStrength = m_options.EdlStrength,

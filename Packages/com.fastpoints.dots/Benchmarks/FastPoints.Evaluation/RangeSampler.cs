@@ -57,10 +57,10 @@ namespace FastPoints.Evaluation
         public long BytesRead { get; private set; }
 
         /// <summary>All points of a source, block by block.</summary>
-        public static List<BlockRange> Whole(PointReader reader) => Beginnings(reader, 1);
+        public static List<BlockRange> Whole(PointReader reader) => Prefixes(reader, 1);
 
         /// <summary>A share, 0 to 1, of each block from its beginning; at least one point.</summary>
-        public static List<BlockRange> Beginnings(PointReader reader, double share)
+        public static List<BlockRange> Prefixes(PointReader reader, double share)
         {
             var ranges = new List<BlockRange>(reader.BlockCount);
             for (int block = 0; block < reader.BlockCount; block++)

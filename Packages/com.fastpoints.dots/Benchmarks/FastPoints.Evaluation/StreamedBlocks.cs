@@ -98,7 +98,7 @@ namespace FastPoints.Evaluation
             var drawing = DrawingFor(camera, canvas);
             if (sizes.Nodes.Length > 0)
             {
-                drawing.HasOwnSize = true;
+                drawing.IsWorldSize = true;
                 drawing.LargestPx = drawing.Size.MaxPx;
             }
             int planes = cloud.Source.Planes.Length;

@@ -58,17 +58,17 @@ namespace FastPoints.Picture
         public PointDrawing DrawingOf(PointBatch batch, PictureCanvas canvas)
         {
             var world = m_options.SizeInWorld.GetValueOrDefault();
-            bool hasOwnSize = world.Mode == PointSizeMode.World;
+            bool isWorldSize = world.Mode == PointSizeMode.World;
             return new PointDrawing
             {
                 Positions = PositionColumns.Of(batch),
                 Projection = new PointProjection(Camera, m_transform, m_options.WidthPx, m_options.HeightPx),
                 Colors = ColorMapping.For(Mode, m_ranges, batch, m_transform, Gradient),
-                LargestPx = hasOwnSize ? world.MaxPx : canvas.LargestPx,
-                HasOwnSize = hasOwnSize,
+                LargestPx = isWorldSize ? world.MaxPx : canvas.LargestPx,
+                IsWorldSize = isWorldSize,
                 Size = world,
                 IsRound = m_options.RoundPoints,
-                IsDomed = m_options.DomedPoints,
+                IsParaboloid = m_options.ParaboloidPoints,
             };
         }
 

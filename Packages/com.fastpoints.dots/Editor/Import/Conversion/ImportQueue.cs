@@ -273,9 +273,9 @@ namespace FastPoints.Editor
             {
                 if (request.State != ImportState.Running)
                     continue;
-                bool isHopeless = request.Attempts >= MaxAttempts;
-                request.State = isHopeless ? ImportState.Failed : ImportState.Waiting;
-                request.Failure = isHopeless ? "the editor ended " + request.Attempts + " times while this was imported" : null;
+                bool hasFailed = request.Attempts >= MaxAttempts;
+                request.State = hasFailed ? ImportState.Failed : ImportState.Waiting;
+                request.Failure = hasFailed ? "the editor ended " + request.Attempts + " times while this was imported" : null;
             }
             Append(added);
             Save();

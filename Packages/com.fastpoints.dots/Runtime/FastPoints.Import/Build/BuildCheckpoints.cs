@@ -50,13 +50,13 @@ namespace FastPoints.Build
             string text = folder.ReadText(BuildFiles.JournalName);
             var journal = text == null ? null : BuildJournal.FromJson(text);
             bool isSame = journal != null && journal.Identity == identity &&
-                journal.Attributes.Length == build.Attributes.Count && (journal.At == BuildJournal.Stage.Read
+                journal.Attributes.Length == build.Attributes.Count && (journal.CurrentStage == BuildJournal.Stage.Read
                     ? journal.Source < build.Readers.Count && journal.Statistics.Count == journal.Source + 1 &&
                         journal.Records.Count == firstFiles
                     : journal.Statistics.Count == build.Readers.Count);
             if (isSame)
                 build.UseFiles();
-            if (isSame && (journal.At == BuildJournal.Stage.Done || build.Files.TryResume(journal)))
+            if (isSame && (journal.CurrentStage == BuildJournal.Stage.Done || build.Files.TryResume(journal)))
             {
                 checkpoints.Journal = journal;
                 scatter.Resume(journal);
@@ -107,7 +107,7 @@ namespace FastPoints.Build
         {
             Journal.LevelCount = levelCount;
             Journal.BytesOfPlane = bytesOfPlane;
-            Journal.At = BuildJournal.Stage.Done;
+            Journal.CurrentStage = BuildJournal.Stage.Done;
             return m_folder.WriteText(BuildFiles.JournalName, Describe());
         }
 
@@ -128,7 +128,7 @@ namespace FastPoints.Build
             for (int file = 0; file < m_build.Files?.FileCount; file++)
                 Journal.Records.Add(m_build.Files.RecordsOf(file));
             Journal.Chunks.Clear();
-            if (Journal.At == BuildJournal.Stage.Split || Journal.At == BuildJournal.Stage.Index)
+            if (Journal.CurrentStage == BuildJournal.Stage.Split || Journal.CurrentStage == BuildJournal.Stage.Index)
                 foreach (var chunk in m_chunks.Chunks)
                     Journal.Chunks.Add(new BuildJournal.Chunk { Cube = chunk.Cube, Ranges = chunk.Ranges.ToArray() });
             return Journal.ToJson();

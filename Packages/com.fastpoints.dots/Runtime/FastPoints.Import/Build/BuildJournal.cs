@@ -29,7 +29,7 @@ namespace FastPoints.Build
 
         /// <summary>Identifies the sources, the settings and the partition: if they differ, it is another build.</summary>
         public ulong Identity;
-        public Stage At;
+        public Stage CurrentStage;
 
         /// <summary>The first source that is not read completely, and the first of its blocks that is not read.</summary>
         public int Source;
@@ -53,7 +53,7 @@ namespace FastPoints.Build
         public string ToJson()
         {
             var json = new JsonWriter().BeginObject().Add("version", Version).AddHex("identity", Identity).Add("stage",
-                At.ToString())
+                CurrentStage.ToString())
                 .Add("source", Source).Add("block", Block).Add("peakBytes", PeakBytes)
                 .Add("levelCount", LevelCount)
                 .Add("rootCorner", Root.Corner.X, Root.Corner.Y, Root.Corner.Z).Add("rootSideLog2", Root.SideLog2);
@@ -110,7 +110,7 @@ namespace FastPoints.Build
             var journal = new BuildJournal
             {
                 Identity = json.Hex("identity"),
-                At = stage,
+                CurrentStage = stage,
                 Source = json.Int("source"),
                 Block = json.Int("block"),
                 PeakBytes = json.Long("peakBytes"),

@@ -29,7 +29,7 @@ namespace FastPoints.Build
         public IEnumerator<JobStep> Run()
         {
             var journal = m_checkpoints.Journal;
-            if (journal.At != BuildJournal.Stage.Read)
+            if (journal.CurrentStage != BuildJournal.Stage.Read)
                 yield break;
             m_resumedPoints = m_scatter.PointsDone;
             try

@@ -54,7 +54,7 @@ namespace FastPoints.Build
         public bool TryResume(BuildJournal journal)
         {
             var users = new int[journal.Records.Count];
-            bool isReading = journal.At == BuildJournal.Stage.Read;
+            bool isReading = journal.CurrentStage == BuildJournal.Stage.Read;
             foreach (var chunk in journal.Chunks)
                 foreach (var range in chunk.Ranges)
                     if (range.File < 0 || range.File >= users.Length || range.First < 0 || range.Count < 0 ||
@@ -67,7 +67,7 @@ namespace FastPoints.Build
             {
                 long records = isReading || users[file] > 0 ? journal.Records[file] : 0;
                 if (!m_folder.Truncate(BuildFiles.RecordPath(file), records * m_strideBytes) &&
-                    journal.At != BuildJournal.Stage.Index)
+                    journal.CurrentStage != BuildJournal.Stage.Index)
                     return false;
                 if (records > 0)
                     known.Add(PathOf(file));

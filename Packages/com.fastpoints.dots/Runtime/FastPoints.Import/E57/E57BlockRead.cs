@@ -249,11 +249,11 @@ namespace FastPoints.E57
             {
                 if (m_reads[i].Stream < 0 || m_reads[i].Bits == 0)
                     continue;
-                var mark = m_section.MarkOf(m_reads[i].Stream, first);
+                var checkpoint = m_section.CheckpointOf(m_reads[i].Stream, first);
                 m_ranges[i] = new E57StreamRange
                 {
-                    PacketOffset = mark.PacketOffset,
-                    BytesBefore = mark.BytesBefore,
+                    PacketOffset = checkpoint.PacketOffset,
+                    BytesBefore = checkpoint.BytesBefore,
                     End = m_section.EndOf(m_reads[i].Stream, first + count),
                 };
             }

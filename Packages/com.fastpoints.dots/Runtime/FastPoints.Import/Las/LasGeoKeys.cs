@@ -180,12 +180,12 @@ namespace FastPoints.Las
             }
         }
 
-        static ByteReader PayloadOf(LasVlrTable vlrs, ushort recordId, ByteReader otherwise)
+        static ByteReader PayloadOf(LasVlrTable vlrs, ushort recordId, ByteReader fallback)
         {
             var record = vlrs.Find(LasVlr.ProjectionUser, recordId);
             return record != null
                 ? vlrs.Payload(record)
-                : new ByteReader(System.Array.Empty<byte>(), otherwise.Path, otherwise.FileOffset);
+                : new ByteReader(System.Array.Empty<byte>(), fallback.Path, fallback.FileOffset);
         }
 
         readonly struct Key

@@ -142,11 +142,11 @@ namespace FastPoints.Sampling
                 : reader.FirstPointOfBlock(ranges[range + 1].Block) + ranges[range + 1].First) - first;
         }
 
-        void AddRange(int first, int count, long pointsStoodFor) => m_ranges.Add(new SampleRange
+        void AddRange(int first, int count, long pointsRepresented) => m_ranges.Add(new SampleRange
         {
             First = first,
             Count = count,
-            Weight = pointsStoodFor / (double)Math.Max(1, count),
+            Weight = pointsRepresented / (double)Math.Max(1, count),
         });
 
         public void Dispose()

@@ -99,7 +99,7 @@ namespace FastPoints.Rendering.Urp
         }
 
 #if !UNITY_6000_4_OR_NEWER
-        static bool s_isWarned;
+        static bool s_hasWarned;
 
 #endif
         /// <summary>In Compatibility Mode passes are not recorded, and Unity would warn of each in each frame.</summary>
@@ -111,9 +111,9 @@ namespace FastPoints.Rendering.Urp
             if (!GraphicsSettings.TryGetRenderPipelineSettings<RenderGraphSettings>(out var settings) ||
                 !settings.enableRenderCompatibilityMode)
                 return false;
-            if (!s_isWarned)
+            if (!s_hasWarned)
                 Debug.LogWarning("Point clouds are not drawn in URP's Compatibility Mode (Project Settings > Graphics > URP)");
-            s_isWarned = true;
+            s_hasWarned = true;
             return true;
 #endif
         }

@@ -267,7 +267,7 @@ namespace FastPoints.Tests.Build
             var reader = MemoryReader.Of(Uniform(20000, 3000), s_centimetres, 1000);
             Convert(reader, "cloud", new ConvertSettings { Workers = workers, SecondsToFirstGeneration = 1e9 });
             // Those of the sample, and those of the reading: all others come behind another block's jobs.
-            Assert.That(reader.BlocksBehindNone, Is.EqualTo(2 * workers));
+            Assert.That(reader.BlocksWithoutDependency, Is.EqualTo(2 * workers));
         }
 
         [Test]

@@ -231,7 +231,7 @@ namespace FastPoints.Tests.Build
                 {
                     work.Current.Complete();
                     var read = File.Exists(journal) ? BuildJournal.FromJson(File.ReadAllText(journal)) : null;
-                    if (read != null && read.At == BuildJournal.Stage.Read)
+                    if (read != null && read.CurrentStage == BuildJournal.Stage.Read)
                         blocks.Add(read.Block);
                 }
             }

@@ -57,9 +57,9 @@ namespace FastPoints.Tests.Evaluation
         public void Beginnings_AreOfEachBlock()
         {
             using var reader = Numbered(2500, 1000);
-            Assert.That(Take(reader, RangeSampler.Beginnings(reader, 0.01), 1000),
+            Assert.That(Take(reader, RangeSampler.Prefixes(reader, 0.01), 1000),
                 Is.EqualTo(Enumerable.Range(0, 10).Concat(Enumerable.Range(1000, 10)).Concat(Enumerable.Range(2000, 5))));
-            Assert.That(Take(reader, RangeSampler.Beginnings(reader, 1e-9), 1000), Is.EqualTo(new[] { 0, 1000, 2000 }));
+            Assert.That(Take(reader, RangeSampler.Prefixes(reader, 1e-9), 1000), Is.EqualTo(new[] { 0, 1000, 2000 }));
         }
 
         [Test]

@@ -74,7 +74,7 @@ namespace FastPoints.Tests.Nodes
             var journal = new BuildJournal
             {
                 Identity = ulong.MaxValue - 3,
-                At = BuildJournal.Stage.Split,
+                CurrentStage = BuildJournal.Stage.Split,
                 Block = 77,
                 PeakBytes = Points
             };

@@ -57,7 +57,7 @@ namespace FastPoints.Tests.Nodes
 
         public override long BytesOfRange(BlockRange range) => (long)range.Count * Info.Schema.BytesPerPoint;
 
-        public int BlocksBehindNone { get; private set; }
+        public int BlocksWithoutDependency { get; private set; }
         public long SlotBytes { get; private set; }
         public long MaxSlotBytes { get; private set; }
 
@@ -80,7 +80,7 @@ namespace FastPoints.Tests.Nodes
 
             protected override void Fill(BlockRange range, NativeArray<byte> bytes)
             {
-                m_reader.BlocksBehindNone += Dependency.Equals(default) ? 1 : 0;
+                m_reader.BlocksWithoutDependency += Dependency.Equals(default) ? 1 : 0;
                 for (int c = 0; c < Points.Schema.Count; c++)
                 {
                     int size = Points.Schema[c].Type.SizeOf();

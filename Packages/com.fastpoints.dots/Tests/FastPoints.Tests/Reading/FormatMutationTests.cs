@@ -33,8 +33,8 @@ namespace FastPoints.Tests.Reading
                 " of them read to their end");
         }
 
-        static int Number(string variable, int otherwise) =>
-            int.TryParse(Environment.GetEnvironmentVariable(variable), out int number) ? number : otherwise;
+        static int Number(string variable, int fallback) =>
+            int.TryParse(Environment.GetEnvironmentVariable(variable), out int number) ? number : fallback;
 
         int Mutate(FormatFixture fixture, int cases, int seed, int minReadable)
         {

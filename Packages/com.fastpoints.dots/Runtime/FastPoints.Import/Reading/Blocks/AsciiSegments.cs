@@ -103,7 +103,7 @@ namespace FastPoints.Reading
 
         void Take(AsciiSlot slot, int part)
         {
-            int rows = slot.End().RowsBehindFirstEnd;
+            int rows = slot.End().RowsAfterFirstEnd;
             m_found++;
             m_rowsOfPart[part] = rows;
             if (rows == 0)

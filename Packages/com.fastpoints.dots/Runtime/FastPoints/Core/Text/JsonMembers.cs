@@ -63,7 +63,7 @@ namespace FastPoints
 
         public long Long(string name) => Read(name, JsonReader.ToLong);
 
-        public long Long(string name, long otherwise) => Has(name) ? Long(name) : otherwise;
+        public long Long(string name, long fallback) => Has(name) ? Long(name) : fallback;
 
         public int Int(string name) => Read(name, v => (int)InRange(v, int.MinValue, int.MaxValue));
 
@@ -76,11 +76,11 @@ namespace FastPoints
 
         public double Number(string name) => Read(name, Finite);
 
-        public double Number(string name, double otherwise) => Has(name) ? Number(name) : otherwise;
+        public double Number(string name, double fallback) => Has(name) ? Number(name) : fallback;
 
         public string Text(string name) => Shown(Read(name, JsonReader.ToText));
 
-        public string Text(string name, string otherwise) => IsText(name) ? Text(name) : otherwise;
+        public string Text(string name, string fallback) => IsText(name) ? Text(name) : fallback;
 
         public string TextOrNull(string name) => Find(name) == null ? null : Text(name);
 

@@ -176,13 +176,13 @@ namespace FastPoints.Streaming
         public void AddParts(int index, byte* to, int upload, NativeList<UploadPart> parts)
         {
             int node = m_nodes[index].Node;
-            byte* made = m_transcoder != null ? (byte*)m_transcoder.Planes.GetUnsafeReadOnlyPtr() : null;
+            byte* transcoded = m_transcoder != null ? (byte*)m_transcoder.Planes.GetUnsafeReadOnlyPtr() : null;
             for (int p = 0; p < Cloud.Source.Planes.Length; p++)
             {
                 var range = Cloud.RangeOf(Page, node, p);
                 parts.Add(new UploadPart
                 {
-                    From = m_transcoder != null ? made
+                    From = m_transcoder != null ? transcoded
                         : (byte*)m_bytes.GetUnsafeReadOnlyPtr() + m_offsets[index * Cloud.Source.Planes.Length + p],
                     Check = m_transcoder != null ? UploadCheck.None
                         : Cloud.Source.IsChecked(Page, node, p) ? UploadCheck.Shape : UploadCheck.Hash,
@@ -194,7 +194,7 @@ namespace FastPoints.Streaming
                     Upload = upload,
                 });
                 to += range.LengthBytes;
-                made += range.LengthBytes;
+                transcoded += range.LengthBytes;
             }
         }
 

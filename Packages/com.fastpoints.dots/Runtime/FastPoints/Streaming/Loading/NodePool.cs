@@ -54,28 +54,28 @@ namespace FastPoints.Streaming
         {
             int pages = PagesFor(bytes), limit = BankLimit;
             range = new PoolRange { PageCount = pages };
-            int unmade = -1;
+            int unallocated = -1;
             for (int bank = 0; bank < m_banks.Length && bank < limit; bank++)
             {
                 if (!m_banks[bank].IsCreated)
                 {
-                    unmade = unmade < 0 ? bank : unmade;
+                    unallocated = unallocated < 0 ? bank : unallocated;
                     continue;
                 }
                 if (TryAllocate(bank, ref range))
                     return true;
             }
-            if (unmade < 0 && m_banks.Length < limit)
+            if (unallocated < 0 && m_banks.Length < limit)
             {
-                unmade = m_banks.Length;
-                Array.Resize(ref m_banks, Math.Min(limit, Math.Max(16, 2 * unmade)));
+                unallocated = m_banks.Length;
+                Array.Resize(ref m_banks, Math.Min(limit, Math.Max(16, 2 * unallocated)));
             }
-            if (unmade >= 0 && pages <= m_pagesPerBank)
+            if (unallocated >= 0 && pages <= m_pagesPerBank)
             {
-                CreateBank(unmade);
-                m_banks[unmade] = new RangeAllocator(m_pagesPerBank, Allocator.Persistent);
+                CreateBank(unallocated);
+                m_banks[unallocated] = new RangeAllocator(m_pagesPerBank, Allocator.Persistent);
                 AllocatedBytes += BankBytes;
-                return TryAllocate(unmade, ref range);
+                return TryAllocate(unallocated, ref range);
             }
             range = default;
             return false;

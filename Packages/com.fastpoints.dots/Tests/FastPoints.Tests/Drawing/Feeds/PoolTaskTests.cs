@@ -9,7 +9,7 @@ namespace FastPoints.Tests.Drawing
     {
         static readonly TimeSpan s_maxTime = TimeSpan.FromMinutes(1);
 
-        sealed class Thing : IDisposable
+        sealed class DisposableResult : IDisposable
         {
             public readonly ManualResetEventSlim Disposed = new ManualResetEventSlim();
 
@@ -51,7 +51,7 @@ namespace FastPoints.Tests.Drawing
         public void Dispose_BeforeTheEnd_DisposesTheLaterResult()
         {
             using var hasMore = new ManualResetEventSlim();
-            var thing = new Thing();
+            var thing = new DisposableResult();
             var work = PoolTask.Begin("cloud", () =>
             {
                 hasMore.Wait();
@@ -66,7 +66,7 @@ namespace FastPoints.Tests.Drawing
         [Test]
         public void Dispose_AfterTheEnd_DisposesTheUntakenResult()
         {
-            var thing = new Thing();
+            var thing = new DisposableResult();
             var work = PoolTask.Begin("cloud", () => thing, unwanted => unwanted.Dispose());
             Assert.That(SpinWait.SpinUntil(() => work.IsDone, s_maxTime), Is.True);
             work.Dispose();
@@ -76,7 +76,7 @@ namespace FastPoints.Tests.Drawing
         [Test]
         public void Dispose_TakenResult_IsLeftToItsOwner()
         {
-            var thing = new Thing();
+            var thing = new DisposableResult();
             var work = PoolTask.Begin("cloud", () => thing, unwanted => unwanted.Dispose());
             work.Take();
             work.Dispose();

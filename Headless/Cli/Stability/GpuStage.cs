@@ -2,7 +2,7 @@ namespace FastPoints.Cli.Stability;
 
 /// <summary>What a camera needs of a stored cloud, drawn by the renderer that a game would use, beside the software
 /// rasteriser's picture of the same.</summary>
-static class CardStage
+static class GpuStage
 {
     const int MaxBytes = 256 << 20;
 
@@ -29,11 +29,11 @@ static class CardStage
         };
         var shaders = new GpuShaders();
         using var memory = new StreamContext(new MemoryNodePool(MaxBytes));
-        using var card = new StreamContext(shaders.CreatePool(MaxBytes, 8 << 20));
+        using var gpuStream = new StreamContext(shaders.CreatePool(MaxBytes, 8 << 20));
         using var software = new CpuFlightRenderer(memory, options);
-        using var drawn = new GpuFlightRenderer(shaders, card, options);
+        using var drawn = new GpuFlightRenderer(shaders, gpuStream, options);
         var wanted = Draw(target, memory, software, options, problems);
-        var got = Draw(target, card, drawn, options, problems);
+        var got = Draw(target, gpuStream, drawn, options, problems);
         double differ = ImageError.ShareThatDiffers(wanted, got, options.Background, out int covered, MaxPerChannel);
         // A picture of a few pixels may have one beside its place.
         if (differ > MaxDifferent && differ * covered > 1.5)

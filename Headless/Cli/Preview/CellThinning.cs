@@ -4,7 +4,7 @@ namespace FastPoints.Cli.Preview;
 
 /// <summary>Some of a batch's points: the first one of each cell before all others, so that no cell is bare for which there
 /// is a point.</summary>
-public static class ThinnedChoice
+public static class CellThinning
 {
     const int BatchLength = ColumnValues.BatchLength;
     const double CellsPerRootOfPoints = 1.05;

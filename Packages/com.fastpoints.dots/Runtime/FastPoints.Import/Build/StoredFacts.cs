@@ -5,7 +5,7 @@ using FastPoints.Store;
 namespace FastPoints.Build
 {
     /// <summary>What a source says of itself, in a file of the cloud that is made of it alone.</summary>
-    internal static class KeptFacts
+    internal static class StoredFacts
     {
         const int MaxChars = 4 << 20;
 

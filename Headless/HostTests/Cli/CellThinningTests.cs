@@ -2,7 +2,7 @@ using FastPoints.Cli.Preview;
 
 namespace FastPoints.HostTests.Cli;
 
-public sealed class ThinnedChoiceTests
+public sealed class CellThinningTests
 {
     static PointBatch Heap()
     {
@@ -21,7 +21,7 @@ public sealed class ThinnedChoiceTests
     {
         using var points = Heap();
         var ranges = new DisplayRanges { Robust = new BoundsGeo(default, new(100, 0, 0)) };
-        using var chosen = ThinnedChoice.Take(points, PositionTransform.Identity, ranges, wanted);
+        using var chosen = CellThinning.Take(points, PositionTransform.Identity, ranges, wanted);
         return [.. chosen.Column<double>(AttributeNames.X).ToArray().Take(chosen.Count)];
     }
 
