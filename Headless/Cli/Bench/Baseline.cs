@@ -72,7 +72,7 @@ public sealed class Baseline
             + (isByLimit ? ", by its limit" : "");
     }
 
-    /// <summary>Points or bytes of one run, from what a second does; 0 where that is not there.</summary>
+    /// <summary>Points or bytes of one run, from what a second does; 0 if that is not there.</summary>
     static double Amount(PerformanceTestResult result, string perSecond)
     {
         var rates = Samples(result, perSecond);
@@ -86,7 +86,7 @@ public sealed class Baseline
         result.SampleGroups.Find(g => g.Name == group)?.Samples ?? [];
 }
 
-/// <param name="time">Null where nothing can be compared.</param>
+/// <param name="time">Null if nothing can be compared.</param>
 public sealed class BaselineRow(string name, IReadOnlyList<double> times, SampleComparison? time, SampleComparison? limit,
     double? error, string result)
 {

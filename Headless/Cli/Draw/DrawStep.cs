@@ -50,7 +50,7 @@ public sealed class DrawStep
         };
     }
 
-    /// <summary>Streamed to a graphics card as a game would, and drawn there when all has come.</summary>
+    /// <summary>Streamed to a GPU as in a game, and drawn there when all is resident.</summary>
     /// <param name="budget">Points to draw at most; 0 for the default.</param>
     public static DrawStep RunOnGpu(string[] paths, PictureOptions options, long budget, CliRun run)
     {

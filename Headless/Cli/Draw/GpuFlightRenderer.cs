@@ -6,8 +6,8 @@ using Camera = FastPoints.Picture.Camera;
 
 namespace FastPoints.Cli.Draw;
 
-/// <summary>Pictures of all clouds that are streamed, drawn by the package's own renderer on a graphics card, or on what
-/// stands in for one. Main thread; waits for the card.</summary>
+/// <summary>Pictures of all clouds that are streamed, drawn by the package's own renderer on a GPU, or on a
+/// software one. Main thread; waits for the GPU.</summary>
 public sealed class GpuFlightRenderer : FlightRenderer
 {
     readonly StreamContext m_stream;

@@ -30,22 +30,22 @@ public sealed class ProgressDisplay : IDisposable
         m_sinceReport.Restart();
         // Some work counts no points.
         string speed = progress.Points > 0 ? Human.Short(progress.PointsPerSecond) + " points/s  " : "";
-        string figures = string.Format(CultureInfo.InvariantCulture, "{0,3:0}%  {1}{2} left", 100 * progress.Share, speed,
+        string line = string.Format(CultureInfo.InvariantCulture, "{0,3:0}%  {1}{2} left", 100 * progress.Share, speed,
             Human.Duration(progress.SecondsLeft));
         if (!m_isTerminal)
         {
-            m_error.WriteLine(progress.Current + ": " + figures.TrimStart());
+            m_error.WriteLine(progress.Current + ": " + line.TrimStart());
             return;
         }
         int cells = (int)(progress.Share * BarCells);
         // Back to the start, and what is left of a longer line cleared.
         m_error.Write("\r" + progress.Current.PadRight(10) + " [" + new string('=', cells)
             + new string(' ', BarCells - cells) + "] "
-            + figures + "\u001b[K");
+            + line + "\u001b[K");
         m_isDrawn = true;
     }
 
-    /// <summary>Takes the bar away, so that something else can be said.</summary>
+    /// <summary>Clears the bar, so that something else can be written.</summary>
     public void Clear()
     {
         if (m_isDrawn)

@@ -113,7 +113,7 @@ sealed class ViewCloud
 
     static PointReader WithAll(PointReader reader)
     {
-        reader.Info.SampledToo = reader.Info.Schema.Select(a => a.Name).ToArray();
+        reader.Info.AlsoSampled = reader.Info.Schema.Select(a => a.Name).ToArray();
         return reader;
     }
 

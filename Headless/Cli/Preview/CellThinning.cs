@@ -2,7 +2,7 @@ using Unity.Collections.LowLevel.Unsafe;
 
 namespace FastPoints.Cli.Preview;
 
-/// <summary>Some of a batch's points: the first one of each cell before all others, so that no cell is bare for which there
+/// <summary>Some of a batch's points: the first one of each cell before all others, so that no cell is empty for which there
 /// is a point.</summary>
 public static class CellThinning
 {

@@ -8,7 +8,7 @@ public sealed class PointCounts
     long m_found, m_invalid;
     bool m_isAny, m_isClaimUnknown, m_isFoundUnknown;
 
-    /// <summary>0 where it is unknown.</summary>
+    /// <summary>0 if it is unknown.</summary>
     public ulong Lost { get; private set; }
 
     public static PointCounts Of(SourceInfo info, long found)
@@ -18,7 +18,7 @@ public sealed class PointCounts
         return account;
     }
 
-    /// <param name="found">-1 where nobody has counted.</param>
+    /// <param name="found">-1 if nobody has counted.</param>
     public void Add(SourceInfo info, long found)
     {
         ulong claimed = info.HasPointsClaimed ? info.PointsClaimed : 0;

@@ -64,7 +64,7 @@ public sealed class SourceFacts(PointReader reader)
             m_tree ??= TreeFacts.Of(reader.Tree);
     }
 
-    /// <summary>The source's own octree level by level, or null where it has none.</summary>
+    /// <summary>The source's own octree level by level, or null if it has none.</summary>
     public TextTable? Levels()
     {
         TakeTree();
@@ -164,7 +164,7 @@ public sealed class SourceFacts(PointReader reader)
     public static string UnitOf(CloudUnits units, BoundsGeo bounds) =>
         units.Describe(bounds) + (units.IsKnown ? "" : ": say it by --unit m, ft, us-ft or its metres");
 
-    /// <returns>What EPSG's table says; null where it has no such system.</returns>
+    /// <returns>What EPSG's table says; null if it has no such system.</returns>
     public static (string Kind, string Axes)? AxesOf(CloudCrs crs)
     {
         if (crs.Epsg == 0 || EpsgTable.Find(crs.Epsg) is not { } system)

@@ -6,7 +6,7 @@ static class GpuStage
 {
     const int MaxBytes = 256 << 20;
 
-    /// <summary>Of covered pixels: discs are cut out pixel by pixel, see Documentation~/rendering.md.</summary>
+    /// <summary>Share of covered pixels that may differ: discs are cut out by pixels, see Documentation~/rendering.md.</summary>
     const double MaxDifferent = 0.002;
 
     /// <summary>In 255ths: of entries of the palette that lie beside one another. Places on a lattice often lie at the border
@@ -21,7 +21,7 @@ static class GpuStage
             WidthPx = from.WidthPx,
             HeightPx = from.HeightPx,
             Camera = from.Camera,
-            // By place: of points in one place a card shows the last, the software rasteriser that of the smallest colour.
+            // By position: of points at one position a GPU shows the last, the software rasteriser the smallest colour.
             Color = ColorMode.Elevation,
             PointSizePx = 3,
             RoundPoints = true,

@@ -97,7 +97,7 @@ public sealed class StabilityRun
             }
             catch (PointCloudException)
             {
-                // As it must be.
+                // Expected.
             }
         }
         Step(work, int.MaxValue);

@@ -5,7 +5,7 @@ namespace FastPoints.HostTests.Conformance;
 /// <summary>Codes and texts that somebody else chose to be hard, with units by PROJ's projinfo 9.1.1.</summary>
 public sealed class CoordinateSystemConformanceTests
 {
-    // Of the 15 that projinfo prints.
+    // projinfo prints 15 digits.
     const double Digits = 1e-10;
 
     static string Here(string file) => Path.Combine(Checkout.Repository.Headless, "HostTests", "Conformance", file);

@@ -92,7 +92,7 @@ public sealed class CloudDropTests : EditorFixture
         Assert.That(AssetDatabase.FindAssets("t:PointCloudAsset"), Has.Length.EqualTo(3));
     }
 
-    /// <summary>What cannot be read has an asset all the same, as one file has; whoever shows it says why.</summary>
+    /// <summary>An unreadable file still gets an asset, like a single file; showing it reports why.</summary>
     [Test]
     public void Drop_OneDamagedFile_CreatesAssetsForAll()
     {

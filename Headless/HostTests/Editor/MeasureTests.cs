@@ -358,7 +358,7 @@ public sealed class MeasureTests : ScratchTests
         Assert.That(updated, Has.None.SameAs(tool));
     }
 
-    /// <summary>Unity tells the active tool before scripts are loaded anew: a search of pool threads must not outlive
+    /// <summary>Unity tells the active tool before scripts are reloaded: a search of pool threads must not outlive
     /// them.</summary>
     [Test]
     public void MeasureTool_ScriptReload_ReportsOnceAndStartsOver()

@@ -35,7 +35,7 @@ public sealed class PointFileClaimTests : EditorFixture
         Assert.That(m_project.Asset("Assets/two.las") != null, Is.EqualTo(agrees));
     }
 
-    /// <summary>A file from before the package was imported by Unity's own importer, and nothing tells of it again.</summary>
+    /// <summary>A file from before the package was imported by Unity's own importer, and no event reports it again.</summary>
     [Test]
     public void File_OlderThanThePackage_IsImportedAlike()
     {

@@ -148,7 +148,7 @@ public sealed class StereoPassTests : PipelineFixture
     public void Render_CameraNotShownByTheHeadset_HasItsOwnPictureAndSelection(string pipeline)
     {
         using var reference = Show(pipeline, "discs");
-        // HDRP's targets have a slice for each eye, whoever is drawn.
+        // HDRP's targets have a slice for each eye, whatever is drawn.
         var target = Target(pipeline == nameof(HdrpHost) ? 2 : 1);
         var camera = CameraAt(AlongAxes(0), ProjectionOf(0), target);
         var wanted = Render(camera);

@@ -8,8 +8,8 @@ public sealed class ReadEndsTests
 {
     static readonly Regex s_wrong = new Regex(@"\bReadStatus\.InProgress\b|\bAsyncReadManager\.Read\((?!kept\.Handle\b|file\b)");
 
-    /// <summary>A read that waits for its file to be opened is neither in progress nor ended: its JobHandle tells. A file that is
-    /// read by its name stays open on macOS and Linux.</summary>
+    /// <summary>A read that waits for its file to be opened is neither in progress nor ended: only its JobHandle shows. A file
+    /// that is read by its name stays open on macOS and Linux.</summary>
     [Test]
     public void Reads_OfThePackage_EndByTheirJobAndHaveHandles()
     {

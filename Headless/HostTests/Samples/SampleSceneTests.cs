@@ -74,7 +74,7 @@ public sealed class SampleSceneTests
         Assert.That(before == null, Is.True);
     }
 
-    /// <summary>Whatever fails: the next request begins anew.</summary>
+    /// <summary>After any failure the next request starts over.</summary>
     [Test]
     public void Get_UnwritableFolder_ReportsItAndCanBeRetried()
     {
@@ -169,7 +169,7 @@ public sealed class SampleSceneTests
         Assert.That(File.ReadAllLines("PointClouds/.gitignore"), Does.Contain("*"));
     }
 
-    /// <summary>Of a team's clone: the asset is there, the scan is not.</summary>
+    /// <summary>A clone of a team's project has the asset but not the scan.</summary>
     [Test]
     public void Get_AssetWithoutItsScan_CreatesItAgain()
     {

@@ -74,7 +74,7 @@ public sealed class SampleScriptTests
         var load = m_world.Add<LoadFromDisk>(l => l.Source = m_world.Scratch.Demo(points: 20_000));
         m_world.Frames(() => load.Status.Contains('%'));
         load.enabled = false;
-        // Windows refuses to delete what is open; here the writer's lock tells.
+        // Windows refuses to delete open files; here the writer's lock shows it.
         load.enabled = true;
         m_world.Frames(() => load.IsDone);
         Assert.That(m_world.Scratch["demo.fastpoints"], Does.Exist);

@@ -31,7 +31,7 @@ static class Direct3DCompiler
         }
     }
 
-    /// <summary>What is not there to run it; empty where all is.</summary>
+    /// <summary>What is not there to run it; empty if all is.</summary>
     internal static string Missing => string.Join(", ", new[]
     {
         Wine == null ? "wine64" : "", Tool.Find(Builder) == null ? Builder : "", File.Exists(Library) ? "" : Library,

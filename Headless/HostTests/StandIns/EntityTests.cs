@@ -167,7 +167,7 @@ public sealed class EntityTests
     }
 
 #if !REAL_ENTITIES
-    /// <summary>As Entities does where UNITY_DISABLE_MANAGED_COMPONENTS is defined, and from 6.7 on.</summary>
+    /// <summary>Entities refuses them if UNITY_DISABLE_MANAGED_COMPONENTS is defined, and from 6.7 on.</summary>
     [Test]
     public void ManagedComponent_IsRefused() =>
         Assert.That(() => Entities.CreateEntity(new ComponentType(typeof(Managed))), Throws.ArgumentException);

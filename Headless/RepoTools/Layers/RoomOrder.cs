@@ -14,7 +14,7 @@ public static class RoomOrder
 
     public static IEnumerable<string> Assemblies => s_order.Select(o => o.Assembly);
 
-    /// <summary>The place of a room in the order; -1 where there is no such room.</summary>
+    /// <summary>The place of a room in the order; -1 if there is no such room.</summary>
     public static int IndexOf(string assembly, string room)
     {
         int before = 0;

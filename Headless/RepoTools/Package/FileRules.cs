@@ -6,7 +6,7 @@ public static class FileRules
 {
     private const int LongestPath = 140;
 
-    /// <summary>Of packages that have something of others in them.</summary>
+    /// <summary>Required if a package contains the work of others.</summary>
     private const string Notices = "Third Party Notices.md";
 
     private static readonly string[] s_required =
@@ -19,7 +19,7 @@ public static class FileRules
     private static readonly string[] s_imported = { ".cs", ".asmdef", ".shader", ".compute", ".hlsl", ".asset", ".png",
         ".meta" };
 
-    /// <summary>Of the two folders that Unity does not import; vector graphics are of no use to it.</summary>
+    /// <summary>Extensions in the two folders that Unity does not import; it cannot use vector graphics.</summary>
     private static readonly string[] s_notImported =
         { ".md", ".png", ".svg", ".json", ".cs", ".asmdef", ".meta", ".hlsl", ".shader", ".bytes" };
 

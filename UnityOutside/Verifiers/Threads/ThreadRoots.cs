@@ -25,7 +25,7 @@ internal static class ThreadRoots
         }
     }
 
-    /// <summary>The delegates that a call may be given: where it is not to be seen which, all of that type that are made
+    /// <summary>The delegates that a call may be given: if it is unknown which, all of that type that are created
     /// anywhere.</summary>
     internal static IEnumerable<Value> Delegates(CodeIndex code, ValueOrigins origins, Site call, Value? self, int argument,
         TypeReference wanted)

@@ -118,7 +118,7 @@ namespace FastPoints.Evaluation
                 m_nodes.Dispose();
         }
 
-        /// <summary>The square of the distance to the nearest point; infinite where there is none.</summary>
+        /// <summary>The square of the distance to the nearest point; infinite if there is none.</summary>
         internal static unsafe double NearestSq(double3* points, PointTreeNode* nodes, int count, int levels, double3 query)
         {
             double nearestSq = double.PositiveInfinity;

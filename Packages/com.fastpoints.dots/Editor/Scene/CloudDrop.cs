@@ -125,7 +125,7 @@ namespace FastPoints.Editor
             return settings.SeveralFiles;
         }
 
-        /// <summary>On a thread of the pool.</summary>
+        /// <summary>On a pool thread.</summary>
         List<Written> Write(List<string[]> clouds, FreeNames handles, FreeNames targets)
         {
             var written = new List<Written>(clouds.Count);

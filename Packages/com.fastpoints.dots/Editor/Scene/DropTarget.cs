@@ -69,7 +69,7 @@ namespace FastPoints.Editor
             var made = origin != null ? Create(asset.name, origin.transform, false) : Create(asset.name, Parent, true);
             if (Point.HasValue && origin == null)
                 made.transform.position = Point.Value;
-            // Of a subscene only what is baked stays when it is closed.
+            // A closed subscene keeps only what is baked.
             if (made.scene.isSubScene)
                 ObjectFactory.AddComponent<PointCloudAuthoring>(made).Cloud = asset;
             else

@@ -108,7 +108,7 @@ namespace FastPoints.Editor
             return s_dragged.Kind;
         }
 
-        /// <summary>Of the scene's header, which the Hierarchy names by the handle's number.</summary>
+        /// <summary>The scene whose header in the Hierarchy has this instance ID.</summary>
         static Scene SceneOf(int handle)
         {
             for (int i = 0; i < SceneManager.sceneCount; i++)

@@ -203,7 +203,7 @@ namespace FastPoints.Rendering
             }
         }
 
-        // Or indices: squares have four vertices, other shapes a triangle around them.
+        // Vertices or indices of a point: squares have four vertices, other shapes a triangle around them.
         static int VerticesOf(PointShape shape) =>
             shape == PointShape.Pixel ? 1 : shape == PointShape.Square ? PointMaterials.IndicesOfSquare : 3;
 

@@ -65,7 +65,7 @@ namespace FastPoints.Rendering
         public StreamContext Stream { get; }
         public PointStyle Style { get; set; } = PointStyle.Default;
 
-        // Of the cameras that were announced lately: once for each size and mask of a camera.
+        // Views of the recently announced cameras: one for each size and mask of a camera.
         public NativeArray<StreamView> NextViews
         {
             get
@@ -156,8 +156,8 @@ namespace FastPoints.Rendering
                 views.Insert(at + 1, (drawn, EyeOf(camera, Camera.StereoscopicEye.Right)));
         }
 
-        // Call after AddView where a pass that draws nothing would still part those around it, which tile-based cards pay for.
-        // Whether the camera has clouds before it; the GPU runs the uploads with its picture in either case.
+        // Call after AddView where a pass that draws nothing would still split the passes around it, which costs time on
+        // tile-based GPUs. Whether the camera has clouds before it; the GPU runs the uploads with its picture in either case.
         public unsafe bool BeginPicture(Camera camera)
         {
             m_pool.BeginPicture();

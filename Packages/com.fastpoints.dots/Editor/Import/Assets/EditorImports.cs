@@ -441,7 +441,7 @@ namespace FastPoints.Editor
         {
             foreach (var cloud in CloudsOf(asset))
                 cloud.Refresh();
-            // Those of subscenes have no component.
+            // Clouds of subscenes have no component.
             var shown = AssetDatabase.LoadAssetAtPath<PointCloudAsset>(asset);
             if (shown != null)
                 PointCloudSystemGroup.ObjectGroup?.IsShown(shown.Paths.FullPath, true);

@@ -16,7 +16,7 @@ namespace FastPoints.Editor
 
         static EditorImports s_current;
 
-        /// <summary>Of the editor's command line; a test says others.</summary>
+        /// <summary>Arguments of the editor; tests set others.</summary>
         internal static string[] s_arguments = Environment.GetCommandLineArgs();
 
         static PointCloudImports()

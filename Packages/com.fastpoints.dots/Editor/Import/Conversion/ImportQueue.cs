@@ -288,7 +288,7 @@ namespace FastPoints.Editor
             foreach (var request in requests)
                 folders.Add(FolderOf(request));
             m_requests.RemoveAll(r => r != m_running && folders.Contains(FolderOf(r)));
-            // Of two for one folder, the later one counts.
+            // The later of two requests for a folder counts.
             for (int i = requests.Count - 1, at = m_requests.Count; i >= 0; i--)
                 if (folders.Remove(FolderOf(requests[i])) && !IsSame(FolderOf(requests[i]), running))
                     m_requests.Insert(at, requests[i]);

@@ -6,7 +6,7 @@ using Unity.Mathematics;
 
 namespace FastPoints.Entities
 {
-    /// <summary>A cloud's states while its entity exists: opened on a thread of the pool, so that a slow disk blocks nothing,
+    /// <summary>A cloud's states while its entity exists: opened on a pool thread, so that a slow disk blocks nothing,
     /// then stepped on the main thread.</summary>
     sealed class OpenedCloud : IDisposable
     {

@@ -187,7 +187,7 @@ namespace FastPoints.Entities
             Wake();
         }
 
-        /// <summary>Has frames go on, as something changes that they do not see.</summary>
+        /// <summary>Requests frames after a change that they do not detect.</summary>
         internal void Wake() => m_idleFrames = 0;
 
         /// <summary>Whether a cloud that is a file is to be found in this folder.</summary>

@@ -32,10 +32,10 @@ namespace FastPoints.Build
 
         public BuildJournal Journal { get; private set; }
 
-        /// <summary>The fate of an earlier build of this target that was broken off; null if there was none.</summary>
+        /// <summary>What became of an earlier, interrupted build of this target; null if there was none.</summary>
         public string Note { get; private set; }
 
-        /// <summary>Whether the folder has what nothing can go on from, and is to be cleared before anything is
+        /// <summary>Whether the folder has leftovers that cannot be resumed, and must be cleared before anything is
         /// written.</summary>
         public bool MustClear { get; private set; }
 

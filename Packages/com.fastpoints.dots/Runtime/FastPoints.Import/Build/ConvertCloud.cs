@@ -209,7 +209,7 @@ namespace FastPoints.Build
         }
     }
 
-    /// <summary>Finds the root cube by the points that came, and makes chunks that are neither too large nor needlessly
+    /// <summary>Finds the root cube of the points that were read, and makes chunks that are neither too large nor needlessly
     /// small.</summary>
     internal sealed class RebalanceChunks
     {
@@ -260,7 +260,7 @@ namespace FastPoints.Build
                 RecordPagePool.Of(m_build.Pool).FreeAll();
         }
 
-        /// <summary>Takes over the partition's chunks. Where there are points outside, the root grows until it has
+        /// <summary>Adds the partition's chunks. If there are points outside, the root grows until it contains
         /// them.</summary>
         IEnumerator<JobStep> AddChunks()
         {

@@ -19,7 +19,7 @@ namespace FastPoints.Build
             public IndexWorkspace Workspace;
             public RecordLoad Load;
 
-            /// <summary>Of what was loaded: records outside of the chunk.</summary>
+            /// <summary>Loaded records outside of the chunk.</summary>
             public NativeReference<int> Outside;
             public int Chunk;
 
@@ -174,7 +174,7 @@ namespace FastPoints.Build
             }
         }
 
-        /// <summary>Those that the build before this one has not done, the largest first, so that none is left for the end
+        /// <summary>Chunks that the resumed build has not done, the largest first, so that none is left for the end
         /// alone.</summary>
         IEnumerator<JobStep> FindChunksLeft(List<int> order)
         {
@@ -227,7 +227,7 @@ namespace FastPoints.Build
             m_writes = new ChunkWrites(m_build.Folder, m_chunks, files, m_limit.Max);
         }
 
-        /// <summary>Schedules a chunk's jobs behind those of the workspace that has the fewest points left.</summary>
+        /// <summary>Schedules a chunk's jobs after those of the workspace with the fewest points left.</summary>
         void Begin(int number)
         {
             var files = m_build.Files;

@@ -54,7 +54,7 @@ namespace FastPoints.Build
         bool UsesFiles() => m_build.Files != null ||
             m_watch.Elapsed.TotalSeconds >= m_build.Settings.SecondsInMemory && m_build.TryUseFiles();
 
-        /// <summary>A build that goes to files as time passes has its first checkpoint early, which tells the pace.</summary>
+        /// <summary>A build with timed checkpoints has the first one early, to measure the speed.</summary>
         long PointsToCheckpoint()
         {
             var settings = m_build.Settings;
@@ -104,7 +104,7 @@ namespace FastPoints.Build
                 if (!UsesFiles())
                     continue;
                 yield return JobStep.Of(m_scatter.WriteAll());
-                // Reading goes on while the disk takes in what was read.
+                // Reading continues while the disk writes what was read.
                 yield return JobStep.Of(m_checkpoints.Begin());
             }
             yield return JobStep.Of(m_scatter.EndSource());

@@ -117,7 +117,7 @@ namespace FastPoints.Build
     }
 
     /// <summary>Checks records that came from a disk before anything is computed with them: those outside of their cube are
-    /// counted, and put at its corner, so that jobs that are already scheduled behind this one can run on them.</summary>
+    /// counted, and put at its corner, so that dependent jobs that are already scheduled can run on them.</summary>
     [BurstCompile]
     internal unsafe struct CheckRecordsJob : IJob
     {

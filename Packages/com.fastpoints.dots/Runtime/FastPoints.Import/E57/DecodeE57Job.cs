@@ -306,7 +306,7 @@ namespace FastPoints.E57
     // i*w to i*w + w - 1, where bit b is bit b % 8 of byte b / 8.
     static unsafe class E57Bits
     {
-        // Behind the last value: may be loaded and not used.
+        // After the last value: loaded by wide reads, never used.
         public const int PaddingBytes = 16;
 
         public static ulong Mask(int bits) => bits == 0 ? 0 : ulong.MaxValue >> 64 - bits;

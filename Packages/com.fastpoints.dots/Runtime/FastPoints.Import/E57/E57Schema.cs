@@ -137,7 +137,7 @@ namespace FastPoints.E57
         AttributeType PositionType(int axis) => m_positions == PositionKind.Grid ? m_gridTypes[axis]
             : m_positions == PositionKind.Floats ? AttributeType.Float32 : AttributeType.Float64;
 
-        // With whole factors and shifts of whole steps.
+        // Factors are integers, shifts whole steps.
         bool TryGrid()
         {
             var factors = new long[m_scans.Count][];
@@ -180,7 +180,7 @@ namespace FastPoints.E57
                     min = Math.Min(min, Math.Min(first, last));
                     max = Math.Max(max, Math.Max(first, last));
                 }
-                // As doubles these limits are rounded, and far outside what 64 bits hold if a shift could exceed them.
+                // Doubles round these limits, but only far outside of 64 bits.
                 bool isMoved = !isOneScale || shifts.Any(shift => shift[axis] != 0);
                 if (isMoved && !(Math.Abs(min) < 1L << 62 && Math.Abs(max) < 1L << 62))
                     return false;

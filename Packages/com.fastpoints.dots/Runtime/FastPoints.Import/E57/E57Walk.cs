@@ -17,7 +17,7 @@ namespace FastPoints.E57
         // The first read covers all of a small file.
         const int FirstPages = 256;
 
-        // From one page before the expected one to two behind it.
+        // From one page before the expected one to two after it.
         const int GuessPages = 4;
         const int Guesses = BufferPages / GuessPages;
 

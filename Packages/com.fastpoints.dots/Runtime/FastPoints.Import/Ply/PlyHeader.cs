@@ -86,7 +86,7 @@ namespace FastPoints.Ply
             }
         }
 
-        // CR LF is one line end. Where the lines before end in a bare CR, so does end_header: a LF behind it is the first byte of
+        // CR LF is one line end. Where the lines before end in a bare CR, so does end_header: a LF after it is the first byte of
         // the data. In all other files CR LF after end_header is two bytes, whatever ends the lines before (assimp's
         // cube_binary_header_with_RN_newline.ply has LF everywhere else).
         int AfterLineEnd(int end, bool isEndHeader)
@@ -241,7 +241,7 @@ namespace FastPoints.Ply
         public readonly List<PlyElement> Elements = new List<PlyElement>();
         public readonly List<KeyValuePair<string, string>> Comments = new List<KeyValuePair<string, string>>();
 
-        // The word of the first line that is none of the known, and declares nothing.
+        // First word of the first line that is unknown and declares nothing.
         public string UnknownLine;
         public long UnknownOffset;
         public int UnknownLines;
@@ -272,7 +272,7 @@ namespace FastPoints.Ply
     {
         public string Name;
 
-        // Claimed, which may be anything.
+        // As claimed.
         public ulong Count;
 
         public readonly List<PlyProperty> Properties = new List<PlyProperty>();
@@ -317,12 +317,12 @@ namespace FastPoints.Ply
     {
         public string Name;
 
-        // Of the value, or of a list's items.
+        // Type of the value, or of a list's items.
         public AttributeType Type;
 
         public bool IsList;
 
-        // Of the number before a list's items, which is always an integer.
+        // Type of the number before a list's items: an integer type.
         public AttributeType CountType;
 
         // Its bytes are blue, green, red and perhaps alpha (PCD).

@@ -96,7 +96,7 @@ namespace FastPoints.Reading
         public int Index;
         public CrsKind Kind;
 
-        // As of CoordinateSystem.
+        // See CoordinateSystem.
         public double MetresPerUnit;
         public double VerticalMetresPerUnit;
 

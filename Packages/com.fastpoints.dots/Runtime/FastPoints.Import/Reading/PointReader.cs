@@ -30,7 +30,7 @@ namespace FastPoints.Reading
         // The reader that this one takes points from, where it leaves some out.
         internal virtual PointReader Unfiltered => this;
 
-        // Of what it leaves out; 0 for nothing.
+        // Hash of its filter; 0 without one.
         internal virtual ulong FilterHash => 0;
 
         // The octree that the source contains, or null. Its blocks come level by level within each page of the hierarchy.
@@ -97,7 +97,7 @@ namespace FastPoints.Reading
     {
         bool HasPrefixes { get; }
 
-        // Coroutine, of bounded time: without a pass over the file, of text at so many places. What it finds are the blocks,
+        // Coroutine, of bounded time: without a pass over the file, of text at this many positions. What it finds are the blocks,
         // although BlocksAreKnown is false, until FindBlocks replaces them while there are no slots. Called again for more
         // places, earlier blocks keep their numbers.
         IEnumerator<JobStep> FindPrefixes(int count);

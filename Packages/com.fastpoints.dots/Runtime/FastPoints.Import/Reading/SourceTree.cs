@@ -154,7 +154,7 @@ namespace FastPoints.Reading
             Count = 0;
         }
 
-        // One is the other, or is above or below it.
+        // Whether they are equal, or one contains the other.
         static bool IsOnSameBranch(int4 a, int4 b)
         {
             int level = math.min(a.w, b.w);

@@ -99,7 +99,7 @@ namespace FastPoints.Sampling
         static long Share(long part, long whole, int wanted) =>
             whole == 0 ? 0 : part / whole * wanted + part % whole * (wanted / whole) + part % whole * (wanted % whole) / whole;
 
-        /// <summary>Chooses blocks spread over the source: so many that each gets <see cref="MinPoints"/>, and more if they do
+        /// <summary>Chooses blocks spread over the source: as many as get <see cref="MinPoints"/> each, and more if they do
         /// not have as many.</summary>
         List<int> Choose(int wanted)
         {

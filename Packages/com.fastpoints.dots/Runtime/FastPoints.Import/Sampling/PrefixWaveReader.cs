@@ -25,7 +25,6 @@ namespace FastPoints.Sampling
         ReadSlots m_slots;
         StageProgress m_progress;
 
-        /// <summary>The one that begins.</summary>
         Prefix m_begun;
 
         public PrefixWaveReader(PointReader reader, int wanted, uint seed)
@@ -65,7 +64,7 @@ namespace FastPoints.Sampling
                 m_begun = prefixes[n];
                 read.Begin(new BlockRange(m_begun.Block, m_begun.First, m_begun.Count));
             }, null));
-            // Slots for prefixes of another length than in this wave are made.
+            // The next wave has prefixes of another length, and needs other slots.
             yield return JobStep.Of(m_slots.Free());
             Free();
             EndIndex = m_plan.Taken;

@@ -32,7 +32,7 @@ namespace FastPoints.Sampling
         NativeReference<int> m_nextIndex;
         NativeList<StridedRange> m_ranges;
 
-        /// <summary>Those of the wave after this one, up to <see cref="m_plannedEnd"/>: found while this one is read.</summary>
+        /// <summary>Ranges of the next wave, up to <see cref="m_plannedEnd"/>: planned while this one is read.</summary>
         NativeList<StridedRange> m_nextRanges;
         SlotRing m_ring;
         StageProgress m_progress;
@@ -339,7 +339,7 @@ namespace FastPoints.Sampling
 
         public int Slots => IsSlow ? SlowSlots : DefaultSlots;
 
-        /// <summary>Number of ranges in one request, if there are so many in all: so few that all are in flight at once, and half
+        /// <summary>Number of ranges in one request, of this many in all: so few that all are in flight at once, and half
         /// as many where they are slow, since slow requests must not wait for each other.</summary>
         public int RangesPerRequest(int ranges, int slots, int min, int max) =>
             Math.Max(IsSlow ? 1 : min, Math.Min(max, IsSlow ? ranges / (2 * slots) : (ranges + slots - 1) / slots));

@@ -185,7 +185,7 @@ namespace FastPoints.Sampling
             m_progress?.Report(m_pointsFound / (double)Math.Max(1, m_reader.PointCount), m_pointsFound, m_bytesRead);
         }
 
-        /// <summary>Composes a sample of the points so far: its own points, and others where there are none.</summary>
+        /// <summary>Composes a sample of the points so far: its own points, and others if there are none.</summary>
         IEnumerator<JobStep> Compose()
         {
             // A point of the first sample may have been reached again.

@@ -77,8 +77,8 @@ namespace FastPoints.Sampling
         }
 
         /// <summary>Coroutine: closes the gaps between the filled entries from <paramref name="begin"/> to before
-        /// <paramref name="end"/>, behind those that are closed before.</summary>
-        /// <param name="after">What its jobs come behind; it is complete in the end.</param>
+        /// <paramref name="end"/>, after those that are closed already.</summary>
+        /// <param name="after">What its jobs depend on; it is complete in the end.</param>
         public IEnumerator<JobStep> Close(int begin, int end, JobHandle after = default) => Append(this, begin, end, after);
 
         /// <summary>Coroutine: appends the filled entries of another buffer, or of this one, to what is closed.</summary>
@@ -135,7 +135,7 @@ namespace FastPoints.Sampling
         /// <exception cref="PointCloudException">The source has no positions.</exception>
         public static PointSchema Of(SourceInfo info)
         {
-            var names = new List<string>(info.SampledToo)
+            var names = new List<string>(info.AlsoSampled)
             {
                 AttributeNames.X, AttributeNames.Y, AttributeNames.Z, AttributeNames.Intensity, AttributeNames.Classification,
                 AttributeNames.Red, AttributeNames.Green, AttributeNames.Blue,

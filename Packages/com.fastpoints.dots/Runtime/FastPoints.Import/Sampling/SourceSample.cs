@@ -45,7 +45,7 @@ namespace FastPoints.Sampling
         /// <param name="inFlightMs">See <see cref="InFlightLimit"/>.</param>
         /// <param name="chains">The most ranges that are decoded side by side; 0 for all in flight.</param>
         /// <param name="maxBytes">The most bytes of reads in flight.</param>
-        /// <param name="measure">Schedules jobs on the positions, behind those that load them.</param>
+        /// <param name="measure">Schedules jobs on the positions, after those that load them.</param>
         /// <param name="take">Receives the sample at the end; the caller disposes it.</param>
         public static IEnumerator<JobStep> Read(PointReader reader, Func<double> inFlightMs, int chains, long maxBytes,
             Func<NativeArray<double3>, JobHandle, JobHandle> measure, Action<SourceSample> take)

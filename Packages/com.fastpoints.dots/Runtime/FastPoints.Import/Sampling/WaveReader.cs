@@ -8,7 +8,7 @@ namespace FastPoints.Sampling
     /// <summary>How the points of a <see cref="PreviewSampler"/>'s waves are read into their entries.</summary>
     internal abstract class WaveReader
     {
-        /// <summary>Where frames are farther apart, the machine was busy or the work was paused.</summary>
+        /// <summary>If frames are farther apart, the machine was busy or the work was paused.</summary>
         const double MaxFrameMs = 250;
 
         /// <param name="entryCount">Number of entries in the sample.</param>
@@ -27,7 +27,8 @@ namespace FastPoints.Sampling
 
         public long BytesRead { get; protected set; }
 
-        /// <summary>What fills the entries up to <see cref="EndIndex"/>, where <see cref="Read"/> has not awaited it.</summary>
+        /// <summary>Jobs that fill the entries up to <see cref="EndIndex"/>, unless <see cref="Read"/> has awaited
+        /// them.</summary>
         public JobHandle Filling { get; protected set; }
 
         /// <summary>Number of entries in the sample that the waves so far have reached.</summary>
@@ -35,7 +36,7 @@ namespace FastPoints.Sampling
 
         protected PointReader Reader { get; }
 
-        /// <summary>Reads in flight: so many, or at first as many as a coroutine needs that awaits each, and more where frames
+        /// <summary>Reads in flight: this many, or at first as many as a coroutine needs that awaits each, and more if frames
         /// are so far apart that workers run out of them.</summary>
         public static InFlightLimit LimitFor(PointReader reader, PointSchema schema, int slots, int first) => slots > 0
             ? new InFlightLimit(slots, slots, () => 0)
@@ -47,7 +48,7 @@ namespace FastPoints.Sampling
         /// <param name="next">The same of the wave after this one, which may be prepared; 0 for none.</param>
         public abstract IEnumerator<JobStep> Read(int wanted, int next, int slots, StageProgress progress);
 
-        /// <summary>When <see cref="Filling"/> has ended.</summary>
+        /// <summary>Call it when <see cref="Filling"/> has ended.</summary>
         /// <exception cref="PointCloudException">A read failed.</exception>
         public virtual void EndReads() => Filling = default;
 

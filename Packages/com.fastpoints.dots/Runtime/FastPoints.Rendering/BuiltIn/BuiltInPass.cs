@@ -59,7 +59,7 @@ namespace FastPoints.Rendering.BuiltIn
             if (GraphicsSettings.currentRenderPipeline != null)
                 return;
             bool isDrawn = PointScene.IsDrawn(camera);
-            // A camera that draws clouds no more would go on with its last commands.
+            // A camera that no longer draws clouds would repeat its last commands.
             if (!isDrawn && !s_cameras.Contains(camera))
                 return;
             var (before, into) = CommandsFor(camera);

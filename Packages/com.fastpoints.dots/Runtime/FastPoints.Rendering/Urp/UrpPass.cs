@@ -7,7 +7,7 @@ using UnityEngine.Rendering.Universal;
 
 namespace FastPoints.Rendering.Urp
 {
-    /// <summary>Draws the clouds in URP, after opaque meshes: enqueued for each camera as it comes, so that no renderer asset
+    /// <summary>Draws the clouds in URP, after opaque meshes: enqueued for each camera when it begins, so that no renderer asset
     /// has to be changed.</summary>
     internal sealed class UrpPass : ScriptableRenderPass
     {
@@ -129,7 +129,7 @@ namespace FastPoints.Rendering.Urp
             bool hasData = camera.TryGetComponent<UniversalAdditionalCameraData>(out var cameraData);
             if (!PointScene.IsDrawn(camera, hasData && cameraData.renderType == CameraRenderType.Overlay))
                 return;
-            // Of such a target URP draws depth alone.
+            // Into such a target URP draws only depth.
             if (camera.targetTexture != null && camera.targetTexture.graphicsFormat == GraphicsFormat.None)
                 return;
             scene.AddView(camera, !hasData || cameraData.allowXRRendering);

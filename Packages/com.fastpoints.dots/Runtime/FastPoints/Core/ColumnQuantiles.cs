@@ -19,7 +19,7 @@ namespace FastPoints
         public double LowerQuartile;
         public double UpperQuartile;
 
-        // Of a column of this length: the length of the scratch memory.
+        // Length of the scratch memory for a column of this length.
         public static int SampledValues(int count) => count == 0 ? 0 : (count - 1) / Step(count) + 1;
 
         public static int Step(int count) => (count - 1) / MaxSampledValues + 1;

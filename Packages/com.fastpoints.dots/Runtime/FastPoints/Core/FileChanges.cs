@@ -85,7 +85,7 @@ namespace FastPoints
             }
         }
 
-        // Takes a folder's name from it, at once unless somebody has it open, and deletes it on a thread of the pool: thousands
+        // Takes a folder's name from it, at once unless somebody has it open, and deletes it on a pool thread: thousands
         // of files take their time. moved hears, on any thread, that the name is free, or why the folder keeps it.
         public static void BeginDelete(string folder, Action<Exception> moved)
         {
@@ -107,7 +107,7 @@ namespace FastPoints
             });
         }
 
-        // Of processes that ended before they were through. The names have wildcards.
+        // Finishes deletions of processes that ended too early. The names have wildcards.
         public static void BeginDeleteLeftovers(string parent, string names) =>
             BeginDeleting(() => DeleteLeftovers(parent, names));
 
@@ -170,7 +170,7 @@ namespace FastPoints
                 catch (Exception e) when (IsTransient(e) && watch.ElapsedMilliseconds < RetryTimeoutMs &&
                     (isWanted == null || isWanted()))
                 {
-                    // Whoever has it open may be done with it soon.
+                    // The process that has it open may close it soon.
                 }
             }
         }

@@ -22,7 +22,7 @@ namespace FastPoints
     {
         public readonly GpsTimeKind Kind;
 
-        /// <summary>Of times with an offset, in millions of seconds.</summary>
+        /// <summary>For times with an offset, in millions of seconds.</summary>
         public readonly int OffsetMegaseconds;
 
         public GpsTime(GpsTimeKind kind, int offsetMegaseconds = 0)

@@ -23,7 +23,7 @@ namespace FastPoints
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static ulong Encode(uint x, uint y, uint z) => Spread(x) | Spread(y) << 1 | Spread(z) << 2;
 
-        // Of at most ShortBits bits: three of them fit one number.
+        // For at most ShortBits bits: three of them fit into one number.
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static int EncodeShort(uint x, uint y, uint z)
         {

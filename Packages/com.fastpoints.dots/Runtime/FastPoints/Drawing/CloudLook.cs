@@ -18,7 +18,7 @@ namespace FastPoints.Drawing
         /// <summary>For Position: palette entries for one CRS unit along each axis; Bias is the root corner's entry.</summary>
         public double3 ValuePerUnit;
 
-        /// <summary>Number of the palette; the tables lie one behind the other.</summary>
+        /// <summary>Number of the palette; the tables follow one another.</summary>
         public int Palette;
 
         /// <summary>Classes whose points are not drawn.</summary>

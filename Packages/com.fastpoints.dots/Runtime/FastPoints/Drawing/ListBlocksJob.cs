@@ -15,7 +15,7 @@ namespace FastPoints.Drawing
         // By cloud number; clouds without pages are not drawn.
         [ReadOnly] public NativeArray<DrawListCloud> Clouds;
 
-        // Of the drawn nodes; empty if no size is adaptive.
+        // Empty if no size is adaptive.
         [ReadOnly] public NativeArray<int> SizeNodeOfDrawn;
 
         public NativeList<GpuNode> Nodes;

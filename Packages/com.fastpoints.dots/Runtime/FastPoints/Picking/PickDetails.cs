@@ -9,7 +9,7 @@ using Unity.Jobs;
 
 namespace FastPoints.Picking
 {
-    // Reads all that a cloud has of one point: every plane of its node except the position's, at once; or has these made.
+    // Reads all that a cloud has of one point: every plane of its node except the position's, at once; or transcodes them.
     sealed class PickDetails : IDisposable
     {
         readonly StreamedCloud m_cloud;
@@ -66,7 +66,7 @@ namespace FastPoints.Picking
             }
         }
 
-        // With the planes that were made, if any. After Done it can then be ended.
+        // Reads the transcoded planes, if any. Call End after Done.
         public void Continue()
         {
             if (!m_isTranscoding)
@@ -145,7 +145,7 @@ namespace FastPoints.Picking
         [ReadOnly] public NativeArray<byte> Plane;
         public PlaneShape Shape;
         public ulong Hash;
-        public bool IsTranscoded; // Made in memory, so that there is no hash.
+        public bool IsTranscoded; // Built in memory, so there is no hash.
         public int BlockCount;
         public int Block;
         public int Index; // In its block.

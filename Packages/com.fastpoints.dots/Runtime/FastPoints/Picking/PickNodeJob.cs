@@ -19,7 +19,7 @@ namespace FastPoints.Picking
         public PlaneShape PositionShape;
         public ulong PositionHash;
 
-        // Of the plane of classes, if some are Hidden; otherwise anything.
+        // The plane of classes if some are Hidden; otherwise undefined.
         [ReadOnly] public NativeArray<byte> Classes;
         public PlaneShape ClassShape;
         public ulong ClassHash;

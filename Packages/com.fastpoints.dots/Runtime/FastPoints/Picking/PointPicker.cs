@@ -10,7 +10,7 @@ namespace FastPoints.Picking
 {
     // Finds the first point of a cloud that a ray hits, among all points on disk and not only those that are shown. It reads or
     // makes nodes from the nearest on, until none of the rest can have a nearer hit. Main thread; it waits only when it is
-    // disposed or a search is broken off.
+    // disposed or a search is cancelled.
     internal sealed class PointPicker : IDisposable
     {
         const int SlotCount = 8; // Nodes and tables that are read at the same time.

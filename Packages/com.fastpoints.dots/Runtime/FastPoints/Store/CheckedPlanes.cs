@@ -8,7 +8,7 @@ namespace FastPoints.Store
     // also if the cloud is opened again, as long as the files' sizes and times are the same.
     internal sealed class CheckedPlanes
     {
-        // Of the finished clouds that were opened, by folder.
+        // Finished clouds that were opened, by folder.
         static readonly Dictionary<string, CheckedPlanes> s_opened = new Dictionary<string, CheckedPlanes>();
 
         readonly ulong m_cloudId;

@@ -30,7 +30,7 @@ namespace FastPoints.Streaming
         /// <summary>One for each plane of <see cref="Layout"/>; the position's is that of nodes that are not wide.</summary>
         public abstract NativeArray<PlaneShape> Shapes { get; }
 
-        /// <summary>Where nodes are made, building a page may make more known, behind the others.</summary>
+        /// <summary>If nodes are transcoded, building a page may discover more, after the others.</summary>
         public abstract int PageCount { get; }
 
         /// <summary>Whether nodes are made on demand, from pages of the part of the hierarchy that the source has read so far.

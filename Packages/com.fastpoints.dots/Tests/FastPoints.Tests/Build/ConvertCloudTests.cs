@@ -266,7 +266,7 @@ namespace FastPoints.Tests.Build
             using var threads = new WorkerCount(3);
             var reader = MemoryReader.Of(Uniform(20000, 3000), s_centimetres, 1000);
             Convert(reader, "cloud", new ConvertSettings { Workers = workers, SecondsToFirstGeneration = 1e9 });
-            // Those of the sample, and those of the reading: all others come behind another block's jobs.
+            // Once for the sample and once for reading: all others depend on another block's jobs.
             Assert.That(reader.BlocksWithoutDependency, Is.EqualTo(2 * workers));
         }
 

@@ -218,7 +218,7 @@ namespace FastPoints.Tests.Entities
             }
         }
 
-        /// <summary>As MoveEntitiesFrom and world serialization make them.</summary>
+        /// <summary>Such entities come from MoveEntitiesFrom and world serialization.</summary>
         [Test]
         public void Entity_StreamedInAnotherWorld_IsOpenedHere()
         {

@@ -191,7 +191,7 @@ namespace FastPoints.Tests.Entities
             Assert.That(m_group.NeedsFrame, Is.False);
         }
 
-        /// <summary>As Mono does on Windows, where quotes are pasted with a path.</summary>
+        /// <summary>Mono on Windows throws for quotes, which are pasted with a path.</summary>
         [Test]
         public void File_InvalidPath_IsAnErrorAndOthersAreShown()
         {

@@ -43,16 +43,16 @@ namespace FastPoints.Tests.Laz
 
         [TestCase(1, LazTableLocation.AtFileEnd), TestCase(8, LazTableLocation.AtFileEnd)]
         [TestCase(3, LazTableLocation.Missing), TestCase(6, LazTableLocation.Missing)]
-        public void Read_TableElsewhereOrLost_GivesEveryByte(int format, LazTableLocation place)
+        public void Read_TableElsewhereOrLost_GivesEveryByte(int format, LazTableLocation location)
         {
             var writer = new LazFileWriter
             {
                 PointFormat = format,
                 ItemVersion = format < 6 ? 2 : 4,
                 ChunkPoints = new[] { 400 },
-                TableLocation = place,
+                TableLocation = location,
             };
-            Check(writer, LazRecords.Make(format, 0, 1500, 5), place == LazTableLocation.Missing ? 1 : 0);
+            Check(writer, LazRecords.Make(format, 0, 1500, 5), location == LazTableLocation.Missing ? 1 : 0);
         }
 
         [Test]

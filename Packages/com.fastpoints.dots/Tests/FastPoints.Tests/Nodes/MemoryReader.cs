@@ -71,7 +71,7 @@ namespace FastPoints.Tests.Nodes
         long BytesOfSlot(PointSchema wanted) =>
             (long)MaxPointsPerBlock * (wanted.BytesPerPoint + Info.Schema.BytesPerPoint);
 
-        sealed class Slot : FilledRead
+        sealed class Slot : ImmediateRead
         {
             readonly MemoryReader m_reader;
 

@@ -79,8 +79,8 @@ namespace FastPoints.Tests.Picking
             return result;
         }
 
-        /// <summary>The first hit by looking at every point; -1 where there is none.</summary>
-        /// <param name="nextDistance">Of the second hit: where it is no farther to speak of, either may be found.</param>
+        /// <summary>The first hit by looking at every point; -1 if there is none.</summary>
+        /// <param name="nextDistance">Of the second hit: if it is hardly farther, either may be found.</param>
         public int First(PickRay ray, Func<double3, double3> toWorld, Func<int, bool> isShown, out double distance,
             out double nextDistance)
         {

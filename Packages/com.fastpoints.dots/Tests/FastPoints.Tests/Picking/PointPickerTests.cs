@@ -150,7 +150,7 @@ namespace FastPoints.Tests.Picking
             for (int x = 10; x < 90; x += 10)
             {
                 var aim = PickTestCloud.OriginGeo + new double3(x, 30, 0) - eye;
-                // Behind the points that stand out of the ground, of which each level has some.
+                // Beyond points that rise above the ground, of which each level has some.
                 var ray = PickRay.FromEye(eye, aim, 800, 2);
                 ray.From = math.length(aim) - 3;
                 all += PickTestCloud.Find(m_picker, ray, m_geo, EveryPoint).BytesRead;

@@ -87,7 +87,7 @@ namespace FastPoints.Tests.Picking
                     Assert.That(got.Distance, Is.EqualTo(want.Distance).Within(1e-12 * (want.Distance + math.length(eye))));
                     Assert.That(got.PositionGeo, Is.EqualTo(want.PositionGeo), "not a digit is lost");
                     Assert.That(got.Attributes.Select(a => a.Attribute), Is.EqualTo(want.Attributes.Select(a => a.Attribute)));
-                    // Of several points at one place it may be another.
+                    // Any of several points at one position may be found.
                     if (all.Count(p => p.Equals(got.PositionGeo)) == 1)
                         Assert.That(got.Attributes.Select(a => a.ToString()),
                             Is.EqualTo(want.Attributes.Select(a => a.ToString())));

@@ -26,7 +26,7 @@ namespace FastPoints.Tests.Picture
             {
                 waves.Add(wave);
                 Assert.That(sample.Count, Is.EqualTo(wave.Points));
-                // What is told of is spread over all of the cloud.
+                // Reported properties hold for all of the cloud.
                 var places = sample.Points.Column<int>(AttributeNames.Y);
                 Assert.That(places.ToArray().Take(sample.Count).Max() - places.ToArray().Take(sample.Count).Min(),
                     Is.GreaterThan(700));
@@ -119,7 +119,7 @@ namespace FastPoints.Tests.Picture
             }
             using var batch = TestBatches.OfPositions(positions);
             using var preview = Draw(batch);
-            // Of each part columns of the square are missing. All parts together would be a few hundred pixels.
+            // Each part lacks columns of the square. All parts together would be a few hundred pixels.
             Assert.That(LitPx(preview), Is.GreaterThan(AFifthOfThePicture / 4));
             Assert.That(preview.Plan.Assumptions, Has.Some.Contains(share + " within").And.Contains("these are framed"));
         }

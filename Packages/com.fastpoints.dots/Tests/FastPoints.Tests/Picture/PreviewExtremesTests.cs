@@ -93,7 +93,7 @@ namespace FastPoints.Tests.Picture
         [Test]
         public void Preview_SparseFileWithHoles_SamplesDataAndHoles()
         {
-            // 400 MB, of which every tenth stretch of 50,000 records has points: the others read as zeros.
+            // 400 MB, of which every tenth segment of 50,000 records has points: the others read as zeros.
             WriteLas(20_000_000, 100, i => i / 50_000 % 10 == 3);
             using var reader = PointReaders.Open(FilePath);
             long bytes = long.MaxValue;

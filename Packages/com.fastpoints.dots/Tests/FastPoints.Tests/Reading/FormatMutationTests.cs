@@ -50,7 +50,7 @@ namespace FastPoints.Tests.Reading
             int readable = 0;
             for (int i = 0; i < cases; i++)
             {
-                // Of many files mostly the index and the pages of a hierarchy, which say what the others are.
+                // Among many files, mostly the index and hierarchy pages, which describe the others.
                 int choice = random.Next(3);
                 var (path, bytes) = choice == 0 ? sound.First(f => f.Path == main)
                     : choice == 1 ? indexes[random.Next(indexes.Count)] : sound[random.Next(sound.Count)];

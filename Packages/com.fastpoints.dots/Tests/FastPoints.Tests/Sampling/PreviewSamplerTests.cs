@@ -78,7 +78,7 @@ namespace FastPoints.Tests.Sampling
             Assert.That(waves[2].Points, Is.EqualTo(50_000));
             foreach (var wave in waves)
             {
-                // Of each tenth of the file a tenth of the wave, give or take two runs of the order's unevenness.
+                // Each tenth of the file has a tenth of the wave, within two ranges.
                 var tenths = new int[10];
                 for (int i = 0; i < wave.Points; i++)
                     tenths[indices[i] / 40_000]++;

@@ -99,7 +99,7 @@ namespace FastPoints.Tests.Sampling
                 // A point that stands in for others may be one of the scan's that has not been come to.
                 Assert.That(chosen, Is.InRange(waves[wave].Length - placeholders[wave], waves[wave].Length));
             }
-            // Of the points that were read, an eighth is the scan's.
+            // An eighth of the read points is in the scan's sample.
             Assert.That(waves[1].Length - placeholders[1], Is.EqualTo(10_000).Within(600));
         }
 

@@ -42,7 +42,7 @@ namespace FastPoints.Tests.Streaming
                 StreamedTestCloud.Settle(stream, last);
                 Assert.That(stream.Pool.UsedBytes, Is.Zero);
                 Assert.That(stream.Cache.Count, Is.Zero);
-                // What was reported as broken stays so for the cloud that it was reported of: the next one begins anew.
+                // What was reported as broken stays so for the cloud that it was reported of: the next one starts over.
                 flown = Picture(stream, last);
                 Assert.That(stream.Pool.FindProblem(), Is.Null);
             }

@@ -9,7 +9,7 @@ namespace FastPoints.Tests.Streaming
         const int BankBytes = 64 << 10;
 
         [Test]
-        public void TryTake_ToTheLimit_TakesWholeBanksAndNoMore()
+        public void TryAllocate_ToTheLimit_UsesWholeBanks()
         {
             using var pool = new MemoryNodePool(5 * BankBytes + 1000, BankBytes);
             var ranges = new List<PoolRange>();

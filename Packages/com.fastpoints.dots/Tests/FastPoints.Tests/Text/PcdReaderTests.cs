@@ -91,7 +91,7 @@ namespace FastPoints.Tests.Text
         public void Read_TruncatedFile_GivesThePointsBeforeAndAWarning(string data)
         {
             byte[] whole = PcdTestFile.Make(data, 3000);
-            // Text ends with a whole line: a broken one is told when it is decoded.
+            // Text ends with a complete line: a broken one is reported when it is decoded.
             int length = data == "ascii" ? Array.LastIndexOf(whole, (byte)'\n', whole.Length - 100) + 1 : whole.Length - 40;
             using var reader = ReadPoints.Open(Write(whole.AsSpan(0, length).ToArray()));
             Assert.That(reader.PointCount, Is.InRange(2000, 2999));

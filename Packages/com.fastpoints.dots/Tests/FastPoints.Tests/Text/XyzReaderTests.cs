@@ -69,7 +69,7 @@ namespace FastPoints.Tests.Text
 
         static string Types(PointReader reader) => string.Join(" ", reader.Info.Schema.Skip(3).Select(a => a.Type.ToString()));
 
-        // Every way of setting values apart that is told from the others; the same two points.
+        // Every separator that is recognised; the same two points.
         [TestCase("1.5 2.25 -3\n4 5.5 6\n")]
         [TestCase("1.5\t2.25\t-3\n4\t5.5\t6")]
         [TestCase("1.5,2.25,-3\n4,5.5,6\n")]
@@ -169,7 +169,7 @@ namespace FastPoints.Tests.Text
             var text = new StringBuilder();
             for (int i = 0; i < 200000; i++)
                 text.Append("1.25 2 3\n");
-            // Right behind the first stretch that the opening looks at: not in the sample.
+            // Right after the first segment that opening reads: not in the sample.
             int at = 70 * 1024;
             while (text[at] != '\n')
                 at++;

@@ -10,7 +10,7 @@ using Unity.Transforms;
 
 namespace FastPoints.Benchmarks
 {
-    /// <summary>A world as scenes have it, with the package's systems and memory in place of a graphics card: what clouds in a
+    /// <summary>A world as scenes have it, with the package's systems and memory in place of a GPU: what clouds in a
     /// scene cost the main thread, frame by frame. Frames follow one another without a pause.</summary>
     sealed class SceneBenchmark : IDisposable
     {

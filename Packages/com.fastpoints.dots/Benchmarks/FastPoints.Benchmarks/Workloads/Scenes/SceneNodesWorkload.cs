@@ -8,8 +8,9 @@ using Unity.Mathematics;
 namespace FastPoints.Benchmarks
 {
     /// <summary>A camera in the middle of a converted cloud turns round, and all points that it sees are wanted: of 48 M points
-    /// some 10,000 nodes come and as many go in every 60 frames, a few in each, with and without entities for them. The error
-    /// is the main thread's time for a frame that 99 of 100 do not exceed. Each frame takes a sixtieth of a second.</summary>
+    /// some 10,000 nodes are added and as many removed in every 60 frames, a few in each, with and without entities for them. The
+    /// error is the main thread's time for a frame that 99 of 100 do not exceed. Each frame takes a sixtieth of a
+    /// second.</summary>
     public sealed class SceneNodesWorkload : IWorkload
     {
         const int Frames = 300, FramesPerRound = 30;

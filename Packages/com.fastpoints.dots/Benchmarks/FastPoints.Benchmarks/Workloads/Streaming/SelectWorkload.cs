@@ -7,7 +7,7 @@ namespace FastPoints.Benchmarks
 {
     sealed class SelectWorkload : IWorkload
     {
-        /// <summary>Of a camera that flies half a metre a frame, in radians.</summary>
+        /// <summary>Radians a frame, of a camera that flies half a metre.</summary>
         const double SmallStep = 0.0002;
 
         readonly int m_levels;

@@ -236,7 +236,7 @@ namespace FastPoints.Build
         /// none.</summary>
         public NativeArray<int> BrickOfPoint;
 
-        /// <summary>Those from <see cref="First"/> to before <see cref="End"/> are counted.</summary>
+        /// <summary>The ranges from <see cref="First"/> to before <see cref="End"/> are counted.</summary>
         [ReadOnly] public NativeArray<SampleRange> Ranges;
         public int First;
         public int End;

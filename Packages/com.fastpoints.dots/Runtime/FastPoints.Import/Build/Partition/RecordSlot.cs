@@ -126,7 +126,7 @@ namespace FastPoints.Build
     [BurstCompile]
     internal unsafe struct GroupRecordsJob : IJob
     {
-        /// <summary>This many records are made one behind another, in the cache, before each goes to its chunk.</summary>
+        /// <summary>This many records are built one after another, in the cache, before each is copied to its chunk.</summary>
         public const int BatchPoints = 256;
 
         [ReadOnly] public NativeArray<byte> Columns;

@@ -70,7 +70,7 @@ namespace FastPoints.Nodes
 
         public NativeArray<long> BytesOfPlane => m_bytesOfPlane;
 
-        /// <summary>Begins a chunk, behind those that are in the workspace. The caller owns its pages again when the job is
+        /// <summary>Begins a chunk, after those in the workspace. The caller owns its pages again when the job is
         /// done.</summary>
         /// <param name="ready">Completes when the pages have their records.</param>
         public void Begin(GridCube cube, RecordPages pages, int number, IndexWorkspace workspace, JobHandle ready)

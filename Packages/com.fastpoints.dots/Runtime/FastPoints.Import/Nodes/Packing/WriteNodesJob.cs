@@ -94,7 +94,7 @@ namespace FastPoints.Nodes
             Slices.End(begin);
         }
 
-        /// <summary>Of all slices, at most.</summary>
+        /// <summary>Upper bound for all slices.</summary>
         public long Cost
         {
             get

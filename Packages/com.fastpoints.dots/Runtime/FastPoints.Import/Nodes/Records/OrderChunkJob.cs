@@ -95,7 +95,7 @@ namespace FastPoints.Nodes
         int Count => (int)Pages.Count;
         long Bytes => (long)Count * Layout.StrideBytes;
 
-        /// <summary>Of all slices, about.</summary>
+        /// <summary>Estimate for all slices.</summary>
         public long Cost =>
             Count * (long)(CostOfCount + CostOfMove + CostOfKey + CostOfSort + CostOfEmit) +
             Bytes / TouchedBytes * CostOfTouch;

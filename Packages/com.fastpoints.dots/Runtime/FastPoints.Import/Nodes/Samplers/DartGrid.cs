@@ -298,7 +298,7 @@ namespace FastPoints.Nodes
             return number;
         }
 
-        /// <summary>Of a dart of the current tile: its cell, and the steps to the cells on its side.</summary>
+        /// <summary>Finds the cell of a dart in the current tile, and the steps to the cells on its side.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         int OwnOf(ulong dart, out int ox, out int oy, out int oz)
         {

@@ -89,8 +89,8 @@ namespace FastPoints.Reading
 
         public sealed override void CloseFile() => m_file.Close();
 
-        // Coroutine: reads ranges of points, in the file's order, into a batch, one behind the other. "then" schedules jobs that
-        // need all ranges, behind those that are given; they are complete in the end.
+        // Coroutine: reads ranges of points, in the file's order, into a batch, one after the other. "then" schedules jobs that
+        // need all ranges, after the given dependency; they are complete in the end.
         public IEnumerator<JobStep> ReadRanges(IReadOnlyList<BlockRange> ranges, int first, int count, PointBatch target,
             Func<JobHandle, JobHandle> then)
         {

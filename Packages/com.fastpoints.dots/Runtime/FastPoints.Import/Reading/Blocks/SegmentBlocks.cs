@@ -99,10 +99,10 @@ namespace FastPoints.Reading
         public long FirstPoint;
         public int Points;
 
-        // Of text: lines of the block that belong to what comes before the points.
+        // Text: lines of the block before the points.
         public int RowsBefore;
 
-        // Of text: the block starts within a line that belongs to an earlier block.
+        // Text: the block starts within a line of an earlier block.
         public bool StartsInRow;
     }
 }

@@ -22,7 +22,7 @@ namespace FastPoints.Reading
         public bool IsAttribute;
         public PointColumn Column;
 
-        /// <summary>Of an attribute: value = stored * Scale + Offset.</summary>
+        /// <summary>For an attribute: value = stored * Scale + Offset.</summary>
         public double Scale;
         public double Offset;
         public double Number;

@@ -68,7 +68,7 @@ namespace FastPoints.Reading
 
         public void Dispose() => Polygons?.Dispose();
 
-        /// <summary>What each expression does with columns of a batch, one behind another.</summary>
+        /// <summary>The operations of each expression on columns of a batch, one after another.</summary>
         internal FilterStep[] StepsOf(PointBatch batch, in PositionTransform transform)
         {
             var steps = new List<FilterStep>();
@@ -176,7 +176,7 @@ namespace FastPoints.Reading
         }
     }
 
-    /// <summary>Chooses points of a slice of a batch, and moves them behind those that are chosen of the slices before.</summary>
+    /// <summary>Chooses points of a slice of a batch, and moves them after those chosen in earlier slices.</summary>
     [BurstCompile]
     internal unsafe struct FilterPointsJob : IJob
     {

@@ -234,7 +234,7 @@ namespace FastPoints.Reading
             return false;
         }
 
-        // Its index, or -1 if enough files have said the same.
+        // Its index, or -1 after MaxEqualWarnings of the same text.
         int Report(CloudWarning warning)
         {
             m_warningCounts.TryGetValue(warning.Text, out int reported);

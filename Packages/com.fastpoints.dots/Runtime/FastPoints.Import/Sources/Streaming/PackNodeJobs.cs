@@ -128,7 +128,7 @@ namespace FastPoints.Sources
         public long Word;
     }
 
-    // Some blocks of a plane, behind those of the previous slice. The planes of a node come one behind the other.
+    // Some blocks of a plane, after those of the previous slice. The planes of a node follow one another.
     [BurstCompile]
     internal unsafe struct PackPlaneJob : IJob
     {

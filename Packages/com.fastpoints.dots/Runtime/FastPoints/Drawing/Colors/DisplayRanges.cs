@@ -28,7 +28,7 @@ namespace FastPoints.Drawing
         // thousand times.
         const double MaxHeightPerDegree = 200;
 
-        // Of 255. Colours darker than this, outliers apart, vanish against the background.
+        // Of 255: colours darker than this, except outliers, vanish against the background.
         const double DarkestColor = 12;
 
         const int MaxOutlinePoints = 4096;
@@ -45,7 +45,7 @@ namespace FastPoints.Drawing
 
         bool m_hasFar;
 
-        // Of the points that are not far out: less than 1 where only the largest of parts far apart is framed.
+        // Share of the points that are not outliers: less than 1 if only the largest of distant parts is framed.
         double m_shareFramed = 1;
 
         /// <summary>What the CRS says; where it is silent, degrees are guessed from the bounds.</summary>
@@ -70,7 +70,7 @@ namespace FastPoints.Drawing
 
         public UpAxis UpAxis = UpAxis.Z;
 
-        /// <summary>Of all finite positions.</summary>
+        /// <summary>Bounds of all finite positions.</summary>
         public BoundsGeo Full = BoundsGeo.Empty;
 
         /// <summary>Where nearly all points are: quantiles, widened, within <see cref="Full"/>.</summary>
@@ -90,7 +90,7 @@ namespace FastPoints.Drawing
         public double ElevationLow;
         public double ElevationHigh;
 
-        /// <summary>Stored values; both 0 where there is no intensity.</summary>
+        /// <summary>Stored values; both 0 if there is no intensity.</summary>
         public double IntensityLow;
         public double IntensityHigh;
         public bool IntensityVaries;
@@ -100,7 +100,7 @@ namespace FastPoints.Drawing
         /// <summary>Whether neighbours have more alike intensity than any two points, and not nearly all the same.</summary>
         public bool IsIntensityUseful;
 
-        /// <summary>Those of <see cref="ColorModes.Categories"/> whose attributes are there.</summary>
+        /// <summary>The existing ones of <see cref="ColorModes.Categories"/>.</summary>
         public readonly HashSet<ColorMode> Categories = new HashSet<ColorMode>();
 
         /// <summary>Classes of some of the points, where they have any.</summary>
@@ -109,10 +109,10 @@ namespace FastPoints.Drawing
         /// <summary>None where there is no colour or it is all black.</summary>
         public ColorDepth Color;
 
-        /// <summary>What was assumed, and from what: a line for people each.</summary>
+        /// <summary>What was assumed, and from what: a readable line each.</summary>
         public readonly List<string> Assumptions = new List<string>();
 
-        // For a manifest; null where nothing was measured. The up axis is Z.
+        // For a manifest; null if nothing was measured. The up axis is Z.
         internal StoredDisplayRanges? ToShown() => Robust.IsEmpty ? (StoredDisplayRanges?)null : new StoredDisplayRanges
         {
             BoundsGeo = Robust,
@@ -303,7 +303,7 @@ namespace FastPoints.Drawing
             return all;
         }
 
-        // Of the outline of all.
+        // Frames the outline of all parts.
         void Frame()
         {
             var part = LargestPart.Of(Outline);

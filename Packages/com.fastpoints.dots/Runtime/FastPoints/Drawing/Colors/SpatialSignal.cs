@@ -7,7 +7,7 @@ namespace FastPoints.Drawing
     // within cubes of space than throughout.
     sealed class SpatialSignal
     {
-        // Of a sample, spread over it: a few milliseconds of managed code.
+        // Points taken from a sample, spread over it: a few milliseconds of managed code.
         public const int MaxPoints = 16_384;
         const int Cubes = 24; // Along the longest edge.
 
@@ -58,7 +58,7 @@ namespace FastPoints.Drawing
             }
         }
 
-        // Of the differences from the mean.
+        // Sum of squared differences from the mean.
         static double Squares(double3 sums) => math.max(0, sums.z - sums.y * sums.y / sums.x);
     }
 }

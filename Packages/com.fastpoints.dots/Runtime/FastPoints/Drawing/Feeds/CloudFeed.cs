@@ -19,7 +19,7 @@ namespace FastPoints.Drawing
         // Nothing is in flight or waits to be taken: until a folder is looked at again, updates change nothing.
         internal virtual bool IsIdle => IsEnded;
 
-        /// <summary>Whether a build was broken off, so that the generations taken from it must no longer be shown.</summary>
+        /// <summary>Whether a build was aborted, so that the generations taken from it must no longer be shown.</summary>
         public virtual bool IsBuildAborted => false;
 
         /// <summary>Makes a source of Newest, which the caller owns, with the named planes besides the position, as far as the
@@ -90,7 +90,7 @@ namespace FastPoints.Drawing
                 "is no converted cloud, and no readers for other files are there: wanted a " + StoreFormat.FolderExtension +
                 " folder, or the assembly FastPoints.Import in the player");
 
-        // Null where they cannot be opened: a build in progress can be shown without them.
+        // Null if they cannot be opened: a build in progress can be shown without them.
         static CloudFeed TryOpenSource(IReadOnlyList<string> paths)
         {
             if (paths.Count == 0 || s_openSource == null)

@@ -139,7 +139,7 @@ namespace FastPoints.Store
     /// <summary>What the selection knows of a node: 64 bytes, one line of the cache.</summary>
     public struct StreamNode
     {
-        /// <summary>Of the box around all points from the node down, from the root's corner, in CRS units.</summary>
+        /// <summary>Centre of the box around all points from the node down, from the root's corner, in CRS units.</summary>
         public double3 Center;
         public float3 Half;
 

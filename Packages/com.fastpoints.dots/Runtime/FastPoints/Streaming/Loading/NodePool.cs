@@ -12,7 +12,7 @@ namespace FastPoints.Streaming
         /// <summary>Bytes of a page. A node's last page is half empty on average, which is 1 % of a node of 50 KB.</summary>
         public const int PageBytes = 1024;
 
-        /// <summary>Every graphics card supports storage buffers of this size.</summary>
+        /// <summary>Every GPU supports storage buffers of this size.</summary>
         public const int LargestBankBytes = 1 << 27;
 
         RangeAllocator[] m_banks = Array.Empty<RangeAllocator>();

@@ -57,7 +57,7 @@ namespace FastPoints.Streaming
             return isKept || !doesAnyKeep;
         }
 
-        // Whether clips keep anything of a box; perhaps true where they keep nothing, but exact for a position (half is 0).
+        // Whether clips keep anything of a box; perhaps true if they keep nothing, but exact for a position (half is 0).
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static bool MayKeep(LocalClip* clips, int count, double3 center, double3 half)
         {

@@ -11,7 +11,7 @@ namespace FastPoints.Streaming
         public double3 Corner;
         public double3 Size;
 
-        /// <summary>Of the grid if NodeAddress.Corner is the cube's; else 0, and the middle of a node's box is in its
+        /// <summary>Step of the grid if NodeAddress.Corner is the cube's; else 0, and the middle of a node's box is in its
         /// cube.</summary>
         public double3 Step;
 

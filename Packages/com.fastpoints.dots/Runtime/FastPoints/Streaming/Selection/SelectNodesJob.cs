@@ -185,7 +185,7 @@ namespace FastPoints.Streaming
         public HierarchyPage* Pages;
         public int Cloud;
 
-        /// <summary>Of the root, in units of each axis.</summary>
+        /// <summary>Size of the root cube, in units of each axis.</summary>
         public double3 CubeSize;
     }
 }

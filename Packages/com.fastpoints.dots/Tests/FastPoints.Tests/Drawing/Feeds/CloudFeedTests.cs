@@ -167,7 +167,7 @@ namespace FastPoints.Tests.Drawing
             Assert.That(UnsafeUtility.CheckForLeaks(), Is.Zero);
         }
 
-        // Of a file those beside it that have its name: others come and go there.
+        // For a file, only siblings with its name: others change.
         static int FilesIn(string path) => Directory.Exists(path) ? Directory.GetFiles(path).Length
             : Directory.GetFiles(Path.GetDirectoryName(path), Path.GetFileName(path) + "*").Length;
 
