@@ -137,14 +137,7 @@ public sealed class ConvertedCloudFacts
         json.WriteVector("offset", m_cloud.Grid.Origin);
         json.WriteStartArray("attributes");
         for (int i = 0; i < m_cloud.Attributes.Count; i++)
-        {
-            json.WriteStartObject();
-            json.WriteString("name", m_cloud.Attributes[i].Name);
-            json.WriteString("type", m_cloud.Attributes[i].Type.ToString());
-            json.WriteReal("min", m_cloud.Ranges[i].Min);
-            json.WriteReal("max", m_cloud.Ranges[i].Max);
-            json.WriteEndObject();
-        }
+            SourceFacts.WriteAttribute(json, m_cloud.Attributes[i], m_cloud.Ranges[i].Min, m_cloud.Ranges[i].Max);
         json.WriteEndArray();
         SourceFacts.WriteCrs(json, m_cloud.Crs, m_cloud.BoundsGeo);
         SourceFacts.WriteGpsTime(json, m_cloud.GpsTime);

@@ -247,6 +247,16 @@ public sealed class SourceFacts(PointReader reader)
         json.WriteEndObject();
     }
 
+    internal static void WriteAttribute(Utf8JsonWriter json, PointAttribute attribute, double min, double max)
+    {
+        json.WriteStartObject();
+        json.WriteString("name", attribute.Name);
+        json.WriteString("type", attribute.Type.ToString());
+        json.WriteReal("min", min);
+        json.WriteReal("max", max);
+        json.WriteEndObject();
+    }
+
     public void WriteKeys(Utf8JsonWriter json)
     {
         json.WriteString("format", Info.Format);
@@ -278,13 +288,9 @@ public sealed class SourceFacts(PointReader reader)
         json.WriteStartArray("attributes");
         for (int i = 0; i < Info.Schema.Count; i++)
         {
-            json.WriteStartObject();
-            json.WriteString("name", Info.Schema[i].Name);
-            json.WriteString("type", Info.Schema[i].Type.ToString());
             bool hasRange = Found != null && Found.Columns[i].Finite > 0;
-            json.WriteReal("min", hasRange ? Found!.Columns[i].Min : double.NaN);
-            json.WriteReal("max", hasRange ? Found!.Columns[i].Max : double.NaN);
-            json.WriteEndObject();
+            WriteAttribute(json, Info.Schema[i], hasRange ? Found!.Columns[i].Min : double.NaN,
+                hasRange ? Found!.Columns[i].Max : double.NaN);
         }
         json.WriteEndArray();
         WriteCrs(json, Info.Crs.ToCloudCrs(), Info.BoundsTrusted);

@@ -104,10 +104,10 @@ public class FirstPictureTests : ScratchPerTest
         var random = new System.Random(5);
         string[] files = [Scratch["down.xyz"], Scratch["turned.xyz"]];
         string[] pictures = [Scratch["down.png"], Scratch["turned.png"]];
-        var places = Enumerable.Range(0, 4000)
+        var positions = Enumerable.Range(0, 4000)
             .Select(_ => (x: random.Next(900), y: random.Next(700), z: random.Next(200))).ToList();
-        File.WriteAllLines(files[0], places.Select(p => $"{p.x} {p.y} {p.z}"));
-        File.WriteAllLines(files[1], places.Select(p => $"{x * p.x} {y * p.y} {z * p.z}"));
+        File.WriteAllLines(files[0], positions.Select(p => $"{p.x} {p.y} {p.z}"));
+        File.WriteAllLines(files[1], positions.Select(p => $"{x * p.x} {y * p.y} {z * p.z}"));
         foreach (int i in new[] { 0, 1 })
         {
             var call = CliCall.Of("picture", files[i], "-o", pictures[i], "--up", (i == 0 ? "-" : "") + axis, "--size", "320x180",

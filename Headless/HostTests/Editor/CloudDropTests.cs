@@ -23,16 +23,16 @@ public sealed class CloudDropTests : EditorFixture
 
     void Finish() => ImportProject.Updates(() => m_project.Imports.Update(DateTime.UtcNow), () => !m_project.Imports.IsCreating);
 
-    static void Drop(string[] paths, DropTarget place = null)
+    static void Drop(string[] paths, DropTarget target = null)
     {
         DragAndDrop.paths = paths;
         FastPointsSettings.instance.CopiedMiB = 0;
         try
         {
-            if (place == null)
+            if (target == null)
                 PointCloudDrops.OnProject("Assets", true);
             else
-                PointCloudDrops.OnScene(place, true);
+                PointCloudDrops.OnScene(target, true);
         }
         finally
         {

@@ -170,8 +170,8 @@ public sealed class DropTests
     {
         var asset = ScriptableObject.CreateInstance<PointCloudAsset>();
         DragAndDrop.objectReferences = new UnityEngine.Object[] { asset };
-        var place = new DropTarget { Scene = new UnityEngine.SceneManagement.Scene { Number = 7, isSubScene = true } };
-        PointCloudDrops.OnScene(place, true);
+        var target = new DropTarget { Scene = new UnityEngine.SceneManagement.Scene { Number = 7, isSubScene = true } };
+        PointCloudDrops.OnScene(target, true);
         var scene = (GameObject)Selection.activeObject;
         Assert.That(scene.GetComponent<PointCloudAuthoring>().Cloud, Is.SameAs(asset));
         Assert.That(scene.GetComponent<FastPoints.Entities.PointCloud>() == null, Is.True);

@@ -116,9 +116,9 @@ public sealed class TransferTests : EditorFixture
     [TestCase(".", "with the project in it")]
     [TestCase("..", "with the project in it")]
     [TestCase(" ", "got nothing")]
-    public void FindProblem_BadFolder_NamesTheProblem(string place, string wanted)
+    public void FindProblem_BadFolder_NamesTheProblem(string folder, string wanted)
     {
-        string problem = ProjectPaths.FindProblem(m_project.Paths.Project, place);
+        string problem = ProjectPaths.FindProblem(m_project.Paths.Project, folder);
         Assert.That(problem, wanted == null ? Is.Null : Does.Contain(wanted));
     }
 

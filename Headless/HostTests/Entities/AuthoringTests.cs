@@ -161,10 +161,10 @@ public sealed class AuthoringTests : ScratchTests
         var clips = m_group.Stream.ClipBoxes;
         var scene = new GameObject("box");
         var box = scene.AddComponent<PointCloudClipBox>();
-        var place = Matrix4x4.identity;
-        place.m00 = 4;
-        place.m03 = 50;
-        SceneLoop.Place(scene.transform, place);
+        var matrix = Matrix4x4.identity;
+        matrix.m00 = 4;
+        matrix.m03 = 50;
+        SceneLoop.Place(scene.transform, matrix);
         Frames(() => clips.Length == 1 && clips[0].CenterWorld.x == 50);
         Assert.That(clips[0].EdgesWorld, Is.EqualTo(new double3x3(4, 0, 0, 0, 1, 0, 0, 0, 1)));
         Assert.That(clips[0].Cuts, Is.False);
@@ -204,9 +204,9 @@ public sealed class AuthoringTests : ScratchTests
             return Count() - before;
         }
         Assert.That(Written(() => { }), Is.Zero);
-        var place = Matrix4x4.identity;
-        place.m03 = 50;
-        Assert.That(Written(() => SceneLoop.Place(scene.transform, place)), Is.EqualTo(3), "cloud, placement and box");
+        var matrix = Matrix4x4.identity;
+        matrix.m03 = 50;
+        Assert.That(Written(() => SceneLoop.Place(scene.transform, matrix)), Is.EqualTo(3), "cloud, placement and box");
         Assert.That(Written(() => scene.layer = 6), Is.EqualTo(1));
         Assert.That(Written(() => box.Cuts = true), Is.EqualTo(1));
         UnityEngine.Object.DestroyImmediate(scene);

@@ -124,11 +124,11 @@ public sealed class GraphicsNodePoolTests : GraphicsFixture
     {
         using var stream = Stream(3 << 19, 1 << 19, bytesPerUpload);
         int evicted = 0;
-        for (int place = 0; place < 12; place++)
+        for (int view = 0; view < 12; view++)
         {
             // Not all come to rest: uploads of one place end at the next.
-            var camera = Near(stream, place / 11.0, place);
-            if (place % 3 == 2)
+            var camera = Near(stream, view / 11.0, view);
+            if (view % 3 == 2)
                 Rest(stream, camera);
             else
                 for (int frame = 0; frame < 6; frame++)

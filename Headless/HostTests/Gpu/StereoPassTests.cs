@@ -35,8 +35,8 @@ public sealed class StereoPassTests : PipelineFixture
 
     static PictureCamera AlongAxes(int eye)
     {
-        var place = new double3(eye == 0 ? -3.5 : 3.5, -75, 8);
-        return PictureCamera.Perspective(place, place + new double3(0, 64, 0), s_up, 60);
+        var position = new double3(eye == 0 ? -3.5 : 3.5, -75, 8);
+        return PictureCamera.Perspective(position, position + new double3(0, 64, 0), s_up, 60);
     }
 
     static Camera Headset(RenderTexture target, Func<int, PictureCamera> at)

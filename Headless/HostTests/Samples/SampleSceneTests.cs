@@ -80,11 +80,11 @@ public sealed class SampleSceneTests
     {
         var logged = new List<string>();
         Debug.s_sink = (type, text) => logged.Add(type + ": " + text);
-        string place = Path.GetDirectoryName(Street);
-        File.WriteAllText(place, "no folder");
+        string folder = Path.GetDirectoryName(Street);
+        File.WriteAllText(folder, "no folder");
         Assert.That(SampleScan.Get(), Is.Null);
         Assert.That(logged.Single(), Does.StartWith("Error: FastPoints: " + Street));
-        File.Delete(place);
+        File.Delete(folder);
         PutSmallStreet();
         Assert.That(SampleScan.Get(), Is.Not.Null);
     }

@@ -145,19 +145,19 @@ public sealed class SampleScriptTests
         // The host's frames take a sixtieth of a second.
         var fly = m_world.Add<FlyThrough>(f => (f.Cloud, f.Seconds) = (cloud, 2));
         var size = asset.BoundsMax - asset.BoundsMin;
-        var places = Enumerable.Range(0, 121).Select(_ =>
+        var positions = Enumerable.Range(0, 121).Select(_ =>
         {
             SceneLoop.Update();
             return fly.transform.position;
         }).ToArray();
 
-        Assert.That(places.Max(p => p.x) - places.Min(p => p.x), Is.EqualTo(0.3 * size.x).Within(0.1));
-        Assert.That(places.Max(p => p.z) - places.Min(p => p.z), Is.EqualTo(0.3 * size.y).Within(0.1));
-        Assert.That((places[120] - places[0]).magnitude, Is.LessThan(0.01f));
+        Assert.That(positions.Max(p => p.x) - positions.Min(p => p.x), Is.EqualTo(0.3 * size.x).Within(0.1));
+        Assert.That(positions.Max(p => p.z) - positions.Min(p => p.z), Is.EqualTo(0.3 * size.y).Within(0.1));
+        Assert.That((positions[120] - positions[0]).magnitude, Is.LessThan(0.01f));
         var along = (Vector3)fly.transform.localToWorldMatrix.GetColumn(2);
         var level = new Vector3(along.x, 0, along.z).normalized;
         // 0.6 of a turn's 2 pi: in frames, 11.46.
-        var limit = places[11] + (places[12] - places[11]) * 0.459f - places[120];
+        var limit = positions[11] + (positions[12] - positions[11]) * 0.459f - positions[120];
         Assert.That(Vector3.Dot(level, limit.normalized), Is.GreaterThan(0.9999f), "it looks where it will be");
         Assert.That(along.y, Is.LessThan(0), "and down");
     }

@@ -112,17 +112,17 @@ namespace FastPoints.Evaluation
                 var drawn = m_stream.Drawn[i];
                 if (drawn.Cloud != m_cloud)
                     continue;
-                var place = cloud.Pages[drawn.Page].Addresses[drawn.Node];
+                var address = cloud.Pages[drawn.Page].Addresses[drawn.Node];
                 var inCube = cubes.PointIn(cloud.Pages + drawn.Page, drawn.Node);
                 byte* at = m_pool.AddressOf(drawn.Range);
                 int blocks = cloud.Pages[drawn.Page].Nodes[drawn.Node].BlockCount;
                 m_nodes.Add(new NodeBlocks
                 {
-                    Corner = place.Corner,
+                    Corner = address.Corner,
                     BlockCount = blocks,
                     SizeNode = sizes.Nodes.Length > 0 ? sizes.NodeOfDrawn[i] : 0,
-                    CubeCorner = cubes.CornerAt(inCube, place.Level) / step,
-                    CubesPerStep = step / cubes.SizeAt(place.Level),
+                    CubeCorner = cubes.CornerAt(inCube, address.Level) / step,
+                    CubesPerStep = step / cubes.SizeAt(address.Level),
                 });
                 for (int p = 0; p < planes; p++)
                 {

@@ -27,18 +27,18 @@ namespace FastPoints.Editor
         /// <param name="scene">The scene that it fell on, if it did.</param>
         public static DropTarget Of(GameObject target, HierarchyDropFlags flags, Transform parent, Scene scene)
         {
-            var place = new DropTarget { Parent = parent, Scene = target != null ? target.scene : scene };
+            var drop = new DropTarget { Parent = parent, Scene = target != null ? target.scene : scene };
             if (target == null || parent != null)
-                return place;
+                return drop;
             var on = target.transform;
             if ((flags & HierarchyDropFlags.DropBetween) == 0)
             {
-                place.Parent = on;
-                return place;
+                drop.Parent = on;
+                return drop;
             }
-            place.Parent = on.parent;
-            place.m_sibling = on.GetSiblingIndex() + ((flags & HierarchyDropFlags.DropAbove) != 0 ? 0 : 1);
-            return place;
+            drop.Parent = on.parent;
+            drop.m_sibling = on.GetSiblingIndex() + ((flags & HierarchyDropFlags.DropAbove) != 0 ? 0 : 1);
+            return drop;
         }
 
         /// <summary>Who drops files may delete what they fell on, or close the scene, before they are imported.</summary>

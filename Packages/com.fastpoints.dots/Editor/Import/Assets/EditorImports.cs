@@ -156,9 +156,9 @@ namespace FastPoints.Editor
 
         /// <summary>Does the same with several, as one cloud or as separate ones, which the user is asked once; in the next
         /// updates.</summary>
-        /// <param name="place">Where they are shown; null for nowhere.</param>
-        internal void CreateAsset(IReadOnlyList<string> sources, string folder, DropTarget place) =>
-            m_drops.Add(new CloudDrop(this, sources, folder, place));
+        /// <param name="target">Where they are shown; null for nowhere.</param>
+        internal void CreateAsset(IReadOnlyList<string> sources, string folder, DropTarget target) =>
+            m_drops.Add(new CloudDrop(this, sources, folder, target));
 
         internal bool IsCreating => m_drops.Count > 0;
 
@@ -318,15 +318,15 @@ namespace FastPoints.Editor
         }
 
         /// <summary>A new place is not for Git: what lies there can be made again, and is large.</summary>
-        internal void CreateFolder(string place)
+        internal void CreateFolder(string folder)
         {
-            if (Directory.Exists(place) || !PointCloudImports.IsMainEditor)
+            if (Directory.Exists(folder) || !PointCloudImports.IsMainEditor)
                 return;
             try
             {
-                Directory.CreateDirectory(place);
+                Directory.CreateDirectory(folder);
                 if (m_settings.GitIgnore)
-                    TextFile.Write(Path.Combine(place, ".gitignore"),
+                    TextFile.Write(Path.Combine(folder, ".gitignore"),
                         "# FastPoints makes this again of its sources.\n*\n");
             }
             catch (Exception e) when (e is PointCloudException || FileFailures.IsFileFailure(e))

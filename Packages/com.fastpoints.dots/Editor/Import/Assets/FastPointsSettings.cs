@@ -69,8 +69,8 @@ namespace FastPoints.Editor
             string file = Path.Combine(project, FileName), key = nameof(Place) + ":";
             string line = File.Exists(file) ? Array.Find(File.ReadAllLines(file), l => l.TrimStart().StartsWith(key,
                 StringComparison.Ordinal)) : null;
-            string place = line?.Substring(line.IndexOf(':') + 1).Trim().Trim('\'', '"');
-            return string.IsNullOrEmpty(place) ? new ProjectPaths(project) : new ProjectPaths(project, place);
+            string folder = line?.Substring(line.IndexOf(':') + 1).Trim().Trim('\'', '"');
+            return string.IsNullOrEmpty(folder) ? new ProjectPaths(project) : new ProjectPaths(project, folder);
         }
 
         /// <summary>What the file says; kept when scripts are reloaded, as Unity keeps private fields.</summary>

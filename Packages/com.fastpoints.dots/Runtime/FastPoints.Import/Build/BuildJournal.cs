@@ -115,7 +115,7 @@ namespace FastPoints.Build
                 Block = json.Int("block"),
                 PeakBytes = json.Long("peakBytes"),
                 LevelCount = json.Int("levelCount"),
-                Root = new GridCube(Place(json, "rootCorner"), json.Int("rootSideLog2")),
+                Root = new GridCube(ReadPosition(json, "rootCorner"), json.Int("rootSideLog2")),
                 Attributes = json.Objects("attributes").ConvertAll(item => new AttributeStatistics
                 {
                     Min = item.Hex("min"),
@@ -129,8 +129,8 @@ namespace FastPoints.Build
             {
                 Count = item.Long("count"),
                 LeftOut = item.Long("leftOut"),
-                Min = Place(item, "min"),
-                Max = Place(item, "max"),
+                Min = ReadPosition(item, "min"),
+                Max = ReadPosition(item, "max"),
                 Checksum = item.Hex("checksum"),
                 MaxRoundingSteps = item.Number("worstLossSteps"),
             }));
@@ -139,7 +139,7 @@ namespace FastPoints.Build
             {
                 journal.Chunks.Add(new Chunk
                 {
-                    Cube = new GridCube(Place(item, "corner"), item.Int("sideLog2")),
+                    Cube = new GridCube(ReadPosition(item, "corner"), item.Int("sideLog2")),
                     Ranges = item.Lists("runs", 3).ConvertAll(range => new RecordRange
                     {
                         File = checked((int)range[0]),
@@ -151,7 +151,7 @@ namespace FastPoints.Build
             return journal;
         }
 
-        static Grid3 Place(JsonMembers json, string name)
+        static Grid3 ReadPosition(JsonMembers json, string name)
         {
             long[] steps = json.Longs(name, 3);
             return new Grid3(steps[0], steps[1], steps[2]);

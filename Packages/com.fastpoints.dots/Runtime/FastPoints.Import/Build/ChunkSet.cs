@@ -127,8 +127,9 @@ namespace FastPoints.Build
                 order[i] = i;
             Array.Sort(order, (a, b) =>
             {
-                int byPlace = MortonOrder.Compare(m_chunks[a].Cube.Corner - root.Corner, m_chunks[b].Cube.Corner - root.Corner);
-                return byPlace != 0 ? byPlace : a.CompareTo(b);
+                int byPosition = MortonOrder.Compare(m_chunks[a].Cube.Corner - root.Corner,
+                    m_chunks[b].Cube.Corner - root.Corner);
+                return byPosition != 0 ? byPosition : a.CompareTo(b);
             });
             var sorted = new List<Chunk>();
             foreach (int i in order)

@@ -312,25 +312,25 @@ namespace FastPoints.Build
             // The last one is the root: others come after what is above them.
             m_regions.Reverse();
             int planeCount = BytesOfPlane.Length;
-            var table = UpperTable.Join(m_regions, planeCount, out int[] placeOfNode);
+            var table = UpperTable.Join(m_regions, planeCount, out int[] indexOfNode);
             var hierarchy = default(NativeArray<byte>);
             WriteTicket ticket = null;
             try
             {
-                m_manifest.NodeCount = placeOfNode.Length;
-                m_manifest.UpperBytes = placeOfNode.Length > 0 ? m_upperBytes : 0;
+                m_manifest.NodeCount = indexOfNode.Length;
+                m_manifest.UpperBytes = indexOfNode.Length > 0 ? m_upperBytes : 0;
                 var records = new List<ChunkRecord>();
                 foreach (var chunk in chunks)
                 {
                     if (!chunk.Top.HasNodes)
                         continue;
                     var record = chunk.Record;
-                    record.AttachNode = placeOfNode[m_regionOfChunk[record.Number].NodeOf(m_draftOfChunk[record.Number])];
+                    record.AttachNode = indexOfNode[m_regionOfChunk[record.Number].NodeOf(m_draftOfChunk[record.Number])];
                     m_manifest.NodeCount += record.NodeCount;
                     records.Add(record);
                 }
                 m_manifest.ChunkCount = records.Count;
-                hierarchy = HierarchyFile.Create(table, placeOfNode.Length, planeCount, records, m_manifest);
+                hierarchy = HierarchyFile.Create(table, indexOfNode.Length, planeCount, records, m_manifest);
                 ticket = m_build.Folder.Write(m_manifest.HierarchyName, hierarchy);
                 while (!ticket.IsDone(1))
                     yield return default;

@@ -133,9 +133,9 @@ namespace FastPoints
             var range = Empty;
             for (int done = 0; done < count; done += ColumnValues.BatchLength)
             {
-                int run = math.min(ColumnValues.BatchLength, count - done);
-                ColumnValues.ToDoubles(column, type, first + done, run, values);
-                for (int i = 0; i < run; i++)
+                int length = math.min(ColumnValues.BatchLength, count - done);
+                ColumnValues.ToDoubles(column, type, first + done, length, values);
+                for (int i = 0; i < length; i++)
                 {
                     double value = values[i];
                     if (value - value != 0)

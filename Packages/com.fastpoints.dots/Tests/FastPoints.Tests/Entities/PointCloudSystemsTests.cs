@@ -206,9 +206,9 @@ namespace FastPoints.Tests.Entities
             Begin(1 << 18);
             Add();
             m_group.Stream.Settings.Selection.PointBudget = 8000;
-            for (int place = 0; place < 6; place++)
+            for (int view = 0; view < 6; view++)
             {
-                var stats = Settle(StreamedTestCloud.Near(30 * place, 190 - 30 * place, place));
+                var stats = Settle(StreamedTestCloud.Near(30 * view, 190 - 30 * view, view));
                 Assert.That(Count<Drawn>(), Is.EqualTo(stats.DrawnNodes));
                 Assert.That(All<PointCloudNode>().ToArray().Select(e => Entities.GetComponentData<PointCloudNode>(e))
                     .Select(n => (n.Page, n.Node)), Is.Unique);
@@ -260,9 +260,9 @@ namespace FastPoints.Tests.Entities
             Entities.SetComponentEnabled<Pinned>(pinned, true);
             int evicted = 0;
             // On a busy machine frames pass without reads: then there are more of them.
-            for (int place = 0; place < 8 || (evicted <= 50 && place < 10_000); place++)
+            for (int view = 0; view < 8 || (evicted <= 50 && view < 10_000); view++)
                 for (int frame = 0; frame < 200; frame++, Thread.Yield())
-                    evicted += Frame(StreamedTestCloud.Near(25 * (place % 8), 200 - 25 * (place % 8), place % 8)).EvictedNodes;
+                    evicted += Frame(StreamedTestCloud.Near(25 * (view % 8), 200 - 25 * (view % 8), view % 8)).EvictedNodes;
             Assert.That(evicted, Is.GreaterThan(50));
             Assert.That(Entities.Exists(pinned), Is.True);
         }

@@ -28,14 +28,14 @@ namespace FastPoints.Tests.Nodes
                     grid.BeginTile(tile);
                     for (int i = 0; i < 300; i++)
                     {
-                        var place = corner + new Grid3(Part(ref random, edge), Part(ref random, edge), Part(ref random, edge));
-                        ulong dart = grid.DartOf(place, 0);
+                        var position = corner + new Grid3(Part(ref random, edge), Part(ref random, edge), Part(ref random, edge));
+                        ulong dart = grid.DartOf(position, 0);
                         bool isNear = false;
                         int nearest = -1;
                         double min = double.PositiveInfinity;
                         for (int s = 0; s < count; s++)
                         {
-                            double distance = DistanceSq(samples[s], place, cell, out double nearSq);
+                            double distance = DistanceSq(samples[s], position, cell, out double nearSq);
                             isNear |= distance < nearSq;
                             if (distance >= nearSq || distance >= min)
                                 continue;
@@ -54,7 +54,7 @@ namespace FastPoints.Tests.Nodes
                         for (int copies = i % 29 == 0 ? 10 : 1; copies > 0 && count < samples.Length; copies--)
                         {
                             grid.Add(dart, count);
-                            samples[count++] = place;
+                            samples[count++] = position;
                             chained += copies > 8 ? 1 : 0;
                         }
                     }

@@ -131,15 +131,7 @@ namespace FastPoints.Tests.Streaming
         internal static void RunJobsOfAFrame(StreamContext stream, NativeList<SelectedNode> wanted)
         {
             var selector = stream.Selector;
-            new TouchNodesJob
-            {
-                Clouds = stream.CloudPages,
-                Selected = selector.Selected,
-                Prefetched = selector.Prefetched,
-                Pinned = stream.Cache.Pinned,
-                Frame = selector.Frame,
-                Order = stream.Cache.Order,
-            }.Run();
+            FrameStep.Touch(stream);
             for (int i = 0; i < 2; i++)
                 new ListWantedJob
                 {

@@ -135,8 +135,8 @@ namespace FastPoints.Benchmarks
                 byte* records = m_records + first * StrideBytes;
                 for (int i = 0; i < count; i++)
                 {
-                    var place = (int*)(records + (long)i * StrideBytes);
-                    keys[i] = Morton.Encode((uint)place[0], (uint)place[1], (uint)(place[2] + (1 << 20)));
+                    var position = (int*)(records + (long)i * StrideBytes);
+                    keys[i] = Morton.Encode((uint)position[0], (uint)position[1], (uint)(position[2] + (1 << 20)));
                     order[i] = (uint)i;
                 }
                 RadixSort.Sort(keys, order, keys + count, order + count, count);

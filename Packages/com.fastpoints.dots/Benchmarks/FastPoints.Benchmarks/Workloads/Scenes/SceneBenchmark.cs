@@ -70,6 +70,22 @@ namespace FastPoints.Benchmarks
             return m_group.Stats;
         }
 
+        /// <summary>Later quantiles are of later frames only.</summary>
+        public void ResetTimes()
+        {
+            using var earlier = new SliceTimes(Allocator.Persistent);
+            earlier.Take(FrameTimes);
+        }
+
+        public WorkloadResult Result(long points, long bytes, string note) => new WorkloadResult
+        {
+            Points = points,
+            Bytes = bytes,
+            Error = FrameTimes.QuantileMs(0.99),
+            ErrorUnit = "ms p99 a frame",
+            Note = note,
+        };
+
         public void Dispose()
         {
             m_world.Dispose();

@@ -236,9 +236,9 @@ namespace FastPoints.Build
                     statistics.LeftOut++;
                     continue;
                 }
-                var place = new Grid3(x[i], y[i], z[i]);
-                statistics.Min = Grid3.Min(statistics.Min, place);
-                statistics.Max = Grid3.Max(statistics.Max, place);
+                var position = new Grid3(x[i], y[i], z[i]);
+                statistics.Min = Grid3.Min(statistics.Min, position);
+                statistics.Max = Grid3.Max(statistics.Max, position);
                 chunks[i] = Chunks.ChunkOf(chunkOfCell, x[i], y[i], z[i]);
             }
         }
@@ -314,7 +314,7 @@ namespace FastPoints.Build
 
         /// <summary>Moves records to their places.</summary>
         /// <returns>The sum of their hashes.</returns>
-        ulong Scatter(byte* batch, int* places, int count, byte* records)
+        ulong Scatter(byte* batch, int* positions, int count, byte* records)
         {
             var layout = Layout;
             int stride = layout.StrideBytes;
@@ -322,16 +322,16 @@ namespace FastPoints.Build
             for (int i = 0; i < count; i++, batch += stride)
             {
                 sum += layout.HashOf(batch, Store.RecordHash.ChecksumSeed);
-                RecordLayout.Copy(batch, records + (long)places[i] * stride, stride);
+                RecordLayout.Copy(batch, records + (long)positions[i] * stride, stride);
             }
             return sum;
         }
 
-        void LoadBatch(byte* bytes, int first, int count, long* places, ref double worstLoss)
+        void LoadBatch(byte* bytes, int first, int count, long* positions, ref double worstLoss)
         {
-            SourceGrid.ToGrid(Grid.X, X.At(bytes, first), X.Type, count, places, ref worstLoss);
-            SourceGrid.ToGrid(Grid.Y, Y.At(bytes, first), Y.Type, count, places + BatchPoints, ref worstLoss);
-            SourceGrid.ToGrid(Grid.Z, Z.At(bytes, first), Z.Type, count, places + 2 * BatchPoints, ref worstLoss);
+            SourceGrid.ToGrid(Grid.X, X.At(bytes, first), X.Type, count, positions, ref worstLoss);
+            SourceGrid.ToGrid(Grid.Y, Y.At(bytes, first), Y.Type, count, positions + BatchPoints, ref worstLoss);
+            SourceGrid.ToGrid(Grid.Z, Z.At(bytes, first), Z.Type, count, positions + 2 * BatchPoints, ref worstLoss);
         }
 
         static void CopyColumn(byte* from, int size, int count, byte* to, int stride)

@@ -142,10 +142,10 @@ namespace FastPoints.Nodes
             uint shiftX = (uint)shift.X, shiftY = (uint)shift.Y, shiftZ = (uint)shift.Z;
             for (int i = 0; i < count; i++)
             {
-                var place = (uint*)(records + points[i] * stride);
-                x[i] = place[0] - shiftX;
-                y[i] = place[1] - shiftY;
-                z[i] = place[2] - shiftZ;
+                var position = (uint*)(records + points[i] * stride);
+                x[i] = position[0] - shiftX;
+                y[i] = position[1] - shiftY;
+                z[i] = position[2] - shiftZ;
             }
         }
 

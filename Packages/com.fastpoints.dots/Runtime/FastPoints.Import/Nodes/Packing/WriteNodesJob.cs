@@ -18,7 +18,7 @@ namespace FastPoints.Nodes
         /// <summary>A slice takes about 2 ms.</summary>
         public const int CostOfSlice = 500000;
 
-        const int CostOfPlace = 4;
+        const int CostOfPosition = 4;
         const int CostOfAverage = 16;
 
         /// <summary>Leaves with fewer points are inlined leaves in their parent's planes.</summary>
@@ -99,7 +99,7 @@ namespace FastPoints.Nodes
         {
             get
             {
-                long ofPoint = 1 + CostOfPlace;
+                long ofPoint = 1 + CostOfPosition;
                 for (int p = 0; p < Shapes.Length; p++)
                     ofPoint += CostOf(p);
                 return Count * ofPoint;
@@ -307,11 +307,11 @@ namespace FastPoints.Nodes
             var draft = m_drafts[Scratch.DraftOfNode[node]];
             int parent = draft.Parent < 0 ? -1 : NodeOfDraft[draft.Parent];
             bool isInlined = draft.IsLeaf && draft.Count < InlinedLeafPoints && parent >= 0;
-            var place = Layout.PositionOf(m_packer.Records + (long)draft.First * Layout.StrideBytes) - Corner;
+            var position = Layout.PositionOf(m_packer.Records + (long)draft.First * Layout.StrideBytes) - Corner;
             long whole = -1L << draft.SideLog2;
             return new NodeRecord
             {
-                Corner = Corner + new Grid3(place.X & whole, place.Y & whole, place.Z & whole),
+                Corner = Corner + new Grid3(position.X & whole, position.Y & whole, position.Z & whole),
                 SideLog2 = draft.SideLog2,
                 CellLog2 = draft.CellLog2,
                 Flags = (byte)((draft.IsLeaf ? NodeRecord.IsLeaf : 0) | (draft.IsTop ? NodeRecord.IsTop : 0)),
@@ -342,7 +342,7 @@ namespace FastPoints.Nodes
             if (m_state.Plane == 0)
             {
                 WritePositions(planeNode, nodes, ranges, groups, nodeOfGroup, groupCount);
-                m_budget -= points * CostOfPlace;
+                m_budget -= points * CostOfPosition;
             }
             WriteAttributes(ranges, groups, groupCount, points);
             UnsafeUtility.Free(nodeOfGroup, Allocator.Temp);

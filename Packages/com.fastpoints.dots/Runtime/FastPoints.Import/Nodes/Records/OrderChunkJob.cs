@@ -219,8 +219,8 @@ namespace FastPoints.Nodes
 
         ulong CodeOf(byte* record, int shift)
         {
-            var place = Layout.PositionOf(record) - Cube.Corner;
-            return Morton.Encode((uint)(place.X >> shift), (uint)(place.Y >> shift), (uint)(place.Z >> shift));
+            var position = Layout.PositionOf(record) - Cube.Corner;
+            return Morton.Encode((uint)(position.X >> shift), (uint)(position.Y >> shift), (uint)(position.Z >> shift));
         }
 
         void Distribute()
@@ -448,14 +448,14 @@ namespace FastPoints.Nodes
             var before = layout.PositionOf(first > 0 ? record - stride : record) - corner;
             for (int i = first; i < end; i++, record += stride)
             {
-                var place = layout.PositionOf(record);
-                ulong hash = Store.RecordHash.Of(place, layout.AttributesOf(record), layout.AttributeBytes,
+                var position = layout.PositionOf(record);
+                ulong hash = Store.RecordHash.Of(position, layout.AttributesOf(record), layout.AttributeBytes,
                     Store.RecordHash.ChecksumSeed);
                 sum += hash;
                 priority[i] = (uint)(hash >> 32);
-                place -= corner;
-                commonCubeLog2[i] = (byte)MortonOrder.CommonCubeLog2(before, place);
-                before = place;
+                position -= corner;
+                commonCubeLog2[i] = (byte)MortonOrder.CommonCubeLog2(before, position);
+                before = position;
             }
             if (first == 0)
                 commonCubeLog2[0] = byte.MaxValue;

@@ -100,19 +100,19 @@ namespace FastPoints.Nodes
             NewBucket(0);
         }
 
-        /// <param name="place">From the corner of a cube of the octree.</param>
+        /// <param name="position">From the corner of a cube of the octree.</param>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public ulong DartOf(in Grid3 place, int priorityClass) =>
-            (ushort)(place.X >> m_dropped) | (ulong)(ushort)(place.Y >> m_dropped) << 16 |
-            (ulong)(ushort)(place.Z >> m_dropped) << 32 | (ulong)priorityClass << 48;
+        public ulong DartOf(in Grid3 position, int priorityClass) =>
+            (ushort)(position.X >> m_dropped) | (ulong)(ushort)(position.Y >> m_dropped) << 16 |
+            (ulong)(ushort)(position.Z >> m_dropped) << 32 | (ulong)priorityClass << 48;
 
         public static int ClassOf(ulong dart) => (int)(dart >> 48 & 0xFF);
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public Grid3 TileOf(in Grid3 place)
+        public Grid3 TileOf(in Grid3 position)
         {
             int shift = math.min(63, m_cell + TileSpacingsLog2);
-            return new Grid3(place.X >> shift, place.Y >> shift, place.Z >> shift);
+            return new Grid3(position.X >> shift, position.Y >> shift, position.Z >> shift);
         }
 
         /// <summary>Makes a tile the current one, with the cells around it.</summary>

@@ -42,13 +42,13 @@ namespace FastPoints.Nodes
                 if (own == m_state.Range || Scratch.Ranges[own].Parent != m_state.Range)
                     continue;
                 m_budget -= CostOfAverage;
-                var place = PositionAt(i);
-                var tile = grid.TileOf(place);
+                var position = PositionAt(i);
+                var tile = grid.TileOf(position);
                 if (m_state.Darts == 0 || (tile.X ^ m_state.Tile.X | tile.Y ^ m_state.Tile.Y | tile.Z ^ m_state.Tile.Z) != 0)
                     grid.BeginTile(tile);
                 m_state.Tile = tile;
                 m_state.Darts = 1;
-                if (grid.Nearest(grid.DartOf(place, 0), out int nearest) && nearest >= 0)
+                if (grid.Nearest(grid.DartOf(position, 0), out int nearest) && nearest >= 0)
                     AddAverage(i, nearest);
             }
             if (m_state.Point == range.End)

@@ -19,10 +19,8 @@ namespace FastPoints.Tests.Sources
             using var reader = ReadPoints.Open(TestData.SampleOrIgnore("copc/" + name + ".copc.laz"));
             Assert.That(reader.Info.Format, Is.EqualTo("COPC"));
             Assert.That(reader.Info.Version, Is.EqualTo("1.4"));
-            Assert.That(reader.PointCount, Is.EqualTo(points));
-            Assert.That(reader.Tree.NodeCount, Is.EqualTo(nodes));
-            Assert.That(reader.Tree.LevelCount, Is.EqualTo(levels));
-            Assert.That(reader.Tree.PageCount, Is.EqualTo(pages));
+            Assert.That((reader.PointCount, reader.Tree.NodeCount, reader.Tree.LevelCount, reader.Tree.PageCount),
+                Is.EqualTo(((long)points, nodes, levels, pages)));
             CheckPositions(reader);
             Assert.That(reader.Info.Warnings, Is.Empty);
         }
