@@ -1,7 +1,7 @@
 namespace FastPoints.Cli.Sources;
 
-/// <summary>Points that sources claim to hold, those that they have, and the difference, but for those that a source itself
-/// marks as invalid; unknown as soon as one is.</summary>
+/// <summary>Points that sources claim, those that they have, and the difference, except those that a source itself
+/// marks as invalid; unknown if any of them is.</summary>
 public sealed class PointCounts
 {
     ulong m_claimed;
@@ -18,7 +18,7 @@ public sealed class PointCounts
         return account;
     }
 
-    /// <param name="found">-1 if nobody has counted.</param>
+    /// <param name="found">-1 if they were not counted.</param>
     public void Add(SourceInfo info, long found)
     {
         ulong claimed = info.HasPointsClaimed ? info.PointsClaimed : 0;

@@ -44,7 +44,7 @@ public sealed class FlyTests : ScratchTests
     /// <summary>The safety checks of the test build remember each job, in all frames alike. What the first ones make beyond
     /// that grows the pools: 143 kB here, 31 kB without the checks.</summary>
     [Test]
-    public void Fly_FirstFrames_MakeNoMoreGarbageThanPoolsTake()
+    public void Fly_FirstFrames_AllocateOnlyPools()
     {
         var call = CliCall.Of("fly", m_cloud, "--frames", "120", "--json", "-");
         Assert.That(call.Status, Is.EqualTo(ExitStatus.Done), call.Error);
@@ -67,7 +67,7 @@ public sealed class FlyTests : ScratchTests
     }
 
     [Test]
-    public void Fly_FewerFramesThanAPictureTakes_DrawsTheLast()
+    public void Fly_FewerFramesThanOnePicture_DrawsTheLast()
     {
         string[] outputs = [Scratch["short"], Scratch["short.png"], Scratch["single-%04d.png"]];
         // It stands still until all is loaded: a flight shows what is there by then.

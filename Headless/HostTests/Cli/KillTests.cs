@@ -112,7 +112,7 @@ public sealed class KillTests
     }
 
     [TestCase(500_000, 42, Category = "Long")]
-    public void Memory_WhateverTheNumberOfPoints_IsNeverExceeded(int points, int times)
+    public void Memory_AnyNumberOfPoints_IsNeverExceeded(int points, int times)
     {
         using var scratch = new ScratchFolder();
         MakeCloud(scratch, points, times);

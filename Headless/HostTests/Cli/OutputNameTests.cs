@@ -99,7 +99,7 @@ public sealed class OutputNameTests : ScratchPerTest
     }
 
     [Test]
-    public void Convert_ToAPointCloud_SaysThatThisIsAnExport() => Assert.That(
+    public void Convert_ToAPointCloudFile_SuggestsExport() => Assert.That(
         CliCall.Of("convert", Scratch["scan.las"], "-o", Scratch["new.laz"]).Error, Does.Contain("export"));
 
     string Real(string arg) => arg.StartsWith('@') ? Scratch[arg[1..]] : arg;

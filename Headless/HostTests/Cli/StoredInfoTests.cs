@@ -13,7 +13,7 @@ public sealed class StoredInfoTests : ScratchTests
     }
 
     [Test]
-    public void Info_OfAConvertedCloud_IsWhatItsSourceHas()
+    public void Info_OfAConvertedCloud_MatchesItsSource()
     {
         var cloud = CliCall.Of("info", m_cloud, "--json", "-").Json;
         var source = CliCall.Of("info", "--scan", m_demo, "--json", "-").Json;

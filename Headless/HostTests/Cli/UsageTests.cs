@@ -64,7 +64,7 @@ public sealed class UsageTests
     [TestCase("info a.las --size", null)]
     [TestCase("fly a.las --fps 3", null)]
     [TestCase("picture a.las -o p.png --exact", null)]
-    public void Option_OfAnotherVerbOrProgram_SuggestsWhatMeansTheSame(string line, string meant)
+    public void Option_OfAnotherVerbOrProgram_SuggestsTheEquivalent(string line, string meant)
     {
         var call = CliCall.Of(line.Split(' '));
         Assert.That(call.Status, Is.EqualTo(ExitStatus.Usage));

@@ -2,7 +2,7 @@ using FastPoints.Reading;
 
 namespace FastPoints.HostTests.Conformance;
 
-/// <summary>Codes and texts that somebody else chose to be hard, with units by PROJ's projinfo 9.1.1.</summary>
+/// <summary>Hard codes and texts from other projects, with units by PROJ's projinfo 9.1.1.</summary>
 public sealed class CoordinateSystemConformanceTests
 {
     // projinfo prints 15 digits.

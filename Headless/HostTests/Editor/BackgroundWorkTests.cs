@@ -20,12 +20,12 @@ public sealed class BackgroundWorkTests : EditorFixture
         Assert.That(pace.Next(now, 4, isFocused), Is.EqualTo(4), "nothing is measured yet");
         Assert.That(pace.Next(now.AddMilliseconds(apartMs), 4, isFocused), Is.EqualTo(wantedMs).Within(1e-9));
         Assert.That(pace.InFlightMs, Is.EqualTo(Math.Clamp(2 * apartMs, 250, 1000)));
-        // A slice of 30 ms in 16 would make the next interval longer, and that the next slice.
+        // A slice of 30 ms in 16 would lengthen the next interval, and that the next slice.
         Assert.That(pace.Next(now.AddMilliseconds(apartMs + 100), 30, false), Is.EqualTo(50).Within(1e-9));
     }
 
     [Test]
-    public void PlayMode_Pause_TakesNoStepUntilItEnds()
+    public void PlayMode_Paused_TakesNoStepUntilItEnds()
     {
         FastPointsSettings.instance.InPlayMode = InPlayMode.Pause;
         m_project.Imports.CreateAsset(m_project.Scratch.Demo("scan.las", 20_000), "Assets");
@@ -47,7 +47,7 @@ public sealed class BackgroundWorkTests : EditorFixture
     }
 
     [Test]
-    public void PlayMode_OneWorker_IsAsked_AndAllAfterwards()
+    public void PlayMode_DuringAConversion_UsesOneWorkerAndAllAfterwards()
     {
         m_project.Imports.CreateAsset(m_project.Scratch.Demo("scan.las", 20_000), "Assets");
         var queue = m_project.Imports.Queue;
@@ -64,7 +64,7 @@ public sealed class BackgroundWorkTests : EditorFixture
     }
 
     [Test]
-    public void BatchConvert_ConvertsWhatIsNotConverted_WithoutUpdates()
+    public void BatchConvert_UnconvertedClouds_AreConvertedWithoutUpdates()
     {
         FastPointsSettings.instance.ConvertAtOnce = false;
         m_project.Imports.CreateAsset(m_project.Scratch.Demo("scan.las", 5000), "Assets");

@@ -117,7 +117,7 @@ public sealed class CloudsWindowTests : EditorFixture
     }
 
     [Test]
-    public void List_OfThousands_IsReachedPageByPage()
+    public void List_OfThousands_IsShownPageByPage()
     {
         m_project.Imports.CreateAsset(m_project.Scratch.Demo("z.las", 1000), "Assets");
         m_project.UpdateToTheEnd();

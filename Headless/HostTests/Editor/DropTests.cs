@@ -78,7 +78,7 @@ public sealed class DropTests
     }
 
     [Test]
-    public void Of_DroppedFolders_TakesOctreesAndNoOthers()
+    public void Of_DroppedFolders_AcceptsOctreesOnly()
     {
         Made("potree/metadata.json");
         Assert.That(Of(m_project.Scratch["potree"]), Is.EqualTo(DropKind.None), "any folder may have one");
@@ -218,7 +218,7 @@ public sealed class DropTests
 
     /// <summary>Claimed for nobody, so that another package's importer for the same extension goes on working.</summary>
     [Test]
-    public void PointFileImporter_ClaimsNoExtensionAndOffersItselfForAll()
+    public void PointFileImporter_Extensions_AreOfferedAndNotClaimed()
     {
         var attribute = typeof(PointFileImporter).GetCustomAttribute<ScriptedImporterAttribute>();
         Assert.That(attribute.fileExtensions, Is.Null);

@@ -33,7 +33,7 @@ sealed class ImportProject : IDisposable
         Cloud = Paths.Stored(Target(name)),
     };
 
-    /// <summary>Against waiting for ever, not a bound on speed: on a busy machine any number of turns may pass
+    /// <summary>Ends an endless wait; not a bound on speed: on a busy machine any number of turns may pass
     /// idly.</summary>
     public static readonly TimeSpan MaxWait = TimeSpan.FromMinutes(4);
 

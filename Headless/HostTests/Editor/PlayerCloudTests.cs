@@ -209,7 +209,7 @@ public sealed class PlayerCloudTests : EditorFixture
     }
 
     [Test]
-    public void Build_NoClouds_SaysNothing()
+    public void Build_NoClouds_LogsNothing()
     {
         Assert.That(Build().FolderOfPlayerPath, Is.Empty);
         Assert.That(m_logged, Is.Empty);

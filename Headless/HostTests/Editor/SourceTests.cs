@@ -131,7 +131,7 @@ public sealed class SourceTests : EditorFixture
     }
 
     [Test]
-    public void Locate_AFolderWithAPointInItsName_AsksForAFolder()
+    public void Locate_FolderWithADotInItsName_AsksForAFolder()
     {
         FastPointsSettings.instance.ConvertAtOnce = false;
         Directory.CreateDirectory(m_project.Scratch["scan.v2"]);

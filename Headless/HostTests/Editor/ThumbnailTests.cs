@@ -145,7 +145,7 @@ public sealed class ThumbnailTests : EditorFixture
     }
 
     [Test]
-    public void Thumbnail_OfAFileThatCannotBeRead_IsMissingWithoutAReport()
+    public void Thumbnail_OfAnUnreadableFile_IsMissingWithoutAReport()
     {
         var asset = m_project.Imports.CreateAsset(m_project.Copc("scan.copc.laz"), "Assets");
         Draw();

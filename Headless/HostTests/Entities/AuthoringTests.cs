@@ -65,7 +65,7 @@ public sealed class AuthoringTests : ScratchTests
     }
 
     [Test]
-    public void PointCloudAndClipBox_MovedAfterTheirUpdate_AreThereInTheSameFrame()
+    public void PointCloudAndClipBox_MovedAfterTheirUpdate_MoveInTheSameFrame()
     {
         var scene = new GameObject("scan");
         var cloud = scene.AddComponent<FastPoints.Entities.PointCloud>();

@@ -190,7 +190,7 @@ public sealed class SelfStartTests : GraphicsFixture
     }
 
     [Test]
-    public void World_WithoutClouds_TakesNoGraphicsMemory()
+    public void World_WithoutClouds_AllocatesNoGraphicsMemory()
     {
         HeadlessGraphics.WaitForIdle();
         long before = HeadlessGraphics.UsedBytes;

@@ -20,12 +20,12 @@ public sealed class ManualMenusTests
     [TestCase("Press *Assets > Import point clouds...* now", "Import point clouds")]
     [TestCase("*FastPoints > Point Clod*", "Point Clod")]
     [TestCase("*Project Settings > Fastpoints*", "Fastpoints")]
-    public void Unknown_PlantedMenu_IsFound(string text, string menu) =>
+    public void UnknownMenus_PlantedMenu_IsFound(string text, string menu) =>
         Assert.That(Unknown(new ManualPage("a.md", text), Menus()), Has.Some.Contains(menu));
 
     [TestCase("*FastPoints > Samples*")]
     [TestCase("*Window > General > Progress*")]
-    public void Unknown_SubmenuAndUnitysOwn_AreNone(string text) =>
+    public void UnknownMenus_SubmenuAndUnitysOwn_AreKnown(string text) =>
         Assert.That(Unknown(new ManualPage("a.md", text), Menus()), Is.Empty);
 
     static HashSet<string> Menus()

@@ -11,7 +11,7 @@ public sealed class ManualSettingsTests
     static IEnumerable<string> Components() => s_components.Select(t => t.Name);
 
     [TestCaseSource(nameof(Components))]
-    public void Table_OfAComponent_IsWhatTheInspectorShows(string name)
+    public void Table_OfAComponent_MatchesTheInspector(string name)
     {
         var type = s_components.Single(t => t.Name == name);
         string menu = type.GetCustomAttribute<AddComponentMenu>().componentMenu;
@@ -21,7 +21,7 @@ public sealed class ManualSettingsTests
     }
 
     [Test]
-    public void Table_OfProjectSettings_IsWhatThePageShows()
+    public void Table_OfProjectSettings_MatchesThePage()
     {
         string source =
             File.ReadAllText(Path.Combine(Checkout.Repository.PackageRoot, "Editor/Import/Assets/FastPointsSettingsPage.cs"));

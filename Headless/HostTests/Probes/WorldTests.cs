@@ -18,7 +18,7 @@ public sealed unsafe class WorldTests
 
     [TestCase(WorldFlags.Editor)]
     [TestCase(WorldFlags.Game)]
-    public void DefaultWorld_HasThePackagesSystemsAndShowsACloud(WorldFlags flags)
+    public void DefaultWorld_HasThePackagesSystemsAndDrawsACloud(WorldFlags flags)
     {
         var world = World.DefaultGameObjectInjectionWorld = new World("default", flags);
         DefaultWorldInitialization.AddSystemsToRootLevelSystemGroups(world, DefaultWorldInitialization

@@ -31,7 +31,7 @@ public sealed class FlowReportTests
 
     [TestCase("N.Flow.Walk")]
     [TestCase("N.None.Run")]
-    public void Reach_FunctionThatIsNotThere_Throws(string function) =>
+    public void Reach_UnknownFunction_Throws(string function) =>
         Assert.That(() => Graph().Reach(new[] { function }), Throws.TypeOf<ToolException>());
 
     [Test]

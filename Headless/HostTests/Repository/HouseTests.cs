@@ -53,7 +53,7 @@ public sealed class HouseTests
         Is.EqualTo(figure));
 
     [Test]
-    public void Figure_Folder_OfThirtyFilesIsNone_OfThirtyOneIsOne()
+    public void Figure_FolderOfThirtyOneFiles_IsCounted()
     {
         IEnumerable<SourceFile> thirty = Enumerable.Range(0, 30).Select(i => new SourceFile($"{Room}{i}.cs", ""));
 
@@ -143,7 +143,7 @@ public sealed class HouseTests
     }
 
     [Test]
-    public void Problems_FigureBeyondItsLimit_NamesWhatIsCounted()
+    public void Problems_FigureOverItsLimit_NamesTheMeasure()
     {
         var files = new[] { new SourceFile("Headless/A.cs", "\n" + new string('/', 131)) };
 
@@ -165,7 +165,7 @@ public sealed class HouseTests
     [TestCase("product-lines", 9)]
     [TestCase("outside-lines", null)]
     [TestCase("folders", null)]
-    public void Ceilings_OfAMeasure(string measure, long? lines) =>
+    public void Ceilings_OfAMeasure_AreRead(string measure, long? lines) =>
         Assert.That(s_ceilings.Of(measure, 1), Is.EqualTo(lines));
 
     [TestCase("")]

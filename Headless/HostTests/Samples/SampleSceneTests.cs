@@ -51,7 +51,7 @@ public sealed class SampleSceneTests
     static void Updates(Func<bool> isDone) => ImportProject.Updates(() => EditorApplication.update?.Invoke(), isDone);
 
     [TestCaseSource(nameof(Names))]
-    public void Command_OfASample_MakesItsScene(string name)
+    public void Command_OfASample_CreatesItsScene(string name)
     {
         PutSmallStreet();
         Camera.main = null;
@@ -188,7 +188,7 @@ public sealed class SampleSceneTests
     }
 
     [Test]
-    public void Get_NothingThere_CopiesThePackagesStreet()
+    public void Get_NoSample_CopiesThePackagesStreet()
     {
         PutPackagedStreet();
 

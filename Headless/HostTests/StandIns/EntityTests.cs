@@ -95,7 +95,7 @@ public sealed class EntityTests
     }
 
     [Test]
-    public void DestroyEntity_WithCleanup_KeepsThatUntilItIsRemoved()
+    public void DestroyEntity_WithCleanup_KeepsItUntilRemoved()
     {
         var entity = Entities.CreateEntity(ComponentType.ReadWrite<Health>());
         Entities.AddComponentData(entity, new Tombstone { Number = 7 });

@@ -10,7 +10,7 @@ public sealed class RunTimeNumbersTests
         { "FastPoints.Tests", "FastPoints.UnityTests", "FastPoints.UnityTests.Performance" };
 
     [Test]
-    public void Package_WritesAndReadsNoFractionByTheRunTime()
+    public void Package_FractionsAsText_NeverUseTheRuntimesParser()
     {
         using GenerationBuilds builds = Checkout.Builds(RepoTools.Repository.Generations[0]);
 

@@ -140,7 +140,7 @@ public sealed unsafe class AccessSafetyTests
         Throws.TypeOf<InvalidOperationException>().With.Message.Contains(text);
 
     [Test]
-    public void ArrayInFlight_WrittenByAJob_CannotBeTouched()
+    public void ArrayInFlight_WrittenByAJob_ThrowsOnAccess()
     {
         JobHandle handle = new WriteJob { Values = m_values }.Schedule();
         const string must = "You must call JobHandle.Complete() on the job WriteJob";

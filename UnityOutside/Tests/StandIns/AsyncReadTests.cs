@@ -193,7 +193,7 @@ public sealed unsafe class AsyncReadTests
         Assert.That(() => AsyncReadManager.OpenFileAsync(""), Throws.InvalidOperationException);
 
     [Test]
-    public void Read_StillInProgress_CannotBeDisposedOrAsked()
+    public void Read_InProgress_ThrowsOnUse()
     {
         IoThreads.Pause(true);
         ReadHandle read = Read(m_path, Command(0, 10, 0));

@@ -190,7 +190,7 @@ public sealed class JobKindTests
     }
 
     [Test]
-    public void ScheduledJob_NobodyCompletes_RunsOnAWorker()
+    public void ScheduledJob_NeverCompleted_RunsOnAWorker()
     {
         using NativeArray<int> values = Array(1);
         JobHandle handle = new AddJob { Values = values, Amount = 1 }.Schedule();

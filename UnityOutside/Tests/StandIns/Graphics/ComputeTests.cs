@@ -30,7 +30,7 @@ public sealed class ComputeTests : GraphicsFixture
     }
 
     [Test]
-    public void Dispatch_StagingToPool_CopiesWhatWasLocked()
+    public void Dispatch_StagingToPool_CopiesLockedBytes()
     {
         using var staging =
             new GraphicsBuffer(GraphicsBuffer.Target.Structured, GraphicsBuffer.UsageFlags.LockBufferForWrite, 64, 16);

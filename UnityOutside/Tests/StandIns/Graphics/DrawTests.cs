@@ -112,7 +112,7 @@ public sealed class DrawTests : GraphicsFixture
     }
 
     [Test]
-    public void DrawIndirect_TakesCountsFromTheBuffer()
+    public void DrawIndirect_Counts_ComeFromTheBuffer()
     {
         SetSquares((new Vector3(-1, 0, -2), 0.5f, Color.red), (new Vector3(1, 0, -2), 0.5f, Color.blue));
         using var arguments =

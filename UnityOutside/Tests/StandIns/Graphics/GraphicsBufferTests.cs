@@ -182,7 +182,7 @@ public sealed class GraphicsBufferTests : GraphicsFixture
     }
 
     [Test]
-    public void Readback_IsThereUntilTheEndOfItsFrame()
+    public void Readback_OfAFrame_IsValidUntilItsEnd()
     {
         using GraphicsBuffer buffer = Structured(4);
         buffer.SetData(new uint[] { 1, 2, 3, 4 });

@@ -48,9 +48,9 @@ namespace FastPoints.Build
             return m_recordsOfFile.Count - 1;
         }
 
-        /// <summary>Takes over the files of a killed build, cut to the lengths that its journal knows; other files are
+        /// <summary>Resumes with the files of a killed build, truncated to the lengths in its journal; other files are
         /// deleted.</summary>
-        /// <returns>Whether they all exist, except those of chunks that may be done; otherwise nothing was taken over.</returns>
+        /// <returns>Whether they all exist, except those of chunks that may be done; otherwise none is used.</returns>
         public bool TryResume(BuildJournal journal)
         {
             var users = new int[journal.Records.Count];

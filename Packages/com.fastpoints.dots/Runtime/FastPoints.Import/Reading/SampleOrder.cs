@@ -1,6 +1,6 @@
 namespace FastPoints.Reading
 {
-    /// <summary>An order of visiting strata of which every beginning is spread evenly over them: the base-2 van der Corput
+    /// <summary>An order of visiting strata whose every prefix is spread evenly over them: the base-2 van der Corput
     /// sequence, Owen scrambled. Blittable, for jobs.</summary>
     /// <remarks>The scrambling is the hash of S. Laine and T. Karras, "Stratified sampling for stochastic transparency", 2011,
     /// with the constants of B. Burley, "Practical hash-based Owen scrambling", 2020. Of the first 2^k entries of the order, one

@@ -4,7 +4,7 @@ using FastPoints.Reading;
 namespace FastPoints.Sampling
 {
     /// <summary>Plans which points a sample takes from a source of fixed stride, and in which order: a range of evenly spaced
-    /// points at a hashed position in each of equal strata of the file, the strata in an order of which every beginning is spread
+    /// points at a hashed position in each of equal strata of the file, the strata in an order whose every prefix is spread
     /// over all of the file. Blittable, for jobs.</summary>
     /// <remarks>Within a stratum each point is taken with the same probability, its share of taken points: runs that leave it
     /// continue at its start. Strata differ by one point in length, runs by one point in count; so a sample of nearly all points

@@ -225,7 +225,7 @@ namespace FastPoints.Sampling
         }
     }
 
-    /// <summary>Ranks the strata with the next ranges, in an order of which every beginning is spread over the file.</summary>
+    /// <summary>Ranks the strata with the next ranges, in an order whose every prefix is spread over the file.</summary>
     [BurstCompile]
     struct RankStrataJob : IJob
     {

@@ -10,7 +10,7 @@ using Unity.Mathematics;
 namespace FastPoints.Drawing
 {
     // Builds a SizeTree from the nodes to draw. If a node is several levels below its parent because those between had no
-    // points, the levels between get nodes with the parent's gap. A node with its parent's own cube takes no place below it.
+    // points, the levels between get nodes with the parent's gap. A node with its parent's own cube gets no link.
     [BurstCompile]
     internal unsafe struct BuildSizeTreeJob : IJob
     {
@@ -33,7 +33,7 @@ namespace FastPoints.Drawing
                 NodeOfDrawn[i] = Links[NodeOfDrawn[i]].Node;
         }
 
-        // Finds or makes the place of a node below its parent's.
+        // Finds or creates the link of a node below its parent's.
         int Link(int i)
         {
             var drawn = Drawn[i];

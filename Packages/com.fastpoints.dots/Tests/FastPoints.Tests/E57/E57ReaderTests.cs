@@ -70,7 +70,7 @@ namespace FastPoints.Tests.E57
         }
 
         [Test]
-        public void Read_SubsetOrRange_IsThatPartOfTheWhole()
+        public void Read_SubsetOrRange_MatchesTheWhole()
         {
             const int Count = 100000;
             var scan = Grid(Count);
@@ -160,7 +160,7 @@ namespace FastPoints.Tests.E57
         }
 
         [Test]
-        public void Read_SphericalScan_IsMadeCartesian()
+        public void Read_SphericalScan_BecomesCartesian()
         {
             var scan = new E57TestScan(
                 E57TestField.Double("sphericalRange", 2, 2, 3, 10),

@@ -99,7 +99,7 @@ namespace FastPoints.Tests.Entities
         }
 
         [Test]
-        public void Update_SourceThatCannotBeAdded_IsNotTriedAgainAndOthersAreDrawn()
+        public void Update_SourceFails_IsNotRetriedAndOthersAreDrawn()
         {
             Begin();
             var broken = Add();
@@ -111,7 +111,7 @@ namespace FastPoints.Tests.Entities
         }
 
         [Test]
-        public void Update_NewerSourceThatCannotBeAdded_LeavesTheOlderDrawn()
+        public void Update_NewerSourceFails_KeepsDrawingTheOlder()
         {
             Begin();
             var entity = Add();
@@ -124,7 +124,7 @@ namespace FastPoints.Tests.Entities
         }
 
         [Test]
-        public void Update_CloudEntityMade_IsDrawnAndEachNodeInMemoryIsAnEntity()
+        public void Update_CloudEntityCreated_IsDrawnWithAnEntityPerResidentNode()
         {
             Begin();
             var cloud = Add();

@@ -27,7 +27,7 @@ namespace FastPoints.Tests.Evaluation
         }
 
         [Test]
-        public void Whole_FewerWanted_IsEveryNth([Values(1, 7, 1000, 9999, 10_000, 20_000)] int wanted,
+        public void WholeSource_FewerWanted_IsEveryNth([Values(1, 7, 1000, 9999, 10_000, 20_000)] int wanted,
             [Values(1, 7)] int workers)
         {
             using var threads = new WorkerCount(workers);
@@ -54,7 +54,7 @@ namespace FastPoints.Tests.Evaluation
         }
 
         [Test]
-        public void Beginnings_AreOfEachBlock()
+        public void Prefixes_OfEachBlock_AreTaken()
         {
             using var reader = Numbered(2500, 1000);
             Assert.That(Take(reader, RangeSampler.Prefixes(reader, 0.01), 1000),

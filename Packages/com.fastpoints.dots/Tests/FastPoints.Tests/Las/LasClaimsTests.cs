@@ -27,7 +27,7 @@ namespace FastPoints.Tests.Las
         }
 
         [TestCase(0xFFFFFFFFul, 2), TestCase(11949411299132633685ul, 4), TestCase(ulong.MaxValue, 5)]
-        public void Open_AbsurdCount_CostsWhatTheFileHolds(ulong claimed, int minor)
+        public void Open_AbsurdCount_AllocatesByTheFilesSize(ulong claimed, int minor)
         {
             using var file = new LasTestFile { Minor = minor }.RandomPoints(10);
             file.SaveWith(minor < 4 ? CountAt : Count64At, minor < 4 ? BitConverter.GetBytes((uint)claimed)
@@ -67,7 +67,7 @@ namespace FastPoints.Tests.Las
         }
 
         [Test]
-        public void Open_64BitCountMissing_TakesThe32BitOne()
+        public void Open_64BitCountMissing_UsesThe32BitOne()
         {
             using var file = new LasTestFile { Minor = 4 }.RandomPoints(10).SaveWith(Count64At, BitConverter.GetBytes(0L));
             using var reader = PointReaders.Open(file.Path);

@@ -12,13 +12,13 @@ using Unity.Mathematics;
 
 namespace FastPoints.Tests.Nodes
 {
-    /// <summary>Counting and partition beyond 2^32 points, which nobody has the disk for in a test.</summary>
+    /// <summary>Counting and partition beyond 2^32 points, too many for a disk in a test.</summary>
     public class ManyPointsTests
     {
         const long Points = 5L << 32;
 
         [Test]
-        public unsafe void Partition_OfMoreThanFourThousandMillionPoints_CountsThemAll()
+        public unsafe void Partition_OfMoreThan2To32Points_CountsAll()
         {
             using var reader = new VirtualReader(Points);
             Assert.That(reader.PointCount, Is.EqualTo(Points));
@@ -55,7 +55,7 @@ namespace FastPoints.Tests.Nodes
         }
 
         [Test]
-        public void Groups_OfMoreThanFourThousandMillionPoints_AddUpInLongs()
+        public void Groups_OfMoreThan2To32Points_AreSummedInLongs()
         {
             var root = new GridCube(default, 20);
             var items = new List<GridCube>();
@@ -69,7 +69,7 @@ namespace FastPoints.Tests.Nodes
         }
 
         [Test]
-        public void Journal_OfMoreThanFourThousandMillionPoints_ReadsBackTheSame()
+        public void Journal_OfMoreThan2To32Points_RoundTrips()
         {
             var journal = new BuildJournal
             {
@@ -97,7 +97,7 @@ namespace FastPoints.Tests.Nodes
         }
 
         [Test]
-        public void Convert_MorePointsThanTheDiskHasRoomFor_ReportsItBeforeItReadsThem()
+        public void Convert_NotEnoughDiskSpace_FailsBeforeReading()
         {
             // 200 TB of records.
             using var folder = new TemporaryFolder();

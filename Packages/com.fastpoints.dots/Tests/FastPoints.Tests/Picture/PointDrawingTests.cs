@@ -89,7 +89,7 @@ namespace FastPoints.Tests.Picture
         }
 
         [Test]
-        public void Draw_OrthographicBehindTheEye_IsDrawnToo()
+        public void Draw_OrthographicBehindTheEye_IsDrawn()
         {
             using var batch = TestBatches.OfColoredPositions(new[] { new double3(0.5, 0.5, 500) }, new[] { Green });
             Assert.That(Covered(Draw(batch, FromAbove(1), 1, 1)), Is.EqualTo(1));

@@ -44,7 +44,7 @@ namespace FastPoints.Tests.Ply
         }
 
         [Test]
-        public void Read_ValuesThatTheirTypeCannotHold_AreClampedWithOneWarning()
+        public void Read_ValuesOutOfTheirTypesRange_AreClampedWithOneWarning()
         {
             const string Data = "0 0 0 300 -1 1.9 -5\n0 0 0 -7 40000 1e3 -2147483649\n0 0 0 256 -40000 nan 5.0\n";
             using var file = Xyz(3, Data, "property uchar a", "property short b", "property char c", "property int d");

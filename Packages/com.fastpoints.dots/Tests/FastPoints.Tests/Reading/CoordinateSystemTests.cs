@@ -70,7 +70,7 @@ namespace FastPoints.Tests.Reading
         }
 
         [Test]
-        public void Open_WithAnotherSystemAndUnit_TakesThem()
+        public void Open_WithAnotherSystemAndUnit_AppliesThem()
         {
             using var folder = new TemporaryFolder();
             string path = Path.Combine(folder.Path, "a.xyz");

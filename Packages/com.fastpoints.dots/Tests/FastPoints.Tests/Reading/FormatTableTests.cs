@@ -40,7 +40,7 @@ namespace FastPoints.Tests.Reading
         }
 
         [Test]
-        public void EachRow_HasACloudToTryItOn()
+        public void EachRow_OfFormats_HasASampleCloud()
         {
             var known = new HashSet<string>(Fixtures().Select(f => f.Format));
             foreach (var row in Rows())

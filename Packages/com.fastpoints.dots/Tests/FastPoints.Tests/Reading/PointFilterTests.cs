@@ -141,7 +141,7 @@ namespace FastPoints.Tests.Reading
         }
 
         [Test]
-        public void EveryNth_CountsFromTheSourcesFirstPoint([Values(1, 2, 7, 20000)] int nth, [Values(0, 3, 8191)] int first)
+        public void EveryNth_OfASource_CountsFromItsFirstPoint([Values(1, 2, 7, 20000)] int nth, [Values(0, 3, 8191)] int first)
         {
             using (var batch = Points(20000, i => new double3(i, 0, 0)))
                 Assert.That(Left(new PointFilter { EveryNth = nth }, batch, PositionTransform.Identity, first)

@@ -33,7 +33,7 @@ namespace FastPoints.Tests.Reading
         }
 
         [Test]
-        public void Open_NothingThere_IsNotFound() => CheckFailure(FailureCode.NotFound, "no such file");
+        public void Open_MissingPath_IsNotFound() => CheckFailure(FailureCode.NotFound, "no such file");
 
         [Test]
         public void Open_EmptyFolder_IsUnsupported()

@@ -65,7 +65,7 @@ namespace FastPoints.Tests.Streaming
         }
 
         [Test]
-        public void DropBuild_OfABuildWithAPreviewBeside_ShowsThePreview()
+        public void DropBuild_BuildWithPreview_ShowsThePreview()
         {
             Add(CloudStage.Preview);
             int preview = m_versions.Cloud;
@@ -77,7 +77,7 @@ namespace FastPoints.Tests.Streaming
         }
 
         [Test]
-        public void DropBuild_OfABuildAlone_ShowsItUntilAPreviewIsThere()
+        public void DropBuild_BuildWithoutPreview_IsShownUntilAPreviewExists()
         {
             Add(CloudStage.Building);
             int build = m_versions.Cloud;

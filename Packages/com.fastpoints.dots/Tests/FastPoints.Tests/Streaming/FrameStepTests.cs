@@ -53,7 +53,7 @@ namespace FastPoints.Tests.Streaming
             new HashSet<(int, int, int)>(stream.Drawn.AsArray().ToArray().Select(d => (d.Cloud, d.Page, d.Node)));
 
         [Test]
-        public void Run_WithoutWorkers_DrawsWhatIsSelected()
+        public void Run_WithoutWorkers_DrawsTheSelection()
         {
             using (new WorkerCount(0))
             {

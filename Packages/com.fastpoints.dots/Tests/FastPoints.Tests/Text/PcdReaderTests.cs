@@ -101,7 +101,7 @@ namespace FastPoints.Tests.Text
         }
 
         [Test]
-        public void FloatColor_IsItsBits()
+        public void FloatColor_OfAPixel_IsItsBits()
         {
             float packed = BitConverter.ToSingle(BitConverter.GetBytes(0x00102030), 0);
             foreach (string data in new[] { "ascii", "binary" })

@@ -251,7 +251,7 @@ namespace FastPoints.Tests.Text
             Assert.That(() => Open(text), Throws.InstanceOf<PointCloudException>());
 
         [Test]
-        public void Open_NamesWithoutPositions_AsksForThem() =>
+        public void Open_NamesWithoutPositions_IsRefused() =>
             Failures.Of(() => Open("time,temperature,humidity\n1,2,3\n"), FailureCode.Unsupported, "time, temperature, humidity");
 
         [Test]

@@ -61,7 +61,7 @@ namespace FastPoints.Nodes
                 int* offered = Scratch.Offered.GetUnsafePtr();
                 for (int k = range.First; k < range.First + m_state.Taken; k++)
                     m_rangeOfPoint[offered[k]] = m_state.Range;
-                m_budget -= (long)m_state.Taken * CostOfLook;
+                m_budget -= (long)m_state.Taken * CostOfSurvey;
             }
             BeginRange(m_state.Range);
         }

@@ -38,7 +38,7 @@ namespace FastPoints.Nodes
             for (; m_state.Point < range.End && m_budget > 0; m_state.Point++)
             {
                 int i = m_state.Point, own = RangeOf(i);
-                m_budget -= CostOfAverageLook;
+                m_budget -= CostOfAverageSurvey;
                 if (own == m_state.Range || Scratch.Ranges[own].Parent != m_state.Range)
                     continue;
                 m_budget -= CostOfAverage;
@@ -74,7 +74,7 @@ namespace FastPoints.Nodes
         void CountPoints()
         {
             var ranges = Scratch.Ranges.GetUnsafePtr();
-            int end = Spend(m_state.Point, Count, CostOfLook);
+            int end = Spend(m_state.Point, Count, CostOfSurvey);
             for (int i = m_state.Point; i < end; i++)
                 ranges[RangeOf(i)].Count++;
             m_state.Point = end;
@@ -123,7 +123,7 @@ namespace FastPoints.Nodes
         void Renumber()
         {
             var ranges = Scratch.Ranges.GetUnsafePtr();
-            int end = Spend(m_state.Point, Count, CostOfLook);
+            int end = Spend(m_state.Point, Count, CostOfSurvey);
             for (int i = m_state.Point; i < end; i++)
             {
                 ref var range = ref ranges[RangeOf(i)];

@@ -5,7 +5,7 @@ using Unity.Jobs;
 namespace FastPoints.Reading
 {
     /// <summary>Finds lines by jumping into a text file: in each of <see cref="Count"/> equal parts of its bytes, one segment at
-    /// a hashed place, from its first line end on. The parts come in an order of which every beginning is spread over the file,
+    /// a hashed position, from its first line end on. The parts come in an order whose every prefix is spread over the file,
     /// and some can be read before others: the cost depends only on how many are wanted.</summary>
     /// <remarks>Bytes are not points: fewer long lines than short ones start in a segment. Each line nevertheless has the same
     /// chance: one that starts at byte b is found by the segments that begin at most at b - 1 and end behind b, and there are as

@@ -23,7 +23,7 @@ namespace FastPoints.Reading
 
         public override int PointsInBlock(int block) => Blocks[block].Points;
 
-        public override long PlaceOfBlock(int block) => Blocks[block].OffsetBytes;
+        public override long OrderOfBlock(int block) => Blocks[block].OffsetBytes;
 
         public override long BytesOfRange(BlockRange range) => range.Count == 0 ? 0 : Blocks[range.Block].Bytes;
 

@@ -35,7 +35,7 @@ namespace FastPoints.Reading
 
         public override int PointsInBlock(int block) => Unfiltered.PointsInBlock(block);
 
-        public override long PlaceOfBlock(int block) => Unfiltered.PlaceOfBlock(block);
+        public override long OrderOfBlock(int block) => Unfiltered.OrderOfBlock(block);
 
         public override string FileOfBlock(int block, out long byteOffset) => Unfiltered.FileOfBlock(block, out byteOffset);
 

@@ -199,7 +199,7 @@ namespace FastPoints.Tests.Drawing
         }
 
         [Test]
-        public void Open_NothingThere_NamesThePath()
+        public void Open_MissingPath_NamesThePath()
         {
             PointFileReaders.Register();
             string path = Path.Combine(Path.GetTempPath(), "fastpoints-none.las");
