@@ -72,7 +72,7 @@ public sealed class Baseline
             + (isByLimit ? ", by its limit" : "");
     }
 
-    /// <summary>Points or bytes of one run, from what a second does; 0 if that is not there.</summary>
+    /// <summary>Points or bytes of one run, from those per second; 0 if unknown.</summary>
     static double Amount(PerformanceTestResult result, string perSecond)
     {
         var rates = Samples(result, perSecond);

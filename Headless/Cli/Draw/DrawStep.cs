@@ -113,7 +113,7 @@ public sealed class DrawStep
     public string Describe() => Human.Count(Points, "point")
         + (Nodes is { } nodes ? " of " + Human.Count(nodes, "node") : "") + " in " + Human.Seconds(Seconds);
 
-    /// <summary>The keys of <c>picture</c> but for <c>seconds</c>, into an object that is open.</summary>
+    /// <summary>The keys of <c>picture</c> except <c>seconds</c>, into an open object.</summary>
     public void WriteKeys(Utf8JsonWriter json)
     {
         json.WriteInteger("points", Points);

@@ -17,7 +17,7 @@ public sealed class FlightLog
     // The list itself makes no garbage between frames.
     public FlightLog(int frames) => m_frames = new List<Frame>(Frames = frames);
 
-    /// <summary>Frames of the whole flight; <see cref="Count"/> has those so far.</summary>
+    /// <summary>Frames of the whole flight; <see cref="Count"/> of them are done.</summary>
     public int Frames { get; }
 
     public int Count => m_frames.Count;

@@ -98,7 +98,7 @@ static class OutputNames
             throw new UsageException(path + " has other things in it: --output names another folder, --force writes there");
     }
 
-    /// <summary>A cloud that is there, finished or not, is replaced by one of the same files without a word, as a resumed or
+    /// <summary>An existing cloud, finished or not, is replaced by one of the same files without asking, as a resumed or
     /// repeated conversion does, and by no other.</summary>
     public static void RefuseOtherCloud(string path, PointReader reader)
     {

@@ -2,7 +2,7 @@ using System.Diagnostics;
 
 namespace FastPoints.HostTests.Editor;
 
-/// <summary>A project's folder, a scan, and settings of which the points go to files, so that a build can be continued.</summary>
+/// <summary>A project's folder, a scan, and settings with temporary files, so that a build can be resumed.</summary>
 sealed class ImportProject : IDisposable
 {
     public const int Points = 60_000;

@@ -4,7 +4,7 @@ using FastPoints.Evaluation;
 namespace FastPoints.HostTests.Gpu;
 
 /// <summary>One cloud twice: in ordinary memory and on the GPU, the same nodes of it, so that pictures of both
-/// can be held against one another.</summary>
+/// can be compared.</summary>
 sealed class TwinStreams : IDisposable
 {
     const int MaxFrames = 200_000;

@@ -10,10 +10,10 @@ static class CrossCompilers
 
     static string WebGpu => Path.Combine(Checkout.Repository.Root, "Headless", "artifacts", "webgpu");
 
-    /// <summary>What is not there to run any; empty if all is.</summary>
+    /// <summary>What is missing to run any; empty if nothing.</summary>
     internal static string Missing => string.Join(", ", new[] { Cross, Glslang }.Where(t => Tool.Find(t) == null));
 
-    /// <summary>What is not there for WebGPU alone; empty if all is.</summary>
+    /// <summary>What is missing only for WebGPU; empty if nothing.</summary>
     internal static string MissingForWebGpu => Tool.Find("node") == null ? "node"
         : Directory.Exists(Path.Combine(WebGpu, "node_modules", "webgpu")) ? "" : "the packages of Headless/WebGpu";
 

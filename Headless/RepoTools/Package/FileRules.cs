@@ -12,7 +12,7 @@ public static class FileRules
     private static readonly string[] s_required =
         { "package.json", "README.md", "LICENSE.md", "CHANGELOG.md", "Documentation~/index.md" };
 
-    /// <summary>Unity does not import folders that end in '~': there are these two, and Unity knows what they are for.</summary>
+    /// <summary>Folders that end in '~' are not imported; Unity knows the purpose of these two.</summary>
     private static readonly string[] s_hidden = { "Documentation~", "Samples~" };
 
     private static readonly string[] s_folders = { "Runtime", "Editor", "Shaders", "Tests", "Benchmarks" };

@@ -30,7 +30,7 @@ namespace FastPoints.Evaluation
         public NativeArray<double3> Slots => m_slots;
         public NativeArray<byte> States => m_states;
 
-        /// <summary>Whether a position that is in the table has come along; no job may be in flight.</summary>
+        /// <summary>Whether a position of the table was seen; no job may be in flight.</summary>
         public unsafe bool WasSeen(double3 position)
         {
             int slot = PositionHash.SlotOf((double3*)m_slots.GetUnsafeReadOnlyPtr(), (byte*)m_states.GetUnsafeReadOnlyPtr(),

@@ -185,7 +185,7 @@ namespace FastPoints.Evaluation
         [ReadOnly] public NativeArray<PointColumn> ColumnsOfSample;
         public NativeArray<byte> Sample;
 
-        /// <summary>Places filled so far.</summary>
+        /// <summary>Entries filled so far.</summary>
         public NativeReference<int> Filled;
 
         public unsafe void Execute()

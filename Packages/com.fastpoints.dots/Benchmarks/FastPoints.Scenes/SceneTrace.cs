@@ -237,7 +237,7 @@ namespace FastPoints.Scenes
         /// <summary>Linear colour of the material, unlit.</summary>
         public float3 Color;
 
-        /// <summary>Share of the infrared light that comes back at normal incidence.</summary>
+        /// <summary>Share of the infrared light that is reflected at normal incidence.</summary>
         public float Reflectance;
 
         public byte Classification;

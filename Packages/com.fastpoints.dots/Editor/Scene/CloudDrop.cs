@@ -44,7 +44,7 @@ namespace FastPoints.Editor
             m_target = target;
         }
 
-        /// <summary>Called once an update of the editor; asks the user first, who has let go of the mouse by then.</summary>
+        /// <summary>Called once an update of the editor; asks the user first, after the mouse was released.</summary>
         /// <returns>Whether it has ended.</returns>
         public bool Update(double budgetMs)
         {
@@ -106,7 +106,7 @@ namespace FastPoints.Editor
             return true;
         }
 
-        /// <summary>Octrees and converted clouds stay what they are.</summary>
+        /// <summary>Octrees and converted clouds are never combined.</summary>
         bool CanMerge => Array.TrueForAll(m_sources, s => File.Exists(s) && !CloudSources.HasOctree(s));
 
         /// <returns>Ask if the user does not want any.</returns>

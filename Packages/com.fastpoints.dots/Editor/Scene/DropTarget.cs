@@ -22,7 +22,7 @@ namespace FastPoints.Editor
         /// <summary>The scene, if there is no parent; the default is the active one.</summary>
         public Scene Scene;
 
-        /// <summary>The place of a drop in the Hierarchy.</summary>
+        /// <summary>The target of a drop in the Hierarchy.</summary>
         /// <param name="target">The GameObject that it fell on or beside; null for a scene, or nothing.</param>
         /// <param name="scene">The scene that it fell on, if it did.</param>
         public static DropTarget Of(GameObject target, HierarchyDropFlags flags, Transform parent, Scene scene)
@@ -41,12 +41,12 @@ namespace FastPoints.Editor
             return drop;
         }
 
-        /// <summary>Who drops files may delete what they fell on, or close the scene, before they are imported.</summary>
+        /// <summary>Users may delete the target, or close its scene, before the files are imported.</summary>
         bool IsDestroyed => Parent is { } && Parent == null || Scene != default && !Scene.IsValid();
 
         /// <summary>Makes a GameObject for each cloud and selects what was made: a step of Undo with nothing else in it. Several
         /// share an origin, which is made if there is none.</summary>
-        /// <returns>The last one; null if there is no place any more.</returns>
+        /// <returns>The last one; null if the target was destroyed.</returns>
         public GameObject Show(IReadOnlyList<PointCloudAsset> assets)
         {
             if (IsDestroyed || assets.Count == 0)

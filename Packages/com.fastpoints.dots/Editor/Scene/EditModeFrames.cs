@@ -45,7 +45,7 @@ namespace FastPoints.Editor
             SceneView.RepaintAll();
         }
 
-        /// <summary>Whether it is time for a frame in which clouds look for newer data on disk.</summary>
+        /// <summary>Whether it is time for a frame in which clouds poll for newer data on disk.</summary>
         static bool IsFollowDue(PointCloudSystemGroup group)
         {
             var now = DateTime.UtcNow;

@@ -88,7 +88,7 @@ namespace FastPoints.Picture
             return names.ToArray();
         }
 
-        // What is not asked for is the intensity.
+        // The default is the intensity.
         internal DisplayRanges NewRanges(CloudUnits units)
         {
             var ranges = new DisplayRanges { Units = units };

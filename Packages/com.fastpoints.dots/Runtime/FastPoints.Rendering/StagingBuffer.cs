@@ -22,7 +22,7 @@ namespace FastPoints.Rendering
         NativeList<PoolRange> m_runs; // In the order in which the nodes lie here.
         int m_pageCount;
 
-        /// <summary>Pages that were asked for; a larger node may have made more.</summary>
+        /// <summary>Requested pages; a larger node may have allocated more.</summary>
         int m_usual;
 
         public StagingBuffer() => m_runs = new NativeList<PoolRange>(256, Allocator.Persistent);
@@ -30,7 +30,7 @@ namespace FastPoints.Rendering
         public int Capacity => m_pages.count;
         public bool IsLocked { get; private set; }
 
-        /// <summary>Begins an upload, in another buffer if another size is asked for than the last time.</summary>
+        /// <summary>Begins an upload, in a new buffer if the requested size has changed.</summary>
         public void Begin(int pages)
         {
             if (pages != m_usual)

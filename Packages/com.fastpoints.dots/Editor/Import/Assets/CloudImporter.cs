@@ -21,7 +21,7 @@ namespace FastPoints.Editor
         [Tooltip("The axis of the file that points up.")]
         public UpAxis UpAxis = UpAxis.Z;
 
-        // Not [Min]: Unity's drawer of that makes a float of it, and a US survey foot has more digits.
+        // Not [Min]: its drawer rounds to a float, and a US survey foot has more digits.
         [Tooltip("Metres of a unit of the file: 0.001 for millimetres. 0 or less: as the file says, else metres.")]
         public double MetresPerUnit;
 

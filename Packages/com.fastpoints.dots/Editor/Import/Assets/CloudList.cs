@@ -27,7 +27,7 @@ namespace FastPoints.Editor
             /// <summary>Size of the converted data on disk.</summary>
             public long Bytes;
 
-            /// <summary>The first source that is not there; null if all are.</summary>
+            /// <summary>The first missing source; null if none is.</summary>
             public string Missing;
             public bool IsConverted;
 
@@ -43,7 +43,7 @@ namespace FastPoints.Editor
         /// for another project may use them.</summary>
         public readonly List<Row> Unused = new List<Row>();
 
-        /// <summary>Clouds without data that can be converted, and those whose sources are not there either; none that waits for
+        /// <summary>Clouds without data that can be converted, and those whose sources are missing too; none that waits for
         /// its conversion.</summary>
         public List<Row> Wanted { get; private set; }
         public List<Row> Lost { get; private set; }

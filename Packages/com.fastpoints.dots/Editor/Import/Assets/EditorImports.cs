@@ -87,7 +87,7 @@ namespace FastPoints.Editor
                 }
                 catch (Exception e)
                 {
-                    // Thrown on, it would keep the other parts, and those who hear of updates behind this, from theirs.
+                    // Rethrown, it would skip the other parts, and later subscribers of the update.
                     if (m_thrown.Add(e.ToString()))
                         Debug.LogException(e);
                 }
@@ -246,7 +246,7 @@ namespace FastPoints.Editor
             DisableAutoConvert(request.Cloud);
         }
 
-        /// <summary>However often Unity imports its asset, the cloud is not converted by itself any more, nor asked
+        /// <summary>However often Unity imports its asset, the cloud is no longer converted automatically, nor asked
         /// about.</summary>
         internal void DisableAutoConvert(string cloud)
         {
@@ -317,7 +317,7 @@ namespace FastPoints.Editor
             };
         }
 
-        /// <summary>A new place is not for Git: what lies there can be made again, and is large.</summary>
+        /// <summary>A new folder is ignored by Git: its content is large and can be converted again.</summary>
         internal void CreateFolder(string folder)
         {
             if (Directory.Exists(folder) || !PointCloudImports.IsMainEditor)
@@ -435,7 +435,7 @@ namespace FastPoints.Editor
             }
         }
 
-        /// <summary>Makes the scenes' clouds of an asset look for its folder again.</summary>
+        /// <summary>Makes the scenes' clouds of an asset open its folder again.</summary>
         /// <param name="asset">Its path.</param>
         public static void Refresh(string asset)
         {

@@ -62,7 +62,7 @@ namespace FastPoints.Editor
         /// before assets are imported, and a reference would then be null.</summary>
         public string[] AlwaysInPlayers = new string[0];
 
-        /// <summary>What the file says of <see cref="Place"/>, for who may not ask for the settings.</summary>
+        /// <summary><see cref="Place"/> as stored, for code that must not load the settings.</summary>
         /// <param name="project">The project's folder.</param>
         public static ProjectPaths ReadPaths(string project)
         {

@@ -60,7 +60,7 @@ namespace FastPoints.Entities
             m_feed?.Update(budgetMs);
         }
 
-        /// <summary>Whether it was opened as this says, but for its place.</summary>
+        /// <summary>Whether it was opened by an equal file, except for its position.</summary>
         public bool Matches(in PointCloudFile file, ReadOnlySpan<byte> paths) =>
             As.OpensSameAs(file) && paths.SequenceEqual(m_paths);
 

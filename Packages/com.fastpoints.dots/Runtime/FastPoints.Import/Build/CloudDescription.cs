@@ -44,7 +44,7 @@ namespace FastPoints.Build
             return manifest;
         }
 
-        /// <exception cref="PointCloudException">Numbers of theirs mean different things, so that they cannot be one
+        /// <exception cref="PointCloudException">Their numbers have different meanings, so that they cannot be one
         /// cloud.</exception>
         public static void Check(IReadOnlyList<PointReader> readers)
         {

@@ -66,7 +66,7 @@ namespace FastPoints.Build
             BytesOfPlane = new long[m_store.Layout.Planes.Count];
         }
 
-        /// <summary>Complete when all work is done, but for what the finished nodes show.</summary>
+        /// <summary>Complete when all work is done, except the display ranges.</summary>
         public CloudManifest Manifest { get; }
 
         public ulong Checksum { get; private set; }

@@ -50,7 +50,7 @@ namespace FastPoints.Build
                 yield return JobStep.Of(m_scatter.WriteAll());
         }
 
-        /// <summary>Whether what was read can be resumed; what takes long goes to files from now on.</summary>
+        /// <summary>Whether reading can be resumed; long reading uses files from now on.</summary>
         bool UsesFiles() => m_build.Files != null ||
             m_watch.Elapsed.TotalSeconds >= m_build.Settings.SecondsInMemory && m_build.TryUseFiles();
 

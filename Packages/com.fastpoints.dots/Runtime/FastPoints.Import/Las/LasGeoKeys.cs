@@ -162,7 +162,7 @@ namespace FastPoints.Las
 
             public void Fill(CoordinateSystem crs)
             {
-                // In projected and geocentric systems the geographic key names what they are derived from.
+                // In projected and geocentric systems the geographic key names their base system.
                 bool isDerived = m_model == ProjectedModel || m_model == GeocentricModel || m_model == 0 && m_isProjected;
                 crs.Epsg = isDerived ? m_projected : m_geographic;
                 crs.VerticalEpsg = VerticalEpsg;

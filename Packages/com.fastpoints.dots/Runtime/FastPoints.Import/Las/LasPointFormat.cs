@@ -176,7 +176,7 @@ namespace FastPoints.Las
         const int ScaleOption = 1 << 3;
         const int OffsetOption = 1 << 4;
 
-        // Data types 1 to 10; 11 to 20 are the same as pairs, 21 to 30 as triples (deprecated in LAS 1.4 R14, still met).
+        // Data types 1 to 10; 11 to 20 are the same as pairs, 21 to 30 as triples (deprecated in LAS 1.4 R14, but still in use).
         static readonly AttributeType[] s_types =
         {
             AttributeType.UInt8, AttributeType.Int8, AttributeType.UInt16, AttributeType.Int16, AttributeType.UInt32,

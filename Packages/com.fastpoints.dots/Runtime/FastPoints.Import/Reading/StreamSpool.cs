@@ -34,7 +34,7 @@ namespace FastPoints.Reading
         /// cancelled.</summary>
         public Task Work { get; }
 
-        /// <summary>Bytes written so far; any thread may ask.</summary>
+        /// <summary>Bytes written so far; any thread.</summary>
         public long Bytes => Interlocked.Read(ref m_bytes);
 
         /// <summary>Progress from 0 to 1; 0 until the end if the length is unknown.</summary>

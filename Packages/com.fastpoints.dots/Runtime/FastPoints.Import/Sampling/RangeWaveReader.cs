@@ -129,7 +129,7 @@ namespace FastPoints.Sampling
             m_ring = new SlotRing(slots);
         }
 
-        /// <summary>Coroutine: schedules what finds the next wave's ranges, in the file's order, and what comes of
+        /// <summary>Coroutine: schedules the jobs that plan the next wave's ranges, in the file's order, and what depends on
         /// it.</summary>
         IEnumerator<JobStep> PlanWave(int firstRank, int endRank)
         {
@@ -305,7 +305,7 @@ namespace FastPoints.Sampling
     /// chosen.</remarks>
     internal readonly struct ReadPace
     {
-        /// <summary>Number of trial reads, of which the quickest counts: anything may delay the others.</summary>
+        /// <summary>Number of trial reads, of which the fastest counts: anything may delay the others.</summary>
         public const int TrialReads = 4;
 
         /// <summary>Duration of a slow read: a seek of a disk takes four times as long, a solid state disk a tenth.</summary>

@@ -25,7 +25,7 @@ namespace FastPoints.Sampling
         const double FirstShareOfAny = 0.2;
         const long MinPointsBeforeFifth = 2_000_000;
 
-        /// <summary>A first sample of this many points is always worth its time; one in so many if there are too many blocks to
+        /// <summary>A first sample of this many points is always worth its time; one in this many if there are too many blocks to
         /// reach together.</summary>
         const int MinPointsBefore = 20_000, PointsPerPointBefore = 25;
 

@@ -8,7 +8,7 @@ using System.Threading.Tasks;
 namespace FastPoints
 {
     // All that replaces, moves or deletes files and folders, and opens files that others may replace meanwhile. Windows changes
-    // nothing that somebody has open, be it a virus scanner for a moment: what is refused is tried again.
+    // no open file, not even one that a virus scanner has open for a moment: refused changes are retried.
     internal static class FileChanges
     {
         public const int RetryTimeoutMs = 10000;
@@ -81,7 +81,7 @@ namespace FastPoints
             }
             catch (Exception e) when (e is IOException || e is UnauthorizedAccessException)
             {
-                // The next to delete or make something of that name tries again.
+                // The next deletion or creation of that name retries.
             }
         }
 
@@ -191,7 +191,7 @@ namespace FastPoints
         Delete,
         MoveFolder,
         DeleteFolder,
-        /// <summary>None: a folder's disk is asked for its free bytes.</summary>
+        /// <summary>None: queries the free bytes of a folder's disk.</summary>
         Measure,
     }
 }

@@ -2,7 +2,7 @@ using System;
 
 namespace FastPoints
 {
-    /// <summary>What GPS times count from: numbers of two kinds do not go together.</summary>
+    /// <summary>The origin of GPS times: times of two kinds cannot be mixed.</summary>
     internal enum GpsTimeKind
     {
         Unknown,

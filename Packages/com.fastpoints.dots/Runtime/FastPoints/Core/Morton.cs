@@ -34,7 +34,7 @@ namespace FastPoints
             return (int)(v | v >> 20 | v >> 40) & (1 << 3 * ShortBits) - 1;
         }
 
-        // Burst makes vectors of it.
+        // Burst vectorizes it.
         public static void Encode(uint* x, uint* y, uint* z, int count, MortonCells cells, ulong* codes)
         {
             var corner = cells.Corner;

@@ -8,7 +8,7 @@ using Unity.Jobs.LowLevel.Unsafe;
 
 namespace FastPoints.Benchmarks
 {
-    /// <summary>What any octree build must do at the least, without checks, samples, packing, or care for memory: read and count,
+    /// <summary>The minimum that any octree build must do, without checks, samples, packing, or care for memory: read and count,
     /// read and scatter, order each cell along the Morton curve, write 12 bytes a point.</summary>
     public unsafe struct BarePassWorkload : IWorkload
     {

@@ -23,7 +23,7 @@ namespace FastPoints.Benchmarks
         public void Prepare(WorkloadContext context)
         {
             m_radiusMetres = 0.3 * TerrainBenchmarkFile.SideMetres(context);
-            // Twice what is drawn, so that nodes come and go.
+            // Twice what is drawn, so that nodes are loaded and evicted.
             int budget = context.Points / 16;
             m_scene = new SceneBenchmark(2L * MaxBytesPerPoint * budget);
             m_scene.Settings.Selection.PointBudget = budget;

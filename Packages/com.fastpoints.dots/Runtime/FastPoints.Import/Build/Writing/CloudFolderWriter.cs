@@ -167,7 +167,7 @@ namespace FastPoints.Build
             }
         }
 
-        /// <summary>Coroutine: gives the folder its final name, once streams have let go of it. Everything must be written,
+        /// <summary>Coroutine: gives the folder its final name, once streams have released it. Everything must be written,
         /// cloud.json last of all.</summary>
         /// <exception cref="PointCloudException">It cannot be renamed, or belongs to another writer by now.</exception>
         public IEnumerator<JobStep> Complete()

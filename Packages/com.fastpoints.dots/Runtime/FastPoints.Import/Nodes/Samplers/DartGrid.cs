@@ -70,7 +70,7 @@ namespace FastPoints.Nodes
         }
 
         /// <summary>The same grid, for this spacing.</summary>
-        /// <param name="hasPoints">Whether <see cref="Nearest"/> is asked for.</param>
+        /// <param name="hasPoints">Whether <see cref="Nearest"/> will be called.</param>
         public DartGrid For(int cellLog2, bool hasPoints)
         {
             var grid = this;

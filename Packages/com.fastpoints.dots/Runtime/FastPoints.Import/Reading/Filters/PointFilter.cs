@@ -10,7 +10,7 @@ using Unity.Mathematics;
 
 namespace FastPoints.Reading
 {
-    /// <summary>Which points of a source are wanted: what holds for all that is set here.</summary>
+    /// <summary>Which points of a source to keep: those that satisfy all conditions here.</summary>
     internal sealed class PointFilter : IDisposable
     {
         readonly List<FilterExpression> m_expressions = new List<FilterExpression>();

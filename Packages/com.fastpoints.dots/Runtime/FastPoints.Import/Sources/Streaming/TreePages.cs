@@ -64,7 +64,7 @@ namespace FastPoints.Sources
             return m_isPageKnown[page];
         }
 
-        // The failure, after which pages that are still wanted are made of what is known; or null.
+        // The failure, after which requested pages are built from the known part; or null.
         public PointCloudException Update()
         {
             // Jobs that build pages read the lists that would grow.

@@ -90,7 +90,7 @@ namespace FastPoints.Text
         {
             int index = field * (int)BlocksOf((long)Info.PointsClaimed) + block;
             var checkpoint = m_checkpoints[index];
-            // The shortest copy takes two bytes and writes three: twice what is wanted is enough anywhere.
+            // The shortest copy takes two bytes and writes three: twice the wanted length is always enough.
             long end = Math.Min(StreamBytes, checkpoint.Input + Lzf.MaxTaken
                 + 2 * (checkpoint.Skip + (long)m_blockPoints * m_fields[field].Bytes));
             if (index + 1 < m_checkpoints.Length && m_checkpoints[index + 1].Input > 0)
@@ -159,7 +159,7 @@ namespace FastPoints.Text
             return offsets;
         }
 
-        // A stream that breaks off leaves those points whose last field is there.
+        // A truncated stream leaves the points whose last field is complete.
         void CountPoints(LzfWalk end)
         {
             int last = m_fields.Length - 1;

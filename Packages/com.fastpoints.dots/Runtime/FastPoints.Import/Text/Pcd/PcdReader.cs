@@ -207,7 +207,7 @@ namespace FastPoints.Text
             };
         }
 
-        // Zeros up to the end of a page, which the Point Cloud Library puts behind binary points; 0 if anything else is there.
+        // Zeros up to the end of a page, which the Point Cloud Library writes after binary points; 0 if there is anything else.
         static int PaddingOf(RandomAccessFile source, long offset)
         {
             if (offset >= source.Length || source.Length - offset >= PageBytes)

@@ -17,7 +17,7 @@ namespace FastPoints
         JsonMembers(Dictionary<string, object> members, JsonMembers parent, string name)
             : this(members, parent.Path, parent.m_isForeign, parent.FileBytes)
         {
-            // In files of our own no name means two things.
+            // Files of the package have no ambiguous names.
             if (m_isForeign)
                 m_prefix = parent.m_prefix + name + ".";
         }
@@ -100,7 +100,7 @@ namespace FastPoints
                 : throw Wrong(name, "wanted " + NumberText.Of(count) + " numbers, got a list of " + NumberText.Of(list.Count));
         }
 
-        // Exactly so many unless count is negative.
+        // Exactly count numbers, unless it is negative.
         public long[] Longs(string name, int count = -1) => Read(name, v => ToLongs(v, count));
 
         public List<long[]> Lists(string name, int count) => Read(name, _ => List(name).ConvertAll(i => ToLongs(i, count)));

@@ -17,14 +17,14 @@ namespace FastPoints.Drawing
         // Outliers apart, the bounds are widened by this share of their size on either side.
         const double Widening = 0.1;
 
-        // What lies farther from the middle half than so many times its longest edge is not framed, however many points that
+        // Points farther from the middle half than this many times its longest edge are not framed, however many points that
         // are: scanners put what they did not hit at 0, and a hundredth of such points would make the rest one pixel.
         const double FarInInterquartileRanges = 50;
 
         // Reports bounds that are this many times larger than the framed ones.
         const double FarBoundsFactor = 10;
 
-        // Within the degrees of the earth, so many times as high as they are wide: no object is; degrees and metres are, a
+        // Within the degrees of the earth, this many times as high as wide: no object is; degrees with metres are, a
         // thousand times.
         const double MaxHeightPerDegree = 200;
 
@@ -79,7 +79,7 @@ namespace FastPoints.Drawing
         /// <summary>Some positions within <see cref="Robust"/>, at most 4,096: what a camera frames.</summary>
         public double3[] Outline = new double3[0];
 
-        /// <summary>The farthest positions in many directions, but for those far out of Robust: what a camera is to
+        /// <summary>The farthest positions in many directions, except those far outside of Robust: what a camera is to
         /// show.</summary>
         public double3[] Rim = new double3[0];
 
@@ -316,7 +316,7 @@ namespace FastPoints.Drawing
             SetLengths();
         }
 
-        /// <summary>The mode that a picture gets where <paramref name="wanted"/> is asked for, by what the cloud has.</summary>
+        /// <summary>The mode that a picture gets for <paramref name="wanted"/>, by the cloud's attributes.</summary>
         public ColorMode Resolve(ColorMode wanted)
         {
             switch (wanted)

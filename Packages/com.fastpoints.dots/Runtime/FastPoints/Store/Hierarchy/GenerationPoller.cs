@@ -3,7 +3,7 @@ using System.Diagnostics;
 
 namespace FastPoints.Store
 {
-    // Follows a cloud's folder that may be unfinished: looks for a newer generation once a second, on a thread of the
+    // Follows a cloud's folder that may be unfinished: polls for a newer generation once a second, on a thread of the
     // pool, and keeps it until it is taken. Main thread; only Dispose waits.
     internal sealed class GenerationPoller : IDisposable
     {

@@ -30,7 +30,7 @@ namespace FastPoints.Store
         /// <summary>Number of its nodes in flight or in the cache.</summary>
         public int NodesInCache;
 
-        /// <summary>Consecutive failed reads of its file, the last one's frame, and that until which none is tried.</summary>
+        /// <summary>Consecutive failed reads of its file, the frame of the last one, and the frame of the next try.</summary>
         public int Failures;
         public uint LastFailureFrame;
         public uint RetryFrame;

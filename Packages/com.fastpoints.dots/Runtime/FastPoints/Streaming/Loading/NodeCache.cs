@@ -3,7 +3,7 @@ using Unity.Collections;
 
 namespace FastPoints.Streaming
 {
-    // The nodes that have memory, from the least to the most useful: first those that no selection has wanted for longest, then
+    // The nodes that have memory, in the order of eviction: first those that no selection has wanted for longest, then
     // those that the last one wanted, in reverse order. Main thread.
     internal sealed class NodeCache : IDisposable
     {

@@ -86,7 +86,7 @@ namespace FastPoints.Streaming
             AddFree(begin, end - begin);
         }
 
-        // Keeps the first slots of a range, at least one, and gives the rest back.
+        // Keeps the first slots of a range, at least one, and frees the rest.
         public void Shorten(int first, int count)
         {
             int length = first >= 0 && first < m_length.Length ? m_length[first] : 0;

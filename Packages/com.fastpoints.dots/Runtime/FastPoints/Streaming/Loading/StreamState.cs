@@ -97,7 +97,7 @@ namespace FastPoints.Streaming
             Report(failure);
         }
 
-        // Not wanted for so long that its read is cancelled.
+        // Unwanted long enough that its read is cancelled.
         public bool IsStale(uint usedFrame) => Selector.Frame - usedFrame > (uint)Settings.FramesToCancel;
 
         public bool IsDue(uint frame) => (int)(Selector.Frame - frame) >= 0;

@@ -27,7 +27,7 @@ namespace FastPoints.Streaming
 
         internal ViewMask Mask;
 
-        /// <summary>A view without a position that sees everything; a length of one unit has so many pixels.</summary>
+        /// <summary>A view without a position that sees everything; a length of one unit has this many pixels.</summary>
         public static StreamView Everything(double scalePx) => new StreamView { IsOrthographic = true, ScalePx = scalePx };
 
         /// <summary>Unit vectors, forward into the picture; the field of view is vertical.</summary>
