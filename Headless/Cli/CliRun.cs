@@ -102,7 +102,7 @@ public sealed class CliRun(TextWriter output, TextWriter error, RunSettings sett
             json.WriteStartObject();
             json.WriteString("what", loss.What);
             json.WriteString("where", loss.Where);
-            json.WriteString("why", loss.Why);
+            json.WriteString("why", loss.Reason);
             json.WriteEndObject();
         }
         json.WriteEndArray();

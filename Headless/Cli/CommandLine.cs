@@ -75,7 +75,7 @@ public static class CommandLine
         // A completion request: the arguments may be incomplete.
         if (parsed.Tokens.Any(t => t.Type == TokenType.Directive))
             return null;
-        // Behind -- are files only, whatever they are called.
+        // After -- there are only files, whatever their names.
         int plain = parsed.Tokens.SkipWhile(t => t.Type != TokenType.DoubleDash).Skip(1).Count();
         var words = command.Arguments.SelectMany(a => parsed.GetResult(a)?.Tokens ?? []).ToList();
         bool isWrong = parsed.Errors.Count > 0 && parsed.Action is ParseErrorAction or null;
@@ -118,7 +118,7 @@ public static class CommandLine
     {
         string plain = word.TrimStart('-').Split('=')[0];
         var options = root.Options.Where(o => o.Recursive).Concat(command.Options).Select(o => o.Name)
-            // Those are points to make up.
+            // Here --points is the number of generated points.
             .Where(name => command != root || name != "--points").ToList();
         string? meant = s_synonyms.FirstOrDefault(s => s.Words.Split(' ').Contains(plain)
             && options.Contains(s.Meant.Split(' ')[0])).Meant;

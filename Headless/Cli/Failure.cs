@@ -46,7 +46,7 @@ public sealed class Failure
                     Offset = p.ByteOffset,
                     Status = isInput ? ExitStatus.BadInput : ExitStatus.Failed,
                 };
-            // Those of files are named by now.
+            // File errors were converted before.
             case IOException:
                 return new Failure
                 {

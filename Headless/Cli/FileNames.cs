@@ -3,14 +3,14 @@ using System.Runtime.InteropServices;
 
 namespace FastPoints.Cli;
 
-/// <summary>Names of files that are no UTF-8, as Linux allows: .NET has no text for them, and could not open them.</summary>
+/// <summary>Names of files that are not UTF-8, which Linux allows but .NET cannot open.</summary>
 static partial class FileNames
 {
     const int ReadOnly = 0, CloseOnExec = 0x80000;
 
     static string? s_links;
 
-    /// <summary>The arguments, with links of nearly their names, to open handles, in place of such files.</summary>
+    /// <summary>The arguments, with such files replaced by links of similar names to open handles.</summary>
     public static string[] Readable(string[] args)
     {
         if (!OperatingSystem.IsLinux() || !args.Any(a => a.Contains('\uFFFD')))

@@ -8,7 +8,7 @@ public static class Program
     {
         using var cancellation = new CancellationTokenSource();
         using var discard = new CancellationTokenSource();
-        // The first signal ends the work in good order, so that a build can go on; with the second nothing is kept; the third one
+        // The first signal ends the work cleanly, so that a build can go on; with the second nothing is kept; the third one
         // kills, in case the others cannot get through.
         void Cancel(PosixSignalContext signal)
         {

@@ -21,12 +21,12 @@ static class WindowsRules
 
     /// <summary>Somebody begins to read a file when the first change comes that is meant, and does so until the result is
     /// disposed.</summary>
-    internal static IDisposable ReadAt(Func<FileChange, string, string, bool> isMeant, Func<string, string, string> file)
+    internal static IDisposable ReadAt(Func<FileChange, string, string, bool> matches, Func<string, string, string> file)
     {
         var reader = new Reader();
         FileChanges.Intercept = (change, path, to) =>
         {
-            if (reader.Held == null && isMeant(change, path, to))
+            if (reader.Held == null && matches(change, path, to))
                 reader.Held = WindowsFiles.Hold(file(path, to));
             Check(change, path, to);
         };

@@ -8,7 +8,7 @@ using UnityOutside.Graphics;
 
 namespace UnityOutside.Tests;
 
-/// <summary>Each test finds a card that is five frames behind, and fails where an exception was logged, as in Unity's runner:
+/// <summary>Each test finds a GPU that is five frames behind, and fails where an exception was logged, as in Unity's runner:
 /// what a job or a system throws, nobody else is told.</summary>
 [AttributeUsage(AttributeTargets.Assembly)]
 sealed class AsInUnityAttribute : Attribute, ITestAction

@@ -58,21 +58,21 @@ public sealed class Baseline
             return new BaselineRow(now.Name, times, null, null, earlierError, "other input");
         var time = SampleComparison.Of(now.Ms, times);
         var limit = SampleComparison.Of(now.RatioToLimit.ToList(), Samples(before, WorkloadSamples.TimesLimit));
-        return new BaselineRow(now.Name, times, time, limit, earlierError, Verdict(time, limit));
+        return new BaselineRow(now.Name, times, time, limit, earlierError, Outcome(time, limit));
     }
 
     /// <summary>By the limit of each run where there is one: a machine that is slower altogether slows both.</summary>
-    static string Verdict(SampleComparison? time, SampleComparison? limit)
+    static string Outcome(SampleComparison? time, SampleComparison? limit)
     {
         bool isByLimit = limit is { IsUnknown: false };
-        var judged = isByLimit ? limit : time;
-        if (judged == null || judged.IsUnknown)
+        var compared = isByLimit ? limit : time;
+        if (compared == null || compared.IsUnknown)
             return "too few samples";
-        return (!judged.IsBeyondNoise ? "within the noise" : judged.Ratio > 1 ? Slower : Faster)
+        return (!compared.IsBeyondNoise ? "within the noise" : compared.Ratio > 1 ? Slower : Faster)
             + (isByLimit ? ", by its limit" : "");
     }
 
-    /// <summary>Points or bytes of one run, from what a second does; 0 where that is not there.</summary>
+    /// <summary>Points or bytes of one run, from those per second; 0 if unknown.</summary>
     static double Amount(PerformanceTestResult result, string perSecond)
     {
         var rates = Samples(result, perSecond);
@@ -86,7 +86,7 @@ public sealed class Baseline
         result.SampleGroups.Find(g => g.Name == group)?.Samples ?? [];
 }
 
-/// <param name="time">Null where nothing can be compared.</param>
+/// <param name="time">Null if nothing can be compared.</param>
 public sealed class BaselineRow(string name, IReadOnlyList<double> times, SampleComparison? time, SampleComparison? limit,
     double? error, string result)
 {
@@ -97,7 +97,7 @@ public sealed class BaselineRow(string name, IReadOnlyList<double> times, Sample
     public SampleComparison? Time => time;
     public SampleComparison? Limit => limit;
     public double? Error => error;
-    public string Verdict => result;
+    public string Outcome => result;
 
     /// <summary>What has only its time to be judged by is not called slower where all are: that may be the machine.</summary>
     public BaselineRow BesideAll(double all)

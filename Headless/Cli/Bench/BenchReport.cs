@@ -54,7 +54,7 @@ public static class BenchReport
             Reference = 1,
         };
         foreach (var row in rows.Where(r => r.Time != null))
-            chart.Add(row.Name, row.Verdict, Interval(row.Time), Interval(row.Limit));
+            chart.Add(row.Name, row.Outcome, Interval(row.Time), Interval(row.Limit));
         page.Chart(chart);
         for (int i = 0; i < rows.Count; i++)
             if (rows[i].Error is { } before && samples[i].HadInput && before != samples[i].MedianError)

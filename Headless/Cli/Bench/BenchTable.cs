@@ -29,7 +29,7 @@ public static class BenchTable
             };
             if (baseline != null)
                 cells.AddRange([BaselineRow.Interval(baseline[i].Time), BaselineRow.Interval(baseline[i].Limit),
-                    baseline[i].Verdict]);
+                    baseline[i].Outcome]);
             table.Add(cells.ToArray());
         }
         return table;

@@ -11,13 +11,13 @@ public sealed class SampleComparison
 
     public double Ratio { get; }
 
-    /// <summary>The least and the greatest ratio that the scatter allows; NaN where there are too few samples to say.</summary>
+    /// <summary>The least and the greatest ratio that the scatter allows; NaN if there are too few samples to say.</summary>
     public double Low { get; }
     public double High { get; }
     public bool IsUnknown => double.IsNaN(Low);
     public bool IsBeyondNoise => !IsUnknown && (Low > 1 || High < 1);
 
-    /// <summary>Null where either has no sample, or one that is not above 0.</summary>
+    /// <summary>Null if either has no sample, or one that is not above 0.</summary>
     public static SampleComparison? Of(IReadOnlyCollection<double> now, IReadOnlyCollection<double> before)
     {
         if (now.Count == 0 || before.Count == 0 || now.Concat(before).Any(v => !(v > 0)))

@@ -32,7 +32,7 @@ public static class DemoCloud
         run.Progress.End();
     }
 
-    /// <summary>By way of a LAS file beside it, which is gone at the end.</summary>
+    /// <summary>Writes a temporary LAS file beside it first.</summary>
     static void WriteLaz(string path, long points, uint seed, ScanOrder order, CliRun run)
     {
         string las = path + ".las.tmp";

@@ -3,7 +3,7 @@ using System.Buffers.Binary;
 namespace FastPoints.Cli.Demo;
 
 /// <summary>Repeats a LAS file's points side by side along x into one larger file: whole records, so that every attribute and
-/// every header record comes along; shifts are whole grid steps, so that nothing is rounded.</summary>
+/// every header record is kept; shifts are whole grid steps, so that nothing is rounded.</summary>
 public static class LasTiling
 {
     const int BufferBytes = 1 << 20;

@@ -1,6 +1,6 @@
 namespace FastPoints.Cli.Demo;
 
-/// <summary>A LAZ file's points as plain LAS records, in their order: attributes, grid and WKT come along, other header
+/// <summary>A LAZ file's points as plain LAS records, in their order: attributes, grid and WKT are kept, other header
 /// records do not.</summary>
 public static class LasUnpacking
 {

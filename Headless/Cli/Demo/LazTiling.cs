@@ -9,7 +9,7 @@ public static class LazTiling
 {
     const int ScaleX = 131, MaxX = 179, MinX = 187, WaveformStart = 227, EvlrStart = 235, EvlrEnd = 247, VersionMinor = 25;
 
-    /// <summary>Of the LASzip VLR's payload: the points of a chunk.</summary>
+    /// <summary>Offset of the points per chunk in the payload of the LASzip VLR.</summary>
     const int ChunkPointsAt = 12;
 
     public static long Write(string path, string destination, int times, StageProgress progress, CancellationToken cancellation)

@@ -32,11 +32,11 @@ public sealed class CameraPath
             if (words.Length == 0)
                 continue;
             var numbers = new double[7];
-            bool isGood = words.Length == 7 || (words.Length == 8 && words[7] == "cut");
-            for (int w = 0; isGood && w < 7; w++)
-                isGood = double.TryParse(words[w], NumberStyles.Float, CultureInfo.InvariantCulture, out numbers[w])
+            bool isValid = words.Length == 7 || (words.Length == 8 && words[7] == "cut");
+            for (int w = 0; isValid && w < 7; w++)
+                isValid = double.TryParse(words[w], NumberStyles.Float, CultureInfo.InvariantCulture, out numbers[w])
                     && double.IsFinite(numbers[w]);
-            if (!isGood || numbers[0] != Math.Floor(numbers[0]) || numbers[0] > 10_000_000
+            if (!isValid || numbers[0] != Math.Floor(numbers[0]) || numbers[0] > 10_000_000
                 || numbers[0] <= (result.m_keys.Count == 0 ? -1 : result.m_keys[^1].Frame))
                 throw new PointCloudException(FailureCode.BadInput, path, -1, "line " + (i + 1)
                     + ": wanted a frame after the one before, an eye, a target, and perhaps \"cut\"");

@@ -50,7 +50,7 @@ public sealed class DrawStep
         };
     }
 
-    /// <summary>Streamed to a graphics card as a game would, and drawn there when all has come.</summary>
+    /// <summary>Streamed to a GPU as in a game, and drawn there when all is resident.</summary>
     /// <param name="budget">Points to draw at most; 0 for the default.</param>
     public static DrawStep RunOnGpu(string[] paths, PictureOptions options, long budget, CliRun run)
     {
@@ -113,7 +113,7 @@ public sealed class DrawStep
     public string Describe() => Human.Count(Points, "point")
         + (Nodes is { } nodes ? " of " + Human.Count(nodes, "node") : "") + " in " + Human.Seconds(Seconds);
 
-    /// <summary>The keys of <c>picture</c> but for <c>seconds</c>, into an object that is open.</summary>
+    /// <summary>The keys of <c>picture</c> except <c>seconds</c>, into an open object.</summary>
     public void WriteKeys(Utf8JsonWriter json)
     {
         json.WriteInteger("points", Points);

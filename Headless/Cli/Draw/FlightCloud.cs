@@ -39,7 +39,7 @@ sealed record FlightCloud(PicturePlan Plan, DisplayRanges Ranges, int Number, Cl
         }
     }
 
-    /// <summary>Sizes that were not asked for: as far as points are apart. Degrees are no lengths to be apart in.</summary>
+    /// <summary>Default sizes: the distance between points. Distances in degrees are not lengths.</summary>
     internal static void SetSize(PictureOptions options, params string[] clouds)
     {
         if (options.PointSizePx >= 1 || options.ColorAttribute != null)

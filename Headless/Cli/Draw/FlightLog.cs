@@ -17,7 +17,7 @@ public sealed class FlightLog
     // The list itself makes no garbage between frames.
     public FlightLog(int frames) => m_frames = new List<Frame>(Frames = frames);
 
-    /// <summary>Frames of the whole flight; <see cref="Count"/> has those so far.</summary>
+    /// <summary>Frames of the whole flight; <see cref="Count"/> of them are done.</summary>
     public int Frames { get; }
 
     public int Count => m_frames.Count;
@@ -43,11 +43,11 @@ public sealed class FlightLog
         double atSeconds, bool isCut) =>
         m_frames.Add(new Frame(stats, mainThreadMs, frameMs, garbageBytes, atSeconds, isCut));
 
-    /// <summary>Seconds from the beginning until nearly all that was selected was drawn; NaN where that never was.</summary>
+    /// <summary>Seconds from the beginning until nearly all that was selected was drawn; NaN if that never was.</summary>
     public double SecondsToFull =>
         FirstFull(0) is var full and >= 0 ? m_frames[full].AtSeconds - m_frames[0].AtSeconds : double.NaN;
 
-    /// <summary>For each cut: frames until nearly all that was selected was drawn (-1 where that never was), and the bytes
+    /// <summary>For each cut: frames until nearly all that was selected was drawn (-1 if that never was), and the bytes
     /// that were copied until then.</summary>
     public IEnumerable<(int Frame, int FramesToFull, long Bytes)> Cuts()
     {

@@ -29,7 +29,7 @@ sealed partial class FlightOutput : IDisposable
                 delayMs));
     }
 
-    /// <summary>What was written: the animation's name, or the pattern of single pictures; null where it is not
+    /// <summary>What was written: the animation's name, or the pattern of single pictures; null if it is not
     /// complete.</summary>
     public string? Kept { get; private set; }
 

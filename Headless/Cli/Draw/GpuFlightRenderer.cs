@@ -6,8 +6,8 @@ using Camera = FastPoints.Picture.Camera;
 
 namespace FastPoints.Cli.Draw;
 
-/// <summary>Pictures of all clouds that are streamed, drawn by the package's own renderer on a graphics card, or on what
-/// stands in for one. Main thread; waits for the card.</summary>
+/// <summary>Pictures of all clouds that are streamed, drawn by the package's own renderer on a GPU, or on a
+/// software one. Main thread; waits for the GPU.</summary>
 public sealed class GpuFlightRenderer : FlightRenderer
 {
     readonly StreamContext m_stream;
@@ -76,7 +76,7 @@ public sealed class GpuFlightRenderer : FlightRenderer
         return new PointStyle
         {
             Shape = size.LimitsPx.y <= 1 ? PointShape.Pixel
-                : options.DomedPoints ? PointShape.Paraboloid
+                : options.ParaboloidPoints ? PointShape.Paraboloid
                 : options.BlendedPoints ? PointShape.Splat
                 : options.RoundPoints ? PointShape.Disc
                 : PointShape.Square,

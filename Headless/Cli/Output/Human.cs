@@ -61,7 +61,7 @@ public static class Human
                 .ToString(CultureInfo.InvariantCulture)
             : value.ToString("0.###e0", CultureInfo.InvariantCulture);
 
-    /// <param name="metresPerUnit">NaN for degrees, whose lengths are metres; 0 where it is not known.</param>
+    /// <param name="metresPerUnit">NaN for degrees, whose lengths are metres; 0 if it is not known.</param>
     public static string Unit(double metresPerUnit) => double.IsNaN(metresPerUnit) || metresPerUnit == 1 ? "m"
         : metresPerUnit == 0 ? "units" : Math.Abs(metresPerUnit - 0.3048) < 1e-5 ? "ft"
         : "units of " + Value(metresPerUnit) + " m";

@@ -20,7 +20,7 @@ public static class Machine
         }
         catch (IOException)
         {
-            // It is told by its name below.
+            // Its name below identifies it.
         }
         return Environment.GetEnvironmentVariable("PROCESSOR_IDENTIFIER") ?? "unnamed processor";
     }

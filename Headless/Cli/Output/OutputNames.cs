@@ -98,7 +98,7 @@ static class OutputNames
             throw new UsageException(path + " has other things in it: --output names another folder, --force writes there");
     }
 
-    /// <summary>A cloud that is there, finished or not, is replaced by one of the same files without a word, as a resumed or
+    /// <summary>An existing cloud, finished or not, is replaced by one of the same files without asking, as a resumed or
     /// repeated conversion does, and by no other.</summary>
     public static void RefuseOtherCloud(string path, PointReader reader)
     {
@@ -118,7 +118,7 @@ static class OutputNames
         }
     }
 
-    /// <summary>Of any version. Empty where it cannot be read; null if unfinished and without sources.</summary>
+    /// <summary>Reads any version. Empty if it cannot be read; null if unfinished and without sources.</summary>
     static List<CloudManifest.Source>? SourcesOf(string manifest, bool isFinished)
     {
         try
@@ -161,7 +161,7 @@ static class OutputNames
                 + ", or was changed since: --force replaces it");
     }
 
-    /// <summary>Has an export's time of writing tell its sources, in the digits below 10 ms: who changes the file changes them,
+    /// <summary>Encodes an export's sources in the digits below 10 ms of its time of writing: editing the file changes them,
     /// and its bytes need no room for it. Where they get lost, as in copies, the file counts as changed.</summary>
     public static void MarkExport(string path, long mark)
     {

@@ -12,7 +12,7 @@ public sealed class ProgressDisplay : IDisposable
     readonly StageProgress m_progress;
     readonly TextWriter m_error;
     readonly bool m_isTerminal;
-    readonly Stopwatch m_sinceSaid = Stopwatch.StartNew();
+    readonly Stopwatch m_sinceReport = Stopwatch.StartNew();
     bool m_isDrawn;
 
     public ProgressDisplay(StageProgress progress, TextWriter error, bool isTerminal)
@@ -25,27 +25,27 @@ public sealed class ProgressDisplay : IDisposable
 
     void Show(StageProgress progress)
     {
-        if (progress.Current == null || m_sinceSaid.Elapsed.TotalSeconds < (m_isTerminal ? RedrawSeconds : LineSeconds))
+        if (progress.Current == null || m_sinceReport.Elapsed.TotalSeconds < (m_isTerminal ? RedrawSeconds : LineSeconds))
             return;
-        m_sinceSaid.Restart();
+        m_sinceReport.Restart();
         // Some work counts no points.
         string speed = progress.Points > 0 ? Human.Short(progress.PointsPerSecond) + " points/s  " : "";
-        string figures = string.Format(CultureInfo.InvariantCulture, "{0,3:0}%  {1}{2} left", 100 * progress.Share, speed,
+        string line = string.Format(CultureInfo.InvariantCulture, "{0,3:0}%  {1}{2} left", 100 * progress.Share, speed,
             Human.Duration(progress.SecondsLeft));
         if (!m_isTerminal)
         {
-            m_error.WriteLine(progress.Current + ": " + figures.TrimStart());
+            m_error.WriteLine(progress.Current + ": " + line.TrimStart());
             return;
         }
         int cells = (int)(progress.Share * BarCells);
         // Back to the start, and what is left of a longer line cleared.
         m_error.Write("\r" + progress.Current.PadRight(10) + " [" + new string('=', cells)
             + new string(' ', BarCells - cells) + "] "
-            + figures + "\u001b[K");
+            + line + "\u001b[K");
         m_isDrawn = true;
     }
 
-    /// <summary>Takes the bar away, so that something else can be said.</summary>
+    /// <summary>Clears the bar, so that something else can be written.</summary>
     public void Clear()
     {
         if (m_isDrawn)

@@ -2,7 +2,7 @@ using System.Threading.Tasks;
 
 namespace FastPoints.Cli.Output;
 
-/// <summary>Standard input and output, by the name -. Both go by way of temporary files: readers jump about in a cloud, and the
+/// <summary>Standard input and output, by the name -. Both use temporary files: readers seek in a cloud, and the
 /// head of a file that is written counts its points.</summary>
 public sealed class StandardStreams : IDisposable
 {
@@ -16,7 +16,7 @@ public sealed class StandardStreams : IDisposable
     /// <summary>-, or with the ending of a format.</summary>
     public static bool IsOutput(string path) => path == Name || path.StartsWith(Name + ".", StringComparison.Ordinal);
 
-    /// <summary>The file that a name is written to first: itself, but for standard output, which is LAS unless it has another
+    /// <summary>The file that a name is written to first: itself, except standard output, which is LAS unless it has another
     /// ending.</summary>
     public string FileOf(string output) =>
         !IsOutput(output) ? output : Temporary("stdout" + (output == Name ? ".las" : output[Name.Length..]));

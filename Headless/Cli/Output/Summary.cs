@@ -8,7 +8,7 @@ public static class Summary
     /// <summary>Beyond this a double no longer holds every integer, and readers of JSON would round.</summary>
     const long LargestExact = 1L << 53;
 
-    /// <summary>Of the schema that all summaries follow: keys are added to it, and none go.</summary>
+    /// <summary>Version of the schema of all summaries: keys are added and never removed.</summary>
     public const int Version = 1;
 
     static readonly JsonWriterOptions s_options =
@@ -103,7 +103,7 @@ public static class Summary
             json.WriteString(key, value.ToString(CultureInfo.InvariantCulture));
     }
 
-    /// <summary>A number; null where it is not finite, which JSON cannot say.</summary>
+    /// <summary>A number; null if it is not finite, which JSON cannot say.</summary>
     public static void WriteReal(this Utf8JsonWriter json, string key, double value)
     {
         if (double.IsFinite(value))

@@ -47,7 +47,7 @@ sealed class ViewCloud
     {
         var preview = new PreviewOptions { Points = MaxPoints, Picture = options };
         using var reader = open();
-        using var taken = new SampleTakers(() => WithAll(open()), preview, run) { Runs = 1 }.Ours();
+        using var taken = new SampleMethods(() => WithAll(open()), preview, run) { Runs = 1 }.Ours();
         var errors = WaveErrors.Measure(reader, taken, run);
         var view = new ViewCloud(options, new DisplayRanges { Units = reader.Info.Crs.Units })
         {
@@ -132,7 +132,7 @@ sealed class ViewCloud
 
     static PointReader WithAll(PointReader reader)
     {
-        reader.Info.SampledToo = reader.Info.Schema.Select(a => a.Name).ToArray();
+        reader.Info.AlsoSampled = reader.Info.Schema.Select(a => a.Name).ToArray();
         return reader;
     }
 

@@ -11,7 +11,7 @@ static class WaveErrors
     /// <summary>Not the samplers' own, so that no sample is measured by itself.</summary>
     const uint Seed = 0x9E3779B9;
 
-    public static List<double> Measure(PointReader reader, TakenSample taken, CliRun run)
+    public static List<double> Measure(PointReader reader, MeasuredSample taken, CliRun run)
     {
         if (!reader.BlocksAreKnown)
             run.RunSteps(reader.FindBlocks());

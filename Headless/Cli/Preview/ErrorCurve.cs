@@ -4,7 +4,7 @@ public sealed record ErrorCurve(string Name, string What)
 {
     public List<ErrorWave> Waves { get; } = [];
 
-    public void TakeSooner(IEnumerable<SampleWave> again)
+    public void KeepFaster(IEnumerable<SampleWave> again)
     {
         int i = 0;
         foreach (var wave in again)

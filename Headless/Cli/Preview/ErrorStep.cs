@@ -8,11 +8,11 @@ public sealed class ErrorStep
 
     readonly CliRun m_run;
     readonly CompareSamples m_comparison;
-    readonly SampleTakers m_takers;
+    readonly SampleMethods m_methods;
     readonly Dictionary<int, RgbaImage[]> m_viewsOfScan = [];
 
-    ErrorStep(CliRun run, CompareSamples comparison, SampleTakers takers) =>
-        (m_run, m_comparison, m_takers) = (run, comparison, takers);
+    ErrorStep(CliRun run, CompareSamples comparison, SampleMethods methods) =>
+        (m_run, m_comparison, m_methods) = (run, comparison, methods);
 
     public List<ErrorCurve> Curves { get; } = [];
     public long PointsInCloud => m_comparison.PointCount;
@@ -27,8 +27,8 @@ public sealed class ErrorStep
         // Half the size of the picture: many views are drawn and compared.
         using var comparison = new CompareSamples(reader, options.Picture, (options.Picture.WidthPx + 1) / 2,
             (options.Picture.HeightPx + 1) / 2);
-        var takers = new SampleTakers(open, options, run);
-        var step = new ErrorStep(run, comparison, takers);
+        var methods = new SampleMethods(open, options, run);
+        var step = new ErrorStep(run, comparison, methods);
         run.Progress.Group = "error";
         run.RunSteps(comparison.Prepare(run.Progress));
         step.MeasureAll(reader);
@@ -45,12 +45,12 @@ public sealed class ErrorStep
             "the preview's own sample; each wave is the beginning of the next, or (LAZ, text, tiles) gives way to it");
         var scan = new ErrorCurve(ScanName,
             "one hashed point of each of N equal parts of the file, by a scan of all points: the reference");
-        using (var ours = m_takers.Ours())
+        using (var ours = m_methods.Ours())
         {
             counts = ours.Waves.Select(w => w.Wave.Points).Distinct().ToList();
             // The scan comes before ours is measured: its views are what the views of others are compared with.
             foreach (int count in counts)
-                Measure(scan, () => m_takers.FullScan(count));
+                Measure(scan, () => m_methods.FullScan(count));
             Measure(curve, ours);
         }
         Curves.Add(curve);
@@ -59,8 +59,8 @@ public sealed class ErrorStep
 
         // What else the machine does changes within minutes: ours were the first, and are timed among the others as well.
         m_run.Progress.Begin(OursName);
-        using var again = m_takers.Ours();
-        curve.TakeSooner(again.Waves.Select(w => w.Wave));
+        using var again = m_methods.Ours();
+        curve.KeepFaster(again.Waves.Select(w => w.Wave));
         m_run.Progress.End();
     }
 
@@ -68,38 +68,38 @@ public sealed class ErrorStep
     {
         var nth = new ErrorCurve("every n-th point", "as far apart in the file as it takes");
         foreach (int count in counts)
-            Measure(nth, () => m_takers.EveryNth(count));
+            Measure(nth, () => m_methods.EveryNth(count));
         Curves.Add(nth);
         var first = new ErrorCurve("first N points", "the beginning of the file");
         foreach (int count in counts)
-            Measure(first, () => m_takers.First(count));
+            Measure(first, () => m_methods.First(count));
         Curves.Add(first);
         if (reader.HasFixedStride || reader.BlockCount < 2 || reader.PointCount == 0)
             return;
         var prefixes = new ErrorCurve("block prefixes", "N points from the prefixes of all blocks (LAZ chunks, octree nodes)");
         foreach (int count in counts)
-            Measure(prefixes, () => m_takers.Beginnings(count / (double)reader.PointCount, count));
+            Measure(prefixes, () => m_methods.Prefixes(count / (double)reader.PointCount, count));
         Curves.Add(prefixes);
         var thinned = new ErrorCurve("thinned prefixes", "N points of " + TimesDecoded
             + " times as many from the prefixes of all blocks: first those that stand where no other does");
         foreach (int count in counts.Where(c => (long)c * TimesDecoded <= reader.PointCount))
-            Measure(thinned, () => m_takers.ThinnedBeginnings(count, TimesDecoded));
+            Measure(thinned, () => m_methods.ThinnedPrefixes(count, TimesDecoded));
         Curves.Add(thinned);
         var deeper = new ErrorCurve("deeper prefixes", "as many points as the last wave, evenly from the first "
             + string.Join(", ", s_shares.Select(s => s.Name)) + " of each block");
         foreach (var (share, _) in s_shares)
-            Measure(deeper, () => m_takers.Beginnings(share, counts[^1]));
+            Measure(deeper, () => m_methods.Prefixes(share, counts[^1]));
         Curves.Add(deeper);
     }
 
-    void Measure(ErrorCurve curve, Func<TakenSample> take)
+    void Measure(ErrorCurve curve, Func<MeasuredSample> take)
     {
         m_run.Progress.Begin(curve.Name);
         using var taken = take();
         Measure(curve, taken);
     }
 
-    void Measure(ErrorCurve curve, TakenSample taken)
+    void Measure(ErrorCurve curve, MeasuredSample taken)
     {
         m_run.Progress.Begin("measure");
         foreach (var (wave, points) in taken.Waves)

@@ -27,7 +27,7 @@ public sealed class SliceLengths
 
     double MaxMs => m_runsOfKind.Values.Select(r => r.MaxMs).DefaultIfEmpty().Max();
 
-    /// <summary>That a share of the runs does not exceed; 0 where none ran.</summary>
+    /// <summary>The time that this share of the runs does not exceed; 0 without runs.</summary>
     double QuantileMs(double share)
     {
         double wanted = share * m_runsOfKind.Values.Sum(r => (long)r.Count);

@@ -7,16 +7,16 @@ public static class Counts
 {
     const double Largest = 1L << 53;
 
-    public static Option<long> Of(string name, string description, long otherwise, string helpName = "N", long min = 1) =>
+    public static Option<long> Of(string name, string description, long fallback, string helpName = "N", long min = 1) =>
         new(name)
         {
             HelpName = helpName,
             Description = description,
-            DefaultValueFactory = _ => otherwise,
+            DefaultValueFactory = _ => fallback,
             CustomParser = result => Parse(result, min),
         };
 
-    /// <summary>Null where it is not given.</summary>
+    /// <summary>Null if it is not given.</summary>
     public static Option<long?> Optional(string name, string description, string helpName = "N", long min = 1) => new(name)
     {
         HelpName = helpName,

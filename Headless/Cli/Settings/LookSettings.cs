@@ -21,7 +21,7 @@ public sealed class LookSettings
         command.Add(m_plain);
     }
 
-    /// <summary>Refuses colours by what a cloud has not.</summary>
+    /// <summary>Refuses colours by missing attributes.</summary>
     public static void RequireColor(PictureOptions options, PointSchema schema, string path)
     {
         if (options.ColorAttribute is { } asked)
@@ -36,7 +36,7 @@ public sealed class LookSettings
             + string.Join(", ", schema.Select(a => a.Name)));
     }
 
-    /// <summary>The same of clouds that are streamed, whose shaders know some attributes alone.</summary>
+    /// <summary>The same for streamed clouds, whose shaders support only some attributes.</summary>
     public static void RequireStreamable(PictureOptions options, PointSchema schema, string path)
     {
         RequireColor(options, schema, path);

@@ -5,7 +5,7 @@ namespace FastPoints.Cli.Settings;
 /// <summary>How many threads work. The main thread is one of them: it runs jobs while it waits.</summary>
 public static class Threads
 {
-    /// <returns>What is to be said where the cores are fewer than asked for; null otherwise.</returns>
+    /// <returns>A note if there are fewer cores than requested; null otherwise.</returns>
     public static string? Use(long? threads)
     {
         JobsUtility.ResetJobWorkerCount();

@@ -24,7 +24,7 @@ public sealed class ConvertedCloudFacts
         m_path = path;
         using var folder = CloudFolder.Open(path);
         m_cloud = folder.Manifest;
-        KeptFacts.AddTo(m_source, folder);
+        StoredFacts.AddTo(m_source, folder);
         m_bytes = Directory.GetFiles(folder.FolderPath, "*", SearchOption.AllDirectories).Sum(f => new FileInfo(f).Length);
         var bytesOfPlane = new long[folder.Layout.Planes.Count];
         Take(folder.Upper, bytesOfPlane);
@@ -137,14 +137,7 @@ public sealed class ConvertedCloudFacts
         json.WriteVector("offset", m_cloud.Grid.Origin);
         json.WriteStartArray("attributes");
         for (int i = 0; i < m_cloud.Attributes.Count; i++)
-        {
-            json.WriteStartObject();
-            json.WriteString("name", m_cloud.Attributes[i].Name);
-            json.WriteString("type", m_cloud.Attributes[i].Type.ToString());
-            json.WriteReal("min", m_cloud.Ranges[i].Min);
-            json.WriteReal("max", m_cloud.Ranges[i].Max);
-            json.WriteEndObject();
-        }
+            SourceFacts.WriteAttribute(json, m_cloud.Attributes[i], m_cloud.Ranges[i].Min, m_cloud.Ranges[i].Max);
         json.WriteEndArray();
         SourceFacts.WriteCrs(json, m_cloud.Crs, m_cloud.BoundsGeo);
         SourceFacts.WriteGpsTime(json, m_cloud.GpsTime);

@@ -2,7 +2,7 @@ namespace FastPoints.Cli.Sources;
 
 public static class Hints
 {
-    /// <returns>A sentence that goes on from the failure's message; empty where there is nothing to say.</returns>
+    /// <returns>A sentence that continues the failure's message; empty without a hint.</returns>
     public static string For(PointCloudException failure)
     {
         string path = failure.Path ?? "";

@@ -1,14 +1,14 @@
 namespace FastPoints.Cli.Sources;
 
-/// <summary>Points that sources claim to hold, those that they have, and the difference, but for those that a source itself
-/// marks as invalid; unknown as soon as one is.</summary>
+/// <summary>Points that sources claim, those that they have, and the difference, except those that a source itself
+/// marks as invalid; unknown if any of them is.</summary>
 public sealed class PointCounts
 {
     ulong m_claimed;
     long m_found, m_invalid;
     bool m_isAny, m_isClaimUnknown, m_isFoundUnknown;
 
-    /// <summary>0 where it is unknown.</summary>
+    /// <summary>0 if it is unknown.</summary>
     public ulong Lost { get; private set; }
 
     public static PointCounts Of(SourceInfo info, long found)
@@ -18,7 +18,7 @@ public sealed class PointCounts
         return account;
     }
 
-    /// <param name="found">-1 where nobody has counted.</param>
+    /// <param name="found">-1 if they were not counted.</param>
     public void Add(SourceInfo info, long found)
     {
         ulong claimed = info.HasPointsClaimed ? info.PointsClaimed : 0;

@@ -64,7 +64,7 @@ public sealed class SourceFacts(PointReader reader)
             m_tree ??= TreeFacts.Of(reader.Tree);
     }
 
-    /// <summary>The source's own octree level by level, or null where it has none.</summary>
+    /// <summary>The source's own octree level by level, or null if it has none.</summary>
     public TextTable? Levels()
     {
         TakeTree();
@@ -164,7 +164,7 @@ public sealed class SourceFacts(PointReader reader)
     public static string UnitOf(CloudUnits units, BoundsGeo bounds) =>
         units.Describe(bounds) + (units.IsKnown ? "" : ": say it by --unit m, ft, us-ft or its metres");
 
-    /// <returns>What EPSG's table says; null where it has no such system.</returns>
+    /// <returns>What EPSG's table says; null if it has no such system.</returns>
     public static (string Kind, string Axes)? AxesOf(CloudCrs crs)
     {
         if (crs.Epsg == 0 || EpsgTable.Find(crs.Epsg) is not { } system)
@@ -252,6 +252,16 @@ public sealed class SourceFacts(PointReader reader)
         json.WriteEndObject();
     }
 
+    internal static void WriteAttribute(Utf8JsonWriter json, PointAttribute attribute, double min, double max)
+    {
+        json.WriteStartObject();
+        json.WriteString("name", attribute.Name);
+        json.WriteString("type", attribute.Type.ToString());
+        json.WriteReal("min", min);
+        json.WriteReal("max", max);
+        json.WriteEndObject();
+    }
+
     public void WriteKeys(Utf8JsonWriter json)
     {
         json.WriteString("format", Info.Format);
@@ -283,13 +293,9 @@ public sealed class SourceFacts(PointReader reader)
         json.WriteStartArray("attributes");
         for (int i = 0; i < Info.Schema.Count; i++)
         {
-            json.WriteStartObject();
-            json.WriteString("name", Info.Schema[i].Name);
-            json.WriteString("type", Info.Schema[i].Type.ToString());
             bool hasRange = Found != null && Found.Columns[i].Finite > 0;
-            json.WriteReal("min", hasRange ? Found!.Columns[i].Min : double.NaN);
-            json.WriteReal("max", hasRange ? Found!.Columns[i].Max : double.NaN);
-            json.WriteEndObject();
+            WriteAttribute(json, Info.Schema[i], hasRange ? Found!.Columns[i].Min : double.NaN,
+                hasRange ? Found!.Columns[i].Max : double.NaN);
         }
         json.WriteEndArray();
         WriteCrs(json, Info.Crs.ToCloudCrs(), Info.BoundsTrusted);

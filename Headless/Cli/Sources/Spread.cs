@@ -16,12 +16,12 @@ sealed class Spread
 
     public string Unit { get; }
 
-    /// <summary>Points on a square unit, over the squares that have any; null where all lie on a line from above.</summary>
+    /// <summary>Points on a square unit, over the squares that have any; null if all lie on a line from above.</summary>
     public double[]? Quartiles => m_density.HasArea ? m_density.Quartiles : null;
 
     public double SquareEdge => m_density.CellSize;
 
-    /// <returns>Null where no point has a position.</returns>
+    /// <returns>Null if no point has a position.</returns>
     public static Spread? Of(PointReader reader, SpreadSample sample, CliRun run)
     {
         if (sample.Points is not { } batch)

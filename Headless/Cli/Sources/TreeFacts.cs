@@ -5,7 +5,7 @@ public sealed class TreeFacts
     public required int Nodes { get; init; }
     public required int NodesWithoutPoints { get; init; }
 
-    /// <summary>Of the hierarchy; 0 where it has none.</summary>
+    /// <summary>Pages of the hierarchy; 0 if it has none.</summary>
     public required int Pages { get; init; }
 
     public required bool IsWhole { get; init; }

@@ -58,8 +58,8 @@ public static class StabilityCases
         new("two builds of one target", (folder, n) => Las(folder, n, Uniform)) { IsBuiltTwice = true },
     ];
 
-    static StabilityInput Las(string folder, int count, Func<int, int3> placeOf, double scale = 0.01, double offset = 0) =>
-        new([StabilityFiles.Las(folder, "cloud", count, scale, offset, placeOf)], count);
+    static StabilityInput Las(string folder, int count, Func<int, int3> positionOf, double scale = 0.01, double offset = 0) =>
+        new([StabilityFiles.Las(folder, "cloud", count, scale, offset, positionOf)], count);
 
     static Unity.Mathematics.Random Random(int i) => Unity.Mathematics.Random.CreateFromIndex((uint)i);
     static int3 Uniform(int i) => Random(i).NextInt3(Side);
@@ -97,11 +97,11 @@ public static class StabilityCases
         int leftOut = (count + 99) / 100;
         string file = StabilityFiles.Ply(folder, "cloud", count, i =>
         {
-            var place = new double3(Uniform(i)) / 64;
+            var position = new double3(Uniform(i)) / 64;
             double wrong = (i / 100 % 3) switch { 0 => double.NaN, 1 => double.PositiveInfinity, _ => double.NegativeInfinity };
             if (i % 100 == 0)
-                place[i / 300 % 3] = wrong;
-            return place;
+                position[i / 300 % 3] = wrong;
+            return position;
         });
         return new StabilityInput([file], count, leftOut);
     }

@@ -7,7 +7,8 @@ static class StabilityFiles
     const int BoundsAt = 179;
 
     /// <summary>A coloured LAS 1.2 file, point format 2.</summary>
-    public static unsafe string Las(string folder, string name, int count, double scale, double offset, Func<int, int3> placeOf)
+    public static unsafe string Las(string folder, string name, int count, double scale, double offset, Func<int,
+        int3> positionOf)
     {
         string path = Path.Combine(folder, name + ".las");
         var settings = new LasWriterSettings
@@ -28,7 +29,7 @@ static class StabilityFiles
                 for (int i = 0; i < some; i++)
                 {
                     byte* record = start + i * RecordBytes;
-                    *(int3*)record = placeOf(first + i);
+                    *(int3*)record = positionOf(first + i);
                     ((ushort*)record)[6] = (ushort)(first + i);
                     for (int c = 0; c < 3; c++)
                         ((ushort*)record)[10 + c] = (ushort)(((first + i) * (c + 3) & 255) * 257);
@@ -48,7 +49,7 @@ static class StabilityFiles
             Patch(path, BoundsAt + i * sizeof(double), BitConverter.GetBytes(value));
     }
 
-    public static string Ply(string folder, string name, int count, Func<int, double3> placeOf)
+    public static string Ply(string folder, string name, int count, Func<int, double3> positionOf)
     {
         string path = Path.Combine(folder, name + ".ply");
         using var file = new BinaryWriter(File.Create(path));
@@ -56,10 +57,10 @@ static class StabilityFiles
             + "\nproperty double x\nproperty double y\nproperty double z\nend_header\n"));
         for (int i = 0; i < count; i++)
         {
-            var place = placeOf(i);
-            file.Write(place.x);
-            file.Write(place.y);
-            file.Write(place.z);
+            var position = positionOf(i);
+            file.Write(position.x);
+            file.Write(position.y);
+            file.Write(position.z);
         }
         return path;
     }

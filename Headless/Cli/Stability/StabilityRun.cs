@@ -76,7 +76,7 @@ public sealed class StabilityRun
             });
             Take("stream", () => StreamStage.Run(target, options, reference!, Problems));
             if (HeadlessGraphics.IsAvailable)
-                Take("card", () => CardStage.Run(target, options, Problems));
+                Take("card", () => GpuStage.Run(target, options, Problems));
         }
     }
 
@@ -97,7 +97,7 @@ public sealed class StabilityRun
             }
             catch (PointCloudException)
             {
-                // As it must be.
+                // Expected.
             }
         }
         Step(work, int.MaxValue);

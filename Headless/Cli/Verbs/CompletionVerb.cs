@@ -22,7 +22,7 @@ public sealed class CompletionVerb : Verb
 
     static string ScriptOf(string shell) => shell switch
     {
-        // Words are completed from the verbs and options; where there are none, from files.
+        // Words are completed from the verbs and options; if there are none, from files.
         "bash" => """
             _fastpoints() {
               local IFS=$'\n' program=${COMP_WORDS[0]}

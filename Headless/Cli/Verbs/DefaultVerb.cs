@@ -146,7 +146,7 @@ public sealed class DefaultVerb : Verb
         public required ConvertStep Convert { get; init; }
         public required DrawStep Picture { get; init; }
 
-        /// <summary>Null where there is no graphics card, and nothing that stands in for one.</summary>
+        /// <summary>Null without a GPU, not even a software one.</summary>
         public required DrawStep? Gpu { get; init; }
 
         public required PointCounts Account { get; init; }
@@ -201,7 +201,7 @@ public sealed class DefaultVerb : Verb
         static bool IsFinished(string folder, string file) => File.Exists(Path.Combine(folder, PageName))
             && SummaryInput(Path.Combine(folder, SummaryName)) == Path.GetFullPath(file);
 
-        /// <summary>Takes away a report that was stopped, but for what was there before, and for an octree to go on with and the
+        /// <summary>Deletes a stopped report, except what existed before, an octree to resume and the
         /// name of its source.</summary>
         public static void Clear(string folder, string file, HashSet<string> before)
         {
@@ -272,7 +272,7 @@ public sealed class DefaultVerb : Verb
             run.Out.WriteLine("  octree   " + convert.Describe());
             run.Out.Flush();
             run.Progress.Group = "picture";
-            // As a game draws it, which the card's picture is compared with.
+            // Drawn as in a game, to compare the GPU's picture with.
             FlightCloud.SetSize(picture, cloudPath);
             var drawn = picture.ColorAttribute != null ? DrawStep.RunStored(cloudPath, picture, GpuPoints, run)
                 : StreamedPictureStep.Run([cloudPath], picture, GpuPoints, run);
@@ -280,7 +280,7 @@ public sealed class DefaultVerb : Verb
             run.Out.WriteLine("  picture  " + drawn.Describe());
             foreach (string assumption in drawn.Assumptions)
                 run.Out.WriteLine("           " + assumption);
-            // Before the card: what draws in its place keeps its memory to the end.
+            // Before the GPU: a software one keeps its memory to the end.
             run.Progress.Group = PageGroup;
             var view = ViewCloud.Take(() => PointReaders.Open(files, source),
                 string.Join(' ', files.Select(CloudPage.Quoted)), picture, preview.Camera, run);

@@ -118,7 +118,7 @@ public sealed class FlyVerb : Verb
 
         var log = new FlightLog(frames);
         double disposeMs = 0;
-        // The end of each stretch is drawn: at its beginning the first has nothing to show yet.
+        // The end of each part is drawn: at its beginning nothing is loaded yet.
         every = Math.Min(every, frames);
         using var pictures = output == null ? null
             : new FlightOutput(output, options, frames / every, (int)(every * FrameSeconds * 1000), AnimatedWebp.CanWrite)
@@ -171,7 +171,7 @@ public sealed class FlyVerb : Verb
                     pictures.Add(last);
             }
             picture.EndFrame();
-            // A frame of 60 a second: whoever has nothing to draw waits for the screen.
+            // A frame at 60 Hz: without anything to draw, it waits for the screen.
             double rest = FrameSeconds - Stopwatch.GetElapsedTime(start).TotalSeconds;
             if (rest > 0)
                 Thread.Sleep(TimeSpan.FromSeconds(rest));

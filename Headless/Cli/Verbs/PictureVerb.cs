@@ -63,7 +63,7 @@ public sealed class PictureVerb : Verb
             throw PointCloudException.Wanted(FailureCode.BadInput, against, -1, "size",
                 options.WidthPx + "x" + options.HeightPx, reference.Width + "x" + reference.Height);
 
-        // As a game draws them, on the processor as on a card.
+        // Drawn as in a game, on the CPU or the GPU.
         if (clouds.Any(CloudFolder.IsCloud))
             FlightCloud.SetSize(options, clouds);
         var result = parsed.GetValue(m_gpu) ? DrawStep.RunOnGpu(clouds, options, budget, run)

@@ -29,7 +29,7 @@ public sealed class SimulatedWorkersTests
     /// <param name="max10Ms">At 10 Hz.</param>
     [TestCase(Sampler.Random, new[] { 1, 1.6, 2.5, 3.3 }, new[] { 834.0, 534, 400, 334 }, new[] { 1300.0, 1100, 1000, 900 })]
     [TestCase(Sampler.Poisson, new[] { 1, 1.6, 2.5, 3.3 }, new[] { 884.0, 567, 417, 350 }, new[] { 1300.0, 1100, 1000, 900 })]
-    public void Convert_BesideFrames_FollowsTheNumberOfWorkers(Sampler sampler, double[] speedups, double[] max60Ms,
+    public void Convert_DuringPlayMode_FollowsTheNumberOfWorkers(Sampler sampler, double[] speedups, double[] max60Ms,
         double[] max10Ms)
     {
         double first = 0;

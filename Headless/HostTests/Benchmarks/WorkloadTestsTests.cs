@@ -27,7 +27,7 @@ public sealed class WorkloadTestsTests
     }
 
     [Test]
-    public void CompileBurstFirst_ThenAsBefore_LeavesTheOptionAsItWas([Values] bool was)
+    public void CompileBurstFirst_ThenAsBefore_RestoresTheOption([Values] bool was)
     {
         var tests = new WorkloadTests();
         BurstCompiler.Options.EnableBurstCompileSynchronously = was;

@@ -16,7 +16,7 @@ public sealed class ArgumentTests : ScratchTests
     }
 
     [Test]
-    public void File_BehindTwoDashes_MayBeCalledAnything()
+    public void File_AfterTwoDashes_MayHaveAnyName()
     {
         string before = Environment.CurrentDirectory;
         File.Copy(m_demo, Scratch["--help"]);
@@ -39,7 +39,7 @@ public sealed class ArgumentTests : ScratchTests
     [TestCase("1.5k", 1500)]
     [TestCase("2,000", 2000)]
     [TestCase("0.002M", 2000)]
-    public void Points_InAnySpelling_AreMade(string written, long points)
+    public void DemoCloud_PointsInAnySpelling_AreParsed(string written, long points)
     {
         var call = CliCall.Of("demo-cloud", "-o", Scratch["n.las"], "--points", written, "--json", "-");
         Assert.That(call.Json.GetProperty("points").GetInt64(), Is.EqualTo(points));
@@ -68,7 +68,7 @@ public sealed class ArgumentTests : ScratchTests
 
     [Test]
     [Platform(Exclude = "Win")]
-    public void Json_IntoADevice_IsWrittenAndTheDeviceStays()
+    public void Json_ToADevice_IsWrittenAndTheDeviceStays()
     {
         Assert.That(CliCall.Of("info", m_demo, "--json", "/dev/null").Status, Is.Zero);
         Assert.That(File.ReadAllBytes("/dev/null"), Is.Empty);

@@ -28,7 +28,7 @@ public sealed class BatchTests : ScratchPerTest
     }
 
     [Test]
-    public void Info_WithABadFile_GoesOn()
+    public void Info_WithABadFile_Continues()
     {
         var call = CliCall.Of("info", m_demo, m_bad, m_demo, "--json", "-");
         HasOutcomes(call, 0, 3, 0);
@@ -48,7 +48,7 @@ public sealed class BatchTests : ScratchPerTest
     }
 
     [Test]
-    public void MainJob_WithABadFile_GoesOn()
+    public void MainJob_WithABadFile_Continues()
     {
         string other = Scratch.Demo("b.las", 500), reports = Scratch["reports"];
         var call = CliCall.Of(m_bad, m_demo, other, "-o", reports, "--json", "-");
@@ -71,7 +71,7 @@ public sealed class BatchTests : ScratchPerTest
     }
 
     [Test]
-    public void MainJob_OverTheReportOnAnotherFile_NeedsForce()
+    public void MainJob_OverAReportOfAnotherFile_NeedsForce()
     {
         string laz = Scratch.Demo("a.laz", 600), folder = Scratch["r"];
         Assert.That(CliCall.Of(m_demo, "-o", folder).Status, Is.Zero);

@@ -60,7 +60,7 @@ public sealed class BenchTests : ScratchTests
     [TestCase(typeof(RunPlayer), "Player")]
     [TestCase(typeof(RunHardware), "Hardware")]
     [TestCase(typeof(RunEditor), "Editor")]
-    public void Classes_OfTheResults_HaveTheFieldsOfThePackage(System.Type type, string name)
+    public void Results_Classes_HaveTheFieldsOfThePackage(System.Type type, string name)
     {
         if (!Directory.Exists(Checkout.Repository.FullApi))
             Assert.Ignore($"no list of Unity's signatures in {Checkout.Repository.FullApi}");
@@ -86,7 +86,7 @@ public sealed class BenchTests : ScratchTests
     }
 
     [Test]
-    public void Baseline_ARunOfTheSame_IsComparedByItsSamples()
+    public void Baseline_SameInput_IsComparedBySamples()
     {
         var call = Bench("second", "--baseline", m_results);
 
@@ -117,8 +117,8 @@ public sealed class BenchTests : ScratchTests
     [TestCase(15, 20, "slower, less than all are")]
     [TestCase(40, 20, "slower")]
     [TestCase(20, 5, "slower")]
-    public void Baseline_AChangeBesideThatOfAll_IsNamed(double own, double others, string result) =>
-        Assert.That(Compare(own, others)[0].Verdict, Is.EqualTo(result));
+    public void Baseline_ChangeBeyondTheCommonOne_IsNamed(double own, double others, string result) =>
+        Assert.That(Compare(own, others)[0].Outcome, Is.EqualTo(result));
 
     [Test]
     public void Baseline_OtherInput_IsNotCompared() =>

@@ -26,7 +26,7 @@ public sealed class DemoCloudTests : ScratchPerTest
     }
 
     [Test]
-    public void DemoCloud_WithTheSameSeed_HasTheSameBytesWhateverTheThreads()
+    public void DemoCloud_SameSeed_HasTheSameBytesWithAnyThreads()
     {
         Make("one.las", "--points", "20000", "--threads", "1");
         Make("three.las", "--points", "20000", "--threads", "3");
@@ -74,7 +74,7 @@ public sealed class DemoCloudTests : ScratchPerTest
     }
 
     [Test]
-    public void Order_HoldsTheSamePoints()
+    public void Order_AnyScan_KeepsTheSamePoints()
     {
         Make("strip.las", "--points", "30000");
         string sums = Scan("strip.las").GetProperty("columnSums").GetRawText();
@@ -101,7 +101,7 @@ public sealed class DemoCloudTests : ScratchPerTest
     }
 
     [Test]
-    public void Tile_RepeatsThePointsSideBySide()
+    public void Tile_AnyFile_RepeatsThePointsSideBySide()
     {
         Make("a.las", "--points", "4000");
         Make("b.las", "--tile", Scratch["a.las"], "--times", "3");
@@ -123,7 +123,7 @@ public sealed class DemoCloudTests : ScratchPerTest
 
     // Moved chunks and unpacked, tiled records are the same points.
     [Test]
-    public void Tile_OfLaz_IsThatOfItsRecords()
+    public void Tile_OfLaz_MatchesThatOfItsRecords()
     {
         Make("a.laz", "--points", "60000");
         Make("b.laz", "--tile", Scratch["a.laz"], "--times", "3");

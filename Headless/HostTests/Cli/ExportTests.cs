@@ -64,7 +64,7 @@ public sealed class ExportTests : ScratchTests
     }
 
     [Test]
-    public void Export_CopcOfTextInLittleMemory_SaysWhatItMade()
+    public void Export_CopcOfTextInLittleMemory_SummarisesTheResult()
     {
         File.WriteAllLines(Scratch["grid.xyz"], Enumerable.Range(0, 5000).Select(i => $"{i % 10} {i / 10 % 10} {i / 100}.5"));
         Export("grid.copc.laz", Scratch["grid.xyz"], "--memory", "200MiB");
@@ -75,7 +75,7 @@ public sealed class ExportTests : ScratchTests
     }
 
     [Test]
-    public void Export_OfNothing_IsAWarningThatSaysWhereTheCloudIs()
+    public void Export_NoPoints_WarnsWithTheCloudsBounds()
     {
         string[] args = ["export", m_cloud, "-o", Scratch["nothing.las"], "--clip", "0,0,0,50,50,20"];
         var call = CliCall.Of(args);
@@ -86,7 +86,7 @@ public sealed class ExportTests : ScratchTests
     }
 
     [Test]
-    public void Export_BoxFromTheLeastCorner_IsTheSameOfCloudAndFile()
+    public void Export_BoxFromTheMinCorner_IsTheSameForCloudAndFile()
     {
         long of(string source, string output) =>
             Export(output, source, "--clip-local", "0,0,0,50,50,20").GetProperty("points").GetInt64();
@@ -98,7 +98,7 @@ public sealed class ExportTests : ScratchTests
     }
 
     [Test]
-    public void Export_Filtered_IsWhatIsWantedOfCloudAndFile()
+    public void Export_Filtered_IsTheSameForCloudAndFile()
     {
         long of(string source, params string[] filter) =>
             Export("filtered.laz", [source, "--force", .. filter]).GetProperty("points").GetInt64();
@@ -137,7 +137,7 @@ public sealed class ExportTests : ScratchTests
     }
 
     [Test]
-    public void Losses_AreNamedOnceInWordsAndInJson()
+    public void Losses_OfAnExport_AreNamedOnceInTextAndJson()
     {
         string ply = Scratch["faces.ply"];
         File.WriteAllText(ply, "ply\nformat ascii 1.0\ncomment by hand\nelement vertex 1\nproperty float x\nproperty float y\n"
@@ -155,7 +155,7 @@ public sealed class ExportTests : ScratchTests
     }
 
     [Test]
-    public void Commands_OfTheReadme_DoWhatItSays()
+    public void Commands_OfTheReadme_RunAsDescribed()
     {
         string readme = Path.Combine(Checkout.Repository.Root, "README.md");
         string[] lines = [.. File.ReadLines(readme).Select(l => l.Split('#')[0].Trim())

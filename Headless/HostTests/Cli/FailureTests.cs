@@ -20,7 +20,7 @@ public sealed class FailureTests : ScratchPerTest
     [TestCase("")]
     [TestCase("LASF")]
     [TestCase("this is no point cloud, but long enough for a header of any kind that one might think of")]
-    public void Info_OfSomethingElse_IsBadInput(string content)
+    public void Info_OfAnotherFile_IsBadInput(string content)
     {
         File.WriteAllText(Scratch["bad.las"], content);
         FailsInOneLine(CliCall.Of("info", Scratch["bad.las"]), ExitStatus.BadInput, Scratch["bad.las"]);
@@ -30,7 +30,7 @@ public sealed class FailureTests : ScratchPerTest
     [TestCase("tree 1 2 3\nhouse 4 5 6\n", "--columns x,y,z")]
     [TestCase("\u0089PNG\r\n\u001a\nrest of it", "a picture holds no points")]
     [TestCase("", "what comes from a pipe is read as -")]
-    public void Info_OfWhatIsNoCloud_SaysWhatHelps(string content, string hint)
+    public void Info_NotACloud_GivesAHint(string content, string hint)
     {
         File.WriteAllBytes(Scratch["odd"], Encoding.Latin1.GetBytes(content));
         var call = CliCall.Of("info", Scratch["odd"]);
@@ -40,7 +40,7 @@ public sealed class FailureTests : ScratchPerTest
 
     [TestCase("")]
     [TestCase("/ept.json")]
-    public void Info_OfATreeWithoutItsPoints_IsBadInput(string index)
+    public void Info_OctreeWithoutPoints_IsBadInput(string index)
     {
         Directory.CreateDirectory(Scratch["tree/ept-hierarchy"]);
         File.WriteAllText(Scratch["tree/ept-hierarchy/0-0-0-0.json"], "{\"0-0-0-0\":1}");
@@ -54,7 +54,7 @@ public sealed class FailureTests : ScratchPerTest
     }
 
     [Test]
-    public void Info_OfAnAddressOrAFolderOfFolders_SaysWhatHelps()
+    public void Info_OfAnUrlOrAFolderOfFolders_GivesAHint()
     {
         Assert.That(CliCall.Of("info", "https://example.org/a.laz").Error, Does.Contain("download the file"));
         Directory.CreateDirectory(Scratch["all/tiles"]);
@@ -65,7 +65,7 @@ public sealed class FailureTests : ScratchPerTest
     }
 
     [Test]
-    public void Columns_WithWordsLeftOut_AreRead()
+    public void Columns_WithUnusedWords_AreRead()
     {
         File.WriteAllText(Scratch["words.txt"], "tree 1 2 3\nhouse 4 5 6\n");
         var call = CliCall.Of("info", "--scan", Scratch["words.txt"], "--columns=-,x,y,z", "--json", "-");
@@ -88,7 +88,7 @@ public sealed class FailureTests : ScratchPerTest
     }
 
     [Test]
-    public void Output_IntoAFolderThatIsNotThere_Fails()
+    public void Output_IntoAMissingFolder_Fails()
     {
         string demo = Scratch.Demo();
         FailsInOneLine(CliCall.Of("preview", demo, "-o", Scratch["no/such/p.png"], "--size", "16x16"), ExitStatus.Failed,
@@ -112,7 +112,7 @@ public sealed class FailureTests : ScratchPerTest
     [TestCase("picture", "DEMO", "-o", "OUT/p.png")]
     [TestCase("convert", "DEMO", "-o", "OUT/made.fastpoints")]
     [TestCase("demo-cloud", "-o", "OUT/tiled.las", "--tile", "DEMO", "--times", "3")]
-    public void Work_ThatIsCancelled_LeavesNothing(params string[] args)
+    public void Spool_Cancelled_LeavesNothing(params string[] args)
     {
         string demo = Scratch.Demo();
         Directory.CreateDirectory(Scratch["out"]);

@@ -19,7 +19,7 @@ public class FirstPictureTests : ScratchPerTest
     }
 
     [Test]
-    public void MainJob_Street_CutsNothingOff()
+    public void MainJob_Street_FramesAllPoints()
     {
         string folder = Scratch["report"];
         var call = CliCall.Of(Scratch.Demo(points: 60_000), "-o", folder, "--plain", "--quiet");
@@ -30,7 +30,7 @@ public class FirstPictureTests : ScratchPerTest
     }
 
     [TestCase("top"), TestCase("front"), TestCase("iso")]
-    public void Preview_StreetFromAnySide_CutsNothingOff(string view)
+    public void Preview_StreetFromAnySide_FramesAllPoints(string view)
     {
         string picture = Scratch["p.png"];
         CliCall.Of("preview", Scratch.Demo(points: 60_000), "-o", picture, "--view", view, "--plain", "--quiet");
@@ -66,7 +66,7 @@ public class FirstPictureTests : ScratchPerTest
 
     /// <summary>Seen from above, a metre of the picture is as long as its bar says.</summary>
     [Test]
-    public void Picture_ScaleBarFromAbove_IsAsLongAsItSays()
+    public void Picture_ScaleBarFromAbove_HasItsLength()
     {
         string file = Scratch["square.xyz"], picture = Scratch["p.png"];
         File.WriteAllLines(file, Enumerable.Range(0, 10_201).Select(i => $"{i % 101} {i / 101} {i % 7 / 10.0}"));
@@ -81,7 +81,7 @@ public class FirstPictureTests : ScratchPerTest
     }
 
     [TestCase("", "Y is taken for up"), TestCase("z", "coloured by")]
-    public void Picture_PlyWithYUp_IsGuessedUnlessItIsSaid(string up, string expected)
+    public void Picture_PlyWithYUp_IsGuessedUnlessGiven(string up, string expected)
     {
         string file = Scratch["y.ply"];
         var random = new Unity.Mathematics.Random(3);
@@ -99,15 +99,15 @@ public class FirstPictureTests : ScratchPerTest
     }
 
     [TestCase("x", -1, 1, -1), TestCase("y", 1, -1, -1), TestCase("z", 1, -1, -1)]
-    public void Picture_NegativeUp_IsThatOfTheTurnedCloud(string axis, int x, int y, int z)
+    public void Picture_NegativeUp_MatchesTheRotatedCloud(string axis, int x, int y, int z)
     {
         var random = new System.Random(5);
         string[] files = [Scratch["down.xyz"], Scratch["turned.xyz"]];
         string[] pictures = [Scratch["down.png"], Scratch["turned.png"]];
-        var places = Enumerable.Range(0, 4000)
+        var positions = Enumerable.Range(0, 4000)
             .Select(_ => (x: random.Next(900), y: random.Next(700), z: random.Next(200))).ToList();
-        File.WriteAllLines(files[0], places.Select(p => $"{p.x} {p.y} {p.z}"));
-        File.WriteAllLines(files[1], places.Select(p => $"{x * p.x} {y * p.y} {z * p.z}"));
+        File.WriteAllLines(files[0], positions.Select(p => $"{p.x} {p.y} {p.z}"));
+        File.WriteAllLines(files[1], positions.Select(p => $"{x * p.x} {y * p.y} {z * p.z}"));
         foreach (int i in new[] { 0, 1 })
         {
             var call = CliCall.Of("picture", files[i], "-o", pictures[i], "--up", (i == 0 ? "-" : "") + axis, "--size", "320x180",

@@ -44,7 +44,7 @@ public sealed class FlyTests : ScratchTests
     /// <summary>The safety checks of the test build remember each job, in all frames alike. What the first ones make beyond
     /// that grows the pools: 143 kB here, 31 kB without the checks.</summary>
     [Test]
-    public void Fly_FirstFrames_MakeNoMoreGarbageThanPoolsTake()
+    public void Fly_FirstFrames_AllocateOnlyPools()
     {
         var call = CliCall.Of("fly", m_cloud, "--frames", "120", "--json", "-");
         Assert.That(call.Status, Is.EqualTo(ExitStatus.Done), call.Error);
@@ -54,7 +54,7 @@ public sealed class FlyTests : ScratchTests
     }
 
     [Test]
-    public void Fly_PathOfOnesOwn_HasItsFramesAndCuts()
+    public void Fly_CustomPath_HasItsFramesAndCuts()
     {
         string path = Scratch["way.txt"];
         File.WriteAllText(path, "# a comment\n0 -50 -50 30 0 0 0\n10, 50,-50,30, 0,0,0\n12 0 0 5 10 10 0 "
@@ -67,7 +67,7 @@ public sealed class FlyTests : ScratchTests
     }
 
     [Test]
-    public void Fly_FewerFramesThanAPictureTakes_DrawsTheLast()
+    public void Fly_FewerFramesThanOnePicture_DrawsTheLast()
     {
         string[] outputs = [Scratch["short"], Scratch["short.png"], Scratch["single-%04d.png"]];
         // It stands still until all is loaded: a flight shows what is there by then.
@@ -107,7 +107,7 @@ public sealed class FlyTests : ScratchTests
     }
 
     [Test]
-    public void FlightPictures_WithoutLibwebp_IsAPngUnlessTheNameSaysWebp()
+    public void FlightPictures_WithoutLibwebp_WritesPngUnlessWebpIsNamed()
     {
         var options = new PictureOptions { WidthPx = 32, HeightPx = 18 };
         Assert.That(() => new FlightOutput(Scratch["x.webp"], options, 1, 100, canWebp: false),
@@ -124,7 +124,7 @@ public sealed class FlyTests : ScratchTests
     [TestCase("0 1 2 3 4 5 6\n0 1 2 3 4 5 6\n", "line 2")]
     [TestCase("0 1 2 3 4 5 nan\n", "line 1")]
     [TestCase("# nothing\n", "no line")]
-    public void Fly_PathThatIsNone_SaysWhere(string text, string said)
+    public void Fly_InvalidPath_NamesTheLine(string text, string said)
     {
         string path = Scratch["bad.txt"];
         File.WriteAllText(path, text);
@@ -153,7 +153,7 @@ public sealed class FlyTests : ScratchTests
     }
 
     [Test]
-    public void Fly_FormatsWithOctreesOfTheirOwn_StreamsThemAsTheyAre()
+    public void Fly_FormatsWithAnOctree_AreStreamedDirectly()
     {
         string copc = TestData.SampleOrIgnore("copc/simple_with_page.copc.laz");
         string potree = Path.GetDirectoryName(TestData.SampleOrIgnore("potree/v2-mixedconifer-default/metadata.json"));
@@ -165,7 +165,7 @@ public sealed class FlyTests : ScratchTests
     }
 
     [Test]
-    public void Fly_FileWithoutAnOctree_FliesOverItsPreview()
+    public void Fly_FileWithoutAnOctree_ShowsItsPreview()
     {
         var call = CliCall.Of("fly", Scratch.Demo(points: 20_000), "--budget", "5000", "--frames", "60", "--json", "-");
         Assert.That(call.Status, Is.EqualTo(ExitStatus.Done), call.Error);
@@ -202,7 +202,7 @@ public sealed class FlyTests : ScratchTests
     }
 
     [Test]
-    public void Picture_KindsTogether_AreOnePicture()
+    public void Picture_DifferentFormats_AreOnePicture()
     {
         string copc = TestData.SampleOrIgnore("copc/simple_with_page.copc.laz"), converted = Scratch["page.fastpoints"];
         Assert.That(CliCall.Of("convert", copc, "-o", converted, "--quiet").Status, Is.EqualTo(ExitStatus.Done));

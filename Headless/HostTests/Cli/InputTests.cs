@@ -5,7 +5,7 @@ namespace FastPoints.HostTests.Cli;
 public sealed class InputTests : ScratchPerTest
 {
     [Test]
-    public void Info_OfALink_ReadsWhatItLeadsTo()
+    public void Info_OfALink_ReadsItsTarget()
     {
         string demo = Scratch.Demo("scan.las", 100);
         File.CreateSymbolicLink(Scratch["link.las"], demo);
@@ -14,7 +14,7 @@ public sealed class InputTests : ScratchPerTest
     }
 
     [Test]
-    public void Info_OfAFolder_LooksIntoFoldersIfItIsTold()
+    public void Info_OfAFolder_IsRecursiveOnRequest()
     {
         Directory.CreateDirectory(Scratch["tiles/a/b"]);
         File.Copy(Scratch.Demo("scan.las", 100), Scratch["tiles/1.las"]);
@@ -75,7 +75,7 @@ public sealed class InputTests : ScratchPerTest
     }
 
     [Test]
-    public void Convert_OverACloudOfAnotherScanOfThatNameAndSize_NeedsForce()
+    public void Convert_OverACloudOfAScanWithEqualNameAndSize_NeedsForce()
     {
         string[] Convert(string folder) => ["convert", Scratch[folder + "/s.las"], "-o", Scratch["q.fastpoints"], "--quiet"];
         foreach (string folder in new[] { "a", "b" })
@@ -90,7 +90,7 @@ public sealed class InputTests : ScratchPerTest
     }
 
     [Test]
-    public void Convert_OfATreeThatCountsItsBytesLate_IsRepeated()
+    public void Convert_MemoryMeasuredLate_IsRepeated()
     {
         Directory.CreateDirectory(Scratch["tree/ept-hierarchy"]);
         Directory.CreateDirectory(Scratch["tree/ept-data"]);
@@ -111,7 +111,7 @@ public sealed class InputTests : ScratchPerTest
     }
 
     [TestCase("{\"version\": 1}"), TestCase("not ours")]
-    public void Convert_OverWhatIsNoCloudOfOurs_NeedsForce(string manifest)
+    public void Convert_OverAForeignFolder_NeedsForce(string manifest)
     {
         Directory.CreateDirectory(Scratch["q.fastpoints"]);
         File.WriteAllText(Scratch["q.fastpoints/cloud.json"], manifest);
@@ -145,7 +145,7 @@ public sealed class InputTests : ScratchPerTest
     }
 
     [TestCase("returnnumber"), TestCase("GpsTime"), TestCase("scanangle"), TestCase("pointsource")]
-    public void Picture_ByAnAttribute_OfAFileAndOfACloud_IsNotThatByColour(string color)
+    public void Picture_ByAnAttribute_DiffersFromRgb(string color)
     {
         string scan = Scratch.Demo("scan.las", 3000), cloud = Scratch.Converted();
         foreach (string source in new[] { scan, cloud })
@@ -184,7 +184,7 @@ public sealed class InputTests : ScratchPerTest
     }
 
     [TestCase("picture"), TestCase("preview"), TestCase("")]
-    public void Picture_ByWhatIsNotThere_IsWrongUsageAndNamesWhatIs(string verb)
+    public void Picture_ByAMissingAttribute_IsWrongUsageAndListsTheOthers(string verb)
     {
         string[] draw = [Scratch.Demo(), "-o", Scratch[verb == "" ? "report" : "p.png"], "--style", "color=temperature"];
         var call = CliCall.Of(verb == "" ? draw : [verb, .. draw]);
@@ -194,7 +194,7 @@ public sealed class InputTests : ScratchPerTest
     }
 
     [Test]
-    public void Picture_OfEachView_IsAnotherAndSideIsLeft()
+    public void Picture_OfEachView_DiffersAndSideIsLeft()
     {
         string scan = Scratch.Demo();
         var pictures = new[] { "top", "bottom", "front", "back", "left", "right", "iso", "side" }.Select(view =>
@@ -209,7 +209,7 @@ public sealed class InputTests : ScratchPerTest
 
     [Test]
     [Platform("Linux")]
-    public void Info_OfANameThatIsNoUtf8_ReadsTheFile()
+    public void Info_NonUtf8Name_ReadsTheFile()
     {
         Scratch.Demo("scan.las", 100);
         string line = "cp scan.las NAME; \"$0\" info NAME; status=$?; rm NAME; exit $status"
@@ -221,7 +221,7 @@ public sealed class InputTests : ScratchPerTest
     [TestCase("convert scan.las -o $'a\\xff.fastpoints'")]
     [TestCase("export scan.las -o $'b\\xff.las'"), TestCase("info $'c\\xff'")]
     [Platform("Linux")]
-    public void Output_OfANameThatIsNoUtf8_IsRefusedAndNothingIsWritten(string line)
+    public void Output_NonUtf8Name_IsRefusedAndNothingIsWritten(string line)
     {
         Scratch.Demo("scan.las", 100);
         string all = "touch $'b\\xff.las'; \"$0\" " + line + "; status=$?; rm $'b\\xff.las'; exit $status";
@@ -279,7 +279,7 @@ public sealed class InputTests : ScratchPerTest
     [TestCase("\"$0\" export scan.las -o - > /dev/full", ExitStatus.Failed, "standard output: ")]
     [TestCase("\"$0\" demo-cloud -o - --points 9 | \"$0\" info - | grep '9 by the header'", 0, "9 by")]
     [Platform("Linux")]
-    public void Dash_IsStandardInputOrOutput(string line, int status, string expected)
+    public void Dash_AsPath_IsStandardInputOrOutput(string line, int status, string expected)
     {
         Scratch.Demo("scan.las", 100);
         Assert.That(Shell(line, out string said), Is.EqualTo(status), said);

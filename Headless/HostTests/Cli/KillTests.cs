@@ -48,7 +48,7 @@ public sealed class KillTests
     [TestCase(100_000, 12, 20, LittleMemory, "poisson", Category = "Long")]
     [TestCase(100_000, 12, 20, MuchMemory, "random", Category = "Long")]
     [TestCase(100_000, 12, 20, MuchMemory, "poisson", Category = "Long")]
-    public void Kill_AtRandomMoments_TheSameCommandGoesOnToTheSameBytes(int points, int times, int kills,
+    public void Kill_AtRandomTimes_SameCommandResumesToTheSameBytes(int points, int times, int kills,
         string memory, string sampler)
     {
         using var scratch = new ScratchFolder();
@@ -89,7 +89,7 @@ public sealed class KillTests
     }
 
     [Test]
-    public void Convert_WhileAnotherProcessDoes_IsRefusedUntilThatIsKilled()
+    public void Convert_LockedByAnotherProcess_IsRefusedUntilThatIsKilled()
     {
         using var scratch = new ScratchFolder();
         MakeCloud(scratch, 500_000, 8);
@@ -112,7 +112,7 @@ public sealed class KillTests
     }
 
     [TestCase(500_000, 42, Category = "Long")]
-    public void Memory_WhateverTheNumberOfPoints_IsNeverExceeded(int points, int times)
+    public void Memory_AnyNumberOfPoints_IsNeverExceeded(int points, int times)
     {
         using var scratch = new ScratchFolder();
         MakeCloud(scratch, points, times);

@@ -30,7 +30,7 @@ public sealed class LostPointsTests : ScratchTests
     ];
 
     [TestCaseSource(nameof(s_verbs))]
-    public void ShortSource_IsCountedAndIncompleteWithStrict(params string[] args)
+    public void Source_Truncated_IsCountedAndIncompleteWithStrict(params string[] args)
     {
         var call = CliCall.Of(Args(m_short, args).Append("--json").Append("-").Append("--quiet").ToArray());
         Assert.That(call.Status, Is.Zero, call.Error);
@@ -48,7 +48,7 @@ public sealed class LostPointsTests : ScratchTests
     }
 
     [TestCaseSource(nameof(s_verbs))]
-    public void WholeSource_LosesNothing(params string[] args)
+    public void Export_WholeSource_LosesNothing(params string[] args)
     {
         var call = CliCall.Of(Args(m_whole, args).Append("--strict").Append("--force").Append("--json").Append("-").ToArray());
         Assert.That(call.Status, Is.Zero, call.Error);
@@ -67,7 +67,7 @@ public sealed class LostPointsTests : ScratchTests
     }
 
     [Test]
-    public void Garbage_ThatIsLeftOut_IsIncompleteWithStrict()
+    public void Garbage_Skipped_IsIncompleteWithStrict()
     {
         File.WriteAllText(Scratch["odd.ply"], "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
             + "property float z\nend_header\n1 2 3\nnan 2 3\n4 5 6\n");

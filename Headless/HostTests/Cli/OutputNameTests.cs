@@ -49,7 +49,7 @@ public sealed class OutputNameTests : ScratchPerTest
     }
 
     [Test]
-    public void DemoCloud_OverAScanOfSomebody_NeedsForce()
+    public void DemoCloud_OverAForeignFile_NeedsForce()
     {
         string[] demo = ["demo-cloud", "-o", Scratch["scan.las"], "--points", "50"];
         Assert.That(CliCall.Of(demo).Status, Is.Zero, "its own scan is replaced");
@@ -67,7 +67,7 @@ public sealed class OutputNameTests : ScratchPerTest
     [TestCase("@s.las", "demo-cloud", "-o", "@s.las", "--points", "10")]
     [TestCase("@s.laz", "demo-cloud", "-o", "@s.laz", "--points", "10")]
     [TestCase("@s.ply", "demo-cloud", "-o", "@s.ply", "--points", "10")]
-    public void Output_OfSomebodyElse_NeedsForce(string output, params string[] args)
+    public void Output_ForeignFile_NeedsForce(string output, params string[] args)
     {
         output = Real(output);
         args = args.Select(Real).ToArray();
@@ -99,7 +99,7 @@ public sealed class OutputNameTests : ScratchPerTest
     }
 
     [Test]
-    public void Convert_ToAPointCloud_SaysThatThisIsAnExport() => Assert.That(
+    public void Convert_ToAPointCloudFile_SuggestsExport() => Assert.That(
         CliCall.Of("convert", Scratch["scan.las"], "-o", Scratch["new.laz"]).Error, Does.Contain("export"));
 
     string Real(string arg) => arg.StartsWith('@') ? Scratch[arg[1..]] : arg;

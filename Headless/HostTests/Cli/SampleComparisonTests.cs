@@ -7,7 +7,7 @@ public sealed class SampleComparisonTests
     /// <summary>Of seven against seven, eight ratios are cut off at each end, as the tables of Mann and Whitney have it
     /// (critical U of 8 at 5 %, two-sided): the ninth is the interval's end.</summary>
     [Test]
-    public void Of_SevenAgainstSeven_CutsAsTheTablesSay()
+    public void Of_SevenAgainstSeven_HasTheTabulatedThreshold()
     {
         double[] now = [1.01, 1.02, 1.04, 1.08, 1.16, 1.32, 1.64], before = [1, 1.001, 1.002, 1.003, 1.004, 1.005, 1.006];
         double[] ratios = now.SelectMany(n => before.Select(b => n / b)).Order().ToArray();
@@ -37,7 +37,7 @@ public sealed class SampleComparisonTests
 
     [TestCase(3, 3)]
     [TestCase(1, 20)]
-    public void Of_TooFewSamples_SaysThatItCannotKnow(int now, int before)
+    public void Of_TooFewSamples_IsUnknown(int now, int before)
     {
         var comparison = SampleComparison.Of(Enumerable.Repeat(2.0, now).ToArray(), Enumerable.Repeat(1.0, before).ToArray())!;
 
@@ -61,7 +61,7 @@ public sealed class SampleComparisonTests
         Enumerable.Range(0, 7).Select(_ => 1 - System.Math.Log(random.NextDouble())).ToArray();
 
     [Test]
-    public void Of_TimesOfNought_IsNothing()
+    public void Of_ZeroTimes_IsNull()
     {
         Assert.That(SampleComparison.Of([0, 1, 2, 3], [1, 1, 1, 1]), Is.Null);
         Assert.That(SampleComparison.Of([], [1, 1, 1, 1]), Is.Null);

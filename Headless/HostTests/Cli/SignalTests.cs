@@ -28,7 +28,7 @@ public sealed class SignalTests
     [TestCase("INT")]
     [TestCase("TERM")]
     [Platform(Exclude = "Win")]
-    public void Signal_WhileWriting_EndsWith130AndLeavesNothing(string signal)
+    public void Signal_WhileWriting_ExitsWith130AndLeavesNothing(string signal)
     {
         using var scratch = new ScratchFolder();
         using var process = Start("demo-cloud", "-o", scratch["big.las"], "--points", "400000000");

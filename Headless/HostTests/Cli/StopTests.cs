@@ -25,7 +25,7 @@ public sealed class StopTests : ScratchPerTest
     }
 
     [Test]
-    public void Stop_OfWhatCanGoOn_KeepsItAndNamesTheCommand()
+    public void Stop_ResumableBuild_KeepsItAndNamesTheCommand()
     {
         LeaveABuild();
         var call = CliCall.Of(new CancellationToken(true), Convert());
@@ -48,7 +48,7 @@ public sealed class StopTests : ScratchPerTest
     }
 
     [Test]
-    public void Stop_OfAReport_LeavesNoHalfOfIt([Values(false, true)] bool wasThere)
+    public void Stop_DuringAReport_LeavesNothing([Values(false, true)] bool wasThere)
     {
         string folder = Scratch["report"];
         if (wasThere)
@@ -80,7 +80,7 @@ public sealed class StopTests : ScratchPerTest
     }
 
     [Test]
-    public void SecondStop_KeepsNothing()
+    public void Stop_Twice_KeepsNothing()
     {
         LeaveABuild();
         using var error = new StringWriter();
@@ -93,7 +93,7 @@ public sealed class StopTests : ScratchPerTest
 
     [Test]
     [Platform(Exclude = "Win")]
-    public void Sigterm_WhilePointsAreInFiles_KeepsThemForTheSameCommand()
+    public void Sigterm_WithTemporaryFiles_KeepsThemForTheSameCommand()
     {
         for (int times = 40; ; times *= 2)
         {

@@ -13,7 +13,7 @@ public sealed class StoredInfoTests : ScratchTests
     }
 
     [Test]
-    public void Info_OfAConvertedCloud_IsWhatItsSourceHas()
+    public void Info_OfAConvertedCloud_MatchesItsSource()
     {
         var cloud = CliCall.Of("info", m_cloud, "--json", "-").Json;
         var source = CliCall.Of("info", "--scan", m_demo, "--json", "-").Json;
@@ -47,7 +47,7 @@ public sealed class StoredInfoTests : ScratchTests
     }
 
     [Test]
-    public void Info_OfCloudAndFiles_SaysAllOfThem()
+    public void Info_OfCloudAndFiles_ListsAll()
     {
         var call = CliCall.Of("info", m_demo, m_cloud);
         Assert.That(call.Status, Is.Zero, call.Error);
@@ -95,7 +95,7 @@ public sealed class StoredInfoTests : ScratchTests
     }
 
     [Test]
-    public void Scan_OfAFile_SaysWhereNearlyAllPointsAreAndHowDense()
+    public void Scan_OfAFile_GivesRobustBoundsAndDensity()
     {
         byte[] las = File.ReadAllBytes(m_demo);
         int first = BitConverter.ToInt32(las, 96), record = BitConverter.ToUInt16(las, 105);
@@ -173,7 +173,7 @@ public sealed class StoredInfoTests : ScratchTests
     [TestCase("[suggest:3]", "inf", "info")]
     [TestCase("[suggest:9]", "info --sc", "--scan")]
     [TestCase("[suggest:3]", "con", "convert")]
-    public void Suggest_OfAWordThatBegins_NamesWhatItMayBe(string directive, string line, string word)
+    public void Suggest_Prefix_ListsCompletions(string directive, string line, string word)
     {
         var call = CliCall.Of(directive, line);
         Assert.That(call.Status, Is.Zero, call.Error);

@@ -10,7 +10,7 @@ public sealed class SummaryTests : ScratchTests
     [TestCase("\"schema\": 1", "\"schema\": 2"), TestCase("\"points\": 3000", "\"points\": -3")]
     [TestCase("\"verb\": \"info\"", "\"verb\": \"inform\""), TestCase("\"crsEpsg\": 32632", "\"crsEpsgs\": 32632")]
     [TestCase("\"warnings\": []", "\"warnings\": {}"), TestCase("\"stages\": []", "\"stages\": [{ \"nam\": 1 }]")]
-    public void Schema_OfASummaryWithAPlantedFault_RefusesIt(string right, string wrong)
+    public void Schema_SummaryWithAPlantedMistake_RefusesIt(string right, string wrong)
     {
         string summary = CliCall.Of("info", m_demo, "--json", "-").Output;
         Assert.That(summary, Does.Contain(right));
@@ -76,7 +76,7 @@ public sealed class SummaryTests : ScratchTests
     public void Info_FromTheHeader_HasItsKeys() => HasInfoKeys(Summary("info", "info", m_demo), false);
 
     [Test]
-    public void Info_WithScan_FindsWhatTheHeaderClaims()
+    public void Info_WithScan_MatchesTheHeader()
     {
         var json = Summary("info", "info", m_demo, "--scan");
         HasInfoKeys(json, true);
@@ -87,7 +87,7 @@ public sealed class SummaryTests : ScratchTests
     }
 
     [Test]
-    public void Info_WithAnyNumberOfThreads_FindsTheSame()
+    public void Info_AnyNumberOfThreads_IsTheSame()
     {
         string one = Summary("info", "info", m_demo, "--scan", "--threads", "1").GetProperty("columnSums").GetRawText();
         string three = Summary("info", "info", m_demo, "--scan", "--threads", "3").GetProperty("columnSums").GetRawText();
@@ -114,7 +114,7 @@ public sealed class SummaryTests : ScratchTests
     }
 
     [Test]
-    public void PreviewReport_WritesErrorsOverTime()
+    public void PreviewReport_OfAFile_PlotsErrorsOverTime()
     {
         string folder = Scratch["errors"];
         var json = Summary("preview", "preview", m_demo, "-o", Scratch["p.png"], "--size", "160x90",
@@ -256,7 +256,7 @@ public sealed class SummaryTests : ScratchTests
     }
 
     [TestCase(false), TestCase(true)]
-    public void MainJob_WithoutAFile_MakesItsOwnAndKeepsItIfAsked(bool keeps)
+    public void MainJob_WithoutAFile_CreatesADemoCloudAndKeepsItIfAsked(bool keeps)
     {
         string folder = Scratch["own" + keeps];
         string[] options = ["--out", folder, "--points", "3000"];
@@ -268,7 +268,7 @@ public sealed class SummaryTests : ScratchTests
     }
 
     [Test]
-    public void JsonFile_IsWrittenBesideTheTextForPeople()
+    public void JsonFile_Requested_IsWrittenBesideTheText()
     {
         string file = Scratch["summary.json"];
         var call = CliCall.Of("info", m_demo, "--json", file);

@@ -43,7 +43,7 @@ public sealed class UsageTests
     [TestCase("hepl", "", "help")]
     [TestCase("info", "--scna", "--scan")]
     [TestCase("--jsn", "x.json", "--json")]
-    public void Word_NearlyRight_GetsASuggestion(string first, string second, string meant)
+    public void Word_Misspelt_GetsASuggestion(string first, string second, string meant)
     {
         var call = CliCall.Of(second.Length > 0 ? new[] { first, second } : new[] { first });
         Assert.That(call.Status, Is.EqualTo(ExitStatus.Usage));
@@ -64,7 +64,7 @@ public sealed class UsageTests
     [TestCase("info a.las --size", null)]
     [TestCase("fly a.las --fps 3", null)]
     [TestCase("picture a.las -o p.png --exact", null)]
-    public void Option_OfAnotherVerbOrProgram_SuggestsWhatMeansTheSame(string line, string meant)
+    public void Option_OfAnotherVerbOrProgram_SuggestsTheEquivalent(string line, string meant)
     {
         var call = CliCall.Of(line.Split(' '));
         Assert.That(call.Status, Is.EqualTo(ExitStatus.Usage));
@@ -73,7 +73,7 @@ public sealed class UsageTests
     }
 
     [Test]
-    public void Option_OfTheMainJobBehindAnotherVerb_IsNotSuggestedAgain()
+    public void Option_OfTheMainJobAfterAnotherVerb_IsNotSuggested()
     {
         var call = CliCall.Of("info", "x.las", "--points", "5");
         Assert.That(call.Status, Is.EqualTo(ExitStatus.Usage));
@@ -81,7 +81,7 @@ public sealed class UsageTests
     }
 
     [Test]
-    public void HelpAndVersion_AreVerbsAsWell()
+    public void HelpAndVersion_AsVerbs_AreUnderstood()
     {
         Assert.That(CliCall.Of("help").Output, Is.EqualTo(CliCall.Of("--help").Output));
         Assert.That(CliCall.Of("help", "convert").Output, Is.EqualTo(CliCall.Of("convert", "--help").Output));
@@ -135,7 +135,7 @@ public sealed class UsageTests
     [TestCase("convert", "x.las", "-o", "x.png")]
     [TestCase("fly", "x.fastpoints", "-o", "x.jpg")]
     [TestCase("preview", "x.las", "-o", "x.png", "--report-output", "x")]
-    public void Arguments_ThatCannotBeMeant_AreUsageErrors(params string[] args)
+    public void Arguments_Contradictory_AreUsageErrors(params string[] args)
     {
         var call = CliCall.Of(args);
         Assert.That(call.Status, Is.EqualTo(ExitStatus.Usage), call.Error);

@@ -2,10 +2,10 @@ using FastPoints.Reading;
 
 namespace FastPoints.HostTests.Conformance;
 
-/// <summary>Codes and texts that somebody else chose to be hard, with units by PROJ's projinfo 9.1.1.</summary>
+/// <summary>Hard codes and texts from other projects, with units by PROJ's projinfo 9.1.1.</summary>
 public sealed class CoordinateSystemConformanceTests
 {
-    // Of the 15 that projinfo prints.
+    // projinfo prints 15 digits.
     const double Digits = 1e-10;
 
     static string Here(string file) => Path.Combine(Checkout.Repository.Headless, "HostTests", "Conformance", file);
@@ -14,7 +14,7 @@ public sealed class CoordinateSystemConformanceTests
         : double.Parse(text, CultureInfo.InvariantCulture);
 
     [Test]
-    public void Codes_OfEpsg_HaveTheUnitsThatProjSays() => Assert.Multiple(() =>
+    public void Codes_OfEpsg_HaveTheUnitsOfProj() => Assert.Multiple(() =>
     {
         var lines = File.ReadAllLines(Here("crs-codes.tsv")).Select(l => l.Split('\t')).ToList();
         Assert.That(lines, Has.Count.EqualTo(100));
@@ -27,7 +27,7 @@ public sealed class CoordinateSystemConformanceTests
     });
 
     [Test]
-    public void Texts_OfAllKinds_HaveTheUnitsThatTheySay() => Assert.Multiple(() =>
+    public void Texts_OfAllKinds_HaveTheStatedUnits() => Assert.Multiple(() =>
     {
         using var texts = JsonDocument.Parse(File.ReadAllText(Here("crs-texts.json")));
         Assert.That(texts.RootElement.GetArrayLength(), Is.EqualTo(20));

@@ -8,10 +8,10 @@ public sealed class PackageConformanceTests(string generation)
     private readonly string m_generation = generation;
 
     [Test]
-    public void Package_AgainstTheFullList_NamesOnlyWhatUnityHas() => Assert.That(Problems(FullList()), Is.Empty);
+    public void Package_AgainstTheFullList_UsesOnlyUnitysApi() => Assert.That(Problems(FullList()), Is.Empty);
 
     [Test]
-    public void Package_AgainstTheCommittedList_NamesOnlyWhatUnityHas()
+    public void Package_AgainstTheCommittedList_UsesOnlyUnitysApi()
     {
         Assert.That(Checkout.Repository.UsedApi, Does.Exist, "RepoTools api writes it");
 
@@ -20,7 +20,7 @@ public sealed class PackageConformanceTests(string generation)
 
     /// <summary>Constants, enum values and default arguments leave no name in the IL, so the stand-ins must be right.</summary>
     [Test]
-    public void StandIns_PublicFace_IsUnitys()
+    public void StandIns_PublicApi_IsUnitys()
     {
         var audit = new StandInAudit(FullList());
         using GenerationBuilds builds = Checkout.Builds(m_generation);

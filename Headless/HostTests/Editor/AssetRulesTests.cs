@@ -22,7 +22,7 @@ public sealed class AssetRulesTests : EditorFixture
     }
 
     [Test]
-    public void ImportAsset_OfWhatHasNotChanged_DoesNothingUnlessItIsForced()
+    public void ImportAsset_Unchanged_DoesNothingUnlessForced()
     {
         AssetDatabase.ImportAsset(Path);
         AssetImporter.GetAtPath(Path).SaveAndReimport();
@@ -47,7 +47,7 @@ public sealed class AssetRulesTests : EditorFixture
     }
 
     [Test]
-    public void Importer_ThatAsksForASingleton_IsRejected()
+    public void Importer_UsingASingleton_IsRejected()
     {
         RuleImporter.Imports = _ => Assert.That(AssetDatabase.IsAssetImportWorkerProcess(), Is.True);
         AssetDatabase.ImportAsset(Path, ImportAssetOptions.ForceUpdate);
@@ -57,7 +57,7 @@ public sealed class AssetRulesTests : EditorFixture
     }
 
     [Test]
-    public void Importer_ThatMakesSomethingElseEachTime_IsRejected()
+    public void Importer_NotDeterministic_IsRejected()
     {
         RuleImporter.Imports = asset => asset.Length = ++s_imports;
         Assert.That(() => AssetDatabase.ImportAsset(Path, ImportAssetOptions.ForceUpdate),
@@ -69,7 +69,7 @@ public sealed class AssetRulesTests : EditorFixture
     [TestCase("a.rule~")]
     [TestCase("Hidden~/a.rule")]
     [TestCase(".git/a.rule")]
-    public void Refresh_HiddenFile_IsNoAsset(string name)
+    public void Refresh_HiddenFile_IsIgnored(string name)
     {
         string path = m_project.Paths.Absolute("Assets/" + name);
         Directory.CreateDirectory(System.IO.Path.GetDirectoryName(path));
@@ -80,7 +80,7 @@ public sealed class AssetRulesTests : EditorFixture
     }
 
     [Test]
-    public void Refresh_FileThatIsMissing_IsNoAssetAnyMore()
+    public void Refresh_MissingFile_RemovesTheAsset()
     {
         File.Delete(m_project.Paths.Absolute(Path));
         AssetDatabase.Refresh();
@@ -89,7 +89,7 @@ public sealed class AssetRulesTests : EditorFixture
     }
 
     [Test]
-    public void SetImporterOverride_ImporterThatDoesNotOfferItself_IsRefused()
+    public void SetImporterOverride_ImporterNotOffered_IsRefused()
     {
         AssetDatabase.SetImporterOverride<PointFileImporter>(Path);
         AssetDatabase.SetImporterOverride<PointFileImporter>("Assets/none.las");
@@ -98,7 +98,7 @@ public sealed class AssetRulesTests : EditorFixture
     }
 
     [Test]
-    public void ImporterTable_ExtensionThatTwoClaim_IsNobodys()
+    public void ImporterTable_ExtensionClaimedTwice_HasNoImporter()
     {
         ImporterTable.Add(typeof(HandleImporter), new[] { "rule" }, null);
         Assert.That(AssetDatabase.GetDefaultImporter(Path), Is.EqualTo(typeof(AssetImporter)));
@@ -106,7 +106,7 @@ public sealed class AssetRulesTests : EditorFixture
     }
 
     [Test]
-    public void Settings_AreThoseThatWereSavedInTheNextSession()
+    public void Settings_NextSession_AreTheSavedOnes()
     {
         var settings = FastPointsSettings.instance;
         (settings.UpdateMs, settings.Sampler) = (7, Sampler.Poisson);
@@ -128,7 +128,7 @@ public sealed class AssetRulesTests : EditorFixture
     }
 
     [Test]
-    public void AddAdditionalPath_WhatIsNotThereOrAnothersPlace_IsRejected()
+    public void AddAdditionalPath_MissingOrForeignPath_IsRejected()
     {
         var context = new BuildPlayerContext(new BuildPlayerOptions());
         string one = m_project.Scratch["one.txt"], two = m_project.Scratch["two.txt"];

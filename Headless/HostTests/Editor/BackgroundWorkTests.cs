@@ -13,19 +13,19 @@ public sealed class BackgroundWorkTests : EditorFixture
     [TestCase(false, 16, 4)]
     [TestCase(false, 100, 24)]
     [TestCase(false, 100_000, 250)]
-    public void Pace_OfUpdatesApart_GrowsWithoutFocus(bool isFocused, double apartMs, double wantedMs)
+    public void Pace_RareUpdates_GrowsWithoutFocus(bool isFocused, double apartMs, double wantedMs)
     {
         var pace = new EditorPace();
         var now = new DateTime(2026, 1, 1, 0, 0, 0, DateTimeKind.Utc);
         Assert.That(pace.Next(now, 4, isFocused), Is.EqualTo(4), "nothing is measured yet");
         Assert.That(pace.Next(now.AddMilliseconds(apartMs), 4, isFocused), Is.EqualTo(wantedMs).Within(1e-9));
         Assert.That(pace.InFlightMs, Is.EqualTo(Math.Clamp(2 * apartMs, 250, 1000)));
-        // A slice of 30 ms in 16 would make the next interval longer, and that the next slice.
+        // A slice of 30 ms in 16 would lengthen the next interval, and that the next slice.
         Assert.That(pace.Next(now.AddMilliseconds(apartMs + 100), 30, false), Is.EqualTo(50).Within(1e-9));
     }
 
     [Test]
-    public void PlayMode_Pause_TakesNoStepUntilItEnds()
+    public void PlayMode_Paused_TakesNoStepUntilItEnds()
     {
         FastPointsSettings.instance.InPlayMode = InPlayMode.Pause;
         m_project.Imports.CreateAsset(m_project.Scratch.Demo("scan.las", 20_000), "Assets");
@@ -47,7 +47,7 @@ public sealed class BackgroundWorkTests : EditorFixture
     }
 
     [Test]
-    public void PlayMode_OneWorker_IsAsked_AndAllAfterwards()
+    public void PlayMode_DuringAConversion_UsesOneWorkerAndAllAfterwards()
     {
         m_project.Imports.CreateAsset(m_project.Scratch.Demo("scan.las", 20_000), "Assets");
         var queue = m_project.Imports.Queue;
@@ -64,7 +64,7 @@ public sealed class BackgroundWorkTests : EditorFixture
     }
 
     [Test]
-    public void BatchConvert_ConvertsWhatIsNotConverted_WithoutUpdates()
+    public void BatchConvert_UnconvertedClouds_AreConvertedWithoutUpdates()
     {
         FastPointsSettings.instance.ConvertAtOnce = false;
         m_project.Imports.CreateAsset(m_project.Scratch.Demo("scan.las", 5000), "Assets");
@@ -86,7 +86,7 @@ public sealed class BackgroundWorkTests : EditorFixture
     }
 
     [Test]
-    public void BatchConvert_SourceThatIsMissing_FailsAndNamesIt()
+    public void BatchConvert_MissingSource_FailsAndNamesIt()
     {
         FastPointsSettings.instance.ConvertAtOnce = false;
         string source = m_project.Scratch.Demo("gone.las", 1000);
@@ -99,7 +99,7 @@ public sealed class BackgroundWorkTests : EditorFixture
     }
 
     [Test]
-    public void BatchConvert_FilesThatAreRefusedForAMoment_AreWrittenLater()
+    public void BatchConvert_FilesLockedForAMoment_AreWrittenLater()
     {
         FastPointsSettings.instance.ConvertAtOnce = false;
         m_project.Imports.CreateAsset(m_project.Scratch.Demo("scan.las", 1000), "Assets");
@@ -125,7 +125,7 @@ public sealed class BackgroundWorkTests : EditorFixture
     }
 
     [Test]
-    public void Imports_ThatBegin_DeleteWhatWasLeftOfDeletedClouds()
+    public void Imports_AtStart_FinishInterruptedDeletions()
     {
         Directory.CreateDirectory("PointClouds/far.fastpoints.deleted2/chunks");
         Directory.CreateDirectory("PointClouds/near.fastpoints");
@@ -135,7 +135,7 @@ public sealed class BackgroundWorkTests : EditorFixture
     }
 
     [Test]
-    public void BatchConvert_AnotherEditorHasTheFolder_SaysWho()
+    public void BatchConvert_FolderLockedByAnotherEditor_NamesIt()
     {
         m_project.Imports.CreateAsset(m_project.Scratch.Demo("scan.las", 1000), "Assets");
         Assert.That(FolderLock.TryTake(Path.Combine("PointClouds", ImportQueue.LockName), out var held), Is.Null);
@@ -146,7 +146,7 @@ public sealed class BackgroundWorkTests : EditorFixture
     /// <summary>Its Assets are those of the project, which only the main editor imports; its updates would ask a second
     /// time.</summary>
     [Test]
-    public void CloneOfMultiplayerPlayMode_LeavesAllToTheMainEditor()
+    public void VirtualPlayer_OfMultiplayerPlayMode_LeavesImportsToTheMainEditor()
     {
         var (heard, arguments) = (EditorApplication.update, PointCloudImports.s_arguments);
         try
@@ -178,7 +178,7 @@ public sealed class BackgroundWorkTests : EditorFixture
     }
 
     [Test]
-    public void BatchMode_ThatBegins_HearsNoUpdates()
+    public void BatchMode_AtStart_SubscribesToNoUpdates()
     {
         var heard = EditorApplication.update;
         try

@@ -17,7 +17,7 @@ public sealed class BuildSessionTests
     static void UpdateUntil(BuildSession session, Func<bool> isDone) => ImportProject.Updates(() => session.Tick(1), isDone);
 
     [Test]
-    public void Tick_ToTheEnd_MakesTheCloudAndItsShareNeverFalls()
+    public void Tick_ToTheEnd_ConvertsWithMonotonicProgress()
     {
         using var session = Begin();
         double share = 0;
@@ -128,7 +128,7 @@ public sealed class BuildSessionTests
     }
 
     [Test]
-    public void Cancel_OfWhatWasSuspended_LeavesNothing()
+    public void Cancel_SuspendedBuild_LeavesNothing()
     {
         using (var first = Begin())
             UpdateUntil(first, () => first.Progress.Current == "index");
@@ -142,7 +142,7 @@ public sealed class BuildSessionTests
     }
 
     [Test]
-    public void Pause_TakesNoStep()
+    public void Pause_WhileBuilding_TakesNoStep()
     {
         using var session = Begin();
         UpdateUntil(session, () => session.Progress.Current == "read" && session.Progress.Points > 0);
@@ -181,7 +181,7 @@ public sealed class BuildSessionTests
     }
 
     [Test]
-    public void Tick_OpeningThrowsUnexpectedly_FailsAndSaysWhere()
+    public void Tick_UnexpectedExceptionOnOpening_FailsAndSaysWhere()
     {
         using var session = new BuildSession(new BrokenList(), m_project.Target(), ImportProject.Settings());
         UpdateUntil(session, () => session.IsEnded);
@@ -194,7 +194,7 @@ public sealed class BuildSessionTests
     }
 
     [Test]
-    public void Suspend_WhenTheOpeningThrowsUnexpectedly_Ends()
+    public void Suspend_UnexpectedExceptionOnOpening_Ends()
     {
         using var session = new BuildSession(new BrokenList(), m_project.Target(), ImportProject.Settings());
         session.Suspend();
@@ -214,7 +214,7 @@ public sealed class BuildSessionTests
     }
 
     [Test]
-    public void Tick_SourceThatShrinksMeanwhile_Fails()
+    public void Tick_SourceShrinksMeanwhile_Fails()
     {
         using (var session = Begin())
         {
@@ -228,7 +228,7 @@ public sealed class BuildSessionTests
     }
 
     [Test]
-    public void Tick_FullDisk_FailsAndGoesOnWhenThereIsRoom()
+    public void Tick_FullDisk_FailsAndResumesWithFreeSpace()
     {
         Directory.CreateDirectory(m_project.Paths.Clouds);
         if (!TryMount("-t tmpfs -o size=3m tmpfs " + m_project.Paths.Clouds))

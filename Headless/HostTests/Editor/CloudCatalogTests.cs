@@ -31,7 +31,7 @@ public sealed class CloudCatalogTests : ScratchPerTest
     }
 
     [Test]
-    public void Find_CloudThatWasRenamed_IsFoundByItsId()
+    public void Find_RenamedCloud_IsFoundByItsId()
     {
         var handle = Handle(Convert("one", 2000));
         Convert("two", 3000);
@@ -53,7 +53,7 @@ public sealed class CloudCatalogTests : ScratchPerTest
     }
 
     [Test]
-    public void Find_CloudOutsideTheProjectsPlace_IsFoundByPath()
+    public void Find_CloudOutsideTheDataFolder_IsFoundByPath()
     {
         string inside = Convert("one", 2000), outside = Scratch["far.fastpoints"];
         Directory.Move(inside, outside);
@@ -120,7 +120,7 @@ public sealed class CloudCatalogTests : ScratchPerTest
     }
 
     [Test]
-    public void Copy_TargetThatIsThereOrSourceThatIsNot_FailsAndLeavesNothing()
+    public void Copy_ExistingTargetOrMissingSource_FailsAndLeavesNothing()
     {
         string from = Convert("one", 2000), to = Convert("two", 3000);
 

@@ -23,16 +23,16 @@ public sealed class CloudDropTests : EditorFixture
 
     void Finish() => ImportProject.Updates(() => m_project.Imports.Update(DateTime.UtcNow), () => !m_project.Imports.IsCreating);
 
-    static void Drop(string[] paths, DropTarget place = null)
+    static void Drop(string[] paths, DropTarget target = null)
     {
         DragAndDrop.paths = paths;
         FastPointsSettings.instance.CopiedMiB = 0;
         try
         {
-            if (place == null)
+            if (target == null)
                 PointCloudDrops.OnProject("Assets", true);
             else
-                PointCloudDrops.OnScene(place, true);
+                PointCloudDrops.OnScene(target, true);
         }
         finally
         {
@@ -60,7 +60,7 @@ public sealed class CloudDropTests : EditorFixture
     }
 
     [Test]
-    public void Drop_AsOneCloud_IsOneHandleNamedAfterTheFolder()
+    public void Drop_AsOneCloud_CreatesOneHandleNamedAfterTheFolder()
     {
         EditorUtility.s_answer = 0;
         Drop(Tiles(3).Reverse().ToArray(), new DropTarget());
@@ -74,7 +74,7 @@ public sealed class CloudDropTests : EditorFixture
     }
 
     [Test]
-    public void Drop_Cancelled_MakesNothingAndIsAskedAgain()
+    public void Drop_Cancelled_CreatesNothingAndAsksAgain()
     {
         EditorUtility.s_answer = 1;
         Drop(Tiles(2));
@@ -85,16 +85,16 @@ public sealed class CloudDropTests : EditorFixture
 
     /// <summary>Octrees are never merged: nobody needs to be asked.</summary>
     [Test]
-    public void Drop_WithAnOctree_IsSeparateAndNobodyIsAsked()
+    public void Drop_WithAnOctree_CreatesSeparateAssetsWithoutAsking()
     {
         Drop(Tiles(2).Append(m_project.Copc("tile.copc.laz")).ToArray());
         Finish();
         Assert.That(AssetDatabase.FindAssets("t:PointCloudAsset"), Has.Length.EqualTo(3));
     }
 
-    /// <summary>What cannot be read has an asset all the same, as one file has; whoever shows it says why.</summary>
+    /// <summary>An unreadable file still gets an asset, like a single file; showing it reports why.</summary>
     [Test]
-    public void Drop_OneOfThemDamaged_TakesTheOthersAndIt()
+    public void Drop_OneDamagedFile_CreatesAssetsForAll()
     {
         FastPointsSettings.instance.SeveralFiles = SeveralFiles.Separate;
         FastPointsSettings.instance.ConvertAtOnce = false;
@@ -107,7 +107,7 @@ public sealed class CloudDropTests : EditorFixture
     }
 
     [Test]
-    public void Reload_InTheMiddle_EndsItsProgressAndReportsIt()
+    public void Reload_DuringADrop_EndsItsProgressAndReportsIt()
     {
         FastPointsSettings.instance.SeveralFiles = SeveralFiles.Separate;
         Drop(Tiles(20));
@@ -120,7 +120,7 @@ public sealed class CloudDropTests : EditorFixture
 
     [TestCase(40)]
     [TestCase(1000, Category = "Large")]
-    public void Drop_Many_CostsEachAsMuchAsTheFirst(int count)
+    public void Drop_Many_TakesLinearTime(int count)
     {
         FastPointsSettings.instance.SeveralFiles = SeveralFiles.Separate;
         m_project.Imports.CreateAsset(m_project.Scratch.Demo("first.las", 200_000), "Assets");
@@ -158,7 +158,7 @@ public sealed class CloudDropTests : EditorFixture
 
     /// <summary>Pictures that come faster than Unity imports are shown together.</summary>
     [Test]
-    public void Assets_CopiedIntoTheProject_AreQueuedInOneGo()
+    public void Assets_CopiedIntoTheProject_AreQueuedTogether()
     {
         foreach (string tile in Tiles(10))
             File.Copy(tile, Path.Combine("Assets", Path.GetFileName(tile)));
@@ -193,7 +193,7 @@ public sealed class CloudDropTests : EditorFixture
     }
 
     [Test]
-    public void OnScene_SeveralAssets_ShareAnOriginThatUndoTakesAwayWithThem()
+    public void OnScene_SeveralAssets_ShareAnOriginAndOneUndo()
     {
         DragAndDrop.objectReferences = new UnityEngine.Object[]
         {
@@ -215,7 +215,7 @@ public sealed class CloudDropTests : EditorFixture
     }
 
     [Test]
-    public void Drop_WhileTheUserWorks_IsOneStepOfUndoOfItsOwnAndSelectsOnce()
+    public void Drop_WhileTheUserWorks_IsItsOwnUndoStepAndSelectsOnce()
     {
         FastPointsSettings.instance.SeveralFiles = SeveralFiles.Separate;
         FastPointsSettings.instance.ConvertAtOnce = false;
@@ -254,7 +254,7 @@ public sealed class CloudDropTests : EditorFixture
 
     [TestCase(true)]
     [TestCase(false)]
-    public void Drop_OntoWhatIsGoneMeanwhile_ShowsNothing(bool isScene)
+    public void Drop_TargetDestroyedMeanwhile_ShowsNothing(bool isScene)
     {
         FastPointsSettings.instance.SeveralFiles = SeveralFiles.Separate;
         FastPointsSettings.instance.ConvertAtOnce = false;
@@ -273,7 +273,7 @@ public sealed class CloudDropTests : EditorFixture
     }
 
     [Test]
-    public void OnScene_OntoAnOriginWithoutAPlace_UndoTakesThePlaceAway()
+    public void OnScene_OriginWithoutAPosition_UndoClearsThePosition()
     {
         var origin = new GameObject("origin").AddComponent<PointCloudOrigin>();
         DragAndDrop.objectReferences = new UnityEngine.Object[] { Known("a", new double3(690_000, 5_330_000, 500)) };
@@ -284,7 +284,7 @@ public sealed class CloudDropTests : EditorFixture
     }
 
     [Test]
-    public void OnHierarchy_WhereItFalls_IsParentSiblingAndScene()
+    public void OnHierarchy_DropPosition_SetsParentSiblingAndScene()
     {
         System.Runtime.CompilerServices.RuntimeHelpers.RunClassConstructor(typeof(PointCloudDrops).TypeHandle);
         Scene first = new Scene { Number = 7, Path = "one" }, second = new Scene { Number = 9, Path = "two" };

@@ -3,7 +3,7 @@ namespace FastPoints.HostTests.Editor;
 public sealed class CloudHandleTests
 {
     [Test]
-    public void Handle_WrittenAndRead_SaysTheSame()
+    public void Handle_WrittenAndRead_RoundTrips()
     {
         using var scratch = new ScratchFolder();
         string source = scratch.Demo();
@@ -43,7 +43,7 @@ public sealed class CloudHandleTests
     }
 
     [Test]
-    public void Handle_OfNothingKnown_WrittenAndRead_SaysTheSame()
+    public void Handle_WithoutFacts_RoundTrips()
     {
         var handle = new CloudHandle { CloudPath = "a", Units = new CloudUnits(double.NaN, 0.3048) };
 
@@ -62,7 +62,7 @@ public sealed class CloudHandleTests
     [TestCase("{\"format\": \"other\"}", FailureCode.BadInput, "got \"other\"")]
     [TestCase("{\"format\": \"fastpoints-handle\", \"version\": 2}", FailureCode.Unsupported, "wanted 1, got 2")]
     [TestCase("{\"format\": \"fastpoints-handle\", \"version\": 1, \"cloudId\": \"12\"}", FailureCode.BadInput, "\"cloudId\"")]
-    public void FromJson_SomethingElse_ReportsFileAndMember(string text, FailureCode code, string reported) =>
+    public void FromJson_OtherJson_NamesFileAndMember(string text, FailureCode code, string reported) =>
         Assert.That(() => CloudHandle.FromJson(text, "x.pointcloud"), Throws.TypeOf<PointCloudException>()
             .With.Property("Code").EqualTo(code).And.Message.StartsWith("x.pointcloud: ").And.Message.Contains(reported));
 
@@ -70,7 +70,7 @@ public sealed class CloudHandleTests
     [TestCase("\"cloud\": \"a\"", "\"cloud\": \"\"", "\"cloud\"")]
     [TestCase("\"sources\": [", "\"sources\": [1", "\"sources\"")]
     [TestCase("\"points\": -1", "\"points\": -1, \"bounds\": {\"min\": [0, 0], \"max\": [1, 1, 1]}", "\"min\"")]
-    public void FromJson_PlantedFault_ReportsTheMember(string whole, string planted, string reported)
+    public void FromJson_PlantedMistake_NamesTheMember(string whole, string planted, string reported)
     {
         string text = new CloudHandle { CloudPath = "a" }.ToJson();
         Assert.That(text, Does.Contain(whole));

@@ -39,7 +39,7 @@ public sealed class CloudsWindowTests : EditorFixture
         ?.Unused.Count == unused);
 
     [Test]
-    public void Close_WhileItCollects_WaitsForNothing()
+    public void Close_WhileCollecting_DoesNotWait()
     {
         m_project.Imports.CreateAsset(m_project.Scratch.Demo("a.las", 1000), "Assets");
         int main = Environment.CurrentManagedThreadId;
@@ -62,7 +62,7 @@ public sealed class CloudsWindowTests : EditorFixture
     }
 
     [Test]
-    public void List_SaysOfEachCloudWhatItIs()
+    public void List_EachCloud_IsDescribed()
     {
         m_project.Imports.CreateAsset(m_project.Scratch.Demo("a.las", 2000), "Assets");
         m_project.UpdateToTheEnd();
@@ -87,7 +87,7 @@ public sealed class CloudsWindowTests : EditorFixture
 
     [TestCase(true)]
     [TestCase(false)]
-    public void DeleteUnused_TakesWhatNoAssetHas(bool agrees)
+    public void DeleteUnused_CloudsWithoutAssets_AreDeleted(bool agrees)
     {
         m_project.Imports.CreateAsset(m_project.Scratch.Demo("a.las", 1000), "Assets");
         m_project.Imports.CreateAsset(m_project.Scratch.Demo("b.las", 1000), "Assets");
@@ -107,7 +107,7 @@ public sealed class CloudsWindowTests : EditorFixture
 
     /// <summary>Another project may have assets of what lies there.</summary>
     [Test]
-    public void Unused_InAPlaceOutsideTheProject_IsNotOffered()
+    public void Unused_OutsideTheProject_IsNotOffered()
     {
         m_project.Scratch.Converted("shared/far.fastpoints");
         var paths = new ProjectPaths(m_project.Paths.Project, m_project.Scratch["shared"]);
@@ -117,7 +117,7 @@ public sealed class CloudsWindowTests : EditorFixture
     }
 
     [Test]
-    public void List_OfThousands_IsReachedPageByPage()
+    public void List_OfThousands_IsShownPageByPage()
     {
         m_project.Imports.CreateAsset(m_project.Scratch.Demo("z.las", 1000), "Assets");
         m_project.UpdateToTheEnd();
@@ -139,7 +139,7 @@ public sealed class CloudsWindowTests : EditorFixture
     }
 
     [Test]
-    public void Queue_ButtonsOrderAndCancel()
+    public void Queue_Buttons_OrderAndCancel()
     {
         foreach (string name in new[] { "a", "b", "c" })
             m_project.Imports.CreateAsset(m_project.Scratch.Demo(name + ".las", 1000), "Assets");
@@ -156,7 +156,7 @@ public sealed class CloudsWindowTests : EditorFixture
     [TestCase("Export...")]
     [TestCase("Locate source...")]
     [TestCase("Delete unused")]
-    public void Button_ThatOpensAPanel_LeavesTheWindowsLayout(string button)
+    public void Button_ThatOpensAPanel_ExitsGui(string button)
     {
         foreach (string name in new[] { "a", "b", "c" })
             m_project.Imports.CreateAsset(m_project.Scratch.Demo(name + ".las", 1000), "Assets");
@@ -170,7 +170,7 @@ public sealed class CloudsWindowTests : EditorFixture
     }
 
     [Test]
-    public void Convert_OneOrAllThatAreMissing_WhereTheSourcesAreHere()
+    public void Convert_MissingClouds_ConvertsThoseWithSources()
     {
         FastPointsSettings.instance.ConvertAtOnce = false;
         foreach (string name in new[] { "a", "b", "c", "gone" })
@@ -193,7 +193,7 @@ public sealed class CloudsWindowTests : EditorFixture
     }
 
     [Test]
-    public void Group_ThatIsNotEnded_IsRejected()
+    public void Group_NotEnded_IsRejected()
     {
         void Unbalanced() => GUILayout.BeginHorizontal();
         Assert.That(() => GUILayoutUtility.Repaint(Unbalanced), Throws.InvalidOperationException);

@@ -40,7 +40,7 @@ public sealed class DropTests
     [TestCase("mesh.ply", true)]
     [TestCase("MESH.PLY", true)]
     [TestCase("points.ply", false)]
-    public void Of_DroppedMesh_IsNotOurs(string name, bool isMesh)
+    public void Of_DroppedMesh_IsIgnored(string name, bool isMesh)
     {
         File.WriteAllText(m_project.Scratch[name], "ply\r\nformat ascii 1.0\r\nelement vertex 3\r\nproperty float x\r\n" +
             "element face " + (isMesh ? 1 : 0) + "\r\nproperty list uchar int vertex_indices\r\nend_header\r\n");
@@ -51,7 +51,7 @@ public sealed class DropTests
     }
 
     [Test]
-    public void Of_DroppedFileOfAnotherPackagesImporter_IsNotOurs()
+    public void Of_DroppedFileOfAnotherImporter_IsIgnored()
     {
         ImporterTable.Add(typeof(ClaimingImporter), new[] { "ply", "e57" }, null);
         Assert.That(Of(Made("a.ply")), Is.EqualTo(DropKind.None));
@@ -62,7 +62,7 @@ public sealed class DropTests
     }
 
     [Test]
-    public void Drag_OfTheSameFiles_LooksThemUpOnceAndAgainWhenTheyAreDropped()
+    public void Drag_SameFiles_AreInspectedOnceAndAgainOnDrop()
     {
         string path = Made("a.e57");
         DragAndDrop.paths = new[] { path };
@@ -78,7 +78,7 @@ public sealed class DropTests
     }
 
     [Test]
-    public void Of_DroppedFolders_TakesOctreesAndNoOthers()
+    public void Of_DroppedFolders_AcceptsOctreesOnly()
     {
         Made("potree/metadata.json");
         Assert.That(Of(m_project.Scratch["potree"]), Is.EqualTo(DropKind.None), "any folder may have one");
@@ -104,7 +104,7 @@ public sealed class DropTests
     }
 
     [Test]
-    public void Drop_AnotherPackagesHandlerIsAskedFirst_OursWhereItWantsNothing()
+    public void Drop_AnotherPackagesHandler_HasPrecedenceIfItHandlesTheDrop()
     {
         System.Runtime.CompilerServices.RuntimeHelpers.RunClassConstructor(typeof(PointCloudDrops).TypeHandle);
         DragAndDrop.paths = new[] { Made("scan.e57") };
@@ -136,7 +136,7 @@ public sealed class DropTests
     }
 
     [Test]
-    public void OnScene_Drop_IsTakenBackByUndo()
+    public void OnScene_Drop_IsUndone()
     {
         var asset = ScriptableObject.CreateInstance<PointCloudAsset>();
         asset.name = "scan";
@@ -166,12 +166,12 @@ public sealed class DropTests
     }
 
     [Test]
-    public void OnScene_InASubscene_BecomesWhatIsBaked()
+    public void OnScene_InASubscene_CreatesAnAuthoringComponent()
     {
         var asset = ScriptableObject.CreateInstance<PointCloudAsset>();
         DragAndDrop.objectReferences = new UnityEngine.Object[] { asset };
-        var place = new DropTarget { Scene = new UnityEngine.SceneManagement.Scene { Number = 7, isSubScene = true } };
-        PointCloudDrops.OnScene(place, true);
+        var target = new DropTarget { Scene = new UnityEngine.SceneManagement.Scene { Number = 7, isSubScene = true } };
+        PointCloudDrops.OnScene(target, true);
         var scene = (GameObject)Selection.activeObject;
         Assert.That(scene.GetComponent<PointCloudAuthoring>().Cloud, Is.SameAs(asset));
         Assert.That(scene.GetComponent<FastPoints.Entities.PointCloud>() == null, Is.True);
@@ -186,7 +186,7 @@ public sealed class DropTests
     }
 
     [Test]
-    public void Postprocessor_FileThatNobodyClaims_GetsTheImporter()
+    public void Postprocessor_UnclaimedFile_GetsTheImporter()
     {
         ImporterTable.Add(typeof(ClaimingImporter), new[] { "ply" }, null);
         foreach (string name in new[] { "a.las", "b.LAZ", "theirs.ply", "c.txt" })
@@ -198,7 +198,7 @@ public sealed class DropTests
     }
 
     [Test]
-    public void PointFile_InAssets_IsKnownByItsNumberAndFoundWhereItLies()
+    public void PointFile_InAssets_IsIdentifiedByItsGuid()
     {
         File.Copy(m_project.Scratch.Demo("scan.las", 1000), "Assets/scan.las");
         AssetDatabase.Refresh();
@@ -209,7 +209,7 @@ public sealed class DropTests
     }
 
     [Test]
-    public void PointFileImporter_ExtensionThatAnotherClaims_StaysTheOthers()
+    public void PointFileImporter_ExtensionClaimedByAnother_IsLeftToIt()
     {
         ImporterTable.Add(typeof(ClaimingImporter), new[] { "ply", "las", "laz" }, null);
         foreach (string extension in CloudSources.ImportedExtensions)
@@ -218,7 +218,7 @@ public sealed class DropTests
 
     /// <summary>Claimed for nobody, so that another package's importer for the same extension goes on working.</summary>
     [Test]
-    public void PointFileImporter_ClaimsNoExtensionAndOffersItselfForAll()
+    public void PointFileImporter_Extensions_AreOfferedAndNotClaimed()
     {
         var attribute = typeof(PointFileImporter).GetCustomAttribute<ScriptedImporterAttribute>();
         Assert.That(attribute.fileExtensions, Is.Null);

@@ -15,7 +15,7 @@ public sealed class EditModePassesTests
     }
 
     [Test]
-    public void Begin_TheEditorHasLoaded_EveryPipelinesPassBeginsOnce()
+    public void Begin_EditorLoaded_StartsEachPipelinesPassOnce()
     {
         var passes = new[] { typeof(BuiltInPass), typeof(UrpPass), typeof(HdrpPass) };
         var found = TypeCache.GetMethodsWithAttribute<Rendering.BeginsPassAttribute>();

@@ -9,7 +9,7 @@ public sealed class EditorImportsTests : EditorFixture
     string HandlePath(string name) => Path.Combine(m_project.Paths.Project, "Assets", name);
 
     [Test]
-    public void Take_LargeFile_BecomesAHandleThatKnowsItsCloudWhenItIsConverted()
+    public void Take_LargeFile_CreatesAHandleLinkedAfterConversion()
     {
         string source = m_project.Scratch.Demo("scan.las", 20_000);
 
@@ -33,7 +33,7 @@ public sealed class EditorImportsTests : EditorFixture
     }
 
     [Test]
-    public void Update_HandleIsReadWhenItsCloudIsDone_IsWrittenLater()
+    public void Update_HandleInUseAtTheEnd_IsWrittenLater()
     {
         using var windows = WindowsRules.On();
         var asset = m_project.Imports.CreateAsset(m_project.Scratch.Demo("scan.las", 3000), "Assets");
@@ -63,7 +63,7 @@ public sealed class EditorImportsTests : EditorFixture
     }
 
     [Test]
-    public void Take_ConvertedFolder_IsReferredToAsItIs()
+    public void Take_ConvertedFolder_IsReferencedInPlace()
     {
         string folder = m_project.Scratch.Converted("far.fastpoints");
 
@@ -76,7 +76,7 @@ public sealed class EditorImportsTests : EditorFixture
     }
 
     [Test]
-    public void CreateAsset_SourceThatIsMissing_ReportsItAndCanBeTriedAgain()
+    public void CreateAsset_MissingSource_ReportsItAndCanBeRetried()
     {
         string source = m_project.Scratch.Demo("scan.las", 3000);
         m_project.Imports.CreateAsset(source, "Assets");
@@ -128,7 +128,7 @@ public sealed class EditorImportsTests : EditorFixture
 
     /// <summary>Unity calls those who hear of updates in a loop: what one throws would starve the others.</summary>
     [Test]
-    public void Update_OnePartThrows_TheOthersGoOnAndItIsReportedOnce()
+    public void Update_OnePartThrows_IsReportedOnceAndTheOthersContinue()
     {
         m_project.Imports.CreateAsset(m_project.Scratch.Demo("one.las", 3000), "Assets");
         m_project.Imports.CreateAsset(m_project.Scratch.Demo("two.las", 3000), "Assets");
@@ -142,7 +142,7 @@ public sealed class EditorImportsTests : EditorFixture
     }
 
     [Test]
-    public void Export_WhenItThrowsUnexpectedly_IsOneErrorAndTheNextGoesOn()
+    public void Export_UnexpectedException_IsOneErrorAndTheNextContinues()
     {
         string source = m_project.Scratch.Demo("scan.las", 3000), written = m_project.Scratch["written.las"];
         m_project.Imports.Exports.Begin(new[] { source }, m_project.Scratch["never.las"],
@@ -159,7 +159,7 @@ public sealed class EditorImportsTests : EditorFixture
     }
 
     [Test]
-    public void Verify_WhenItThrowsUnexpectedly_IsNoSuccess()
+    public void Verify_UnexpectedException_IsNoSuccess()
     {
         string cloud = m_project.Scratch.Converted("far.fastpoints");
         using (WindowsRules.Hear((change, path, _) =>
@@ -220,7 +220,7 @@ public sealed class EditorImportsTests : EditorFixture
     }
 
     [Test]
-    public void ProgressPause_AnotherWaits_ItGoesFirst()
+    public void ProgressPause_AnotherWaiting_RunsFirst()
     {
         m_project.Imports.CreateAsset(m_project.Scratch.Demo("one.las", 100_000), "Assets");
         ImportProject.Updates(() => m_project.Imports.Update(DateTime.UtcNow),
@@ -278,7 +278,7 @@ public sealed class EditorImportsTests : EditorFixture
 
     /// <summary>Unity cancels what it manages when scripts are reloaded, with the callback of its window's button.</summary>
     [Test]
-    public void Reload_WhileTheConversionIsShown_IsNoCancel()
+    public void Reload_DuringAShownConversion_DoesNotCancelIt()
     {
         m_project.Imports.CreateAsset(m_project.Scratch.Demo("scan.las", 100_000), "Assets");
         ImportProject.Updates(() => m_project.Imports.Update(DateTime.UtcNow), () => Progress.Entries.Count == 1);
@@ -311,7 +311,7 @@ public sealed class EditorImportsTests : EditorFixture
     }
 
     [Test]
-    public void Import_UpAxisAndUnit_DecideOnHowTheCloudStands()
+    public void Import_UpAxisAndUnit_SetThePlacement()
     {
         var asset = m_project.Imports.CreateAsset(m_project.Scratch.Demo("scan.las", 5000), "Assets");
         m_project.UpdateToTheEnd();
@@ -331,7 +331,7 @@ public sealed class EditorImportsTests : EditorFixture
     }
 
     [Test]
-    public void Import_ConvertedWithAnotherUpAxis_StaysWhereItIs()
+    public void Import_ConvertedWithAnotherUpAxis_StaysInPlace()
     {
         ScriptedImports.Configure = importer => ((CloudImporter)importer).UpAxis = UpAxis.Y;
         var asset = m_project.Imports.CreateAsset(m_project.Scratch.Demo("scan.las", 5000), "Assets");
@@ -344,7 +344,7 @@ public sealed class EditorImportsTests : EditorFixture
     }
 
     [Test]
-    public void PointCloud_AssetGetsAnotherUpAxis_IsTurned()
+    public void PointCloud_UpAxisOfTheAssetChanged_IsRotated()
     {
         var asset = m_project.Imports.CreateAsset(m_project.Scratch.Demo("scan.las", 5000), "Assets");
         m_project.UpdateToTheEnd();
@@ -374,7 +374,7 @@ public sealed class EditorImportsTests : EditorFixture
     }
 
     [Test]
-    public void CreateAsset_Copc_IsStreamedAsItIsUnlessTheSettingsSayOtherwise()
+    public void CreateAsset_Copc_IsStreamedDirectlyUnlessSettingsConvertIt()
     {
         var asset = m_project.Imports.CreateAsset(m_project.Copc("scan.copc.laz"), "Assets");
 
@@ -389,7 +389,7 @@ public sealed class EditorImportsTests : EditorFixture
     }
 
     [Test]
-    public void CreateAsset_ConvertAtOnceOff_LeavesTheFileToItsPreview()
+    public void CreateAsset_ConvertAtOnceOff_ShowsThePreviewOnly()
     {
         FastPointsSettings.instance.ConvertAtOnce = false;
         var asset = m_project.Imports.CreateAsset(m_project.Scratch.Demo("scan.las", 5000), "Assets");
@@ -415,7 +415,7 @@ public sealed class EditorImportsTests : EditorFixture
     }
 
     [Test]
-    public void PointCloud_OfACloudThatIsBeingConverted_ShowsThePreviewAndThenTheCloudWhereItWas()
+    public void PointCloud_DuringConversion_ShowsPreviewThenCloudInPlace()
     {
         using var world = StreamingWorld();
         var stream = world.GetExistingSystemManaged<PointCloudSystemGroup>().Stream;
@@ -446,7 +446,7 @@ public sealed class EditorImportsTests : EditorFixture
     }
 
     [Test]
-    public void EditModeFrames_CloudThatComes_AreAskedForUntilItIsThere()
+    public void EditModeFrames_LoadingCloud_AreRequestedUntilItIsShown()
     {
         using var world = StreamingWorld();
         int Asked()
@@ -470,7 +470,7 @@ public sealed class EditorImportsTests : EditorFixture
     }
 
     [Test]
-    public void Refresh_CloudWithoutAGameObject_LooksForItsFolderAgain()
+    public void Refresh_CloudWithoutAGameObject_OpensItsFolderAgain()
     {
         using var world = StreamingWorld();
         var group = world.GetExistingSystemManaged<PointCloudSystemGroup>();
@@ -487,7 +487,7 @@ public sealed class EditorImportsTests : EditorFixture
     }
 
     [Test]
-    public void EditModeFrames_BuildThatStandsStill_AreOneASecondUntilItIsDone()
+    public void EditModeFrames_IdleBuild_RunOnceASecondUntilItEnds()
     {
         string folder = m_project.Scratch.Converted("far.fastpoints");
         var asset = m_project.Imports.CreateAsset(folder, "Assets");
@@ -518,7 +518,7 @@ public sealed class EditorImportsTests : EditorFixture
 
     [TestCase(false)]
     [TestCase(true)]
-    public void EditModeFrames_PausedPlayMode_StreamAlone(bool isChosen)
+    public void EditModeFrames_PausedPlayMode_OnlyStream(bool isChosen)
     {
         using var world = StreamingWorld();
         using var other = new World("other");

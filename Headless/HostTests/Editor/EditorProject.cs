@@ -11,7 +11,7 @@ sealed class EditorProject : IDisposable
 
     public EditorProject()
     {
-        // Of whoever asked without a project.
+        // Requests made without a project.
         AssemblyReloadEvents.Reload();
         Directory.CreateDirectory(Scratch["project/Assets"]);
         Environment.CurrentDirectory = Scratch["project"];

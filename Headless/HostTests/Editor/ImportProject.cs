@@ -2,7 +2,7 @@ using System.Diagnostics;
 
 namespace FastPoints.HostTests.Editor;
 
-/// <summary>A project's folder, a scan, and settings of which the points go to files, so that a build can be continued.</summary>
+/// <summary>A project's folder, a scan, and settings with temporary files, so that a build can be resumed.</summary>
 sealed class ImportProject : IDisposable
 {
     public const int Points = 60_000;
@@ -33,7 +33,7 @@ sealed class ImportProject : IDisposable
         Cloud = Paths.Stored(Target(name)),
     };
 
-    /// <summary>Against waiting for ever, not a bound on speed: on a busy machine any number of turns may pass
+    /// <summary>Ends an endless wait; not a bound on speed: on a busy machine any number of turns may pass
     /// idly.</summary>
     public static readonly TimeSpan MaxWait = TimeSpan.FromMinutes(4);
 

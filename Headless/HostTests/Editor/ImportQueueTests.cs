@@ -42,7 +42,7 @@ public sealed class ImportQueueTests
     }
 
     [Test]
-    public void Tick_SeveralRequests_MakesOneAfterTheOtherAndLeavesOnlyTheClouds()
+    public void Tick_SeveralRequests_ConvertsOneByOneAndLeavesOnlyClouds()
     {
         using var queue = Open();
         queue.Add(new[] { m_project.Request("one"), m_project.Request("two") });
@@ -61,7 +61,7 @@ public sealed class ImportQueueTests
 
     /// <summary>Windows deletes nothing that somebody reads, and a queue that is found again would be worked off again.</summary>
     [Test]
-    public void Tick_ItsFileIsReadWhenAllIsDone_IsDeletedLaterAndNothingIsConvertedAgain()
+    public void Tick_QueueFileInUseAtTheEnd_IsDeletedLater()
     {
         using var windows = WindowsRules.On();
         using var queue = Open();
@@ -89,7 +89,7 @@ public sealed class ImportQueueTests
     }
 
     [Test]
-    public void Suspend_InTheMiddle_TheNextQueueGoesOn()
+    public void Suspend_InTheMiddle_NextQueueResumes()
     {
         using (var before = Open())
         {
@@ -111,7 +111,7 @@ public sealed class ImportQueueTests
     }
 
     [Test]
-    public void Crash_InTheMiddle_TheNextQueueGoesOnButNotForever()
+    public void Crash_InTheMiddle_NextQueueRetriesALimitedNumberOfTimes()
     {
         for (int crash = 1; crash <= ImportQueue.MaxAttempts; crash++)
         {
@@ -134,7 +134,7 @@ public sealed class ImportQueueTests
     }
 
     [Test]
-    public void Tick_TwoEditorsOnOneProject_OneImportsAndTheOtherSaysWho()
+    public void Tick_TwoEditorsOnOneProject_OneImportsAndTheOtherNamesIt()
     {
         using var first = Open();
         using var second = Open();
@@ -153,7 +153,7 @@ public sealed class ImportQueueTests
     }
 
     [Test]
-    public void Tick_SourceThatIsMissing_FailsAndTheOthersGoOn()
+    public void Tick_MissingSource_FailsAndTheOthersContinue()
     {
         using var queue = Open();
         var gone = m_project.Request("gone");
@@ -171,7 +171,7 @@ public sealed class ImportQueueTests
     }
 
     [Test]
-    public void Tick_FolderThatCannotBeWritten_ReportsItAndKeepsTheRequests()
+    public void Tick_UnwritableFolder_ReportsItAndKeepsTheRequests()
     {
         Directory.CreateDirectory(m_project.Paths.Project);
         File.WriteAllText(m_project.Paths.Clouds, "a file where the folder would be");
@@ -188,7 +188,7 @@ public sealed class ImportQueueTests
     }
 
     [Test]
-    public void Pause_WaitingAndRunning_OthersGoFirst()
+    public void Pause_WaitingAndRunning_OthersRunFirst()
     {
         using var queue = Open();
         ImportRequest one = m_project.Request("one"), two = m_project.Request("two");
@@ -210,7 +210,7 @@ public sealed class ImportQueueTests
     }
 
     [Test]
-    public void Pause_WhatRuns_OutlivesTheReload()
+    public void Pause_RunningRequest_SurvivesReload()
     {
         using (var before = Open())
         {
@@ -231,7 +231,7 @@ public sealed class ImportQueueTests
     }
 
     [Test]
-    public void Pause_WhatRuns_OthersGoFirst()
+    public void Pause_RunningRequest_OthersRunFirst()
     {
         using var queue = Open();
         ImportRequest one = m_project.Request("one"), two = m_project.Request("two");
@@ -256,7 +256,7 @@ public sealed class ImportQueueTests
     }
 
     [Test]
-    public void Cancel_WhatRuns_LeavesNothingAndTheNextBegins()
+    public void Cancel_RunningRequest_LeavesNothingAndTheNextBegins()
     {
         using var queue = Open();
         var one = m_project.Request("one");
@@ -270,7 +270,7 @@ public sealed class ImportQueueTests
     }
 
     [Test]
-    public void Add_FolderThatIsAskedForAlready_IsOneRequest()
+    public void Add_FolderAlreadyRequested_KeepsOneRequest()
     {
         using var queue = Open();
         queue.Add(m_project.Request());
@@ -284,7 +284,7 @@ public sealed class ImportQueueTests
     }
 
     [Test]
-    public void Add_Many_KeepsTheirOrderAndTheLaterOfTwo()
+    public void Add_ManyWithDuplicates_KeepsOrderAndTheLaterDuplicate()
     {
         using var queue = Open();
         queue.Add(m_project.Request("first"));
@@ -297,7 +297,7 @@ public sealed class ImportQueueTests
     }
 
     [Test]
-    public void Load_DamagedList_IsPutAsideAndTold()
+    public void Load_DamagedList_IsRenamedAndReported()
     {
         Directory.CreateDirectory(m_project.Paths.Clouds);
         File.WriteAllText(FilePath, "{\"version\": 1, \"requests\": [{}]}");
@@ -309,7 +309,7 @@ public sealed class ImportQueueTests
     }
 
     [Test]
-    public void Load_ListOfALaterVersion_IsLeftAlone()
+    public void Load_ListOfALaterVersion_IsNotChanged()
     {
         Directory.CreateDirectory(m_project.Paths.Clouds);
         File.WriteAllText(FilePath, "{\"version\": 2}");

@@ -5,7 +5,7 @@ namespace FastPoints.HostTests.Editor;
 public sealed class InspectorTests
 {
     [Test]
-    public void ClassesOf_KnownRange_AreThoseThatMeanSomethingAndThoseThatAreHidden()
+    public void ClassesOf_KnownRange_AreNamedOrHiddenOnes()
     {
         Assert.That(ClassFilter.ClassesOf(2, 9, new[] { 40 }), Is.EqualTo(new[] { 2, 3, 4, 5, 6, 7, 9, 40 }), "8 is reserved");
         Assert.That(ClassFilter.ClassesOf(8, 66, new int[0]).Where(c => c == 8 || c > 22),
@@ -23,7 +23,7 @@ public sealed class InspectorTests
             : typeof(UnityEditor.AssetImporters.ScriptedImporter).IsAssignableFrom(t)));
 
     [TestCaseSource(nameof(Shown))]
-    public void Help_OfAllThatIsShown_IsAPageOfTheManual(Type type)
+    public void Help_OfEachComponent_IsAPageOfTheManual(Type type)
     {
         System.Runtime.CompilerServices.RuntimeHelpers.RunClassConstructor(typeof(HelpPages).TypeHandle);
         string root = Checkout.Repository.PackageRoot;
@@ -45,7 +45,7 @@ public sealed class InspectorTests
     }
 
     [Test]
-    public void Help_OfAComponent_IsWhereThePackageOrItsSiteIs()
+    public void Help_OfAComponent_OpensThePackagesManual()
     {
         System.Runtime.CompilerServices.RuntimeHelpers.RunClassConstructor(typeof(HelpPages).TypeHandle);
         using var scratch = new ScratchFolder();
@@ -81,7 +81,7 @@ public sealed class InspectorTests
     }
 
     [TestCaseSource(nameof(Shown))]
-    public void Icon_OfAllThatIsShown_IsASmallPicture(Type type)
+    public void Icon_OfEachComponent_IsASmallPicture(Type type)
     {
         var icon = type.GetCustomAttribute<IconAttribute>();
         if (type == typeof(PointCloudResources) || !type.IsPublic)
@@ -96,7 +96,7 @@ public sealed class InspectorTests
     }
 
     [Test]
-    public void Switch_AClass_AddsAndTakesIt()
+    public void Toggle_AClass_AddsAndRemovesIt()
     {
         var hidden = new[] { 2, 6 };
         Assert.That(ClassFilter.Switch(hidden, 2, false), Is.SameAs(hidden));
@@ -107,7 +107,7 @@ public sealed class InspectorTests
     }
 
     [Test]
-    public void Describe_AFrame_SaysWhatItDrewAndWhatIsUnderWay()
+    public void Describe_Frame_NamesDrawnAndInFlight()
     {
         var stats = new FrameStats
         {
@@ -130,7 +130,7 @@ public sealed class InspectorTests
     }
 
     [Test]
-    public void CloudInspector_OfAnUnknownUnit_AsksForItAndTakesTheAnswer()
+    public void CloudInspector_UnknownUnit_AsksForItAndAppliesTheAnswer()
     {
         using var project = new EditorProject();
         File.WriteAllText(project.Scratch["feet.xyz"], "0 0 0\n100 200 10\n");
@@ -160,7 +160,7 @@ public sealed class InspectorTests
     /// <summary>Both events of each repaint, through a cloud's life: no control may come that was not laid out, and all of
     /// the fields that are drawn are there.</summary>
     [Test]
-    public void CloudInspector_ThroughAConversion_IsDrawnWithoutAWord()
+    public void CloudInspector_DuringAConversion_LogsNothing()
     {
         using (var project = new EditorProject())
         {
@@ -201,7 +201,7 @@ public sealed class InspectorTests
     }
 
     [Test]
-    public void ComponentInspectors_OfAScene_AreDrawnWithoutAWord()
+    public void ComponentInspectors_OfAScene_LogNothing()
     {
         var scene = new GameObject("scan");
         try
@@ -226,7 +226,7 @@ public sealed class InspectorTests
     }
 
     [Test]
-    public void SettingsPage_Browse_MovesThePlaceAndUndoMovesItBack()
+    public void SettingsPage_Browse_ChangesTheFolderWithUndo()
     {
         using var project = new EditorProject();
         var settings = FastPointsSettings.instance;
@@ -256,7 +256,7 @@ public sealed class InspectorTests
 
     /// <summary>Unity's drawers of [Min] and [Range] go through float.</summary>
     [Test]
-    public void Fields_OfDoubles_HaveNoDrawerThatRoundsThem()
+    public void Fields_OfDoubles_AreDrawnWithoutRounding()
     {
         var types = new[] { typeof(PointCloudImports), typeof(FastPoints.Entities.PointCloud) }
             .SelectMany(t => t.Assembly.GetTypes());
@@ -267,7 +267,7 @@ public sealed class InspectorTests
     }
 
     [Test]
-    public void Menu_OfGameObjects_AddsBeneathWhatIsSelectedAndUndoTakesItAway()
+    public void Menu_OfGameObjects_AddsUnderTheSelectionWithUndo()
     {
         var parent = new GameObject("parent");
         try
@@ -317,7 +317,7 @@ public sealed class InspectorTests
     }
 
     [Test]
-    public void FindProperty_OfWhatUnityDoesNotKeep_IsNull()
+    public void FindProperty_NotSerializedField_IsNull()
     {
         var asset = new SerializedObject(ScriptableObject.CreateInstance<FastPoints.Entities.PointCloudAsset>());
         Assert.That(asset.FindProperty("m_Script"), Is.Not.Null);
@@ -327,7 +327,7 @@ public sealed class InspectorTests
     }
 
     [Test]
-    public void Layout_AControlMoreAtTheRepaint_IsRejected()
+    public void Layout_ExtraControlAtRepaint_IsRejected()
     {
         int controls = 1;
         void Draw()
@@ -345,7 +345,7 @@ public sealed class InspectorTests
     }
 
     [Test]
-    public void ImporterInspector_ThatLeavesOutApply_IsRefused()
+    public void ImporterInspector_WithoutApply_IsRefused()
     {
         var logged = new List<string>();
         Debug.s_sink = (type, text) => logged.Add(text);

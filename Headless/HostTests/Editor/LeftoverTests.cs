@@ -14,7 +14,7 @@ public sealed class LeftoverTests : EditorFixture
         EditorApplication.isPlaying) = (true, false, false, false);
 
     [Test]
-    public void Place_ThatIsMade_IsNotForGitUnlessTheSettingsSaySo([Values] bool ignores)
+    public void DataFolder_Created_IsIgnoredByGitUnlessSettingsCommitIt([Values] bool ignores)
     {
         FastPointsSettings.instance.GitIgnore = ignores;
         m_project.Imports.CreateAsset(m_project.Scratch.Demo("scan.las", 1000), "Assets");
@@ -32,7 +32,7 @@ public sealed class LeftoverTests : EditorFixture
 
     [TestCase(true)]
     [TestCase(false)]
-    public void Delete_ByTheUser_AsksOnceForAllWhetherTheDataGo(bool agrees)
+    public void Delete_ByTheUser_AsksOnceWhetherToDeleteTheData(bool agrees)
     {
         AssetDatabase.CreateFolder("Assets", "Scans");
         m_project.Imports.CreateAsset(m_project.Scratch.Demo("one.las", 1000), "Assets/Scans");
@@ -67,7 +67,7 @@ public sealed class LeftoverTests : EditorFixture
     }
 
     [Test]
-    public void Delete_ByABranch_AsksNobody()
+    public void Delete_ByABranchChange_AsksNothing()
     {
         m_project.Imports.CreateAsset(m_project.Scratch.Demo("one.las", 1000), "Assets");
         m_project.UpdateToTheEnd();
@@ -80,7 +80,7 @@ public sealed class LeftoverTests : EditorFixture
     }
 
     [Test]
-    public void Delete_OfOneOfTwoUsers_LeavesTheDataToTheOther()
+    public void Delete_OneOfTwoAssets_KeepsTheDataForTheOther()
     {
         m_project.Imports.CreateAsset(m_project.Scratch.Demo("one.las", 1000), "Assets");
         m_project.UpdateToTheEnd();
@@ -166,7 +166,7 @@ public sealed class LeftoverTests : EditorFixture
         () => !m_project.Imports.Missing.IsSearching);
 
     [Test]
-    public void Clone_Declined_IsAskedAboutWhatComesLaterAlone()
+    public void Clone_Declined_AsksAboutLaterCloudsOnly()
     {
         Clone("one");
         Look();
@@ -188,7 +188,7 @@ public sealed class LeftoverTests : EditorFixture
     }
 
     [Test]
-    public void Pull_OfACloudThatAnotherConvertedAgain_AsksIfItCanBeMadeHere([Values] bool isHere)
+    public void Pull_CloudConvertedElsewhere_AsksIfItCanBeConvertedHere([Values] bool isHere)
     {
         m_project.Pull("one");
         if (!isHere)
@@ -204,7 +204,7 @@ public sealed class LeftoverTests : EditorFixture
     }
 
     [Test]
-    public void Look_InPlayMode_WaitsForItsEnd()
+    public void Inspect_InPlayMode_WaitsForItsEnd()
     {
         Clone("one");
         EditorApplication.isPlaying = true;
@@ -220,7 +220,7 @@ public sealed class LeftoverTests : EditorFixture
     }
 
     [Test]
-    public void Look_ThatFails_IsReportedAndNotTriedAgain()
+    public void Inspect_Failing_IsReportedAndNotRetried()
     {
         Clone("one");
         string source = CloudHandle.FromJson(File.ReadAllText("Assets/one.pointcloud"), "").Sources[0];
@@ -231,7 +231,7 @@ public sealed class LeftoverTests : EditorFixture
     }
 
     [Test]
-    public void Look_AddsUpNoSizes_AndEndsWhenItIsCancelled()
+    public void Inspect_ManyFiles_ReadsNoSizesAndCanBeCancelled()
     {
         m_project.Imports.CreateAsset(m_project.Scratch.Demo("one.las", 1000), "Assets");
         m_project.UpdateToTheEnd();
@@ -243,7 +243,7 @@ public sealed class LeftoverTests : EditorFixture
 
     [TestCase("the data")]
     [TestCase("the conversion")]
-    public void Data_ThatTheUserDoesNotWant_AreNotAskedAbout(string what)
+    public void Data_DeclinedByTheUser_AreNotAskedAboutAgain(string what)
     {
         m_project.Imports.CreateAsset(m_project.Scratch.Demo("one.las", 1000), "Assets");
         if (what == "the conversion")
@@ -282,7 +282,7 @@ public sealed class LeftoverTests : EditorFixture
     }
 
     [Test]
-    public void Clone_WhereNothingConvertsByItself_OrInBatchMode_AsksNothing([Values] bool isBatch)
+    public void Clone_AutoConvertOffOrBatchMode_AsksNothing([Values] bool isBatch)
     {
         Clone("one");
         (Application.isBatchMode, FastPointsSettings.instance.ConvertAtOnce) = (isBatch, isBatch);

@@ -36,7 +36,7 @@ public sealed class LockedFileTests : EditorFixture
 
     [TestCase(true, "version control does not check it out")]
     [TestCase(false, "is read-only")]
-    public void Handle_ThatCannotBeCheckedOut_IsOneErrorAndNothingIsLost(bool hasVersionControl, string reason)
+    public void Handle_CannotBeCheckedOut_IsOneErrorAndLosesNothing(bool hasVersionControl, string reason)
     {
         Take();
         if (hasVersionControl)
@@ -53,7 +53,7 @@ public sealed class LockedFileTests : EditorFixture
     }
 
     [Test]
-    public void Settings_OfWhichNothingHasChanged_AreNotWritten()
+    public void Settings_Unchanged_AreNotWritten()
     {
         var settings = FastPointsSettings.instance;
         settings.UpdateMs = 6;
@@ -78,7 +78,7 @@ public sealed class LockedFileTests : EditorFixture
     }
 
     [Test]
-    public void Settings_ThatCannotBeCheckedOut_HoldAndAreSavedLater()
+    public void Settings_CannotBeCheckedOut_ApplyAndAreSavedLater()
     {
         var settings = FastPointsSettings.instance;
         settings.Save();
@@ -103,7 +103,7 @@ public sealed class LockedFileTests : EditorFixture
 
     [TestCase(true)]
     [TestCase(false)]
-    public void Meta_OfAFileThatIsClaimed_IsCheckedOut(bool agrees)
+    public void Meta_OfAClaimedFile_IsCheckedOut(bool agrees)
     {
         SessionState.EraseString("FastPoints.PointFilePrompt");
         FastPointsSettings.instance.PointFiles = PointFiles.Leave;
@@ -124,7 +124,7 @@ public sealed class LockedFileTests : EditorFixture
     }
 
     [Test]
-    public void Write_LockedFile_IsRefused()
+    public void Write_LockedFile_Fails()
     {
         var settings = FastPointsSettings.instance;
         settings.Save();

@@ -73,7 +73,7 @@ public sealed class MeasureTests : ScratchTests
     }
 
     [Test]
-    public void ScenePicker_TurnedAndEnlargedCloud_ReportsCoordinatesOfTheFile()
+    public void ScenePicker_RotatedAndScaledCloud_ReportsCoordinatesOfTheFile()
     {
         using (var picker = new ScenePicker())
         {
@@ -91,7 +91,7 @@ public sealed class MeasureTests : ScratchTests
     }
 
     [Test]
-    public void ScenePicker_UnitAndUpAxisThatSomebodySet_AreThoseOfTheDistance()
+    public void ScenePicker_OverriddenUnitAndUpAxis_ApplyToTheDistance()
     {
         using (var picker = new ScenePicker())
         {
@@ -119,7 +119,7 @@ public sealed class MeasureTests : ScratchTests
     }
 
     [Test]
-    public void ScenePicker_WhatIsClippedAndHidden_IsLookedThrough()
+    public void ScenePicker_ClippedAndHiddenPoints_AreNotHit()
     {
         using (var picker = new ScenePicker())
         {
@@ -140,7 +140,7 @@ public sealed class MeasureTests : ScratchTests
     }
 
     [Test]
-    public void ScenePicker_CloudThatTheCameraDoesNotShow_IsNotFound()
+    public void ScenePicker_CloudMaskedForTheCamera_IsNotFound()
     {
         using var picker = new ScenePicker();
         Assert.That(Find(picker, Down()).Point, Is.Not.Null);
@@ -235,7 +235,7 @@ public sealed class MeasureTests : ScratchTests
 
     [TestCase(EventType.DragUpdated)]
     [TestCase(EventType.DragPerform)]
-    public void Drag_OverTheSceneView_LooksForNoPoints(EventType type)
+    public void Drag_OverTheSceneView_PicksNoPoints(EventType type)
     {
         ScenePicking.MaxMs = double.PositiveInfinity;
         var camera = CameraAbove();
@@ -255,7 +255,7 @@ public sealed class MeasureTests : ScratchTests
     }
 
     [Test]
-    public void Click_WorldThatIsShownIsNotTheDefaultOne_SelectsItsCloud()
+    public void Click_ShownWorldIsNotTheDefaultOne_SelectsItsCloud()
     {
         ScenePicking.MaxMs = double.PositiveInfinity;
         var camera = CameraAbove();
@@ -283,9 +283,9 @@ public sealed class MeasureTests : ScratchTests
         try
         {
             var other = above.AddComponent<PointCloud>();
-            var place = m_scene.transform.localToWorldMatrix;
-            place.m13 += 10;
-            SceneLoop.Place(above.transform, place);
+            var position = m_scene.transform.localToWorldMatrix;
+            position.m13 += 10;
+            SceneLoop.Place(above.transform, position);
             other.Path = m_path;
             Frames(() => m_world.EntityManager.HasComponent<StreamedPointCloud>(other.Entity));
             Frames(() => true);
@@ -301,7 +301,7 @@ public sealed class MeasureTests : ScratchTests
     }
 
     [Test]
-    public void MeasureTool_TwoClicks_ReportBothPointsAndWhatLiesBetween()
+    public void MeasureTool_TwoClicks_ReportBothPointsAndTheDistance()
     {
         var view = ScriptableObject.CreateInstance<SceneView>();
         view.camera = new GameObject("camera").AddComponent<UnityEngine.Camera>();
@@ -358,10 +358,10 @@ public sealed class MeasureTests : ScratchTests
         Assert.That(updated, Has.None.SameAs(tool));
     }
 
-    /// <summary>Unity tells the active tool before scripts are loaded anew: a search of pool threads must not outlive
+    /// <summary>Unity tells the active tool before scripts are reloaded: a search of pool threads must not outlive
     /// them.</summary>
     [Test]
-    public void MeasureTool_ScriptsAreReloaded_IsReportedOnceAndBeginsAgain()
+    public void MeasureTool_ScriptReload_ReportsOnceAndStartsOver()
     {
         var tool = ScriptableObject.CreateInstance<MeasureTool>();
         tool.Activate();
@@ -408,7 +408,7 @@ public sealed class MeasureTests : ScratchTests
         PickText.Coordinates(new double3(690052.801, 5330006.106, 528), new double3(step, step, step)), Is.EqualTo(wanted));
 
     [Test]
-    public void PickRayOf_Cameras_AreAsWideAsPixelsAre()
+    public void PickRayOf_Cameras_HaveTheWidthOfPixels()
     {
         var camera = new GameObject("camera").AddComponent<UnityEngine.Camera>();
         camera.targetTexture = new RenderTexture(new RenderTextureDescriptor(200, 100));

@@ -56,7 +56,7 @@ public sealed class OriginTests : EditorFixture
     }
 
     [Test]
-    public void Clouds_BeneathAnOrigin_LieByItsPlaceAndLeaveItAgain()
+    public void Clouds_UnderAnOrigin_AreGeoreferencedByItUntilTheyLeave()
     {
         var origin = Origin();
         var cloud = Shown("a", origin);
@@ -80,7 +80,7 @@ public sealed class OriginTests : EditorFixture
     }
 
     [Test]
-    public void Update_PlaceAndSystemThatACloudDecides_AreKeptOnceAndInEditModeAlone()
+    public void Update_OriginTakenFromACloud_IsStoredOnceInEditMode()
     {
         System.Runtime.CompilerServices.RuntimeHelpers.RunClassConstructor(typeof(SceneVisibility).TypeHandle);
         var origin = Origin();
@@ -121,7 +121,7 @@ public sealed class OriginTests : EditorFixture
 
     /// <summary>Each frame of a long flight: what lies at the camera stays there to 1e-6, though it is 1,000 km off.</summary>
     [Test]
-    public void Shift_AgainAndAgain_NeitherJumpsNorDrifts()
+    public void Shift_Repeated_NeitherJumpsNorDrifts()
     {
         var origin = Origin();
         var cloud = Shown("a", origin);
@@ -145,7 +145,7 @@ public sealed class OriginTests : EditorFixture
     }
 
     [Test]
-    public void Shift_EntityClouds_ByACallOpenOrNot()
+    public void Shift_EntityClouds_MovesOpenAndUnopenedOnes()
     {
         string folder = m_project.Scratch["far.fastpoints"];
         Assert.That(CliCall.Of("convert", m_project.Scratch.Demo(points: 3000), "-o", folder, "--quiet").Status, Is.Zero);
@@ -186,7 +186,7 @@ public sealed class OriginTests : EditorFixture
     }
 
     [Test]
-    public void Compare_CloudOfAnotherCrs_IsWarnedOfOnceWithBothNames()
+    public void Compare_CloudOfAnotherCrs_WarnsOnceWithBothNames()
     {
         var origin = Origin();
         Shown("a", origin, "EPSG:25832 ETRS89 / UTM zone 32N");
@@ -200,7 +200,7 @@ public sealed class OriginTests : EditorFixture
     }
 
     [Test]
-    public void Convert_CloudBeneathAnOrigin_KeepsAnOriginOfItsOwn()
+    public void Convert_CloudUnderAnOrigin_KeepsItsOwnOrigin()
     {
         var origin = Origin();
         origin.PositionGeo = new double3(1e6, 1e6, 0);
@@ -212,19 +212,19 @@ public sealed class OriginTests : EditorFixture
     }
 
     [Test]
-    public void Undo_OfAPlace_MovesTheCloudsBack()
+    public void Undo_OfAPosition_MovesTheCloudsBack()
     {
         var origin = Origin();
         var cloud = Shown("a", origin);
         Update();
-        var (place, before) = (origin.PositionGeo, PlacementOf(cloud.Entity).OriginWorld);
+        var (position, before) = (origin.PositionGeo, PlacementOf(cloud.Entity).OriginWorld);
         Undo.IncrementCurrentGroup();
         Undo.RecordObject(origin, "Set origin");
         origin.Shift(new double3(5, 0, 0));
         m_world.Update();
         Assert.That(PlacementOf(cloud.Entity).OriginWorld.x, Is.EqualTo(before.x - 5).Within(1e-9));
         Undo.PerformUndo();
-        Assert.That(origin.PositionGeo, Is.EqualTo(place));
+        Assert.That(origin.PositionGeo, Is.EqualTo(position));
         Update();
         Assert.That(PlacementOf(cloud.Entity).OriginWorld, Is.EqualTo(before));
     }
@@ -235,7 +235,7 @@ public sealed class OriginTests : EditorFixture
         var origin = Origin();
         var cloud = Shown("a", origin);
         Update();
-        var place = origin.PositionGeo;
+        var position = origin.PositionGeo;
         var editor = UnityEditor.Editor.Of<PointCloudOriginEditor>(origin);
         editor.Draw();
         SceneView.lastActiveSceneView = new SceneView { pivot = new Vector3(7, 0, 0) };
@@ -243,16 +243,16 @@ public sealed class OriginTests : EditorFixture
         GUILayout.Pressed = "Set origin here";
         GUILayoutUtility.Send(new Event { type = EventType.MouseUp }, editor.OnInspectorGUI);
         (GUILayout.Pressed, Event.current, SceneView.lastActiveSceneView) = (null, null, null);
-        Assert.That(origin.PositionGeo.x, Is.EqualTo(place.x + 7).Within(1e-9), "east is Unity's X");
+        Assert.That(origin.PositionGeo.x, Is.EqualTo(position.x + 7).Within(1e-9), "east is Unity's X");
         m_world.Update();
         Assert.That(WorldOf(cloud, origin.PositionGeo).x, Is.Zero.Within(1e-8));
         Undo.PerformUndo();
-        Assert.That(origin.PositionGeo, Is.EqualTo(place));
+        Assert.That(origin.PositionGeo, Is.EqualTo(position));
         Object.DestroyImmediate(editor);
     }
 
     [Test]
-    public void Inspector_TypedPlace_IsOneAndATypedCoordinateSystemIsNone()
+    public void Inspector_TypedPosition_IsSetAndTypedCrsAloneIsNot()
     {
         var origin = Origin();
         var editor = UnityEditor.Editor.Of<PointCloudOriginEditor>(origin);
@@ -272,7 +272,7 @@ public sealed class OriginTests : EditorFixture
     }
 
     [Test]
-    public void AlignTo_CloudThatOnlyAPathNames_IsTheMiddleOfItsFloor()
+    public void AlignTo_CloudKnownByPathOnly_MovesToTheMiddleOfItsFloor()
     {
         var origin = Origin();
         origin.PositionGeo = new double3(1, 2, 3);

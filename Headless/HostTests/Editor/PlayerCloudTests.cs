@@ -32,7 +32,7 @@ public sealed class PlayerCloudTests : EditorFixture
     }
 
     [Test]
-    public void Build_CloudsThatScenesUse_AndNoOthers_AreAdded()
+    public void Build_CloudsUsedByScenes_AreTheOnlyOnesAdded()
     {
         Take("a", "b");
         m_project.UpdateToTheEnd();
@@ -76,7 +76,7 @@ public sealed class PlayerCloudTests : EditorFixture
 
     [TestCase("Assets/menu.unity", "of 2 in the project: neither Assets/menu.unity nor")]
     [TestCase(null, "of 2 in the project: neither a scene nor")]
-    public void Build_CloudsOfWhichNoneGoesIn_ReportsIt(string scene, string said)
+    public void Build_NoCloudIncluded_ReportsIt(string scene, string said)
     {
         Take("a", "b");
         m_project.UpdateToTheEnd();
@@ -88,7 +88,7 @@ public sealed class PlayerCloudTests : EditorFixture
     }
 
     [Test]
-    public void Build_CloudThatIsNotConverted_EndsTheBuild()
+    public void Build_UnconvertedCloud_FailsTheBuild()
     {
         Take("a");
         Assert.That(Build,
@@ -103,7 +103,7 @@ public sealed class PlayerCloudTests : EditorFixture
 
     [TestCase(true)]
     [TestCase(false)]
-    public void Build_InBatchMode_ConvertsWhatItNeedsOrNamesTheSource(bool isHere)
+    public void Build_InBatchMode_ConvertsWhatItNeedsOrNamesTheMissingSource(bool isHere)
     {
         FastPointsSettings.instance.ConvertAtOnce = false;
         Take("a", "b");
@@ -118,7 +118,7 @@ public sealed class PlayerCloudTests : EditorFixture
 
     /// <summary>A build server may keep its data, and another of the team convert again.</summary>
     [Test]
-    public void Build_OldDataOfACloud_AreMadeAgainOrEndTheBuild([Values] bool isBatch)
+    public void Build_OutdatedCloud_IsConvertedAgainOrFailsTheBuild([Values] bool isBatch)
     {
         m_project.Pull("a");
         Application.isBatchMode = isBatch;
@@ -131,7 +131,7 @@ public sealed class PlayerCloudTests : EditorFixture
 
     [TestCase(BuildTarget.Android)]
     [TestCase(BuildTarget.WebGL)]
-    public void Build_ForWhatCannotOpenThem_FailsWithOneLine(BuildTarget target)
+    public void Build_UnsupportedPlatform_FailsWithOneLine(BuildTarget target)
     {
         void BuildFor(string scene) => new PlayerCloudProcessor().PrepareForBuild(
             new BuildPlayerContext(new BuildPlayerOptions { scenes = new[] { scene }, target = target }));
@@ -144,7 +144,7 @@ public sealed class PlayerCloudTests : EditorFixture
     }
 
     [Test]
-    public void Build_LargeClouds_AreWarnedOfFromTheSettingOn()
+    public void Build_CloudsAboveTheSizeSetting_AreWarnedOf()
     {
         string source = m_project.Copc("a.copc.laz");
         AssetDatabase.Dependencies[ScenePath] = new[] { "Assets/a.copc.pointcloud" };
@@ -162,7 +162,7 @@ public sealed class PlayerCloudTests : EditorFixture
     }
 
     [Test]
-    public void Build_ResourcesAreAddedWithoutAScene()
+    public void Build_NoScene_AddsTheResources()
     {
         Take("a", "b");
         m_project.UpdateToTheEnd();
@@ -175,7 +175,7 @@ public sealed class PlayerCloudTests : EditorFixture
     }
 
     [Test]
-    public void Build_CloudsThatTheSettingsName_AreAddedOnce()
+    public void Build_CloudsNamedInSettings_AreAddedOnce()
     {
         Take("a", "b");
         m_project.UpdateToTheEnd();
@@ -188,7 +188,7 @@ public sealed class PlayerCloudTests : EditorFixture
     }
 
     [Test]
-    public void Build_CloudThatIsStreamedAsItIs_GoesInAsItIs()
+    public void Build_CloudStreamedFromItsSource_IsCopiedUnchanged()
     {
         string source = m_project.Copc("a.copc.laz");
         AssetDatabase.Dependencies[ScenePath] = new[] { "Assets/a.copc.pointcloud", "Assets/a.pointcloud" };
@@ -209,7 +209,7 @@ public sealed class PlayerCloudTests : EditorFixture
     }
 
     [Test]
-    public void Build_NoClouds_SaysNothing()
+    public void Build_NoClouds_LogsNothing()
     {
         Assert.That(Build().FolderOfPlayerPath, Is.Empty);
         Assert.That(m_logged, Is.Empty);
@@ -217,7 +217,7 @@ public sealed class PlayerCloudTests : EditorFixture
     }
 
     [Test]
-    public void Add_OnePlaceForTwoClouds_IsReportedWithTheAsset()
+    public void Add_TwoCloudsForOneFolder_ReportsTheAsset()
     {
         Take("a", "b");
         m_project.UpdateToTheEnd();

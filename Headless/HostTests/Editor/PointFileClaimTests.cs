@@ -35,9 +35,9 @@ public sealed class PointFileClaimTests : EditorFixture
         Assert.That(m_project.Asset("Assets/two.las") != null, Is.EqualTo(agrees));
     }
 
-    /// <summary>A file from before the package was imported by Unity's own importer, and nothing tells of it again.</summary>
+    /// <summary>A file from before the package was imported by Unity's own importer, and no event reports it again.</summary>
     [Test]
-    public void File_FromBeforeThePackage_IsTreatedAlike()
+    public void File_OlderThanThePackage_IsImportedAlike()
     {
         FastPointsSettings.instance.PointFiles = PointFiles.Leave;
         m_project.Scratch.Demo("project/Assets/one.las", 500);
@@ -54,7 +54,7 @@ public sealed class PointFileClaimTests : EditorFixture
     [TestCase("Assets/Editor Default Resources/a.las", null)]
     [TestCase("Assets/mesh.ply", "ply\nformat ascii 1.0\nelement vertex 3\nelement face 1\nend_header\n")]
     [TestCase("Assets/strips.ply", "ply\r\nformat ascii 1.0\r\nelement vertex 3\r\nelement tristrips 1\r\nend_header\r\n")]
-    public void File_ThatIsNoCloudOfTheProject_IsLeftAlone(string path, string text)
+    public void File_NotACloudOfTheProject_IsIgnored(string path, string text)
     {
         FastPointsSettings.instance.PointFiles = PointFiles.Import;
         Directory.CreateDirectory(Path.GetDirectoryName(path));
@@ -78,7 +78,7 @@ public sealed class PointFileClaimTests : EditorFixture
     }
 
     [Test]
-    public void Cancelled_StaysCancelledUntilTheUserConverts()
+    public void Cancel_ByTheUser_LastsUntilTheUserConverts()
     {
         FastPointsSettings.instance.PointFiles = PointFiles.Import;
         m_project.Scratch.Demo("project/Assets/one.las", 500);

@@ -23,7 +23,7 @@ public sealed class SceneEditorTests
     }
 
     [Test]
-    public void Frame_TurnedCloudThatIsKnownByItsAsset_IsItsBox()
+    public void Frame_RotatedCloudKnownByItsAsset_IsItsBox()
     {
         var scene = new GameObject("scan");
         var cloud = scene.AddComponent<PointCloud>();
@@ -49,7 +49,7 @@ public sealed class SceneEditorTests
     [TestCase("m_gradient", FastPoints.Drawing.Gradient.Gray)]
     [TestCase("m_hiddenClasses", new[] { 2, 7 })]
     [TestCase("m_path", "elsewhere.fastpoints")]
-    public void Update_FieldThatWasBroughtBack_OpensTheCloudAgainOnce(string field, object value)
+    public void Update_RestoredField_ReopensTheCloudOnce(string field, object value)
     {
         using var world = World.DefaultGameObjectInjectionWorld = new World("default");
         var scene = new GameObject("scan");
@@ -75,7 +75,7 @@ public sealed class SceneEditorTests
     }
 
     [Test]
-    public void Undo_OfAProperty_BringsTheFieldBackAndTheCloudFollows()
+    public void Undo_OfAProperty_RestoresTheFieldAndTheCloud()
     {
         using var world = World.DefaultGameObjectInjectionWorld = new World("default");
         var scene = new GameObject("scan");
@@ -107,7 +107,7 @@ public sealed class SceneEditorTests
     }
 
     [Test]
-    public void Apply_DraggedSide_MovesAndScalesTheBoxWhereItStands()
+    public void Apply_DraggedSide_MovesAndScalesTheBox()
     {
         var scene = new GameObject("box");
         scene.transform.localScale = new Vector3(4, 4, 4);

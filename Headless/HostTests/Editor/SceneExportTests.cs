@@ -68,7 +68,7 @@ public sealed class SceneExportTests : EditorFixture
     }
 
     [Test]
-    public void Begin_BoxOfTheScene_WritesWhatItHolds([Values] bool cuts)
+    public void Begin_ClipBoxOfTheScene_WritesThePointsInside([Values] bool cuts)
     {
         Assert.That(m_cloud.TryGetWorldBounds(out var bounds), Is.True);
         var center = bounds.center + new Vector3(bounds.size.x / 4, 0, 0);

@@ -30,7 +30,7 @@ public sealed class SourceStampTests : ScratchPerTest
     }
 
     [Test]
-    public void Compare_TouchedTimeWithEqualBytes_IsNoChange()
+    public void Compare_ChangedTimeWithEqualBytes_IsNoChange()
     {
         var stamp = SourceStamp.Of(new[] { m_file });
         File.SetLastWriteTimeUtc(m_file, s_then.AddYears(1));
@@ -42,7 +42,7 @@ public sealed class SourceStampTests : ScratchPerTest
     [TestCase(SourceStamp.EdgeBytes - 1)]
     [TestCase(2 * SourceStamp.EdgeBytes)]
     [TestCase(3 * SourceStamp.EdgeBytes - 1)]
-    public void Compare_AnotherByteAtAnEnd_IsAChange(long offset)
+    public void Compare_ChangedByteAtEitherEnd_IsAChange(long offset)
     {
         var stamp = SourceStamp.Of(new[] { m_file });
         Flip(offset);
@@ -51,7 +51,7 @@ public sealed class SourceStampTests : ScratchPerTest
     }
 
     [Test]
-    public void Compare_AnotherSizeAtTheSameTime_IsAChange()
+    public void Compare_ChangedSizeWithSameTime_IsAChange()
     {
         var stamp = SourceStamp.Of(new[] { m_file });
         using (var file = new FileStream(m_file, FileMode.Append))
@@ -62,7 +62,7 @@ public sealed class SourceStampTests : ScratchPerTest
     }
 
     [Test]
-    public void Compare_SourceThatIsMissing_IsMissing()
+    public void Compare_MissingSource_IsMissing()
     {
         var stamp = SourceStamp.Of(new[] { m_file });
         File.Delete(m_file);

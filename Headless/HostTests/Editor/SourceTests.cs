@@ -67,7 +67,7 @@ public sealed class SourceTests : EditorFixture
 
     [TestCase(true)]
     [TestCase(false)]
-    public void Locate_OneOfAFolder_LeadsTheOthersAlongIfTheUserWants(bool agrees)
+    public void Locate_OneOfAFolder_OffersToLocateTheOthers(bool agrees)
     {
         FastPointsSettings.instance.ConvertAtOnce = false;
         foreach (string name in new[] { "old/scans/a.las", "old/scans/b.las", "old/c.las", "stays.las" })
@@ -117,7 +117,7 @@ public sealed class SourceTests : EditorFixture
     }
 
     [Test]
-    public void Locate_AnotherFileThanWasConverted_IsSaid()
+    public void Locate_OtherFileThanConverted_IsReported()
     {
         string source = m_project.Scratch.Demo("scan.las", 500);
         m_project.Imports.CreateAsset(source, "Assets");
@@ -131,7 +131,7 @@ public sealed class SourceTests : EditorFixture
     }
 
     [Test]
-    public void Locate_AFolderWithAPointInItsName_AsksForAFolder()
+    public void Locate_FolderWithADotInItsName_AsksForAFolder()
     {
         FastPointsSettings.instance.ConvertAtOnce = false;
         Directory.CreateDirectory(m_project.Scratch["scan.v2"]);

@@ -16,7 +16,7 @@ public sealed class TestProjectFixtureTests : EditorFixture
     public void Stop() => (EditorApplication.isPlaying, Application.isBatchMode) = (false, false);
 
     [Test]
-    public void Run_ScriptsAreLoadedAgain_SetUpRunsAgainAndUnitySetUpDoesNot()
+    public void Run_ScriptReload_RunsSetUpAgainAndUnitySetUpNot()
     {
         new EditModeRun(typeof(Listing), nameof(Listing.Play)).Run();
 
@@ -27,7 +27,7 @@ public sealed class TestProjectFixtureTests : EditorFixture
     }
 
     [Test]
-    public void Run_TestFails_TearDownsRunAllTheSame()
+    public void Run_FailedTest_RunsTearDowns()
     {
         Assert.That(() => new EditModeRun(typeof(Listing), nameof(Listing.Fail)).Run(), Throws.InvalidOperationException);
         Assert.That(s_calls, Is.EqualTo(new[] { "UnitySetUp", "SetUp", "TearDown", "UnityTearDown" }));
@@ -44,7 +44,7 @@ public sealed class TestProjectFixtureTests : EditorFixture
     }
 
     [Test]
-    public void Project_BegunAgainAfterAReload_IsKept()
+    public void Project_ReopenedAfterAReload_IsKept()
     {
         new EditModeRun(typeof(Keeping), nameof(Keeping.BeginAgain)).Run();
 
@@ -62,7 +62,7 @@ public sealed class TestProjectFixtureTests : EditorFixture
 
     [TestCase(nameof(Keeping.Update))]
     [TestCase(nameof(Keeping.Fail))]
-    public void Project_OfTheUser_IsAsBefore(string test)
+    public void Project_OfTheUser_IsRestored(string test)
     {
         SessionState.SetString("FastPoints.PointFilePrompt", "yes");
         FastPointsSettings.instance.PointFiles = PointFiles.Ask;
@@ -83,7 +83,7 @@ public sealed class TestProjectFixtureTests : EditorFixture
         Assert.That(AssetDatabase.Overrides, Is.Empty);
     }
 
-    [TestCase(nameof(ImporterTests.PointFile_InAssets_GetsOurImporterWhereNoOtherIsInCharge))]
+    [TestCase(nameof(ImporterTests.PointFile_InAssets_GetsOurImporterIfNoOtherClaimsIt))]
     [TestCase(nameof(ImporterTests.Handle_OfAFileOutside_KnowsItsPointsWhenItIsConverted))]
     public void ImporterTests_InBatchMode_Pass(string test)
     {

@@ -23,7 +23,7 @@ public sealed class ThumbnailTests : EditorFixture
     }
 
     [Test]
-    public void Thumbnail_OfAFile_IsThereBeforeItIsConvertedAndGivesWayToThatOfTheCloud()
+    public void Thumbnail_OfAFile_IsReplacedByTheConvertedCloudsOne()
     {
         var asset = m_project.Imports.CreateAsset(m_project.Scratch.Demo("scan.las", 200_000), "Assets");
         Draw();
@@ -90,7 +90,7 @@ public sealed class ThumbnailTests : EditorFixture
     }
 
     [Test]
-    public void Thumbnail_OfAFileInAssets_IsDrawnOnceThoughItsAssetIsImportedAgain()
+    public void Thumbnail_FileInAssetsImportedAgain_IsDrawnOnce()
     {
         FastPointsSettings.instance.ConvertAtOnce = false;
         m_project.Scratch.Demo("project/Assets/scan.las", 5000);
@@ -116,7 +116,7 @@ public sealed class ThumbnailTests : EditorFixture
     }
 
     [Test]
-    public void Thumbnail_WhenItThrowsUnexpectedly_IsReportedOnceAndTheNextIsDrawn()
+    public void Thumbnail_UnexpectedException_IsReportedOnceAndTheNextIsDrawn()
     {
         string scan = m_project.Scratch.Demo("scan.las", 5000);
         string first = m_project.Scratch["first.fastpoints"], second = m_project.Scratch["second.fastpoints"];
@@ -145,7 +145,7 @@ public sealed class ThumbnailTests : EditorFixture
     }
 
     [Test]
-    public void Thumbnail_OfAFileThatCannotBeRead_IsMissingWithoutAReport()
+    public void Thumbnail_OfAnUnreadableFile_IsMissingWithoutAReport()
     {
         var asset = m_project.Imports.CreateAsset(m_project.Copc("scan.copc.laz"), "Assets");
         Draw();
@@ -169,7 +169,7 @@ public sealed class ThumbnailTests : EditorFixture
     }
 
     [Test]
-    public void CreateAsset_TwoFilesOfOneNameThatAreNotConverted_HaveAPictureEach()
+    public void CreateAsset_TwoUnconvertedFilesOfOneName_HaveAThumbnailEach()
     {
         FastPointsSettings.instance.ConvertAtOnce = false;
         Directory.CreateDirectory(m_project.Scratch["other"]);
@@ -208,7 +208,7 @@ public sealed class ThumbnailTests : EditorFixture
     }
 
     [Test]
-    public void Resized_Picture_IsTheMeanFromTheBottomUp()
+    public void Resized_Picture_AveragesPixelsBottomUp()
     {
         var image = new RgbaImage(4, 2);
         for (int x = 0; x < 4; x++)

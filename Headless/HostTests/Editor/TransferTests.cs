@@ -15,7 +15,7 @@ public sealed class TransferTests : EditorFixture
         Assert.That(CliCall.Of("verify", cloud, "--quiet").Status, Is.EqualTo(ExitStatus.Done));
 
     [Test]
-    public void Export_ConvertedCloud_IsAWholeCloudUnderItsNameOrTheNextOne()
+    public void Export_ConvertedCloud_WritesItUnderItsOrTheNextFreeName()
     {
         var asset = Converted();
         string folder = Directory.CreateDirectory(m_project.Scratch["out"]).FullName;
@@ -32,7 +32,7 @@ public sealed class TransferTests : EditorFixture
 
     /// <summary>Windows' drives have letters: DriveInfo takes no \\server\share.</summary>
     [Test]
-    public void Export_ToADiskOfUnknownRoom_IsAWholeCloud()
+    public void Export_UnknownFreeSpace_WritesTheWholeCloud()
     {
         var asset = Converted();
         bool isAsked = false;
@@ -62,7 +62,7 @@ public sealed class TransferTests : EditorFixture
     }
 
     [Test]
-    public void ImportCopy_CloudOfAnotherProject_LiesInThisOneAndHasAnAsset()
+    public void ImportCopy_CloudOfAnotherProject_IsCopiedWithAnAsset()
     {
         Directory.CreateDirectory(m_project.Scratch["other"]);
         string other = m_project.Scratch.Converted("other/scan.fastpoints");
@@ -93,7 +93,7 @@ public sealed class TransferTests : EditorFixture
     }
 
     [Test]
-    public void Export_CancelledInTheProgressWindow_IsNotSpokenOfAgain()
+    public void Export_CancelledInTheProgressWindow_IsNotReportedAgain()
     {
         var asset = Converted();
         string to = m_project.Imports.Export(asset, Directory.CreateDirectory(m_project.Scratch["out"]).FullName);
@@ -116,14 +116,14 @@ public sealed class TransferTests : EditorFixture
     [TestCase(".", "with the project in it")]
     [TestCase("..", "with the project in it")]
     [TestCase(" ", "got nothing")]
-    public void FindProblem_OfAPlace_SaysWhatIsWrong(string place, string wanted)
+    public void FindProblem_BadFolder_NamesTheProblem(string folder, string wanted)
     {
-        string problem = ProjectPaths.FindProblem(m_project.Paths.Project, place);
+        string problem = ProjectPaths.FindProblem(m_project.Paths.Project, folder);
         Assert.That(problem, wanted == null ? Is.Null : Does.Contain(wanted));
     }
 
     [Test]
-    public void Move_ToAnotherPlace_CloudsAreConvertedThereAndOldOnesStay()
+    public void Move_ToAnotherFolder_ConvertsThereAndKeepsOldClouds()
     {
         var before = Converted("before");
         Assert.That(PointCloudImports.Move("Assets/x"), Does.Contain("Unity's own"));
@@ -146,7 +146,7 @@ public sealed class TransferTests : EditorFixture
 
     /// <summary>Importers know nothing of the place: their results may come from other machines.</summary>
     [Test]
-    public void Move_ToAnotherPlace_FilesInAssetsAreFoundThereWithoutAnImport()
+    public void Move_ToAnotherFolder_FindsCloudsOfAssetsWithoutImport()
     {
         m_project.Scratch.Demo("project/Assets/tile.las", 3000);
         AssetDatabase.Refresh();
@@ -163,7 +163,7 @@ public sealed class TransferTests : EditorFixture
     }
 
     [Test]
-    public void TakePointFile_ThatHasChangedSinceItWasConverted_IsOfferedAndNotConverted()
+    public void Take_PointFileChangedSinceConversion_IsOfferedOnly()
     {
         string path = m_project.Paths.Absolute("Assets/tile.las");
         File.Move(m_project.Scratch.Demo("tile.las", 3000), path);
@@ -186,7 +186,7 @@ public sealed class TransferTests : EditorFixture
     }
 
     [Test]
-    public void Move_BeforeTheFirstUpdate_TakesTheRequestsAlong()
+    public void Move_BeforeTheFirstUpdate_MovesTheRequests()
     {
         m_project.Imports.CreateAsset(m_project.Scratch.Demo("late.las", 2000), "Assets");
         Assert.That(PointCloudImports.Move("Data/Clouds"), Is.Null);

@@ -31,7 +31,7 @@ public sealed class AuthoringTests : ScratchTests
     bool IsStreamed(Entity entity) => m_world.EntityManager.HasComponent<StreamedPointCloud>(entity);
 
     [Test]
-    public void PointCloud_OnAGameObject_IsAnEntityThatFollowsItAndGoesWithIt()
+    public void PointCloud_OnAGameObject_HasAnEntityThatFollowsIt()
     {
         var scene = new GameObject("scan");
         var cloud = scene.AddComponent<FastPoints.Entities.PointCloud>();
@@ -65,7 +65,7 @@ public sealed class AuthoringTests : ScratchTests
     }
 
     [Test]
-    public void PointCloudAndClipBox_MovedAfterTheirUpdate_AreThereInTheSameFrame()
+    public void PointCloudAndClipBox_MovedAfterTheirUpdate_MoveInTheSameFrame()
     {
         var scene = new GameObject("scan");
         var cloud = scene.AddComponent<FastPoints.Entities.PointCloud>();
@@ -86,7 +86,7 @@ public sealed class AuthoringTests : ScratchTests
     }
 
     [Test]
-    public void PointCloud_LayerSceneAndEye_AreThoseOfItsGameObject()
+    public void PointCloud_LayerSceneAndVisibility_FollowItsGameObject()
     {
         System.Runtime.CompilerServices.RuntimeHelpers.RunClassConstructor(typeof(FastPoints.Editor.SceneVisibility).TypeHandle);
         var scene = new GameObject("scan") { layer = 5 };
@@ -128,7 +128,7 @@ public sealed class AuthoringTests : ScratchTests
     }
 
     [Test]
-    public void PointCloud_ColourAndClasses_DecideOnWhatIsStreamed()
+    public void PointCloud_ColourAndClasses_SelectTheStreamedPlanes()
     {
         var scene = new GameObject("scan");
         var cloud = scene.AddComponent<FastPoints.Entities.PointCloud>();
@@ -146,7 +146,7 @@ public sealed class AuthoringTests : ScratchTests
 
         cloud.Color = ColorMode.Elevation;
         Assert.That(Planes(), Is.EqualTo(new[] { StoreLayout.PositionName }));
-        Assert.That(Look().Value.Source, Is.EqualTo(ColorSource.Place));
+        Assert.That(Look().Value.Source, Is.EqualTo(ColorSource.Position));
 
         cloud.HiddenClasses = new[] { 2, 6 };
         Assert.That(Planes(), Is.EqualTo(new[] { StoreLayout.PositionName, AttributeNames.Classification }));
@@ -156,15 +156,15 @@ public sealed class AuthoringTests : ScratchTests
     }
 
     [Test]
-    public void PointCloudClipBox_OnAGameObject_ClipsAsItStandsUntilItGoes()
+    public void PointCloudClipBox_OnAGameObject_ClipsByItsTransformUntilDestroyed()
     {
         var clips = m_group.Stream.ClipBoxes;
         var scene = new GameObject("box");
         var box = scene.AddComponent<PointCloudClipBox>();
-        var place = Matrix4x4.identity;
-        place.m00 = 4;
-        place.m03 = 50;
-        SceneLoop.Place(scene.transform, place);
+        var matrix = Matrix4x4.identity;
+        matrix.m00 = 4;
+        matrix.m03 = 50;
+        SceneLoop.Place(scene.transform, matrix);
         Frames(() => clips.Length == 1 && clips[0].CenterWorld.x == 50);
         Assert.That(clips[0].EdgesWorld, Is.EqualTo(new double3x3(4, 0, 0, 0, 1, 0, 0, 0, 1)));
         Assert.That(clips[0].Cuts, Is.False);
@@ -184,7 +184,7 @@ public sealed class AuthoringTests : ScratchTests
     /// <summary>A write completes other people's jobs, and those who look for changes look again. Unity's own counts no
     /// writes.</summary>
     [Test]
-    public void Components_ThatStandStill_WriteNothing()
+    public void Components_Unchanged_WriteNothing()
     {
         var scene = new GameObject("scan");
         var cloud = scene.AddComponent<FastPoints.Entities.PointCloud>();
@@ -204,9 +204,9 @@ public sealed class AuthoringTests : ScratchTests
             return Count() - before;
         }
         Assert.That(Written(() => { }), Is.Zero);
-        var place = Matrix4x4.identity;
-        place.m03 = 50;
-        Assert.That(Written(() => SceneLoop.Place(scene.transform, place)), Is.EqualTo(3), "cloud, placement and box");
+        var matrix = Matrix4x4.identity;
+        matrix.m03 = 50;
+        Assert.That(Written(() => SceneLoop.Place(scene.transform, matrix)), Is.EqualTo(3), "cloud, placement and box");
         Assert.That(Written(() => scene.layer = 6), Is.EqualTo(1));
         Assert.That(Written(() => box.Cuts = true), Is.EqualTo(1));
         UnityEngine.Object.DestroyImmediate(scene);
@@ -215,7 +215,7 @@ public sealed class AuthoringTests : ScratchTests
 
 #if !REAL_ENTITIES
     [Test]
-    public void PointCloud_SwitchedWhileASystemIterates_GoesAndComesWithTheNextFrames()
+    public void PointCloud_ToggledDuringIteration_ChangesInTheNextFrames()
     {
         var scene = new GameObject("scan");
         var cloud = scene.AddComponent<FastPoints.Entities.PointCloud>();
@@ -242,7 +242,7 @@ public sealed class AuthoringTests : ScratchTests
 #endif
 
     [Test]
-    public void PointCloud_WorldDisposedFirst_GoesWithoutAnError()
+    public void PointCloud_WorldDisposedFirst_IsDestroyedWithoutError()
     {
         var scene = new GameObject("scan");
         var cloud = scene.AddComponent<FastPoints.Entities.PointCloud>();
@@ -253,7 +253,7 @@ public sealed class AuthoringTests : ScratchTests
     }
 
     [Test]
-    public void Components_EntitiesOrTheWorldWereEndedByOthers_MakeTheirOwnAgain()
+    public void Components_EntitiesOrWorldDestroyedByOthers_CreateThemAgain()
     {
         var scene = new GameObject("scan");
         var cloud = scene.AddComponent<FastPoints.Entities.PointCloud>();
@@ -289,7 +289,7 @@ public sealed class AuthoringTests : ScratchTests
     }
 
     [Test]
-    public void Baker_OfAnAuthoringComponent_MakesWhatStreams()
+    public void Baker_AuthoringComponent_CreatesAStreamedCloud()
     {
         var scene = new GameObject("scan");
         var authoring = scene.AddComponent<PointCloudAuthoring>();
@@ -302,7 +302,7 @@ public sealed class AuthoringTests : ScratchTests
     }
 
     [Test]
-    public void Baker_OfAClipBoxAndSettings_MakesWhatTheyMakeInScenes()
+    public void Baker_ClipBoxAndSettings_MatchesTheScene()
     {
         var entities = m_world.EntityManager;
         var scene = new GameObject("all");
@@ -353,7 +353,7 @@ public sealed class AuthoringTests : ScratchTests
     }
 
     [Test]
-    public void Baker_AgainInAnOpenSubscene_ShowsWhatHasChanged()
+    public void Baker_RunAgainInAnOpenSubscene_ShowsTheChange()
     {
         var entities = m_world.EntityManager;
         var scene = new GameObject("scan");
@@ -394,7 +394,7 @@ public sealed class AuthoringTests : ScratchTests
     }
 
     [Test]
-    public void Baker_BeneathAnOrigin_LiesByItAndMovesWithIt()
+    public void Baker_UnderAnOrigin_IsPlacedByItAndFollowsIt()
     {
         var entities = m_world.EntityManager;
         var root = new GameObject("origin");
@@ -435,7 +435,7 @@ public sealed class AuthoringTests : ScratchTests
     }
 
     [Test]
-    public void Worlds_ThatBothDraw_OneShowsTheCloudsAndTheChoiceCounts()
+    public void Worlds_BothDrawing_ShowCloudsInTheChosenOne()
     {
         var server = new World("server");
         World.DefaultGameObjectInjectionWorld = server;

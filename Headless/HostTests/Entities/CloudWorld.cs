@@ -16,10 +16,10 @@ static class CloudWorld
 
     public static void Turn(Transform transform)
     {
-        var place = Matrix4x4.zero;
-        (place.m02, place.m11, place.m20, place.m33) = (2, 2, -2, 1);
-        (place.m03, place.m13, place.m23) = (100, 50, -30);
-        SceneLoop.Place(transform, place);
+        var matrix = Matrix4x4.zero;
+        (matrix.m02, matrix.m11, matrix.m20, matrix.m33) = (2, 2, -2, 1);
+        (matrix.m03, matrix.m13, matrix.m23) = (100, 50, -30);
+        SceneLoop.Place(transform, matrix);
     }
 
     public static void Frames(World world, Func<bool> isDone)

@@ -8,7 +8,7 @@ public sealed class ComponentRulesTests
         types.Where(type => type.IsClass && typeof(IQueryTypeParameter).IsAssignableFrom(type));
 
     [Test]
-    public void Components_OfThePackageAndItsSamples_AreNoClasses()
+    public void Components_OfThePackageAndItsSamples_AreUnmanaged()
     {
         var types = new[] { typeof(PointCloudSystemGroup), typeof(PointScene), typeof(StreamContext), typeof(ScenePicking),
             typeof(FastPoints.Samples.EntitiesOnly.EntitiesOnlyStart) }.SelectMany(type => type.Assembly.GetTypes()).ToArray();

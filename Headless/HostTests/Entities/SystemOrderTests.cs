@@ -26,7 +26,7 @@ public sealed class SystemOrderTests
     }
 
     [Test]
-    public void Systems_WhateverOrdersTheRest_RunInOneOrderWithoutAWarning()
+    public void Systems_AnyRegistrationOrder_RunInOneOrderWithoutAWarning()
     {
         var logged = new List<string>();
         UnityEngine.Debug.s_sink = (type, text) => logged.Add(type + ": " + text);

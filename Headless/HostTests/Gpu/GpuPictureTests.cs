@@ -59,7 +59,7 @@ public sealed class GpuPictureTests : GraphicsFixture
     [TestCase(1, false, false)]
     [TestCase(3, false)]
     [TestCase(5, true)]
-    public void Draw_Shapes_AreThoseOfTheSoftwareRasterizer(float sizePx, bool isRound, bool canCompute = true)
+    public void Draw_Shapes_MatchesTheSoftwareRasterizer(float sizePx, bool isRound, bool canCompute = true)
     {
         using var streams = new TwinStreams(m_demo, Options(sizePx, isRound), Points, canCompute: canCompute);
         Compare(streams, streams.Plan.Camera, "shape-" + sizePx + (canCompute ? "" : "-primitives"));
@@ -71,7 +71,7 @@ public sealed class GpuPictureTests : GraphicsFixture
     [TestCase(ColorMode.Classification)]
     [TestCase(ColorMode.ReturnNumber)]
     [TestCase(ColorMode.PointSource)]
-    public void Draw_ColorModes_AreThoseOfTheSoftwareRasterizer(ColorMode mode)
+    public void Draw_ColorModes_MatchesTheSoftwareRasterizer(ColorMode mode)
     {
         using var streams = new TwinStreams(m_demo, Options(4, true, mode), Points);
         Assert.That(streams.Plan.Mode, Is.EqualTo(mode));
@@ -79,7 +79,7 @@ public sealed class GpuPictureTests : GraphicsFixture
     }
 
     [Test]
-    public void Draw_TwoCloudsOfDifferentColours_IsThatOfTheSoftwareRasterizer()
+    public void Draw_TwoCloudsOfDifferentColours_MatchesTheSoftwareRasterizer()
     {
         var options = Options(4, true, ColorMode.Classification);
         using var streams = new TwinStreams(m_demo, options, 2 * Points);
@@ -111,7 +111,7 @@ public sealed class GpuPictureTests : GraphicsFixture
     [TestCase("3u", false)]
     [TestCase("adaptive", true)]
     [TestCase("adaptive", false)]
-    public void Draw_SizesInTheWorld_AreThoseOfTheSoftwareRasterizer(string size, bool isRound)
+    public void Draw_SizesInTheWorld_MatchesTheSoftwareRasterizer(string size, bool isRound)
     {
         var options = Options(0, isRound);
         Assert.That(options.TrySetStyle("size", size, out string error), Is.True, error);
@@ -127,7 +127,7 @@ public sealed class GpuPictureTests : GraphicsFixture
     [TestCase("1", false, false)]
     [TestCase("5", true)]
     [TestCase("adaptive", true)]
-    public void Draw_EyeDomeLighting_IsThatOfTheSoftwareRasterizer(string size, bool isRound, bool canCompute = true)
+    public void Draw_EyeDomeLighting_MatchesTheSoftwareRasterizer(string size, bool isRound, bool canCompute = true)
     {
         var options = Options(0, isRound, ColorMode.Elevation);
         options.EdlStrength = 0.4f;
@@ -141,7 +141,7 @@ public sealed class GpuPictureTests : GraphicsFixture
 
     [TestCase(0)]
     [TestCase(0.4f)]
-    public void Draw_HolesFilled_IsThatOfTheSoftwareRasterizer(float edlStrength)
+    public void Draw_HolesFilled_MatchesTheSoftwareRasterizer(float edlStrength)
     {
         var options = Options(2, true);
         options.EdlStrength = edlStrength;
@@ -167,7 +167,7 @@ public sealed class GpuPictureTests : GraphicsFixture
     [TestCase("adaptive:3", 0)]
     [TestCase("adaptive:3", 0.3f)]
     [TestCase("0.5u", 0)]
-    public void Draw_Splats_AreThoseOfTheSoftwareRasterizer(string size, float edlStrength)
+    public void Draw_Splats_MatchesTheSoftwareRasterizer(string size, float edlStrength)
     {
         var options = Options();
         options.EdlStrength = edlStrength;
@@ -184,7 +184,7 @@ public sealed class GpuPictureTests : GraphicsFixture
     [TestCase("7", 0)]
     [TestCase("adaptive", 0)]
     [TestCase("adaptive", 0.4f)]
-    public void Draw_Paraboloids_AreThoseOfTheSoftwareRasterizer(string size, float edlStrength)
+    public void Draw_Paraboloids_MatchesTheSoftwareRasterizer(string size, float edlStrength)
     {
         var options = Options(0);
         options.EdlStrength = edlStrength;
@@ -202,7 +202,7 @@ public sealed class GpuPictureTests : GraphicsFixture
     [TestCase(true, false)]
     [TestCase(true, true)]
     [TestCase(true, true, 1)]
-    public void Draw_Clipped_IsThatOfTheSoftwareRasterizer(bool keeps, bool cuts, float sizePx = 3)
+    public void Draw_Clipped_MatchesTheSoftwareRasterizer(bool keeps, bool cuts, float sizePx = 3)
     {
         var options = Options(sizePx, sizePx > 1);
         using var streams = new TwinStreams(m_demo, options, Points);
@@ -226,7 +226,7 @@ public sealed class GpuPictureTests : GraphicsFixture
     [TestCase(ColorMode.Classification)]
     [TestCase(ColorMode.Rgb)]
     [TestCase(ColorMode.Elevation)]
-    public void Draw_ClassesHidden_IsThatOfTheSoftwareRasterizer(ColorMode mode)
+    public void Draw_ClassesHidden_MatchesTheSoftwareRasterizer(ColorMode mode)
     {
         var options = Options(3, true, mode);
         using var all = new TwinStreams(m_demo, options, Points);
@@ -245,7 +245,7 @@ public sealed class GpuPictureTests : GraphicsFixture
 
     /// <summary>A camera 1 cm from a point whose coordinates are millions of metres, with points near and far in view.</summary>
     [Test]
-    public void Draw_CameraBesideAPoint_IsThatOfTheSoftwareRasterizer()
+    public void Draw_CameraBesideAPoint_MatchesTheSoftwareRasterizer()
     {
         using var streams = new TwinStreams(m_demo, Options(3, true), Points);
         var outline = streams.Ranges.Outline;
@@ -257,7 +257,7 @@ public sealed class GpuPictureTests : GraphicsFixture
     }
 
     [Test]
-    public void Draw_FarAway_IsThatOfTheSoftwareRasterizer()
+    public void Draw_FarAway_MatchesTheSoftwareRasterizer()
     {
         using var streams = new TwinStreams(m_demo, Options(1), Points);
         var camera = streams.Plan.Camera;
@@ -267,7 +267,7 @@ public sealed class GpuPictureTests : GraphicsFixture
     }
 
     [Test]
-    public void Draw_Orthographic_IsThatOfTheSoftwareRasterizer()
+    public void Draw_Orthographic_MatchesTheSoftwareRasterizer()
     {
         using var streams = new TwinStreams(m_demo, Options(2), Points);
         var center = streams.Ranges.Robust.Center;
@@ -279,7 +279,7 @@ public sealed class GpuPictureTests : GraphicsFixture
     [TestCase(1e-3)]
     [TestCase(1)]
     [TestCase(1e6)]
-    public void Draw_PlacedInTheWorld_IsThatOfTheSoftwareRasterizer(double scale)
+    public void Draw_PlacedInTheWorld_MatchesTheSoftwareRasterizer(double scale)
     {
         double sin = math.sin(0.7), cos = math.cos(0.7);
         var linear = math.mul(new double3x3(new double3(cos, sin, 0), new double3(-sin, cos, 0), new double3(0, 0, 1)),
@@ -297,7 +297,7 @@ public sealed class GpuPictureTests : GraphicsFixture
     [TestCase("data/lion.laz", 5)]
     [TestCase("data/ca13_d.laz", 1)]
     [TestCase("data/ca13_d.laz", 4)]
-    public void Draw_RealScans_AreThoseOfTheSoftwareRasterizer(string data, float sizePx)
+    public void Draw_RealScans_MatchesTheSoftwareRasterizer(string data, float sizePx)
     {
         string name = Path.GetFileNameWithoutExtension(data);
         string cloud = Convert(TestData.PathOrIgnore(data), name);

@@ -19,7 +19,7 @@ public sealed class GpuVerbsTests : GraphicsFixture
     public void DeleteCloud() => m_scratch?.Dispose();
 
     [Test]
-    public void Picture_OnTheGpu_SaysWhatDrewItAndIsNearThatOfTheCpu()
+    public void Picture_OnTheGpu_NamesTheDeviceAndIsNearTheCpus()
     {
         string cpu = m_scratch["cpu.png"], gpu = m_scratch["gpu.png"], style = "size=3,points=round";
         Assert.That(CliCall.Of("picture", m_cloud, "-o", cpu, "--size", "160x90", "--style", style).Status,
@@ -33,7 +33,7 @@ public sealed class GpuVerbsTests : GraphicsFixture
     }
 
     [Test]
-    public void Picture_OnTheGpuWithNoStyle_IsThatOfTheCpu()
+    public void Picture_OnTheGpuWithoutStyle_MatchesTheCpu()
     {
         string cpu = m_scratch["c.png"], gpu = m_scratch["g.png"];
         Assert.That(CliCall.Of("picture", m_cloud, "-o", cpu, "--size", "640x360").Status, Is.EqualTo(ExitStatus.Done));
@@ -43,7 +43,7 @@ public sealed class GpuVerbsTests : GraphicsFixture
     }
 
     [Test]
-    public void Fly_OnTheGpu_DrawsWhatTheCpuDraws()
+    public void Fly_OnTheGpu_MatchesTheCpu()
     {
         string[] folders = { m_scratch["cpu"], m_scratch["gpu"] };
         for (int i = 0; i < 2; i++)

@@ -99,7 +99,7 @@ public sealed class GraphicsNodePoolTests : GraphicsFixture
 
     /// <summary>The limit of a frame may change at any time.</summary>
     [Test]
-    public unsafe void TryBeginUpload_OtherLimitThanBefore_HasRoomForThat()
+    public unsafe void TryBeginUpload_LimitChanged_AllowsThatMuch()
     {
         const int Node = 1 << 20, Usual = 4 << 20;
         using var pool = new GraphicsNodePool(new GpuShaders().CopyPages, 64 << 20);
@@ -120,15 +120,15 @@ public sealed class GraphicsNodePoolTests : GraphicsFixture
 
     [TestCase(1 << 18)]
     [TestCase(1 << 12)]
-    public void Stream_WithTeleports_TheCardHasWhatTheFilesHave(int bytesPerUpload)
+    public void Stream_WithTeleports_GpuMatchesTheFiles(int bytesPerUpload)
     {
         using var stream = Stream(3 << 19, 1 << 19, bytesPerUpload);
         int evicted = 0;
-        for (int place = 0; place < 12; place++)
+        for (int view = 0; view < 12; view++)
         {
             // Not all come to rest: uploads of one place end at the next.
-            var camera = Near(stream, place / 11.0, place);
-            if (place % 3 == 2)
+            var camera = Near(stream, view / 11.0, view);
+            if (view % 3 == 2)
                 Rest(stream, camera);
             else
                 for (int frame = 0; frame < 6; frame++)
@@ -140,7 +140,7 @@ public sealed class GraphicsNodePoolTests : GraphicsFixture
     }
 
     [Test]
-    public void Stream_CardFarBehind_ItsCopiesReadWhatWasWritten()
+    public void Stream_GpuFarBehind_CopiesReadWhatWasWritten()
     {
         using var stream = Stream(3 << 19, 1 << 19, 1 << 16);
         int uploaded = 0;
@@ -163,7 +163,7 @@ public sealed class GraphicsNodePoolTests : GraphicsFixture
     }
 
     [Test]
-    public void Stream_CardThatDoesNotTell_IsWaitedForByPictures()
+    public void Stream_GpuWithoutFences_WaitsByFrames()
     {
         HeadlessGraphics.HasNoFences = true;
         HeadlessGraphics.FramesBehind = StagingRing.FramesInFlight;
@@ -215,7 +215,7 @@ public sealed class GraphicsNodePoolTests : GraphicsFixture
     }
 
     [Test]
-    public void LimitBytes_Lowered_GivesTheCardsMemoryBack()
+    public void LimitBytes_Lowered_FreesGpuMemory()
     {
         using var stream = Stream(4 << 20, 1 << 19, 1 << 18);
         stream.Settings.Selection.MinScreenErrorPx = 0;
@@ -233,7 +233,7 @@ public sealed class GraphicsNodePoolTests : GraphicsFixture
     /// <summary>At the end of play mode that is paused no frame comes in which Destroy would do it, and nobody else takes away
     /// what is not saved.</summary>
     [Test]
-    public void Dispose_MaterialsInPlayMode_AreGoneAtOnce()
+    public void Dispose_MaterialsInPlayMode_AreDestroyedAtOnce()
     {
         var shaders = new GpuShaders();
         var materials = new PointMaterials(shaders.Points, shaders.Compose);

@@ -80,9 +80,9 @@ public abstract class PipelineFixture : GraphicsFixture
     protected static Camera CameraAt(PictureCamera at, Matrix4x4 projection, RenderTexture target)
     {
         var camera = new GameObject("camera").AddComponent<Camera>();
-        var place = Matrix4x4.identity;
-        place.SetColumn(3, new Vector4((float)at.EyeGeo.x, (float)at.EyeGeo.y, (float)at.EyeGeo.z, 1));
-        SceneLoop.Place(camera.transform, place);
+        var matrix = Matrix4x4.identity;
+        matrix.SetColumn(3, new Vector4((float)at.EyeGeo.x, (float)at.EyeGeo.y, (float)at.EyeGeo.z, 1));
+        SceneLoop.Place(camera.transform, matrix);
         camera.worldToCameraMatrix = ViewOf(at);
         camera.projectionMatrix = projection;
         camera.targetTexture = target;

@@ -77,7 +77,7 @@ public sealed class PipelinePassTests : PipelineFixture
     /// <summary>As a floating origin moves it, with the clouds, in the frame that selects for it.</summary>
     [TestCase(false)]
     [TestCase(true)]
-    public void NextViews_OfACameraThatHasMovedSinceItsPicture_AreFromWhereItIs(bool isMirror)
+    public void NextViews_CameraMovedSinceItsPicture_UsesItsCurrentPosition(bool isMirror)
     {
         Begin(nameof(BuiltInHost));
         var camera = LookingCamera(out var target);
@@ -189,7 +189,7 @@ public sealed class PipelinePassTests : PipelineFixture
     }
 
     [Test]
-    public void Render_UrpCameraInWhoseTurnAScriptDrawsAnother_IsDrawnFromTheNextPictureOn()
+    public void Render_UrpScriptDrawsAnotherCamera_DrawsFromTheNextPicture()
     {
         using var host = new UrpHost();
         var camera = LookingCamera(out var target);
@@ -218,7 +218,7 @@ public sealed class PipelinePassTests : PipelineFixture
 
     /// <summary>The matrix is rounded: a place that it does not contradict is exact.</summary>
     [Test]
-    public void StreamViewOf_CameraWhoseMatrixAScriptSets_IsOfThatPlace()
+    public void StreamViewOf_CameraWithACustomMatrix_UsesItsPosition()
     {
         var camera = LookingCamera(out var target);
         Assert.That(CameraViews.StreamViewOf(camera).EyeWorld, Is.EqualTo(new double3(-60, -45, 40)));
@@ -233,7 +233,7 @@ public sealed class PipelinePassTests : PipelineFixture
     /// <summary>What HDRP draws over all that its depth pyramid does not know.</summary>
     [TestCase("fog")]
     [TestCase("water")]
-    public void Render_Hdrp_CoversThePointsWithNothingOfWhatLiesBehind(string cover)
+    public void Render_Hdrp_DrawsNoBackgroundOverPoints(string cover)
     {
         Begin(nameof(HdrpHost));
         using var reference = new StreamContext(new MemoryNodePool(64 << 20, 8 << 20));
@@ -249,7 +249,7 @@ public sealed class PipelinePassTests : PipelineFixture
     }
 
     [Test]
-    public void Render_CameraThatDrawsEverySecondFrame_IsSelectedForInEachFrame()
+    public void Render_CameraOfEverySecondFrame_SelectsInEachFrame()
     {
         Begin(nameof(BuiltInHost));
         using var reference = new StreamContext(new MemoryNodePool(64 << 20, 8 << 20));
@@ -346,7 +346,7 @@ public sealed class PipelinePassTests : PipelineFixture
     [TestCase(nameof(BuiltInHost))]
     [TestCase(nameof(UrpHost))]
     [TestCase(nameof(HdrpHost))]
-    public void Render_CloudThatACameraDoesNotShow_IsNeitherDrawnNorSelected(string pipeline)
+    public void Render_CloudMaskedForACamera_IsNeitherDrawnNorSelected(string pipeline)
     {
         Begin(pipeline);
         var options = new PictureOptions { WidthPx = WidthPx, HeightPx = HeightPx, EdlStrength = 0, Color = ColorMode.Rgb };
@@ -393,7 +393,7 @@ public sealed class PipelinePassTests : PipelineFixture
     }
 
     [Test]
-    public void Render_OverlayCameraOfUrp_DrawsWhereItIsAskedTo()
+    public void Render_UrpOverlayCamera_DrawsIfEnabled()
     {
         Begin(nameof(UrpHost));
         var camera = LookingCamera(out var target);
@@ -423,7 +423,7 @@ public sealed class PipelinePassTests : PipelineFixture
     [TestCase(nameof(BuiltInHost))]
     [TestCase(nameof(UrpHost))]
     [TestCase(nameof(HdrpHost))]
-    public void Render_CameraOfAPreview_DrawsNothingAndIsNotSelectedFor(string pipeline)
+    public void Render_PreviewCamera_DrawsAndSelectsNothing(string pipeline)
     {
         Begin(pipeline);
         var options = new PictureOptions { WidthPx = WidthPx, HeightPx = HeightPx, EdlStrength = 0, Color = ColorMode.Rgb };

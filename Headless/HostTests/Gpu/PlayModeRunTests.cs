@@ -50,7 +50,7 @@ public sealed class PlayModeRunTests : GraphicsFixture
 
     void Frame()
     {
-        // As loaded scripts do: adding twice adds once.
+        // Loaded scripts do this too: adding twice adds once.
         BuiltInPass.Begin();
         if (Camera.main != null)
         {

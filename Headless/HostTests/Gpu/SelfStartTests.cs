@@ -39,7 +39,7 @@ public sealed class SelfStartTests : GraphicsFixture
     }
 
     [Test]
-    public void PointCloud_WithoutGraphics_NeitherStreamsNorAsksForFrames()
+    public void PointCloud_WithoutGraphics_NeitherStreamsNorRequestsFrames()
     {
         SystemInfo.IsServer = true;
         try
@@ -117,7 +117,7 @@ public sealed class SelfStartTests : GraphicsFixture
     }
 
     [Test]
-    public void Camera_DrawnAgainAndAgainWithoutUpdates_IsAnnouncedOnceAsItIsNow()
+    public void Camera_DrawnRepeatedlyWithoutUpdates_IsRegisteredOnceWithItsLatestView()
     {
         var target = new RenderTexture(160, 90, GraphicsFormat.R8G8B8A8_UNorm, GraphicsFormat.D32_SFloat);
         var camera = new GameObject("camera").AddComponent<Camera>();
@@ -153,7 +153,7 @@ public sealed class SelfStartTests : GraphicsFixture
     }
 
     [Test]
-    public void GraphicsMemory_OfTheProject_HoldsWhereNoSettingsAreAndNewOnesBeginWithIt()
+    public void GraphicsMemory_OfTheProject_IsTheDefaultOfScenesAndNewSettings()
     {
         string path = m_scratch.Converted();
         var project = FastPointsSettings.instance;
@@ -190,7 +190,7 @@ public sealed class SelfStartTests : GraphicsFixture
     }
 
     [Test]
-    public void World_WithoutClouds_TakesNoGraphicsMemory()
+    public void World_WithoutClouds_AllocatesNoGraphicsMemory()
     {
         HeadlessGraphics.WaitForIdle();
         long before = HeadlessGraphics.UsedBytes;

@@ -35,8 +35,8 @@ public sealed class StereoPassTests : PipelineFixture
 
     static PictureCamera AlongAxes(int eye)
     {
-        var place = new double3(eye == 0 ? -3.5 : 3.5, -75, 8);
-        return PictureCamera.Perspective(place, place + new double3(0, 64, 0), s_up, 60);
+        var position = new double3(eye == 0 ? -3.5 : 3.5, -75, 8);
+        return PictureCamera.Perspective(position, position + new double3(0, 64, 0), s_up, 60);
     }
 
     static Camera Headset(RenderTexture target, Func<int, PictureCamera> at)
@@ -113,7 +113,7 @@ public sealed class StereoPassTests : PipelineFixture
 
     [TestCase(nameof(BuiltInHost))]
     [TestCase(nameof(UrpHost))]
-    public void Render_OneEyeAtATime_IsThePictureOfACameraThereAndSelectsForBothOnce(string pipeline)
+    public void Render_OneEyeAtATime_MatchesACameraThereAndSelectsOnce(string pipeline)
     {
         using var reference = Show(pipeline, "discs");
         var single = Target(1);
@@ -145,10 +145,10 @@ public sealed class StereoPassTests : PipelineFixture
     /// <summary>A spectator's on a desktop, beside the headset.</summary>
     [TestCase(nameof(UrpHost))]
     [TestCase(nameof(HdrpHost))]
-    public void Render_CameraThatTheHeadsetDoesNotShow_IsItsOwnPictureAndSelection(string pipeline)
+    public void Render_CameraNotShownByTheHeadset_HasItsOwnPictureAndSelection(string pipeline)
     {
         using var reference = Show(pipeline, "discs");
-        // HDRP's targets have a slice for each eye, whoever is drawn.
+        // HDRP's targets have a slice for each eye, whatever is drawn.
         var target = Target(pipeline == nameof(HdrpHost) ? 2 : 1);
         var camera = CameraAt(AlongAxes(0), ProjectionOf(0), target);
         var wanted = Render(camera);

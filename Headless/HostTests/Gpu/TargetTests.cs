@@ -178,7 +178,7 @@ public sealed class TargetTests : PipelineFixture
     [TestCase(true, null, "compute shaders")]
     [TestCase(false, 1, "storage buffers")]
     [TestCase(false, 2, null)]
-    public void Update_DeviceThatLacksSomething_WarnsOnce(bool hasNoCompute, int? vertexBuffers, string what)
+    public void Update_UnsupportedDevice_WarnsOnce(bool hasNoCompute, int? vertexBuffers, string what)
     {
         var logged = new List<string>();
         var sink = Debug.s_sink;

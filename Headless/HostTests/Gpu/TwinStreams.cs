@@ -3,8 +3,8 @@ using FastPoints.Evaluation;
 
 namespace FastPoints.HostTests.Gpu;
 
-/// <summary>One cloud twice: in ordinary memory and on the graphics card, the same nodes of it, so that pictures of both
-/// can be held against one another.</summary>
+/// <summary>One cloud twice: in ordinary memory and on the GPU, the same nodes of it, so that pictures of both
+/// can be compared.</summary>
 sealed class TwinStreams : IDisposable
 {
     const int MaxFrames = 200_000;
@@ -46,12 +46,12 @@ sealed class TwinStreams : IDisposable
         }
     }
 
-    /// <summary>Of a picture's covered pixels those that may differ. A card rounds the corners of squares, and points, to
+    /// <summary>Share of covered pixels that may differ. A GPU rounds the corners of squares, and points, to
     /// 1/256 pixel (subPixelPrecisionBits of 8): one of about 500 falls into the pixel beside by that, which changes two,
     /// and more where the edges of large squares do. Discs are cut out pixel by pixel, without that. With eye-dome lighting a
     /// pixel that differs changes the shade of those around it.</summary>
     public double MaxDifferent =>
-        !m_options.RoundPoints && !m_options.DomedPoints ? 0.015 : m_options.EdlStrength > 0 ? 0.003 : 0.001;
+        !m_options.RoundPoints && !m_options.ParaboloidPoints ? 0.015 : m_options.EdlStrength > 0 ? 0.003 : 0.001;
 
     public PicturePlan Plan { get; private set; }
     public DisplayRanges Ranges { get; private set; }
@@ -73,7 +73,7 @@ sealed class TwinStreams : IDisposable
         return (m_cpuPicture.Draw(camera), m_gpuPicture.Draw(camera));
     }
 
-    /// <summary>Of the pixels that either picture covers, the share that is not the same in both.</summary>
+    /// <summary>Share of the pixels covered in either picture that differ.</summary>
     /// <param name="maxPerChannel">Colours that differ by no more are the same.</param>
     public double ShareThatDiffers((RgbaImage Cpu, RgbaImage Gpu) pictures, out int covered, int maxPerChannel = 0) =>
         ImageError.ShareThatDiffers(pictures.Cpu, pictures.Gpu, m_options.Background, out covered, maxPerChannel);

@@ -9,7 +9,7 @@ public sealed class PackageHpcTests(string generation)
     private readonly string m_generation = generation;
 
     [Test]
-    public void Jobs_OfThePackage_AreWhatBurstCompiles()
+    public void Jobs_OfThePackage_AreAcceptedByBurst()
     {
         using GenerationBuilds builds = Checkout.Builds(m_generation);
         var verifier = new HpcVerifier(builds.Package);

@@ -5,11 +5,11 @@ namespace FastPoints.HostTests.Layers;
 public sealed class AssemblyReferencesTests
 {
     [Test]
-    public void Asmdefs_OfThePackage_KeepToTheTable() =>
+    public void Asmdefs_OfThePackage_FollowTheTable() =>
         Assert.That(Table().All.SelectMany(AssemblyReferences.CheckTable), Is.Empty);
 
     [Test]
-    public void Projects_OfThePackage_ReferenceWhatTheAsmdefsDo()
+    public void Projects_OfThePackage_MatchTheAsmdefs()
     {
         string folder = Path.Combine(Checkout.Repository.Headless, "Package");
 
@@ -43,7 +43,7 @@ public sealed class AssemblyReferencesTests
     }
 
     [Test]
-    public void Asmdefs_OfThePackage_AreCalledAsTheirFolders() => Assert.That(
+    public void Asmdefs_OfThePackage_AreNamedAfterTheirFolders() => Assert.That(
         Table().All.Where(a => a.File.Length > 0).Where(a => Path.GetFileNameWithoutExtension(a.File) != a.Name
             || (!FoldersOf(a.File).Contains(a.Name) && a.Name != "FastPoints.Editor")).Select(a => a.File),
         Is.Empty);
@@ -56,7 +56,7 @@ public sealed class AssemblyReferencesTests
     }
 
     [Test]
-    public void Samples_OfThePackage_AreWhatTheJoinedProjectsCompile() =>
+    public void Samples_OfThePackage_AreCompiledByProjects() =>
         Assert.That(SampleAssemblies.Check(SampleAssemblies.Load(Checkout.Repository.PackageRoot)), Is.Empty);
 
     [Test]

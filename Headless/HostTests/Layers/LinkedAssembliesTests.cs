@@ -3,7 +3,7 @@ namespace FastPoints.HostTests.Layers;
 public sealed class LinkedAssembliesTests
 {
     [Test]
-    public void AssembliesThatBeginByThemselves_AreKeptByCodeStripping()
+    public void Assemblies_ThatInitializeThemselves_AreKeptByCodeStripping()
     {
         using GenerationBuilds builds = Checkout.Builds(RepoTools.Repository.Generations[0]);
         var beginning = builds.Package.Where(m => m.Types.SelectMany(t => t.Methods).Any(IsCalledAtTheStart)).ToList();

@@ -8,8 +8,8 @@ public sealed class ReadEndsTests
 {
     static readonly Regex s_wrong = new Regex(@"\bReadStatus\.InProgress\b|\bAsyncReadManager\.Read\((?!kept\.Handle\b|file\b)");
 
-    /// <summary>A read that waits for its file to be opened is neither in progress nor ended: its JobHandle tells. A file that is
-    /// read by its name stays open on macOS and Linux.</summary>
+    /// <summary>A read that waits for its file to be opened is neither in progress nor ended: only its JobHandle shows. A file
+    /// that is read by its name stays open on macOS and Linux.</summary>
     [Test]
     public void Reads_OfThePackage_EndByTheirJobAndHaveHandles()
     {
@@ -23,7 +23,7 @@ public sealed class ReadEndsTests
     }
 
     [Test]
-    public void Frames_WhileFilesAreBeingOpened_LoseNothing() => Show("", (stream, views) =>
+    public void Frames_DuringFileOpening_LoseNothing() => Show("", (stream, views) =>
     {
         Assert.That(FramesWithoutDisk(stream, views), Is.GreaterThan(0));
         for (int frame = 0; frame < 100_000 && !FrameStep.Run(stream, views).IsSettled; frame++)
@@ -34,7 +34,7 @@ public sealed class ReadEndsTests
 
     /// <summary>Another build, whose cloud is shown all the time, keeps none from its last rename.</summary>
     [Test]
-    public void HasReleased_OfOneFolderWhileAnotherIsRead_IsTrue() => Show(StoreFormat.PartSuffix, (stream, views) =>
+    public void HasReleased_AnotherFolderIsRead_IsTrue() => Show(StoreFormat.PartSuffix, (stream, views) =>
     {
         const string Released = "released" + StoreFormat.PartSuffix;
         FolderReleases.Release(Released);

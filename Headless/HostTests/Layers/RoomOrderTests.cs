@@ -11,7 +11,7 @@ public sealed class RoomOrderTests
         Is.Empty);
 
     [Test]
-    public void Il_OfThePackage_KeepsTheOrder(
+    public void Il_OfThePackage_KeepsTheRoomOrder(
         [ValueSource(typeof(RepoTools.Repository), nameof(RepoTools.Repository.Generations))]
         string generation)
     {
@@ -36,7 +36,7 @@ public sealed class RoomOrderTests
     [TestCase("FastPoints", "Core/A.cs", "namespace FastPoints.Store { }", "wanted FastPoints")]
     [TestCase("FastPoints", "Attic/A.cs", "namespace FastPoints.Attic { }", "no room Attic")]
     [TestCase("FastPoints", "A.cs", "namespace FastPoints { }", "has no room FastPoints")]
-    public void CheckSource_PlantedFault_IsReported(string assembly, string path, string text, string reported) =>
+    public void CheckSource_PlantedViolation_IsReported(string assembly, string path, string text, string reported) =>
         Assert.That(RoomOrder.CheckSource(assembly, path, text), Has.Some.Contains(reported));
 
     [Test]
@@ -56,7 +56,7 @@ public sealed class RoomOrderTests
     }
 
     [Test]
-    public void Files_OfARoom_NameOneAnotherInNoCircle(
+    public void Files_OfARoom_HaveNoCycles(
         [Values("FastPoints", "FastPoints.Import", "FastPoints.Picture", "FastPoints.Rendering", "FastPoints.Entities")]
         string assembly)
     {
@@ -73,7 +73,7 @@ public sealed class RoomOrderTests
     [TestCase("Core/A.cs", "Core/B.cs", "Store/C.cs", "", null)]
     [TestCase("Core/A.cs", "Core/A.cs", "Core/A.cs", "", null)]
     [TestCase("Core/A.cs", "Core/A.cs", "Core/A.cs", "Core/A.cs, Core/B.cs", "Core/A.cs, Core/B.cs need no exception")]
-    public void FileCycles_OfThreeTypesInACircle(string a, string b, string c, string kept, string reported)
+    public void FileCycles_ThreeTypesInACircle_AreFound(string a, string b, string c, string kept, string reported)
     {
         using AssemblyDefinition planted = AssemblyDefinition.CreateAssembly(
             new AssemblyNameDefinition("FastPoints", new System.Version(1, 0)), "FastPoints", ModuleKind.Dll);

@@ -7,7 +7,7 @@ public sealed class ManualCommandsTests
         .ToDictionary(v => v, v => Options(CliCall.Of(v.Length == 0 ? new[] { "--help" } : new[] { v, "--help" }).Output)));
 
     [Test]
-    public void Commands_OfAllPages_AreUnderstood() => Assert.That(ManualPage.All().SelectMany(Problems), Is.Empty);
+    public void Commands_OfAllPages_Parse() => Assert.That(ManualPage.All().SelectMany(Problems), Is.Empty);
 
     [Test]
     public void Options_InText_AreThoseOfSomeCommand() => Assert.That(ManualPage.All().SelectMany(UnknownOptions), Is.Empty);

@@ -48,7 +48,7 @@ public sealed class ManualExamplesTests
 
     [TestCase("using FastPoints.Sources;\n\nusing var reader = PointReaders.Open(\"a\");\n", TestName = "statements")]
     [TestCase("class A\n{\n    FastPoints.JobCoroutine m_coroutine = null;\n}\n", TestName = "a type of its own")]
-    public void Problems_GoodExample_AreNone(string code) =>
+    public void Problems_GoodExample_FindsNone(string code) =>
         Assert.That(Problems(new ManualPage("a.md", "```csharp\n" + code + "```\n")), Is.Empty);
 
     static IEnumerable<(int Line, string Code)> Examples(ManualPage page) =>

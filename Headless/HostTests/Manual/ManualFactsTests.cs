@@ -101,7 +101,7 @@ public sealed class ManualFactsTests
     [TestCase("ConvertCloud.Run", true)]
     [TestCase("ConvertCloud.Walk", false)]
     [TestCase("ConvertClouds", false)]
-    public void IsThere_NameOfTheApi_IsDistinguished(string name, bool exists) =>
+    public void Exists_NameOfTheApi_IsDistinguished(string name, bool exists) =>
         Assert.That(IsThere(name), Is.EqualTo(exists));
 
     /// <summary>Pages speak of types of the package by names that begin with Point, Cloud or Stream: others may be

@@ -3,7 +3,7 @@ namespace FastPoints.HostTests.Manual;
 public sealed class ManualLinksTests
 {
     [Test]
-    public void Links_OfAllPages_LeadSomewhere() => Assert.That(ManualPage.All().SelectMany(Broken), Is.Empty);
+    public void Links_OfAllPages_Resolve() => Assert.That(ManualPage.All().SelectMany(Broken), Is.Empty);
 
     [Test]
     public void TableOfContents_HasEachPageOnce()
@@ -32,13 +32,13 @@ public sealed class ManualLinksTests
     [TestCase("[a](absent.md)", "absent.md")]
     [TestCase("[a](install.md#no-such-heading)", "install.md#no-such-heading")]
     [TestCase("![a](images/absent.png)", "images/absent.png")]
-    public void Broken_PlantedLink_IsFound(string text, string link) => Assert.That(
+    public void BrokenLinks_PlantedLink_IsFound(string text, string link) => Assert.That(
         Broken(new ManualPage("Packages/com.fastpoints.dots/Documentation~/planted.md", text)), Has.Some.Contains(link));
 
     [TestCase("[a](install.md#by-git-url)")]
     [TestCase("`[a](absent.md)`")]
     [TestCase("[a](https://semver.org/)")]
-    public void Broken_GoodLink_IsNone(string text) => Assert.That(
+    public void BrokenLinks_GoodLink_FindsNone(string text) => Assert.That(
         Broken(new ManualPage("Packages/com.fastpoints.dots/Documentation~/planted.md", text)), Is.Empty);
 
     static IEnumerable<string> Broken(ManualPage page)

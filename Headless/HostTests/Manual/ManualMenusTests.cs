@@ -7,10 +7,10 @@ public sealed class ManualMenusTests
     static readonly string[] s_roots = { "Assets", "FastPoints", "GameObject", "Project Settings", "Tools" };
 
     [Test]
-    public void Menus_ThatPagesName_Exist() => Assert.That(ManualPage.All().SelectMany(p => Unknown(p, Menus())), Is.Empty);
+    public void Menus_NamedOnPages_Exist() => Assert.That(ManualPage.All().SelectMany(p => Unknown(p, Menus())), Is.Empty);
 
     [Test]
-    public void Menus_ThatAreThere_AreNamedInTheManual()
+    public void Menus_Existing_AreNamedInTheManual()
     {
         var named = ManualPage.All().SelectMany(Named).ToHashSet();
 
@@ -20,12 +20,12 @@ public sealed class ManualMenusTests
     [TestCase("Press *Assets > Import point clouds...* now", "Import point clouds")]
     [TestCase("*FastPoints > Point Clod*", "Point Clod")]
     [TestCase("*Project Settings > Fastpoints*", "Fastpoints")]
-    public void Unknown_PlantedMenu_IsFound(string text, string menu) =>
+    public void UnknownMenus_PlantedMenu_IsFound(string text, string menu) =>
         Assert.That(Unknown(new ManualPage("a.md", text), Menus()), Has.Some.Contains(menu));
 
     [TestCase("*FastPoints > Samples*")]
     [TestCase("*Window > General > Progress*")]
-    public void Unknown_SubmenuAndUnitysOwn_AreNone(string text) =>
+    public void UnknownMenus_SubmenuAndUnitysOwn_AreKnown(string text) =>
         Assert.That(Unknown(new ManualPage("a.md", text), Menus()), Is.Empty);
 
     static HashSet<string> Menus()

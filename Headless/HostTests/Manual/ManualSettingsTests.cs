@@ -11,7 +11,7 @@ public sealed class ManualSettingsTests
     static IEnumerable<string> Components() => s_components.Select(t => t.Name);
 
     [TestCaseSource(nameof(Components))]
-    public void Table_OfAComponent_IsWhatTheInspectorShows(string name)
+    public void Table_OfAComponent_MatchesTheInspector(string name)
     {
         var type = s_components.Single(t => t.Name == name);
         string menu = type.GetCustomAttribute<AddComponentMenu>().componentMenu;
@@ -21,7 +21,7 @@ public sealed class ManualSettingsTests
     }
 
     [Test]
-    public void Table_OfProjectSettings_IsWhatThePageShows()
+    public void Table_OfProjectSettings_MatchesThePage()
     {
         string source =
             File.ReadAllText(Path.Combine(Checkout.Repository.PackageRoot, "Editor/Import/Assets/FastPointsSettingsPage.cs"));
@@ -38,7 +38,7 @@ public sealed class ManualSettingsTests
     [TestCase("UploadMebibytesPerFrame", "Upload Mebibytes Per Frame")]
     [TestCase("m_hiddenClasses", "Hidden Classes")]
     [TestCase("MaxSizePx", "Max Size Px")]
-    public void Nicified_Field_IsAsTheInspectorHasIt(string field, string shown) =>
+    public void Nicified_Field_MatchesTheInspector(string field, string shown) =>
         Assert.That(Nicified(field), Is.EqualTo(shown));
 
     [Test]

@@ -5,7 +5,7 @@ namespace FastPoints.HostTests.Preview;
 [NonParallelizable]
 public sealed class PreviewSliceTests
 {
-    const int MaxPlaces = 1 << 17, MaxRuns = 1 << 14, MaxLookedUp = 1 << 16;
+    const int MaxEntries = 1 << 17, MaxRuns = 1 << 14, MaxLookedUp = 1 << 16;
 
     static Dictionary<string, int> RunsOf(Action work)
     {
@@ -23,7 +23,7 @@ public sealed class PreviewSliceTests
 
     static Dictionary<Type, JobRuns> s_last = [];
 
-    static int Slices(int places, int max) => (places + max - 1) / max;
+    static int Slices(int count, int max) => (count + max - 1) / max;
 
     static void AreCut(Dictionary<string, int> runs, int slices, params string[] jobs)
     {
@@ -32,7 +32,7 @@ public sealed class PreviewSliceTests
     }
 
     [Test]
-    public void Preview_ByRuns_IsCut()
+    public void Preview_ByRanges_IsSliced()
     {
         const int points = 1_000_000;
         string path = Path.Combine(Path.GetTempPath(), $"fastpoints-slices-{Guid.NewGuid():N}.ply");
@@ -53,8 +53,8 @@ public sealed class PreviewSliceTests
                 JobCoroutine.RunToEnd(preview.Run(new StageProgress()));
                 Assert.That(preview.Sample.Count, Is.EqualTo(points));
             });
-            AreCut(runs, Slices(points, MaxPlaces), "CompactSampleJob", "MeasureBoundsJob");
-            AreCut(runs, 3 * Slices(points, MaxPlaces), "MeasureRangeJob");
+            AreCut(runs, Slices(points, MaxEntries), "CompactSampleJob", "MeasureBoundsJob");
+            AreCut(runs, 3 * Slices(points, MaxEntries), "MeasureRangeJob");
             AreCut(runs, Slices(points / 16, MaxRuns), "RankStrataJob", "PlanWaveJob");
         }
         finally
@@ -65,7 +65,7 @@ public sealed class PreviewSliceTests
 
     [TestCase(20_000)]
     [TestCase(1_000_000)]
-    public void Refining_IsCut(int blockPoints)
+    public void Refining_LargePreview_IsSliced(int blockPoints)
     {
         const int points = 1_000_000, all = 3_000_000, waves = 2;
         using var reader = new VirtualReader(all, blockPoints, false);
@@ -76,8 +76,8 @@ public sealed class PreviewSliceTests
             Assert.That(sampler.Sample.Count, Is.EqualTo(points));
         });
         // At a fifth and at a half, and in the end.
-        AreCut(runs, (waves + 1) * Slices(points, MaxPlaces), "CompactSampleJob");
-        AreCut(runs, Slices(all, MaxPlaces), "SampleBlockJob");
+        AreCut(runs, (waves + 1) * Slices(points, MaxEntries), "CompactSampleJob");
+        AreCut(runs, Slices(all, MaxEntries), "SampleBlockJob");
         AreCut(runs, Slices(all / 2, MaxLookedUp), "KeepEmptyCellsJob");
     }
 }

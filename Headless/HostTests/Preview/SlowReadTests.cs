@@ -55,7 +55,7 @@ public sealed class SlowReadTests
     }
 
     [Test]
-    public void Runs_FewerAndLongerOnes_WhereReadsAreSlow()
+    public void Ranges_SlowReads_AreFewerAndLonger()
     {
         WriteSparsePly(100_000_000);
         var waves = Take(m_path, 200_000, SecondsPerRead, out var slow);
@@ -72,7 +72,7 @@ public sealed class SlowReadTests
     }
 
     [Test]
-    public void Runs_OfASmallFile_AreTheUsualOnes()
+    public void Ranges_SmallFile_AreTheDefault()
     {
         WriteSparsePly(1_000_000);
         Take(m_path, 20_000, SecondsPerRead, out var sample);
@@ -81,7 +81,7 @@ public sealed class SlowReadTests
     }
 
     [Test]
-    public void Text_FirstWave_LooksForNoMoreThanItShows()
+    public void Text_FirstWave_FindsNoMoreThanItShows()
     {
         WriteText(1_600_000);
         var waves = Take(m_path, 200_000, SecondsPerRead, out var sample);
@@ -100,7 +100,7 @@ public sealed class SlowReadTests
 
     [TestCase("ca13_d.laz")]
     [TestCase("lion.laz")]
-    public void Laz_FirstWave_IsOfFewReads(string name)
+    public void Laz_FirstWave_TakesFewReads(string name)
     {
         var waves = Take(TestData.PathOrIgnore("data/" + name), 20_000, SecondsPerRead, out var sample);
         Assert.That(waves[0].Seconds, Is.LessThan(1));

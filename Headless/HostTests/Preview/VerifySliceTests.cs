@@ -20,7 +20,7 @@ namespace FastPoints.HostTests.Preview
         public void DeleteFolder() => Directory.Delete(m_folder, true);
 
         [Test]
-        public void Verify_IsCut()
+        public void Verify_LargeCloud_IsSliced()
         {
             const int points = 400_000, maxPoints = 1 << 13;
             string las = Path.Combine(m_folder, "a.las"), cloud = Path.Combine(m_folder, "a.fastpoints");
@@ -48,7 +48,7 @@ namespace FastPoints.HostTests.Preview
         [TestCase(0.001)]
         [TestCase(0.02)]
         [TestCase(2)]
-        public void CountNear_OfAnySpacing_IsAllAgainstAll(double spacing)
+        public void CountNear_AnySpacing_MatchesBruteForce(double spacing)
         {
             const int count = 9000;
             var random = new Unity.Mathematics.Random(7);

@@ -7,7 +7,7 @@ public struct Health : IComponentData
     public int Value;
 }
 
-public struct HarmAll : IJobChunk
+public struct DamageAllJob : IJobChunk
 {
     public ComponentTypeHandle<Health> Health;
 

@@ -7,7 +7,7 @@ namespace FastPoints.HostTests.Probes;
 public sealed unsafe class WorldTests
 {
     [Test]
-    public void Assemblies_AreAsTheRunWants()
+    public void Assemblies_OfTheRun_AreTheWantedBuild()
     {
         bool isProcessed = Environment.GetEnvironmentVariable("REAL_ENTITIES") == "processed";
         Assert.That(RealEntities.Loading.Processed, Is.SupersetOf(new[] { "Unity.Entities", "Unity.Transforms" }));
@@ -18,7 +18,7 @@ public sealed unsafe class WorldTests
 
     [TestCase(WorldFlags.Editor)]
     [TestCase(WorldFlags.Game)]
-    public void DefaultWorld_HasThePackagesSystemsAndShowsACloud(WorldFlags flags)
+    public void DefaultWorld_HasThePackagesSystemsAndDrawsACloud(WorldFlags flags)
     {
         var world = World.DefaultGameObjectInjectionWorld = new World("default", flags);
         DefaultWorldInitialization.AddSystemsToRootLevelSystemGroups(world, DefaultWorldInitialization
@@ -63,7 +63,7 @@ public sealed unsafe class WorldTests
 
     /// <summary>The checks themselves, without which the rest would say little.</summary>
     [Test]
-    public void StructuralChanges_BesideJobs_AreRefused()
+    public void StructuralChanges_DuringJobs_AreRefused()
     {
         using var world = new World("checks");
         var entities = world.EntityManager;
@@ -87,7 +87,7 @@ public sealed unsafe class WorldTests
     }
 
     [Test]
-    public void UsersJobs_OverNodes_AreCompletedByThePackagesSystems()
+    public void Jobs_OfUsersOverNodes_AreCompletedByThePackage()
     {
         using var probe = ProbeWorld.With(typeof(TintSystem));
         var entity = probe.AddCloud();

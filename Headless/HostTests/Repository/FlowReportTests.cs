@@ -21,7 +21,7 @@ public sealed class FlowReportTests
     [TestCase("N.Flow.Run, N.Las.Run", "A/Flow.cs B/In/Reader.Part.cs B/Reader.cs C/Las.cs", TestName = "a kind that is named")]
     [TestCase("N.Las.Run", "B/In/Reader.Part.cs B/Reader.cs C/Las.cs", TestName = "a kind reaches its base")]
     [TestCase("N.Ply.Run", "A/More.cs B/In/Reader.Part.cs B/Reader.cs D/Ply.cs", TestName = "code in a type within")]
-    public void FilesOf_WhatFunctionsReach(string functions, string files)
+    public void FilesOf_Functions_AreReachableFiles(string functions, string files)
     {
         FlowGraph graph = Graph();
 
@@ -31,11 +31,11 @@ public sealed class FlowReportTests
 
     [TestCase("N.Flow.Walk")]
     [TestCase("N.None.Run")]
-    public void Reach_FunctionThatIsNotThere_Throws(string function) =>
+    public void Reach_UnknownFunction_Throws(string function) =>
         Assert.That(() => Graph().Reach(new[] { function }), Throws.TypeOf<ToolException>());
 
     [Test]
-    public void Report_OfAFlow_FigureLimitAndCircle()
+    public void Report_OfAFlow_ShowsFigureLimitAndCycle()
     {
         var report = new FlowReport(Table(3, 2), Graph("Flow"));
 
@@ -53,16 +53,16 @@ public sealed class FlowReportTests
     }
 
     [Test]
-    public void Report_RoomsThatNameOneAnotherOneWay_AreNoCircle() =>
+    public void Report_RoomsDependingOneWay_HaveNoCycle() =>
         Assert.That(new FlowReport(Table(3, 2), Graph()).Text, Does.Not.Contain("circle"));
 
     [TestCase(2, 2, "flow-files a flow: 3, the limit is 2")]
     [TestCase(3, 1, "flow-rooms a flow: 2, the limit is 1")]
-    public void Report_FlowBeyondALimit_IsRefused(int files, int rooms, string problem) =>
+    public void Report_FlowOverALimit_IsRefused(int files, int rooms, string problem) =>
         Assert.That(new FlowReport(Table(files, rooms), Graph()).Problems, Is.EqualTo(new[] { problem }));
 
     [Test]
-    public void Lowered_LimitsOfAFlow_FallToItsFigures() => Assert.That(
+    public void Lowered_LimitsOfAFlow_FallToTheFigures() => Assert.That(
         Table(9, 9).Lowered(new FlowReport(Table(9, 9), Graph()).Figures), Is.EqualTo(Text(3, 2)));
 
     [TestCase("flow-files\ta\t\t1\t2\tN.A.B\n", "limit below its goal")]

@@ -36,7 +36,7 @@ public sealed class HlslStructsTests
 
     [TestCase(typeof(PlantedWithByte), "Width: no System.Byte in HLSL")]
     [TestCase(typeof(PlantedWithGap), "Width is at 8, HLSL would have it at 4")]
-    public void Compose_WhatHlslLaysOutOtherwise_IsRefused(System.Type type, string reason)
+    public void Compose_LayoutDiffersInHlsl_IsRefused(System.Type type, string reason)
     {
         using ModuleDefinition module = OwnModule();
 

@@ -28,7 +28,7 @@ public sealed class HouseTests
     [TestCase("small-files", 2)]
     [TestCase("manual-words", 3)]
     [TestCase("readme-words", 2)]
-    public void Figure_OfFewFiles_IsTheirSum(string measure, int figure)
+    public void Figure_FewFiles_IsTheirSum(string measure, int figure)
     {
         SourceFile[] files =
         {
@@ -57,7 +57,7 @@ public sealed class HouseTests
         Is.EqualTo(figure));
 
     [Test]
-    public void Figure_Folder_OfThirtyFilesIsNone_OfThirtyOneIsOne()
+    public void Figure_FolderOfThirtyOneFiles_IsCounted()
     {
         IEnumerable<SourceFile> thirty = Enumerable.Range(0, 30).Select(i => new SourceFile($"{Room}{i}.cs", ""));
 
@@ -77,7 +77,7 @@ public sealed class HouseTests
     [TestCase("record A { A({7}) { } }", 0)]
     [TestCase("readonly struct A { A({7}) { } }", 0)]
     [TestCase("#if ENABLE_UNITY_COLLECTIONS_CHECKS\nclass A { A({7}) { } }\n#endif", 1)]
-    public void Figure_MethodOfSevenParametersCounts(string code, int figure)
+    public void Figure_MethodOfSevenParameters_IsCounted(string code, int figure)
     {
         string seven = string.Join(", ", Enumerable.Range(0, 7).Select(i => $"int a{i}"));
         code = code.Replace("{7}", seven).Replace("{6}", seven[..^", int a6".Length]);
@@ -89,7 +89,7 @@ public sealed class HouseTests
     [TestCase("[Test]\nvoid B()\n{", 79, 1)]
     [TestCase("int B\n{ get {", 78, 0)]
     [TestCase("int B\n{ get {", 79, 1)]
-    public void Figure_Method_OfMoreThanEightyLinesCounts(string head, int lineEnds, int figure)
+    public void Figure_MethodOverEightyLines_IsCounted(string head, int lineEnds, int figure)
     {
         string braces = head.StartsWith("int", StringComparison.Ordinal) ? "} }" : "}";
         var file = new SourceFile("Headless/A.cs", "class A\n{\n" + head + new string('\n', lineEnds) + braces + "\n}\n");
@@ -101,7 +101,7 @@ public sealed class HouseTests
     [TestCase("Headless/A.cs", 131, 1)]
     [TestCase("Packages/com.fastpoints.dots/Shaders/A.hlsl", 131, 1)]
     [TestCase("README.md", 131, 0)]
-    public void Figure_Line_OfMoreThan130ColumnsCounts(string path, int columns, int figure)
+    public void Figure_LineOver130Columns_IsCounted(string path, int columns, int figure)
     {
         string line = "//" + new string('\u00e9', columns - 2);
 
@@ -110,7 +110,7 @@ public sealed class HouseTests
     }
 
     [Test]
-    public void Figure_Page_OfMoreThan1500WordsCounts()
+    public void Figure_PageOver1500Words_IsCounted()
     {
         string words = string.Concat(Enumerable.Repeat("word ", 1500));
 
@@ -135,7 +135,7 @@ public sealed class HouseTests
     [TestCase("class A { int MostFrameMs, m_most; bool Sees() { } bool See(); }", 3, TestName = "first words, verbs")]
     [TestCase("class A { void TryPredictView() { } void Try() { } void ForeseeTry() { } }", 1, TestName = "words in their order")]
     [TestCase("class A { string b = \"span\"; }", 0, TestName = "literals")]
-    public void Figure_WordsThatTheGlossaryRefuses(string code, int figure) =>
+    public void Figure_WordRefusedByTheGlossary_IsCounted(string code, int figure) =>
         Assert.That(Report(s_glossary, new SourceFile(Room + "A.cs", code)).Figures["not-words"], Is.EqualTo(figure));
 
     [Test]
@@ -147,7 +147,7 @@ public sealed class HouseTests
     }
 
     [Test]
-    public void Problems_FigureBeyondItsLimit_NamesWhatIsCounted()
+    public void Problems_FigureOverItsLimit_NamesTheMeasure()
     {
         var files = new[] { new SourceFile("Headless/A.cs", "\n" + new string('/', 131)) };
 
@@ -169,7 +169,7 @@ public sealed class HouseTests
     [TestCase("product-lines", 9)]
     [TestCase("outside-lines", null)]
     [TestCase("folders", null)]
-    public void Ceilings_OfAMeasure(string measure, long? lines) =>
+    public void Ceilings_OfAMeasure_AreRead(string measure, long? lines) =>
         Assert.That(s_ceilings.Of(measure, 1), Is.EqualTo(lines));
 
     [TestCase("")]
@@ -180,7 +180,7 @@ public sealed class HouseTests
 
     [TestCase("1\t2\t3\t4\n", null)]
     [TestCase("1\t5\t3\t4\n", "copy.tsv is no copy of")]
-    public void Ceilings_CopyThatDiffersFromWhatIsGiven_IsAProblem(string copied, string problem)
+    public void Ceilings_CopyThatDiffers_IsAProblem(string copied, string problem)
     {
         DirectoryInfo root = Directory.CreateTempSubdirectory("fastpoints-house-");
         try
@@ -206,7 +206,7 @@ public sealed class HouseTests
     [TestCase("wide-lines\tA.cs\t139\t\t\tA table.\n", 1)]
     [TestCase("methods\tA.cs\t140\t\t\tA table.\n", 1)]
     [TestCase("wide-lines\ts\t140\t\t\tA table.\n", 1)]
-    public void Figure_ThingThatIsExcepted_CountsBeyondItsOwnNumber(string row, int figure) =>
+    public void Figure_Exception_CountsBeyondItsOwnLimit(string row, int figure) =>
         Assert.That(Report(Table(row), new SourceFile("Headless/A.cs", new string('/', 140))).Figures["wide-lines"],
             Is.EqualTo(figure));
 
@@ -222,7 +222,7 @@ public sealed class HouseTests
     [TestCase("a\tb\n")]
     [TestCase("wide-lines\t*\tmany\t0\t0\t\n")]
     [TestCase("wide-lines\t*\t-1\t0\t0\t\n")]
-    public void Parse_LineThatIsNoRow_Throws(string row) =>
+    public void Parse_InvalidRow_Throws(string row) =>
         Assert.That(() => HouseTable.Parse(Header + row), Throws.TypeOf<ToolException>());
 
     [Test]
@@ -241,7 +241,7 @@ public sealed class HouseTests
     [TestCase(10, 10, TestName = "beyond the limit: it stays")]
     [TestCase(7, 7, TestName = "between goal and limit: it falls")]
     [TestCase(1, 5, TestName = "below the goal: it falls to the goal")]
-    public void Lowered_FigureOfALimitOfNine(int figure, int limit)
+    public void Lowered_LimitOfNine_FallsToTheFigure(int figure, int limit)
     {
         string text = Header + "folders\t*\t30\t{0}\t5\t\nfolders\tRoom/\t40\t\t\tA room.\n";
         var figures = new Dictionary<string, long> { ["folders"] = figure };
@@ -251,7 +251,7 @@ public sealed class HouseTests
     }
 
     [Test]
-    public void Main_HouseOfAPlantedRepository_PrintsRefusesListsAndLowers()
+    public void Main_HouseOfAPlantedRepository_PrintsChecksListsAndLowers()
     {
         DirectoryInfo root = Directory.CreateTempSubdirectory("fastpoints-house-");
         try

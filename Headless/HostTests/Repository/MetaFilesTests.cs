@@ -22,7 +22,7 @@ public sealed class MetaFilesTests
     public void RemovePackage() => Directory.Delete(m_root, true);
 
     [Test]
-    public void Run_OnNewPackage_WritesWhatUnityImportsAndNoMore()
+    public void Run_NewPackage_WritesMetasOfImportedFilesOnly()
     {
         ToolResult result = new MetaFiles(m_root).Run(false);
 
@@ -43,7 +43,7 @@ public sealed class MetaFilesTests
     [TestCase("Runtime/A/One.cs.meta", "\nMonoImporter:\n")]
     [TestCase("Shaders/Draw.shader.meta", "\nShaderImporter:\n")]
     [TestCase("package.json.meta", "\nPackageManifestImporter:\n")]
-    public void Run_OnNewPackage_NamesTheImporter(string meta, string block)
+    public void Run_NewPackage_NamesTheImporter(string meta, string block)
     {
         new MetaFiles(m_root).Run(false);
 
@@ -77,7 +77,7 @@ public sealed class MetaFilesTests
     }
 
     [Test]
-    public void Run_NewFileWhereAnotherWasBorn_GetsAnotherGuid()
+    public void Run_NewFileAtAnOldPath_GetsAnotherGuid()
     {
         new MetaFiles(m_root).Run(false);
         Move("Runtime/A/One.cs", "Runtime/A/Two.cs");
@@ -123,7 +123,7 @@ public sealed class MetaFilesTests
     }
 
     [Test]
-    public void Package_AsCommitted_HasItsMetas() =>
+    public void Package_Committed_HasItsMetas() =>
         Assert.That(new MetaFiles(Checkout.Repository.PackageRoot).Run(true).Problems, Is.Empty);
 
     private System.Collections.Generic.IReadOnlyList<string> Check() => new MetaFiles(m_root).Run(true).Problems;

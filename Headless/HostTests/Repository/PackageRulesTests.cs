@@ -66,7 +66,7 @@ public sealed class PackageRulesTests
     string[] Problems(string tag = null) => PackageCommand.Run(new RepoTools.Repository(m_root), tag, null).Problems.ToArray();
 
     [Test]
-    public void Check_PackageInOrder_FindsNothing() => Assert.That(Problems(), Is.Empty);
+    public void Check_ValidPackage_FindsNothing() => Assert.That(Problems(), Is.Empty);
 
     [Test]
     public void Check_WithoutSamples_FindsNothing()
@@ -82,7 +82,7 @@ public sealed class PackageRulesTests
     [TestCase("UnityEngine:Core", ", \"com.unity.modules.imgui\": \"1.0.0\"", "com.unity.modules.imgui: wanted none")]
     [TestCase("UnityEngine:IMGUI", ", \"com.unity.modules.imgui\": \"1.0.0\"", null)]
     [TestCase("Unity.Mathematics|UnityEngine:Mathematics", "", null)]
-    public void Check_ModulesOfTheEngine_AreThoseThatAreUsed(string assembly, string dependency, string problem)
+    public void Check_EngineModules_AreTheUsedOnes(string assembly, string dependency, string problem)
     {
         Directory.CreateDirectory(Path.Combine(m_root, "Headless", "Api"));
         string used = Path.Combine(m_root, "Headless", "Api", "used.tsv");
@@ -169,7 +169,7 @@ public sealed class PackageRulesTests
     [TestCase("Tests/T/T.asmdef", "nunit.framework.dll", "other.dll", "no test assembly")]
     [TestCase("Tests/T/T.asmdef", "UNITY_INCLUDE_TESTS", "OTHER", "a test assembly without UNITY_INCLUDE_TESTS")]
     [TestCase("Benchmarks/B/B.asmdef", "UNITY_INCLUDE_TESTS", "OTHER", "B.asmdef: every player would have it")]
-    public void Check_SomethingOutOfOrder_IsReported(string file, string from, string to, string reported)
+    public void Check_PlantedMistake_IsReported(string file, string from, string to, string reported)
     {
         Change(file, from, to);
 
@@ -212,7 +212,7 @@ public sealed class PackageRulesTests
         Assert.That(Problems(tag), isRight ? Is.Empty : Has.Some.Contains("the tag: wanted 1.2.0"));
 
     [Test]
-    public void Check_ReleaseOfWhatIsUnreleased_IsReported()
+    public void Check_ReleaseWithUnreleasedChanges_IsReported()
     {
         Change("CHANGELOG.md", "## [1.2.0] - 2026-03-04", "## [Unreleased]");
 

@@ -16,7 +16,7 @@ public sealed class ReferenceTests
     [TestCase(typeof(Record), "Other Y", Sum, "int X")]
     [TestCase(typeof(Many), "", "A", "B", "C", "D", "E", "...")]
     [TestCase(typeof(Generic<>), "", "abstract T[] Take<TOther>(Dictionary<TOther, Record> other, bool isWhole = true)")]
-    public void Beginning_OfPlantedType_IsHowOneGetsItThenWhatExamplesUse(Type type, string example, params string[] members)
+    public void Beginning_PlantedType_ShowsItsSourceThenUsedMembers(Type type, string example, params string[] members)
     {
         var names = ReferenceBlock.NamesInExamples("```csharp\n" + example + "\n```\n");
 

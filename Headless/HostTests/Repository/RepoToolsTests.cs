@@ -32,7 +32,7 @@ public sealed class RepoToolsTests
     }
 
     [Test]
-    public void Main_BuildsAbsent_SaysWhatToRun()
+    public void Main_BuildsMissing_NamesWhatToRun()
     {
         DirectoryInfo root = Directory.CreateTempSubdirectory("fastpoints-tools-");
         try

@@ -17,7 +17,7 @@ namespace FastPoints.HostTests.Repository
         };
 
         [Test]
-        public void Files_Committed_HoldNoPathOfAMachineAndNoRegistrysName()
+        public void Files_Committed_ContainNoMachinePathsOrRegistryNames()
         {
             var found = new List<string>();
             foreach (string file in Checkout.Files().Where(f => s_text.Contains(Path.GetExtension(f))))
@@ -28,7 +28,7 @@ namespace FastPoints.HostTests.Repository
         }
 
         [Test]
-        public void Foreign_PlantedPath_IsFound() =>
+        public void ForeignPaths_PlantedPath_IsFound() =>
             Assert.That(Foreign("see /wo" + "rk/here and nuget" + ".org"), Has.Count.EqualTo(2));
 
         [Test]
@@ -36,7 +36,7 @@ namespace FastPoints.HostTests.Repository
             Assert.That(Checkout.Files().Where(f => f.Length >= 140), Is.Empty);
 
         [Test]
-        public void Version_PackageChangelogAndProjects_AreOne()
+        public void Version_PackageChangelogAndProjects_AreEqual()
         {
             string package = Checkout.Repository.PackageRoot;
             using JsonDocument manifest = JsonDocument.Parse(File.ReadAllText(Path.Combine(package, "package.json")));

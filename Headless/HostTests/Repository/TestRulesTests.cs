@@ -7,7 +7,7 @@ namespace FastPoints.HostTests.Repository;
 public sealed class TestRulesTests
 {
     [Test]
-    public void Tests_OfThePackage_AreAsUnitysRunnerWantsThem()
+    public void Tests_OfThePackage_FollowUnitysRunner()
     {
         using GenerationBuilds builds = Checkout.Builds(RepoTools.Repository.Generations[0]);
 
@@ -40,7 +40,7 @@ public sealed class TestRulesTests
     }
 
     [Test]
-    public void Workflow_OfTests_LeavesLongTestsOut()
+    public void Workflow_OfTests_SkipsLongTests()
     {
         string workflow = File.ReadAllText(Path.Combine(Checkout.Repository.Root, ".github", "workflows", "test.yml"));
         string filters = Regex.Match(workflow, "customParameters: (.*)").Groups[1].Value;

@@ -51,7 +51,7 @@ public sealed class SampleSceneTests
     static void Updates(Func<bool> isDone) => ImportProject.Updates(() => EditorApplication.update?.Invoke(), isDone);
 
     [TestCaseSource(nameof(Names))]
-    public void Command_OfASample_MakesItsScene(string name)
+    public void Command_OfASample_CreatesItsScene(string name)
     {
         PutSmallStreet();
         Camera.main = null;
@@ -74,17 +74,17 @@ public sealed class SampleSceneTests
         Assert.That(before == null, Is.True);
     }
 
-    /// <summary>Whatever fails: the next request begins anew.</summary>
+    /// <summary>After any failure the next request starts over.</summary>
     [Test]
-    public void Get_PlaceThatCannotBeMade_ReportsItAndCanBeAskedAgain()
+    public void Get_UnwritableFolder_ReportsItAndCanBeRetried()
     {
         var logged = new List<string>();
         Debug.s_sink = (type, text) => logged.Add(type + ": " + text);
-        string place = Path.GetDirectoryName(Street);
-        File.WriteAllText(place, "no folder");
+        string folder = Path.GetDirectoryName(Street);
+        File.WriteAllText(folder, "no folder");
         Assert.That(SampleScan.Get(), Is.Null);
         Assert.That(logged.Single(), Does.StartWith("Error: FastPoints: " + Street));
-        File.Delete(place);
+        File.Delete(folder);
         PutSmallStreet();
         Assert.That(SampleScan.Get(), Is.Not.Null);
     }
@@ -116,7 +116,7 @@ public sealed class SampleSceneTests
     }
 
     [Test]
-    public void Make_UserKeepsHisScene_NothingIsMade()
+    public void Create_UserKeepsTheScene_CreatesNothing()
     {
         PutSmallStreet();
         EditorSceneManager.s_goesOn = false;
@@ -132,7 +132,7 @@ public sealed class SampleSceneTests
 
     /// <summary>In play mode Unity makes no scenes: it throws.</summary>
     [Test]
-    public void Make_InPlayMode_ReportsItAndMakesNothing()
+    public void Create_InPlayMode_ReportsItAndCreatesNothing()
     {
         PutSmallStreet();
         var logged = new List<string>();
@@ -149,7 +149,7 @@ public sealed class SampleSceneTests
     }
 
     [Test]
-    public void Get_AskedTwiceAndAgain_MakesOneAsset()
+    public void Get_CalledRepeatedly_CreatesOneAsset()
     {
         PutSmallStreet();
 
@@ -162,16 +162,16 @@ public sealed class SampleSceneTests
 
     /// <summary>What the scan is, and its source, are for nobody's version control.</summary>
     [Test]
-    public void Get_MakesThePlaceAsOthersDo()
+    public void Get_NewProject_CreatesTheDataFolder()
     {
         PutPackagedStreet();
         SampleScan.Get();
         Assert.That(File.ReadAllLines("PointClouds/.gitignore"), Does.Contain("*"));
     }
 
-    /// <summary>Of a team's clone: the asset is there, the scan is not.</summary>
+    /// <summary>A clone of a team's project has the asset but not the scan.</summary>
     [Test]
-    public void Get_AssetWithoutItsScan_MakesItAgain()
+    public void Get_AssetWithoutItsScan_CreatesItAgain()
     {
         PutSmallStreet();
         var got = SampleScan.Get();
@@ -188,7 +188,7 @@ public sealed class SampleSceneTests
     }
 
     [Test]
-    public void Get_NothingThere_CopiesThePackagesStreet()
+    public void Get_NoSample_CopiesThePackagesStreet()
     {
         PutPackagedStreet();
 

@@ -55,7 +55,7 @@ public sealed class SampleScriptTests
     }
 
     [Test]
-    public void LoadFromDisk_FileThatIsNotThere_ReportsIt()
+    public void LoadFromDisk_MissingFile_ReportsIt()
     {
         var logged = "";
         UnityEngine.Debug.s_sink = (_, text) => logged += text;
@@ -74,7 +74,7 @@ public sealed class SampleScriptTests
         var load = m_world.Add<LoadFromDisk>(l => l.Source = m_world.Scratch.Demo(points: 20_000));
         m_world.Frames(() => load.Status.Contains('%'));
         load.enabled = false;
-        // Windows refuses to delete what is open; here the writer's lock tells.
+        // Windows refuses to delete open files; here the writer's lock shows it.
         load.enabled = true;
         m_world.Frames(() => load.IsDone);
         Assert.That(m_world.Scratch["demo.fastpoints"], Does.Exist);
@@ -96,7 +96,7 @@ public sealed class SampleScriptTests
     }
 
     [Test]
-    public void EntitiesOnlyStart_WithoutWishForNodes_FramesMakeNoStructuralChange()
+    public void EntitiesOnlyStart_NodesNotRequested_MakesNoStructuralChanges()
     {
         var asset = m_world.Asset(20_000);
         m_world.Add<EntitiesOnlyStart>(s => s.Cloud = asset);
@@ -122,7 +122,7 @@ public sealed class SampleScriptTests
     }
 
     [Test]
-    public void CloudGrid_NineClouds_ShareTheStreamAndGoWithTheGrid()
+    public void CloudGrid_NineClouds_ShareTheStreamAndAreRemovedWithTheGrid()
     {
         var asset = m_world.Asset(3000);
         var grid = m_world.Add<FastPoints.Samples.ManyClouds.CloudGrid>(g => (g.Cloud, g.Side) = (asset, 3));
@@ -138,32 +138,32 @@ public sealed class SampleScriptTests
     }
 
     [Test]
-    public void FlyThrough_OneRound_StaysInTheCloudAndComesBack()
+    public void FlyThrough_OneRound_StaysInTheCloudAndReturns()
     {
         var asset = m_world.Asset(3000);
         var cloud = m_world.Add<FastPoints.Entities.PointCloud>(c => c.Cloud = asset);
         // The host's frames take a sixtieth of a second.
         var fly = m_world.Add<FlyThrough>(f => (f.Cloud, f.Seconds) = (cloud, 2));
         var size = asset.BoundsMax - asset.BoundsMin;
-        var places = Enumerable.Range(0, 121).Select(_ =>
+        var positions = Enumerable.Range(0, 121).Select(_ =>
         {
             SceneLoop.Update();
             return fly.transform.position;
         }).ToArray();
 
-        Assert.That(places.Max(p => p.x) - places.Min(p => p.x), Is.EqualTo(0.3 * size.x).Within(0.1));
-        Assert.That(places.Max(p => p.z) - places.Min(p => p.z), Is.EqualTo(0.3 * size.y).Within(0.1));
-        Assert.That((places[120] - places[0]).magnitude, Is.LessThan(0.01f));
+        Assert.That(positions.Max(p => p.x) - positions.Min(p => p.x), Is.EqualTo(0.3 * size.x).Within(0.1));
+        Assert.That(positions.Max(p => p.z) - positions.Min(p => p.z), Is.EqualTo(0.3 * size.y).Within(0.1));
+        Assert.That((positions[120] - positions[0]).magnitude, Is.LessThan(0.01f));
         var along = (Vector3)fly.transform.localToWorldMatrix.GetColumn(2);
         var level = new Vector3(along.x, 0, along.z).normalized;
         // 0.6 of a turn's 2 pi: in frames, 11.46.
-        var limit = places[11] + (places[12] - places[11]) * 0.459f - places[120];
+        var limit = positions[11] + (positions[12] - positions[11]) * 0.459f - positions[120];
         Assert.That(Vector3.Dot(level, limit.normalized), Is.GreaterThan(0.9999f), "it looks where it will be");
         Assert.That(along.y, Is.LessThan(0), "and down");
     }
 
     [Test]
-    public void FrameFigures_OfAFrame_SayWhatIsDrawn()
+    public void FrameFigures_OfAFrame_NameWhatIsDrawn()
     {
         m_world.Add<FastPoints.Entities.PointCloud>(c => c.Cloud = m_world.Asset(3000));
         m_world.Settle();
@@ -173,7 +173,7 @@ public sealed class SampleScriptTests
     }
 
     [Test]
-    public void ColourSwitch_ClassHidden_IsNotShownUntilItIsAgain()
+    public void ColourSwitch_ClassHidden_IsNotDrawnUntilShownAgain()
     {
         var asset = m_world.Asset(3000);
         var colours = m_world.Add<ColourSwitch>();

@@ -62,7 +62,7 @@ public sealed class WalkTests : GraphicsFixture
     }
 
     [Test]
-    public void Walk_Steps1To13_ShowWhatTheyShould()
+    public void Walk_Steps1To13_ShowTheExpected()
     {
         // 1. Open the project.
         foreach (var type in typeof(PointCloudImports).Assembly.GetTypes().Where(t =>

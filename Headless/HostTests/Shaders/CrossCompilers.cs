@@ -10,14 +10,14 @@ static class CrossCompilers
 
     static string WebGpu => Path.Combine(Checkout.Repository.Root, "Headless", "artifacts", "webgpu");
 
-    /// <summary>What is not there to run any; empty where all is.</summary>
+    /// <summary>What is missing to run any; empty if nothing.</summary>
     internal static string Missing => string.Join(", ", new[] { Cross, Glslang }.Where(t => Tool.Find(t) == null));
 
-    /// <summary>What is not there for WebGPU alone; empty where all is.</summary>
+    /// <summary>What is missing only for WebGPU; empty if nothing.</summary>
     internal static string MissingForWebGpu => Tool.Find("node") == null ? "node"
         : Directory.Exists(Path.Combine(WebGpu, "node_modules", "webgpu")) ? "" : "the packages of Headless/WebGpu";
 
-    /// <summary>What is wrong with each stage in each language: nothing where it goes there. WebGPU's are null where that is
+    /// <summary>What is wrong with each stage in each language: nothing if it goes there. WebGPU's are null if that is
     /// not installed.</summary>
     internal static (string Metal, string Gles, string WebGpu)[] Faults(IReadOnlyList<ShaderStage> stages)
     {

@@ -41,7 +41,7 @@ public sealed class CrossTests
     public void RemoveFolder() => m_folder?.Dispose();
 
     [Test]
-    public void Metal_EveryVariant_GoesThere()
+    public void Metal_EveryVariant_IsTranslated()
     {
         Assert.That(m_all, Has.Count.EqualTo(2 * 107 + 4));
         Assert.That(m_all.Where(a => a.Metal.Length > 0).Select(a => $"{a.Stage}: {a.Metal}"), Is.Empty);
@@ -56,7 +56,7 @@ public sealed class CrossTests
     }
 
     [Test]
-    public void TableOfTheManual_IsWhatTheCompilersSay()
+    public void TableOfTheManual_Counts_MatchTheCompilers()
     {
         int columns = CrossCompilers.MissingForWebGpu.Length == 0 ? 7 : 6;
         string[] Lines(IEnumerable<string[]> rows) => rows.Select(r => $"| {string.Join(" | ", r.Take(columns))} |").ToArray();
@@ -66,14 +66,14 @@ public sealed class CrossTests
     }
 
     [Test]
-    public void Faults_Doubles_AreFound()
+    public void Faults_DoublesInShaders_AreFound()
     {
         Assert.That(m_planted[1].Metal, Does.Contain("double"));
         Assert.That(m_planted[1].Gles, Is.Not.Empty);
     }
 
     [Test]
-    public void Faults_NineBuffers_AreMoreThanWebGpuPromises()
+    public void Faults_NineBuffers_ExceedTheWebGpuLimit()
     {
         RequireWebGpu();
         Assert.That(m_planted[0].WebGpu, Does.Contain("storage buffers (9)"));

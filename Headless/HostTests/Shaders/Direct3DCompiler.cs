@@ -31,7 +31,7 @@ static class Direct3DCompiler
         }
     }
 
-    /// <summary>What is not there to run it; empty where all is.</summary>
+    /// <summary>What is missing to run it; empty if nothing.</summary>
     internal static string Missing => string.Join(", ", new[]
     {
         Wine == null ? "wine64" : "", Tool.Find(Builder) == null ? Builder : "", File.Exists(Library) ? "" : Library,
@@ -60,7 +60,7 @@ static class Direct3DCompiler
 
     static string Text(ShaderStage stage)
     {
-        // No more of Unity's names: the package's shaders ask for none, and a test holds that.
+        // No more of Unity's names: a test ensures that the package's shaders use none.
         var text = new StringBuilder("#define SHADER_API_D3D11 1\n#define SHADER_API_DESKTOP 1\n#define SHADER_TARGET 45\n");
         text.Append("#define SHADER_STAGE_")
             .Append(stage.Stage == "vert" ? "VERTEX" : stage.Stage == "frag" ? "FRAGMENT" : "COMPUTE").Append(" 1\n");

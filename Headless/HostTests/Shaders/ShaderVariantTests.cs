@@ -30,7 +30,7 @@ public sealed class ShaderVariantTests
     }
 
     [Test]
-    public void Conditions_OfThePackagesShaders_AskForItsOwnNamesOnly()
+    public void Conditions_OfThePackagesShaders_UseItsOwnNamesOnly()
     {
         string folder = Path.Combine(Checkout.Repository.PackageRoot, "Shaders");
         var names = Directory.GetFiles(folder, "*", SearchOption.AllDirectories).SelectMany(File.ReadLines)

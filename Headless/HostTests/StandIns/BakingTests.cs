@@ -26,7 +26,7 @@ public sealed class BakingTests
     }
 
     [Test]
-    public void Bake_AnObjectThatIsReadWithoutADependency_IsRefused() =>
+    public void Bake_ObjectReadWithoutADependency_IsRefused() =>
         Assert.That(() => Baking.Bake(new CarelessBaker(), m_authoring, m_world),
             Throws.InvalidOperationException.With.Message.Contains("Used"));
 
@@ -53,12 +53,12 @@ public sealed class BakingTests
 
     [Test]
     public void Bake_OneComponentTwice_IsRefused() =>
-        Assert.That(() => Baking.Bake(new TwiceBaker(), m_authoring, m_world),
+        Assert.That(() => Baking.Bake(new DuplicateBaker(), m_authoring, m_world),
             Throws.InvalidOperationException.With.Message.Contains("duplicate"));
 
     [Test]
     public void Bake_EntityOfAnother_IsRefused() =>
-        Assert.That(() => Baking.Bake(new StrangerBaker(m_world.EntityManager.CreateEntity()), m_authoring, m_world),
+        Assert.That(() => Baking.Bake(new ForeignEntityBaker(m_world.EntityManager.CreateEntity()), m_authoring, m_world),
             Throws.InvalidOperationException.With.Message.Contains("doesn't belong"));
 
     sealed class Authoring : MonoBehaviour
@@ -73,7 +73,7 @@ public sealed class BakingTests
                 new LocalToWorld());
     }
 
-    sealed class TwiceBaker : Baker<Authoring>
+    sealed class DuplicateBaker : Baker<Authoring>
     {
         public override void Bake(Authoring authoring)
         {
@@ -83,7 +83,7 @@ public sealed class BakingTests
         }
     }
 
-    sealed class StrangerBaker(Entity stranger) : Baker<Authoring>
+    sealed class ForeignEntityBaker(Entity stranger) : Baker<Authoring>
     {
         readonly Entity m_stranger = stranger;
 

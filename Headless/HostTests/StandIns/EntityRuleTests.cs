@@ -12,7 +12,7 @@ public sealed class EntityRuleTests
 
     struct Burning : IComponentData, IEnableableComponent { }
 
-    struct Grave : ICleanupComponentData
+    struct Tombstone : ICleanupComponentData
     {
         public int Number;
     }
@@ -75,7 +75,7 @@ public sealed class EntityRuleTests
     }
 
     [Test]
-    public void EntitiesThatAreGone_TakeNoComponents()
+    public void Entities_Destroyed_RejectComponents()
     {
         var gone = Entities.CreateEntity();
         Entities.DestroyEntity(gone);
@@ -90,14 +90,14 @@ public sealed class EntityRuleTests
     }
 
     [Test]
-    public void CleanupComponents_OfLivingEntities_AreAsOthers()
+    public void CleanupComponents_OfLivingEntities_BehaveLikeOthers()
     {
         Entity living = Entities.CreateEntity(), destroyed = Entities.CreateEntity();
-        Entities.AddComponentData(living, new Grave { Number = 1 });
-        Entities.AddComponentData(destroyed, new Grave { Number = 2 });
+        Entities.AddComponentData(living, new Tombstone { Number = 1 });
+        Entities.AddComponentData(destroyed, new Tombstone { Number = 2 });
         Entities.DestroyEntity(destroyed);
         Entities.DestroyEntity(destroyed);
-        Entities.RemoveComponent<Grave>(living);
+        Entities.RemoveComponent<Tombstone>(living);
         Assert.That((Entities.Exists(living), Entities.Exists(destroyed)), Is.EqualTo((true, true)));
         using var copies = new NativeArray<Entity>(1, Allocator.Temp);
         Assert.That(() => Entities.Instantiate(destroyed, copies),
@@ -125,7 +125,7 @@ public sealed class EntityRuleTests
     }
 
     [Test]
-    public void Builder_UsedAgain_LeavesTheFirstQueryAsItIs()
+    public void Builder_UsedAgain_LeavesTheFirstQueryUnchanged()
     {
         var builder = Builder.WithAll<Health>();
         using var first = builder.Build(Entities);
@@ -136,7 +136,7 @@ public sealed class EntityRuleTests
     }
 
     [Test]
-    public void Queries_ThatAreGoneOrOfOthers_AreRefused()
+    public void Queries_DisposedOrOfOtherWorlds_AreRefused()
     {
         var query = Entities.CreateEntityQuery(ComponentType.ReadOnly<Health>());
         var copy = query;
@@ -152,7 +152,7 @@ public sealed class EntityRuleTests
     }
 
     [Test]
-    public void Worlds_ThatAreGone_AnswerNothing()
+    public void Worlds_Disposed_ReturnNothing()
     {
         var manager = Entities;
         var system = m_world.GetOrCreateSystemManaged<Idle>();
@@ -171,7 +171,7 @@ public sealed class EntityRuleTests
     }
 
     [Test]
-    public void Systems_ThatCannotBeMade_AreNotThere()
+    public void Systems_ThatCannotBeCreated_AreAbsent()
     {
         Assert.That(() => m_world.GetOrCreateSystemManaged<Broken>(), Throws.TypeOf<ArithmeticException>());
         Assert.That(m_world.GetExistingSystemManaged<Broken>(), Is.Null);
@@ -184,7 +184,7 @@ public sealed class EntityRuleTests
     }
 
     [Test]
-    public void World_EndedByItsOwnSystem_StaysAndReportsIt()
+    public void World_DisposedByItsOwnSystem_StaysAndReportsIt()
     {
         DefaultWorldInitialization.AddSystemsToRootLevelSystemGroups(m_world, typeof(Ending));
         m_world.Update();

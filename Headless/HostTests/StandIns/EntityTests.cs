@@ -9,7 +9,7 @@ public sealed class EntityTests
 
     struct Burning : IComponentData, IEnableableComponent { }
 
-    struct Grave : ICleanupComponentData
+    struct Tombstone : ICleanupComponentData
     {
         public int Number;
     }
@@ -38,7 +38,7 @@ public sealed class EntityTests
     int Count(EntityQuery query) => query.CalculateEntityCount();
 
     [Test]
-    public void Query_DisabledEntities_AreThereForThoseWhoAskForThem()
+    public void Query_DisabledEntities_AreIncludedOnRequest()
     {
         Entities.CreateEntity(ComponentType.ReadWrite<Health>());
         Entities.AddComponent<Disabled>(Entities.CreateEntity(ComponentType.ReadWrite<Health>()));
@@ -77,7 +77,7 @@ public sealed class EntityTests
     }
 
     [Test]
-    public void Queries_OfEnableableComponents_LookAtTheirBits()
+    public void Queries_OfEnableableComponents_CheckTheirBits()
     {
         var burns = Entities.CreateEntity(ComponentType.ReadWrite<Health>(), ComponentType.ReadWrite<Burning>());
         var out1 = Entities.CreateEntity(ComponentType.ReadWrite<Health>(), ComponentType.ReadWrite<Burning>());
@@ -95,26 +95,26 @@ public sealed class EntityTests
     }
 
     [Test]
-    public void DestroyEntity_WithCleanup_KeepsThatUntilItIsRemoved()
+    public void DestroyEntity_WithCleanup_KeepsItUntilRemoved()
     {
         var entity = Entities.CreateEntity(ComponentType.ReadWrite<Health>());
-        Entities.AddComponentData(entity, new Grave { Number = 7 });
+        Entities.AddComponentData(entity, new Tombstone { Number = 7 });
         Entities.DestroyEntity(entity);
         Assert.That(Entities.Exists(entity), Is.True);
         Assert.That(Entities.HasComponent<Health>(entity), Is.False);
-        Assert.That(Entities.GetComponentData<Grave>(entity).Number, Is.EqualTo(7));
-        Entities.RemoveComponent<Grave>(entity);
+        Assert.That(Entities.GetComponentData<Tombstone>(entity).Number, Is.EqualTo(7));
+        Entities.RemoveComponent<Tombstone>(entity);
         Assert.That(Entities.Exists(entity), Is.False);
     }
 
     [Test]
-    public void Instantiate_CleanupAndPrefab_AreNotOfTheCopyAndBuffersAreItsOwn()
+    public void Instantiate_CleanupAndPrefab_AreNotCopiedAndBuffersAre()
     {
         var entity = Entities.CreateEntity(ComponentType.ReadWrite<Health>(), ComponentType.ReadWrite<Prefab>());
-        Entities.AddComponentData(entity, new Grave { Number = 7 });
+        Entities.AddComponentData(entity, new Tombstone { Number = 7 });
         Entities.AddBuffer<Item>(entity).Add(new Item { Value = 5 });
         var copy = Entities.Instantiate(entity);
-        Assert.That(Entities.HasComponent<Grave>(copy) || Entities.HasComponent<Prefab>(copy), Is.False);
+        Assert.That(Entities.HasComponent<Tombstone>(copy) || Entities.HasComponent<Prefab>(copy), Is.False);
         var items = Entities.GetBuffer<Item>(copy);
         items[0] = new Item { Value = 6 };
         for (int i = 0; i < 100; i++)
@@ -129,11 +129,11 @@ public sealed class EntityTests
         other.EntityManager.CopyEntitiesFrom(Entities, sources, copies);
         Assert.That(other.EntityManager.GetBuffer<Item>(copies[0])[0].Value, Is.EqualTo(5));
         Assert.That(other.EntityManager.HasComponent<Prefab>(copies[0]), Is.True);
-        Assert.That(other.EntityManager.HasComponent<Grave>(copies[0]), Is.False);
+        Assert.That(other.EntityManager.HasComponent<Tombstone>(copies[0]), Is.False);
     }
 
     [Test]
-    public void LinkedEntities_AreInstantiatedAndDestroyedWithTheirs()
+    public void LinkedEntities_OfAPrefab_FollowIt()
     {
         Entity root = Entities.CreateEntity(), child = Entities.CreateEntity(ComponentType.ReadWrite<Health>());
         var group = Entities.AddBuffer<LinkedEntityGroup>(root);
@@ -148,7 +148,7 @@ public sealed class EntityTests
     }
 
     [Test]
-    public void CommandBuffer_PlayedBack_DoesInOrderWhatWasAsked()
+    public void CommandBuffer_PlayedBack_RunsCommandsInOrder()
     {
         var commands = new EntityCommandBuffer(Allocator.Temp);
         var made = commands.CreateEntity();
@@ -167,7 +167,7 @@ public sealed class EntityTests
     }
 
 #if !REAL_ENTITIES
-    /// <summary>As Entities does where UNITY_DISABLE_MANAGED_COMPONENTS is defined, and from 6.7 on.</summary>
+    /// <summary>Entities refuses them if UNITY_DISABLE_MANAGED_COMPONENTS is defined, and from 6.7 on.</summary>
     [Test]
     public void ManagedComponent_IsRefused() =>
         Assert.That(() => Entities.CreateEntity(new ComponentType(typeof(Managed))), Throws.ArgumentException);
@@ -175,7 +175,7 @@ public sealed class EntityTests
 
     /// <summary>Planted violations: what Unity refuses.</summary>
     [Test]
-    public void Misuse_Throws()
+    public void RadixSort_Misused_Throws()
     {
         var gone = Entities.CreateEntity(ComponentType.ReadWrite<Health>());
         Entities.DestroyEntity(gone);
@@ -205,7 +205,7 @@ public sealed class EntityTests
 
     static readonly List<string> s_calls = new List<string>();
 
-    abstract class Noting : SystemBase
+    abstract class RecordingSystem : SystemBase
     {
         protected override void OnCreate() => s_calls.Add("+" + GetType().Name);
         protected override void OnStartRunning() => s_calls.Add(">" + GetType().Name);
@@ -218,21 +218,21 @@ public sealed class EntityTests
     sealed class Group : ComponentSystemGroup { }
 
     [UpdateInGroup(typeof(Group), OrderLast = true)]
-    sealed class A : Noting { }
+    sealed class A : RecordingSystem { }
 
     [UpdateInGroup(typeof(Group))]
     [UpdateAfter(typeof(C))]
-    sealed class B : Noting { }
+    sealed class B : RecordingSystem { }
 
     [UpdateInGroup(typeof(Group))]
-    sealed class C : Noting { }
+    sealed class C : RecordingSystem { }
 
     [UpdateInGroup(typeof(Group))]
     [UpdateBefore(typeof(C))]
-    sealed class D : Noting { }
+    sealed class D : RecordingSystem { }
 
     [Test]
-    public void Systems_OfAGroup_RunInTheOrderThatTheyAskFor()
+    public void Systems_OfAGroup_RunInTheRequestedOrder()
     {
         s_calls.Clear();
         DefaultWorldInitialization.AddSystemsToRootLevelSystemGroups(m_world, typeof(Group), typeof(A), typeof(B), typeof(C),
@@ -258,14 +258,14 @@ public sealed class EntityTests
     }
 
     [UpdateInGroup(typeof(Group))]
-    sealed class E : Noting
+    sealed class E : RecordingSystem
     {
         protected override void OnUpdate() => throw new ArithmeticException("thrown in a system");
         protected override void OnDestroy() => throw new ArithmeticException("thrown at the end");
     }
 
     [Test]
-    public void System_ThatThrows_IsLoggedAndKeepsNoOtherFromRunning()
+    public void System_ThatThrows_IsLoggedAndOthersRun()
     {
         DefaultWorldInitialization.AddSystemsToRootLevelSystemGroups(m_world, typeof(Group), typeof(A), typeof(E));
         s_calls.Clear();
@@ -279,12 +279,12 @@ public sealed class EntityTests
 
     [UpdateInGroup(typeof(Group), OrderFirst = true)]
     [UpdateAfter(typeof(C))]
-    sealed class F : Noting { }
+    sealed class F : RecordingSystem { }
 
     [UpdateInGroup(typeof(Group))]
     [UpdateBefore(typeof(A))]
     [UpdateAfter(typeof(G))]
-    sealed class G : Noting { }
+    sealed class G : RecordingSystem { }
 
     [Test]
     public void Systems_WhoseOrderUnityIgnores_AreWarnedOf()

@@ -13,12 +13,12 @@ public sealed class SerializationTests
     static IEnumerable<Type> Kept() => s_assemblies.SelectMany(a => a.GetTypes()).Where(t => t.IsSubclassOf(typeof(Object)));
 
     [TestCaseSource(nameof(Kept))]
-    public void Fields_ThatAreMeantToBeKept_AreOfTypesThatUnityKeeps(Type type) => Assert.That(
+    public void Fields_Serialized_HaveTypesThatUnitySerializes(Type type) => Assert.That(
         SerializedFields.Of(type).Where(f => !SerializedFields.IsKept(f.FieldType)).Select(f => f.Name), Is.Empty);
 
     /// <summary>Unity knows the script of a component or an asset by its file, which has the class's name.</summary>
     [TestCaseSource(nameof(Kept))]
-    public void Script_OfAClass_HasItsName(Type type)
+    public void Script_OfAClass_IsInAFileOfItsName(Type type)
     {
         string package = Checkout.Repository.PackageRoot;
         var files = Directory.GetFiles(package, type.Name + ".cs", SearchOption.AllDirectories);
@@ -37,7 +37,7 @@ public sealed class SerializationTests
     [TestCase(typeof(decimal), false)]
     [TestCase(typeof(Large), false)]
     [TestCase(typeof(Unmarked), false)]
-    public void IsKept_OfATypeOfAField_IsAsUnitysManualSays(Type type, bool isKept) =>
+    public void IsSerialized_FieldType_FollowsUnitysManual(Type type, bool isKept) =>
         Assert.That(SerializedFields.IsKept(type), Is.EqualTo(isKept));
 
     [Test]

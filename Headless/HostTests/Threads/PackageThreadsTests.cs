@@ -6,7 +6,7 @@ public sealed class PackageThreadsTests(string generation)
     private readonly string m_generation = generation;
 
     [Test]
-    public void OtherThreads_OfThePackage_UseOnlyWhatIsForThem()
+    public void OtherThreads_OfThePackage_UseThreadSafeMembersOnly()
     {
         using GenerationBuilds builds = Checkout.Builds(m_generation);
         IEnumerable<ModuleDefinition> modules = builds.Package.Where(m => !m.Assembly.Name.Name.Contains("Tests"));

@@ -15,7 +15,7 @@ public sealed class CloudFolderWriterTests : ScratchPerTest
     }
 
     [Test]
-    public void Create_WhileAnotherWriterHasTheFolder_IsRefusedAndTakesNothing()
+    public void Create_FolderLockedByAnotherWriter_IsRefusedAndChangesNothing()
     {
         using (var first = new CloudFolderWriter(m_target))
         {
@@ -30,7 +30,7 @@ public sealed class CloudFolderWriterTests : ScratchPerTest
     }
 
     [Test]
-    public void DeleteUnfinished_OfAFolderThatWasKept_LeavesNothing()
+    public void DeleteUnfinished_KeptFolder_LeavesNothing()
     {
         var writer = new CloudFolderWriter(m_target);
         writer.Keep();

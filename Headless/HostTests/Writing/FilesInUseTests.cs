@@ -78,10 +78,10 @@ public sealed class FilesInUseTests : ScratchPerTest
     }
 
     [Test]
-    public void Convert_AReaderAtEachOperation_Finishes() => Conversions(4);
+    public void Convert_FileReadDuringEachOperation_Finishes() => Conversions(4);
 
     [Test, Category("Long")]
-    public void Convert_TwoHundredTimesWithAReaderAtEachOperation_AllFinish() => Conversions(200);
+    public void Convert_TwoHundredTimesWithFileReadDuringEachOperation_Finishes() => Conversions(200);
 
     void Conversions(int count)
     {
@@ -106,7 +106,7 @@ public sealed class FilesInUseTests : ScratchPerTest
     /// <summary>Ten seconds are over: the error says what to do, and nothing is read again.</summary>
     [TestCase(1L << 20)]
     [TestCase(1L << 30)]
-    public void Convert_FolderIsReadToTheEnd_ReportsItAndTheNextBuildGoesOn(long memory)
+    public void Convert_FolderInUseUntilTheEnd_ReportsItAndTheNextBuildResumes(long memory)
     {
         string source = Scratch.Demo("a.las", 6000), target = Scratch["a.fastpoints"];
         string part = target + StoreFormat.PartSuffix;
@@ -125,7 +125,7 @@ public sealed class FilesInUseTests : ScratchPerTest
     }
 
     [Test]
-    public void Convert_TheCloudItReplacesIsReadToTheEnd_LeavesThat()
+    public void Convert_ReplacedCloudInUseUntilTheEnd_KeepsIt()
     {
         string source = Scratch.Demo("a.las", 6000), target = Scratch.Converted("a.fastpoints", 3000);
         using (WindowsFiles.Hold(Path.Combine(target, StoreFormat.ManifestName)))
@@ -136,7 +136,7 @@ public sealed class FilesInUseTests : ScratchPerTest
     }
 
     [Test]
-    public void BeginDelete_ProcessEndedBeforeItWasThrough_TheNextDeletesThatToo()
+    public void BeginDelete_ProcessEndedEarly_NextProcessFinishesIt()
     {
         string folder = Scratch["a.fastpoints"];
         foreach (string name in new[] { folder, folder + ".deleted", folder + ".deleted2" })
@@ -166,7 +166,7 @@ public sealed class FilesInUseTests : ScratchPerTest
 
     /// <summary>What the rules themselves are: a test in Windows' mode would show nothing without them.</summary>
     [Test]
-    public void Rules_OfFilesThatAreOpen_AreWindows()
+    public void Rules_OfOpenFiles_AreThoseOfWindows()
     {
         string a = Scratch["a"], b = Scratch["b"], folder = Scratch["folder"];
         File.WriteAllText(a, "a");

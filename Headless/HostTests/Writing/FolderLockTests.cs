@@ -33,7 +33,7 @@ public sealed class FolderLockTests : ScratchPerTest
     }
 
     [Test]
-    public void TryTake_OwnerThatCrashed_IsTakenOver()
+    public void TryTake_CrashedOwner_IsReplaced()
     {
         FolderLock.TryTake(m_path, Environment.MachineName, Dead(), out var crashed);
         Assert.That(FolderLock.TryTake(m_path, out var next), Is.Null);
@@ -47,7 +47,7 @@ public sealed class FolderLockTests : ScratchPerTest
     }
 
     [Test]
-    public void TryTake_NumberOfAProcessThatIsAnotherNow_IsTakenOver()
+    public void TryTake_ProcessIdReused_IsReplaced()
     {
         var (id, began) = FolderLock.Self();
         FolderLock.TryTake(m_path, Environment.MachineName, (id, began - TimeSpan.TicksPerHour), out _);
@@ -56,7 +56,7 @@ public sealed class FolderLockTests : ScratchPerTest
     }
 
     [Test]
-    public void TryTake_LeftByScriptsOfThisProcessThatWereLoadedBefore_IsTakenOver()
+    public void TryTake_LockOfAnEarlierDomainOfThisProcess_IsReplaced()
     {
         FolderLock.TryTake(m_path, out _);
         string[] lines = File.ReadAllText(m_path).Split('\n');
@@ -82,7 +82,7 @@ public sealed class FolderLockTests : ScratchPerTest
     }
 
     [Test]
-    public void Renew_FileThatCannotBeRead_IsKeptAndOneThatIsGoneIsNot()
+    public void Renew_UnreadableFile_IsKeptAndMissingOneIsNot()
     {
         FolderLock.TryTake(m_path, out var held);
         File.Delete(m_path);
@@ -95,7 +95,7 @@ public sealed class FolderLockTests : ScratchPerTest
     }
 
     [Test]
-    public void TryTake_OwnerOnAnotherMachine_IsTakenOverWhenItIsSilent()
+    public void TryTake_SilentOwnerOnAnotherMachine_IsReplaced()
     {
         FolderLock.TryTake(m_path, "far", (7, 1), out var far);
         Assert.That(FolderLock.TryTake(m_path, out _), Is.EqualTo("process 7 on far"));

@@ -5,7 +5,7 @@ namespace FastPoints.HostTests.Writing;
 public sealed class NumberTextTests
 {
     [Test, Category("Long")]
-    public void Of_MillionSeededDoubles_IsDotNets()
+    public void Of_MillionSeededDoubles_MatchesDotNet()
     {
         var random = new Random(7);
         for (int i = 0; i < 1_000_000; i++)
@@ -16,7 +16,7 @@ public sealed class NumberTextTests
     }
 
     [Test, Category("Long")]
-    public void Of_MillionSeededFloats_IsDotNets()
+    public void Of_MillionSeededFloats_MatchesDotNet()
     {
         var random = new Random(8);
         for (int i = 0; i < 1_000_000; i++)
@@ -27,7 +27,7 @@ public sealed class NumberTextTests
     }
 
     [Test]
-    public void Of_NumbersOfClouds_IsDotNets()
+    public void Of_NumbersOfClouds_MatchesDotNet()
     {
         var random = new Random(9);
         for (int i = 0; i < 50_000; i++)
@@ -40,7 +40,7 @@ public sealed class NumberTextTests
 
     /// <summary>Where .NET's shortest text does not read back, clouds had 17 digits.</summary>
     [Test]
-    public void Of_PowersOfTwoAndTen_IsWhatCloudsHad()
+    public void Of_PowersOfTwoAndTen_IsStable()
     {
         for (int power = -1074; power < 1024; power++)
             CheckFormer(Math.ScaleB(1, power));

@@ -10,7 +10,7 @@ public sealed class RunTimeNumbersTests
         { "FastPoints.Tests", "FastPoints.UnityTests", "FastPoints.UnityTests.Performance" };
 
     [Test]
-    public void Package_WritesAndReadsNoFractionByTheRunTime()
+    public void Package_FractionsAsText_NeverUseTheRuntimesParser()
     {
         using GenerationBuilds builds = Checkout.Builds(RepoTools.Repository.Generations[0]);
 
@@ -23,7 +23,7 @@ public sealed class RunTimeNumbersTests
     [TestCase(nameof(Planted.Built), 1)]
     [TestCase(nameof(Planted.Read), 2)]
     [TestCase(nameof(Planted.ForPeople), 0)]
-    public void Planted_Method_IsFound(string method, int statistics)
+    public void FindMethod_Planted_IsFound(string method, int statistics)
     {
         using ModuleDefinition module = ModuleDefinition.ReadModule(typeof(RunTimeNumbersTests).Assembly.Location);
         TypeDefinition planted = module.GetType(typeof(RunTimeNumbersTests).FullName)

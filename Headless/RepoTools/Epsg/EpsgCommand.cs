@@ -35,7 +35,7 @@ public static class EpsgCommand
         foreach (object[] row in Rows(connection, Systems))
         {
             string kind = $"{KindOf((string)row[1])} {axes[(long)row[4]]}";
-            // Of geocentric systems no axis is up.
+            // In geocentric systems no axis points up.
             kind = kind[0] == 'C' ? kind[..kind.LastIndexOf(' ')] : kind;
             if (!kinds.Contains(kind))
                 kinds.Add(kind);

@@ -48,5 +48,5 @@ public sealed class FlowReport
             m_problems.Add($"{row.Key}: {figure}, the limit is {row.Limit}");
     }
 
-    private static string[] Functions(HouseRow flow) => flow.Why.Split(", ");
+    private static string[] Functions(HouseRow flow) => flow.Reason.Split(", ");
 }

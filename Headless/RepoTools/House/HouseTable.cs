@@ -41,7 +41,7 @@ public sealed class HouseTable
     {
         foreach (HouseRow row in m_rows.Where(r => !measures.Contains(r.Measure) && !r.IsOfFlow && r.Measure != PartName))
             yield return $"house.tsv: there is no measure {row.Measure}";
-        foreach (HouseRow row in Exceptions.Where(r => r.Each == null || r.Why.Length == 0))
+        foreach (HouseRow row in Exceptions.Where(r => r.Each == null || r.Reason.Length == 0))
             yield return $"house.tsv: {row.Measure} of {row.Where} has no number of its own, or no reason";
         foreach (HouseRow row in Limits.Where(r => r.Limit == null || r.Goal == null || r.Limit < r.Goal))
             yield return $"house.tsv: {row.Measure} has no limit, no goal, or a limit below its goal";
@@ -74,7 +74,7 @@ public sealed class HouseTable
 }
 
 /// <summary>One row; numbers that it does not have are null.</summary>
-public sealed record HouseRow(string Measure, string Where, long? Each, long? Limit, long? Goal, string Why)
+public sealed record HouseRow(string Measure, string Where, long? Each, long? Limit, long? Goal, string Reason)
 {
     public const string Anywhere = "*";
 
@@ -86,5 +86,5 @@ public sealed record HouseRow(string Measure, string Where, long? Each, long? Li
         ? path.StartsWith(Where, StringComparison.Ordinal) || path + "/" == Where
         : path == Where || path.EndsWith("/" + Where, StringComparison.Ordinal);
 
-    public string Text() => string.Create(CultureInfo.InvariantCulture, $"{Measure}\t{Where}\t{Each}\t{Limit}\t{Goal}\t{Why}");
+    public string Text() => string.Create(CultureInfo.InvariantCulture, $"{Measure}\t{Where}\t{Each}\t{Limit}\t{Goal}\t{Reason}");
 }

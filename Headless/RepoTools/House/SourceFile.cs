@@ -16,7 +16,7 @@ public sealed record SourceFile(string Path, string Text)
     public bool IsProduct => IsCSharp && (Path.StartsWith(Package + "Runtime/", StringComparison.Ordinal) ||
         Path.StartsWith(Package + "Editor/", StringComparison.Ordinal));
 
-    /// <summary>Of the second product, which stands in for Unity outside it.</summary>
+    /// <summary>Part of the stand-ins for Unity.</summary>
     public bool IsOutside => Path.StartsWith("UnityOutside/", StringComparison.Ordinal);
 
     /// <summary>The first folder below an assembly's, or the assembly, of a file of the product; empty for an assembly's

@@ -9,7 +9,7 @@ namespace FastPoints.RepoTools.Layers;
 /// found.</summary>
 public static class FileCycles
 {
-    private static readonly (string Files, string Why)[] s_kept =
+    private static readonly (string Files, string Reason)[] s_kept =
     {
         ("Authoring/PointCloud.cs, Authoring/PointCloudOrigin.cs", "origins place clouds that set them; Unity wants a file each"),
         ("Reading/Tiles/TiledRead.cs, Reading/Tiles/TiledReader.cs", "a slot enters and leaves the tiles that its reader counts"),
@@ -21,7 +21,7 @@ public static class FileCycles
             "a reader, its slots and its lists are one thing in files of a readable length"),
         ("Reading/Blocks/BlockRead.cs, Reading/PointReader.cs, Reading/SourceTree.cs",
             "a reader, its slots and its lists are one thing in files of a readable length"),
-        ("Reading/Blocks/RecordReader.cs, Reading/Blocks/RunRead.cs, Reading/SourceScan.cs",
+        ("Reading/Blocks/RecordReader.cs, Reading/Blocks/StridedRead.cs, Reading/SourceScan.cs",
             "a reader, its slots and its lists are one thing in files of a readable length"),
         ("Sources/Copc/CopcHierarchy.cs, Sources/Copc/CopcReader.cs",
             "a reader, its slots and its lists are one thing in files of a readable length"),

@@ -14,7 +14,7 @@ public static class RoomOrder
 
     public static IEnumerable<string> Assemblies => s_order.Select(o => o.Assembly);
 
-    /// <summary>The place of a room in the order; -1 where there is no such room.</summary>
+    /// <summary>The index of a room in the order; -1 if there is no such room.</summary>
     public static int IndexOf(string assembly, string room)
     {
         int before = 0;
@@ -64,7 +64,7 @@ public static class RoomOrder
         }
     }
 
-    // What all rooms use needs no using: the core has the namespace around them.
+    // The core needs no using: its namespace contains all rooms.
     private static string NamespaceOf(string room) => room == "Core" ? "FastPoints" : "FastPoints." + room;
 
     public static IEnumerable<string> CheckIl(ModuleDefinition module)

@@ -6,20 +6,20 @@ public static class FileRules
 {
     private const int LongestPath = 140;
 
-    /// <summary>Of packages that have something of others in them.</summary>
+    /// <summary>Required if a package contains the work of others.</summary>
     private const string Notices = "Third Party Notices.md";
 
     private static readonly string[] s_required =
         { "package.json", "README.md", "LICENSE.md", "CHANGELOG.md", "Documentation~/index.md" };
 
-    /// <summary>Unity does not import folders that end in '~': there are these two, and Unity knows what they are for.</summary>
+    /// <summary>Folders that end in '~' are not imported; Unity knows the purpose of these two.</summary>
     private static readonly string[] s_hidden = { "Documentation~", "Samples~" };
 
     private static readonly string[] s_folders = { "Runtime", "Editor", "Shaders", "Tests", "Benchmarks" };
     private static readonly string[] s_imported = { ".cs", ".asmdef", ".shader", ".compute", ".hlsl", ".asset", ".png",
         ".meta" };
 
-    /// <summary>Of the two folders that Unity does not import; vector graphics are of no use to it.</summary>
+    /// <summary>Extensions in the two folders that Unity does not import; it cannot use vector graphics.</summary>
     private static readonly string[] s_notImported =
         { ".md", ".png", ".webp", ".svg", ".json", ".cs", ".asmdef", ".meta", ".hlsl", ".shader", ".bytes" };
 

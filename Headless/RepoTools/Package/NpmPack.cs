@@ -58,7 +58,7 @@ public sealed class NpmPack
             package.GetProperty("size").GetInt64(), package.GetProperty("unpackedSize").GetInt64());
     }
 
-    /// <summary>It packs all that is there and nothing else: Unity wants every .meta, the manual and the samples.</summary>
+    /// <summary>It packs exactly the existing files: Unity wants every .meta, the manual and the samples.</summary>
     public IEnumerable<string> Check(IReadOnlyCollection<string> files)
     {
         foreach (string missing in files.Where(f => !m_files.Contains(f)))

@@ -4,7 +4,7 @@ namespace FastPoints.RepoTools.Package;
 /// and what a user gets who installs it.</summary>
 public static class PackageCommand
 {
-    /// <param name="pack">Lists what npm would pack; null where it does not.</param>
+    /// <param name="pack">Lists what npm would pack; null if it does not.</param>
     public static ToolResult Run(Repository repository, string? tag, NpmPack? pack)
     {
         var files = new PackageFiles(repository.PackageRoot);

@@ -1,6 +1,6 @@
 namespace FastPoints.RepoTools.Package;
 
-/// <summary>package.json, held to US-0005, 0006 and 0007 of the validation suite but for the names that are Unity's
+/// <summary>package.json, checked by US-0005, 0006 and 0007 of the validation suite, except the names that are Unity's
 /// own.</summary>
 public sealed class PackageManifest
 {

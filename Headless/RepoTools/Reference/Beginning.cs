@@ -11,7 +11,7 @@ public static class Beginning
     {
         if (type.IsEnum)
             return Values(type);
-        // Of overloads, the plainest.
+        // The simplest overload.
         List<(string Name, int Rank, string Text)> members = Members(type).GroupBy(m => m.Name)
             .Select(overloads => overloads.MinBy(m => m.Text.Length)).ToList();
         int max = members.All(m => m.Rank >= FieldRank) ? MaxFields : MaxMembers;

@@ -13,7 +13,7 @@
 #define FASTPOINTS_COLOR_CHANNELS 0u
 #define FASTPOINTS_COLOR_ATTRIBUTE 1u
 #define FASTPOINTS_COLOR_WRAPPED 2u
-#define FASTPOINTS_COLOR_PLACE 3u
+#define FASTPOINTS_COLOR_POSITION 3u
 
 // The first of the draw's blocks.
 uint _FastPointsFirstInstance;
@@ -101,7 +101,7 @@ float3 FastPointsColor(GpuNode node, GpuCloud cloud, uint blockIndex, uint index
 {
     uint palette = cloud.ColumnTypes >> 24;
     float3 color;
-    if (cloud.ColorSource == FASTPOINTS_COLOR_PLACE)
+    if (cloud.ColorSource == FASTPOINTS_COLOR_POSITION)
         color = FastPointsLookUp(palette, FastPointsEntry(node.AnchorValue + dot(cloud.ValuePerStep, steps)));
     else
     {

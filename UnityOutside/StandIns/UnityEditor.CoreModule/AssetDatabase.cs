@@ -39,7 +39,7 @@ public sealed class AssetDatabase
     internal static Action<string> Importing;
 
     /// <summary>An asset's path is what is hashed: it keeps its number as long as it is not moved.</summary>
-    /// <returns>Empty where there is none.</returns>
+    /// <returns>Empty if there is none.</returns>
     public static string AssetPathToGUID(string path) => Assets.ContainsKey(path) || path == s_importing ? GuidOf(path) : "";
 
     public static string GUIDToAssetPath(string guid) => Assets.Keys.FirstOrDefault(p => GuidOf(p) == guid) ?? "";

@@ -8,7 +8,7 @@ public sealed class EditorToolAttribute : ToolAttribute
     public EditorToolAttribute(string displayName, Type componentToolTarget = null) { }
 }
 
-/// <summary>One is active: before scripts are loaded anew it is told that it will not be, and afterwards that it is.</summary>
+/// <summary>One is active: before scripts are reloaded it is told that it will not be, and afterwards that it is.</summary>
 public abstract class EditorTool : ScriptableObject
 {
     internal bool IsActive { get; private set; }

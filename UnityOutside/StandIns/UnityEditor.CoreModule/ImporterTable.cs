@@ -18,7 +18,7 @@ static class ImporterTable
 
     public static void Clear() => s_importers.Clear();
 
-    /// <summary>Null where nobody claims the extension, or more than one does.</summary>
+    /// <summary>Null if nobody claims the extension, or more than one does.</summary>
     public static Type Default(string path)
     {
         var claiming = Claiming(ExtensionOf(path));

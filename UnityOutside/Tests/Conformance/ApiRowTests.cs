@@ -3,7 +3,7 @@ namespace UnityOutside.Tests.Conformance;
 public sealed class ApiRowTests
 {
     [Test]
-    public void As_OlderGeneration_HasItsColumns()
+    public void Row_AsOlderGeneration_HasItsColumns()
     {
         ApiRow row = ApiRow.Parse("M:A.B\tA\tmethod\tSystem.Void\tstatic\tin x\tT:unmanaged\t\t*\t" +
             "detail{6000.0:ref x | 6000.3:ref x} constraints{6000.0:T:struct&I{``0}; U}");
@@ -37,7 +37,7 @@ public sealed class ApiRowTests
     }
 
     [Test]
-    public void Compose_ParsedLine_IsTheLine()
+    public void Compose_ParsedLine_RoundTrips()
     {
         const string line = "T:A.B\tA|UnityEngine:C\tstruct\t\tunmanaged\t\t\t\t6000.0,6000.3";
 

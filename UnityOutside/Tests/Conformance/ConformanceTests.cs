@@ -20,7 +20,7 @@ public sealed class ConformanceTests
     public void Close() => m_package.Dispose();
 
     [Test]
-    public void Check_AllAsUnityHasIt_NoProblem()
+    public void Check_MatchesUnity_NoProblem()
     {
         GenericInstanceType box = m_package.Box(m_int);
         GenericParameter element = box.ElementType.GenericParameters[0];
@@ -62,7 +62,7 @@ public sealed class ConformanceTests
     [TestCase("NUnit.Framework.Internal.Commands", "TestCommand", "Execute", "Commands.TestCommand is not in Unity's NUnit")]
     [TestCase("NUnit.Framework.Internal", "TestParameters", "get_Arguments", null)]
     [TestCase("NUnit.Framework", "Assert", "That", null)]
-    public void Check_WhatUnitysNUnitLacks_IsReported(string space, string type, string method, string reported)
+    public void Check_MemberMissingInUnitysNUnit_IsReported(string space, string type, string method, string reported)
     {
         var nunit = new AssemblyNameReference("nunit.framework", new System.Version(3, 6));
         m_package.Module.AssemblyReferences.Add(nunit);
@@ -111,7 +111,7 @@ public sealed class ConformanceTests
 
     [TestCase("6000.3", false)]
     [TestCase("6000.5", true)]
-    public void Check_ObsoleteAsError_IsReportedWhereItIs(string generation, bool isReported)
+    public void Check_ObsoleteAsError_IsReportedInItsGenerations(string generation, bool isReported)
     {
         Call("Old", m_void, false);
 
@@ -120,7 +120,7 @@ public sealed class ConformanceTests
     }
 
     [Test]
-    public void Check_ArgumentThatIsNotUnmanaged_IsReported()
+    public void Check_ManagedArgument_IsReported()
     {
         TypeDefinition holder = m_package.Add("Holder", true);
         holder.Fields.Add(new FieldDefinition("Name", FieldAttributes.Public, m_package.Module.TypeSystem.String));
@@ -138,7 +138,7 @@ public sealed class ConformanceTests
     }
 
     [Test]
-    public void Check_SetterThatUnityLacks_IsReported()
+    public void Check_SetterMissingInUnity_IsReported()
     {
         Call("set_Length", m_void, false, m_int);
 
@@ -208,7 +208,7 @@ public sealed class ConformanceTests
     }
 
     [Test]
-    public void Check_AttributePropertyThatUnityLacks_IsReported()
+    public void Check_AttributePropertyMissingInUnity_IsReported()
     {
         Mark("Depth");
 
@@ -216,7 +216,7 @@ public sealed class ConformanceTests
     }
 
     [Test]
-    public void Check_AssemblyThatTheAsmdefLacks_IsReported()
+    public void Check_AssemblyMissingInTheAsmdef_IsReported()
     {
         Call("Get", m_int, false, m_int);
 
@@ -245,7 +245,7 @@ public sealed class ConformanceTests
     }
 
     [Test]
-    public void Check_LibraryThatUnityLacks_IsReported()
+    public void Check_LibraryMissingInUnity_IsReported()
     {
         m_package.Module.AssemblyReferences.Add(
             new AssemblyNameReference("System.Runtime.CompilerServices.Unsafe", new System.Version(6, 0)));

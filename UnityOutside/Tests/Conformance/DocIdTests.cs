@@ -50,7 +50,7 @@ public sealed class DocIdTests
         Assert.That(DocId.OfType(m_sample.NestedTypes.Single(t => t.Name == "Nested`1")), Is.EqualTo($"T:{Prefix}.Nested`1"));
 
     [Test]
-    public void OfMethod_RefsPointersArraysAndNestedGenerics_AsTheListWritesThem() => Assert.That(
+    public void OfMethod_RefsPointersArraysAndNestedGenerics_MatchTheList() => Assert.That(
         DocId.OfMethod(Method("Take")),
         Is.EqualTo($"M:{Prefix}.Take``1(`0[]@,``0*@," +
             $"System.Collections.Generic.Dictionary{{`0,System.Collections.Generic.List{{``0}}}}.Enumerator@)"));
@@ -98,7 +98,7 @@ public sealed class DocIdTests
     [TestCase("P:A.B.Item(System.Int32)", "A.B")]
     [TestCase("M:A.B.op_Implicit(A.C)~A.D", "A.B")]
     [TestCase("F:A.B.C", "A.B")]
-    public void DeclaringTypeOf_MemberId_IsWhatStandsBeforeTheName(string id, string type) =>
+    public void DeclaringTypeOf_MemberId_IsThePartBeforeTheName(string id, string type) =>
         Assert.That(DocId.DeclaringTypeOf(id), Is.EqualTo(type));
 
     [Test]

@@ -5,7 +5,7 @@ namespace UnityOutside.Tests.Mathematics;
 public sealed class MathTests
 {
     [Test]
-    public void MinMax_WithNaN_TakeTheNumber()
+    public void MinMax_WithNaN_ReturnTheNumber()
     {
         Assert.That(math.min(float.NaN, 1.0f), Is.EqualTo(1.0f));
         Assert.That(math.min(1.0f, float.NaN), Is.EqualTo(1.0f));
@@ -54,7 +54,7 @@ public sealed class MathTests
     [TestCase(-5, 0)]
     [TestCase(1 << 30, 1 << 30)]
     [TestCase((1 << 30) + 1, int.MinValue)]
-    public void CeilPow2_AtTheEnds_Wraps(int x, int ceiling) => Assert.That(math.ceilpow2(x), Is.EqualTo(ceiling));
+    public void CeilPow2_AtTheLimits_Wraps(int x, int ceiling) => Assert.That(math.ceilpow2(x), Is.EqualTo(ceiling));
 
     [Test]
     public void Transcendentals_OfFloats_AreRoundedDoubles()
@@ -78,7 +78,7 @@ public sealed class MathTests
     }
 
     [Test]
-    public void Bits_OfRandomNumbers_AreAsCounted()
+    public void Bits_OfRandomNumbers_MatchTheCount()
     {
         var random = new System.Random(7);
         for (int i = 0; i < 1000; i++)
@@ -98,7 +98,7 @@ public sealed class MathTests
     }
 
     [Test]
-    public void Reinterpretation_ThereAndBack_KeepsTheBits()
+    public void Reinterpretation_RoundTrip_KeepsTheBits()
     {
         Assert.That(math.asuint(1.0f), Is.EqualTo(0x3F800000u));
         Assert.That(math.asuint(math.asfloat(0xFFC12345u)), Is.EqualTo(0xFFC12345u));
@@ -114,7 +114,7 @@ public sealed class MathTests
     }
 
     [Test]
-    public void Selection_ByMask_TakesTheSecondWhereTrue()
+    public void Select_ByMask_TakesTheSecondIfTrue()
     {
         Assert.That(math.select(1u, 2u, true), Is.EqualTo(2u));
         Assert.That(math.select(new float3(1, 1, 1), new float3(2, 2, 2), new bool3(true, false, true)),
@@ -127,7 +127,7 @@ public sealed class MathTests
     }
 
     [Test]
-    public void Geometry_OfSmallVectors_IsAsOnPaper()
+    public void Geometry_OfSmallVectors_MatchesByHand()
     {
         var a = new double3(1, 2, 3);
         var b = new double3(-4, 5, 6);
@@ -142,7 +142,7 @@ public sealed class MathTests
     }
 
     [Test]
-    public void Transcendentals_OfDoubles_AreThoseOfDotNet()
+    public void Transcendentals_OfDoubles_MatchDotNet()
     {
         Assert.That(math.sin(0.7), Is.EqualTo(Math.Sin(0.7)));
         Assert.That(math.pow(2.5, 1.5), Is.EqualTo(Math.Pow(2.5, 1.5)));

@@ -20,7 +20,7 @@ public sealed class MatrixTests
     }
 
     [Test]
-    public void DeterminantAndInverse_OfTenths_RoundAsUnitys()
+    public void DeterminantAndInverse_OfTenths_RoundLikeUnity()
     {
         var m = new double3x3(5.1, -0.5, -5.7, 1.6, -0.1, -8.4, 9.7, -0.9, 0.2);
 

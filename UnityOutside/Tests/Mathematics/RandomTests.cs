@@ -5,7 +5,7 @@ namespace UnityOutside.Tests.Mathematics;
 public sealed class RandomTests
 {
     [Test]
-    public void State_AfterSeedOne_IsXorshifts() => Assert.That(new Random(1).state, Is.EqualTo(270369u));
+    public void State_AfterSeedOne_MatchesXorshift() => Assert.That(new Random(1).state, Is.EqualTo(270369u));
 
     [Test]
     public void Numbers_OfAnyKind_StayInRange()
@@ -32,7 +32,7 @@ public sealed class RandomTests
     }
 
     [Test]
-    public void Numbers_OfExtremeStates_AreTheEndsOfTheRange()
+    public void Numbers_OfExtremeStates_AreTheRangeLimits()
     {
         var random = new Random(1) { state = uint.MaxValue };
 

@@ -23,7 +23,7 @@ public sealed class VectorTests
     }
 
     [Test]
-    public void HashCode_OfEachType_IsUnitys()
+    public void HashCode_OfEachType_MatchesUnity()
     {
         var codes = new (object Of, uint Code)[]
         {
@@ -82,7 +82,7 @@ public sealed class VectorTests
 #endif
 
     [Test]
-    public void ToString_OfVectors_IsUnitys()
+    public void ToString_OfVectors_MatchesUnity()
     {
         Assert.That(new float2(1.5f, 2).ToString("R", CultureInfo.InvariantCulture), Is.EqualTo("float2(1.5f, 2f)"));
         Assert.That(new int3(1, 2, 3).ToString(), Is.EqualTo("int3(1, 2, 3)"));

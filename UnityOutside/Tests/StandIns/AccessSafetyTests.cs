@@ -140,7 +140,7 @@ public sealed unsafe class AccessSafetyTests
         Throws.TypeOf<InvalidOperationException>().With.Message.Contains(text);
 
     [Test]
-    public void ArrayInFlight_WrittenByAJob_CannotBeTouched()
+    public void ArrayInFlight_WrittenByAJob_ThrowsOnAccess()
     {
         JobHandle handle = new WriteJob { Values = m_values }.Schedule();
         const string must = "You must call JobHandle.Complete() on the job WriteJob";
@@ -167,7 +167,7 @@ public sealed unsafe class AccessSafetyTests
     }
 
     [Test]
-    public void ArrayInFlight_ItsJobBeforeACompletedOne_IsFree()
+    public void ArrayInFlight_JobBeforeACompletedOne_IsAccessible()
     {
         JobHandle first = new WriteJob { Values = m_values }.Schedule();
         JobHandle last = new ReadJob { Values = m_values }.Schedule(new WriteJob { Values = m_values }.Schedule(first));
@@ -197,7 +197,7 @@ public sealed unsafe class AccessSafetyTests
     }
 
     [Test]
-    public void ParallelJob_OffItsIndex_Throws()
+    public void ParallelJob_OutsideItsIndex_Throws()
     {
         Assert.That(() => new NeighbourForJob { Values = m_values }.ScheduleParallel(16, 4, default).CompleteAndThrow(),
             Throws.TypeOf<IndexOutOfRangeException>().With.Message.Contains("is out of restricted IJobParallelFor range"));
@@ -211,7 +211,7 @@ public sealed unsafe class AccessSafetyTests
 
     [TestCase(-1)]
     [TestCase(1)]
-    public void ParallelJob_OneBeforeOrBehindItsBatch_Throws(int by)
+    public void ParallelJob_OutsideItsBatch_Throws(int by)
     {
         Assert.That(() => new ShiftJob { Values = m_values, By = by }.ScheduleParallel(16, 4, default).CompleteAndThrow(),
             Throws.TypeOf<IndexOutOfRangeException>());
@@ -308,7 +308,7 @@ public sealed unsafe class AccessSafetyTests
     }
 
     [Test]
-    public void TempMemory_AfterItsFrame_IsGone()
+    public void TempMemory_AfterItsFrame_IsInvalid()
     {
         var temp = new NativeArray<int>(4, Allocator.Temp);
         temp[0] = 1;

@@ -132,7 +132,7 @@ public sealed unsafe class AsyncReadTests
     }
 
     [Test]
-    public void File_AsManyAsWerePreparedFor_MakeNoGarbage()
+    public void File_WithinThePreparedCount_MakesNoGarbage()
     {
         const int Files = 300;
         var files = new FileHandle[Files];
@@ -193,7 +193,7 @@ public sealed unsafe class AsyncReadTests
         Assert.That(() => AsyncReadManager.OpenFileAsync(""), Throws.InvalidOperationException);
 
     [Test]
-    public void Read_StillInProgress_CannotBeDisposedOrAsked()
+    public void Read_InProgress_ThrowsOnUse()
     {
         IoThreads.Pause(true);
         ReadHandle read = Read(m_path, Command(0, 10, 0));
@@ -211,7 +211,7 @@ public sealed unsafe class AsyncReadTests
     }
 
     [Test]
-    public void Handle_ThatNothingGave_HasNoStatus()
+    public void Handle_NeverScheduled_HasNoStatus()
     {
         Assert.That(default(ReadHandle).IsValid(), Is.False);
         Assert.That(() => default(ReadHandle).Status, Throws.InvalidOperationException);
@@ -243,7 +243,7 @@ public sealed unsafe class AsyncReadTests
 
     /// <summary>As on macOS and Linux; on Windows nothing stays open.</summary>
     [Test]
-    public void Read_ByANameThatAnotherFileHasNow_ReadsTheOneBefore()
+    public void Read_FileReplacedUnderItsName_ReadsTheOriginal()
     {
         byte First(string path)
         {
@@ -323,7 +323,7 @@ public sealed unsafe class AsyncReadTests
     }
 
     [Test]
-    public void OpenFile_ManyReadsInFlight_AllReadRightly()
+    public void OpenFile_ManyReadsInFlight_ReadCorrectly()
     {
         FileHandle file = AsyncReadManager.OpenFileAsync(m_path);
         const int reads = 100;
@@ -350,7 +350,7 @@ public sealed unsafe class AsyncReadTests
     }
 
     [Test]
-    public void ReadDeferred_CommandsWrittenByAJob_ReadsWhatTheySay()
+    public void ReadDeferred_CommandsWrittenByAJob_AreRead()
     {
         FileHandle file = AsyncReadManager.OpenFileAsync(m_path);
         var array = new NativeArray<ReadCommandArray>(1, Allocator.Persistent);
@@ -371,7 +371,7 @@ public sealed unsafe class AsyncReadTests
     }
 
     [Test]
-    public void ReadDeferred_BehindAJobThatDoesNotWaitForTheFile_Fails()
+    public void ReadDeferred_AfterAJobThatDoesNotWaitForTheFile_Fails()
     {
         IoThreads.Pause(true);
         FileHandle file = AsyncReadManager.OpenFileAsync(m_path);

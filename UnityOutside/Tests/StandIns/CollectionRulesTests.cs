@@ -45,7 +45,7 @@ public sealed unsafe class CollectionRulesTests
     }
 
     [Test]
-    public void List_ElementOfItself_AddedWhileTheListMoves_IsRefused()
+    public void List_OwnElementAddedDuringResize_IsRefused()
     {
         using NativeList<int> list = FullList();
         Assert.That(() => list.Add(in list.ElementAt(0)), Throws.InvalidOperationException);
@@ -71,7 +71,7 @@ public sealed unsafe class CollectionRulesTests
     }
 
     [Test]
-    public void List_WalkedWhileItGrows_Throws()
+    public void List_ResizedDuringEnumeration_Throws()
     {
         using NativeList<int> list = ListOf(1, 2);
         Assert.That(() =>
@@ -82,7 +82,7 @@ public sealed unsafe class CollectionRulesTests
     }
 
     [Test]
-    public void List_ThroughItsInterface_CannotBeWalked()
+    public void List_ThroughItsInterface_CannotBeEnumerated()
     {
         using NativeList<int> list = ListOf(1);
         Assert.That(() => ((IEnumerable<int>)list).GetEnumerator(), Throws.TypeOf<NotImplementedException>());
@@ -90,7 +90,7 @@ public sealed unsafe class CollectionRulesTests
     }
 
     [Test]
-    public void Container_NeverMade_IsNotCreatedAndThrowsWhenUsed()
+    public void Container_NeverCreated_ThrowsWhenUsed()
     {
         NativeArray<int> array = default;
         NativeList<int> list = default;
@@ -125,7 +125,7 @@ public sealed unsafe class CollectionRulesTests
     }
 
     [Test]
-    public void Array_OfNoElements_IsCreatedAndHasNoneToRead()
+    public void Array_Empty_IsCreatedAndThrowsOnRead()
     {
         using var array = new NativeArray<int>(0, Allocator.Persistent);
         Assert.That((array.IsCreated, array.Length), Is.EqualTo((true, 0)));
@@ -134,7 +134,7 @@ public sealed unsafe class CollectionRulesTests
     }
 
     [Test]
-    public void Array_PartOfNegativeLength_IsRefused()
+    public void Array_SubArrayOfNegativeLength_IsRefused()
     {
         using var array = new NativeArray<int>(4, Allocator.Persistent);
         Assert.That(() => array.GetSubArray(3, -1), OutOfRange);
@@ -172,7 +172,7 @@ public sealed unsafe class CollectionRulesTests
 
     [TestCase(Allocator.Persistent)]
     [TestCase(Allocator.TempJob)]
-    public void Array_MadeInAJob_IsOfTempMemory(Allocator allocator)
+    public void Array_CreatedInAJob_UsesTempMemory(Allocator allocator)
     {
         Assert.That(() => new AllocatingJob { Allocator = allocator }.Schedule().CompleteAndThrow(),
             Throws.InvalidOperationException.With.Message.EqualTo("Jobs can only create Temp memory"));
@@ -182,7 +182,7 @@ public sealed unsafe class CollectionRulesTests
     [TestCase(Allocator.Persistent)]
     [TestCase(Allocator.TempJob)]
     [TestCase(Allocator.Temp)]
-    public void Memory_ThatWasNotCleared_HoldsAnything(Allocator allocator)
+    public void Memory_Uninitialized_HoldsAnything(Allocator allocator)
     {
         using var array = new NativeArray<uint>(100, allocator, NativeArrayOptions.UninitializedMemory);
         Assert.That(array.ToArray(), Is.All.EqualTo(0xCDCDCDCDu));
@@ -221,7 +221,7 @@ public sealed unsafe class CollectionRulesTests
         Assert.That(() => new NativeParallelHashMap<long, long>(HalfOfTwoGiB / 8, Allocator.Persistent).Dispose(), OutOfRange);
 
     [Test]
-    public void Map_AgainstAModel_GivesTheSame()
+    public void Map_RandomOperations_MatchAModel()
     {
         var model = new Dictionary<int, int>();
         using var map = new NativeParallelHashMap<int, int>(1, Allocator.Persistent);

@@ -146,7 +146,7 @@ public sealed class JobDependencyTests
     }
 
     [Test]
-    public void Combined_DeepChainWithoutWork_IsDoneWhenTheLastJobIs()
+    public void Combined_DeepChainWithoutWork_CompletesWithTheLastJob()
     {
         JobHandle all = default;
         for (int i = 0; i < 20000; i++)
@@ -215,7 +215,7 @@ public sealed class JobDependencyTests
 
     /// <summary>What else would tell: the rest of a test that nobody looks at.</summary>
     [Test]
-    public void Exception_ThatNoTestTook_FailsTheTest()
+    public void Exception_NotExpectedByATest_FailsIt()
     {
         new ThrowingJob().Schedule().Complete();
         Assert.That(() => new AsInUnityAttribute().AfterTest(null), Throws.TypeOf<ArithmeticException>());
@@ -245,18 +245,18 @@ public sealed class JobDependencyTests
 
     static volatile bool s_ran;
 
-    struct TellingJob : IJob
+    struct LoggingJob : IJob
     {
         public void Execute() => s_ran = true;
     }
 
     [Test]
-    public void Job_ThatWasScheduled_WaitsUntilSomebodyFlushes()
+    public void Job_Scheduled_WaitsUntilFlushed()
     {
         static void Waits(Action flush)
         {
             s_ran = false;
-            JobHandle handle = new TellingJob().Schedule();
+            JobHandle handle = new LoggingJob().Schedule();
             System.Threading.Thread.Sleep(30);
             Assert.That(s_ran, Is.False, "nobody flushed");
             flush();

@@ -92,7 +92,7 @@ public sealed class JobKindTests
     }
 
     [Test]
-    public void Job_ChangedAfterSchedule_RunsWithTheValuesOfThen()
+    public void Job_ChangedAfterSchedule_RunsWithTheScheduledValues()
     {
         using NativeArray<int> values = Array(1);
         var job = new AddJob { Values = values, Amount = 5 };
@@ -190,7 +190,7 @@ public sealed class JobKindTests
     }
 
     [Test]
-    public void ScheduledJob_NobodyCompletes_RunsOnAWorker()
+    public void ScheduledJob_NeverCompleted_RunsOnAWorker()
     {
         using NativeArray<int> values = Array(1);
         JobHandle handle = new AddJob { Values = values, Amount = 1 }.Schedule();

@@ -29,7 +29,7 @@ public sealed class MainThreadGuardTests
     }
 
     [Test]
-    public void Guard_OfAStandIn_IsWhereTheTableHasIt()
+    public void Guard_OfAStandIn_MatchesTheTable()
     {
         using AssemblyDefinition assembly = AssemblyDefinition.CreateAssembly(
             new AssemblyNameDefinition("Unity.Things", new Version(1, 0)), "Unity.Things", ModuleKind.Dll);
@@ -72,7 +72,7 @@ public sealed class MainThreadGuardTests
     };
 
     [TestCaseSource(nameof(s_calls))]
-    public void Member_OnAThreadOfThePool_IsRefusedByItsName(string name, Action call)
+    public void Member_OnAPoolThread_IsRefusedByName(string name, Action call)
     {
         var failure = Assert.Throws<UnityException>(() => Task.Run(call).GetAwaiter().GetResult());
         Assert.That(failure.Message, Does.StartWith(name + " can only be called from the main thread.\n"
@@ -85,11 +85,11 @@ public sealed class MainThreadGuardTests
     }
 
     [Test]
-    public void Member_InAJob_IsRefusedWhicheverThreadHasIt() =>
+    public void Member_InAJob_IsRefusedOnAnyThread() =>
         Assert.That(() => new AskJob().Schedule().CompleteAndThrow(), Throws.TypeOf<UnityException>());
 
     [Test]
-    public void Object_ComparedOnAThreadOfThePool_IsForItWhileItIsThere()
+    public void Object_ComparedOnAPoolThread_IsAliveUntilDestroyed()
     {
         var texture = new Texture2D(1, 1, TextureFormat.RGBA32, false);
         bool IsThere() => Task.Run(() => texture != null && texture && !texture.Equals(null)).GetAwaiter().GetResult();

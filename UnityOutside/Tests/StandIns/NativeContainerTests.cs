@@ -28,7 +28,7 @@ public sealed unsafe class NativeContainerTests
     }
 
     [Test]
-    public void Array_ViewsOfIt_ShareItsMemory()
+    public void Array_Views_ShareItsMemory()
     {
         using var array = new NativeArray<int>(new[] { 0x01020304, 0x05060708 }, Allocator.Persistent);
         Assert.That(array.Reinterpret<byte>(4).ToArray(), Is.EqualTo(new byte[] { 4, 3, 2, 1, 8, 7, 6, 5 }));
@@ -71,7 +71,7 @@ public sealed unsafe class NativeContainerTests
     }
 
     [Test]
-    public void List_AgainstAModel_GivesTheSame()
+    public void List_RandomOperations_MatchAModel()
     {
         var model = new List<int>();
         using var list = new NativeList<int>(Allocator.Persistent);
@@ -111,7 +111,7 @@ public sealed unsafe class NativeContainerTests
     }
 
     [Test]
-    public void List_ResizeAndCapacity_KeepWhatWasThere()
+    public void List_ResizeAndCapacity_KeepTheElements()
     {
         using var list = new NativeList<int>(2, Allocator.Persistent);
         list.Add(1);
@@ -132,7 +132,7 @@ public sealed unsafe class NativeContainerTests
     }
 
     [Test]
-    public void Dispose_ByAJob_FreesTheArrayWhenItsTurnComes()
+    public void Dispose_ByAJob_FreesTheArrayAfterItsDependencies()
     {
         int before = global::StandIns.Memory.AllocationLedger.Live();
         var array = new NativeArray<int>(1, Allocator.Persistent);
@@ -173,7 +173,7 @@ public sealed unsafe class NativeContainerTests
     }
 
     [Test]
-    public void UnsafeUtility_MemoryOperations_DoWhatTheySay()
+    public void UnsafeUtility_MemoryOperations_Work()
     {
         byte* a = (byte*)UnsafeUtility.Malloc(64, 64, Allocator.Persistent);
         byte* b = (byte*)UnsafeUtility.Malloc(64, 16, Allocator.Persistent);

@@ -142,7 +142,7 @@ public sealed unsafe class ScheduleSafetyTests
     }
 
     [Test]
-    public void Reader_OfWhatIsWritten_IsRefused()
+    public void Job_ReadingWhatAnotherWrites_IsRefused()
     {
         JobHandle first = new WriteJob { Values = m_values }.Schedule();
         Assert.That(() => new ReadJob { Values = m_values }.Schedule(), Refused("which reads from the same"));
@@ -152,7 +152,7 @@ public sealed unsafe class ScheduleSafetyTests
     }
 
     [Test]
-    public void Writer_OfWhatIsRead_IsRefused()
+    public void Job_WritingWhatAnotherReads_IsRefused()
     {
         JobHandle first = new ReadJob { Values = m_values }.Schedule();
         Assert.That(() => new WriteJob { Values = m_values }.Schedule(),
@@ -161,7 +161,7 @@ public sealed unsafe class ScheduleSafetyTests
     }
 
     [Test]
-    public void Writer_ThatWaitsForOneReaderOfTwo_IsRefused()
+    public void Job_WritingAfterOneReaderOfTwo_IsRefused()
     {
         JobHandle one = new ReadJob { Values = m_values }.Schedule();
         JobHandle two = new ReadJob { Values = m_values }.Schedule();
@@ -171,7 +171,7 @@ public sealed unsafe class ScheduleSafetyTests
     }
 
     [Test]
-    public void ReadersAndDependentWriters_AreAllowed()
+    public void Jobs_ReadersAndDependentWriters_AreAllowed()
     {
         JobHandle one = new ReadJob { Values = m_values }.Schedule();
         JobHandle two = new ReadOnlyViewJob { Values = m_values.AsReadOnly() }.Schedule();
@@ -182,7 +182,7 @@ public sealed unsafe class ScheduleSafetyTests
     }
 
     [Test]
-    public void Conflict_WithAJobThatRanButWasNotCompleted_IsRefusedAllTheSame()
+    public void Conflict_JobFinishedButNotCompleted_IsRefused()
     {
         JobHandle first = new WriteJob { Values = m_values }.Schedule();
         SpinWait.SpinUntil(() => first.IsCompleted);
@@ -201,7 +201,7 @@ public sealed unsafe class ScheduleSafetyTests
     }
 
     [Test]
-    public void SubArray_OfWhatIsWritten_IsTheSameContainer()
+    public void SubArray_OfAWrittenArray_IsTheSameContainer()
     {
         JobHandle first = new WriteJob { Values = m_values.GetSubArray(0, 4) }.Schedule();
         Assert.That(() => new WriteJob { Values = m_values.GetSubArray(4, 4) }.Schedule(), Refused("writes to the same"));
@@ -211,7 +211,7 @@ public sealed unsafe class ScheduleSafetyTests
     }
 
     [Test]
-    public void List_AndItsArray_AreTheSameContainer()
+    public void List_AsArray_IsTheSameContainer()
     {
         m_list.Add(1);
         JobHandle first = new WriteJob { Values = m_list.AsArray() }.Schedule();
@@ -332,7 +332,7 @@ public sealed unsafe class ScheduleSafetyTests
     }
 
     [Test]
-    public void DisposeWithDependencies_ThatLeaveAJobOut_IsRefused()
+    public void Dispose_DependenciesWithoutARunningJob_IsRefused()
     {
         var array = new NativeArray<int>(1, Allocator.TempJob);
         JobHandle write = new WriteJob { Values = array }.Schedule();

@@ -22,7 +22,7 @@ public sealed unsafe class ThreadTests
     };
 
     [TestCaseSource(nameof(s_containers))]
-    public void Temp_OnAThreadOfThePool_IsRefused(Action<Allocator> make)
+    public void Temp_OnAPoolThread_IsRefused(Action<Allocator> make)
     {
         var failure = Assert.Throws<ArgumentException>(() => OnThePool(() => make(Allocator.Temp)));
         Assert.That(failure.Message,
@@ -31,14 +31,14 @@ public sealed unsafe class ThreadTests
     }
 
     [TestCaseSource(nameof(s_containers))]
-    public void Memory_ThatIsNotTemp_IsForAnyThread(Action<Allocator> make)
+    public void Memory_NotTemp_IsUsableOnAnyThread(Action<Allocator> make)
     {
         OnThePool(() => make(Allocator.Persistent));
         OnThePool(() => make(Allocator.TempJob));
     }
 
     [TestCaseSource(nameof(s_containers))]
-    public void Temp_OnTheMainThread_IsGiven(Action<Allocator> make) => make(Allocator.Temp);
+    public void Temp_OnTheMainThread_IsAllocated(Action<Allocator> make) => make(Allocator.Temp);
 
     struct TakeTempJob : IJobParallelFor
     {
@@ -48,7 +48,7 @@ public sealed unsafe class ThreadTests
     }
 
     [Test]
-    public void Temp_InAJob_IsGivenOnEachWorker()
+    public void Temp_InAJob_IsAllocatedOnEachWorker()
     {
         using var lengths = new NativeArray<int>(100, Allocator.TempJob);
         new TakeTempJob { Out = lengths }.Schedule(lengths.Length, 1).Complete();
@@ -62,7 +62,7 @@ public sealed unsafe class ThreadTests
     }
 
     [Test]
-    public void Handles_OnAThreadOfThePool_AreOpenedAndNothingElse()
+    public void Handles_OnAPoolThread_AreOnlyOpened()
     {
         string path = Path.GetTempFileName();
         File.WriteAllBytes(path, new byte[16]);

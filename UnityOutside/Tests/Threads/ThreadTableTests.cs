@@ -10,11 +10,11 @@ public sealed class ThreadTableTests
     [TestCase("M:A.B\tmain\textern\tany@6000.3", "", "6000.5", "any")]
     [TestCase("M:A.B\tunknown\tabstract\tfrom 6000.3,any@6000.5", "", "6000.3", "unknown")]
     [TestCase("M:A.B\tunknown\tabstract\tfrom 6000.3,any@6000.5", "", "6000.5", "any")]
-    public void Row_OfAGeneration_IsWhatItsColumnsSay(string line, string accessor, string generation, string expected) =>
+    public void Row_OfAGeneration_MatchesItsColumns(string line, string accessor, string generation, string expected) =>
         Assert.That(ThreadRow.Parse(line).In(generation, accessor), Is.EqualTo(expected));
 
     [Test]
-    public void Table_ThatIsRead_HasItsLinesAndRemembersWhatWasAskedFor()
+    public void Table_Read_HasItsLinesAndRecordsLookups()
     {
         ThreadTable table = ThreadTable.Read(new StringReader(ThreadRow.Header + "\nM:A.B\tany\tpure\nM:A.C\tmain\textern\n"));
 

@@ -15,7 +15,7 @@ public sealed class Conformance(UnityApi api, string generation, AssemblyTable a
     private string m_site = "";
     private TypeDefinition? m_within;
 
-    /// <summary>What is not as Unity has it, a line each; empty where all is.</summary>
+    /// <summary>What is not as Unity has it, a line each; empty if all is.</summary>
     public IReadOnlyCollection<string> Check(ModuleDefinition module)
     {
         m_problems.Clear();

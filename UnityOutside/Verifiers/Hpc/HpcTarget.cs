@@ -36,7 +36,7 @@ internal sealed class HpcTarget
         IsIntrinsic(getter.DeclaringType) && getter.Name.StartsWith("get_Is", StringComparison.Ordinal)
             && getter.Name.EndsWith("Supported", StringComparison.Ordinal) ? getter.Name[6..^9] : null;
 
-    /// <summary>The feature without which Burst refuses a call; null where it takes it for any processor.</summary>
+    /// <summary>The feature without which Burst refuses a call; null if it takes it for any processor.</summary>
     internal static string? Needed(MethodReference called)
     {
         if (!IsIntrinsic(called.DeclaringType) || Asked(called) != null || s_numbers.Contains(called.Name))

@@ -346,7 +346,7 @@ internal sealed class HpcWalk
 
     private void Add(Instruction? at, string reason)
     {
-        string place = at == null ? "" : CodePlace.Of(m_method, at);
+        string place = at == null ? "" : CodeLocation.Of(m_method, at);
         m_verifier.Report(m_visit.Path + (place.Length == 0 ? "" : $" ({place})") + $": {reason}");
     }
 }

@@ -20,11 +20,11 @@ internal sealed class IntrinsicCode
     }
 
     /// <summary>What Burst refuses of a method, for which processors, and where.</summary>
-    internal static IEnumerable<(Instruction At, string Why)> Objections(MethodBody body)
+    internal static IEnumerable<(Instruction At, string Reason)> Objections(MethodBody body)
     {
         if (!body.Instructions.Any(i => i.Operand is MethodReference m && (HpcTarget.Needed(m) ?? HpcTarget.Asked(m)) != null))
             return Enumerable.Empty<(Instruction, string)>();
-        var refused = new Dictionary<(Instruction At, string Why), string>();
+        var refused = new Dictionary<(Instruction At, string Reason), string>();
         foreach (HpcTarget target in HpcTarget.All)
         {
             foreach ((Instruction at, string reason) in new IntrinsicCode(body, target).Run())
@@ -33,10 +33,10 @@ internal sealed class IntrinsicCode
                     ? $"{others}, {target.Name}" : target.Name;
             }
         }
-        return refused.Select(r => (r.Key.At, $"{r.Key.Why} (for {r.Value})"));
+        return refused.Select(r => (r.Key.At, $"{r.Key.Reason} (for {r.Value})"));
     }
 
-    private IEnumerable<(Instruction At, string Why)> Run()
+    private IEnumerable<(Instruction At, string Reason)> Run()
     {
         int locals = m_body.Variables.Count;
         Reach(m_body.Instructions[0], new Flag[locals]);

@@ -57,7 +57,7 @@ public sealed class MainThreadGuards(ThreadTable table)
     private bool IsForMainThread(MethodDefinition method)
     {
         ThreadRow? row = m_table.Find(method);
-        if (row == null || row.Why == SoftReason)
+        if (row == null || row.Reason == SoftReason)
             return false;
         int underscore = method.IsSpecialName ? method.Name.IndexOf('_') : -1;
         string accessor = underscore < 0 ? "" : method.Name[..underscore];

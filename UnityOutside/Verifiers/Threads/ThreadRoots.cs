@@ -25,7 +25,7 @@ internal static class ThreadRoots
         }
     }
 
-    /// <summary>The delegates that a call may be given: where it is not to be seen which, all of that type that are made
+    /// <summary>The delegates that a call may be given: if it is unknown which, all of that type that are created
     /// anywhere.</summary>
     internal static IEnumerable<Value> Delegates(CodeIndex code, ValueOrigins origins, Site call, Value? self, int argument,
         TypeReference wanted)
@@ -51,7 +51,7 @@ internal static class ThreadRoots
     private static IEnumerable<ThreadRoot> AtCall(CodeIndex code, ValueOrigins origins, MethodDefinition method, Instruction at)
     {
         var called = (MethodReference)at.Operand;
-        string place = CodePlace.Of(method, at);
+        string place = CodeLocation.Of(method, at);
         TypeDefinition within = method.DeclaringType;
         if (ThreadStarts.IsConfigureAwaitFalse(at))
             yield return new ThreadRoot($"after ConfigureAwait(false) ({place})", within, method, From: at);

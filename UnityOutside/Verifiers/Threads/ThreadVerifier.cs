@@ -320,7 +320,7 @@ public sealed class ThreadVerifier
             string threads = row.In(m_verifier.m_generation, accessor);
             string users = threads == "main" ? "the main thread" : "nobody knows which threads";
             if (threads != "any")
-                Add($"uses {shown}, which is for {users} ({row.Why})");
+                Add($"uses {shown}, which is for {users} ({row.Reason})");
             else if (row.IsAskedForMain)
                 Add($"uses {shown}, for which the manual asks for the main thread");
         }
@@ -343,7 +343,7 @@ public sealed class ThreadVerifier
             IReadOnlyList<string> path = m_visit?.Path ?? Array.Empty<string>();
             IEnumerable<string> steps = path.Count <= MaxSteps ? path
                 : path.Take(2).Append("...").Concat(path.Skip(path.Count - MaxSteps + 2));
-            string place = m_at == null ? "" : $" ({CodePlace.Of(Method, m_at)})";
+            string place = m_at == null ? "" : $" ({CodeLocation.Of(Method, m_at)})";
             m_verifier.m_problems.Add($"{m_root.Name}: {string.Join(" > ", steps)}{place}: {what}");
         }
 

@@ -3,7 +3,7 @@ namespace UnityOutside.Threads;
 /// <summary>What a variable may hold, as far as the IL shows: an object of a type that is known, a delegate of a method
 /// that is known, or whatever the type of the variable allows.</summary>
 /// <param name="Inner">What a delegate is bound to; the 'this' of the method that an iterator, an async method's state or
-/// a lambda's variables were made in. Null where that is not known.</param>
+/// a lambda's variables were made in. Null if that is not known.</param>
 internal sealed record Value(TypeReference Type, MethodDefinition Place, bool IsExact, MethodReference? Target = null,
     Value? Inner = null)
 {

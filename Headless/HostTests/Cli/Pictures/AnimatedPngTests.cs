@@ -24,7 +24,7 @@ public class AnimatedPngTests
     }
 
     [Test]
-    public void Add_ThreePictures_AreFramesInOrderAndTheFirstIsThePng()
+    public void Add_ThreePictures_WritesFramesInOrderAndTheFirstAsPng()
     {
         using (var animation = new AnimatedPng(m_path, 5, 3, 3, 250))
         {

@@ -16,7 +16,7 @@ public sealed class LineChartTests
         .ToArray();
 
     [Test]
-    public void LogAxes_PowersOfTen_LieAtEvenDistances()
+    public void LogAxes_PowersOfTen_AreEquidistant()
     {
         var chart = new LineChart("a < b & c", "seconds", "error") { LogX = true, LogY = true };
         chart.Add("ours", [(0.01, 1000), (0.1, 100), (1, 10), (10, 1)]);
@@ -31,7 +31,7 @@ public sealed class LineChartTests
     }
 
     [Test]
-    public void LogAxis_ZeroAndNotFinite_StandsOnTheEndOrIsLeftOut()
+    public void LogAxis_ZeroAndNonFinite_IsClampedOrSkipped()
     {
         var chart = new LineChart("t", "x", "y") { LogX = true, LogY = true };
         chart.Add("one", [(1, 1), (2, 0), (3, double.NaN), (double.PositiveInfinity, 1)]);
@@ -57,7 +57,7 @@ public sealed class LineChartTests
     }
 
     [Test]
-    public void LinearAxis_SharesOfOne_StartAtZero()
+    public void LinearAxis_Fractions_StartAtZero()
     {
         var chart = new LineChart("t", "x", "y");
         chart.Add("one", [(1, 0.1), (2, 0.9)]);

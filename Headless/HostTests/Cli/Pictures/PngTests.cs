@@ -83,7 +83,7 @@ public class PngTests
     }
 
     [TestCase(3, 8, 0, "colour type"), TestCase(0, 16, 0, "bits of a channel"), TestCase(0, 8, 1, "interlacing")]
-    public void Decode_AnotherKindOfPng_IsRefusedWithItsReason(int colorType, int bits, int interlace, string reason) =>
+    public void Decode_UnsupportedPng_IsRefusedWithTheReason(int colorType, int bits, int interlace, string reason) =>
         Assert.That(() => Png.Decode(Gray((byte)colorType, (byte)bits, (byte)interlace), "p.png"),
             Throws.TypeOf<PointCloudException>().With.Property("Code").EqualTo(FailureCode.Unsupported)
                 .And.Message.Contains(reason).And.Message.StartsWith("p.png: at byte "));

@@ -28,7 +28,7 @@ public sealed class RowChartTests
     }
 
     [Test]
-    public void LogAxis_Decades_AreAlikeFarApart()
+    public void LogAxis_Decades_HaveEqualWidths()
     {
         var chart = new RowChart("t", "ms", "error") { LogX = true };
         chart.Add("row", "", [0.1, 1, 10]);
@@ -39,7 +39,7 @@ public sealed class RowChartTests
     }
 
     [Test]
-    public void RowsWithoutSamples_AreAnEmptyChart()
+    public void Rows_WithoutSamples_AreAnEmptyChart()
     {
         var chart = new RowChart("t", "x", "head", "now", "earlier") { Reference = 1 };
         chart.Add("none", "", [], []);

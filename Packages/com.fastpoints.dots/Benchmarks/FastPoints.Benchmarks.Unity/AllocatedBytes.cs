@@ -9,7 +9,7 @@ namespace FastPoints.Benchmarks
     {
         readonly ProfilerRecorder m_recorder = ProfilerRecorder.StartNew(ProfilerCategory.Memory, "GC Allocated In Frame");
 
-        /// <summary>False where this Unity does not count them: then no bytes are no news.</summary>
+        /// <summary>False if this Unity does not count them: then no bytes are no news.</summary>
         public bool IsCounted => m_recorder.Valid;
 
         public long Now => m_recorder.CurrentValue;

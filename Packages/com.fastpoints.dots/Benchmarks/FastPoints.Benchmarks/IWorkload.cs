@@ -23,7 +23,7 @@ namespace FastPoints.Benchmarks
     {
         public string ScratchFolder;
 
-        /// <summary>Folder of the real clouds, or null where there is none: a workload then makes its own input.</summary>
+        /// <summary>Folder of the real clouds, or null if there is none: a workload then makes its own input.</summary>
         public string DataFolder;
 
         public int Points = 4_000_000;

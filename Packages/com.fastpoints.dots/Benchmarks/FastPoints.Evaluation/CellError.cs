@@ -17,7 +17,7 @@ namespace FastPoints.Evaluation
         public int Occupied256;
         public int Occupied512;
 
-        /// <summary>Of these, the share that holds no point of the sample; 0 where there are none.</summary>
+        /// <summary>Share of these without a point of the sample; 0 if there are none.</summary>
         public double Uncovered64;
         public double Uncovered128;
         public double Uncovered256;

@@ -82,10 +82,10 @@ namespace FastPoints.Evaluation
             double* z = stackalloc double[ColumnValues.BatchLength];
             for (int done = 0; done < Count; done += ColumnValues.BatchLength)
             {
-                int run = math.min(ColumnValues.BatchLength, Count - done);
-                Positions.Load(bytes, First + done, run, x, y, z);
-                Transform.ToGeo(run, x, y, z);
-                for (int i = 0; i < run; i++)
+                int length = math.min(ColumnValues.BatchLength, Count - done);
+                Positions.Load(bytes, First + done, length, x, y, z);
+                Transform.ToGeo(length, x, y, z);
+                for (int i = 0; i < length; i++)
                 {
                     if (!Grid.TryCell(x[i], y[i], z[i], out uint cell))
                         continue;

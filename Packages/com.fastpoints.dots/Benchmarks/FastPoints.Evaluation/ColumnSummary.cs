@@ -114,11 +114,11 @@ namespace FastPoints.Evaluation
             ulong flip = Type == AttributeType.UInt64 ? 0 : SignBit;
             for (int done = 0; done < count; done += BatchLength)
             {
-                int run = math.min(BatchLength, count - done);
-                ColumnValues.ToBits(column, Type, done, run, bits);
+                int length = math.min(BatchLength, count - done);
+                ColumnValues.ToBits(column, Type, done, length, bits);
                 if (isFloat)
-                    ColumnValues.ToDoubles(column, Type, done, run, values);
-                IncludeRange(bits, values, run, isFloat, flip);
+                    ColumnValues.ToDoubles(column, Type, done, length, values);
+                IncludeRange(bits, values, length, isFloat, flip);
             }
         }
 

@@ -16,7 +16,7 @@ namespace FastPoints.Evaluation
     /// threads.</summary>
     public sealed class CompareSamples : IDisposable
     {
-        /// <summary>Points of the full cloud from which distances are measured: all, or so many of a uniform choice.</summary>
+        /// <summary>Points of the full cloud from which distances are measured: all, or this many of a uniform sample.</summary>
         public const int MaxQueries = 200_000;
 
         public const int LookedUpPerSample = 4096;
@@ -258,7 +258,7 @@ namespace FastPoints.Evaluation
             Color = m_options.Color,
             PointSizePx = m_options.PointSizePx,
             RoundPoints = m_options.RoundPoints,
-            DomedPoints = m_options.DomedPoints,
+            ParaboloidPoints = m_options.ParaboloidPoints,
             FillsHoles = m_options.FillsHoles,
             Background = m_options.Background,
             EdlStrength = m_options.EdlStrength,

@@ -15,7 +15,7 @@ namespace FastPoints.Evaluation
     {
         public const int MaxBatchBytes = 16 << 10;
 
-        [ReadOnly] public NativeArray<NodeBlocks> Runs;
+        [ReadOnly] public NativeArray<NodeBlocks> Nodes;
 
         [ReadOnly] public NativeArray<PlaneView> Planes;
         public int PlaneCount;
@@ -45,17 +45,17 @@ namespace FastPoints.Evaluation
             byte* batch = stackalloc byte[MaxBatchBytes];
             ulong* values = stackalloc ulong[PlaneShape.MaxPointsPerBlock];
             float* gaps = stackalloc float[PlaneShape.MaxPointsPerBlock];
-            var run = Runs[index];
+            var node = Nodes[index];
             var picture = new PictureMemory(Palettes, SizeOfTile, Pixels);
             picture.Gaps = SizeNodes.Length > 0 ? gaps : null;
             picture.Sums = Sums.Length > 0 ? (ulong*)NativeArrayUnsafeUtility.GetUnsafeBufferPointerWithoutChecks(Sums) : null;
             var planes = (PlaneView*)Planes.GetUnsafeReadOnlyPtr() + (long)index * PlaneCount;
-            for (int block = 0; block < run.BlockCount; block++)
+            for (int block = 0; block < node.BlockCount; block++)
             {
                 int count = planes[0].PointsOf(block);
-                UnpackAxis(planes[0], block, 0, run.Corner.X, values, batch + Drawing.Positions.X.OffsetBytes);
-                UnpackAxis(planes[0], block, 1, run.Corner.Y, values, batch + Drawing.Positions.Y.OffsetBytes);
-                UnpackAxis(planes[0], block, 2, run.Corner.Z, values, batch + Drawing.Positions.Z.OffsetBytes);
+                UnpackAxis(planes[0], block, 0, node.Corner.X, values, batch + Drawing.Positions.X.OffsetBytes);
+                UnpackAxis(planes[0], block, 1, node.Corner.Y, values, batch + Drawing.Positions.Y.OffsetBytes);
+                UnpackAxis(planes[0], block, 2, node.Corner.Z, values, batch + Drawing.Positions.Z.OffsetBytes);
                 int column = 0;
                 for (int p = 1; p < PlaneCount; p++)
                     for (int c = 0; c < planes[p].Shape.ColumnCount; c++, column++)
@@ -63,7 +63,7 @@ namespace FastPoints.Evaluation
                 if (Clips.Length > 0 || !HiddenClasses.IsEmpty)
                     Hide(batch, count);
                 if (SizeNodes.Length > 0)
-                    FindGaps(run, batch, count, gaps);
+                    FindGaps(node, batch, count, gaps);
                 Drawing.Draw(batch, 0, count, picture);
             }
         }
@@ -82,7 +82,7 @@ namespace FastPoints.Evaluation
             }
         }
 
-        void FindGaps(in NodeBlocks run, byte* batch, int count, float* gaps)
+        void FindGaps(in NodeBlocks node, byte* batch, int count, float* gaps)
         {
             var x = (double*)(batch + Drawing.Positions.X.OffsetBytes);
             var y = (double*)(batch + Drawing.Positions.Y.OffsetBytes);
@@ -90,8 +90,8 @@ namespace FastPoints.Evaluation
             var nodes = (GpuSizeNode*)SizeNodes.GetUnsafeReadOnlyPtr();
             for (int i = 0; i < count; i++)
             {
-                var place = (new double3(x[i], y[i], z[i]) - run.CubeCorner) * run.CubesPerStep;
-                gaps[i] = SizeTree.GapAt(nodes, run.SizeNode, (float3)place);
+                var position = (new double3(x[i], y[i], z[i]) - node.CubeCorner) * node.CubesPerStep;
+                gaps[i] = SizeTree.GapAt(nodes, node.SizeNode, (float3)position);
             }
         }
 

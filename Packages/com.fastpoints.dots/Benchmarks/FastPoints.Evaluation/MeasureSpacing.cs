@@ -14,7 +14,7 @@ namespace FastPoints.Evaluation
     /// <summary>How near one another the sampled points of a level are. Lengths are in CRS units.</summary>
     internal struct LevelSpacing
     {
-        /// <summary>Smallest distance between two points that were sampled together, in one chunk or in one go of the upper
+        /// <summary>Smallest distance between two points that were sampled together, in one chunk or in one pass of the upper
         /// levels, across nodes; infinity if there are no two.</summary>
         public double MinDistance;
 

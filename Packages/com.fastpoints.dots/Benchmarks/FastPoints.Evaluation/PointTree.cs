@@ -118,7 +118,7 @@ namespace FastPoints.Evaluation
                 m_nodes.Dispose();
         }
 
-        /// <summary>The square of the distance to the nearest point; infinite where there is none.</summary>
+        /// <summary>The square of the distance to the nearest point; infinite if there is none.</summary>
         internal static unsafe double NearestSq(double3* points, PointTreeNode* nodes, int count, int levels, double3 query)
         {
             double nearestSq = double.PositiveInfinity;
@@ -207,7 +207,7 @@ namespace FastPoints.Evaluation
             Select(points, axis, first, end - 1, (int)PointTree.FirstOf(2 * index + 1, Level + 1, Count));
         }
 
-        static unsafe void Select(double3* points, int axis, int first, int last, int place)
+        static unsafe void Select(double3* points, int axis, int first, int last, int index)
         {
             uint hash = (uint)(first * 747796405 + last);
             while (first < last)
@@ -227,15 +227,15 @@ namespace FastPoints.Evaluation
                     points[low++] = points[high];
                     points[high--] = swap;
                 }
-                if (place <= high)
+                if (index <= high)
                     last = high;
-                else if (place >= low)
+                else if (index >= low)
                     first = low;
                 else
                     return;
             }
         }
 
-        static unsafe double At(double3* points, int axis, int place) => ((double*)(points + place))[axis];
+        static unsafe double At(double3* points, int axis, int index) => ((double*)(points + index))[axis];
     }
 }

@@ -30,7 +30,7 @@ namespace FastPoints.Evaluation
         public NativeArray<double3> Slots => m_slots;
         public NativeArray<byte> States => m_states;
 
-        /// <summary>Whether a position that is in the table has come along; no job may be in flight.</summary>
+        /// <summary>Whether a position of the table was seen; no job may be in flight.</summary>
         public unsafe bool WasSeen(double3 position)
         {
             int slot = PositionHash.SlotOf((double3*)m_slots.GetUnsafeReadOnlyPtr(), (byte*)m_states.GetUnsafeReadOnlyPtr(),
@@ -112,10 +112,10 @@ namespace FastPoints.Evaluation
             int count = Result.Value.Points;
             for (int first = 0; first < count; first += ColumnValues.BatchLength)
             {
-                int run = math.min(ColumnValues.BatchLength, count - first);
-                Columns.Load(bytes, first, run, x, y, z);
-                Transform.ToGeo(run, x, y, z);
-                for (int i = 0; i < run; i++)
+                int length = math.min(ColumnValues.BatchLength, count - first);
+                Columns.Load(bytes, first, length, x, y, z);
+                Transform.ToGeo(length, x, y, z);
+                for (int i = 0; i < length; i++)
                 {
                     int slot = PositionHash.SlotOf(slots, states, Slots.Length, new double3(x[i], y[i], z[i]));
                     if (states[slot] == PositionHash.Wanted)
@@ -145,10 +145,10 @@ namespace FastPoints.Evaluation
             int loaded = Loaded.Value;
             for (int done = 0; done < Count; done += ColumnValues.BatchLength)
             {
-                int run = math.min(ColumnValues.BatchLength, Count - done);
-                Positions.Load(bytes, First + done, run, x, y, z);
-                Transform.ToGeo(run, x, y, z);
-                for (int i = 0; i < run; i++)
+                int length = math.min(ColumnValues.BatchLength, Count - done);
+                Positions.Load(bytes, First + done, length, x, y, z);
+                Transform.ToGeo(length, x, y, z);
+                for (int i = 0; i < length; i++)
                     if (PositionBounds.IsFinite(x[i], y[i], z[i]))
                         Points[loaded++] = new double3(x[i], y[i], z[i]);
             }

@@ -57,10 +57,10 @@ namespace FastPoints.Evaluation
         public long BytesRead { get; private set; }
 
         /// <summary>All points of a source, block by block.</summary>
-        public static List<BlockRange> Whole(PointReader reader) => Beginnings(reader, 1);
+        public static List<BlockRange> Whole(PointReader reader) => Prefixes(reader, 1);
 
         /// <summary>A share, 0 to 1, of each block from its beginning; at least one point.</summary>
-        public static List<BlockRange> Beginnings(PointReader reader, double share)
+        public static List<BlockRange> Prefixes(PointReader reader, double share)
         {
             var ranges = new List<BlockRange>(reader.BlockCount);
             for (int block = 0; block < reader.BlockCount; block++)
@@ -185,7 +185,7 @@ namespace FastPoints.Evaluation
         [ReadOnly] public NativeArray<PointColumn> ColumnsOfSample;
         public NativeArray<byte> Sample;
 
-        /// <summary>Places filled so far.</summary>
+        /// <summary>Entries filled so far.</summary>
         public NativeReference<int> Filled;
 
         public unsafe void Execute()
@@ -204,18 +204,18 @@ namespace FastPoints.Evaluation
             long choice = FirstChoiceFrom(FirstPoint);
             while (choice < Wanted)
             {
-                int run = 0;
-                for (; run < BatchLength && choice < Wanted; choice++)
+                int length = 0;
+                for (; length < BatchLength && choice < Wanted; choice++)
                 {
                     long point = choice * Total / Wanted;
                     if (point >= end)
                         break;
-                    from[run] = (int)(point - FirstPoint);
-                    to[run++] = filled++;
+                    from[length] = (int)(point - FirstPoint);
+                    to[length++] = filled++;
                 }
-                if (run == 0)
+                if (length == 0)
                     break;
-                copy.Scatter(from, to, run);
+                copy.Scatter(from, to, length);
             }
             Filled.Value = filled;
         }

@@ -41,13 +41,13 @@ namespace FastPoints.Evaluation
         {
             if (Count == 0)
                 return 0;
-            int place = (int)math.ceil(share * Count);
-            return math.sqrt(sortedSq[math.clamp(place, 1, Count) - 1]);
+            int index = (int)math.ceil(share * Count);
+            return math.sqrt(sortedSq[math.clamp(index, 1, Count) - 1]);
         }
     }
 
     /// <summary>How far a sample is from the full cloud, point to point, both ways, in units of a length that the caller states.
-    /// Of the two directions the larger counts; from the sample to the cloud it is 0, since a sample is a part of the cloud, so
+    /// The larger of the two directions counts; from the sample to the cloud it is 0, since a sample is a part of the cloud, so
     /// that these are the distances from points of the full cloud to the nearest one of the sample.</summary>
     /// <remarks>The larger of both directions: Tian, Ochimizu, Feng, Cohen, Vetro, "Geometric distortion metrics for point cloud
     /// compression", 2017 (D1). Ranked: Huttenlocher, Klanderman, Rucklidge, "Comparing images using the Hausdorff distance",

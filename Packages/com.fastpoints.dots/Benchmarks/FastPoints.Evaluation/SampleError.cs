@@ -7,7 +7,7 @@ namespace FastPoints.Evaluation
     {
         public int Points;
 
-        /// <summary>Of the full cloud's points, 0 to 1.</summary>
+        /// <summary>Sampled share of the full cloud, 0 to 1.</summary>
         public double Share;
 
         /// <summary>In units of the diagonal of the full cloud's robust bounds.</summary>
@@ -16,7 +16,7 @@ namespace FastPoints.Evaluation
         public CellError Cells;
         internal ImageError Picture;
 
-        /// <summary>The same against the views of a uniform sample of as many points; null where there was none.</summary>
+        /// <summary>The same against the views of a uniform sample of as many points; null if there was none.</summary>
         internal ImageError? PictureAtSameCount;
 
         public RgbaImage[] Views;

@@ -21,7 +21,7 @@ namespace FastPoints.Evaluation
         readonly PointBatch m_block;
         readonly PointColumn m_classes;
         NativeList<LocalClip> m_clips;
-        NativeList<NodeBlocks> m_runs;
+        NativeList<NodeBlocks> m_nodes;
         NativeList<PlaneView> m_planes;
         NativeArray<StoredColumn> m_columns;
         NativeArray<PointColumn> m_targets;
@@ -64,7 +64,7 @@ namespace FastPoints.Evaluation
                 m_classes = m_block.Column(m_block.Schema.IndexOf(AttributeNames.Classification));
             }
             m_clips = new NativeList<LocalClip>(Allocator.Persistent);
-            m_runs = new NativeList<NodeBlocks>(Allocator.Persistent);
+            m_nodes = new NativeList<NodeBlocks>(Allocator.Persistent);
             m_planes = new NativeList<PlaneView>(Allocator.Persistent);
         }
 
@@ -98,11 +98,11 @@ namespace FastPoints.Evaluation
             var drawing = DrawingFor(camera, canvas);
             if (sizes.Nodes.Length > 0)
             {
-                drawing.HasOwnSize = true;
+                drawing.IsWorldSize = true;
                 drawing.LargestPx = drawing.Size.MaxPx;
             }
             int planes = cloud.Source.Planes.Length;
-            m_runs.Clear();
+            m_nodes.Clear();
             m_planes.Clear();
             m_clips.Clear();
             foreach (var box in m_stream.ClipBoxes)
@@ -112,17 +112,17 @@ namespace FastPoints.Evaluation
                 var drawn = m_stream.Drawn[i];
                 if (drawn.Cloud != m_cloud)
                     continue;
-                var place = cloud.Pages[drawn.Page].Places[drawn.Node];
+                var address = cloud.Pages[drawn.Page].Addresses[drawn.Node];
                 var inCube = cubes.PointIn(cloud.Pages + drawn.Page, drawn.Node);
                 byte* at = m_pool.AddressOf(drawn.Range);
                 int blocks = cloud.Pages[drawn.Page].Nodes[drawn.Node].BlockCount;
-                m_runs.Add(new NodeBlocks
+                m_nodes.Add(new NodeBlocks
                 {
-                    Corner = place.Corner,
+                    Corner = address.Corner,
                     BlockCount = blocks,
                     SizeNode = sizes.Nodes.Length > 0 ? sizes.NodeOfDrawn[i] : 0,
-                    CubeCorner = cubes.CornerAt(inCube, place.Level) / step,
-                    CubesPerStep = step / cubes.SizeAt(place.Level),
+                    CubeCorner = cubes.CornerAt(inCube, address.Level) / step,
+                    CubesPerStep = step / cubes.SizeAt(address.Level),
                 });
                 for (int p = 0; p < planes; p++)
                 {
@@ -132,7 +132,7 @@ namespace FastPoints.Evaluation
             }
             return new DrawBlocksJob
             {
-                Runs = m_runs.AsArray(),
+                Nodes = m_nodes.AsArray(),
                 Planes = m_planes.AsArray(),
                 PlaneCount = planes,
                 Columns = m_columns,
@@ -146,15 +146,15 @@ namespace FastPoints.Evaluation
                 Drawing = drawing,
                 Pixels = canvas.Pixels,
                 Sums = canvas.Sums,
-            }.ScheduleParallel(m_runs.Length, 1, inputDeps);
+            }.ScheduleParallel(m_nodes.Length, 1, inputDeps);
         }
 
         public void Dispose()
         {
-            if (!m_runs.IsCreated)
+            if (!m_nodes.IsCreated)
                 return;
             m_block.Dispose();
-            m_runs.Dispose();
+            m_nodes.Dispose();
             m_clips.Dispose();
             m_planes.Dispose();
             m_columns.Dispose();

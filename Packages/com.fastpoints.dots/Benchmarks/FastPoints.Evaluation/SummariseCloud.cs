@@ -40,7 +40,7 @@ namespace FastPoints.Evaluation
         }
 
         /// <summary>Called on the main thread with each block while its points are there; may be null.</summary>
-        public Action<BlockRead> Took { get; set; }
+        public Action<BlockRead> BlockCompleted { get; set; }
 
         public CloudSummary Summary { get; }
 
@@ -122,7 +122,7 @@ namespace FastPoints.Evaluation
         {
             var state = m_slots[slot];
             Summary.Points += read.Points.Count;
-            Took?.Invoke(read);
+            BlockCompleted?.Invoke(read);
             for (int i = 0; i < m_schema.Count; i++)
                 Summary.Columns[i].Include(state.SummaryOfColumn[i]);
             var found = state.Bounds.Value;
@@ -177,7 +177,7 @@ namespace FastPoints.Evaluation
         public long NonFinite { get; internal set; }
         public ColumnSummary[] Columns { get; internal set; }
 
-        /// <summary>Points by class and by return number; null where there are none.</summary>
+        /// <summary>Points by class and by return number; null if there are none.</summary>
         public long[] ClassCounts { get; internal set; }
         public long[] ReturnCounts { get; internal set; }
     }
@@ -199,7 +199,7 @@ namespace FastPoints.Evaluation
 
         public const int ByteValues = 256;
 
-        /// <summary>Columns of bytes to count the values of, -1 for none; what is counted is added.</summary>
+        /// <summary>Columns of bytes whose values are counted, -1 for none; counts are added.</summary>
         public int ClassColumn;
         public int ReturnColumn;
         public NativeArray<long> Counts;

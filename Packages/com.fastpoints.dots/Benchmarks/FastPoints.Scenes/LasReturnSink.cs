@@ -41,17 +41,17 @@ namespace FastPoints.Scenes
         public void Append(NativeArray<ScanReturn> returns, NativeArray<int> returnNumber) =>
             Append(returns, returnNumber, true, returnNumber.Length);
 
-        void Append(NativeArray<ScanReturn> returns, NativeArray<int> returnNumber, bool hasOrder, int places)
+        void Append(NativeArray<ScanReturn> returns, NativeArray<int> returnNumber, bool hasOrder, int count)
         {
-            for (int first = 0; first < places; first += PointsAtOnce)
+            for (int first = 0; first < count; first += PointsAtOnce)
             {
-                m_batch.Count = Math.Min(PointsAtOnce, places - first);
+                m_batch.Count = Math.Min(PointsAtOnce, count - first);
                 new ReturnsToColumnsJob
                 {
                     Returns = returns,
-                    ReturnOfPlace = returnNumber,
+                    ReturnOfIndex = returnNumber,
                     HasOrder = hasOrder,
-                    FirstPlace = first,
+                    FirstIndex = first,
                     Count = m_batch.Count,
                     Bytes = m_batch.Bytes,
                     Columns = m_columns,

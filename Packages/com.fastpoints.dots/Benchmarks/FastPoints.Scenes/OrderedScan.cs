@@ -14,7 +14,7 @@ namespace FastPoints.Scenes
         /// <summary>The limit for orders other than as acquired, which keep 44 bytes for each point.</summary>
         public const int MaxPoints = 32_000_000;
 
-        const int PlacesAtOnce = 65_536;
+        const int ReturnsAtOnce = 65_536;
 
         /// <summary>Runs the scan as a coroutine.</summary>
         /// <exception cref="ArgumentOutOfRangeException">There are more than <see cref="MaxPoints"/> in an order other than as
@@ -43,13 +43,13 @@ namespace FastPoints.Scenes
                 }
                 yield return JobStep.Of(TerrestrialScan.Run(points, seed, Keep, progress));
 
-                ordering = new OrderReturnsJob { Returns = returns, Order = order, Seed = seed, ReturnOfPlace = returnNumber }
+                ordering = new OrderReturnsJob { Returns = returns, Order = order, Seed = seed, ReturnOfIndex = returnNumber }
                     .Schedule();
                 yield return ordering;
                 ordering.Complete();
-                for (int first = 0; first < points; first += PlacesAtOnce)
+                for (int first = 0; first < points; first += ReturnsAtOnce)
                 {
-                    sink.Append(returns, returnNumber.GetSubArray(first, Math.Min(PlacesAtOnce, points - first)));
+                    sink.Append(returns, returnNumber.GetSubArray(first, Math.Min(ReturnsAtOnce, points - first)));
                     yield return default;
                 }
             }
@@ -85,14 +85,14 @@ namespace FastPoints.Scenes
         public uint Seed;
 
         /// <summary>Index of the return that comes at each place.</summary>
-        [WriteOnly] public NativeArray<int> ReturnOfPlace;
+        [WriteOnly] public NativeArray<int> ReturnOfIndex;
 
         public unsafe void Execute()
         {
             if (Order == ScanOrder.Random)
             {
                 for (int i = 0; i < Returns.Length; i++)
-                    ReturnOfPlace[i] = (int)Shuffled((uint)i, (uint)Returns.Length);
+                    ReturnOfIndex[i] = (int)Shuffled((uint)i, (uint)Returns.Length);
                 return;
             }
             int* next = stackalloc int[Keys + 1];
@@ -103,7 +103,7 @@ namespace FastPoints.Scenes
             for (int i = 1; i <= Keys; i++)
                 next[i] += next[i - 1];
             for (int i = 0; i < Returns.Length; i++)
-                ReturnOfPlace[next[Key(Returns[i])]++] = i;
+                ReturnOfIndex[next[Key(Returns[i])]++] = i;
         }
 
         int Key(in ScanReturn r)

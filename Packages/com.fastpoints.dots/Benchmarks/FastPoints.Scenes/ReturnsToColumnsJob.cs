@@ -30,10 +30,10 @@ namespace FastPoints.Scenes
         [ReadOnly] public NativeArray<ScanReturn> Returns;
 
         /// <summary>Index of the return at each place if <see cref="HasOrder"/>; otherwise any created array.</summary>
-        [ReadOnly] public NativeArray<int> ReturnOfPlace;
+        [ReadOnly] public NativeArray<int> ReturnOfIndex;
 
         public bool HasOrder;
-        public int FirstPlace;
+        public int FirstIndex;
         public int Count;
 
         /// <summary>Memory of a batch of <see cref="Schema"/>, and the location of each of its columns.</summary>
@@ -59,8 +59,8 @@ namespace FastPoints.Scenes
             var blue = (ushort*)(bytes + Columns[12].OffsetBytes);
             for (int i = 0; i < Count; i++)
             {
-                int place = FirstPlace + i;
-                var r = Returns[HasOrder ? ReturnOfPlace[place] : place];
+                int index = FirstIndex + i;
+                var r = Returns[HasOrder ? ReturnOfIndex[index] : index];
                 x[i] = r.X;
                 y[i] = r.Y;
                 z[i] = r.Z;

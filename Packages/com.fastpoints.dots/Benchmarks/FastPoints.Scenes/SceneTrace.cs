@@ -106,11 +106,11 @@ namespace FastPoints.Scenes
                 return;
             }
             // Glass mostly returns nothing, sometimes the pane, sometimes what stands behind it.
-            float luck = SceneHash.Next(ref random);
-            hit.IsLost = luck < 0.6f;
+            float roll = SceneHash.Next(ref random);
+            hit.IsLost = roll < 0.6f;
             hit.Reflectance = 0.12f;
             hit.Color = new float3(0.05f, 0.075f, 0.1f);
-            if (luck > 0.96f)
+            if (roll > 0.96f)
             {
                 hit.Distance += 0.3f + 3 * SceneHash.Next(ref random);
                 hit.Color = new float3(0.16f, 0.13f, 0.11f);
@@ -237,7 +237,7 @@ namespace FastPoints.Scenes
         /// <summary>Linear colour of the material, unlit.</summary>
         public float3 Color;
 
-        /// <summary>Share of the infrared light that comes back at normal incidence.</summary>
+        /// <summary>Share of the infrared light that is reflected at normal incidence.</summary>
         public float Reflectance;
 
         public byte Classification;

@@ -138,16 +138,16 @@ namespace FastPoints.Scenes
                     return;
                 if (SceneHash.Next(ref beam.Random) > SceneTrace.LeafDensity(o, beam.Origin + beam.Direction * t))
                     continue;
-                int place = math.min(leaves, MaxReturns - 1);
-                if (leaves == MaxReturns && leaf[place] <= t)
+                int insert = math.min(leaves, MaxReturns - 1);
+                if (leaves == MaxReturns && leaf[insert] <= t)
                     return;
-                for (; place > 0 && leaf[place - 1] > t; place--)
+                for (; insert > 0 && leaf[insert - 1] > t; insert--)
                 {
-                    leaf[place] = leaf[place - 1];
-                    crown[place] = crown[place - 1];
+                    leaf[insert] = leaf[insert - 1];
+                    crown[insert] = crown[insert - 1];
                 }
-                leaf[place] = t;
-                crown[place] = index;
+                leaf[insert] = t;
+                crown[insert] = index;
                 leaves = math.min(leaves + 1, MaxReturns);
             }
         }

@@ -17,7 +17,7 @@ namespace FastPoints.Editor
     /// nothing.</summary>
     internal sealed class PlayerCloudProcessor : BuildPlayerProcessor
     {
-        /// <summary>Behind Entities, which saves scenes that changed.</summary>
+        /// <summary>After Entities, which saves changed scenes.</summary>
         public override int callbackOrder => 1;
 
         public override void PrepareForBuild(BuildPlayerContext buildPlayerContext)

@@ -34,7 +34,7 @@ namespace FastPoints.Editor
         /// <summary>Adds a cloud, only once if several assets refer to it.</summary>
         /// <param name="asset">Whose cloud it is, for messages.</param>
         /// <param name="cloudId">What the asset says; 0 if nothing.</param>
-        /// <exception cref="PointCloudException">It is not converted, is still in the making, or another cloud has its
+        /// <exception cref="PointCloudException">It is not converted, is unfinished, or another cloud has its
         /// place.</exception>
         public void Add(string asset, string folder, string playerPath, ulong cloudId = 0)
         {

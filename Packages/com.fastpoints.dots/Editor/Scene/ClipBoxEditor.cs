@@ -51,7 +51,7 @@ namespace FastPoints.Editor
             return bounds;
         }
 
-        /// <summary>A side that is dragged tells its whole way, in the space that it was taken in.</summary>
+        /// <summary>A dragged side reports its total movement, in the space where the drag began.</summary>
         sealed class BoxHandle : BoxBoundsHandle
         {
             /// <summary>The control that was taken; 0 if none was.</summary>

@@ -24,7 +24,7 @@ namespace FastPoints.Editor
         readonly EditorImports m_imports;
         readonly string[] m_sources;
         readonly string m_folder;
-        readonly DropTarget m_place;
+        readonly DropTarget m_target;
         readonly CancellationTokenSource m_cancellation = new CancellationTokenSource();
         PoolTask<List<Written>> m_writing;
         JobCoroutine m_rest;
@@ -34,17 +34,17 @@ namespace FastPoints.Editor
 
         /// <param name="sources">Absolute paths; their order decides on nothing.</param>
         /// <param name="folder">The handles' folder, in <c>Assets</c>.</param>
-        /// <param name="place">Where they are shown, in the order of their paths; null for nowhere.</param>
-        public CloudDrop(EditorImports imports, IReadOnlyList<string> sources, string folder, DropTarget place)
+        /// <param name="target">Where they are shown, in the order of their paths; null for nowhere.</param>
+        public CloudDrop(EditorImports imports, IReadOnlyList<string> sources, string folder, DropTarget target)
         {
             m_imports = imports;
             m_sources = new List<string>(sources).ToArray();
             Array.Sort(m_sources, StringComparer.Ordinal);
             m_folder = folder;
-            m_place = place;
+            m_target = target;
         }
 
-        /// <summary>Called once an update of the editor; asks the user first, who has let go of the mouse by then.</summary>
+        /// <summary>Called once an update of the editor; asks the user first, after the mouse was released.</summary>
         /// <returns>Whether it has ended.</returns>
         public bool Update(double budgetMs)
         {
@@ -106,7 +106,7 @@ namespace FastPoints.Editor
             return true;
         }
 
-        /// <summary>Octrees and converted clouds stay what they are.</summary>
+        /// <summary>Octrees and converted clouds are never combined.</summary>
         bool CanMerge => Array.TrueForAll(m_sources, s => File.Exists(s) && !CloudSources.HasOctree(s));
 
         /// <returns>Ask if the user does not want any.</returns>
@@ -125,7 +125,7 @@ namespace FastPoints.Editor
             return settings.SeveralFiles;
         }
 
-        /// <summary>On a thread of the pool.</summary>
+        /// <summary>On a pool thread.</summary>
         List<Written> Write(List<string[]> clouds, FreeNames handles, FreeNames targets)
         {
             var written = new List<Written>(clouds.Count);
@@ -168,7 +168,7 @@ namespace FastPoints.Editor
             var (requests, shown) = (new List<ImportRequest>(), new List<PointCloudAsset>());
             for (int i = 0; i < paths.Count; i++)
             {
-                if (m_place != null)
+                if (m_target != null)
                     shown.Add(AssetDatabase.LoadAssetAtPath<PointCloudAsset>(paths[i]));
                 m_imports.AddThumbnail(written[i].Handle);
                 if (m_imports.IsConvertedAtOnce(written[i].Handle))
@@ -176,7 +176,7 @@ namespace FastPoints.Editor
                 yield return default;
             }
             // All at once: what the user does between two of them stays a step of Undo of its own.
-            m_place?.Show(shown.FindAll(asset => asset != null));
+            m_target?.Show(shown.FindAll(asset => asset != null));
             m_imports.Queue.Add(requests);
         }
     }

@@ -22,31 +22,31 @@ namespace FastPoints.Editor
         /// <summary>The scene, if there is no parent; the default is the active one.</summary>
         public Scene Scene;
 
-        /// <summary>The place of a drop in the Hierarchy.</summary>
+        /// <summary>The target of a drop in the Hierarchy.</summary>
         /// <param name="target">The GameObject that it fell on or beside; null for a scene, or nothing.</param>
         /// <param name="scene">The scene that it fell on, if it did.</param>
         public static DropTarget Of(GameObject target, HierarchyDropFlags flags, Transform parent, Scene scene)
         {
-            var place = new DropTarget { Parent = parent, Scene = target != null ? target.scene : scene };
+            var drop = new DropTarget { Parent = parent, Scene = target != null ? target.scene : scene };
             if (target == null || parent != null)
-                return place;
+                return drop;
             var on = target.transform;
             if ((flags & HierarchyDropFlags.DropBetween) == 0)
             {
-                place.Parent = on;
-                return place;
+                drop.Parent = on;
+                return drop;
             }
-            place.Parent = on.parent;
-            place.m_sibling = on.GetSiblingIndex() + ((flags & HierarchyDropFlags.DropAbove) != 0 ? 0 : 1);
-            return place;
+            drop.Parent = on.parent;
+            drop.m_sibling = on.GetSiblingIndex() + ((flags & HierarchyDropFlags.DropAbove) != 0 ? 0 : 1);
+            return drop;
         }
 
-        /// <summary>Who drops files may delete what they fell on, or close the scene, before they are imported.</summary>
+        /// <summary>Users may delete the target, or close its scene, before the files are imported.</summary>
         bool IsDestroyed => Parent is { } && Parent == null || Scene != default && !Scene.IsValid();
 
         /// <summary>Makes a GameObject for each cloud and selects what was made: a step of Undo with nothing else in it. Several
         /// share an origin, which is made if there is none.</summary>
-        /// <returns>The last one; null if there is no place any more.</returns>
+        /// <returns>The last one; null if the target was destroyed.</returns>
         public GameObject Show(IReadOnlyList<PointCloudAsset> assets)
         {
             if (IsDestroyed || assets.Count == 0)
@@ -69,7 +69,7 @@ namespace FastPoints.Editor
             var made = origin != null ? Create(asset.name, origin.transform, false) : Create(asset.name, Parent, true);
             if (Point.HasValue && origin == null)
                 made.transform.position = Point.Value;
-            // Of a subscene only what is baked stays when it is closed.
+            // A closed subscene keeps only what is baked.
             if (made.scene.isSubScene)
                 ObjectFactory.AddComponent<PointCloudAuthoring>(made).Cloud = asset;
             else

@@ -7,7 +7,7 @@ namespace FastPoints.Editor
 {
     /// <summary>Makes frames in edit mode, where worlds are updated only when something in the scene changes: clouds that are
     /// loading need frames of their own, and views that are redrawn. In paused play mode views are drawn and no world is updated:
-    /// there streaming alone goes on.</summary>
+    /// only streaming continues.</summary>
     [InitializeOnLoad]
     internal static class EditModeFrames
     {
@@ -45,7 +45,7 @@ namespace FastPoints.Editor
             SceneView.RepaintAll();
         }
 
-        /// <summary>Whether it is time for a frame in which clouds look for newer data on disk.</summary>
+        /// <summary>Whether it is time for a frame in which clouds poll for newer data on disk.</summary>
         static bool IsFollowDue(PointCloudSystemGroup group)
         {
             var now = DateTime.UtcNow;

@@ -83,9 +83,9 @@ namespace FastPoints.Editor
             var toCamera = -(Vector3)camera.worldToCameraMatrix.GetRow(2);
             for (int i = 0; i < m_session.Picks.Count; i++)
             {
-                var place = PositionOf(i);
-                Handles.DrawWireDisc(place, toCamera, HandleUtility.GetHandleSize(place) * 0.05f);
-                Handles.Label(place, i == 0 ? "From" : "To");
+                var position = PositionOf(i);
+                Handles.DrawWireDisc(position, toCamera, HandleUtility.GetHandleSize(position) * 0.05f);
+                Handles.Label(position, i == 0 ? "From" : "To");
             }
             if (m_session.Picks.Count == 2)
                 Handles.DrawLine(PositionOf(0), PositionOf(1));
@@ -107,8 +107,8 @@ namespace FastPoints.Editor
 
         Vector3 PositionOf(int pick)
         {
-            var place = (float3)m_session.PositionOf(pick);
-            return new Vector3(place.x, place.y, place.z);
+            var position = (float3)m_session.PositionOf(pick);
+            return new Vector3(position.x, position.y, position.z);
         }
     }
 }

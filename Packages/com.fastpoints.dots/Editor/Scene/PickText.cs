@@ -50,8 +50,8 @@ namespace FastPoints.Editor
         }
 
         /// <summary>Three numbers with as many decimals as the grid's steps have.</summary>
-        public static string Coordinates(double3 place, double3 step) =>
-            Number(place.x, step.x) + ", " + Number(place.y, step.y) + ", " + Number(place.z, step.z);
+        public static string Coordinates(double3 position, double3 step) =>
+            Number(position.x, step.x) + ", " + Number(position.y, step.y) + ", " + Number(position.z, step.z);
 
         static string Number(double value, double step)
         {

@@ -26,7 +26,7 @@ namespace FastPoints.Editor
             DragAndDrop.ProjectBrowserDropHandlerV2 onProject = (_, path, perform) => OnProject(path, perform);
             DragAndDrop.HierarchyDropHandlerV2 onHierarchy = (id, flags, parent, perform) => OnScene(DropTarget.Of(
                 EditorUtility.EntityIdToObject(id) as GameObject, flags, parent, SceneOf(id.GetHashCode())), perform);
-            DragAndDrop.SceneDropHandler onScene = (_, place, _, parent, perform) => OnScene(place, parent, perform);
+            DragAndDrop.SceneDropHandler onScene = (_, position, _, parent, perform) => OnScene(position, parent, perform);
             DragAndDrop.AddDropHandlerV2(onProject);
             DragAndDrop.AddDropHandlerV2(onHierarchy);
             DragAndDrop.AddDropHandlerV2(onScene);
@@ -34,7 +34,7 @@ namespace FastPoints.Editor
             DragAndDrop.ProjectBrowserDropHandler onProject = (_, path, perform) => OnProject(path, perform);
             DragAndDrop.HierarchyDropHandler onHierarchy = (id, flags, parent, perform) => OnScene(DropTarget.Of(
                 EditorUtility.InstanceIDToObject(id) as GameObject, flags, parent, SceneOf(id.GetHashCode())), perform);
-            DragAndDrop.SceneDropHandler onScene = (_, place, _, parent, perform) => OnScene(place, parent, perform);
+            DragAndDrop.SceneDropHandler onScene = (_, position, _, parent, perform) => OnScene(position, parent, perform);
             DragAndDrop.AddDropHandler(onProject);
             DragAndDrop.AddDropHandler(onHierarchy);
             DragAndDrop.AddDropHandler(onScene);
@@ -58,11 +58,11 @@ namespace FastPoints.Editor
         }
 
         /// <summary>Accepts clouds of the project, or files that can become some.</summary>
-        public static DragAndDropVisualMode OnScene(Vector3? place, Transform parent, bool perform) =>
-            OnScene(new DropTarget { Point = place, Parent = parent, Scene = parent != null ? parent.gameObject.scene : default },
-                perform);
+        public static DragAndDropVisualMode OnScene(Vector3? position, Transform parent, bool perform) =>
+            OnScene(new DropTarget { Point = position, Parent = parent, Scene = parent != null ? parent.gameObject.scene
+                : default }, perform);
 
-        internal static DragAndDropVisualMode OnScene(DropTarget place, bool perform)
+        internal static DragAndDropVisualMode OnScene(DropTarget target, bool perform)
         {
             var assets = new List<PointCloudAsset>();
             foreach (var dragged in DragAndDrop.objectReferences)
@@ -76,25 +76,25 @@ namespace FastPoints.Editor
                 return DragAndDropVisualMode.Copy;
             DragAndDrop.AcceptDrag();
             if (isFiles)
-                Take("Assets", place);
-            place.Show(assets);
+                Take("Assets", target);
+            target.Show(assets);
             return DragAndDropVisualMode.Copy;
         }
 
         /// <summary>Makes a GameObject for a cloud; Undo removes it.</summary>
         /// <returns>Null in a subscene, where it has a <see cref="PointCloudAuthoring"/>.</returns>
-        public static PointCloud Show(PointCloudAsset asset, Vector3? place, Transform parent) =>
-            new DropTarget { Point = place, Parent = parent }.Show(new[] { asset })?.GetComponent<PointCloud>();
+        public static PointCloud Show(PointCloudAsset asset, Vector3? position, Transform parent) =>
+            new DropTarget { Point = position, Parent = parent }.Show(new[] { asset })?.GetComponent<PointCloud>();
 
         /// <summary>Imports what is dragged: one at once, several in the next updates.</summary>
-        /// <param name="place">Where they are shown; null for nowhere.</param>
-        static void Take(string folder, DropTarget place)
+        /// <param name="target">Where they are shown; null for nowhere.</param>
+        static void Take(string folder, DropTarget target)
         {
             var imports = PointCloudImports.Current;
             if (DragAndDrop.paths.Length > 1)
-                imports.CreateAsset(DragAndDrop.paths, folder, place);
+                imports.CreateAsset(DragAndDrop.paths, folder, target);
             else if (imports.CreateAsset(DragAndDrop.paths[0], folder) is { } asset)
-                place?.Show(new[] { asset });
+                target?.Show(new[] { asset });
         }
 
         /// <summary>What is dragged. A drag asks at each of its events, some sixty times a second: files are looked up
@@ -108,7 +108,7 @@ namespace FastPoints.Editor
             return s_dragged.Kind;
         }
 
-        /// <summary>Of the scene's header, which the Hierarchy names by the handle's number.</summary>
+        /// <summary>The scene whose header in the Hierarchy has this instance ID.</summary>
         static Scene SceneOf(int handle)
         {
             for (int i = 0; i < SceneManager.sceneCount; i++)

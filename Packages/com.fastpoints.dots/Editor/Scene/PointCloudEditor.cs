@@ -192,9 +192,9 @@ namespace FastPoints.Editor
             for (int c = 0; c <= byte.MaxValue; c++)
             {
                 bool isPossible = isKnown ? c >= min && c <= max : c < ClassNames.FirstUserDefined;
-                bool isMeant = ClassNames.Of(c) != null ||
+                bool isNamed = ClassNames.Of(c) != null ||
                     (isKnown && (c == min || c == max || c >= ClassNames.FirstUserDefined));
-                if ((isPossible && isMeant) || Array.IndexOf(hidden, c) >= 0)
+                if ((isPossible && isNamed) || Array.IndexOf(hidden, c) >= 0)
                     classes.Add(c);
             }
             return classes;

@@ -14,7 +14,7 @@ namespace FastPoints.Editor
             var before = origin.PositionGeo;
             serializedObject.Update();
             DrawPropertiesExcluding(serializedObject, "m_Script");
-            // A place that was typed is one; a coordinate system alone is none.
+            // A typed position sets the origin; a coordinate system alone does not.
             if (serializedObject.ApplyModifiedProperties() && !origin.PositionGeo.Equals(before))
                 Change(origin, "Set origin", () => origin.PositionGeo = origin.PositionGeo);
             if (!origin.HasPosition)
@@ -26,11 +26,11 @@ namespace FastPoints.Editor
                 SetHere(origin, view.pivot);
         }
 
-        /// <summary>What lies in the middle of the Scene view is the origin from now on, and so lies at its GameObject.</summary>
+        /// <summary>Makes the middle of the Scene view the origin, which moves to its GameObject.</summary>
         internal static void SetHere(PointCloudOrigin origin, Vector3 pivot)
         {
-            var by = pivot - origin.transform.position;
-            Change(origin, "Set origin", () => origin.Shift(new Unity.Mathematics.double3(by.x, by.y, by.z)));
+            var offset = pivot - origin.transform.position;
+            Change(origin, "Set origin", () => origin.Shift(new Unity.Mathematics.double3(offset.x, offset.y, offset.z)));
         }
 
         static void Change(PointCloudOrigin origin, string name, System.Action change)

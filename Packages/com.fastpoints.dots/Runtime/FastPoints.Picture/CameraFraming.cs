@@ -16,7 +16,7 @@ namespace FastPoints.Picture
         // This share of the outline on each side may lie outside of a first picture ...
         const double OutlierShare = 0.005;
 
-        // ... and whatever would make it this many times as large stays outside in the end.
+        // ... and what would enlarge it more than this many times stays outside.
         const double MaxWidening = 3;
 
         // Shifts towards the middle: each leaves half the error or less.
@@ -129,7 +129,7 @@ namespace FastPoints.Picture
             return math.max(math.abs(view.x) * perTan.x, math.abs(view.y) * perTan.y) - (camera.IsOrthographic ? 0 : view.z);
         }
 
-        // Moves a camera to the closest place on its line of sight from which the positions, except some outliers, are in the
+        // Moves a camera to the closest position on its line of sight from which the positions, except some outliers, are in the
         // picture, and shifts the line until their extent is centred. Returns the distance, or the picture's height.
         static double Fit(ref Camera camera, ref double3 target, double3[] positions, int outliers, double2 perTan,
             (double MinDistance, int Rounds) limits)
@@ -153,7 +153,7 @@ namespace FastPoints.Picture
             }
         }
 
-        // Without so many outliers on each side: in units, or, of a perspective camera, in tangents of the angle from the axis.
+        // Ignores this many outliers on each side. In units, or for a perspective camera in tangents of the angle from the axis.
         static void Extent(in Camera camera, double3[] outline, int outliers, out double2 min, out double2 max)
         {
             var x = new double[outline.Length];
@@ -169,7 +169,7 @@ namespace FastPoints.Picture
             max = new double2(LargestExcept(outliers, x, 1), LargestExcept(outliers, y, 1));
         }
 
-        // After leaving out so many larger ones, which are few: not all need sorting. Sign is 1, or -1 for the smallest.
+        // The largest after skipping a few larger ones: not all need sorting. Sign is 1, or -1 for the smallest.
         static double LargestExcept(int outliers, double[] values, double sign)
         {
             // Holds the largest values so far, in rising order.
@@ -202,7 +202,7 @@ namespace FastPoints.Picture
             (corner & 2) == 0 ? bounds.Min.y : bounds.Max.y,
             (corner & 4) == 0 ? bounds.Min.z : bounds.Max.z);
 
-        // At least a millionth as thick in every direction as it is long; one place becomes a cube of a unit, or of what
+        // At least a millionth as thick in every direction as it is long; a single position becomes a cube of a unit, or of what
         // doubles can resolve there.
         static BoundsGeo Thicken(BoundsGeo bounds)
         {

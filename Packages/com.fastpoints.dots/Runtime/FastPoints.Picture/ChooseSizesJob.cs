@@ -112,7 +112,7 @@ namespace FastPoints.Picture
         // From 1 to 12 pixels: squares of size s, at a density of d points a pixel, cover each pixel d * s^2 times.
         public static float SizeFor(double density) => (float)math.clamp(math.sqrt(PointsPerPixel / density), MinPx, MaxPx);
 
-        // Of the median tile, by its density and the share of the picture's pixels that were drawn.
+        // Size for the median tile, by its density and the share of the picture's pixels that were drawn.
         public static float TypicalFor(double density, float drawn) => math.min(SizeFor(density),
             math.clamp(MaxPx / 2 * math.sqrt(FewPixels / math.max(1e-9f, drawn)), MaxPx / 2, MaxPx));
 

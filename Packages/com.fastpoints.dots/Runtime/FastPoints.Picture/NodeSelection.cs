@@ -27,7 +27,7 @@ namespace FastPoints.Picture
             Build(UpperFile, folder.Upper);
         }
 
-        /// <summary>Ask after <see cref="Choose"/>.</summary>
+        /// <summary>Valid after <see cref="Choose"/>.</summary>
         public override bool IsRefined(int file, int node)
         {
             if (!m_hasView)

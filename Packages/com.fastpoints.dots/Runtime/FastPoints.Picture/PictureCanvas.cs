@@ -46,7 +46,7 @@ namespace FastPoints.Picture
         // Depth and colour: see PointDrawing.
         public NativeArray<ulong> Pixels => m_pixels;
 
-        // Of blended points: see BlendedPixels. Empty before BeginBlending.
+        // Sums of blended points, see BlendedPixels. Empty before BeginBlending.
         public NativeArray<ulong> Sums => m_isBlending ? m_sums : default;
 
         public NativeArray<uint> Palettes => m_palettes;
@@ -102,7 +102,7 @@ namespace FastPoints.Picture
             }.ScheduleParallel(RasterizePointsJob.PieceCount(count), 1, inputDeps);
         }
 
-        // From what was drawn with UseSize of 1, after all drawing. The final picture has so many points for each.
+        // From what was drawn with UseSize of 1, after all drawing. The final picture has this many points for each.
         public JobHandle ScheduleChooseSizes(double pointsPerPointDrawn, JobHandle inputDeps)
         {
             LargestPx = PointSizing.MaxPx;

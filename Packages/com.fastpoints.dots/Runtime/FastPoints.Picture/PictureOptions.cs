@@ -64,8 +64,8 @@ namespace FastPoints.Picture
         /// <summary>Blends discs that lie behind one another, for streamed clouds: see <see cref="BlendedPixels"/>.</summary>
         public bool BlendedPoints;
 
-        /// <summary>See <see cref="PointDrawing.IsDomed"/>.</summary>
-        public bool DomedPoints;
+        /// <summary>See <see cref="PointDrawing.IsParaboloid"/>.</summary>
+        public bool ParaboloidPoints;
 
         /// <summary>Red, green, blue, alpha from the lowest byte.</summary>
         public uint Background = Palettes.Pack(24, 26, 30);
@@ -88,7 +88,7 @@ namespace FastPoints.Picture
             return names.ToArray();
         }
 
-        // What is not asked for is the intensity.
+        // The default is the intensity.
         internal DisplayRanges NewRanges(CloudUnits units)
         {
             var ranges = new DisplayRanges { Units = units };
@@ -138,7 +138,7 @@ namespace FastPoints.Picture
                         error = "points: wanted square, round, paraboloid or splat, got " + value;
                     RoundPoints = value == "round" || value == "splat";
                     BlendedPoints = value == "splat";
-                    DomedPoints = value == "paraboloid";
+                    ParaboloidPoints = value == "paraboloid";
                     break;
                 case "classes":
                     if (!TryClasses(value))

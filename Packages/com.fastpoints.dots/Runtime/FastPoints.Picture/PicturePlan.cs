@@ -42,33 +42,33 @@ namespace FastPoints.Picture
 
         public ClassMask HiddenClasses => m_options.HiddenClasses;
 
-        // If sizes are chosen, that of the median tile.
+        // With automatic sizes, the size of the median tile.
         public float SizePx { get; set; }
 
         // SizePx is still to be found from a picture of the sample.
         public bool UsesAutoSize => m_options.IsAutoSize;
 
-        // For lack of better data: one line for people each.
+        // Assumptions for lack of data, one readable line each.
         public List<string> Assumptions { get; }
 
-        // Whatever columns the values are in.
+        // Independent of a batch's columns.
         public ColorMapping Colors => ColorMapping.Of(Mode, m_ranges, m_transform, Gradient);
 
-        // Of points that lie in batches like this one, on a canvas whose sizes are set.
+        // Draws batches with the columns of this one, on a canvas whose sizes are set.
         public PointDrawing DrawingOf(PointBatch batch, PictureCanvas canvas)
         {
             var world = m_options.SizeInWorld.GetValueOrDefault();
-            bool hasOwnSize = world.Mode == PointSizeMode.World;
+            bool isWorldSize = world.Mode == PointSizeMode.World;
             return new PointDrawing
             {
                 Positions = PositionColumns.Of(batch),
                 Projection = new PointProjection(Camera, m_transform, m_options.WidthPx, m_options.HeightPx),
                 Colors = ColorMapping.For(Mode, m_ranges, batch, m_transform, Gradient),
-                LargestPx = hasOwnSize ? world.MaxPx : canvas.LargestPx,
-                HasOwnSize = hasOwnSize,
+                LargestPx = isWorldSize ? world.MaxPx : canvas.LargestPx,
+                IsWorldSize = isWorldSize,
                 Size = world,
                 IsRound = m_options.RoundPoints,
-                IsDomed = m_options.DomedPoints,
+                IsParaboloid = m_options.ParaboloidPoints,
             };
         }
 

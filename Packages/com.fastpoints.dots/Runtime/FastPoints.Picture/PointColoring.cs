@@ -4,10 +4,10 @@ namespace FastPoints.Picture
 {
     internal static unsafe class PointColoring
     {
-        public static void ColorRun(byte* bytes, int first, in ColorMapping mapping, uint* palettes, in PointRun run)
+        public static void ColorBatch(byte* bytes, int first, in ColorMapping mapping, uint* palettes, in PointSpan span)
         {
-            int count = run.Count;
-            uint* colors = run.Colors;
+            int count = span.Count;
+            uint* colors = span.Colors;
             double* values = stackalloc double[ColumnValues.BatchLength];
             if (mapping.Mode == ColorMode.Rgb)
             {
@@ -26,7 +26,7 @@ namespace FastPoints.Picture
             {
                 var weights = mapping.PositionWeights;
                 for (int i = 0; i < count; i++)
-                    values[i] = run.X[i] * weights.x + run.Y[i] * weights.y + run.Z[i] * weights.z;
+                    values[i] = span.X[i] * weights.x + span.Y[i] * weights.y + span.Z[i] * weights.z;
                 Lookup(values, count, mapping, palettes, colors);
                 return;
             }
@@ -48,7 +48,7 @@ namespace FastPoints.Picture
         static int ToIndex(double value) => !(value > 0) ? 0 : value < 255 ? (int)value : 255;
     }
     // At most ColumnValues.BatchLength consecutive points: their stored coordinates, and their colours.
-    internal unsafe struct PointRun
+    internal unsafe struct PointSpan
     {
         public int Count;
         public double* X;

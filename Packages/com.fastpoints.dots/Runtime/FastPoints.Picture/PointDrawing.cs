@@ -27,13 +27,13 @@ namespace FastPoints.Picture
         public PointProjection Projection;
         public ColorMapping Colors;
         public float LargestPx; // A size of 1 is drawn faster.
-        public bool HasOwnSize; // Whatever the tiles' sizes are.
+        public bool IsWorldSize; // Whatever the tiles' sizes are.
         public PointSize Size;
         public bool IsRound;
 
         // Discs that bulge towards the camera: paraboloids whose rim is farther away by the radius than the middle, which has
         // the point's own depth. Each pixel of overlapping points goes to the nearest centre.
-        public bool IsDomed;
+        public bool IsParaboloid;
 
         // Any number of threads may draw at once.
         public readonly unsafe void Draw(byte* bytes, int first, int count, in PictureMemory picture)
@@ -42,24 +42,24 @@ namespace FastPoints.Picture
             double* y = stackalloc double[ColumnValues.BatchLength];
             double* z = stackalloc double[ColumnValues.BatchLength];
             uint* colors = stackalloc uint[ColumnValues.BatchLength];
-            var run = new PointRun { X = x, Y = y, Z = z, Colors = colors };
+            var span = new PointSpan { X = x, Y = y, Z = z, Colors = colors };
             for (int done = 0; done < count; done += ColumnValues.BatchLength)
             {
-                run.Count = math.min(ColumnValues.BatchLength, count - done);
-                Positions.Load(bytes, first + done, run.Count, x, y, z);
-                PointColoring.ColorRun(bytes, first + done, Colors, picture.Palettes, run);
+                span.Count = math.min(ColumnValues.BatchLength, count - done);
+                Positions.Load(bytes, first + done, span.Count, x, y, z);
+                PointColoring.ColorBatch(bytes, first + done, Colors, picture.Palettes, span);
                 if (LargestPx <= 1 && picture.Sums == null)
-                    DrawPixels(run, picture.Pixels);
+                    DrawPixels(span, picture.Pixels);
                 else
-                    DrawSplats(run, picture, picture.Gaps == null ? null : picture.Gaps + done);
+                    DrawSplats(span, picture, picture.Gaps == null ? null : picture.Gaps + done);
             }
         }
 
-        readonly unsafe void DrawPixels(in PointRun run, ulong* pixels)
+        readonly unsafe void DrawPixels(in PointSpan span, ulong* pixels)
         {
-            double* x = run.X, y = run.Y, z = run.Z;
-            uint* colors = run.Colors;
-            int count = run.Count;
+            double* x = span.X, y = span.Y, z = span.Z;
+            uint* colors = span.Colors;
+            int count = span.Count;
             int width = Projection.WidthPx;
             double widthPx = width, heightPx = Projection.HeightPx;
             for (int i = 0; i < count; i++)
@@ -72,12 +72,12 @@ namespace FastPoints.Picture
             }
         }
 
-        readonly unsafe void DrawSplats(in PointRun run, in PictureMemory picture, float* gaps)
+        readonly unsafe void DrawSplats(in PointSpan span, in PictureMemory picture, float* gaps)
         {
-            double* x = run.X, y = run.Y, z = run.Z;
-            uint* colors = run.Colors;
+            double* x = span.X, y = span.Y, z = span.Z;
+            uint* colors = span.Colors;
             ulong* pixels = picture.Pixels, sums = picture.Sums;
-            int count = run.Count;
+            int count = span.Count;
             int width = Projection.WidthPx, height = Projection.HeightPx;
             int tilesAcross = PointSizing.TilesAlong(width);
             double maxHalf = LargestPx * 0.5;
@@ -88,7 +88,7 @@ namespace FastPoints.Picture
                 if (!(xPx >= -maxHalf && xPx < width + maxHalf && yPx >= -maxHalf && yPx < height + maxHalf))
                     continue;
                 float size;
-                if (HasOwnSize)
+                if (IsWorldSize)
                 {
                     size = Size.ToPx(gaps == null ? 0 : gaps[i], (float)Projection.PixelsPerUnitAt(depth));
                 }
@@ -102,7 +102,7 @@ namespace FastPoints.Picture
                 uint radiusPx = PointSizing.RadiusOf(size);
                 ulong key = KeyOf(depth, radiusPx, colors[i]);
                 // Depth in world units behind the middle, for each squared pixel of distance: the radius at the rim.
-                double behindPerSq = IsDomed ? 1 / (half * Projection.PixelsPerUnitAt(depth)) : 0;
+                double behindPerSq = IsParaboloid ? 1 / (half * Projection.PixelsPerUnitAt(depth)) : 0;
                 float nearest = sums == null ? 0
                     : (float)(depth - BlendedPixels.WindowOf(size, Projection.PixelsPerUnitAt(depth)));
 
@@ -118,7 +118,7 @@ namespace FastPoints.Picture
                     {
                         double dx = column + 0.5 - xPx;
                         double distanceSq = dx * dx + dy * dy;
-                        if ((IsRound || IsDomed) && distanceSq > half * half)
+                        if ((IsRound || IsParaboloid) && distanceSq > half * half)
                             continue;
                         long pixel = (long)row * width + column;
                         if (sums != null)
@@ -128,7 +128,7 @@ namespace FastPoints.Picture
                                     BlendedPixels.WeightOf(distanceSq / (half * half)));
                             continue;
                         }
-                        if (IsDomed)
+                        if (IsParaboloid)
                             key = KeyOf((float)(depth + distanceSq * behindPerSq), radiusPx, colors[i]);
                         Lower(pixels + pixel, key);
                     }

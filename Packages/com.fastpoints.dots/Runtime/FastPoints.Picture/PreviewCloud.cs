@@ -21,7 +21,7 @@ namespace FastPoints.Picture
             m_reader = reader;
             m_options = options;
             var info = reader.Info;
-            info.SampledToo = info.SampledToo.Union(options.Picture.AttributesToMeasure().Where(info.Schema.Has)).ToArray();
+            info.AlsoSampled = info.AlsoSampled.Union(options.Picture.AttributesToMeasure().Where(info.Schema.Has)).ToArray();
             m_sampling = new PreviewSampling(reader, options);
         }
 

@@ -8,7 +8,7 @@ namespace FastPoints.Picture
     {
         const int PointsPerSlice = 1 << 17; // About 4 ms of managed code.
 
-        // On top of what the canvas has. Then schedules what comes behind it, if anything.
+        // Draws over the canvas, then schedules the dependent jobs, if any.
         public static IEnumerator<JobStep> Draw(PictureCanvas canvas, PointBatch points, PicturePlan plan, StageProgress progress,
             Func<JobHandle, JobHandle> then = null)
         {

@@ -19,7 +19,7 @@ namespace FastPoints.Picture
         // All but PLY have Z up, by their standards or by custom.
         public static bool Applies(string format) => format != null && format.StartsWith("PLY", StringComparison.Ordinal);
 
-        // Positions are a fair choice, outliers apart; the reason is a line for people.
+        // Positions are a fair choice, outliers apart; the reason is a readable line.
         public static UpAxis Of(double3[] positions, out string reason)
         {
             var shares = new double3();

@@ -39,7 +39,7 @@ namespace FastPoints.Rendering
                 IsOrthographic = IsOrthographic(eye.Projection),
                 ScalePx = ScalePxOf(eye.Projection, heightPx),
             };
-            // For a place p relative to the eye, clip = M p: inside means -w <= x, y, z <= w (Gribb and Hartmann, 2001).
+            // For a position p relative to the eye, clip = M p: inside means -w <= x, y, z <= w (Gribb and Hartmann, 2001).
             var w = Row(clip, 3);
             for (int axis = 0; axis < 3; axis++)
             {
@@ -70,7 +70,7 @@ namespace FastPoints.Rendering
             };
         }
 
-        /// <summary>The ray through a place in a camera's picture, from <c>Camera.ScreenPointToRay</c> or the editor's
+        /// <summary>The ray through a position in a camera's picture, from <c>Camera.ScreenPointToRay</c> or the editor's
         /// <c>GUIPointToWorldRay</c>: from the near plane. The radius is in pixels of the picture.</summary>
         public static PickRay PickRayOf(Camera camera, Ray ray, double radiusPx)
         {

@@ -23,7 +23,7 @@ namespace FastPoints.Rendering
             : ColorModes.AttributeOf(mode) is string attribute ? new[] { attribute } : new string[0];
 
         // Colours take places in grid steps from the corner of the source's root cube. The source streams the plane that the
-        // mode needs; where it does not stream classes, none is hidden.
+        // mode needs; without a plane of classes, none is hidden.
         public static CloudLook Of(in ColorMapping colors, NodeSource source, in ClassMask hidden = default)
         {
             var look = new CloudLook { Scale = colors.Scale, Bias = colors.Bias, Palette = colors.FirstEntry / Palettes.Length };
@@ -36,7 +36,7 @@ namespace FastPoints.Rendering
                     look.Plane = PlaneOf(source, StoreLayout.ColorName);
                     break;
                 case ColorMode.Elevation:
-                    look.Source = ColorSource.Place;
+                    look.Source = ColorSource.Position;
                     look.ValuePerUnit = colors.PositionWeights * colors.Scale / source.Grid.Step;
                     break;
                 default:

@@ -6,7 +6,7 @@ namespace FastPoints.Rendering
     /// <summary>Position and projection of one eye: a camera's, or one of a headset's two.</summary>
     public struct EyeMatrices
     {
-        /// <summary>Of a matrix's place, as a share: some hundred times what floats round by.</summary>
+        /// <summary>Relative to the camera's position: about a hundred times the rounding of floats.</summary>
         const double MaxRounding = 1e-5;
 
         /// <summary>World to camera, which looks along its negative Z.</summary>
@@ -26,19 +26,19 @@ namespace FastPoints.Rendering
         internal static EyeMatrices OfMono(Camera camera)
         {
             var eye = Of(camera.worldToCameraMatrix, camera.projectionMatrix);
-            var place = camera.transform.position;
-            var exact = new double3(place.x, place.y, place.z);
+            var position = camera.transform.position;
+            var exact = new double3(position.x, position.y, position.z);
             // The matrix is rounded, but where a script has set it, as mirrors do, it alone counts.
             if (math.distance(eye.PositionWorld, exact) <= MaxRounding * (1 + math.length(exact)))
                 eye.PositionWorld = exact;
             return eye;
         }
 
-        internal static EyeMatrices Of(in Matrix4x4 view, in Matrix4x4 projection, Vector3 place) => new EyeMatrices
+        internal static EyeMatrices Of(in Matrix4x4 view, in Matrix4x4 projection, Vector3 position) => new EyeMatrices
         {
             View = view,
             Projection = projection,
-            PositionWorld = new double3(place.x, place.y, place.z),
+            PositionWorld = new double3(position.x, position.y, position.z),
         };
 
         public static EyeMatrices Of(Camera camera, Camera.StereoscopicEye eye) =>

@@ -11,7 +11,7 @@ namespace FastPoints.Rendering
     {
         /// <summary>Half a bank is empty on average: clouds of a million points and more take at most 10 bytes a point.</summary>
         public const int DefaultBankBytes = 8 << 20;
-        const int MaxUploadBytes = 64 << 20; // That staging has room for, whatever the limit of a frame.
+        const int MaxUploadBytes = 64 << 20; // Capacity of staging, independent of the limit of a frame.
         const int VertexBuffers = 2; // A bank and ListBuffer.
 
         readonly StagingRing m_upload;
@@ -47,7 +47,7 @@ namespace FastPoints.Rendering
         public override bool TryBeginUpload(int maxBytes) =>
             m_upload.TryBegin(m_frame, PagesFor(math.clamp(maxBytes, PageBytes, MaxUploadBytes)));
 
-        public override byte* AddressForUpload(PoolRange run, long bytes) => m_upload.Take(run);
+        public override byte* AddressForUpload(PoolRange range, long bytes) => m_upload.Take(range);
 
         public override void EndUpload() => m_upload.End(m_buffers, m_frame);
 

@@ -17,11 +17,11 @@ namespace FastPoints.Rendering
         public void Write(CommandBuffer commands, DrawList list)
         {
             m_endByte = m_colors.Length * sizeof(uint);
-            m_nodesAt = Place(list.Nodes);
-            m_cloudsAt = Place(list.Clouds);
-            m_nodeOfInstanceAt = Place(list.NodeOfInstance);
-            m_sizeNodesAt = Place(list.SizeNodes);
-            m_clipBoxesAt = Place(list.ClipBoxes);
+            m_nodesAt = Reserve(list.Nodes);
+            m_cloudsAt = Reserve(list.Clouds);
+            m_nodeOfInstanceAt = Reserve(list.NodeOfInstance);
+            m_sizeNodesAt = Reserve(list.SizeNodes);
+            m_clipBoxesAt = Reserve(list.ClipBoxes);
             if (m_buffer.Reserve(m_endByte))
                 m_buffer.Write(commands, m_colors);
             m_buffer.Write(commands, list.Nodes, m_nodesAt);
@@ -58,7 +58,7 @@ namespace FastPoints.Rendering
         }
 
         // Buffers are written in whole values: a list begins at a multiple of its values' size.
-        int Place<T>(NativeArray<T> values) where T : unmanaged
+        int Reserve<T>(NativeArray<T> values) where T : unmanaged
         {
             int size = UnsafeUtility.SizeOf<T>();
             int at = (m_endByte + size - 1) / size * size;

@@ -2,8 +2,8 @@ using UnityEngine;
 
 namespace FastPoints.Rendering
 {
-    /// <summary>Says of its camera whether it draws point clouds. Without it all cameras do, but for URP's overlay cameras. Which
-    /// clouds a camera draws is for its culling mask and their layers to say.</summary>
+    /// <summary>Whether its camera draws point clouds. Without it all cameras do, except URP's overlay cameras. Which
+    /// clouds a camera draws depends on its culling mask and their layers.</summary>
     [DisallowMultipleComponent]
     [RequireComponent(typeof(Camera))]
     [AddComponentMenu("FastPoints/Point Cloud Camera")]

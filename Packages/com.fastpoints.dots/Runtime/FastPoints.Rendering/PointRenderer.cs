@@ -76,7 +76,7 @@ namespace FastPoints.Rendering
         {
             if (List.Draws.Length == 0)
                 return;
-            if (IsComputed(view))
+            if (UsesCompute(view))
                 m_layer.Compose(commands, view, m_materials.ComposePixels, m_raster);
             else if (view.Style.IsLayered)
                 m_layer.End(commands, view, view.Style.IsBlended ? m_materials.ComposeSums : m_materials.ComposeLayer);
@@ -96,13 +96,13 @@ namespace FastPoints.Rendering
             if (List.Draws.Length == 0)
                 return;
             // In instanced single-pass rendering the engine multiplies the instances of plain draws.
-            bool isMultiplied = !SystemInfo.supportsMultiview;
-            if (isMultiplied && pipelineDoublesInstances)
+            bool isInstanced = !SystemInfo.supportsMultiview;
+            if (isInstanced && pipelineDoublesInstances)
                 commands.SetInstanceMultiplier(1);
-            bool isAtOnce = isMultiplied && SystemInfo.supportsRenderTargetArrayIndexFromVertexShader &&
-                !left.Style.IsLayered && !IsComputed(left);
-            WriteBuffers(commands, left.Style, isAtOnce ? 2 : 1);
-            if (isAtOnce)
+            bool isSinglePass = isInstanced && SystemInfo.supportsRenderTargetArrayIndexFromVertexShader &&
+                !left.Style.IsLayered && !UsesCompute(left);
+            WriteBuffers(commands, left.Style, isSinglePass ? 2 : 1);
+            if (isSinglePass)
             {
                 PointLayer.SetTarget(commands, left);
                 Set(left);
@@ -116,7 +116,7 @@ namespace FastPoints.Rendering
                 RecordSlice(commands, left, TargetEye.Left);
                 RecordSlice(commands, right, TargetEye.Right);
             }
-            if (isMultiplied && pipelineDoublesInstances)
+            if (isInstanced && pipelineDoublesInstances)
                 commands.SetInstanceMultiplier(2);
         }
 
@@ -128,12 +128,12 @@ namespace FastPoints.Rendering
             RecordInto(commands, view);
         }
 
-        bool IsComputed(in RenderView view) =>
+        bool UsesCompute(in RenderView view) =>
             view.Style.Shape == PointShape.Pixel && m_raster != null && ComputeRaster.CanDraw(view);
 
         void RecordLayer(CommandBuffer commands, in RenderView view)
         {
-            if (IsComputed(view))
+            if (UsesCompute(view))
             {
                 m_raster.Record(commands, view, List, m_lists, m_pool);
                 return;
@@ -203,7 +203,7 @@ namespace FastPoints.Rendering
             }
         }
 
-        // Or indices: squares have four vertices, other shapes a triangle around them.
+        // Vertices or indices of a point: squares have four vertices, other shapes a triangle around them.
         static int VerticesOf(PointShape shape) =>
             shape == PointShape.Pixel ? 1 : shape == PointShape.Square ? PointMaterials.IndicesOfSquare : 3;
 

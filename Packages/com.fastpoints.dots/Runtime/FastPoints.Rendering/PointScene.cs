@@ -13,11 +13,11 @@ namespace FastPoints.Rendering
     // announces a camera before drawing it, so that the next frame selects for it, and then records the draws. Main thread.
     internal sealed class PointScene : IDisposable
     {
-        // A camera that was not drawn for so many frames releases its buffers.
+        // A camera that was not drawn for this many frames releases its buffers.
         const int FramesToForget = 120;
 
-        // Frames select for a camera until so many have come without its picture: it may be drawn at half the rate of others,
-        // and its nodes would come and go.
+        // Frames select for a camera until it was not drawn for this many: it may be drawn at half the rate of others,
+        // and its nodes would be loaded and evicted in turn.
         internal const int FramesToKeep = 30;
         const int MaxViews = 4; // Of a camera that a frame selects for.
 
@@ -37,12 +37,12 @@ namespace FastPoints.Rendering
             public PointRenderer Renderer;
             public int LastFrame;
             public int AnnouncedFrame;
-            public double3? AnnouncedPosition; // Null where a script has set the matrices: the transform says nothing of them.
+            public double3? AnnouncedPosition; // Null if a script has set the matrices, independent of the transform.
 
             // How far the camera moved since it was announced, for example with a floating origin: the next picture is from
             // there.
             public double3 Moved => AnnouncedPosition.HasValue && Camera != null
-                ? PlaceOf(Camera) - AnnouncedPosition.Value : default;
+                ? PositionOf(Camera) - AnnouncedPosition.Value : default;
 
             // What the next frame selects for: as the camera was drawn at each size and with each mask, for an editor draws it
             // once more into a small picture, and recorders do, in the last frame that it was drawn in.
@@ -65,7 +65,7 @@ namespace FastPoints.Rendering
         public StreamContext Stream { get; }
         public PointStyle Style { get; set; } = PointStyle.Default;
 
-        // Of the cameras that were announced lately: once for each size and mask of a camera.
+        // Views of the recently announced cameras: one for each size and mask of a camera.
         public NativeArray<StreamView> NextViews
         {
             get
@@ -95,7 +95,7 @@ namespace FastPoints.Rendering
             m_looks[cloud] = look;
         }
 
-        // All clouds are without colours again, until they are set.
+        // Removes the colours of all clouds.
         public void ClearLooks()
         {
             for (int cloud = 0; cloud < m_looks.Count; cloud++)
@@ -140,7 +140,8 @@ namespace FastPoints.Rendering
             seen.AnnouncedFrame = m_frame;
             var view = isForHeadset ? EyeOf(camera, Camera.StereoscopicEye.Left)
                 : CameraViews.StreamViewOf(camera, EyeMatrices.OfMono(camera), camera.pixelHeight);
-            seen.AnnouncedPosition = isForHeadset || view.EyeWorld.Equals(PlaceOf(camera)) ? PlaceOf(camera) : (double3?)null;
+            seen.AnnouncedPosition = isForHeadset || view.EyeWorld.Equals(PositionOf(camera)) ? PositionOf(camera)
+                : (double3?)null;
             var drawn = (camera.pixelWidth, camera.pixelHeight, view.Mask.Scenes, view.Mask.HiddenLayers);
             // Keep the order: selection depends on it, and would change from frame to frame.
             int at = 0;
@@ -156,8 +157,8 @@ namespace FastPoints.Rendering
                 views.Insert(at + 1, (drawn, EyeOf(camera, Camera.StereoscopicEye.Right)));
         }
 
-        // Call after AddView where a pass that draws nothing would still part those around it, which tile-based cards pay for.
-        // Whether the camera has clouds before it; the GPU runs the uploads with its picture in either case.
+        // Call after AddView where a pass that draws nothing would still split the passes around it, which costs time on
+        // tile-based GPUs. Whether the camera has clouds before it; the GPU runs the uploads with its picture in either case.
         public unsafe bool BeginPicture(Camera camera)
         {
             m_pool.BeginPicture();
@@ -178,10 +179,10 @@ namespace FastPoints.Rendering
             return false;
         }
 
-        static double3 PlaceOf(Camera camera)
+        static double3 PositionOf(Camera camera)
         {
-            var place = camera.transform.position;
-            return new double3(place.x, place.y, place.z);
+            var position = camera.transform.position;
+            return new double3(position.x, position.y, position.z);
         }
 
         static StreamView EyeOf(Camera camera, Camera.StereoscopicEye eye) =>

@@ -41,7 +41,7 @@ namespace FastPoints.Rendering
     {
         Whole,
 
-        // Of two slices.
+        // The slice of a texture array.
         Left,
 
         Right,

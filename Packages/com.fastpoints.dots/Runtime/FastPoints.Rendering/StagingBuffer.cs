@@ -22,7 +22,7 @@ namespace FastPoints.Rendering
         NativeList<PoolRange> m_runs; // In the order in which the nodes lie here.
         int m_pageCount;
 
-        /// <summary>Pages that were asked for; a larger node may have made more.</summary>
+        /// <summary>Requested pages; a larger node may have allocated more.</summary>
         int m_usual;
 
         public StagingBuffer() => m_runs = new NativeList<PoolRange>(256, Allocator.Persistent);
@@ -30,7 +30,7 @@ namespace FastPoints.Rendering
         public int Capacity => m_pages.count;
         public bool IsLocked { get; private set; }
 
-        /// <summary>Begins an upload, in another buffer if another size is asked for than the last time.</summary>
+        /// <summary>Begins an upload, in a new buffer if the requested size has changed.</summary>
         public void Begin(int pages)
         {
             if (pages != m_usual)
@@ -47,17 +47,17 @@ namespace FastPoints.Rendering
         }
 
         // Null if there is no room. The first always has room.
-        public byte* Take(PoolRange run)
+        public byte* Take(PoolRange range)
         {
-            if (m_pageCount + run.PageCount > Capacity)
+            if (m_pageCount + range.PageCount > Capacity)
             {
                 if (m_pageCount > 0)
                     return null;
-                Grow(run.PageCount);
+                Grow(range.PageCount);
             }
-            m_runs.Add(run);
+            m_runs.Add(range);
             byte* at = (byte*)m_words.GetUnsafePtr() + (long)m_pageCount * NodePool.PageBytes;
-            m_pageCount += run.PageCount;
+            m_pageCount += range.PageCount;
             return at;
         }
 
@@ -115,9 +115,9 @@ namespace FastPoints.Rendering
             uint from = 0;
             for (int i = 0; i < m_runs.Length; i++)
             {
-                var run = m_runs[i];
-                for (int page = 0; page < run.PageCount; page++)
-                    to[endOfBank[run.Bank]++] = new uint2(from++, (uint)(run.FirstPage + page));
+                var range = m_runs[i];
+                for (int page = 0; page < range.PageCount; page++)
+                    to[endOfBank[range.Bank]++] = new uint2(from++, (uint)(range.FirstPage + page));
             }
             m_pages.UnlockBufferAfterWrite<uint2>(m_pageCount);
         }

@@ -46,7 +46,7 @@ namespace FastPoints.Rendering
         }
 
         // The first always has room; null if there is none.
-        public byte* Take(PoolRange run) => m_buffers[m_next].Take(run);
+        public byte* Take(PoolRange range) => m_buffers[m_next].Take(range);
 
         // After everything is written: later draws find it in the pool.
         public void End(List<GraphicsBuffer> banks, long frame)

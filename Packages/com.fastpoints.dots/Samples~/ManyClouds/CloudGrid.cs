@@ -55,8 +55,8 @@ namespace FastPoints.Samples.ManyClouds
         void Place(Transform cloud, int number, float degrees)
         {
             float half = (Side - 1) / 2f;
-            var place = new Vector3(number % Side - half, 0, number / Side - half) * Distance;
-            cloud.SetPositionAndRotation(transform.position + place, Quaternion.Euler(0, number * 37 + degrees, 0));
+            var position = new Vector3(number % Side - half, 0, number / Side - half) * Distance;
+            cloud.SetPositionAndRotation(transform.position + position, Quaternion.Euler(0, number * 37 + degrees, 0));
         }
     }
 }

@@ -11,7 +11,7 @@ using UnityEngine;
 namespace FastPoints.Samples.RunTimeLoading
 {
     /// <summary>Shows a file that the player finds on disk: it converts the file once, a few milliseconds a frame, into the
-    /// application's own data, and shows it from there. Finished parts are shown meanwhile; a conversion that was broken off is
+    /// application's own data, and shows it from there. Finished parts are shown meanwhile; an interrupted conversion is
     /// continued.</summary>
     [RequireComponent(typeof(PointCloud))]
     [AddComponentMenu("FastPoints/Samples/Load From Disk")]

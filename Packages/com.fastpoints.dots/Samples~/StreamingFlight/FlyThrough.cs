@@ -37,10 +37,10 @@ namespace FastPoints.Samples.StreamingFlight
             var across = 0.5f * Size * new Vector3((float)(high.x - low.x), 0, (float)(high.z - low.z));
             var middle = new Vector3((float)(low.x + high.x) / 2, (float)low.y + Height, (float)(low.z + high.z) / 2);
             var toWorld = Cloud.transform.localToWorldMatrix;
-            var place = toWorld.MultiplyPoint3x4(middle + On(across, angle));
+            var position = toWorld.MultiplyPoint3x4(middle + On(across, angle));
             var down = new Vector3(0, Height / 2, 0);
             var limit = toWorld.MultiplyPoint3x4(middle - down + On(across, angle + 0.6f));
-            transform.SetPositionAndRotation(place, Quaternion.LookRotation(limit - place));
+            transform.SetPositionAndRotation(position, Quaternion.LookRotation(limit - position));
         }
 
         static Vector3 On(Vector3 across, float angle) =>

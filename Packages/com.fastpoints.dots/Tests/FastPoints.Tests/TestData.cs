@@ -9,10 +9,10 @@ namespace FastPoints.Tests
     {
         const string Variable = "FASTPOINTS_DATA", PackageFolder = "Packages/com.fastpoints.dots";
 
-        /// <summary>The data folder, or null where there is none.</summary>
+        /// <summary>The data folder, or null if there is none.</summary>
         public static string Root { get; } = FindRoot();
 
-        /// <summary>The package's own folder, or null where the tests run without its sources.</summary>
+        /// <summary>The package's own folder, or null if the tests run without its sources.</summary>
         public static string PackageRoot { get; } = FindPackage();
 
         /// <summary>The folder of small sample files, or null.</summary>

@@ -58,7 +58,7 @@ namespace FastPoints.UnityTests
         }
 
         [Test]
-        public void OnScene_AssetOfACloud_BecomesAGameObjectThatUndoTakesAway()
+        public void OnScene_AssetOfACloud_CreatesAGameObjectWithUndo()
         {
             var asset = TestProject.TakeScan();
             DragAndDrop.PrepareStartDrag();

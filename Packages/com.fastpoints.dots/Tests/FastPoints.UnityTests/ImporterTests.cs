@@ -13,7 +13,7 @@ namespace FastPoints.UnityTests
     public sealed class ImporterTests : TestProjectFixture
     {
         [UnityTest]
-        public IEnumerator PointFile_InAssets_GetsOurImporterWhereNoOtherIsInCharge()
+        public IEnumerator PointFile_InAssets_GetsOurImporterIfNoOtherClaimsIt()
         {
             string asset = TestProject.Folder + "/hills.las";
             File.Copy(TestProject.MakeScan(), asset);

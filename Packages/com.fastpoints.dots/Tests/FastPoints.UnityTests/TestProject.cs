@@ -43,7 +43,7 @@ namespace FastPoints.UnityTests
         public static void Begin()
         {
             Clean();
-            // Or the user's own files would be claimed, in their .meta files.
+            // Otherwise the user's own files would be claimed, in their .meta files.
             SessionState.SetInt(PointFilesBefore, (int)FastPointsSettings.instance.PointFiles);
             FastPointsSettings.instance.PointFiles = PointFiles.Leave;
             Directory.CreateDirectory(Outside);

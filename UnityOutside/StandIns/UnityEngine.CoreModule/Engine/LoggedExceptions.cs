@@ -14,7 +14,7 @@ static class LoggedExceptions
             s_exceptions.Enqueue(ExceptionDispatchInfo.Capture(exception));
     }
 
-    /// <summary>Throws the first since the last call, and forgets the others; nothing where there is none.</summary>
+    /// <summary>Throws the first since the last call, and forgets the others; nothing if there is none.</summary>
     internal static void ThrowFirst()
     {
         ExceptionDispatchInfo first;

@@ -2,7 +2,7 @@ using Unity.IO.LowLevel.Unsafe;
 
 namespace StandIns.Io;
 
-/// <summary>One read of several stretches of a file, from the call to the last byte. Used again after Dispose, so that a
+/// <summary>One read of several segments of a file, from the call to the last byte. Used again after Dispose, so that a
 /// read makes no garbage on the main thread, as in Unity.</summary>
 sealed unsafe class ReadRequest
 {
@@ -23,7 +23,7 @@ sealed unsafe class ReadRequest
     int m_status = (int)WaitingOnJob;
     bool m_cancelled;
 
-    /// <param name="path">A file to read by its name, or null where <paramref name="file"/> is given.</param>
+    /// <param name="path">A file to read by its name, or null if <paramref name="file"/> is given.</param>
     internal static ReadRequest Take(string path, OpenFile file, ReadCommand* commands, int count)
     {
         ReadRequest request = null;

@@ -1,6 +1,6 @@
 namespace Unity.IO.LowLevel.Unsafe;
 
-/// <summary>One stretch of a file, and where its bytes go.</summary>
+/// <summary>One segment of a file, and where its bytes go.</summary>
 public unsafe struct ReadCommand
 {
     public void* Buffer;

@@ -9,7 +9,7 @@ sealed class ContainerType
     internal readonly string Name;
     internal readonly bool IsReadOnly;
     internal readonly bool SupportsMinMax;
-    // -1 where there is no such field.
+    // -1 if there is no such field.
     internal readonly int BufferOffset;
     internal readonly int MinIndexOffset;
     internal readonly int MaxIndexOffset;

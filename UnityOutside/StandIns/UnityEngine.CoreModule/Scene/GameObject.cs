@@ -58,7 +58,7 @@ public sealed partial class GameObject : Object
     /// <summary>Without its mesh.</summary>
     public static GameObject CreatePrimitive(PrimitiveType type) => new GameObject(type.ToString());
 
-    /// <returns>Null where there may be one only, and is one.</returns>
+    /// <returns>Null if there may be one only, and is one.</returns>
     public T AddComponent<T>() where T : Component
     {
         CheckIsThere();

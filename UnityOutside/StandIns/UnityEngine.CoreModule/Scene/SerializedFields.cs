@@ -37,7 +37,7 @@ static class SerializedFields
             field.SetValue(to, field.GetValue(from));
     }
 
-    /// <summary>The first field of which two objects have other values; null where there is none.</summary>
+    /// <summary>The first field of which two objects have other values; null if there is none.</summary>
     public static string FindDifference(Object a, Object b) =>
         Kept(a).FirstOrDefault(f => !IsSame(f.GetValue(a), f.GetValue(b)))?.Name;
 

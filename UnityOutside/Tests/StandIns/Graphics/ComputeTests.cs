@@ -8,7 +8,7 @@ public sealed class ComputeTests : GraphicsFixture
     public void Load() => m_shader = HeadlessShaders.LoadCompute(PathOf("Numbers.compute"));
 
     [Test]
-    public void FindKernel_NoSuch_Throws()
+    public void FindKernel_UnknownName_Throws()
     {
         Assert.That(m_shader.FindKernel("Copy"), Is.EqualTo(1));
         Assert.That(() => m_shader.FindKernel("Nothing"), Throws.ArgumentException.With.Message.Contains("Nothing"));
@@ -30,7 +30,7 @@ public sealed class ComputeTests : GraphicsFixture
     }
 
     [Test]
-    public void Dispatch_StagingToPool_CopiesWhatWasLocked()
+    public void Dispatch_StagingToPool_CopiesLockedBytes()
     {
         using var staging =
             new GraphicsBuffer(GraphicsBuffer.Target.Structured, GraphicsBuffer.UsageFlags.LockBufferForWrite, 64, 16);
@@ -122,7 +122,7 @@ public sealed class ComputeTests : GraphicsFixture
     }
 
     [Test]
-    public void Dispatch_WhatDoesNotFit_Throws()
+    public void Dispatch_TooManyGroups_Throws()
     {
         ComputeShader shader = HeadlessShaders.LoadCompute(PathOf("Numbers.compute"));
         Assert.That(() => shader.Dispatch(0, 1, 1, 1), Throws.InvalidOperationException.With.Message.Contains("_Numbers"));

@@ -67,7 +67,7 @@ public sealed class DrawTests : GraphicsFixture
     private static uint At(uint[] texels, int x, int y) => texels[y * Side + x];
 
     [Test]
-    public void Draw_UpIsUpAndRightIsRight()
+    public void Draw_UpAndRight_AreNotFlipped()
     {
         SetSquares((new Vector3(1, 1, -2), 1, Color.red));
         uint[] texels = Draw(1);
@@ -77,7 +77,7 @@ public sealed class DrawTests : GraphicsFixture
 
     [TestCase(-2, -4, Red)]
     [TestCase(-4, -2, Green)]
-    public void Draw_NearHidesFar_WhicheverComesFirst(float firstZ, float secondZ, uint expected)
+    public void Draw_NearAndFarPoint_NearHidesFarInAnyOrder(float firstZ, float secondZ, uint expected)
     {
         SetSquares((new Vector3(0, 0, firstZ), 1, Color.red), (new Vector3(0, 0, secondZ), 1, Color.green));
         Assert.That(At(Draw(2), 16, 16), Is.EqualTo(expected));
@@ -112,7 +112,7 @@ public sealed class DrawTests : GraphicsFixture
     }
 
     [Test]
-    public void DrawIndirect_TakesCountsFromTheBuffer()
+    public void DrawIndirect_Counts_ComeFromTheBuffer()
     {
         SetSquares((new Vector3(-1, 0, -2), 0.5f, Color.red), (new Vector3(1, 0, -2), 0.5f, Color.blue));
         using var arguments =
@@ -133,7 +133,7 @@ public sealed class DrawTests : GraphicsFixture
     }
 
     [Test]
-    public void Draw_Block_CountsAsItWasAndBeforeTheMaterial()
+    public void Draw_PropertyBlock_IsCopiedAndOverridesTheMaterial()
     {
         SetSquares((new Vector3(0, 0, -2), 1, Color.white));
         var block = new MaterialPropertyBlock();
@@ -151,7 +151,7 @@ public sealed class DrawTests : GraphicsFixture
     }
 
     [Test]
-    public void Draw_GlobalBuffer_ServesWhereTheMaterialHasNone()
+    public void Draw_GlobalBuffer_IsUsedIfTheMaterialHasNone()
     {
         SetSquares((new Vector3(0, 0, -2), 1, Color.green));
         Begin();
@@ -193,7 +193,7 @@ public sealed class DrawTests : GraphicsFixture
     }
 
     [Test]
-    public void Draw_FromATemporaryTexture_BlendsOverWhatIsThere()
+    public void Draw_FromATemporaryTexture_BlendsOverTheTarget()
     {
         var half = new RenderTextureDescriptor(4, 4, GraphicsFormat.R16G16B16A16_SFloat, 0);
         m_material.SetVector(Id("_Tint"), new Vector4(1, 1, 1, 0.5f));
@@ -211,7 +211,7 @@ public sealed class DrawTests : GraphicsFixture
     }
 
     [Test]
-    public void Draw_WithATextureOfNobodys_SeesMagenta()
+    public void Draw_UnboundTexture_IsMagenta()
     {
         SetSquares((new Vector3(0, 0, -2), 1, Color.green));
         m_material.SetBuffer(Id("_Squares"), m_squares);
@@ -239,7 +239,7 @@ public sealed class DrawTests : GraphicsFixture
     }
 
     [Test]
-    public void Draw_AllSlices_TheVertexShaderChooses()
+    public void Draw_AllSlices_VertexShaderSelectsTheSlice()
     {
         SetSquares((default, 0, Color.red), (default, 0, Color.green));
         var eyes = new RenderTexture(new RenderTextureDescriptor(8, 8, GraphicsFormat.R8G8B8A8_UNorm, 32)
@@ -258,7 +258,7 @@ public sealed class DrawTests : GraphicsFixture
     }
 
     [Test]
-    public void Draw_WhatIsMissing_IsNamed()
+    public void Draw_MissingBinding_IsNamed()
     {
         m_commands.DrawProcedural(Matrix4x4.identity, m_material, 0, MeshTopology.Triangles, 6);
         Assert.That(() => Execute(m_commands), Throws.InvalidOperationException.With.Message.Contains("no render target"));

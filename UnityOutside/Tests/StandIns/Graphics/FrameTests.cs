@@ -108,7 +108,7 @@ public sealed class FrameTests : GraphicsFixture
     }
 
     [Test]
-    public void Frames_TenThousandUploads_LeaveNothingBehind()
+    public void Frames_TenThousandUploads_LeakNothing()
     {
         for (int frame = 0; frame < 100; frame++)
             Frame(frame, draws: 0);
@@ -123,7 +123,7 @@ public sealed class FrameTests : GraphicsFixture
     }
 
     [Test]
-    public void Frames_CardFarBehind_FencesPassSoManyFramesLater()
+    public void Frames_GpuFarBehind_FencesPassFramesLater()
     {
         HeadlessGraphics.FramesBehind = 3;
         Frame(0, draws: 1);
@@ -151,7 +151,7 @@ public sealed class FrameTests : GraphicsFixture
     }
 
     [Test]
-    public void Frames_ResourcesMadeAndDisposed_LeaveNothingBehind()
+    public void Frames_ResourcesCreatedAndDisposed_LeakNothing()
     {
         long used = 0;
         for (int frame = 0; frame < 60; frame++)

@@ -42,7 +42,7 @@ public sealed class GraphicsBufferTests : GraphicsFixture
     }
 
     [Test]
-    public void Constructor_WhatUnityRefuses_Throws()
+    public void Constructor_ArgumentsThatUnityRefuses_Throw()
     {
         Assert.That(() => new GraphicsBuffer(Plain, 0, 4), Throws.ArgumentException);
         Assert.That(() => new GraphicsBuffer(Plain, 1, 0), Throws.ArgumentException);
@@ -56,7 +56,7 @@ public sealed class GraphicsBufferTests : GraphicsFixture
     }
 
     [Test]
-    public void Constructor_WhatIsInIt_IsUndefined()
+    public void Constructor_Content_IsUndefined()
     {
         using GraphicsBuffer plain = Structured(8);
         using GraphicsBuffer lockable = Lockable(8);
@@ -136,7 +136,7 @@ public sealed class GraphicsBufferTests : GraphicsFixture
     }
 
     [Test]
-    public void Lock_WhatWasThere_IsGone()
+    public void Lock_PreviousContent_IsLost()
     {
         using GraphicsBuffer buffer = Lockable();
         buffer.SetData(new uint[16]);
@@ -182,7 +182,7 @@ public sealed class GraphicsBufferTests : GraphicsFixture
     }
 
     [Test]
-    public void Readback_IsThereUntilTheEndOfItsFrame()
+    public void Readback_OfAFrame_IsValidUntilItsEnd()
     {
         using GraphicsBuffer buffer = Structured(4);
         buffer.SetData(new uint[] { 1, 2, 3, 4 });

@@ -29,7 +29,7 @@ public sealed class RenderGraphTests
     }
 
     [Test]
-    public void Pass_ThatMayBeCulled_Is()
+    public void Pass_CullingAllowed_IsCulled()
     {
         bool ran = false;
         Assert.That(Run(_ => ran = true, isKept: false), Is.Zero);
@@ -58,7 +58,7 @@ public sealed class RenderGraphTests
     }
 
     [Test]
-    public void PassData_IsAsTheLastPassLeftIt()
+    public void PassData_Reused_HasTheLastPassesValues()
     {
         Run(data => data.Value = 7);
         Run(data => Assert.That(data.Value, Is.EqualTo(7)));

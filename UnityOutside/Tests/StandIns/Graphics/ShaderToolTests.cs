@@ -37,11 +37,11 @@ public sealed class ShaderToolTests
     [TestCase("SubShader { Pass { " + Pass, "the file ends within a block")]
     [TestCase("Properties { _A (\"A\", Float) 1 } SubShader { Pass { " + Pass + " } }", "'=' is wanted, '1' is there")]
     [TestCase("SubShader { Pass { HLSLPROGRAM\n#pragma vertex V\nENDHLSL } }", "#pragma fragment")]
-    public void Read_WhatIsNotUnderstood_IsRefusedWithItsLine(string body, string message) =>
+    public void Read_UnknownSyntax_IsRefusedWithItsLine(string body, string message) =>
         Assert.That(() => Read(body), Throws.InstanceOf<InvalidDataException>().With.Message.Contains(message));
 
     [Test]
-    public void Read_PropertiesStateAndPasses_AreTaken()
+    public void Read_PropertiesStateAndPasses_AreParsed()
     {
         ShaderLabSource shader =
             Read("Properties { [Header(A)] _A (\"A\", Range(0, 1)) = 0.5 _B (\"B\", Vector) = (1, 2, 3, -4)\n"
@@ -78,7 +78,7 @@ public sealed class ShaderToolTests
     }
 
     [Test]
-    public void Keywords_Stereo_IsThereForWhoAsks()
+    public void Keywords_Stereo_IsAvailableOnRequest()
     {
         Write("eyes.hlsl", "#if defined(STEREO_INSTANCING_ON)\n#endif\n");
         string stereo = Pass.Replace("ENDHLSL", "#include \"eyes.hlsl\"\nENDHLSL");

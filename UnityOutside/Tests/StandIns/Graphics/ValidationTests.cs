@@ -6,7 +6,7 @@ public sealed unsafe class ValidationTests : GraphicsFixture
 {
     /// <summary>A planted fault: what the other tests lean on is that the layer would have told.</summary>
     [Test]
-    public void Validation_ABufferOfNoBytes_IsReported()
+    public void Validation_BufferOfZeroBytes_IsReported()
     {
         if (!HeadlessGraphics.Validate)
             Assert.Ignore("The validation layer is not installed (Debian, Ubuntu: apt-get install vulkan-validationlayers)");

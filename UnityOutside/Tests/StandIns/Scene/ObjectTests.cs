@@ -2,7 +2,7 @@ namespace UnityOutside.Tests.StandIns;
 
 public sealed class ObjectTests
 {
-    static readonly List<string> s_told = new List<string>();
+    static readonly List<string> s_messages = new List<string>();
 
     readonly List<string> m_logged = new List<string>();
     GameObject m_object;
@@ -10,7 +10,7 @@ public sealed class ObjectTests
     [SetUp]
     public void MakeObject()
     {
-        s_told.Clear();
+        s_messages.Clear();
         m_logged.Clear();
         Debug.s_sink = (type, text) => m_logged.Add(type + ": " + text);
         m_object = new GameObject("object");
@@ -25,7 +25,7 @@ public sealed class ObjectTests
     }
 
     [Test]
-    public void Layer_OutOfRange_IsLoggedAndStaysAsItWas()
+    public void Layer_OutOfRange_IsLoggedAndUnchanged()
     {
         m_object.layer = 31;
         m_object.layer = 32;
@@ -34,9 +34,9 @@ public sealed class ObjectTests
     }
 
     [Test]
-    public void Destroyed_Object_IsNullAndIsNotToBeUsed()
+    public void Destroyed_Object_EqualsNullAndThrows()
     {
-        var reported = m_object.AddComponent<AlwaysTold>();
+        var reported = m_object.AddComponent<AlwaysExecuted>();
         reported.Kept = 3;
         Object.DestroyImmediate(m_object);
         Assert.That(m_object == null && reported == null && !reported, Is.True);
@@ -70,17 +70,17 @@ public sealed class ObjectTests
     }
 
     [Test]
-    public void Messages_InEditMode_AreForThoseThatAreAlwaysExecuted()
+    public void Messages_InEditMode_ReachExecuteAlwaysOnly()
     {
-        m_object.AddComponent<Told>();
-        Assert.That(s_told, Is.EqualTo(new[] { "Reset" }));
-        s_told.Clear();
-        var always = m_object.AddComponent<AlwaysTold>();
+        m_object.AddComponent<Recorder>();
+        Assert.That(s_messages, Is.EqualTo(new[] { "Reset" }));
+        s_messages.Clear();
+        var always = m_object.AddComponent<AlwaysExecuted>();
         SceneLoop.Update();
         always.enabled = false;
         always.enabled = true;
         Object.DestroyImmediate(m_object);
-        Assert.That(s_told, Is.EqualTo(new[]
+        Assert.That(s_messages, Is.EqualTo(new[]
         {
             "Awake", "OnEnable", "Reset", "Start", "Update", "OnDisable", "OnEnable", "OnDisable", "OnDestroy",
         }));
@@ -93,15 +93,15 @@ public sealed class ObjectTests
         var parent = new GameObject("parent");
         parent.SetActive(false);
         m_object.transform.SetParent(parent.transform, false);
-        var reported = m_object.AddComponent<Told>();
+        var reported = m_object.AddComponent<Recorder>();
         SceneLoop.Update();
-        Assert.That(s_told, Is.Empty);
+        Assert.That(s_messages, Is.Empty);
         Assert.That((reported.enabled, reported.isActiveAndEnabled), Is.EqualTo((true, false)));
         parent.SetActive(true);
-        Assert.That(s_told, Is.EqualTo(new[] { "Awake", "OnEnable" }));
+        Assert.That(s_messages, Is.EqualTo(new[] { "Awake", "OnEnable" }));
         parent.SetActive(false);
         Object.DestroyImmediate(parent);
-        Assert.That(s_told, Is.EqualTo(new[] { "Awake", "OnEnable", "OnDisable", "OnDestroy" }));
+        Assert.That(s_messages, Is.EqualTo(new[] { "Awake", "OnEnable", "OnDisable", "OnDestroy" }));
     }
 
     [Test]
@@ -109,13 +109,13 @@ public sealed class ObjectTests
     {
         SceneLoop.IsPlaying = true;
         m_object.SetActive(false);
-        m_object.AddComponent<Told>();
+        m_object.AddComponent<Recorder>();
         Object.DestroyImmediate(m_object);
-        Assert.That(s_told, Is.Empty);
+        Assert.That(s_messages, Is.Empty);
     }
 
     [Test]
-    public void AddComponent_ASecondThatIsDisallowed_IsNull()
+    public void AddComponent_DisallowedDuplicate_ReturnsNull()
     {
         m_object.AddComponent<Single>();
         Assert.That(m_object.AddComponent<Single>(), Is.Null);
@@ -123,36 +123,36 @@ public sealed class ObjectTests
     }
 
     [Test]
-    public void FindObjectsOfTypeAll_Components_AreThoseThatAreOff_Too()
+    public void FindObjectsOfTypeAll_Components_IncludesDisabledOnes()
     {
         m_object.SetActive(false);
-        var off = m_object.AddComponent<Told>();
-        Assert.That(Resources.FindObjectsOfTypeAll<Told>(), Is.EqualTo(new[] { off }));
+        var off = m_object.AddComponent<Recorder>();
+        Assert.That(Resources.FindObjectsOfTypeAll<Recorder>(), Is.EqualTo(new[] { off }));
         Object.DestroyImmediate(off);
-        Assert.That(Resources.FindObjectsOfTypeAll<Told>(), Is.Empty);
+        Assert.That(Resources.FindObjectsOfTypeAll<Recorder>(), Is.Empty);
     }
 
     [ExecuteAlways]
-    sealed class AlwaysTold : MonoBehaviour
+    sealed class AlwaysExecuted : MonoBehaviour
     {
         public int Kept;
 
-        void Awake() => s_told.Add("Awake");
-        void OnEnable() => s_told.Add("OnEnable");
-        void Reset() => s_told.Add("Reset");
-        void Start() => s_told.Add("Start");
-        void Update() => s_told.Add("Update");
-        void OnDisable() => s_told.Add("OnDisable");
-        void OnDestroy() => s_told.Add("OnDestroy");
+        void Awake() => s_messages.Add("Awake");
+        void OnEnable() => s_messages.Add("OnEnable");
+        void Reset() => s_messages.Add("Reset");
+        void Start() => s_messages.Add("Start");
+        void Update() => s_messages.Add("Update");
+        void OnDisable() => s_messages.Add("OnDisable");
+        void OnDestroy() => s_messages.Add("OnDestroy");
     }
 
-    sealed class Told : MonoBehaviour
+    sealed class Recorder : MonoBehaviour
     {
-        void Awake() => s_told.Add("Awake");
-        void OnEnable() => s_told.Add("OnEnable");
-        void Reset() => s_told.Add("Reset");
-        void OnDisable() => s_told.Add("OnDisable");
-        void OnDestroy() => s_told.Add("OnDestroy");
+        void Awake() => s_messages.Add("Awake");
+        void OnEnable() => s_messages.Add("OnEnable");
+        void Reset() => s_messages.Add("Reset");
+        void OnDisable() => s_messages.Add("OnDisable");
+        void OnDestroy() => s_messages.Add("OnDestroy");
     }
 
     [DisallowMultipleComponent]

@@ -9,13 +9,13 @@ namespace FastPoints.Benchmarks
     public static class WorkloadList
     {
         public static List<IWorkload> All() => typeof(IWorkload).Assembly.GetTypes()
-            .Where(t => typeof(IWorkload).IsAssignableFrom(t) && !t.IsAbstract && IsMadeOfNothing(t))
+            .Where(t => typeof(IWorkload).IsAssignableFrom(t) && !t.IsAbstract && HasDefaultConstructor(t))
             .Select(t => (IWorkload)Activator.CreateInstance(t))
             .Concat(ReadingWorkloads.All()).Concat(SelectWorkload.All()).Concat(ConvertWorkload.All())
             .Concat(SceneNodesWorkload.All())
             .Concat(ScenePreviewWorkload.All()).Concat(StreamSourceWorkload.All()).Concat(BesideFramesWorkload.All())
             .OrderBy(w => w.Name, StringComparer.Ordinal).ToList();
 
-        static bool IsMadeOfNothing(Type type) => type.IsValueType || type.GetConstructor(Type.EmptyTypes) != null;
+        static bool HasDefaultConstructor(Type type) => type.IsValueType || type.GetConstructor(Type.EmptyTypes) != null;
     }
 }

@@ -53,7 +53,7 @@ namespace FastPoints.Editor
                     " point clouds were not converted:\n" + string.Join("\n", failed));
         }
 
-        /// <returns>Null for what is converted, or shown as it is, and for a handle that cannot be read.</returns>
+        /// <returns>Null for a converted or directly shown cloud, and for a handle that cannot be read.</returns>
         static ImportRequest TryRequest(EditorImports imports, string asset, List<string> failed)
         {
             try

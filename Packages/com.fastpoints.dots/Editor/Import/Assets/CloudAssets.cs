@@ -5,8 +5,8 @@ using UnityEditor;
 
 namespace FastPoints.Editor
 {
-    /// <summary>Which assets of the project have which clouds: collected once, then kept as assets come, move and go. With a
-    /// thousand clouds, looking through all of them for each one would take a million loads.</summary>
+    /// <summary>Which assets of the project have which clouds: collected once, then updated as assets are added, moved and
+    /// removed. With a thousand clouds, looking through all of them for each one would take a million loads.</summary>
     internal sealed class CloudAssets
     {
         readonly ProjectPaths m_paths;

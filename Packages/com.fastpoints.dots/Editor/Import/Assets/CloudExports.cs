@@ -11,7 +11,7 @@ using UnityEngine;
 namespace FastPoints.Editor
 {
     /// <summary>Writes points of clouds to files, one file after another, a few milliseconds an update, each with a line in the
-    /// Progress window. What is cancelled, or broken off by a reload of scripts, leaves nothing.</summary>
+    /// Progress window. An export that is cancelled or interrupted by a reload of scripts leaves nothing.</summary>
     internal sealed class CloudExports : IDisposable
     {
         sealed class Export
@@ -80,7 +80,7 @@ namespace FastPoints.Editor
         static PointReader Open(IReadOnlyList<string> sources) =>
             sources.Count == 1 && CloudFolder.IsCloud(sources[0]) ? StoredReader.Open(sources[0]) : PointReaders.Open(sources);
 
-        /// <returns>Whether the file is there.</returns>
+        /// <returns>Whether the file is complete.</returns>
         static bool Step(Export export, double budgetMs)
         {
             if (export.Coroutine == null)

@@ -21,7 +21,7 @@ namespace FastPoints.Editor
         [Tooltip("The axis of the file that points up.")]
         public UpAxis UpAxis = UpAxis.Z;
 
-        // Not [Min]: Unity's drawer of that makes a float of it, and a US survey foot has more digits.
+        // Not [Min]: its drawer rounds to a float, and a US survey foot has more digits.
         [Tooltip("Metres of a unit of the file: 0.001 for millimetres. 0 or less: as the file says, else metres.")]
         public double MetresPerUnit;
 
@@ -82,13 +82,13 @@ namespace FastPoints.Editor
         /// <param name="asset">The asset's number, which keeps clouds with equal names apart.</param>
         public static string Of(string cloudPath, string asset)
         {
-            const string place = ProjectPaths.DefaultClouds + "/";
+            const string folder = ProjectPaths.DefaultClouds + "/";
             if (cloudPath.StartsWith(PointCloudPaths.InPlace, StringComparison.Ordinal))
-                return place + cloudPath.Substring(PointCloudPaths.InPlace.Length);
-            if (cloudPath.StartsWith(place, StringComparison.Ordinal) && cloudPath.IndexOf('/', place.Length) < 0)
+                return folder + cloudPath.Substring(PointCloudPaths.InPlace.Length);
+            if (cloudPath.StartsWith(folder, StringComparison.Ordinal) && cloudPath.IndexOf('/', folder.Length) < 0)
                 return cloudPath;
             string name = AssetNaming.Safe(Path.GetFileNameWithoutExtension(cloudPath.TrimEnd('/', '\\')));
-            return place + name + "-" + Short(asset) + StoreFormat.FolderExtension;
+            return folder + name + "-" + Short(asset) + StoreFormat.FolderExtension;
         }
 
         public static string OfSource(string source, string asset) => ProjectPaths.DefaultClouds + "/" + Short(asset) + "/" +

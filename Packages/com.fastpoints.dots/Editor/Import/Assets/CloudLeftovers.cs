@@ -8,7 +8,7 @@ using UnityEngine;
 namespace FastPoints.Editor
 {
     /// <summary>When the user deletes the last asset of a converted cloud, asks whether its data go, too: once for all that are
-    /// deleted together. What goes otherwise, as with a change of branches, keeps its data.</summary>
+    /// deleted together. Assets deleted in other ways, as by a change of branches, keep their data.</summary>
     internal sealed class CloudLeftovers
     {
         readonly EditorImports m_imports;
@@ -25,7 +25,7 @@ namespace FastPoints.Editor
                 m_expected.Add(path);
         }
 
-        /// <summary>Assets are gone, of which <see cref="CloudAssets"/> still knows.</summary>
+        /// <summary>Assets were deleted that <see cref="CloudAssets"/> still knows.</summary>
         public void Take(string[] deleted)
         {
             foreach (string asset in deleted)

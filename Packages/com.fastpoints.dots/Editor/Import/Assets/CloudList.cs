@@ -8,7 +8,7 @@ using FastPoints.Store;
 namespace FastPoints.Editor
 {
     /// <summary>All clouds of a project: of its assets, and converted ones that no asset has any more. It is collected on a
-    /// thread of the pool, since a thousand clouds have ten thousand files.</summary>
+    /// pool thread, since a thousand clouds have ten thousand files.</summary>
     internal sealed class CloudList
     {
         /// <summary>A cloud of an asset, or of none.</summary>
@@ -24,10 +24,10 @@ namespace FastPoints.Editor
             /// <summary>-1 if unknown.</summary>
             public long Points;
 
-            /// <summary>Of the converted data on disk.</summary>
+            /// <summary>Size of the converted data on disk.</summary>
             public long Bytes;
 
-            /// <summary>The first source that is not there; null if all are.</summary>
+            /// <summary>The first missing source; null if none is.</summary>
             public string Missing;
             public bool IsConverted;
 
@@ -43,12 +43,12 @@ namespace FastPoints.Editor
         /// for another project may use them.</summary>
         public readonly List<Row> Unused = new List<Row>();
 
-        /// <summary>Clouds without data that can be converted, and those whose sources are not there either; none that waits for
+        /// <summary>Clouds without data that can be converted, and those whose sources are missing too; none that waits for
         /// its conversion.</summary>
         public List<Row> Wanted { get; private set; }
         public List<Row> Lost { get; private set; }
 
-        /// <summary>Collects what there is now, on a thread of the pool.</summary>
+        /// <summary>Collects what there is now, on a pool thread.</summary>
         public static PoolTask<CloudList> Begin(EditorImports imports, bool measures = true,
             CancellationToken cancelled = default)
         {
@@ -112,7 +112,7 @@ namespace FastPoints.Editor
                     row.State = handle.IsOctree ? "streamed as it is" : match == CatalogMatch.Moved ? "converted data moved"
                         : match == CatalogMatch.Another ? "another cloud's data" : "not converted";
                 row.Missing = CloudRelocation.FindMissing(handle, paths);
-                // Of changed sources no conversion makes the cloud that the handle says: this would ask for ever.
+                // A changed source never converts to the cloud of the handle: the question would return for ever.
                 row.IsWanted = row.Missing == null && handle.Sources.Count > 0 && (convertsOctrees || !handle.IsOctree) &&
                     (match == CatalogMatch.None || match == CatalogMatch.Another && handle.Stamp != null &&
                     handle.Stamp.Compare(handle.Sources.ConvertAll(paths.Absolute)) == SourceChange.None);

@@ -10,7 +10,7 @@ namespace FastPoints.Editor
     /// converted clouds.</summary>
     internal static class CloudRelocation
     {
-        /// <summary>The first of a handle's sources that is not there; null if all are.</summary>
+        /// <summary>The first missing source of a handle; null if none is.</summary>
         public static string FindMissing(CloudHandle handle, ProjectPaths paths) =>
             handle.Sources.ConvertAll(paths.Absolute).Find(s => !File.Exists(s) && !Directory.Exists(s));
 

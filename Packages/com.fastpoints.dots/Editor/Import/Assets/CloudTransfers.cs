@@ -11,7 +11,7 @@ using UnityEngine;
 
 namespace FastPoints.Editor
 {
-    /// <summary>Copies converted clouds out of the project and into it: on threads of the pool, each with a line in the Progress
+    /// <summary>Copies converted clouds out of the project and into it: on pool threads, each with a line in the Progress
     /// window.</summary>
     internal sealed class CloudTransfers : IDisposable
     {
@@ -119,7 +119,7 @@ namespace FastPoints.Editor
         }
     }
 
-    /// <summary>Copies a converted cloud on a thread of the pool, for use in another project. The copy gets its name when it is
+    /// <summary>Copies a converted cloud on a pool thread, for use in another project. The copy gets its name when it is
     /// complete; if cancelled or failed, it leaves nothing.</summary>
     internal sealed class CloudCopy : IDisposable
     {

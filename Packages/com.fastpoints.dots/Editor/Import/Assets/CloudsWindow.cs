@@ -128,7 +128,7 @@ namespace FastPoints.Editor
             {
                 m_shown = null;
                 CloudRelocation.Prompt(PointCloudImports.Current, row.Asset, row.Missing);
-                // Other windows were drawn while the panel was open: what this one has laid out is gone.
+                // Other windows were drawn while the panel was open: this one's layout is lost.
                 GUIUtility.ExitGUI();
             }
             if (row.IsConverted && GUILayout.Button("Verify"))
@@ -166,7 +166,7 @@ namespace FastPoints.Editor
             m_shown = null;
             foreach (var row in m_list.Unused)
             {
-                // An asset may have come since.
+                // An asset may have been added since.
                 if (imports.Assets.Of(row.Cloud).Count > 0 || imports.Queue.RequestFor(row.Cloud) != null)
                     continue;
                 try

@@ -18,7 +18,7 @@ namespace FastPoints.Editor
 
         public bool IsChecking => Check != null && !Check.IsDone;
 
-        /// <summary>Begins with a folder; a check in progress is broken off.</summary>
+        /// <summary>Begins with a folder; a check in progress is cancelled.</summary>
         public void Begin(string path)
         {
             Dispose();

@@ -87,7 +87,7 @@ namespace FastPoints.Editor
                 }
                 catch (Exception e)
                 {
-                    // Thrown on, it would keep the other parts, and those who hear of updates behind this, from theirs.
+                    // Rethrown, it would skip the other parts, and later subscribers of the update.
                     if (m_thrown.Add(e.ToString()))
                         Debug.LogException(e);
                 }
@@ -156,9 +156,9 @@ namespace FastPoints.Editor
 
         /// <summary>Does the same with several, as one cloud or as separate ones, which the user is asked once; in the next
         /// updates.</summary>
-        /// <param name="place">Where they are shown; null for nowhere.</param>
-        internal void CreateAsset(IReadOnlyList<string> sources, string folder, DropTarget place) =>
-            m_drops.Add(new CloudDrop(this, sources, folder, place));
+        /// <param name="target">Where they are shown; null for nowhere.</param>
+        internal void CreateAsset(IReadOnlyList<string> sources, string folder, DropTarget target) =>
+            m_drops.Add(new CloudDrop(this, sources, folder, target));
 
         internal bool IsCreating => m_drops.Count > 0;
 
@@ -246,7 +246,7 @@ namespace FastPoints.Editor
             DisableAutoConvert(request.Cloud);
         }
 
-        /// <summary>However often Unity imports its asset, the cloud is not converted by itself any more, nor asked
+        /// <summary>However often Unity imports its asset, the cloud is no longer converted automatically, nor asked
         /// about.</summary>
         internal void DisableAutoConvert(string cloud)
         {
@@ -317,16 +317,16 @@ namespace FastPoints.Editor
             };
         }
 
-        /// <summary>A new place is not for Git: what lies there can be made again, and is large.</summary>
-        internal void CreateFolder(string place)
+        /// <summary>A new folder is ignored by Git: its content is large and can be converted again.</summary>
+        internal void CreateFolder(string folder)
         {
-            if (Directory.Exists(place) || !PointCloudImports.IsMainEditor)
+            if (Directory.Exists(folder) || !PointCloudImports.IsMainEditor)
                 return;
             try
             {
-                Directory.CreateDirectory(place);
+                Directory.CreateDirectory(folder);
                 if (m_settings.GitIgnore)
-                    TextFile.Write(Path.Combine(place, ".gitignore"),
+                    TextFile.Write(Path.Combine(folder, ".gitignore"),
                         "# FastPoints makes this again of its sources.\n*\n");
             }
             catch (Exception e) when (e is PointCloudException || FileFailures.IsFileFailure(e))
@@ -435,13 +435,13 @@ namespace FastPoints.Editor
             }
         }
 
-        /// <summary>Makes the scenes' clouds of an asset look for its folder again.</summary>
+        /// <summary>Makes the scenes' clouds of an asset open its folder again.</summary>
         /// <param name="asset">Its path.</param>
         public static void Refresh(string asset)
         {
             foreach (var cloud in CloudsOf(asset))
                 cloud.Refresh();
-            // Those of subscenes have no component.
+            // Clouds of subscenes have no component.
             var shown = AssetDatabase.LoadAssetAtPath<PointCloudAsset>(asset);
             if (shown != null)
                 PointCloudSystemGroup.ObjectGroup?.IsShown(shown.Paths.FullPath, true);

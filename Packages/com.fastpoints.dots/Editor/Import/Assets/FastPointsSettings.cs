@@ -22,7 +22,7 @@ namespace FastPoints.Editor
         /// and are found where their handles say.</summary>
         public string Place = ProjectPaths.DefaultClouds;
 
-        /// <summary>Whether Git is told to leave out that folder when it is made.</summary>
+        /// <summary>Whether a new folder is ignored by Git.</summary>
         public bool GitIgnore = true;
 
         /// <summary>Limit for everything in a conversion that grows with the number of points; the rest goes to files.</summary>
@@ -62,18 +62,18 @@ namespace FastPoints.Editor
         /// before assets are imported, and a reference would then be null.</summary>
         public string[] AlwaysInPlayers = new string[0];
 
-        /// <summary>What the file says of <see cref="Place"/>, for who may not ask for the settings.</summary>
+        /// <summary><see cref="Place"/> as stored, for code that must not load the settings.</summary>
         /// <param name="project">The project's folder.</param>
         public static ProjectPaths ReadPaths(string project)
         {
             string file = Path.Combine(project, FileName), key = nameof(Place) + ":";
             string line = File.Exists(file) ? Array.Find(File.ReadAllLines(file), l => l.TrimStart().StartsWith(key,
                 StringComparison.Ordinal)) : null;
-            string place = line?.Substring(line.IndexOf(':') + 1).Trim().Trim('\'', '"');
-            return string.IsNullOrEmpty(place) ? new ProjectPaths(project) : new ProjectPaths(project, place);
+            string folder = line?.Substring(line.IndexOf(':') + 1).Trim().Trim('\'', '"');
+            return string.IsNullOrEmpty(folder) ? new ProjectPaths(project) : new ProjectPaths(project, folder);
         }
 
-        /// <summary>What the file says; kept when scripts are loaded anew, as Unity keeps private fields.</summary>
+        /// <summary>What the file says; kept when scripts are reloaded, as Unity keeps private fields.</summary>
         string m_saved;
 
         /// <summary>What could not be saved, and was said.</summary>
@@ -137,7 +137,7 @@ namespace FastPoints.Editor
     {
         /// <summary>They leave the other workers to the game.</summary>
         OneWorker,
-        /// <summary>They go on when play mode ends.</summary>
+        /// <summary>They resume when play mode ends.</summary>
         Pause,
         AsInEditMode,
     }

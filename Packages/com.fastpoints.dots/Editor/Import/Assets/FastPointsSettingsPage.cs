@@ -93,7 +93,7 @@ namespace FastPoints.Editor
             DrawLimits(settings);
             settings.GitIgnore = EditorGUILayout.Toggle(new GUIContent("Keep them out of Git",
                 "Writes a .gitignore when the folder is made. Clouds can be converted again."), settings.GitIgnore);
-            string place = EditorGUILayout.DelayedTextField(new GUIContent("Converted clouds in",
+            string folder = EditorGUILayout.DelayedTextField(new GUIContent("Converted clouds in",
                 "A folder beside Assets, or anywhere else. Clouds converted earlier stay where they are."), settings.Place);
             bool browses = GUILayout.Button("Browse...");
             string root = EditorGUILayout.DelayedTextField(new GUIContent("Root of sources (yours alone)", "Files below it are " +
@@ -104,17 +104,17 @@ namespace FastPoints.Editor
                 PointCloudImports.MoveRoot(root);
             bool isChanged = EditorGUI.EndChangeCheck();
             if (browses && EditorUtility.OpenFolderPanel("Converted clouds in", settings.Place, "") is { Length: > 0 } chosen)
-                place = PointCloudImports.Paths.StoredPlace(chosen);
-            if (isChanged || place != settings.Place)
-                Keep(settings, place);
+                folder = PointCloudImports.Paths.StoredPlace(chosen);
+            if (isChanged || folder != settings.Place)
+                Keep(settings, folder);
             // Other windows were drawn while the panel was open: what this one has laid out is gone.
             if (browses)
                 GUIUtility.ExitGUI();
         }
 
-        static void Keep(FastPointsSettings settings, string place)
+        static void Keep(FastPointsSettings settings, string folder)
         {
-            s_problem = place == settings.Place ? null : PointCloudImports.Move(place);
+            s_problem = folder == settings.Place ? null : PointCloudImports.Move(folder);
             settings.Save();
         }
     }

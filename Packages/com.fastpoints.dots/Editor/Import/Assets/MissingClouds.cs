@@ -77,7 +77,7 @@ namespace FastPoints.Editor
             }
         }
 
-        /// <summary>Scripts are reloaded: it looks again afterwards, and waits for nothing.</summary>
+        /// <summary>Before a reload of scripts: the search is repeated afterwards, so nothing is awaited.</summary>
         public void Dispose()
         {
             if (m_looking == null)

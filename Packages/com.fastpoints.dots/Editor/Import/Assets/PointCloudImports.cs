@@ -16,7 +16,7 @@ namespace FastPoints.Editor
 
         static EditorImports s_current;
 
-        /// <summary>Of the editor's command line; a test says others.</summary>
+        /// <summary>Arguments of the editor; tests set others.</summary>
         internal static string[] s_arguments = Environment.GetCommandLineArgs();
 
         static PointCloudImports()
@@ -58,12 +58,12 @@ namespace FastPoints.Editor
         /// <summary>Changes the place into which clouds are converted from now on. A running conversion is suspended, and
         /// continues when the place is changed back.</summary>
         /// <returns>Why this is not possible, in one line; null if it is done.</returns>
-        public static string Move(string place)
+        public static string Move(string folder)
         {
-            string problem = ProjectPaths.FindProblem(Project, place);
+            string problem = ProjectPaths.FindProblem(Project, folder);
             if (problem != null)
                 return problem;
-            Begin(() => FastPointsSettings.instance.Place = place);
+            Begin(() => FastPointsSettings.instance.Place = folder);
             return null;
         }
 

@@ -122,7 +122,7 @@ namespace FastPoints.Editor
         {
             try
             {
-                // Their .meta files say by what they are imported.
+                // Their .meta files name the importer.
                 LockedFile.Open(PointCloudImports.Paths.Absolute(path + ".meta"));
                 AssetDatabase.SetImporterOverride<PointFileImporter>(path);
                 return null;

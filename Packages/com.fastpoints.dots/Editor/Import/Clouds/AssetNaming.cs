@@ -66,7 +66,7 @@ namespace FastPoints.Editor
         }
     }
 
-    /// <summary>Gives out free paths in a folder: what is taken is collected once, for however many names.</summary>
+    /// <summary>Finds free paths in a folder: existing names are listed once, for any number of calls.</summary>
     internal sealed class FreeNames
     {
         readonly string m_folder;

@@ -77,7 +77,7 @@ namespace FastPoints.Editor
         }
 
         /// <summary>Deletes a converted cloud: first its name, so that a half-deleted one never passes for a complete one. It may
-        /// keep that while somebody has its files open; the rest is done on a thread of the pool.</summary>
+        /// keep that while somebody has its files open; the rest is done on a pool thread.</summary>
         public static void Delete(string path)
         {
             CloudFolderWriter.DeleteUnfinished(path);
@@ -141,7 +141,7 @@ namespace FastPoints.Editor
         /// <summary>Why it cannot be used, in one line; null if it can.</summary>
         public string Problem;
 
-        /// <summary>Whether it is unfinished: a build is running, or was broken off.</summary>
+        /// <summary>Whether it is unfinished: a build is running, or was interrupted.</summary>
         public bool IsBuilding;
 
         public string Name => System.IO.Path.GetFileNameWithoutExtension(Path);

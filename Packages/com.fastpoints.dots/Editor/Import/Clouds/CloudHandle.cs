@@ -28,7 +28,7 @@ namespace FastPoints.Editor
         /// form.</summary>
         public List<string> Sources = new List<string>();
 
-        /// <summary>Whether the source is a folder: one that is not there cannot be asked.</summary>
+        /// <summary>Whether the source is a folder, which a missing one does not show.</summary>
         public bool IsFolder;
 
         /// <summary>Whether they contain an octree (COPC, Potree, EPT) and can be streamed directly.</summary>

@@ -61,7 +61,7 @@ namespace FastPoints.Editor
             return path;
         }
 
-        /// <summary>What cannot be opened has no description: whoever shows or converts it says why.</summary>
+        /// <summary>A source that cannot be opened has no description: showing or converting it reports why.</summary>
         static void Describe(CloudHandle handle, IReadOnlyList<string> sources)
         {
             try

@@ -29,25 +29,25 @@ namespace FastPoints.Editor
         }
 
         /// <summary>Why converted clouds cannot lie in a place, in one line; null if they can.</summary>
-        /// <param name="place">A path relative to the project, or absolute.</param>
-        public static string FindProblem(string project, string place)
+        /// <param name="folder">A path relative to the project, or absolute.</param>
+        public static string FindProblem(string project, string folder)
         {
-            if (string.IsNullOrWhiteSpace(place))
+            if (string.IsNullOrWhiteSpace(folder))
                 return "wanted a folder, got nothing";
             string full;
             try
             {
-                full = Inside(Path.Combine(project, place));
+                full = Inside(Path.Combine(project, folder));
             }
             catch (Exception e) when (e is ArgumentException || e is NotSupportedException || e is IOException)
             {
-                return "not a path: " + place;
+                return "not a path: " + folder;
             }
             if (Inside(project).StartsWith(full, StringComparison.OrdinalIgnoreCase))
-                return "wanted a folder of its own, got one with the project in it: " + place;
+                return "wanted a folder of its own, got one with the project in it: " + folder;
             foreach (string taken in s_ownedByUnity)
                 if (full.StartsWith(Inside(Path.Combine(project, taken)), StringComparison.OrdinalIgnoreCase))
-                    return taken + " is Unity's own: " + place;
+                    return taken + " is Unity's own: " + folder;
             return null;
         }
 

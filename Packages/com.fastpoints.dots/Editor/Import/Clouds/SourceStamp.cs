@@ -64,7 +64,7 @@ namespace FastPoints.Editor
         public bool HasBytesOf(SourceStamp other) => Bytes == other.Bytes && NamesHash == other.NamesHash &&
             HeadHash == other.HeadHash && TailHash == other.TailHash;
 
-        /// <param name="withTime">Whether the time is written, too, which is another on each machine.</param>
+        /// <param name="withTime">Whether to write the time too, which differs between machines.</param>
         public void Write(JsonWriter json, string name, bool withTime)
         {
             json.BeginObject(name).Add("bytes", Bytes);

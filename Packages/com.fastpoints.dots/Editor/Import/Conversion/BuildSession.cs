@@ -7,7 +7,7 @@ using FastPoints.Sources;
 
 namespace FastPoints.Editor
 {
-    /// <summary>Runs one conversion while the editor stays usable: opens the sources on a thread of the pool, then steps the work
+    /// <summary>Runs one conversion while the editor stays usable: opens the sources on a pool thread, then steps the work
     /// a few milliseconds an update. It can be paused, cancelled for good, or suspended for a later session to
     /// continue.</summary>
     /// <remarks>Main thread. <see cref="Tick"/> never waits; the two ways to end it early wait for what must not be interrupted:
@@ -57,7 +57,6 @@ namespace FastPoints.Editor
 
         public int Workers => m_settings.Workers;
 
-        /// <summary>Follows what the editor does meanwhile.</summary>
         public void Adapt(int workers, double inFlightMs)
         {
             m_settings.Workers = workers;

@@ -17,7 +17,7 @@ namespace FastPoints.Editor
 
         DateTime m_before;
 
-        /// <summary>How far apart updates may be: jobs are scheduled for so long.</summary>
+        /// <summary>The longest interval between updates for which jobs are scheduled.</summary>
         public double InFlightMs { get; private set; } = MinInFlightMs;
 
         /// <summary>Call it once an update.</summary>

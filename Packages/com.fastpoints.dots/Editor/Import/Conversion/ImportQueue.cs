@@ -273,9 +273,9 @@ namespace FastPoints.Editor
             {
                 if (request.State != ImportState.Running)
                     continue;
-                bool isHopeless = request.Attempts >= MaxAttempts;
-                request.State = isHopeless ? ImportState.Failed : ImportState.Waiting;
-                request.Failure = isHopeless ? "the editor ended " + request.Attempts + " times while this was imported" : null;
+                bool hasFailed = request.Attempts >= MaxAttempts;
+                request.State = hasFailed ? ImportState.Failed : ImportState.Waiting;
+                request.Failure = hasFailed ? "the editor ended " + request.Attempts + " times while this was imported" : null;
             }
             Append(added);
             Save();
@@ -288,7 +288,7 @@ namespace FastPoints.Editor
             foreach (var request in requests)
                 folders.Add(FolderOf(request));
             m_requests.RemoveAll(r => r != m_running && folders.Contains(FolderOf(r)));
-            // Of two for one folder, the later one counts.
+            // The later of two requests for a folder counts.
             for (int i = requests.Count - 1, at = m_requests.Count; i >= 0; i--)
                 if (folders.Remove(FolderOf(requests[i])) && !IsSame(FolderOf(requests[i]), running))
                     m_requests.Insert(at, requests[i]);

@@ -7,7 +7,7 @@ namespace FastPoints.Entities
     /// the component; if others destroy it, or its world, its component makes it again.</summary>
     struct OwnedEntity
     {
-        /// <summary>Whether this is a process that imports assets, where an editor says so: it opens scenes as well, and needs no
+        /// <summary>Whether this is an import worker process, set by the editor: it opens scenes as well, and needs no
         /// world.</summary>
         internal static bool IsInWorker { get; set; }
 

@@ -301,8 +301,8 @@ namespace FastPoints.Entities
 
     static class TransformMatrix
     {
-        /// <summary>Has an entity follow. One that stands still is not written to: that would complete others' jobs, and tell
-        /// them of a change.</summary>
+        /// <summary>Updates the entity's transform. One that does not move is not written to: that would complete others' jobs,
+        /// and tell them of a change.</summary>
         /// <param name="placed">As it was written last.</param>
         public static void Set(EntityManager entities, Entity entity, Transform transform, ref LocalToWorld placed)
         {

@@ -41,8 +41,8 @@ namespace FastPoints.Entities
             file.Color = authoring.Color;
             file.Gradient = authoring.Gradient;
             file.HiddenClasses = ClassMask.Of(authoring.HiddenClasses);
-            if (TryGetPosition(out var place))
-                (file.HasOrigin, file.OriginGeo) = (true, place);
+            if (TryGetPosition(out var position))
+                (file.HasOrigin, file.OriginGeo) = (true, position);
             AddComponent(entity, file);
             // Players find nothing there, and nobody needs to know a developer's folders.
             if (!IsBakingForEditor())
@@ -52,17 +52,17 @@ namespace FastPoints.Entities
         }
 
         /// <summary>The place of an origin above. Until it has one, the first cloud beneath it decides, as in scenes.</summary>
-        bool TryGetPosition(out double3 place)
+        bool TryGetPosition(out double3 position)
         {
             var origin = GetComponentInParent<PointCloudOrigin>();
             bool exists = origin != null && origin.enabled;
-            place = exists ? origin.PositionGeo : default;
+            position = exists ? origin.PositionGeo : default;
             if (!exists || origin.HasPosition)
                 return exists;
             foreach (var other in GetComponentsInChildren<PointCloudAuthoring>(origin))
                 if (other.Cloud != null && DependsOn(other.Cloud).TryGetSpace(out _, out var space))
                 {
-                    place = space.OriginGeo;
+                    position = space.OriginGeo;
                     return true;
                 }
             return false;

@@ -55,7 +55,7 @@ namespace FastPoints.Entities
         }
     }
 
-    /// <summary>For subscenes. An open one has both entities: what is clipped twice by one box is clipped once.</summary>
+    /// <summary>For subscenes. An open one has both entities; clipping twice by one box changes nothing.</summary>
     internal sealed class ClipBoxBaker : Baker<PointCloudClipBox>
     {
         public override void Bake(PointCloudClipBox authoring) =>

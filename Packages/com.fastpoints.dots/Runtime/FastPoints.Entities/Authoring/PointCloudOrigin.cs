@@ -151,11 +151,11 @@ namespace FastPoints.Entities
             Up = m_up,
         };
 
-        void Set(double3 place, UnitySpace space, string crs)
+        void Set(double3 position, UnitySpace space, string crs)
         {
             m_scale = space.Units.IsInDegrees ? 0 : space.Units.IsKnown ? space.Units.Horizontal : 1;
             (m_verticalScale, m_up, m_crs) = (space.Units.Vertical, space.Up, crs);
-            PositionGeo = place;
+            PositionGeo = position;
             Decided?.Invoke(this);
         }
 

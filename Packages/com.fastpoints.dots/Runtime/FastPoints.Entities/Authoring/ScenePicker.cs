@@ -24,7 +24,7 @@ namespace FastPoints.Entities
 
         public bool IsSearching => m_picker.IsSearching;
 
-        /// <summary>Begins a search of the clouds as they are now; a search in progress is broken off.</summary>
+        /// <summary>Begins a search of the clouds as they are now; a search in progress is cancelled.</summary>
         /// <param name="ray">See <see cref="Rendering.CameraViews.PickRayOf"/>.</param>
         /// <returns>Whether there is a world that shows clouds.</returns>
         public bool Begin(PickRay ray)

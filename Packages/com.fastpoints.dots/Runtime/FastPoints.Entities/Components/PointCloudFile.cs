@@ -29,7 +29,7 @@ namespace FastPoints.Entities
         /// <summary>Classes whose points are not drawn.</summary>
         public ClassMask HiddenClasses;
 
-        /// <summary>Set it if there may be newer data on disk: this is looked for, and what is shown stays until it is ready. It
+        /// <summary>Set it if there may be newer data on disk: it is opened, and the shown cloud stays until it is ready. It
         /// resets to false.</summary>
         public bool NeedsRefresh;
 
@@ -42,7 +42,7 @@ namespace FastPoints.Entities
 
         internal readonly CloudUnits Units(CloudUnits ofCloud) => UnitMetres > 0 ? new CloudUnits(UnitMetres) : ofCloud;
 
-        /// <summary>Whether a cloud opened as this says is as another says, but for its place.</summary>
+        /// <summary>Whether this and another open the same cloud, except for its position.</summary>
         internal readonly bool OpensSameAs(in PointCloudFile other) => Color == other.Color && Gradient == other.Gradient &&
             HiddenClasses.Equals(other.HiddenClasses) && Up == other.Up && UnitMetres.Equals(other.UnitMetres) &&
             (other.HasOrigin || !HasOrigin);

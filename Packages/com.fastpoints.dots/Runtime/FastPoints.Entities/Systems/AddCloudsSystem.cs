@@ -97,14 +97,14 @@ namespace FastPoints.Entities
 
         CloudVisibility VisibilityOf(Entity entity)
         {
-            var seen = new CloudVisibility { IsHidden = EntityManager.HasComponent<Disabled>(entity) };
+            var visibility = new CloudVisibility { IsHidden = EntityManager.HasComponent<Disabled>(entity) };
             if (!EntityManager.HasComponent<PointCloudLayer>(entity))
-                return seen;
+                return visibility;
             var layer = EntityManager.GetComponentData<PointCloudLayer>(entity);
-            seen.Layer = 1u << layer.Value;
-            seen.Scenes = layer.Scenes;
-            seen.IsHiddenInSceneViews = layer.IsHiddenInSceneViews;
-            return seen;
+            visibility.Layer = 1u << layer.Value;
+            visibility.Scenes = layer.Scenes;
+            visibility.IsHiddenInSceneViews = layer.IsHiddenInSceneViews;
+            return visibility;
         }
 
         void TakeNext(Entity entity, LiveCloud live)
@@ -150,7 +150,7 @@ namespace FastPoints.Entities
             live.Versions.Remove();
             live.Versions = null;
             live.Looks.Clear();
-            // It may be gone without a trace, to another world.
+            // It may have been moved to another world.
             if (EntityManager.HasComponent<StreamedPointCloud>(entity))
                 EntityManager.RemoveComponent<StreamedPointCloud>(entity);
         }

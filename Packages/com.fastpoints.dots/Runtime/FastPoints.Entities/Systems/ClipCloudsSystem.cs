@@ -30,15 +30,15 @@ namespace FastPoints.Entities
             var boxes = Group.Stream.ClipBoxes;
             boxes.Clear();
             using var clips = m_clips.ToComponentDataArray<PointCloudClip>(Allocator.Temp);
-            using var places = m_clips.ToComponentDataArray<LocalToWorld>(Allocator.Temp);
+            using var matrices = m_clips.ToComponentDataArray<LocalToWorld>(Allocator.Temp);
             for (int i = 0; i < clips.Length; i++)
-                boxes.Add(BoxOf(places[i].Value, clips[i].Cuts));
+                boxes.Add(BoxOf(matrices[i].Value, clips[i].Cuts));
         }
 
-        static ClipBox BoxOf(float4x4 place, bool cuts) => new ClipBox
+        static ClipBox BoxOf(float4x4 matrix, bool cuts) => new ClipBox
         {
-            CenterWorld = new double3(place.c3.xyz),
-            EdgesWorld = new double3x3(new double3(place.c0.xyz), new double3(place.c1.xyz), new double3(place.c2.xyz)),
+            CenterWorld = new double3(matrix.c3.xyz),
+            EdgesWorld = new double3x3(new double3(matrix.c0.xyz), new double3(matrix.c1.xyz), new double3(matrix.c2.xyz)),
             Cuts = cuts,
         };
     }

@@ -6,8 +6,8 @@ using UnityEngine;
 
 namespace FastPoints.Entities
 {
-    /// <summary>What the systems hold for the entity of a cloud. It is no component, since copies of the entity have none of
-    /// it: they open their own cloud.</summary>
+    /// <summary>State that the systems keep for the entity of a cloud. It is no component, since copies of the entity have none
+    /// of it: they open their own cloud.</summary>
     sealed class LiveCloud : IDisposable
     {
         /// <summary>The GameObject of the <see cref="PointCloud"/> that places it; null for none.</summary>
@@ -17,7 +17,7 @@ namespace FastPoints.Entities
 
         public string Error;
 
-        /// <summary>The source that the stream takes over next; null for none. If the stream has one already, this is a newer
+        /// <summary>The source that the stream takes next; null for none. If the stream has one already, this is a newer
         /// state of the same cloud and replaces it when it is ready.</summary>
         public NodeSource Source;
 

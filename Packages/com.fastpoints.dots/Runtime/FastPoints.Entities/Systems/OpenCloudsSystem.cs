@@ -70,7 +70,7 @@ namespace FastPoints.Entities
                     End(entity, live, !isSame);
                 if (isOpened && !isSame)
                 {
-                    // What is shown leaves in this frame, and the next one opens.
+                    // The shown cloud is removed in this frame; the next frame opens the other.
                     live.Error = null;
                     continue;
                 }
@@ -103,7 +103,7 @@ namespace FastPoints.Entities
             }
         }
 
-        /// <param name="hides">Whether what is shown of it goes.</param>
+        /// <param name="hides">Whether the shown cloud is removed.</param>
         void End(Entity entity, LiveCloud live, bool hides)
         {
             m_removing.Add(live.Opened);
@@ -131,7 +131,7 @@ namespace FastPoints.Entities
             {
                 var toWorld = new double4x4(EntityManager.GetComponentData<LocalToWorld>(entity).Value);
                 var linear = new double3x3(toWorld.c0.xyz, toWorld.c1.xyz, toWorld.c2.xyz);
-                // What has no transform yet is not there.
+                // A singular matrix is a transform that is not set yet.
                 if (math.determinant(linear) != 0)
                 {
                     local = math.mul(math.inverse(linear), Group.Shift - opened.WorldShift);
@@ -195,7 +195,7 @@ namespace FastPoints.Entities
             }
         }
 
-        /// <summary>Takes one state after the other: the next one only when the one before is shown.</summary>
+        /// <summary>Takes one state after the other, each when the previous one is shown.</summary>
         void Take(Entity entity, LiveCloud live, in PointCloudFile file)
         {
             if (live.Source != null || live.Versions != null && !live.Versions.IsCurrent)

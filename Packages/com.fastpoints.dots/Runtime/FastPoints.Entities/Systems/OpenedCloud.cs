@@ -6,7 +6,7 @@ using Unity.Mathematics;
 
 namespace FastPoints.Entities
 {
-    /// <summary>A cloud's states while its entity exists: opened on a thread of the pool, so that a slow disk blocks nothing,
+    /// <summary>A cloud's states while its entity exists: opened on a pool thread, so that a slow disk blocks nothing,
     /// then stepped on the main thread.</summary>
     sealed class OpenedCloud : IDisposable
     {
@@ -60,7 +60,7 @@ namespace FastPoints.Entities
             m_feed?.Update(budgetMs);
         }
 
-        /// <summary>Whether it was opened as this says, but for its place.</summary>
+        /// <summary>Whether it was opened by an equal file, except for its position.</summary>
         public bool Matches(in PointCloudFile file, ReadOnlySpan<byte> paths) =>
             As.OpensSameAs(file) && paths.SequenceEqual(m_paths);
 

@@ -18,7 +18,7 @@ namespace FastPoints.Entities
     /// <item><see cref="CollectViewsSystem"/>: cameras that were drawn</item>
     /// <item><see cref="ApplyBudgetSystem"/>: limits that were set</item>
     /// <item><see cref="OpenCloudsSystem"/>, <see cref="PlaceCloudsSystem"/>: files become sources, transforms placements</item>
-    /// <item><see cref="AddCloudsSystem"/>: entities that came and went</item>
+    /// <item><see cref="AddCloudsSystem"/>: entities that were added and removed</item>
     /// <item><see cref="ClipCloudsSystem"/>: boxes that all are clipped by</item>
     /// <item><see cref="ShowCloudsSystem"/>: how clouds are coloured</item>
     /// <item><see cref="ReceiveNodesSystem"/>: what arrived since the last frame</item>
@@ -187,11 +187,11 @@ namespace FastPoints.Entities
             Wake();
         }
 
-        /// <summary>Has frames go on, as something changes that they do not see.</summary>
+        /// <summary>Requests frames after a change that they do not detect.</summary>
         internal void Wake() => m_idleFrames = 0;
 
         /// <summary>Whether a cloud that is a file is to be found in this folder.</summary>
-        /// <param name="looks">Whether all such look for newer data on disk, with the next frame.</param>
+        /// <param name="looks">Whether all of them poll for newer data on disk in the next frame.</param>
         internal bool IsShown(string folder, bool looks = false)
         {
             bool isShown = false;

@@ -131,7 +131,7 @@ namespace FastPoints.Entities
 
         void UpdateEntity(TrackedNode tracked)
         {
-            // Whoever empties the world of entities takes those of nodes along.
+            // Users may have destroyed all entities of the world.
             if (!EntityManager.Exists(tracked.Entity))
                 return;
             if ((tracked.Changes & TrackedNode.IsResident) != 0)

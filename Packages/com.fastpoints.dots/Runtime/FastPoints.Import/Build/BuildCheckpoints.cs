@@ -32,10 +32,10 @@ namespace FastPoints.Build
 
         public BuildJournal Journal { get; private set; }
 
-        /// <summary>The fate of an earlier build of this target that was broken off; null if there was none.</summary>
+        /// <summary>What became of an earlier, interrupted build of this target; null if there was none.</summary>
         public string Note { get; private set; }
 
-        /// <summary>Whether the folder has what nothing can go on from, and is to be cleared before anything is
+        /// <summary>Whether the folder has leftovers that cannot be resumed, and must be cleared before anything is
         /// written.</summary>
         public bool MustClear { get; private set; }
 
@@ -50,13 +50,13 @@ namespace FastPoints.Build
             string text = folder.ReadText(BuildFiles.JournalName);
             var journal = text == null ? null : BuildJournal.FromJson(text);
             bool isSame = journal != null && journal.Identity == identity &&
-                journal.Attributes.Length == build.Attributes.Count && (journal.At == BuildJournal.Stage.Read
+                journal.Attributes.Length == build.Attributes.Count && (journal.CurrentStage == BuildJournal.Stage.Read
                     ? journal.Source < build.Readers.Count && journal.Statistics.Count == journal.Source + 1 &&
                         journal.Records.Count == firstFiles
                     : journal.Statistics.Count == build.Readers.Count);
             if (isSame)
                 build.UseFiles();
-            if (isSame && (journal.At == BuildJournal.Stage.Done || build.Files.TryResume(journal)))
+            if (isSame && (journal.CurrentStage == BuildJournal.Stage.Done || build.Files.TryResume(journal)))
             {
                 checkpoints.Journal = journal;
                 scatter.Resume(journal);
@@ -107,7 +107,7 @@ namespace FastPoints.Build
         {
             Journal.LevelCount = levelCount;
             Journal.BytesOfPlane = bytesOfPlane;
-            Journal.At = BuildJournal.Stage.Done;
+            Journal.CurrentStage = BuildJournal.Stage.Done;
             return m_folder.WriteText(BuildFiles.JournalName, Describe());
         }
 
@@ -128,9 +128,9 @@ namespace FastPoints.Build
             for (int file = 0; file < m_build.Files?.FileCount; file++)
                 Journal.Records.Add(m_build.Files.RecordsOf(file));
             Journal.Chunks.Clear();
-            if (Journal.At == BuildJournal.Stage.Split || Journal.At == BuildJournal.Stage.Index)
+            if (Journal.CurrentStage == BuildJournal.Stage.Split || Journal.CurrentStage == BuildJournal.Stage.Index)
                 foreach (var chunk in m_chunks.Chunks)
-                    Journal.Chunks.Add(new BuildJournal.Chunk { Cube = chunk.Cube, Runs = chunk.Runs.ToArray() });
+                    Journal.Chunks.Add(new BuildJournal.Chunk { Cube = chunk.Cube, Ranges = chunk.Ranges.ToArray() });
             return Journal.ToJson();
         }
     }

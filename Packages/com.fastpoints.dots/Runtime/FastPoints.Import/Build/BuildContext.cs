@@ -20,7 +20,7 @@ namespace FastPoints.Build
 
         public readonly string Target;
 
-        /// <summary>Those that the cloud keeps, beside the position.</summary>
+        /// <summary>Attributes that the cloud keeps, besides the position.</summary>
         public readonly PointSchema Attributes;
         public readonly CloudFolderWriter Folder;
 
@@ -43,14 +43,13 @@ namespace FastPoints.Build
         public RecordLayout Records => Grid.Records;
         public MemoryPlan Plan { get; private set; }
 
-        /// <summary>Of all pages in memory.</summary>
         public NativeReference<RecordPagePool> Pool { get; private set; }
 
-        /// <summary>Of the records that memory has no room for, or of all of a build that takes long; null where all stay in
+        /// <summary>Records that do not fit into memory, or all records of a long build; null if all stay in
         /// memory.</summary>
         public RecordFiles Files { get; private set; }
 
-        /// <summary>The first partition. Whoever sets it hands it over.</summary>
+        /// <summary>The first partition. Setting it hands it over.</summary>
         public PartitionMap Map { get; set; }
 
         public NodeSizes Sizes
@@ -70,7 +69,7 @@ namespace FastPoints.Build
 
         public double InFlightMs() => Settings.InFlightMs;
 
-        /// <summary>Slots that may be at work at once, of so many that would be of use.</summary>
+        /// <summary>Slots that may work at once, at most the useful number.</summary>
         public int MaxSlots(int slots) => Settings.Workers > 0 ? Math.Min(slots, Settings.Workers) : slots;
 
         /// <summary>Chooses the grid, and plans memory and files. The readers' blocks are known.</summary>

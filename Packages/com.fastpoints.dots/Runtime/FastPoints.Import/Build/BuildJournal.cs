@@ -22,14 +22,14 @@ namespace FastPoints.Build
         public struct Chunk
         {
             public GridCube Cube;
-            public RecordRange[] Runs;
+            public RecordRange[] Ranges;
         }
 
         const int Version = 1;
 
         /// <summary>Identifies the sources, the settings and the partition: if they differ, it is another build.</summary>
         public ulong Identity;
-        public Stage At;
+        public Stage CurrentStage;
 
         /// <summary>The first source that is not read completely, and the first of its blocks that is not read.</summary>
         public int Source;
@@ -53,7 +53,7 @@ namespace FastPoints.Build
         public string ToJson()
         {
             var json = new JsonWriter().BeginObject().Add("version", Version).AddHex("identity", Identity).Add("stage",
-                At.ToString())
+                CurrentStage.ToString())
                 .Add("source", Source).Add("block", Block).Add("peakBytes", PeakBytes)
                 .Add("levelCount", LevelCount)
                 .Add("rootCorner", Root.Corner.X, Root.Corner.Y, Root.Corner.Z).Add("rootSideLog2", Root.SideLog2);
@@ -78,8 +78,8 @@ namespace FastPoints.Build
             {
                 json.BeginObject().Add("corner", chunk.Cube.Corner.X, chunk.Cube.Corner.Y, chunk.Cube.Corner.Z)
                     .Add("sideLog2", chunk.Cube.SideLog2).BeginArray("runs");
-                foreach (var run in chunk.Runs)
-                    json.Add(null, run.File, run.First, run.Count);
+                foreach (var range in chunk.Ranges)
+                    json.Add(null, range.File, range.First, range.Count);
                 json.EndArray().EndObject();
             }
             json.EndArray().BeginArray("bytesOfPlane");
@@ -110,12 +110,12 @@ namespace FastPoints.Build
             var journal = new BuildJournal
             {
                 Identity = json.Hex("identity"),
-                At = stage,
+                CurrentStage = stage,
                 Source = json.Int("source"),
                 Block = json.Int("block"),
                 PeakBytes = json.Long("peakBytes"),
                 LevelCount = json.Int("levelCount"),
-                Root = new GridCube(Place(json, "rootCorner"), json.Int("rootSideLog2")),
+                Root = new GridCube(ReadPosition(json, "rootCorner"), json.Int("rootSideLog2")),
                 Attributes = json.Objects("attributes").ConvertAll(item => new AttributeStatistics
                 {
                     Min = item.Hex("min"),
@@ -129,8 +129,8 @@ namespace FastPoints.Build
             {
                 Count = item.Long("count"),
                 LeftOut = item.Long("leftOut"),
-                Min = Place(item, "min"),
-                Max = Place(item, "max"),
+                Min = ReadPosition(item, "min"),
+                Max = ReadPosition(item, "max"),
                 Checksum = item.Hex("checksum"),
                 MaxRoundingSteps = item.Number("worstLossSteps"),
             }));
@@ -139,19 +139,19 @@ namespace FastPoints.Build
             {
                 journal.Chunks.Add(new Chunk
                 {
-                    Cube = new GridCube(Place(item, "corner"), item.Int("sideLog2")),
-                    Runs = item.Lists("runs", 3).ConvertAll(run => new RecordRange
+                    Cube = new GridCube(ReadPosition(item, "corner"), item.Int("sideLog2")),
+                    Ranges = item.Lists("runs", 3).ConvertAll(range => new RecordRange
                     {
-                        File = checked((int)run[0]),
-                        First = run[1],
-                        Count = run[2],
+                        File = checked((int)range[0]),
+                        First = range[1],
+                        Count = range[2],
                     }).ToArray(),
                 });
             }
             return journal;
         }
 
-        static Grid3 Place(JsonMembers json, string name)
+        static Grid3 ReadPosition(JsonMembers json, string name)
         {
             long[] steps = json.Longs(name, 3);
             return new Grid3(steps[0], steps[1], steps[2]);

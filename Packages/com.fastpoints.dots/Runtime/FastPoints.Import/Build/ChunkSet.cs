@@ -19,7 +19,7 @@ namespace FastPoints.Build
             public RecordPages Pages;
 
             /// <summary>Its records in files; either these or the pages are empty.</summary>
-            public readonly List<RecordRange> Runs = new List<RecordRange>();
+            public readonly List<RecordRange> Ranges = new List<RecordRange>();
 
             public long Count { get; private set; }
 
@@ -29,10 +29,10 @@ namespace FastPoints.Build
                 Pages.Join(ref pages);
             }
 
-            public void Add(RecordRange run)
+            public void Add(RecordRange range)
             {
-                Count += run.Count;
-                Runs.Add(run);
+                Count += range.Count;
+                Ranges.Add(range);
             }
         }
 
@@ -74,11 +74,11 @@ namespace FastPoints.Build
                 Add(cube, new RecordRange { File = file, Count = Files.RecordsOf(file) });
         }
 
-        public void Add(GridCube cube, params RecordRange[] runs)
+        public void Add(GridCube cube, params RecordRange[] ranges)
         {
             var chunk = new Chunk { Cube = cube };
-            foreach (var run in runs)
-                chunk.Add(run);
+            foreach (var range in ranges)
+                chunk.Add(range);
             m_chunks.Add(chunk);
         }
 
@@ -127,8 +127,9 @@ namespace FastPoints.Build
                 order[i] = i;
             Array.Sort(order, (a, b) =>
             {
-                int byPlace = MortonOrder.Compare(m_chunks[a].Cube.Corner - root.Corner, m_chunks[b].Cube.Corner - root.Corner);
-                return byPlace != 0 ? byPlace : a.CompareTo(b);
+                int byPosition = MortonOrder.Compare(m_chunks[a].Cube.Corner - root.Corner,
+                    m_chunks[b].Cube.Corner - root.Corner);
+                return byPosition != 0 ? byPosition : a.CompareTo(b);
             });
             var sorted = new List<Chunk>();
             foreach (int i in order)
@@ -144,8 +145,8 @@ namespace FastPoints.Build
                     for (int i = group.First + 1; i < group.First + group.Count; i++)
                     {
                         first.Add(ref sorted[i].Pages);
-                        foreach (var run in sorted[i].Runs)
-                            first.Add(run);
+                        foreach (var range in sorted[i].Ranges)
+                            first.Add(range);
                     }
                 }
                 m_chunks.Add(first);
@@ -211,23 +212,23 @@ namespace FastPoints.Build
                 Add(chunk.Cube, ref part);
             }
             long partRecords = (long)partPages * RecordPages.RecordsPerPage, room = 0;
-            foreach (var run in chunk.Runs)
+            foreach (var range in chunk.Ranges)
             {
-                for (long done = 0; done < run.Count;)
+                for (long done = 0; done < range.Count;)
                 {
                     if (room == 0)
                     {
                         m_chunks.Add(new Chunk { Cube = chunk.Cube });
                         room = partRecords;
                     }
-                    long count = Math.Min(room, run.Count - done);
-                    var part = new RecordRange { File = run.File, First = run.First + done, Count = count };
+                    long count = Math.Min(room, range.Count - done);
+                    var part = new RecordRange { File = range.File, First = range.First + done, Count = count };
                     m_chunks[m_chunks.Count - 1].Add(part);
-                    Files.Share(run.File);
+                    Files.Share(range.File);
                     done += count;
                     room -= count;
                 }
-                Files.Release(run.File);
+                Files.Release(range.File);
             }
         }
 
@@ -244,7 +245,7 @@ namespace FastPoints.Build
             var cubesOfLists = new NativeArray<GridCube>(cubes, Allocator.Persistent);
             var lists = new NativeArray<RecordPages>(cubes.Length, Allocator.Persistent);
             var fileOfPart = new int[cubes.Length];
-            bool isStored = chunk.Runs.Count > 0;
+            bool isStored = chunk.Ranges.Count > 0;
             var job = default(JobHandle);
             JobHandle Schedule(RecordPages pages, JobHandle before) => new RegroupCubesJob
             {
@@ -306,8 +307,8 @@ namespace FastPoints.Build
                 }
                 TakeWritten();
                 yield return JobStep.Of(RunRebalanced());
-                foreach (var run in chunk.Runs)
-                    Files.Release(run.File);
+                foreach (var range in chunk.Ranges)
+                    Files.Release(range.File);
             }
             finally
             {
@@ -324,7 +325,7 @@ namespace FastPoints.Build
             var batches = new List<RecordPages>();
             try
             {
-                if (chunk.Runs.Count == 0)
+                if (chunk.Ranges.Count == 0)
                 {
                     batches = SplitBatches(chunk.Pages);
                     chunk.Pages = default;
@@ -373,7 +374,7 @@ namespace FastPoints.Build
         }
 
         void BeginBatch(Chunk chunk, long first) =>
-            m_load.Begin(chunk.Runs, first, Math.Min(PagesPerBatch * RecordPages.RecordsPerPage, chunk.Count - first));
+            m_load.Begin(chunk.Ranges, first, Math.Min(PagesPerBatch * RecordPages.RecordsPerPage, chunk.Count - first));
 
         void AppendParts(NativeArray<RecordPages> lists, int[] fileOfPart, bool all)
         {

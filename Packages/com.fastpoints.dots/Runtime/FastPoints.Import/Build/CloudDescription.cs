@@ -21,7 +21,7 @@ namespace FastPoints.Build
             AddSources(build.Readers, journal.Statistics, manifest);
             Warn(build.Readers, journal.Statistics, build.Grid.Grid);
             Describe(found, scatter.Attributes, build, manifest);
-            // Different where content, attributes, partition or sampler differ: enough to tell one build's files from another's.
+            // Differs with content, attributes, partition and sampler: enough to distinguish one build's files from another's.
             manifest.CloudId = found.Checksum ^ (ulong)found.Count * 0x9E3779B97F4A7C15UL ^
                 (ulong)build.Plan.PointsPerChunk << 40 ^ (ulong)build.Attributes.Count << 32 ^
                 (ulong)build.Settings.Sampler << 60 ^ (ulong)build.Settings.CellsLog2 << 56 ^
@@ -44,7 +44,7 @@ namespace FastPoints.Build
             return manifest;
         }
 
-        /// <exception cref="PointCloudException">Numbers of theirs mean different things, so that they cannot be one
+        /// <exception cref="PointCloudException">Their numbers have different meanings, so that they cannot be one
         /// cloud.</exception>
         public static void Check(IReadOnlyList<PointReader> readers)
         {

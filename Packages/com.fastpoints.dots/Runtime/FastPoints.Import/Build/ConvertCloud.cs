@@ -48,7 +48,7 @@ namespace FastPoints.Build
             // The coroutine checks its budget: memory is allocated in steps.
             yield return default;
             yield return JobStep.Of(convert.Resume());
-            if (convert.m_checkpoints.Journal.At != BuildJournal.Stage.Done)
+            if (convert.m_checkpoints.Journal.CurrentStage != BuildJournal.Stage.Done)
             {
                 progress?.Begin(BuildStages.Read);
                 yield return JobStep.Of(convert.Read());
@@ -58,7 +58,7 @@ namespace FastPoints.Build
             }
             progress?.Begin(BuildStages.Finish);
             if (convert.m_octree?.Manifest.Points > 0)
-                yield return JobStep.Of(convert.MeasureShown());
+                yield return JobStep.Of(convert.MeasureDisplayRanges());
             yield return JobStep.Of(convert.Finish(done));
             progress?.End();
         }
@@ -131,7 +131,7 @@ namespace FastPoints.Build
             if (m_checkpoints.MustClear)
                 yield return JobStep.Of(m_build.Folder.Clear());
             m_generations = new BuildGenerations(m_build);
-            if (m_build.Files == null || m_checkpoints.Journal.At != BuildJournal.Stage.Read)
+            if (m_build.Files == null || m_checkpoints.Journal.CurrentStage != BuildJournal.Stage.Read)
                 yield break;
             long needed = (m_build.Points - m_scatter.Statistics.Count) * m_build.Records.StrideBytes;
             long free = m_build.Folder.FreeBytes();
@@ -157,7 +157,7 @@ namespace FastPoints.Build
             }
         }
 
-        IEnumerator<JobStep> MeasureShown()
+        IEnumerator<JobStep> MeasureDisplayRanges()
         {
             var manifest = m_octree.Manifest;
             using var folder = CloudFolder.Open(m_build.Folder.PathOf(""), manifest);
@@ -173,7 +173,7 @@ namespace FastPoints.Build
             var folder = m_build.Folder;
             var journal = m_checkpoints.Journal;
             CloudManifest manifest;
-            if (journal.At == BuildJournal.Stage.Done)
+            if (journal.CurrentStage == BuildJournal.Stage.Done)
             {
                 // If it is killed between the last file and the name, everything known of it is on disk.
                 string path = folder.PathOf(StoreFormat.ManifestName);
@@ -185,7 +185,7 @@ namespace FastPoints.Build
                 if (m_records != null)
                     yield return JobStep.Of(folder.Write(StoreFormat.RecordsName, m_records));
                 if (m_build.Readers.Count == 1)
-                    yield return JobStep.Of(folder.WriteText(StoreFormat.FactsName, KeptFacts.ToJson(m_build.Readers[0].Info)));
+                    yield return JobStep.Of(folder.WriteText(StoreFormat.FactsName, StoredFacts.ToJson(m_build.Readers[0].Info)));
                 yield return JobStep.Of(folder.WriteText(StoreFormat.ManifestName, manifest.ToJson()));
                 yield return JobStep.Of(m_checkpoints.Finish(m_octree.LevelCount, m_octree.BytesOfPlane));
             }
@@ -209,7 +209,7 @@ namespace FastPoints.Build
         }
     }
 
-    /// <summary>Finds the root cube by the points that came, and makes chunks that are neither too large nor needlessly
+    /// <summary>Finds the root cube of the points that were read, and makes chunks that are neither too large nor needlessly
     /// small.</summary>
     internal sealed class RebalanceChunks
     {
@@ -232,19 +232,19 @@ namespace FastPoints.Build
             var found = m_scatter.Statistics;
             if (found.Count == 0)
                 yield break;
-            if (journal.At == BuildJournal.Stage.Read)
+            if (journal.CurrentStage == BuildJournal.Stage.Read)
             {
                 yield return JobStep.Of(AddChunks());
-                journal.At = BuildJournal.Stage.Split;
+                journal.CurrentStage = BuildJournal.Stage.Split;
                 yield return JobStep.Of(m_checkpoints.Write());
             }
             else
             {
                 foreach (var chunk in journal.Chunks)
-                    m_chunks.Add(chunk.Cube, chunk.Runs);
+                    m_chunks.Add(chunk.Cube, chunk.Ranges);
             }
             m_chunks.Rebalanced = m_checkpoints.Write;
-            if (journal.At == BuildJournal.Stage.Split)
+            if (journal.CurrentStage == BuildJournal.Stage.Split)
             {
                 long target = m_build.Plan.PointsPerChunk;
                 yield return JobStep.Of(m_chunks.SplitLarge(2 * target, target));
@@ -252,7 +252,7 @@ namespace FastPoints.Build
                 yield return default;
                 journal.Root = RootCube.Shrink(journal.Root, found.Min, found.Max);
                 m_chunks.MergeSmall(journal.Root, target);
-                journal.At = BuildJournal.Stage.Index;
+                journal.CurrentStage = BuildJournal.Stage.Index;
                 yield return JobStep.Of(m_checkpoints.Write());
             }
             m_chunks.Rebalanced = null;
@@ -260,7 +260,7 @@ namespace FastPoints.Build
                 RecordPagePool.Of(m_build.Pool).FreeAll();
         }
 
-        /// <summary>Takes over the partition's chunks. Where there are points outside, the root grows until it has
+        /// <summary>Adds the partition's chunks. If there are points outside, the root grows until it contains
         /// them.</summary>
         IEnumerator<JobStep> AddChunks()
         {

@@ -29,7 +29,7 @@ namespace FastPoints.Build
         /// halves, and so other bytes are stored.</summary>
         public long MemoryBytes = 928L << 20;
 
-        /// <summary>A build that uses files can be resumed after each so many points, and where reading is slow after fewer: as
+        /// <summary>A build with temporary files has a checkpoint after this many points, or after fewer if reading is slow: as
         /// many as <see cref="SecondsPerCheckpoint"/> take at the pace until then.</summary>
         public long PointsPerCheckpoint = 8000000;
 
@@ -84,7 +84,7 @@ namespace FastPoints.Build
         /// ms.</summary>
         public double[] SliceMs;
 
-        /// <summary>A note about an earlier build of this target that was broken off, or null.</summary>
+        /// <summary>A note about an earlier, interrupted build of this target, or null.</summary>
         public string Note;
 
         /// <summary>The planes' names and bytes, position first.</summary>

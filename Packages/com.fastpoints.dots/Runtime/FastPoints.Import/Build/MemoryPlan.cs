@@ -46,7 +46,7 @@ namespace FastPoints.Build
         /// <summary>Bytes of the blocks in flight while sources are read.</summary>
         public long ReadBytes { get; private set; }
 
-        /// <summary>The most of them that may be in flight where workers run out of fewer: what is free until chunks are in
+        /// <summary>The maximum in flight if workers run out of fewer: the free memory until chunks are in
         /// progress.</summary>
         public long InFlightBytes => IsStored ? ReadBytes : Math.Max(ReadBytes, IndexBytes);
 

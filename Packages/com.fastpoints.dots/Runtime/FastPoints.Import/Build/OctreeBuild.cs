@@ -19,7 +19,7 @@ namespace FastPoints.Build
             public IndexWorkspace Workspace;
             public RecordLoad Load;
 
-            /// <summary>Of what was loaded: records outside of the chunk.</summary>
+            /// <summary>Loaded records outside of the chunk.</summary>
             public NativeReference<int> Outside;
             public int Chunk;
 
@@ -66,7 +66,7 @@ namespace FastPoints.Build
             BytesOfPlane = new long[m_store.Layout.Planes.Count];
         }
 
-        /// <summary>Complete when all work is done, but for what the finished nodes show.</summary>
+        /// <summary>Complete when all work is done, except the display ranges.</summary>
         public CloudManifest Manifest { get; }
 
         public ulong Checksum { get; private set; }
@@ -174,7 +174,7 @@ namespace FastPoints.Build
             }
         }
 
-        /// <summary>Those that the build before this one has not done, the largest first, so that none is left for the end
+        /// <summary>Chunks that the resumed build has not done, the largest first, so that none is left for the end
         /// alone.</summary>
         IEnumerator<JobStep> FindChunksLeft(List<int> order)
         {
@@ -192,8 +192,8 @@ namespace FastPoints.Build
                     continue;
                 }
                 m_pointsDone += chunk.Count;
-                foreach (var run in chunk.Runs)
-                    m_build.Files.Release(run.File);
+                foreach (var range in chunk.Ranges)
+                    m_build.Files.Release(range.File);
             }
             order.Sort((a, b) =>
             {
@@ -227,7 +227,7 @@ namespace FastPoints.Build
             m_writes = new ChunkWrites(m_build.Folder, m_chunks, files, m_limit.Max);
         }
 
-        /// <summary>Schedules a chunk's jobs behind those of the workspace that has the fewest points left.</summary>
+        /// <summary>Schedules a chunk's jobs after those of the workspace with the fewest points left.</summary>
         void Begin(int number)
         {
             var files = m_build.Files;
@@ -249,7 +249,7 @@ namespace FastPoints.Build
             var ready = default(JobHandle);
             if (files != null)
             {
-                slot.Load.Begin(chunk.Runs, 0, chunk.Count);
+                slot.Load.Begin(chunk.Ranges, 0, chunk.Count);
                 chunk.Pages = slot.Load.Pages;
                 slot.Outside.Value = 0;
                 ready = CheckRecordsJob.Schedule(new CheckRecordsJob
@@ -319,7 +319,7 @@ namespace FastPoints.Build
                 slot.Load.Complete();
                 if (slot.Outside.Value > 0)
                     throw new PointCloudException(FailureCode.ReadFailed,
-                        m_build.Files.PathOf(m_chunks.Chunks[slot.Chunk].Runs[0].File), -1,
+                        m_build.Files.PathOf(m_chunks.Chunks[slot.Chunk].Ranges[0].File), -1,
                         "the points that were set aside there are damaged: delete the folder, and start again");
             }
             m_writes.Poll(0);
@@ -413,8 +413,8 @@ namespace FastPoints.Build
                 if (!done.Top.IsCreated)
                     continue;
                 done.Top.Dispose();
-                foreach (var run in m_chunks.Chunks[done.Chunk].Runs)
-                    m_files.Release(run.File);
+                foreach (var range in m_chunks.Chunks[done.Chunk].Ranges)
+                    m_files.Release(range.File);
             }
         }
 

@@ -27,7 +27,7 @@ namespace FastPoints.Build
                 sampled += sample.Stored.Length;
             var codes = new NativeArray<uint>(Math.Max(1, sampled), Allocator.Persistent,
                 NativeArrayOptions.UninitializedMemory);
-            var runs = new NativeList<SampleRun>(Allocator.Persistent);
+            var ranges = new NativeList<SampleRange>(Allocator.Persistent);
             JobHandle coded = default;
             try
             {
@@ -45,24 +45,24 @@ namespace FastPoints.Build
                             First = first + begin,
                             Slices = slices,
                         }.Schedule(coded);
-                    foreach (var run in samples[i].Runs)
-                        runs.Add(new SampleRun
+                    foreach (var range in samples[i].Ranges)
+                        ranges.Add(new SampleRange
                         {
-                            First = first + run.First,
-                            Count = run.Count,
-                            Weight = run.Weight,
+                            First = first + range.First,
+                            Count = range.Count,
+                            Weight = range.Weight,
                         });
                     first += samples[i].Stored.Length;
                 }
                 double share = Math.Min(1, sampled / (double)Math.Max(1, plan.Points));
-                yield return JobStep.Of(DensityTree.Count(codes, runs.AsArray(), share, plan.PointsPerChunk, coded,
+                yield return JobStep.Of(DensityTree.Count(codes, ranges.AsArray(), share, plan.PointsPerChunk, coded,
                     density => take(Partition(cube, density, plan))));
             }
             finally
             {
                 coded.Complete();
                 codes.Dispose();
-                runs.Dispose();
+                ranges.Dispose();
             }
         }
 

@@ -14,10 +14,10 @@ namespace FastPoints.Build
     {
         /// <summary>Records that lie together are neighbours in space: runs of 128 left most of a tile bare that runs of 16
         /// cover.</summary>
-        const int RunPoints = 16;
+        const int RangePoints = 16;
 
-        /// <summary>Runs that are grouped in one slice.</summary>
-        const int RunsPerSlice = 2048;
+        /// <summary>Ranges that are grouped in one slice.</summary>
+        const int RangesPerSlice = 2048;
 
         readonly BuildContext m_build;
         readonly NativeReference<RecordPagePool> m_pool;
@@ -48,8 +48,9 @@ namespace FastPoints.Build
             {
                 var reader = m_build.Readers[i];
                 double share = reader.PointCount / (double)Math.Max(1, m_build.Points);
-                var runs = SampleRuns.Choose(reader, (long)(m_build.Plan.PlaceholderPoints * share) / RunPoints, RunPoints);
-                yield return JobStep.Of(Read(reader, m_build.Grid.Sources[i], runs));
+                var ranges = SampleRanges.Choose(reader, (long)(m_build.Plan.PlaceholderPoints * share) / RangePoints,
+                    RangePoints);
+                yield return JobStep.Of(Read(reader, m_build.Grid.Sources[i], ranges));
             }
             IsRead = true;
         }
@@ -88,7 +89,7 @@ namespace FastPoints.Build
             m_slices.Dispose();
         }
 
-        IEnumerator<JobStep> Read(PointReader reader, SourceGrid grid, List<BlockRange> runs)
+        IEnumerator<JobStep> Read(PointReader reader, SourceGrid grid, List<BlockRange> ranges)
         {
             var names = new List<string> { AttributeNames.X, AttributeNames.Y, AttributeNames.Z };
             foreach (var attribute in m_build.Attributes)
@@ -96,31 +97,31 @@ namespace FastPoints.Build
             var wanted = reader.Info.Schema.Select(names.ToArray());
             if (reader is RecordReader records)
             {
-                yield return JobStep.Of(ReadRuns(records, grid, runs, wanted));
+                yield return JobStep.Of(ReadRanges(records, grid, ranges, wanted));
                 yield break;
             }
-            int longest = SourceSample.LongestOf(runs);
+            int longest = SourceSample.LongestOf(ranges);
             var limit = SourceScan.LimitFor(reader, wanted, m_build.Records.StrideBytes + sizeof(int), m_build.Plan.ReadBytes / 4,
                 m_build.Settings.Workers, m_build.InFlightMs);
             using var consumer = new Consumer(this, grid, longest);
-            yield return JobStep.Of(SourceScan.Run(ScanRanges.Of(reader, runs, longest), wanted, consumer, limit,
+            yield return JobStep.Of(SourceScan.Run(ScanRanges.Of(reader, ranges, longest), wanted, consumer, limit,
                 m_build.Settings.Workers, null));
         }
 
-        /// <summary>Reads the runs of a source of a fixed stride, many in one request.</summary>
-        IEnumerator<JobStep> ReadRuns(RecordReader reader, SourceGrid grid, List<BlockRange> runs, PointSchema wanted)
+        /// <summary>Reads the ranges of a source of a fixed stride, many in one request.</summary>
+        IEnumerator<JobStep> ReadRanges(RecordReader reader, SourceGrid grid, List<BlockRange> ranges, PointSchema wanted)
         {
-            var batch = new PointBatch(wanted, RunPoints * RunsPerSlice, Allocator.Persistent);
+            var batch = new PointBatch(wanted, RangePoints * RangesPerSlice, Allocator.Persistent);
             var decoded = new NativeReference<DecodeResult>(Allocator.Persistent);
             var slot = new RecordSlot(batch.Capacity, m_build.Attributes, m_build.Records, m_build.Map, batch);
             try
             {
-                for (int first = 0; first < runs.Count; first += RunsPerSlice)
+                for (int first = 0; first < ranges.Count; first += RangesPerSlice)
                 {
-                    int count = Math.Min(RunsPerSlice, runs.Count - first), points = 0;
+                    int count = Math.Min(RangesPerSlice, ranges.Count - first), points = 0;
                     for (int r = first; r < first + count; r++)
-                        points += runs[r].Count;
-                    yield return JobStep.Of(reader.ReadRuns(runs, first, count, batch, read =>
+                        points += ranges[r].Count;
+                    yield return JobStep.Of(reader.ReadRanges(ranges, first, count, batch, read =>
                     {
                         decoded.Value = new DecodeResult { Points = points };
                         return slot.ScheduleGrouping(batch, decoded, grid, read);

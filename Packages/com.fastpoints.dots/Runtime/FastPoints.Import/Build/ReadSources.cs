@@ -29,7 +29,7 @@ namespace FastPoints.Build
         public IEnumerator<JobStep> Run()
         {
             var journal = m_checkpoints.Journal;
-            if (journal.At != BuildJournal.Stage.Read)
+            if (journal.CurrentStage != BuildJournal.Stage.Read)
                 yield break;
             m_resumedPoints = m_scatter.PointsDone;
             try
@@ -50,11 +50,11 @@ namespace FastPoints.Build
                 yield return JobStep.Of(m_scatter.WriteAll());
         }
 
-        /// <summary>Whether what was read can be resumed; what takes long goes to files from now on.</summary>
+        /// <summary>Whether reading can be resumed; long reading uses files from now on.</summary>
         bool UsesFiles() => m_build.Files != null ||
             m_watch.Elapsed.TotalSeconds >= m_build.Settings.SecondsInMemory && m_build.TryUseFiles();
 
-        /// <summary>A build that goes to files as time passes has its first checkpoint early, which tells the pace.</summary>
+        /// <summary>A build with timed checkpoints has the first one early, to measure the speed.</summary>
         long PointsToCheckpoint()
         {
             var settings = m_build.Settings;
@@ -104,7 +104,7 @@ namespace FastPoints.Build
                 if (!UsesFiles())
                     continue;
                 yield return JobStep.Of(m_scatter.WriteAll());
-                // Reading goes on while the disk takes in what was read.
+                // Reading continues while the disk writes what was read.
                 yield return JobStep.Of(m_checkpoints.Begin());
             }
             yield return JobStep.Of(m_scatter.EndSource());

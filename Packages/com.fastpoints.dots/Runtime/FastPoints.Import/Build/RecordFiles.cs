@@ -48,26 +48,26 @@ namespace FastPoints.Build
             return m_recordsOfFile.Count - 1;
         }
 
-        /// <summary>Takes over the files of a killed build, cut to the lengths that its journal knows; other files are
+        /// <summary>Resumes with the files of a killed build, truncated to the lengths in its journal; other files are
         /// deleted.</summary>
-        /// <returns>Whether they all exist, except those of chunks that may be done; otherwise nothing was taken over.</returns>
+        /// <returns>Whether they all exist, except those of chunks that may be done; otherwise none is used.</returns>
         public bool TryResume(BuildJournal journal)
         {
             var users = new int[journal.Records.Count];
-            bool isReading = journal.At == BuildJournal.Stage.Read;
+            bool isReading = journal.CurrentStage == BuildJournal.Stage.Read;
             foreach (var chunk in journal.Chunks)
-                foreach (var run in chunk.Runs)
-                    if (run.File < 0 || run.File >= users.Length || run.First < 0 || run.Count < 0 ||
-                        run.First > journal.Records[run.File] - run.Count)
+                foreach (var range in chunk.Ranges)
+                    if (range.File < 0 || range.File >= users.Length || range.First < 0 || range.Count < 0 ||
+                        range.First > journal.Records[range.File] - range.Count)
                         return false;
                     else
-                        users[run.File]++;
+                        users[range.File]++;
             var known = new HashSet<string>();
             for (int file = 0; file < users.Length; file++)
             {
                 long records = isReading || users[file] > 0 ? journal.Records[file] : 0;
                 if (!m_folder.Truncate(BuildFiles.RecordPath(file), records * m_strideBytes) &&
-                    journal.At != BuildJournal.Stage.Index)
+                    journal.CurrentStage != BuildJournal.Stage.Index)
                     return false;
                 if (records > 0)
                     known.Add(PathOf(file));

@@ -29,21 +29,21 @@ namespace FastPoints.Build
         public RecordPages Pages => m_pages;
 
         /// <summary>Starts a load; the one before is complete, and the records have been written.</summary>
-        /// <param name="runs">Ranges that together are one sequence of records.</param>
+        /// <param name="ranges">Ranges that together are one sequence of records.</param>
         /// <param name="first">First record of that sequence.</param>
         /// <param name="count">Number of records, at most as many as there are.</param>
-        public void Begin(IReadOnlyList<RecordRange> runs, long first, long count)
+        public void Begin(IReadOnlyList<RecordRange> ranges, long first, long count)
         {
             ref var pool = ref RecordPagePool.Of(m_build.Pool);
-            Reserve((int)(count / RecordPages.RecordsPerPage) + 1 + runs.Count);
+            Reserve((int)(count / RecordPages.RecordsPerPage) + 1 + ranges.Count);
             var commands = (ReadCommand*)m_commands.GetUnsafePtr();
             int commandCount = 0;
             Done = default;
-            foreach (var run in runs)
+            foreach (var range in ranges)
             {
-                long skipped = Math.Min(first, run.Count);
+                long skipped = Math.Min(first, range.Count);
                 first -= skipped;
-                long left = Math.Min(count, run.Count - skipped), offset = (run.First + skipped) * pool.StrideBytes;
+                long left = Math.Min(count, range.Count - skipped), offset = (range.First + skipped) * pool.StrideBytes;
                 if (left <= 0)
                     continue;
                 count -= left;
@@ -63,7 +63,7 @@ namespace FastPoints.Build
                     left -= page->Count;
                     offset += bytes;
                 }
-                string path = m_build.Files.PathOf(run.File);
+                string path = m_build.Files.PathOf(range.File);
                 var read = FileReads.BeginOneShot(path, commands + firstCommand, commandCount - firstCommand);
                 m_reads.Add(read);
                 m_paths.Add(path);
@@ -117,7 +117,7 @@ namespace FastPoints.Build
     }
 
     /// <summary>Checks records that came from a disk before anything is computed with them: those outside of their cube are
-    /// counted, and put at its corner, so that jobs that are already scheduled behind this one can run on them.</summary>
+    /// counted, and put at its corner, so that dependent jobs that are already scheduled can run on them.</summary>
     [BurstCompile]
     internal unsafe struct CheckRecordsJob : IJob
     {

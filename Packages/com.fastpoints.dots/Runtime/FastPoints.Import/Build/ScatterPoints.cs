@@ -35,7 +35,7 @@ namespace FastPoints.Build
         /// <summary>Points that were read, those of a build before this one with them.</summary>
         public long PointsDone { get; private set; }
 
-        /// <summary>Of all that <see cref="TakeStatistics"/> took.</summary>
+        /// <summary>Sum of all that <see cref="TakeStatistics"/> added.</summary>
         public PointStatistics Statistics { get; private set; } = PointStatistics.None;
 
         public AttributeStatistics[] Attributes { get; }

@@ -11,7 +11,7 @@ namespace FastPoints.Build
     /// become regions with tops of their own, and so on: memory is that of one region, whatever the number of chunks.</summary>
     internal sealed unsafe class UpperMerge : IDisposable
     {
-        /// <summary>With at least so many points to a region, eight neighbours are one: each round leaves fewer.</summary>
+        /// <summary>Eight neighbours are merged into a region of at least this many points: each round leaves fewer.</summary>
         const int MinPointsPerRegion = 8 * StoreFormat.MaxPointsPerNode;
 
         /// <summary>Tops that are read from files side by side.</summary>
@@ -46,7 +46,7 @@ namespace FastPoints.Build
 
         /// <summary>Coroutine: writes upper.bin and hierarchy.bin, and says of them in the manifest.</summary>
         /// <param name="chunks">In Morton order, with rising numbers; all, or those that are finished.</param>
-        /// <param name="topRecords">By chunk; where there are none, they are in the chunk's file. They stay the caller's.</param>
+        /// <param name="topRecords">By chunk; if there are none, they are in the chunk's file. They stay the caller's.</param>
         public IEnumerator<JobStep> Run(IReadOnlyList<ChunkResult> chunks, NativeArray<byte>[] topRecords, StageProgress progress)
         {
             m_indexer = m_build.CreateIndexer(m_store, m_manifest);
@@ -220,7 +220,7 @@ namespace FastPoints.Build
             return hasNodes;
         }
 
-        /// <summary>Puts the region's nodes behind those that upper.bin has. The root comes last and completes the
+        /// <summary>Appends the region's nodes to those of upper.bin. The root comes last and completes the
         /// header.</summary>
         IEnumerator<JobStep> WriteNodes(UpperRegion region, bool isRoot)
         {
@@ -232,7 +232,7 @@ namespace FastPoints.Build
                 {
                     m_upperBytes = file.Length;
                     m_upperPoints = file.Length > 0 ? PointsOf(file) : 0;
-                    // The hierarchy is queued behind it, and waited for.
+                    // The hierarchy is queued after it, and awaited.
                     m_whole = m_build.Folder.Write(m_manifest.UpperName, file);
                     yield break;
                 }
@@ -261,7 +261,7 @@ namespace FastPoints.Build
 
         static long PointsOf(NativeArray<byte> file) => ((FileHeader*)file.GetUnsafeReadOnlyPtr())->PointCount;
 
-        /// <summary>Of one region's header makes that of the file of all.</summary>
+        /// <summary>Turns the header of one region's file into that of the whole file.</summary>
         void DescribeAll(NativeArray<byte> file)
         {
             var header = (FileHeader*)file.GetUnsafePtr();
@@ -312,25 +312,25 @@ namespace FastPoints.Build
             // The last one is the root: others come after what is above them.
             m_regions.Reverse();
             int planeCount = BytesOfPlane.Length;
-            var table = UpperTable.Join(m_regions, planeCount, out int[] placeOfNode);
+            var table = UpperTable.Join(m_regions, planeCount, out int[] indexOfNode);
             var hierarchy = default(NativeArray<byte>);
             WriteTicket ticket = null;
             try
             {
-                m_manifest.NodeCount = placeOfNode.Length;
-                m_manifest.UpperBytes = placeOfNode.Length > 0 ? m_upperBytes : 0;
+                m_manifest.NodeCount = indexOfNode.Length;
+                m_manifest.UpperBytes = indexOfNode.Length > 0 ? m_upperBytes : 0;
                 var records = new List<ChunkRecord>();
                 foreach (var chunk in chunks)
                 {
                     if (!chunk.Top.HasNodes)
                         continue;
                     var record = chunk.Record;
-                    record.AttachNode = placeOfNode[m_regionOfChunk[record.Number].NodeOf(m_draftOfChunk[record.Number])];
+                    record.AttachNode = indexOfNode[m_regionOfChunk[record.Number].NodeOf(m_draftOfChunk[record.Number])];
                     m_manifest.NodeCount += record.NodeCount;
                     records.Add(record);
                 }
                 m_manifest.ChunkCount = records.Count;
-                hierarchy = HierarchyFile.Create(table, placeOfNode.Length, planeCount, records, m_manifest);
+                hierarchy = HierarchyFile.Create(table, indexOfNode.Length, planeCount, records, m_manifest);
                 ticket = m_build.Folder.Write(m_manifest.HierarchyName, hierarchy);
                 while (!ticket.IsDone(1))
                     yield return default;

@@ -13,9 +13,9 @@ namespace FastPoints.Build
         /// <summary>Joins them in breadth-first order, a node's children one after the other.</summary>
         /// <param name="regions">The regions, each after the one above it, the root first. Their first nodes' numbers are set
         /// here.</param>
-        /// <param name="placeOfNode">Index in the table for each node number of <see cref="UpperRegion.NodeOf"/>.</param>
+        /// <param name="indexOfNode">Index in the table for each node number of <see cref="UpperRegion.NodeOf"/>.</param>
         /// <returns>Records and planes; the caller disposes it.</returns>
-        public static NativeArray<byte> Join(IReadOnlyList<UpperRegion> regions, int planeCount, out int[] placeOfNode)
+        public static NativeArray<byte> Join(IReadOnlyList<UpperRegion> regions, int planeCount, out int[] indexOfNode)
         {
             int count = 0;
             foreach (var region in regions)
@@ -46,7 +46,7 @@ namespace FastPoints.Build
             }
 
             var order = new int[count];
-            placeOfNode = new int[count];
+            indexOfNode = new int[count];
             var childrenAt = new int[count];
             var childCount = new int[count];
             int placed = count > 0 ? 1 : 0;
@@ -57,7 +57,7 @@ namespace FastPoints.Build
                 {
                     if (childCount[node]++ == 0)
                         childrenAt[node] = placed;
-                    placeOfNode[child] = placed;
+                    indexOfNode[child] = placed;
                     order[placed++] = child;
                 }
             }
@@ -73,13 +73,13 @@ namespace FastPoints.Build
                 var planes = (PlaneRange*)(nodes + region.NodeCount);
                 for (int i = 0; i < region.NodeCount; i++)
                 {
-                    int node = region.FirstNode + i, place = placeOfNode[node];
+                    int node = region.FirstNode + i, place = indexOfNode[node];
                     var record = nodes[i];
-                    record.Parent = parentOf[node] < 0 ? -1 : placeOfNode[parentOf[node]];
+                    record.Parent = parentOf[node] < 0 ? -1 : indexOfNode[parentOf[node]];
                     record.FirstChild = childCount[node] > 0 ? childrenAt[node] : 0;
                     record.ChildCount = childCount[node];
                     record.SampledWith = r;
-                    record.PlaneNode = placeOfNode[region.FirstNode + record.PlaneNode];
+                    record.PlaneNode = indexOfNode[region.FirstNode + record.PlaneNode];
                     toNodes[place] = record;
                     for (int p = 0; p < planeCount; p++)
                     {

@@ -172,8 +172,8 @@ namespace FastPoints.E57
                             if (reals[i] != 0 && drops[first + i] == 0)
                                 drops[first + i] = E57Rejection.Invalid;
                         break;
-                    case E57Target.Shares:
-                        StoreShares(reals, tile, (ushort*)(columns + read.ColumnOffsetBytes) + first);
+                    case E57Target.Normalized:
+                        StoreNormalized(reals, tile, (ushort*)(columns + read.ColumnOffsetBytes) + first);
                         break;
                     default:
                         StoreReals(reals, tile, columns + read.ColumnOffsetBytes, read.ColumnType, first);
@@ -268,7 +268,7 @@ namespace FastPoints.E57
         }
 
         // NaN becomes 0.
-        static void StoreShares(double* values, int count, ushort* column)
+        static void StoreNormalized(double* values, int count, ushort* column)
         {
             for (int i = 0; i < count; i++)
                 column[i] = (ushort)(values[i] > 0 ? math.min(values[i] + 0.5, ushort.MaxValue) : 0);
@@ -306,7 +306,7 @@ namespace FastPoints.E57
     // i*w to i*w + w - 1, where bit b is bit b % 8 of byte b / 8.
     static unsafe class E57Bits
     {
-        // Behind the last value: may be loaded and not used.
+        // After the last value: loaded by wide reads, never used.
         public const int PaddingBytes = 16;
 
         public static ulong Mask(int bits) => bits == 0 ? 0 : ulong.MaxValue >> 64 - bits;

@@ -242,18 +242,18 @@ namespace FastPoints.E57
 
         JobHandle Schedule(long first, int count)
         {
-            int runs = m_section.PagesOf(first, first + count, m_isWanted, m_firstPages, m_endPages);
-            for (int i = 0; i < runs; i++)
+            int rangeCount = m_section.PagesOf(first, first + count, m_isWanted, m_firstPages, m_endPages);
+            for (int i = 0; i < rangeCount; i++)
                 m_pages.Add(m_firstPages[i], (int)(m_endPages[i] - m_firstPages[i]));
             for (int i = 0; i < m_readCount; i++)
             {
                 if (m_reads[i].Stream < 0 || m_reads[i].Bits == 0)
                     continue;
-                var mark = m_section.MarkOf(m_reads[i].Stream, first);
+                var checkpoint = m_section.CheckpointOf(m_reads[i].Stream, first);
                 m_ranges[i] = new E57StreamRange
                 {
-                    PacketOffset = mark.PacketOffset,
-                    BytesBefore = mark.BytesBefore,
+                    PacketOffset = checkpoint.PacketOffset,
+                    BytesBefore = checkpoint.BytesBefore,
                     End = m_section.EndOf(m_reads[i].Stream, first + count),
                 };
             }

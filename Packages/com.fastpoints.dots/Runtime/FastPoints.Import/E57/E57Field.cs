@@ -161,7 +161,7 @@ namespace FastPoints.E57
         Integers,
 
         // A column of an integer type: round(value * factor + addend), clamped to 0 to 65,535.
-        Shares,
+        Normalized,
 
         // A column of floats or doubles: value * factor + addend.
         Reals,

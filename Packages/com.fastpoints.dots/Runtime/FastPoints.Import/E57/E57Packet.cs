@@ -1,7 +1,7 @@
 namespace FastPoints.E57
 {
     // Header of a packet (ASTM E2807, 9.3 to 9.5): kind, flags, length less one (16 bits); in data packets the number of
-    // bytestreams (16 bits), their lengths (16 bits each), then the bytestreams one behind the other.
+    // bytestreams (16 bits), their lengths (16 bits each), then the bytestreams one after the other.
     unsafe struct E57Packet
     {
         public const int DataKind = 1;

@@ -24,7 +24,7 @@ namespace FastPoints.E57
         // Not inside a checksum, and at a multiple of four.
         public static bool IsContentOffset(ulong physical) => physical % PageBytes < DataBytes && physical % 4 == 0;
 
-        // Of whole pages only.
+        // Counts whole pages only.
         public static long LogicalLength(long fileBytes) => fileBytes / PageBytes * DataBytes;
 
         // damagedPage: the first page whose checksum is wrong, or -1.

@@ -37,7 +37,7 @@ namespace FastPoints.E57
         }
 
         // Null if one is missing or not a number.
-        public E57Field[] Three(string[] names)
+        public E57Field[] FindTriple(string[] names)
         {
             var three = new E57Field[3];
             for (int i = 0; i < 3; i++)
@@ -49,7 +49,7 @@ namespace FastPoints.E57
             return three;
         }
 
-        public bool IsCartesian => Three(E57Names.Cartesian) != null;
+        public bool IsCartesian => FindTriple(E57Names.Cartesian) != null;
         public string Label => "scan " + NumberText.Of(Index + 1L);
 
         public long RecordBits
@@ -92,7 +92,7 @@ namespace FastPoints.E57
                 foreach (var codec in codecs.Children)
                     if (codec.Child("bitPackCodec") == null && codec.Children.Count > 0)
                         return "codec " + codec.Children[codec.Children.Count - 1].Name + " is not known: wanted bitPackCodec";
-            return IsCartesian || Three(E57Names.Spherical) != null
+            return IsCartesian || FindTriple(E57Names.Spherical) != null
                 ? null
                 : "its points have neither " + string.Join(", ", E57Names.Cartesian) + " nor " +
                     string.Join(", ", E57Names.Spherical);

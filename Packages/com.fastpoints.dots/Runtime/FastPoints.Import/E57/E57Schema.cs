@@ -20,7 +20,7 @@ namespace FastPoints.E57
         // Less than this share of a step counts as rounding of decimal scales.
         const double GridToleranceSteps = 1e-6;
 
-        const double MaxShare = 65535;
+        const double MaxNormalized = 65535;
 
         readonly List<E57Scan> m_scans;
         PositionKind m_positions;
@@ -58,7 +58,7 @@ namespace FastPoints.E57
         public bool HasVectorPositions => m_positions == PositionKind.Doubles;
 
         // Normals that are rotated with their scan pass through rows of doubles.
-        public static bool HasVectorNormals(E57Scan scan) => !scan.Pose.IsShift && scan.Three(E57Names.Normals) != null;
+        public static bool HasVectorNormals(E57Scan scan) => !scan.Pose.IsShift && scan.FindTriple(E57Names.Normals) != null;
 
         public List<E57FieldRead> ReadsOf(int scanIndex, PointBatch batch)
         {
@@ -67,7 +67,7 @@ namespace FastPoints.E57
             var wanted = batch.Schema;
             AddInvalid(reads, scan.Field(scan.IsCartesian ? E57Names.CartesianInvalid : E57Names.SphericalInvalid));
             bool needsPosition = wanted.Has(AttributeNames.X) || wanted.Has(AttributeNames.Y) || wanted.Has(AttributeNames.Z);
-            var position = scan.Three(scan.IsCartesian ? E57Names.Cartesian : E57Names.Spherical);
+            var position = scan.FindTriple(scan.IsCartesian ? E57Names.Cartesian : E57Names.Spherical);
             if (HasVectorPositions && needsPosition)
                 for (int i = 0; i < 3; i++)
                     reads.Add(VectorRead(position[i], i));
@@ -109,7 +109,7 @@ namespace FastPoints.E57
             return reads;
         }
 
-        // Colours that are neither bytes, 16-bit numbers nor shares of 1 become 16-bit numbers.
+        // Colours that are neither bytes, 16-bit numbers nor from 0 to 1 become 16-bit numbers.
         public bool HasScaledColors { get; private set; }
 
         void ChoosePositions()
@@ -121,7 +121,7 @@ namespace FastPoints.E57
                     ? "whole numbers, as stored" : "whole numbers of several scales, on one grid that holds all exactly";
             }
             else if (m_scans.TrueForAll(scan => scan.IsCartesian && scan.Pose.IsIdentity &&
-                Array.TrueForAll(scan.Three(E57Names.Cartesian), field => field.Kind == E57FieldKind.Float32)))
+                Array.TrueForAll(scan.FindTriple(E57Names.Cartesian), field => field.Kind == E57FieldKind.Float32)))
             {
                 m_positions = PositionKind.Floats;
                 PositionSummary = "floats, as stored";
@@ -137,7 +137,7 @@ namespace FastPoints.E57
         AttributeType PositionType(int axis) => m_positions == PositionKind.Grid ? m_gridTypes[axis]
             : m_positions == PositionKind.Floats ? AttributeType.Float32 : AttributeType.Float64;
 
-        // With whole factors and shifts of whole steps.
+        // Factors are integers, shifts whole steps.
         bool TryGrid()
         {
             var factors = new long[m_scans.Count][];
@@ -180,7 +180,7 @@ namespace FastPoints.E57
                     min = Math.Min(min, Math.Min(first, last));
                     max = Math.Max(max, Math.Max(first, last));
                 }
-                // As doubles these limits are rounded, and far outside what 64 bits hold if a shift could exceed them.
+                // Doubles round these limits, but only far outside of 64 bits.
                 bool isMoved = !isOneScale || shifts.Any(shift => shift[axis] != 0);
                 if (isMoved && !(Math.Abs(min) < 1L << 62 && Math.Abs(max) < 1L << 62))
                     return false;
@@ -236,14 +236,14 @@ namespace FastPoints.E57
             offset = 0;
             if (Array.IndexOf(E57Names.Colors, name) >= 0)
                 return ColorType();
-            bool isFirst = true, isInteger = true, isTurned = false, isFloat32 = true, isOnOneScale = true;
+            bool isFirst = true, isInteger = true, isRotated = false, isFloat32 = true, isOnOneScale = true;
             long min = 0, max = 0;
             foreach (var scan in m_scans)
             {
                 var field = scan.Field(name);
                 if (field == null || field.Kind == E57FieldKind.String)
                     continue;
-                isTurned |= Array.IndexOf(E57Names.Normals, name) >= 0 && HasVectorNormals(scan);
+                isRotated |= Array.IndexOf(E57Names.Normals, name) >= 0 && HasVectorNormals(scan);
                 isInteger &= field.IsInteger;
                 isFloat32 &= field.Kind == E57FieldKind.Float32;
                 if (!field.IsInteger)
@@ -259,11 +259,11 @@ namespace FastPoints.E57
                 min = Math.Min(min, field.Minimum + bias);
                 max = Math.Max(max, field.Maximum == long.MaxValue ? long.MaxValue : field.Maximum + bias);
             }
-            if (isInteger && isOnOneScale && !isTurned)
+            if (isInteger && isOnOneScale && !isRotated)
                 return TypeOf(min, max);
             scale = 1;
             offset = 0;
-            return isFloat32 || isTurned ? AttributeType.Float32 : AttributeType.Float64;
+            return isFloat32 || isRotated ? AttributeType.Float32 : AttributeType.Float64;
         }
 
         // E57 counts returns from 0, all others from 1.
@@ -281,7 +281,7 @@ namespace FastPoints.E57
 
         AttributeType ColorType()
         {
-            bool areBytes = true, areShorts = true, areShares = true, areFloats = true;
+            bool areBytes = true, areShorts = true, areNormalized = true, areFloats = true;
             foreach (var scan in m_scans)
                 for (int i = 0; i < 3; i++)
                 {
@@ -292,11 +292,11 @@ namespace FastPoints.E57
                     bool isWhole = field.IsInteger && !field.IsScaled && limits.x == 0;
                     areBytes &= isWhole && field.Maximum <= byte.MaxValue;
                     areShorts &= isWhole && field.Maximum <= ushort.MaxValue && limits.y == ushort.MaxValue;
-                    areShares &= !field.IsInteger && limits.x == 0 && limits.y == 1;
+                    areNormalized &= !field.IsInteger && limits.x == 0 && limits.y == 1;
                     areFloats &= field.Kind == E57FieldKind.Float32;
                 }
-            HasScaledColors = !areBytes && !areShorts && !areShares;
-            return areBytes ? AttributeType.UInt8 : !areShares ? AttributeType.UInt16
+            HasScaledColors = !areBytes && !areShorts && !areNormalized;
+            return areBytes ? AttributeType.UInt8 : !areNormalized ? AttributeType.UInt16
                 : areFloats ? AttributeType.Float32 : AttributeType.Float64;
         }
 
@@ -332,8 +332,8 @@ namespace FastPoints.E57
             if (color >= 0 && HasScaledColors)
             {
                 var limits = ColorLimits(scan, color, field);
-                double factor = MaxShare / (limits.y - limits.x);
-                read.Target = E57Target.Shares;
+                double factor = MaxNormalized / (limits.y - limits.x);
+                read.Target = E57Target.Normalized;
                 read.Addend = (read.Addend - limits.x) * factor;
                 read.Factor *= factor;
             }

@@ -11,16 +11,16 @@ namespace FastPoints.E57
         const int SectionId = 1;
 
         // Between two marks, unless records are long: a range costs what it holds, rounded up to that.
-        const int DefaultMarkRecords = 4096;
-        const int MinMarkRecords = 64;
-        const long MaxMarkBytes = 512 << 10;
-        const int MarksPerBlock = 8;
+        const int DefaultCheckpointRecords = 4096;
+        const int MinCheckpointRecords = 64;
+        const long MaxCheckpointBytes = 512 << 10;
+        const int CheckpointsPerBlock = 8;
 
         // Extents closer to each other than this are read as one.
         const int GapPages = 16;
 
         public readonly E57Scan Scan;
-        public readonly List<E57Checkpoint>[] MarksOfStream;
+        public readonly List<E57Checkpoint>[] CheckpointsOfStream;
 
         // For each stream, the logical offset behind its last packet.
         public readonly long[] EndOfStream;
@@ -36,17 +36,17 @@ namespace FastPoints.E57
         public E57Section(E57Scan scan)
         {
             Scan = scan;
-            MarksOfStream = new List<E57Checkpoint>[scan.Fields.Count];
+            CheckpointsOfStream = new List<E57Checkpoint>[scan.Fields.Count];
             EndOfStream = new long[scan.Fields.Count];
-            for (int i = 0; i < MarksOfStream.Length; i++)
-                MarksOfStream[i] = new List<E57Checkpoint>();
-            CheckpointRecords = DefaultMarkRecords;
-            while (CheckpointRecords > MinMarkRecords && CheckpointRecords * scan.RecordBits / 8 > MaxMarkBytes)
+            for (int i = 0; i < CheckpointsOfStream.Length; i++)
+                CheckpointsOfStream[i] = new List<E57Checkpoint>();
+            CheckpointRecords = DefaultCheckpointRecords;
+            while (CheckpointRecords > MinCheckpointRecords && CheckpointRecords * scan.RecordBits / 8 > MaxCheckpointBytes)
                 CheckpointRecords /= 2;
         }
 
         public int CheckpointRecords { get; }
-        public int BlockPoints => CheckpointRecords * MarksPerBlock;
+        public int BlockPoints => CheckpointRecords * CheckpointsPerBlock;
         public int BlockCount => (int)((Records + BlockPoints - 1) / BlockPoints);
         public long RecordsPossible => (long)Math.Min(Scan.RecordsClaimed, (ulong)Math.Max(0, End - DataStart) * 8);
 
@@ -95,14 +95,14 @@ namespace FastPoints.E57
         // stream, are filled as far as the number returned. isWanted: by stream; null for all.
         public int PagesOf(long firstRecord, long endRecord, bool[] isWanted, long[] firstPages, long[] endPages)
         {
-            int runs = 0;
+            int ranges = 0;
             for (int stream = 0; stream < EndOfStream.Length; stream++)
             {
                 if (Scan.Fields[stream].Bits <= 0 || isWanted != null && !isWanted[stream])
                     continue;
-                long first = MarkOf(stream, firstRecord).PacketOffset / E57Pages.DataBytes;
+                long first = CheckpointOf(stream, firstRecord).PacketOffset / E57Pages.DataBytes;
                 long end = (EndOf(stream, endRecord) + E57Pages.DataBytes - 1) / E57Pages.DataBytes;
-                int at = runs++;
+                int at = ranges++;
                 for (; at > 0 && firstPages[at - 1] > first; at--)
                 {
                     firstPages[at] = firstPages[at - 1];
@@ -112,7 +112,7 @@ namespace FastPoints.E57
                 endPages[at] = end;
             }
             int merged = 0;
-            for (int i = 1; i < runs; i++)
+            for (int i = 1; i < ranges; i++)
             {
                 if (firstPages[i] > endPages[merged] + GapPages)
                 {
@@ -125,17 +125,19 @@ namespace FastPoints.E57
                     endPages[merged] = Math.Max(endPages[merged], endPages[i]);
                 }
             }
-            return runs == 0 ? 0 : merged + 1;
+            return ranges == 0 ? 0 : merged + 1;
         }
 
-        public E57Checkpoint MarkOf(int stream, long record) => MarksOfStream[stream][(int)(record / CheckpointRecords)];
+        public E57Checkpoint CheckpointOf(int stream, long record) =>
+            CheckpointsOfStream[stream][(int)(record / CheckpointRecords)];
 
         // Logical, behind the last packet that records before this one need, or sometimes behind one more.
         public long EndOf(int stream, long endRecord)
         {
-            var marks = MarksOfStream[stream];
-            long mark = (endRecord + CheckpointRecords - 1) / CheckpointRecords;
-            return mark < marks.Count ? marks[(int)mark].PacketOffset + marks[(int)mark].PacketBytes : EndOfStream[stream];
+            var checkpoints = CheckpointsOfStream[stream];
+            long checkpoint = (endRecord + CheckpointRecords - 1) / CheckpointRecords;
+            return checkpoint < checkpoints.Count ? checkpoints[(int)checkpoint].PacketOffset +
+                checkpoints[(int)checkpoint].PacketBytes : EndOfStream[stream];
         }
     }
 
@@ -281,10 +283,10 @@ namespace FastPoints.E57
             var endPages = new long[section.EndOfStream.Length];
             for (long first = 0; first < section.Records; first += section.BlockPoints)
             {
-                int runs = section.PagesOf(first, Math.Min(first + section.BlockPoints, section.Records), null, firstPages,
+                int ranges = section.PagesOf(first, Math.Min(first + section.BlockPoints, section.Records), null, firstPages,
                     endPages);
                 long pages = 0;
-                for (int i = 0; i < runs; i++)
+                for (int i = 0; i < ranges; i++)
                     pages += endPages[i] - firstPages[i];
                 if (pages > MaxBlockPages)
                 {

@@ -17,7 +17,7 @@ namespace FastPoints.E57
         // The first read covers all of a small file.
         const int FirstPages = 256;
 
-        // From one page before the expected one to two behind it.
+        // From one page before the expected one to two after it.
         const int GuessPages = 4;
         const int Guesses = BufferPages / GuessPages;
 
@@ -33,7 +33,7 @@ namespace FastPoints.E57
         readonly E57PagesRead m_read;
         NativeArray<E57StreamWalk> m_streams;
         NativeReference<E57WalkState> m_state;
-        NativeList<E57Checkpoint> m_marks;
+        NativeList<E57Checkpoint> m_checkpoints;
         JobHandle m_walked;
         bool m_isFirst = true;
         bool m_isGuess;
@@ -46,7 +46,7 @@ namespace FastPoints.E57
             var fields = section.Scan.Fields;
             m_read = new E57PagesRead(file, (int)Math.Min(BufferPages, file.Pages), Guesses, Allocator.Persistent);
             m_streams = new NativeArray<E57StreamWalk>(fields.Count, Allocator.Persistent);
-            m_marks = new NativeList<E57Checkpoint>(64, Allocator.Persistent);
+            m_checkpoints = new NativeList<E57Checkpoint>(64, Allocator.Persistent);
             long records = section.RecordsPossible;
             int left = 0;
             for (int i = 0; i < fields.Count; i++)
@@ -57,7 +57,7 @@ namespace FastPoints.E57
                 {
                     Bits = fields[i].Bits,
                     BytesWanted = records / 8 * fields[i].Bits + (records % 8 * fields[i].Bits + 7) / 8,
-                    MarkStep = section.CheckpointRecords / 8 * fields[i].Bits,
+                    CheckpointStep = section.CheckpointRecords / 8 * fields[i].Bits,
                 };
                 left++;
             }
@@ -68,7 +68,7 @@ namespace FastPoints.E57
             }, Allocator.Persistent);
         }
 
-        // Coroutine; afterwards the section has its marks and knows its number of records.
+        // Coroutine; afterwards the section has its checkpoints and knows its number of records.
         public IEnumerator<JobStep> Run()
         {
             while (!m_state.Value.IsDone)
@@ -85,12 +85,12 @@ namespace FastPoints.E57
                     Streams = m_streams,
                     StreamCount = m_streams.Length,
                     State = m_state,
-                    Marks = m_marks,
+                    Checkpoints = m_checkpoints,
                 }.Schedule(read);
                 yield return m_walked;
                 m_walked.Complete();
                 m_read.End();
-                AddMarks();
+                AddCheckpoints();
             }
             Finish();
         }
@@ -118,11 +118,11 @@ namespace FastPoints.E57
             m_isFirst = false;
         }
 
-        void AddMarks()
+        void AddCheckpoints()
         {
-            for (int i = 0; i < m_marks.Length; i++)
-                m_section.MarksOfStream[m_marks[i].Stream].Add(m_marks[i]);
-            m_marks.Clear();
+            for (int i = 0; i < m_checkpoints.Length; i++)
+                m_section.CheckpointsOfStream[m_checkpoints[i].Stream].Add(m_checkpoints[i]);
+            m_checkpoints.Clear();
         }
 
         void Finish()
@@ -156,11 +156,11 @@ namespace FastPoints.E57
             m_read.Dispose();
             m_streams.Dispose();
             m_state.Dispose();
-            m_marks.Dispose();
+            m_checkpoints.Dispose();
         }
     }
 
-    // Steps from header to header as far as the pages at hand reach, and marks where ranges of records begin.
+    // Steps from header to header as far as the pages at hand reach, and adds checkpoints where ranges of records begin.
     [BurstCompile]
     unsafe struct WalkE57Job : IJob
     {
@@ -172,7 +172,7 @@ namespace FastPoints.E57
         public NativeArray<E57StreamWalk> Streams;
         public int StreamCount;
         public NativeReference<E57WalkState> State;
-        public NativeList<E57Checkpoint> Marks;
+        public NativeList<E57Checkpoint> Checkpoints;
 
         public void Execute()
         {
@@ -223,16 +223,16 @@ namespace FastPoints.E57
         {
             if (stream->Bytes >= stream->BytesWanted)
                 return;
-            while (stream->NextMark < stream->Bytes + bytes && stream->NextMark < stream->BytesWanted)
+            while (stream->NextCheckpoint < stream->Bytes + bytes && stream->NextCheckpoint < stream->BytesWanted)
             {
-                Marks.Add(new E57Checkpoint
+                Checkpoints.Add(new E57Checkpoint
                 {
                     Stream = index,
                     PacketBytes = packetBytes,
                     PacketOffset = state.Position,
                     BytesBefore = stream->Bytes,
                 });
-                stream->NextMark += stream->MarkStep;
+                stream->NextCheckpoint += stream->CheckpointStep;
             }
             stream->Bytes += bytes;
             if (stream->Bytes < stream->BytesWanted)
@@ -275,11 +275,11 @@ namespace FastPoints.E57
         // 0 for a stream that need not be followed.
         public long BytesWanted;
 
-        // From mark to mark, and where the next one is due.
-        public long MarkStep;
-        public long NextMark;
+        // Between checkpoints, and where the next one is due.
+        public long CheckpointStep;
+        public long NextCheckpoint;
 
-        // Logical, behind the packet with the last wanted byte; 0 until it has come.
+        // Logical, behind the packet with the last wanted byte; 0 until it is found.
         public long EndOffset;
     }
 

@@ -198,7 +198,7 @@ namespace FastPoints.Export
         /// <summary>A branch of fewer nodes is not worth a read.</summary>
         const int MinEntries = 32;
 
-        /// <summary>All pages, one behind another, the root's first.</summary>
+        /// <summary>All pages, one after another, the root's first.</summary>
         /// <param name="nodes">Those with points; ancestors may be missing.</param>
         /// <param name="at">Where the pages will lie.</param>
         public static byte[] ToBytes(IReadOnlyList<CopcEntry> nodes, long at, out int rootBytes, int maxEntries = DefaultEntries)

@@ -243,7 +243,7 @@ namespace FastPoints.Export
             }
         }
 
-        /// <summary>Goes over all ranges, several in flight, and appends their points one behind another.</summary>
+        /// <summary>Goes over all ranges, several in flight, and appends their points one after another.</summary>
         /// <param name="buffers">Null to measure.</param>
         IEnumerator<JobStep> Pass(PointSchema wanted, ExportBuffers buffers)
         {

@@ -110,7 +110,7 @@ namespace FastPoints.Export
             for (int block = 0; block < order.Length; block++)
             {
                 order[block] = block;
-                places[block] = reader.PlaceOfBlock(block);
+                places[block] = reader.OrderOfBlock(block);
             }
             Array.Sort(places, order);
 

@@ -109,7 +109,7 @@ namespace FastPoints.Export
                     if (Classes.Length > 0 && !IsWanted(classes[i]))
                         continue;
                     var place = needsPlaces ? new double3(x[i], y[i], z[i]) : default;
-                    if (Clips.Length > 0 && !LocalClip.Leave((LocalClip*)Clips.GetUnsafeReadOnlyPtr(), Clips.Length, place))
+                    if (Clips.Length > 0 && !LocalClip.Keeps((LocalClip*)Clips.GetUnsafeReadOnlyPtr(), Clips.Length, place))
                         continue;
                     if (Position.Kind != PositionKind.Same &&
                         !Move(columns, First + first + i, place, changed, done, ref state))

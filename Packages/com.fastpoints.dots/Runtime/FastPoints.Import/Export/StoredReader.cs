@@ -62,7 +62,7 @@ namespace FastPoints.Export
                 }
             }
             Info = Describe(folder, first);
-            KeptFacts.AddTo(Info, folder);
+            StoredFacts.AddTo(Info, folder);
         }
 
         /// <exception cref="PointCloudException">It is no cloud, is still being built, or is damaged.</exception>

@@ -162,7 +162,7 @@ namespace FastPoints.Las
 
             public void Fill(CoordinateSystem crs)
             {
-                // In projected and geocentric systems the geographic key names what they are derived from.
+                // In projected and geocentric systems the geographic key names their base system.
                 bool isDerived = m_model == ProjectedModel || m_model == GeocentricModel || m_model == 0 && m_isProjected;
                 crs.Epsg = isDerived ? m_projected : m_geographic;
                 crs.VerticalEpsg = VerticalEpsg;
@@ -180,12 +180,12 @@ namespace FastPoints.Las
             }
         }
 
-        static ByteReader PayloadOf(LasVlrTable vlrs, ushort recordId, ByteReader otherwise)
+        static ByteReader PayloadOf(LasVlrTable vlrs, ushort recordId, ByteReader fallback)
         {
             var record = vlrs.Find(LasVlr.ProjectionUser, recordId);
             return record != null
                 ? vlrs.Payload(record)
-                : new ByteReader(System.Array.Empty<byte>(), otherwise.Path, otherwise.FileOffset);
+                : new ByteReader(System.Array.Empty<byte>(), fallback.Path, fallback.FileOffset);
         }
 
         readonly struct Key

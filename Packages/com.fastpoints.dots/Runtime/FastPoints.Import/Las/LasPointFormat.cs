@@ -176,7 +176,7 @@ namespace FastPoints.Las
         const int ScaleOption = 1 << 3;
         const int OffsetOption = 1 << 4;
 
-        // Data types 1 to 10; 11 to 20 are the same as pairs, 21 to 30 as triples (deprecated in LAS 1.4 R14, still met).
+        // Data types 1 to 10; 11 to 20 are the same as pairs, 21 to 30 as triples (deprecated in LAS 1.4 R14, but still in use).
         static readonly AttributeType[] s_types =
         {
             AttributeType.UInt8, AttributeType.Int8, AttributeType.UInt16, AttributeType.Int16, AttributeType.UInt32,
@@ -259,7 +259,7 @@ namespace FastPoints.Las
             return entry;
         }
 
-        static double Number(ByteReader entries, int entry, int at, int component, double otherwise, SourceInfo info)
+        static double Number(ByteReader entries, int entry, int at, int component, double fallback, SourceInfo info)
         {
             int position = entry + at + 8 * component;
             double value = entries.Float64(position, "extra bytes scale or offset");
@@ -267,8 +267,8 @@ namespace FastPoints.Las
             if (!double.IsNaN(value) && !double.IsInfinity(value) && !(isScale && value == 0))
                 return value;
             info.Warn(entries.FileOffset + position, "extra bytes " + (isScale ? "scale" : "offset") + ": wanted a number, got "
-                + NumberText.Of(value) + ": read as " + NumberText.Of(otherwise));
-            return otherwise;
+                + NumberText.Of(value) + ": read as " + NumberText.Of(fallback));
+            return fallback;
         }
     }
 }

@@ -8,7 +8,7 @@ namespace FastPoints.Las
     // warning if they exceed the file, and points still load.
     internal sealed class LasVlrTable
     {
-        // More than any real file has (390 were met): it bounds the memory that a header can claim.
+        // The largest real file seen has 390. This bounds the memory that a header can claim.
         public const int MaxRecords = 65536;
 
         // Larger payloads are listed but not read: WKT and key tables are a few kilobytes.
@@ -51,7 +51,7 @@ namespace FastPoints.Las
             return null;
         }
 
-        // None, with a warning, if its size is absurd.
+        // Empty, with a warning, if it is too large.
         public ByteReader Payload(LasVlr record)
         {
             if (record.DataBytes <= MaxPayloadBytes)

@@ -170,13 +170,13 @@ namespace FastPoints.Laz
                 if (Count == m_pages.Count << PageBits)
                     m_pages.Add(new uint[Count == 0 ? MinLength : PageLength]);
                 var page = m_pages[Count >> PageBits];
-                int place = Count & PageLength - 1;
-                if (place == page.Length)
+                int index = Count & PageLength - 1;
+                if (index == page.Length)
                 {
-                    Array.Resize(ref page, 2 * place);
+                    Array.Resize(ref page, 2 * index);
                     m_pages[0] = page;
                 }
-                page[place] = number;
+                page[index] = number;
                 Count++;
             }
 

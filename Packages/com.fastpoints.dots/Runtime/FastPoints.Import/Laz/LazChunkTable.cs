@@ -193,7 +193,7 @@ namespace FastPoints.Laz
                 + " points, the chunks in the table have room for " + NumberText.Of(sum));
         }
 
-        // From its header on. pointsOfChunk: null where all have the VLR's number of points, but the last.
+        // From its header on. pointsOfChunk: null if all have the VLR's number of points, but the last.
         public static unsafe byte[] ToBytes(IReadOnlyList<int> bytesOfChunk, IReadOnlyList<int> pointsOfChunk = null)
         {
             var table = new byte[MaxBytes(pointsOfChunk == null ? bytesOfChunk.Count : 2L * bytesOfChunk.Count)];

@@ -44,7 +44,7 @@ namespace FastPoints.Laz
         public PointEstimate EstimatedPoints => new PointEstimate(Info.PointsClaimed, 0);
 
         // The beginning, however many places are wanted.
-        public IEnumerator<JobStep> FindPrefixes(int places)
+        public IEnumerator<JobStep> FindPrefixes(int count)
         {
             if (!HasPrefixes)
                 yield break;

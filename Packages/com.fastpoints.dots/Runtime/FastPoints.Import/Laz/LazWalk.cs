@@ -114,10 +114,10 @@ namespace FastPoints.Laz
         {
             long at = m_firstChunk;
             ulong pointsLeft = m_blocks.Info.PointsClaimed;
-            ulong pointsBehind = isBeginning ? pointsLeft - Math.Min(pointsLeft, (ulong)PrefixPoints(m_blocks)) : 0;
+            ulong pointsAfter = isBeginning ? pointsLeft - Math.Min(pointsLeft, (ulong)PrefixPoints(m_blocks)) : 0;
             using (var stream = new LazWalkStream(m_blocks.File, m_format))
             {
-                while (pointsLeft > pointsBehind && at + m_format.RecordBytes <= m_source.Length)
+                while (pointsLeft > pointsAfter && at + m_format.RecordBytes <= m_source.Length)
                 {
                     if (m_chunks.Count > 0 && IsNoChunk(at, m_chunks.Count))
                         break;

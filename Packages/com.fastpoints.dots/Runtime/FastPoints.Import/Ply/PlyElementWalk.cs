@@ -231,7 +231,7 @@ namespace FastPoints.Ply
     // The walk can stop at any step and continue there.
     struct PlyWalkState
     {
-        // Of the next step in the file. It may lie behind what was read: lists are skipped.
+        // Offset of the next step. It may be beyond what was read: lists are skipped.
         public long Position;
         public int Element;
         public ulong Instance;
@@ -245,7 +245,7 @@ namespace FastPoints.Ply
         public bool IsDone;
     }
 
-    // Of either byte order; Unity runs on little-endian machines only. HPC#.
+    // Reads either byte order; Unity runs on little-endian machines only. HPC#.
     static class PlyBytes
     {
         // An integer of 1, 2, 4 or 8 bytes as its bits, without extending its sign.

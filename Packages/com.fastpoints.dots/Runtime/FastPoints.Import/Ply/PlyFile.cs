@@ -11,7 +11,7 @@ namespace FastPoints.Ply
         readonly bool m_isPcd;
         readonly HashSet<int> m_brokenBlocks = new HashSet<int>();
         readonly RunningWarning m_pointsLost = new RunningWarning();
-        string m_firstBreak;
+        string m_firstFault;
         bool m_hasReportedMisfits;
         bool m_hasReportedExtraValues;
 
@@ -153,9 +153,9 @@ namespace FastPoints.Ply
             if (!m_brokenBlocks.Add(range.Block))
                 return;
             if (m_brokenBlocks.Count == 1)
-                m_firstBreak = text;
+                m_firstFault = text;
             string points = m_isPcd ? "points" : "vertices";
-            m_pointsLost.Add(Info, range.Count - result.Points, result.ErrorOffset, lost => m_firstBreak + ": the " + points +
+            m_pointsLost.Add(Info, range.Count - result.Points, result.ErrorOffset, lost => m_firstFault + ": the " + points +
                 " from here to the end of the block are left out (" + lost + " " + points + " in " + m_brokenBlocks.Count +
                 " blocks so far)");
         }
@@ -173,7 +173,7 @@ namespace FastPoints.Ply
             if (anomalies.Misfits > 0 && !m_hasReportedMisfits)
             {
                 m_hasReportedMisfits = true;
-                Info.Warn(anomalies.FirstMisfitOffset, "a value that its property's integer type cannot hold: the nearest " +
+                Info.Warn(anomalies.FirstUnfitOffset, "a value that its property's integer type cannot hold: the nearest " +
                     "that it can was taken, without fraction (" + anomalies.Misfits +
                     " in this block; later blocks are not counted)");
             }

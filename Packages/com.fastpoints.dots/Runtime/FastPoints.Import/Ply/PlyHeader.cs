@@ -86,7 +86,7 @@ namespace FastPoints.Ply
             }
         }
 
-        // CR LF is one line end. Where the lines before end in a bare CR, so does end_header: a LF behind it is the first byte of
+        // CR LF is one line end. Where the lines before end in a bare CR, so does end_header: a LF after it is the first byte of
         // the data. In all other files CR LF after end_header is two bytes, whatever ends the lines before (assimp's
         // cube_binary_header_with_RN_newline.ply has LF everywhere else).
         int AfterLineEnd(int end, bool isEndHeader)
@@ -127,7 +127,7 @@ namespace FastPoints.Ply
                             m_header.UnknownOffset = offset;
                         break;
                     }
-                    throw Bad(offset, "header line", "format, element, property, comment, obj_info or end_header", words[0]);
+                    throw BadInput(offset, "header line", "format, element, property, comment, obj_info or end_header", words[0]);
             }
         }
 
@@ -151,7 +151,7 @@ namespace FastPoints.Ply
                     m_header.Encoding = PlyEncoding.BinaryBigEndian;
                     break;
                 default:
-                    throw Bad(offset, "format", "ascii, binary_little_endian or binary_big_endian", name);
+                    throw BadInput(offset, "format", "ascii, binary_little_endian or binary_big_endian", name);
             }
             m_header.Version = words.Length > 2 ? Quote(words[2]).Trim('"') : "";
             m_header.FormatOffset = offset;
@@ -160,9 +160,9 @@ namespace FastPoints.Ply
         void DeclareElement(string[] words, int offset)
         {
             if (words.Length < 3)
-                throw Bad(offset, "element line", "a name and a count", string.Join(" ", words));
+                throw BadInput(offset, "element line", "a name and a count", string.Join(" ", words));
             if (m_header.Elements.Count == MaxDeclarations)
-                throw Bad(offset, "elements", "at most " + MaxDeclarations, "more");
+                throw BadInput(offset, "elements", "at most " + MaxDeclarations, "more");
             m_element = new PlyElement { Name = words[1], Count = Count(words[2], offset), LineOffset = offset };
             m_header.Elements.Add(m_element);
         }
@@ -170,19 +170,19 @@ namespace FastPoints.Ply
         void DeclareProperty(string[] words, int offset)
         {
             if (m_element == null)
-                throw Bad(offset, "property line", "an element line before it", string.Join(" ", words));
+                throw BadInput(offset, "property line", "an element line before it", string.Join(" ", words));
             if (m_element.Properties.Count == MaxDeclarations)
-                throw Bad(offset, "properties of element " + Quote(m_element.Name), "at most " + MaxDeclarations, "more");
+                throw BadInput(offset, "properties of element " + Quote(m_element.Name), "at most " + MaxDeclarations, "more");
             bool isList = words.Length > 1 && words[1] == "list";
             if (words.Length < (isList ? 5 : 3))
-                throw Bad(offset, "property line", isList ? "two types and a name" : "a type and a name",
+                throw BadInput(offset, "property line", isList ? "two types and a name" : "a type and a name",
                     string.Join(" ", words));
             var property = new PlyProperty { IsList = isList, LineOffset = offset };
             if (isList)
             {
                 property.CountType = Type(words[2], offset);
                 if (property.CountType.IsFloat())
-                    throw Bad(offset, "type of a list's count", "an integer type", words[2]);
+                    throw BadInput(offset, "type of a list's count", "an integer type", words[2]);
             }
             property.Type = Type(words[isList ? 3 : 1], offset);
             property.Name = words[isList ? 4 : 2];
@@ -202,7 +202,7 @@ namespace FastPoints.Ply
         {
             foreach (char c in word)
                 if (c < '0' || c > '9')
-                    throw Bad(offset, "element count", "a number", word);
+                    throw BadInput(offset, "element count", "a number", word);
             return ulong.TryParse(word, NumberStyles.None, CultureInfo.InvariantCulture, out ulong count)
                 ? count
                 : ulong.MaxValue;
@@ -215,7 +215,7 @@ namespace FastPoints.Ply
             return m_header;
         }
 
-        PointCloudException Bad(int offset, string field, string wanted, string got) =>
+        PointCloudException BadInput(int offset, string field, string wanted, string got) =>
             PointCloudException.Wanted(FailureCode.BadInput, m_path, offset, field, wanted, Quote(got));
 
         internal static string Quote(string word)
@@ -241,7 +241,7 @@ namespace FastPoints.Ply
         public readonly List<PlyElement> Elements = new List<PlyElement>();
         public readonly List<KeyValuePair<string, string>> Comments = new List<KeyValuePair<string, string>>();
 
-        // The word of the first line that is none of the known, and declares nothing.
+        // First word of the first line that is unknown and declares nothing.
         public string UnknownLine;
         public long UnknownOffset;
         public int UnknownLines;
@@ -272,7 +272,7 @@ namespace FastPoints.Ply
     {
         public string Name;
 
-        // Claimed, which may be anything.
+        // As claimed.
         public ulong Count;
 
         public readonly List<PlyProperty> Properties = new List<PlyProperty>();
@@ -317,12 +317,12 @@ namespace FastPoints.Ply
     {
         public string Name;
 
-        // Of the value, or of a list's items.
+        // Type of the value, or of a list's items.
         public AttributeType Type;
 
         public bool IsList;
 
-        // Of the number before a list's items, which is always an integer.
+        // Type of the number before a list's items: an integer type.
         public AttributeType CountType;
 
         // Its bytes are blue, green, red and perhaps alpha (PCD).

@@ -5,7 +5,7 @@ using FastPoints.Store;
 
 namespace FastPoints.Reading
 {
-    // Coordinate systems as people and octrees write them: well-known text, PROJ strings, EPSG codes. What they leave unsaid
+    // Coordinate systems as users and octrees write them: well-known text, PROJ strings, EPSG codes. What they do not state
     // comes from EPSG's table.
     internal static class CrsText
     {
@@ -42,7 +42,7 @@ namespace FastPoints.Reading
             return ReadCodes(text, crs) || ReadProj(text, crs) || WktCoordinateSystem.Read(text, crs);
         }
 
-        /// <summary>Warns of coordinates in degrees that one map of the whole cloud puts in the wrong place.</summary>
+        /// <summary>Warns if a flat map of the whole cloud misplaces coordinates in degrees.</summary>
         public static void WarnOfPlacement(SourceInfo info)
         {
             double error = info.Crs.Units.PlacementError(info.BoundsTrusted);
@@ -51,7 +51,7 @@ namespace FastPoints.Reading
                     error.ToString("G2", CultureInfo.InvariantCulture) + " m wrong; a projected copy would be exact");
         }
 
-        /// <summary>Fills in what the code says and the file did not.</summary>
+        /// <summary>Adds what EPSG's table knows and the file does not state.</summary>
         public static void Complete(SourceInfo info)
         {
             var crs = info.Crs;
@@ -64,12 +64,12 @@ namespace FastPoints.Reading
                     crs.Kind = system.Kind;
                 if (crs.VerticalMetresPerUnit == 0)
                     crs.VerticalMetresPerUnit = system.VerticalMetresPerUnit;
-                double said = crs.MetresPerUnit, known = system.MetresPerUnit;
-                if (said == 0)
+                double stated = crs.MetresPerUnit, known = system.MetresPerUnit;
+                if (stated == 0)
                     crs.MetresPerUnit = known;
-                else if (known != 0 && double.IsNaN(said) == double.IsNaN(known) && Math.Abs(said - known) > Rounding * known)
+                else if (known != 0 && double.IsNaN(stated) == double.IsNaN(known) && Math.Abs(stated - known) > Rounding * known)
                     info.Warn(-1, "the unit of EPSG:" + crs.Epsg + " is " + NumberText.Of(known) + " m, the file says " +
-                        NumberText.Of(said) + " m: the file is followed");
+                        NumberText.Of(stated) + " m: the file is followed");
             }
             if (crs.VerticalEpsg != 0 && crs.VerticalMetresPerUnit == 0)
                 crs.VerticalMetresPerUnit = EpsgTable.Find(crs.VerticalEpsg)?.VerticalMetresPerUnit ?? 0;

@@ -24,7 +24,7 @@ namespace FastPoints.Reading
         /// <summary>Null if there is no such system.</summary>
         public static EpsgSystem Find(int code)
         {
-            // A chain, not a table: no more than a few codes are asked for, at 10 us each.
+            // A chain, not a table: only a few codes are looked up, at 10 us each.
             byte[] codes = s_codes.Value;
             int current = 0, index = 0;
             for (int at = 0; at < codes.Length; index++)
@@ -96,7 +96,7 @@ namespace FastPoints.Reading
         public int Index;
         public CrsKind Kind;
 
-        // As of CoordinateSystem.
+        // See CoordinateSystem.
         public double MetresPerUnit;
         public double VerticalMetresPerUnit;
 

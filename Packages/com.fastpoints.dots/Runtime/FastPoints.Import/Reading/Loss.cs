@@ -7,10 +7,10 @@ namespace FastPoints.Reading
 
         /// <summary>The file that has it.</summary>
         public readonly string Where;
-        public readonly string Why;
+        public readonly string Reason;
 
-        public Loss(string what, string where, string why) => (What, Where, Why) = (what, where, why);
+        public Loss(string what, string where, string reason) => (What, Where, Reason) = (what, where, reason);
 
-        public override string ToString() => Where + ": " + What + ": lost, since " + Why;
+        public override string ToString() => Where + ": " + What + ": lost, since " + Reason;
     }
 }

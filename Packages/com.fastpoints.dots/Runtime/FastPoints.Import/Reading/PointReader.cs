@@ -27,10 +27,10 @@ namespace FastPoints.Reading
             yield break;
         }
 
-        // The reader that this one takes points from, where it leaves some out.
+        // The reader that this one filters, or this one.
         internal virtual PointReader Unfiltered => this;
 
-        // Of what it leaves out; 0 for nothing.
+        // Hash of its filter; 0 without one.
         internal virtual ulong FilterHash => 0;
 
         // The octree that the source contains, or null. Its blocks come level by level within each page of the hierarchy.
@@ -47,7 +47,7 @@ namespace FastPoints.Reading
         public abstract int PointsInBlock(int block);
 
         /// <summary>Grows from block to block in the order of the source, in whatever order they were found.</summary>
-        public virtual long PlaceOfBlock(int block) => block;
+        public virtual long OrderOfBlock(int block) => block;
 
         /// <summary>The location of a block, for messages.</summary>
         /// <param name="byteOffset">The byte at which it begins; -1 if unknown.</param>
@@ -92,15 +92,15 @@ namespace FastPoints.Reading
         public virtual void DisposeUnread() { }
     }
 
-    // Something can be read long before FindBlocks has ended.
+    // Points can be read long before FindBlocks has ended.
     internal interface IPrefixSource
     {
         bool HasPrefixes { get; }
 
-        // Coroutine, of bounded time: without a pass over the file, of text at so many places. What it finds are the blocks,
-        // although BlocksAreKnown is false, until FindBlocks replaces them while there are no slots. Called again for more
-        // places, earlier blocks keep their numbers.
-        IEnumerator<JobStep> FindPrefixes(int places);
+        // Coroutine, of bounded time: without a pass over the file, of text at this many positions. What it finds are the blocks,
+        // although BlocksAreKnown is false, until FindBlocks replaces them while there are no slots. If it is called again for
+        // more positions, earlier blocks keep their numbers.
+        IEnumerator<JobStep> FindPrefixes(int count);
 
         PointEstimate EstimatedPoints { get; }
     }

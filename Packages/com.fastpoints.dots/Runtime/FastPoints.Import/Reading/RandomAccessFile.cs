@@ -20,14 +20,14 @@ namespace FastPoints.Reading
             ? new PointCloudException(FailureCode.DiskFull, path, -1, "the disk is full", cause)
             : Failure(path, cause, FailureCode.WriteFailed, "cannot be written");
 
-        static PointCloudException Failure(string path, Exception cause, FailureCode otherwise, string what)
+        static PointCloudException Failure(string path, Exception cause, FailureCode fallback, string what)
         {
             if (cause is FileNotFoundException || cause is DirectoryNotFoundException)
                 return new PointCloudException(FailureCode.NotFound, path, -1, "no such file or folder" + (path.Length < LongPath
                     ? "" : ": the path has " + path.Length + " characters, where Windows takes " + (LongPath - 1)), cause);
             if (cause is UnauthorizedAccessException || cause is System.Security.SecurityException)
                 return new PointCloudException(FailureCode.AccessDenied, path, -1, what + ": permission denied", cause);
-            return new PointCloudException(otherwise, path, -1, what + ": " + cause.Message.Replace('\n', ' '), cause);
+            return new PointCloudException(fallback, path, -1, what + ": " + cause.Message.Replace('\n', ' '), cause);
         }
     }
 

@@ -1,10 +1,10 @@
 namespace FastPoints.Reading
 {
-    /// <summary>An order of visiting strata of which every beginning is spread evenly over them: the base-2 van der Corput
+    /// <summary>An order of visiting strata whose every prefix is spread evenly over them: the base-2 van der Corput
     /// sequence, Owen scrambled. Blittable, for jobs.</summary>
     /// <remarks>The scrambling is the hash of S. Laine and T. Karras, "Stratified sampling for stochastic transparency", 2011,
-    /// with the constants of B. Burley, "Practical hash-based Owen scrambling", 2020. Of the first 2^k places of the order, one
-    /// lies in each 2^-k of the strata (give or take the places beyond the last stratum, which are skipped).</remarks>
+    /// with the constants of B. Burley, "Practical hash-based Owen scrambling", 2020. Of the first 2^k entries of the order, one
+    /// lies in each 2^-k of the strata (give or take the entries beyond the last stratum, which are skipped).</remarks>
     internal readonly struct SampleOrder
     {
         readonly int m_bits;
@@ -21,14 +21,14 @@ namespace FastPoints.Reading
                 m_bits++;
         }
 
-        public int Places => 1 << m_bits;
+        public int Length => 1 << m_bits;
 
-        // -1 if the place is skipped.
-        public int StratumAt(int place)
+        // -1 if the entry is skipped.
+        public int StratumAt(int index)
         {
             if (m_bits == 0)
                 return 0;
-            uint x = (uint)place;
+            uint x = (uint)index;
             x ^= x * 0x3D20ADEAu;
             x += m_seed;
             x *= m_seed >> 16 | 1;

@@ -72,7 +72,7 @@ namespace FastPoints.Reading
         /// <summary>Larger texts are not parsed: the objects would take some 50 times the bytes.</summary>
         public const int MaxBytes = 4 << 20;
 
-        // Also with a byte order mark in front.
+        // With or without a byte order mark.
         public static bool Is(byte[] head)
         {
             int at = head.Length >= 3 && head[0] == 0xEF && head[1] == 0xBB && head[2] == 0xBF ? 3 : 0;

@@ -49,15 +49,15 @@ namespace FastPoints.Reading
         /// <summary>The attributes of each point.</summary>
         public PointSchema Schema;
 
-        /// <summary>Attributes that samples keep beside those that a picture can be coloured by.</summary>
-        internal string[] SampledToo = Array.Empty<string>();
+        /// <summary>Attributes that samples keep besides those for colours.</summary>
+        internal string[] AlsoSampled = Array.Empty<string>();
 
         public CoordinateSystem Crs = new CoordinateSystem();
 
-        /// <summary>Of unknown kind where there are no GPS times.</summary>
+        /// <summary>Unknown if there are no GPS times.</summary>
         internal GpsTime GpsTime;
 
-        /// <summary>Why the files cannot be one cloud: null if they can. Each of them can be looked at.</summary>
+        /// <summary>Why the files cannot be one cloud; null if they can. Each can still be inspected.</summary>
         internal string Conflict;
 
         internal void ThrowIfInConflict()
@@ -66,12 +66,12 @@ namespace FastPoints.Reading
                 throw new PointCloudException(FailureCode.Unsupported, Path, -1, Conflict);
         }
 
-        /// <summary>Everything else that the header says, as lines for people: name and value, in the file's order.</summary>
+        /// <summary>Everything else that the header says, as readable lines: name and value, in the file's order.</summary>
         public readonly List<KeyValuePair<string, string>> Facts = new List<KeyValuePair<string, string>>();
 
         public readonly List<CloudWarning> Warnings = new List<CloudWarning>();
 
-        /// <summary>What is in the file and not in its points, of which a cloud keeps nothing.</summary>
+        /// <summary>Content of the file beside its points that a cloud does not keep.</summary>
         internal readonly List<Loss> Losses = new List<Loss>();
 
         public void Fact(string name, string value) => Facts.Add(new KeyValuePair<string, string>(name, value));
@@ -82,13 +82,13 @@ namespace FastPoints.Reading
                 Fact(name, value);
         }
 
-        /// <summary>Comments, poses: what no file that is written has a place for; null if there is nothing.</summary>
+        /// <summary>Comments, poses: facts that no exported format can hold; null if there are none.</summary>
         internal string OnlyInFacts;
 
         public void Warn(long byteOffset, string text) => Warnings.Add(new CloudWarning(Path, byteOffset, text));
     }
 
-    // One warning, at the byte that was first to be reported, whose count grows while blocks are read.
+    // One warning, at the first reported byte, whose count grows while blocks are read.
     internal sealed class RunningWarning
     {
         int m_index = -1;
@@ -122,7 +122,7 @@ namespace FastPoints.Reading
         /// <summary>EPSG code of the vertical system, or 0.</summary>
         public int VerticalEpsg;
 
-        /// <summary>The system's name for people, or null.</summary>
+        /// <summary>The system's readable name, or null.</summary>
         public string Name;
 
         /// <summary>Metres of one horizontal unit (0.3048 for feet); 0 if unknown; NaN for degrees.</summary>
@@ -153,7 +153,7 @@ namespace FastPoints.Reading
             GeoKeys = GeoKeys,
         };
 
-        /// <summary>Of the same text, codes and keys.</summary>
+        /// <summary>Compares text, codes and keys.</summary>
         internal bool HasSameCodes(CoordinateSystem other)
         {
             bool isSame = Wkt == other.Wkt && Epsg == other.Epsg && VerticalEpsg == other.VerticalEpsg &&

@@ -132,7 +132,7 @@ namespace FastPoints.Reading
                 foreach (var waiting in pages)
                 {
                     page = waiting;
-                    if (IsAlong(waiting.Root, node) && !m_isRead.Contains(waiting.Number))
+                    if (IsOnSameBranch(waiting.Root, node) && !m_isRead.Contains(waiting.Number))
                         return true;
                 }
             }
@@ -154,8 +154,8 @@ namespace FastPoints.Reading
             Count = 0;
         }
 
-        // One is the other, or is above or below it.
-        static bool IsAlong(int4 a, int4 b)
+        // Whether they are equal, or one contains the other.
+        static bool IsOnSameBranch(int4 a, int4 b)
         {
             int level = math.min(a.w, b.w);
             return math.all(a.xyz >> (a.w - level) == b.xyz >> (b.w - level));

@@ -5,7 +5,7 @@ using System.Threading.Tasks;
 
 namespace FastPoints.Reading
 {
-    /// <summary>Writes a stream (of a web response, an archive, an asset's bytes) into a file, on a thread of the pool: readers
+    /// <summary>Writes a stream (of a web response, an archive, an asset's bytes) into a file, on a pool thread: readers
     /// jump about in a cloud and read many of its pieces together, which only files allow. The file gets its name when it is
     /// complete; if cancelled or failed, it leaves nothing.</summary>
     public sealed class StreamSpool : IDisposable
@@ -20,7 +20,7 @@ namespace FastPoints.Reading
         long m_bytes;
 
         /// <param name="open">Called once, on that thread; the stream is disposed there.</param>
-        /// <param name="path">Path of the file, whose extension tells readers its format; an existing file is replaced.</param>
+        /// <param name="path">Path of the file, whose extension names its format; an existing file is replaced.</param>
         /// <param name="lengthBytes">The length that the stream must have; negative if unknown.</param>
         public StreamSpool(Func<Stream> open, string path, long lengthBytes = -1)
         {
@@ -34,7 +34,7 @@ namespace FastPoints.Reading
         /// cancelled.</summary>
         public Task Work { get; }
 
-        /// <summary>Bytes written so far; any thread may ask.</summary>
+        /// <summary>Bytes written so far; any thread.</summary>
         public long Bytes => Interlocked.Read(ref m_bytes);
 
         /// <summary>Progress from 0 to 1; 0 until the end if the length is unknown.</summary>

@@ -31,7 +31,7 @@ namespace FastPoints.Reading
             var whole = Unbound(root);
             var horizontal = whole;
             WktNode vertical = whole.Is(s_vertical) ? whole : null;
-            // ESRI writes the vertical system behind the other: PROJCS[...],VERTCS[...].
+            // ESRI writes the vertical system after the horizontal one: PROJCS[...],VERTCS[...].
             if (vertical == null && WktNode.Parse(wkt.Substring(end), out _) is WktNode behind && behind.Is(s_vertical))
                 vertical = behind;
             if (whole.Is(s_compound))

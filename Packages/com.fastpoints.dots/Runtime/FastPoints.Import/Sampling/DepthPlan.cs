@@ -25,7 +25,7 @@ namespace FastPoints.Sampling
         /// <summary>Points of each block that were given out; null if whole blocks are.</summary>
         readonly int[] m_taken;
 
-        /// <summary>Next place in the order.</summary>
+        /// <summary>Next entry in the order.</summary>
         int m_next;
         double m_share;
 
@@ -51,7 +51,7 @@ namespace FastPoints.Sampling
                 m_next = 0;
             m_share = share;
             var ranges = new List<BlockRange>();
-            for (; m_next < m_order.Places && ranges.Count < RangesPerRound; m_next++)
+            for (; m_next < m_order.Length && ranges.Count < RangesPerRound; m_next++)
             {
                 if (!IsSliced && Taken >= share * m_reader.PointCount)
                     break;

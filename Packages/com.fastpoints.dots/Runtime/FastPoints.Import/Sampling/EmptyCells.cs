@@ -91,11 +91,11 @@ namespace FastPoints.Sampling
             int keptOfAll = Kept.Value;
             for (int first = First; first < end; first += BatchLength)
             {
-                int run = math.min(end - first, BatchLength);
-                Positions.Load(copy.From, first, run, x, y, z);
-                Transform.ToGeo(run, x, y, z);
+                int length = math.min(end - first, BatchLength);
+                Positions.Load(copy.From, first, length, x, y, z);
+                Transform.ToGeo(length, x, y, z);
                 int kept = 0;
-                for (int i = 0; i < run; i++)
+                for (int i = 0; i < length; i++)
                 {
                     if (!PositionBounds.IsFinite(x[i], y[i], z[i]) || !Cells.Mark(table, x[i], y[i], z[i])
                         || keptOfAll == Capacity)
@@ -129,7 +129,7 @@ namespace FastPoints.Sampling
         }
     }
 
-    /// <summary>Marks the cells of those places of a sample that hold a point.</summary>
+    /// <summary>Marks the cells of those entries of a sample that hold a point.</summary>
     [BurstCompile]
     struct MarkCellsJob : IJob
     {
@@ -140,13 +140,13 @@ namespace FastPoints.Sampling
         public PositionColumns Positions;
         public PositionTransform Transform;
 
-        /// <summary>Places from <see cref="First"/> to before <see cref="End"/>.</summary>
+        /// <summary>Entries from <see cref="First"/> to before <see cref="End"/>.</summary>
         public int First;
         public int End;
 
         public EmptyCells Cells;
 
-        /// <summary>Cleared before the first place.</summary>
+        /// <summary>Cleared before the first entry.</summary>
         public NativeArray<ulong> Table;
 
         public unsafe void Execute()
@@ -160,10 +160,10 @@ namespace FastPoints.Sampling
             byte* sample = (byte*)Sample.GetUnsafeReadOnlyPtr();
             for (int first = First; first < End; first += BatchLength)
             {
-                int run = math.min(End - first, BatchLength);
-                Positions.Load(sample, first, run, x, y, z);
-                Transform.ToGeo(run, x, y, z);
-                for (int i = 0; i < run; i++)
+                int length = math.min(End - first, BatchLength);
+                Positions.Load(sample, first, length, x, y, z);
+                Transform.ToGeo(length, x, y, z);
+                for (int i = 0; i < length; i++)
                     if (Filled[first + i] != 0 && PositionBounds.IsFinite(x[i], y[i], z[i]))
                         Cells.Mark(table, x[i], y[i], z[i]);
             }

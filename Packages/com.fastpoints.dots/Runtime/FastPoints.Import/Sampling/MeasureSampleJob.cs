@@ -15,7 +15,7 @@ namespace FastPoints.Sampling
         public int First;
         public int End;
 
-        /// <summary>Of the points so far; reset by the first slice.</summary>
+        /// <summary>The points so far; reset by the first slice.</summary>
         public NativeReference<SampleStatistics> Statistics;
         public SliceTimes Slices;
 

@@ -15,7 +15,7 @@ namespace FastPoints.Sampling
         /// cells as there are points, or a few more.</summary>
         const double CellsPerRootOfPoints = 1.05;
 
-        /// <summary>When this share of their places is taken, they are thinned with cells larger by this factor.</summary>
+        /// <summary>When this share of their entries is taken, they are thinned with cells larger by this factor.</summary>
         const double MaxTaken = 0.9, CoarserCells = 1.2;
 
         readonly PositionTransform m_transform;
@@ -37,18 +37,18 @@ namespace FastPoints.Sampling
                 CellsPerUnit = edge > 0 ? CellsPerRootOfPoints * Math.Sqrt(wanted) / edge : 0,
             };
             m_table = new NativeArray<ulong>(EmptyCells.Words, Allocator.Persistent);
-            // At a half, half of the sample's places are free.
+            // At a half, half of the sample's entries are free.
             m_points = new SampleBuffer(schema, transform, Math.Max(1, wanted / 2));
             m_points.FillAll();
             m_count = new NativeReference<int>(Allocator.Persistent);
         }
 
-        /// <summary>The first <see cref="Count"/> places hold the points; all count as filled.</summary>
+        /// <summary>The first <see cref="Count"/> entries hold the points; all count as filled.</summary>
         public SampleBuffer Points => m_points;
 
         /// <summary>Do not read it while anything is in flight.</summary>
         public int Count => m_count.Value;
-        public bool AreTooMany => m_count.Value > MaxTaken * m_points.Places;
+        public bool AreTooMany => m_count.Value > MaxTaken * m_points.EntryCount;
 
         /// <summary>Adds the needed ones of a block's points, in slices, after everything scheduled before.</summary>
         /// <param name="columns">The columns of the read's points.</param>
@@ -77,7 +77,7 @@ namespace FastPoints.Sampling
             job.Table = m_table;
             job.To = m_points.Points.Bytes;
             job.ColumnsOfTo = m_points.Columns;
-            job.Capacity = m_points.Places;
+            job.Capacity = m_points.EntryCount;
             job.Kept = m_count;
             return m_lastAppended = job.Schedule(JobHandle.CombineDependencies(inputDeps, m_lastAppended));
         }
@@ -121,7 +121,7 @@ namespace FastPoints.Sampling
         /// these.</summary>
         public IEnumerator<JobStep> Thin(SampleBuffer own)
         {
-            yield return JobStep.Of(Slices.Run(0, own.Places, SampleBuffer.PlacesPerSlice, (first, end, after) =>
+            yield return JobStep.Of(Slices.Run(0, own.EntryCount, SampleBuffer.EntriesPerSlice, (first, end, after) =>
                 new MarkCellsJob
                 {
                     Sample = own.Points.Bytes,

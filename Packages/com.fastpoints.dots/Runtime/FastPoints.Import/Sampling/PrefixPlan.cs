@@ -81,7 +81,7 @@ namespace FastPoints.Sampling
                 count = Math.Min(count, max - Taken);
                 if (count <= 0)
                     continue;
-                prefixes.Add(new Prefix { Block = block, First = taken, Count = count, Place = Taken });
+                prefixes.Add(new Prefix { Block = block, First = taken, Count = count, FirstEntry = Taken });
                 m_taken[block] = taken + count;
                 Taken += count;
             }
@@ -99,7 +99,7 @@ namespace FastPoints.Sampling
         static long Share(long part, long whole, int wanted) =>
             whole == 0 ? 0 : part / whole * wanted + part % whole * (wanted / whole) + part % whole * (wanted % whole) / whole;
 
-        /// <summary>Chooses blocks spread over the source: so many that each gets <see cref="MinPoints"/>, and more if they do
+        /// <summary>Chooses blocks spread over the source: as many as get <see cref="MinPoints"/> each, and more if they do
         /// not have as many.</summary>
         List<int> Choose(int wanted)
         {
@@ -107,12 +107,12 @@ namespace FastPoints.Sampling
             long points = 0;
             // Blocks found by jumping come in an order that is spread already.
             bool isSpread = m_reader is LineReader && !m_reader.BlocksAreKnown;
-            int places = isSpread ? m_reader.BlockCount : m_order.Places;
-            for (int place = 0; place < places; place++)
+            int count = isSpread ? m_reader.BlockCount : m_order.Length;
+            for (int index = 0; index < count; index++)
             {
                 if (blocks.Count > wanted / MinPoints && points >= wanted)
                     break;
-                int block = isSpread ? place : m_order.StratumAt(place);
+                int block = isSpread ? index : m_order.StratumAt(index);
                 if (block < 0 || block >= m_reader.BlockCount)
                     continue;
                 blocks.Add(block);
@@ -133,7 +133,7 @@ namespace FastPoints.Sampling
 
         public int Count;
 
-        /// <summary>Place of the first one in the sample.</summary>
-        public int Place;
+        /// <summary>Its first point's index in the sample.</summary>
+        public int FirstEntry;
     }
 }

@@ -25,7 +25,6 @@ namespace FastPoints.Sampling
         ReadSlots m_slots;
         StageProgress m_progress;
 
-        /// <summary>The one that begins.</summary>
         Prefix m_begun;
 
         public PrefixWaveReader(PointReader reader, int wanted, uint seed)
@@ -38,10 +37,10 @@ namespace FastPoints.Sampling
         /// <summary>Coroutine: finds as many as the wave is spread over, and more if these have too few points.</summary>
         IEnumerator<JobStep> FindPrefixes(int wanted)
         {
-            for (long places = wanted / PrefixPlan.MinPoints + 1L; ; places *= 2)
+            for (long count = wanted / PrefixPlan.MinPoints + 1L; ; count *= 2)
             {
-                yield return JobStep.Of(((LineReader)Reader).FindPrefixes((int)Math.Min(places, LineReader.MaxPrefixes)));
-                if (Reader.PointCount >= wanted || places >= LineReader.MaxPrefixes)
+                yield return JobStep.Of(((LineReader)Reader).FindPrefixes((int)Math.Min(count, LineReader.MaxPrefixes)));
+                if (Reader.PointCount >= wanted || count >= LineReader.MaxPrefixes)
                     break;
             }
         }
@@ -65,7 +64,7 @@ namespace FastPoints.Sampling
                 m_begun = prefixes[n];
                 read.Begin(new BlockRange(m_begun.Block, m_begun.First, m_begun.Count));
             }, null));
-            // Slots for prefixes of another length than in this wave are made.
+            // The next wave has prefixes of another length, and needs other slots.
             yield return JobStep.Of(m_slots.Free());
             Free();
             EndIndex = m_plan.Taken;
@@ -82,7 +81,7 @@ namespace FastPoints.Sampling
                 Result = read.Result,
                 MaxPoints = m_begun.Count,
                 ColumnsOfSample = Buffer.Columns,
-                FirstPlace = m_begun.Place,
+                FirstEntry = m_begun.FirstEntry,
                 Sample = Buffer.Points.Bytes,
                 Filled = Buffer.Filled,
             }.Schedule(decoded);
@@ -104,8 +103,8 @@ namespace FastPoints.Sampling
         }
     }
 
-    /// <summary>Copies the first points of a decoded range to consecutive places of the sample. Ranges go to disjoint places, so
-    /// any number of these may run at the same time.</summary>
+    /// <summary>Copies the first points of a decoded range to consecutive entries of the sample. Ranges go to disjoint entries,
+    /// so any number of these may run at the same time.</summary>
     [BurstCompile]
     struct CopyPrefixJob : IJob
     {
@@ -115,11 +114,11 @@ namespace FastPoints.Sampling
         public int MaxPoints;
 
         [ReadOnly] public NativeArray<PointColumn> ColumnsOfSample;
-        public int FirstPlace;
+        public int FirstEntry;
 
         [NativeDisableContainerSafetyRestriction] public NativeArray<byte> Sample;
 
-        /// <summary>Set to 1 at each place that is written.</summary>
+        /// <summary>Set to 1 at each entry that is written.</summary>
         [NativeDisableContainerSafetyRestriction] public NativeArray<byte> Filled;
 
         public unsafe void Execute()
@@ -132,11 +131,11 @@ namespace FastPoints.Sampling
             for (int column = 0; column < ColumnsOfSample.Length; column++)
             {
                 int size = ColumnsOfSample[column].Type.SizeOf();
-                UnsafeUtility.MemCpy(to + ColumnsOfSample[column].OffsetBytes + (long)FirstPlace * size,
+                UnsafeUtility.MemCpy(to + ColumnsOfSample[column].OffsetBytes + (long)FirstEntry * size,
                     from + ColumnsOfDecoded[column].OffsetBytes, (long)count * size);
             }
             var filled = (byte*)NativeArrayUnsafeUtility.GetUnsafeBufferPointerWithoutChecks(Filled);
-            UnsafeUtility.MemSet(filled + FirstPlace, 1, count);
+            UnsafeUtility.MemSet(filled + FirstEntry, 1, count);
         }
     }
 }

@@ -45,7 +45,7 @@ namespace FastPoints.Sampling
         /// it.</summary>
         public bool IsOfPrefix { get; internal set; }
 
-        /// <summary>How the points were chosen, and why not otherwise: a line for people.</summary>
+        /// <summary>How the points were chosen, and why not otherwise: a readable line.</summary>
         public string Method { get; internal set; }
 
         public int Count => Points.Count;

@@ -33,7 +33,7 @@ namespace FastPoints.Sampling
             m_reader = reader;
             wanted = Math.Max(0, Math.Min(wanted, PreviewSample.MaxPoints(SampleSchema.Of(reader.Info))));
             m_reads = reader is RecordReader
-                ? (WaveReader)new RunWaveReader(reader, wanted, seed)
+                ? (WaveReader)new RangeWaveReader(reader, wanted, seed)
                 : new PrefixWaveReader(reader, wanted, seed);
             m_buffer = m_reads.Buffer;
             m_sample = m_buffer.ShareSample();
@@ -55,12 +55,12 @@ namespace FastPoints.Sampling
             m_watch.Restart();
             try
             {
-                for (int wave = 0; m_reads.EndIndex < m_buffer.Places; wave++)
+                for (int wave = 0; m_reads.EndIndex < m_buffer.EntryCount; wave++)
                 {
                     int first = m_reads.EndIndex;
-                    int wanted = PlacesOf(wave);
-                    bool isLast = wanted == m_buffer.Places;
-                    yield return JobStep.Of(m_reads.Read(wanted, isLast ? 0 : PlacesOf(wave + 1), slots, progress));
+                    int wanted = EntriesOf(wave);
+                    bool isLast = wanted == m_buffer.EntryCount;
+                    yield return JobStep.Of(m_reads.Read(wanted, isLast ? 0 : EntriesOf(wave + 1), slots, progress));
                     if (m_reads.EndIndex > first)
                     {
                         yield return JobStep.Of(m_buffer.Close(first, m_reads.EndIndex, m_reads.Filling));
@@ -80,8 +80,9 @@ namespace FastPoints.Sampling
             }
         }
 
-        /// <summary>The places that a wave is to reach.</summary>
-        int PlacesOf(int wave) => wave >= s_waves.Length || s_waves[wave] >= MinShareOfLast * m_buffer.Places ? m_buffer.Places
+        /// <summary>The entries that a wave is to reach.</summary>
+        int EntriesOf(int wave) => wave >= s_waves.Length || s_waves[wave] >= MinShareOfLast * m_buffer.EntryCount
+            ? m_buffer.EntryCount
             : s_waves[wave];
 
         void RaiseWave()

@@ -25,7 +25,7 @@ namespace FastPoints.Sampling
         const double FirstShareOfAny = 0.2;
         const long MinPointsBeforeFifth = 2_000_000;
 
-        /// <summary>A first sample of this many points is always worth its time; one in so many if there are too many blocks to
+        /// <summary>A first sample of this many points is always worth its time; one in this many if there are too many blocks to
         /// reach together.</summary>
         const int MinPointsBefore = 20_000, PointsPerPointBefore = 25;
 
@@ -185,7 +185,7 @@ namespace FastPoints.Sampling
             m_progress?.Report(m_pointsFound / (double)Math.Max(1, m_reader.PointCount), m_pointsFound, m_bytesRead);
         }
 
-        /// <summary>Composes a sample of the points so far: its own points, and others where there are none.</summary>
+        /// <summary>Composes a sample of the points so far: its own points, and others if there are none.</summary>
         IEnumerator<JobStep> Compose()
         {
             // A point of the first sample may have been reached again.
@@ -196,7 +196,7 @@ namespace FastPoints.Sampling
             using var drawn = new SampleBuffer(m_schema, m_reader.Info.Transform,
                 (int)Math.Min(m_strata.Count, own + m_placeholders.Count));
             yield return JobStep.Of(drawn.Append(m_buffer, 0, m_strata.Count));
-            int others = Math.Min(m_placeholders.Count, drawn.Places - drawn.Closed);
+            int others = Math.Min(m_placeholders.Count, drawn.EntryCount - drawn.Closed);
             yield return JobStep.Of(drawn.Append(m_placeholders.Points, 0, others));
             Replace(drawn.ShareSample());
             m_sample.PointsInSource = m_reader.PointCount;
@@ -206,7 +206,7 @@ namespace FastPoints.Sampling
 
         IEnumerator<JobStep> Close()
         {
-            yield return JobStep.Of(m_buffer.Close(0, m_buffer.Places));
+            yield return JobStep.Of(m_buffer.Close(0, m_buffer.EntryCount));
             Replace(m_buffer.ShareSample());
             m_sample.PointsInSource = m_pointsFound;
             m_sample.IsFullScan = true;

@@ -9,11 +9,11 @@ using Unity.Mathematics;
 
 namespace FastPoints.Sampling
 {
-    /// <summary>A sample while it is being collected: a place for each wanted point, and which places are filled.</summary>
+    /// <summary>A sample while it is being collected: an entry for each wanted point, and which entries are filled.</summary>
     sealed class SampleBuffer : IDisposable
     {
-        /// <summary>Places in one slice of such work: about 2 ms of managed code.</summary>
-        public const int PlacesPerSlice = 1 << 17;
+        /// <summary>Entries in one slice of such work: about 2 ms of managed code.</summary>
+        public const int EntriesPerSlice = 1 << 17;
 
         /// <summary>Points in one slice that looks each up in a table: about as much.</summary>
         public const int PointsPerSlice = 1 << 16;
@@ -24,26 +24,26 @@ namespace FastPoints.Sampling
         NativeReference<CompactedSample> m_state;
         bool m_isShared;
 
-        public SampleBuffer(PointSchema schema, PositionTransform transform, int places)
+        public SampleBuffer(PointSchema schema, PositionTransform transform, int entryCount)
         {
             m_transform = transform;
-            Points = new PointBatch(schema, Math.Max(1, places), Allocator.Persistent);
-            Places = places;
-            m_filled = new NativeArray<byte>(Math.Max(1, places), Allocator.Persistent);
+            Points = new PointBatch(schema, Math.Max(1, entryCount), Allocator.Persistent);
+            EntryCount = entryCount;
+            m_filled = new NativeArray<byte>(Math.Max(1, entryCount), Allocator.Persistent);
             m_columns = ColumnsOf(Points);
             m_state = new NativeReference<CompactedSample>(new CompactedSample { Found = PositionBounds.Empty },
                 Allocator.Persistent);
         }
 
         public PointBatch Points { get; }
-        public int Places { get; }
+        public int EntryCount { get; }
         public NativeArray<byte> Filled => m_filled;
         public NativeArray<PointColumn> Columns => m_columns;
 
-        /// <summary>Places that are closed, whether their point was kept or not. Only while nothing is in flight.</summary>
+        /// <summary>Entries that are closed, whether their point was kept or not. Only while nothing is in flight.</summary>
         public int Closed => m_state.Value.Kept + (int)m_state.Value.Found.NonFinite;
 
-        /// <summary>For code that fills the places from the first on, and knows how many.</summary>
+        /// <summary>For code that fills the entries from the first on, and knows how many.</summary>
         public unsafe void FillAll() => UnsafeUtility.MemSet(m_filled.GetUnsafePtr(), 1, m_filled.Length);
 
         /// <summary>The location of the batch's columns, for a job. The caller disposes it.</summary>
@@ -59,14 +59,14 @@ namespace FastPoints.Sampling
         /// <param name="columns">The columns of the read's points.</param>
         public JobHandle Schedule(BlockRead read, NativeArray<PointColumn> columns, SampleStrata strata, JobHandle decoded)
         {
-            for (int first = 0; first < read.Range.Count; first += PlacesPerSlice)
+            for (int first = 0; first < read.Range.Count; first += EntriesPerSlice)
                 decoded = new SampleBlockJob
                 {
                     Block = read.Points.Bytes,
                     ColumnsOfBlock = columns,
                     Result = read.Result,
                     First = first,
-                    End = Math.Min(read.Range.Count, first + PlacesPerSlice),
+                    End = Math.Min(read.Range.Count, first + EntriesPerSlice),
                     FirstPoint = read.FirstPoint,
                     Strata = strata,
                     ColumnsOfSample = m_columns,
@@ -76,15 +76,15 @@ namespace FastPoints.Sampling
             return decoded;
         }
 
-        /// <summary>Coroutine: closes the gaps between the filled places from <paramref name="begin"/> to before
-        /// <paramref name="end"/>, behind those that are closed before.</summary>
-        /// <param name="after">What its jobs come behind; it is complete in the end.</param>
+        /// <summary>Coroutine: closes the gaps between the filled entries from <paramref name="begin"/> to before
+        /// <paramref name="end"/>, after those that are closed already.</summary>
+        /// <param name="after">What its jobs depend on; it is complete in the end.</param>
         public IEnumerator<JobStep> Close(int begin, int end, JobHandle after = default) => Append(this, begin, end, after);
 
-        /// <summary>Coroutine: appends the filled places of another buffer, or of this one, to what is closed.</summary>
+        /// <summary>Coroutine: appends the filled entries of another buffer, or of this one, to what is closed.</summary>
         public IEnumerator<JobStep> Append(SampleBuffer from, int begin, int end, JobHandle after = default)
         {
-            yield return JobStep.Of(Slices.Run(begin, end, PlacesPerSlice, (first, stop, before) => new CompactSampleJob
+            yield return JobStep.Of(Slices.Run(begin, end, EntriesPerSlice, (first, stop, before) => new CompactSampleJob
             {
                 Filled = from.m_filled,
                 Columns = from.m_columns,
@@ -135,7 +135,7 @@ namespace FastPoints.Sampling
         /// <exception cref="PointCloudException">The source has no positions.</exception>
         public static PointSchema Of(SourceInfo info)
         {
-            var names = new List<string>(info.SampledToo)
+            var names = new List<string>(info.AlsoSampled)
             {
                 AttributeNames.X, AttributeNames.Y, AttributeNames.Z, AttributeNames.Intensity, AttributeNames.Classification,
                 AttributeNames.Red, AttributeNames.Green, AttributeNames.Blue,
@@ -151,13 +151,13 @@ namespace FastPoints.Sampling
     /// <summary>The progress of <see cref="CompactSampleJob"/>.</summary>
     struct CompactedSample
     {
-        /// <summary>Points kept so far: the first places of each column.</summary>
+        /// <summary>Points kept so far: the first entries of each column.</summary>
         public int Kept;
 
         public PositionBounds Found;
     }
 
-    /// <summary>Closes the gaps in a sample, one slice of places after the other: places without a point, and points whose
+    /// <summary>Closes the gaps in a sample, one slice of entries after the other: entries without a point, and points whose
     /// position is not finite, which are counted. It measures the bounds on the way.</summary>
     [BurstCompile]
     struct CompactSampleJob : IJob
@@ -195,11 +195,11 @@ namespace FastPoints.Sampling
             for (int done = 0; done < Count; done += BatchLength)
             {
                 int start = First + done;
-                int run = math.min(BatchLength, Count - done);
-                Positions.Load(copy.From, start, run, x, y, z);
-                Transform.ToGeo(run, x, y, z);
+                int length = math.min(BatchLength, Count - done);
+                Positions.Load(copy.From, start, length, x, y, z);
+                Transform.ToGeo(length, x, y, z);
                 int kept = 0;
-                for (int i = 0; i < run; i++)
+                for (int i = 0; i < length; i++)
                 {
                     if (Filled[start + i] == 0)
                         continue;
@@ -215,8 +215,8 @@ namespace FastPoints.Sampling
                     toIndex[kept] = state.Kept + kept;
                     kept++;
                 }
-                state.Found.IncludeRun(x, y, z, kept);
-                if (copy.From != copy.To || state.Kept != start || kept != run)
+                state.Found.IncludeBatch(x, y, z, kept);
+                if (copy.From != copy.To || state.Kept != start || kept != length)
                     copy.Scatter(fromIndex, toIndex, kept);
                 state.Kept += kept;
             }
@@ -224,8 +224,8 @@ namespace FastPoints.Sampling
         }
     }
 
-    /// <summary>Copies the chosen points of a decoded block to the sample: stratum i's point to place i. Blocks write to disjoint
-    /// places, so any number of these may run at the same time.</summary>
+    /// <summary>Copies the chosen points of a decoded block to the sample: stratum i's point to entry i. Blocks write to disjoint
+    /// entries, so any number of these may run at the same time.</summary>
     [BurstCompile]
     struct SampleBlockJob : IJob
     {
@@ -247,7 +247,7 @@ namespace FastPoints.Sampling
         [ReadOnly] public NativeArray<PointColumn> ColumnsOfSample;
         [NativeDisableContainerSafetyRestriction] public NativeArray<byte> Sample;
 
-        /// <summary>Set to 1 at each place that is written.</summary>
+        /// <summary>Set to 1 at each entry that is written.</summary>
         [NativeDisableContainerSafetyRestriction] public NativeArray<byte> Filled;
 
         public unsafe void Execute()

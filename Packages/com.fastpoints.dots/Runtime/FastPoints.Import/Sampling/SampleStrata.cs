@@ -1,7 +1,8 @@
 namespace FastPoints.Sampling
 {
-    /// <summary>Points in file order, cut into equal strata (their lengths differ by at most one), with one place chosen in each
-    /// by a seeded hash: a sample that is even over the file and the same wherever it is computed. Blittable, for jobs.</summary>
+    /// <summary>Points in file order, cut into equal strata (their lengths differ by at most one), with one position chosen in
+    /// each by a seeded hash: a sample that is even over the file and the same wherever it is computed. Blittable, for
+    /// jobs.</summary>
     internal readonly struct SampleStrata
     {
         public readonly long Points;
@@ -42,14 +43,14 @@ namespace FastPoints.Sampling
 
         /// <summary>The first of <paramref name="length"/> consecutive points within a stratum, which must be as long as
         /// that.</summary>
-        public long ChosenRun(int stratum, int length)
+        public long ChosenRange(int stratum, int length)
         {
             long first = FirstOf(stratum);
-            long places = FirstOf(stratum + 1) - first - length + 1;
-            return first + (long)(Hash((ulong)stratum << 32 | Seed) % (ulong)places);
+            long count = FirstOf(stratum + 1) - first - length + 1;
+            return first + (long)(Hash((ulong)stratum << 32 | Seed) % (ulong)count);
         }
 
-        public long Chosen(int stratum) => ChosenRun(stratum, 1);
+        public long Chosen(int stratum) => ChosenRange(stratum, 1);
 
         /// <summary>The finaliser of SplitMix64 (Steele, Lea, Flood, "Fast splittable pseudorandom number generators",
         /// 2014).</summary>

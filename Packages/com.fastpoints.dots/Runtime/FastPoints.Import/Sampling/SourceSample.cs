@@ -14,60 +14,60 @@ namespace FastPoints.Sampling
     internal sealed class SourceSample : IDisposable
     {
         // Eight times as many points gave the same chunks on tiles of 5 and 20 M points, and took 0.15 to 0.25 s longer. Of many
-        // points each run stands for more than a chunk's: there they are worth their time.
-        const int MaxRuns = 512;
-        const int RunPoints = 256;
+        // points each range stands for more than a chunk's: there they are worth their time.
+        const int MaxRanges = 512;
+        const int RangePoints = 256;
         const long ManyPoints = 64 << 20;
-        const int MaxRunsOfMany = 1024;
-        const int LongRunPoints = 1024;
+        const int MaxRangesOfMany = 1024;
+        const int LongRangePoints = 1024;
 
-        // By long runs these are read whole: the grid is chosen from all their digits.
+        // By long ranges these are read whole: the grid is chosen from all their digits.
         const int FewPoints = 16 << 10;
 
         const int PointsOfSlice = 1 << 16;
 
         NativeList<double3> m_stored;
-        NativeList<SampleRun> m_runs;
+        NativeList<SampleRange> m_ranges;
 
         SourceSample()
         {
             m_stored = new NativeList<double3>(Allocator.Persistent);
-            m_runs = new NativeList<SampleRun>(MaxRuns, Allocator.Persistent);
+            m_ranges = new NativeList<SampleRange>(MaxRanges, Allocator.Persistent);
         }
 
         /// <summary>Positions as the file stores them, including those that are not finite.</summary>
         public NativeArray<double3> Stored => m_stored.AsArray();
 
-        /// <summary>Runs in the file's order: each stands for the points up to the next one.</summary>
-        public NativeArray<SampleRun> Runs => m_runs.AsArray();
+        /// <summary>Ranges in the file's order: each stands for the points up to the next one.</summary>
+        public NativeArray<SampleRange> Ranges => m_ranges.AsArray();
 
         /// <summary>Coroutine: reads the sample. The reader's blocks are known.</summary>
         /// <param name="inFlightMs">See <see cref="InFlightLimit"/>.</param>
-        /// <param name="chains">The most runs that are decoded side by side; 0 for all in flight.</param>
+        /// <param name="chains">The most ranges that are decoded side by side; 0 for all in flight.</param>
         /// <param name="maxBytes">The most bytes of reads in flight.</param>
-        /// <param name="measure">Schedules jobs on the positions, behind those that load them.</param>
+        /// <param name="measure">Schedules jobs on the positions, after those that load them.</param>
         /// <param name="take">Receives the sample at the end; the caller disposes it.</param>
         public static IEnumerator<JobStep> Read(PointReader reader, Func<double> inFlightMs, int chains, long maxBytes,
             Func<NativeArray<double3>, JobHandle, JobHandle> measure, Action<SourceSample> take)
         {
             var sample = new SourceSample();
             bool isMany = reader.PointCount > ManyPoints;
-            var runs = SampleRuns.Choose(reader, isMany ? MaxRunsOfMany : MaxRuns,
-                isMany || reader.PointCount <= FewPoints ? LongRunPoints : RunPoints);
+            var ranges = SampleRanges.Choose(reader, isMany ? MaxRangesOfMany : MaxRanges,
+                isMany || reader.PointCount <= FewPoints ? LongRangePoints : RangePoints);
             var positions = reader.Info.Schema.Select(AttributeNames.X, AttributeNames.Y, AttributeNames.Z);
             var measured = default(JobHandle);
             try
             {
                 if (reader is RecordReader records)
                 {
-                    yield return JobStep.Of(sample.ReadRuns(records, runs, positions, measure));
+                    yield return JobStep.Of(sample.ReadRanges(records, ranges, positions, measure));
                 }
                 else
                 {
-                    int longest = LongestOf(runs);
+                    int longest = LongestOf(ranges);
                     var limit = SourceScan.LimitFor(reader, positions, 0, maxBytes, chains, inFlightMs);
-                    using var consumer = new Appending(sample, reader, runs, longest);
-                    yield return JobStep.Of(SourceScan.Run(ScanRanges.Of(reader, runs, longest), positions, consumer, limit,
+                    using var consumer = new Appending(sample, reader, ranges, longest);
+                    yield return JobStep.Of(SourceScan.Run(ScanRanges.Of(reader, ranges, longest), positions, consumer, limit,
                         chains, null));
                     measured = measure(sample.Stored, default);
                     yield return measured;
@@ -82,37 +82,37 @@ namespace FastPoints.Sampling
             }
         }
 
-        /// <summary>Points of the longest run, at least 1.</summary>
-        internal static int LongestOf(List<BlockRange> runs)
+        /// <summary>Points of the longest range, at least 1.</summary>
+        internal static int LongestOf(List<BlockRange> ranges)
         {
             int longest = 1;
-            foreach (var run in runs)
-                longest = Math.Max(longest, run.Count);
+            foreach (var range in ranges)
+                longest = Math.Max(longest, range.Count);
             return longest;
         }
 
-        /// <summary>Reads the runs of a source of a fixed stride, many in one request.</summary>
-        IEnumerator<JobStep> ReadRuns(RecordReader reader, List<BlockRange> runs, PointSchema positions,
+        /// <summary>Reads the ranges of a source of a fixed stride, many in one request.</summary>
+        IEnumerator<JobStep> ReadRanges(RecordReader reader, List<BlockRange> ranges, PointSchema positions,
             Func<NativeArray<double3>, JobHandle, JobHandle> measure)
         {
             int points = 0;
-            foreach (var run in runs)
-                points += run.Count;
+            foreach (var range in ranges)
+                points += range.Count;
             var batch = new PointBatch(positions, Math.Max(1, points), Allocator.Persistent);
             var decoded = new NativeReference<DecodeResult>(new DecodeResult { Points = points }, Allocator.Persistent);
             m_stored.ResizeUninitialized(points);
             var stored = Stored;
             try
             {
-                yield return JobStep.Of(reader.ReadRuns(runs, 0, runs.Count, batch, read =>
+                yield return JobStep.Of(reader.ReadRanges(ranges, 0, ranges.Count, batch, read =>
                 {
                     for (int first = 0; first < points; first += PointsOfSlice)
                         read = Load(batch, decoded, first,
                             stored.GetSubArray(first, Math.Min(PointsOfSlice, points - first)), read);
                     return measure(stored, read);
                 }));
-                for (int r = 0, first = 0; r < runs.Count; first += runs[r++].Count)
-                    AddRun(first, runs[r].Count, PointsUpToNext(reader, runs, r));
+                for (int r = 0, first = 0; r < ranges.Count; first += ranges[r++].Count)
+                    AddRange(first, ranges[r].Count, PointsUpToNext(reader, ranges, r));
             }
             finally
             {
@@ -133,20 +133,20 @@ namespace FastPoints.Sampling
                 Stored = stored,
             }.Schedule(after);
 
-        /// <summary>Number of points from a run's first point to the next run's; the first run also stands for those before
+        /// <summary>Number of points from a range's first point to the next range's; the first run also stands for those before
         /// it.</summary>
-        static long PointsUpToNext(PointReader reader, List<BlockRange> runs, int run)
+        static long PointsUpToNext(PointReader reader, List<BlockRange> ranges, int range)
         {
-            long first = run == 0 ? 0 : reader.FirstPointOfBlock(runs[run].Block) + runs[run].First;
-            return (run + 1 == runs.Count ? reader.PointCount
-                : reader.FirstPointOfBlock(runs[run + 1].Block) + runs[run + 1].First) - first;
+            long first = range == 0 ? 0 : reader.FirstPointOfBlock(ranges[range].Block) + ranges[range].First;
+            return (range + 1 == ranges.Count ? reader.PointCount
+                : reader.FirstPointOfBlock(ranges[range + 1].Block) + ranges[range + 1].First) - first;
         }
 
-        void AddRun(int first, int count, long pointsStoodFor) => m_runs.Add(new SampleRun
+        void AddRange(int first, int count, long pointsRepresented) => m_ranges.Add(new SampleRange
         {
             First = first,
             Count = count,
-            Weight = pointsStoodFor / (double)Math.Max(1, count),
+            Weight = pointsRepresented / (double)Math.Max(1, count),
         });
 
         public void Dispose()
@@ -154,7 +154,7 @@ namespace FastPoints.Sampling
             if (!m_stored.IsCreated)
                 return;
             m_stored.Dispose();
-            m_runs.Dispose();
+            m_ranges.Dispose();
         }
 
         /// <summary>Adds runs to the sample that come as blocks.</summary>
@@ -162,15 +162,15 @@ namespace FastPoints.Sampling
         {
             readonly SourceSample m_sample;
             readonly PointReader m_reader;
-            readonly List<BlockRange> m_runs;
+            readonly List<BlockRange> m_ranges;
             readonly int m_longest;
             readonly List<NativeArray<double3>> m_buffers = new List<NativeArray<double3>>();
 
-            public Appending(SourceSample sample, PointReader reader, List<BlockRange> runs, int longest)
+            public Appending(SourceSample sample, PointReader reader, List<BlockRange> ranges, int longest)
             {
                 m_sample = sample;
                 m_reader = reader;
-                m_runs = runs;
+                m_ranges = ranges;
                 m_longest = longest;
             }
 
@@ -185,7 +185,7 @@ namespace FastPoints.Sampling
             public void Completed(BlockRead read, int slot)
             {
                 int count = read.Points.Count;
-                m_sample.AddRun(m_sample.m_stored.Length, count, PointsUpToNext(m_reader, m_runs, m_sample.m_runs.Length));
+                m_sample.AddRange(m_sample.m_stored.Length, count, PointsUpToNext(m_reader, m_ranges, m_sample.m_ranges.Length));
                 m_sample.m_stored.AddRange(m_buffers[slot].GetSubArray(0, count));
             }
 
@@ -198,7 +198,7 @@ namespace FastPoints.Sampling
     }
 
     /// <summary>Points of a sample that lie together in the file.</summary>
-    internal struct SampleRun
+    internal struct SampleRange
     {
         /// <summary>Index of the first point in the sample.</summary>
         public int First;

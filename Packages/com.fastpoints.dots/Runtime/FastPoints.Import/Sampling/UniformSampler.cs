@@ -9,7 +9,7 @@ namespace FastPoints.Sampling
     /// <summary>Takes a uniform sample by scanning all points, stratified in file order: the reference for quicker samplers. It
     /// has exactly min(wanted, all) points, the same ones for any number of threads and slots.</summary>
     /// <remarks>After Schütz, Mandlburger, Otepka, Wimmer, "Progressive real-time rendering of one billion points without
-    /// hierarchical acceleration structures", 2020, whose shuffled order this replaces with a hashed place in each
+    /// hierarchical acceleration structures", 2020, whose shuffled order this replaces with a hashed position in each
     /// stratum.</remarks>
     internal sealed class UniformSampler : IBlockConsumer, IDisposable
     {
@@ -42,7 +42,7 @@ namespace FastPoints.Sampling
             {
                 m_buffer = new SampleBuffer(m_schema, m_reader.Info.Transform, m_strata.Count);
                 yield return JobStep.Of(SourceScan.Run(m_reader, m_schema, this, slots, progress));
-                yield return JobStep.Of(m_buffer.Close(0, m_buffer.Places));
+                yield return JobStep.Of(m_buffer.Close(0, m_buffer.EntryCount));
                 m_sample = m_buffer.ShareSample();
                 m_sample.PointsInSource = m_pointsFound;
                 m_sample.BytesRead = m_bytesRead;

@@ -5,18 +5,18 @@ using Unity.Jobs;
 
 namespace FastPoints.Sampling
 {
-    /// <summary>How the points of a <see cref="PreviewSampler"/>'s waves are read into their places.</summary>
+    /// <summary>How the points of a <see cref="PreviewSampler"/>'s waves are read into their entries.</summary>
     internal abstract class WaveReader
     {
-        /// <summary>Where frames are farther apart, the machine was busy or the work was paused.</summary>
+        /// <summary>If frames are farther apart, the machine was busy or the work was paused.</summary>
         const double MaxFrameMs = 250;
 
-        /// <param name="placeCount">Number of places in the sample.</param>
+        /// <param name="entryCount">Number of entries in the sample.</param>
         /// <param name="method">See <see cref="PreviewSample.Method"/>.</param>
-        protected WaveReader(PointReader reader, int placeCount, string method)
+        protected WaveReader(PointReader reader, int entryCount, string method)
         {
             Reader = reader;
-            Buffer = new SampleBuffer(SampleSchema.Of(reader.Info), reader.Info.Transform, placeCount);
+            Buffer = new SampleBuffer(SampleSchema.Of(reader.Info), reader.Info.Transform, entryCount);
             Method = method;
         }
 
@@ -27,27 +27,28 @@ namespace FastPoints.Sampling
 
         public long BytesRead { get; protected set; }
 
-        /// <summary>What fills the places up to <see cref="EndIndex"/>, where <see cref="Read"/> has not awaited it.</summary>
+        /// <summary>Jobs that fill the entries up to <see cref="EndIndex"/>, unless <see cref="Read"/> has awaited
+        /// them.</summary>
         public JobHandle Filling { get; protected set; }
 
-        /// <summary>Number of places in the sample that the waves so far have reached.</summary>
+        /// <summary>Number of entries in the sample that the waves so far have reached.</summary>
         public int EndIndex { get; protected set; }
 
         protected PointReader Reader { get; }
 
-        /// <summary>Reads in flight: so many, or at first as many as a coroutine needs that awaits each, and more where frames
+        /// <summary>Reads in flight: this many, or at first as many as a coroutine needs that awaits each, and more if frames
         /// are so far apart that workers run out of them.</summary>
         public static InFlightLimit LimitFor(PointReader reader, PointSchema schema, int slots, int first) => slots > 0
             ? new InFlightLimit(slots, slots, () => 0)
             : new InFlightLimit(first, SourceScan.SlotsIn(reader, schema, 0, SourceScan.MaxSlotBytes), () => MaxFrameMs);
 
-        /// <summary>Coroutine: reads more points into the following places, and moves <see cref="EndIndex"/> behind
+        /// <summary>Coroutine: reads more points into the following entries, and moves <see cref="EndIndex"/> behind
         /// them.</summary>
-        /// <param name="wanted">The approximate number of places to reach; all of them for the last wave.</param>
+        /// <param name="wanted">The approximate number of entries to reach; all of them for the last wave.</param>
         /// <param name="next">The same of the wave after this one, which may be prepared; 0 for none.</param>
         public abstract IEnumerator<JobStep> Read(int wanted, int next, int slots, StageProgress progress);
 
-        /// <summary>When <see cref="Filling"/> has ended.</summary>
+        /// <summary>Call it when <see cref="Filling"/> has ended.</summary>
         /// <exception cref="PointCloudException">A read failed.</exception>
         public virtual void EndReads() => Filling = default;
 
@@ -57,7 +58,7 @@ namespace FastPoints.Sampling
         public void Report(StageProgress progress)
         {
             int count = Buffer.Points.Count;
-            progress?.Report(count / (double)Math.Max(1, Buffer.Places), count, BytesRead);
+            progress?.Report(count / (double)Math.Max(1, Buffer.EntryCount), count, BytesRead);
         }
     }
 }

@@ -198,7 +198,7 @@ namespace FastPoints.Sources
             return true;
         }
 
-        // As text if they are text, otherwise in hexadecimal.
+        // Text, or hexadecimal if they are not text.
         static string Shown(byte[] head)
         {
             int count = Math.Min(head.Length, 16);

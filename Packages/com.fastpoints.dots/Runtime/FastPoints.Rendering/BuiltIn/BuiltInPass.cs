@@ -59,7 +59,7 @@ namespace FastPoints.Rendering.BuiltIn
             if (GraphicsSettings.currentRenderPipeline != null)
                 return;
             bool isDrawn = PointScene.IsDrawn(camera);
-            // A camera that draws clouds no more would go on with its last commands.
+            // A camera that no longer draws clouds would repeat its last commands.
             if (!isDrawn && !s_cameras.Contains(camera))
                 return;
             var (before, into) = CommandsFor(camera);
@@ -101,14 +101,14 @@ namespace FastPoints.Rendering.BuiltIn
             return commands;
         }
 
-        static CommandBuffer AddTo(Camera camera, CameraEvent place)
+        static CommandBuffer AddTo(Camera camera, CameraEvent cameraEvent)
         {
             // A camera that outlives a reload of scripts, as a scene view's, still has the buffer from before.
-            foreach (var old in camera.GetCommandBuffers(place))
+            foreach (var old in camera.GetCommandBuffers(cameraEvent))
                 if (old.name == Name)
-                    camera.RemoveCommandBuffer(place, old);
+                    camera.RemoveCommandBuffer(cameraEvent, old);
             var commands = new CommandBuffer { name = Name };
-            camera.AddCommandBuffer(place, commands);
+            camera.AddCommandBuffer(cameraEvent, commands);
             return commands;
         }
 

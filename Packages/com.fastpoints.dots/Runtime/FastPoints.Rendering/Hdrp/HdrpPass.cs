@@ -8,7 +8,7 @@ namespace FastPoints.Rendering.Hdrp
     {
         /// <summary>What HDRP draws until then by a depth that has no points in it (fog, volumetric clouds, water) would cover
         /// them.</summary>
-        const CustomPassInjectionPoint Place = CustomPassInjectionPoint.BeforeTransparent;
+        const CustomPassInjectionPoint InjectionPoint = CustomPassInjectionPoint.BeforeTransparent;
 
         static HdrpPass s_pass;
 
@@ -19,13 +19,13 @@ namespace FastPoints.Rendering.Hdrp
         {
             End();
             s_pass = new HdrpPass { name = "FastPoints" };
-            CustomPassVolume.RegisterGlobalCustomPass(Place, s_pass);
+            CustomPassVolume.RegisterGlobalCustomPass(InjectionPoint, s_pass);
         }
 
         public static void End()
         {
             if (s_pass != null)
-                CustomPassVolume.UnregisterGlobalCustomPass(Place, s_pass);
+                CustomPassVolume.UnregisterGlobalCustomPass(InjectionPoint, s_pass);
             s_pass = null;
         }
 

@@ -7,7 +7,7 @@ using UnityEngine.Rendering.Universal;
 
 namespace FastPoints.Rendering.Urp
 {
-    /// <summary>Draws the clouds in URP, after opaque meshes: enqueued for each camera as it comes, so that no renderer asset
+    /// <summary>Draws the clouds in URP, after opaque meshes: enqueued for each camera when it begins, so that no renderer asset
     /// has to be changed.</summary>
     internal sealed class UrpPass : ScriptableRenderPass
     {
@@ -99,7 +99,7 @@ namespace FastPoints.Rendering.Urp
         }
 
 #if !UNITY_6000_4_OR_NEWER
-        static bool s_isWarned;
+        static bool s_hasWarned;
 
 #endif
         /// <summary>In Compatibility Mode passes are not recorded, and Unity would warn of each in each frame.</summary>
@@ -111,9 +111,9 @@ namespace FastPoints.Rendering.Urp
             if (!GraphicsSettings.TryGetRenderPipelineSettings<RenderGraphSettings>(out var settings) ||
                 !settings.enableRenderCompatibilityMode)
                 return false;
-            if (!s_isWarned)
+            if (!s_hasWarned)
                 Debug.LogWarning("Point clouds are not drawn in URP's Compatibility Mode (Project Settings > Graphics > URP)");
-            s_isWarned = true;
+            s_hasWarned = true;
             return true;
 #endif
         }
@@ -129,7 +129,7 @@ namespace FastPoints.Rendering.Urp
             bool hasData = camera.TryGetComponent<UniversalAdditionalCameraData>(out var cameraData);
             if (!PointScene.IsDrawn(camera, hasData && cameraData.renderType == CameraRenderType.Overlay))
                 return;
-            // Of such a target URP draws depth alone.
+            // Into such a target URP draws only depth.
             if (camera.targetTexture != null && camera.targetTexture.graphicsFormat == GraphicsFormat.None)
                 return;
             scene.AddView(camera, !hasData || cameraData.allowXRRendering);

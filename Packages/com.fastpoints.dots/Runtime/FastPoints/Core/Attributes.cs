@@ -17,7 +17,7 @@ namespace FastPoints
     {
         public HelpPageAttribute(string page) : base(page) { }
 
-        // Null where there is no editor.
+        // Null if there is no editor.
         internal static Func<string, string> UrlOf { get; set; }
 
         public override string URL => UrlOf?.Invoke(base.URL) ?? "";

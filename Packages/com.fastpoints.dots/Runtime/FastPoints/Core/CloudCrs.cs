@@ -3,7 +3,7 @@ namespace FastPoints
     /// <summary>What a cloud says of its coordinate system, as far as it says anything.</summary>
     public sealed class CloudCrs
     {
-        /// <summary>A name for people: one line, or null.</summary>
+        /// <summary>A readable name: one line, or null.</summary>
         public string Name;
 
         /// <summary>OGC well-known text, or null.</summary>
@@ -24,7 +24,7 @@ namespace FastPoints
         // GeoTIFF keys as LAS has them: directory, doubles, text; null without keys.
         internal byte[][] GeoKeys;
 
-        // What is told apart in the list of a cloud's sources.
+        // What distinguishes entries in the list of a cloud's sources.
         internal bool IsSameEntryAs(CloudCrs other) => other != null && Name == other.Name && Wkt == other.Wkt &&
             Epsg == other.Epsg && VerticalEpsg == other.VerticalEpsg;
 

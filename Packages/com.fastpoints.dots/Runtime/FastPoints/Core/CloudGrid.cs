@@ -11,7 +11,7 @@ namespace FastPoints
         /// <summary>Positive on each axis.</summary>
         public double3 Step;
 
-        public double3 ToGeo(Grid3 place) => new double3(place.X, place.Y, place.Z) * Step + Origin;
+        public double3 ToGeo(Grid3 position) => new double3(position.X, position.Y, position.Z) * Step + Origin;
 
         /// <summary>For offsets from a corner of the grid. Rounds once more than ToGeo: for pictures, not for proofs.</summary>
         public PositionTransform FromCorner(Grid3 corner) => new PositionTransform { Scale = Step, Offset = ToGeo(corner) };
@@ -62,9 +62,9 @@ namespace FastPoints
         /// <summary>Grid steps along an edge.</summary>
         public long Side => 1L << SideLog2;
 
-        public bool Contains(Grid3 place) =>
-            (ulong)(place.X - Corner.X) >> SideLog2 == 0 && (ulong)(place.Y - Corner.Y) >> SideLog2 == 0 &&
-            (ulong)(place.Z - Corner.Z) >> SideLog2 == 0;
+        public bool Contains(Grid3 position) =>
+            (ulong)(position.X - Corner.X) >> SideLog2 == 0 && (ulong)(position.Y - Corner.Y) >> SideLog2 == 0 &&
+            (ulong)(position.Z - Corner.Z) >> SideLog2 == 0;
 
         public bool Contains(GridCube other) => other.SideLog2 <= SideLog2 && Contains(other.Corner);
 
@@ -77,11 +77,11 @@ namespace FastPoints
         }
 
         /// <summary>The octant of a position inside.</summary>
-        public int OctantOf(Grid3 place)
+        public int OctantOf(Grid3 position)
         {
             int bit = SideLog2 - 1;
-            return (int)((place.X - Corner.X) >> bit & 1) | (int)((place.Y - Corner.Y) >> bit & 1) << 1 |
-                (int)((place.Z - Corner.Z) >> bit & 1) << 2;
+            return (int)((position.X - Corner.X) >> bit & 1) | (int)((position.Y - Corner.Y) >> bit & 1) << 1 |
+                (int)((position.Z - Corner.Z) >> bit & 1) << 2;
         }
 
         public override string ToString() => "(" + Corner + ") + 2^" + SideLog2;

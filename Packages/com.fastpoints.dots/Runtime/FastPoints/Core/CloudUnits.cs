@@ -30,7 +30,7 @@ namespace FastPoints
 
         public readonly bool IsKnown => IsInDegrees || IsLength(Horizontal);
 
-        /// <summary>Metres of a unit along each axis around a place; 1 where they are unknown.</summary>
+        /// <summary>Metres of a unit along each axis around a place; 1 if they are unknown.</summary>
         /// <param name="geo">Counts for degrees alone: a degree of longitude is shorter at higher latitudes.</param>
         public readonly double3 MetresAt(double3 geo, UpAxis up)
         {

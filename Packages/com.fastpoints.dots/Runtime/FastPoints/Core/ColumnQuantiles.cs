@@ -19,7 +19,7 @@ namespace FastPoints
         public double LowerQuartile;
         public double UpperQuartile;
 
-        // Of a column of this length: the length of the scratch memory.
+        // Length of the scratch memory for a column of this length.
         public static int SampledValues(int count) => count == 0 ? 0 : (count - 1) / Step(count) + 1;
 
         public static int Step(int count) => (count - 1) / MaxSampledValues + 1;
@@ -133,9 +133,9 @@ namespace FastPoints
             var range = Empty;
             for (int done = 0; done < count; done += ColumnValues.BatchLength)
             {
-                int run = math.min(ColumnValues.BatchLength, count - done);
-                ColumnValues.ToDoubles(column, type, first + done, run, values);
-                for (int i = 0; i < run; i++)
+                int length = math.min(ColumnValues.BatchLength, count - done);
+                ColumnValues.ToDoubles(column, type, first + done, length, values);
+                for (int i = 0; i < length; i++)
                 {
                     double value = values[i];
                     if (value - value != 0)

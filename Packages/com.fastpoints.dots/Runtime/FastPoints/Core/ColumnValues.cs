@@ -5,7 +5,7 @@ namespace FastPoints
     // Widens columns of any type, a run at a time: the type is examined once for these, and the loops have no branches.
     internal static unsafe class ColumnValues
     {
-        // Callers widen so many at once, on the stack: three arrays of doubles stay in the first-level cache.
+        // Callers convert this many at once, on the stack: three arrays of doubles stay in the first-level cache.
         public const int BatchLength = 256;
 
         // Exact except for 64-bit integers beyond 2^53.

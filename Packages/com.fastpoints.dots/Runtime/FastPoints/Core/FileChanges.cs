@@ -8,7 +8,7 @@ using System.Threading.Tasks;
 namespace FastPoints
 {
     // All that replaces, moves or deletes files and folders, and opens files that others may replace meanwhile. Windows changes
-    // nothing that somebody has open, be it a virus scanner for a moment: what is refused is tried again.
+    // no open file, not even one that a virus scanner has open for a moment: refused changes are retried.
     internal static class FileChanges
     {
         public const int RetryTimeoutMs = 10000;
@@ -81,11 +81,11 @@ namespace FastPoints
             }
             catch (Exception e) when (e is IOException || e is UnauthorizedAccessException)
             {
-                // The next to delete or make something of that name tries again.
+                // The next deletion or creation of that name retries.
             }
         }
 
-        // Takes a folder's name from it, at once unless somebody has it open, and deletes it on a thread of the pool: thousands
+        // Takes a folder's name from it, at once unless somebody has it open, and deletes it on a pool thread: thousands
         // of files take their time. moved hears, on any thread, that the name is free, or why the folder keeps it.
         public static void BeginDelete(string folder, Action<Exception> moved)
         {
@@ -107,7 +107,7 @@ namespace FastPoints
             });
         }
 
-        // Of processes that ended before they were through. The names have wildcards.
+        // Finishes deletions of processes that ended too early. The names have wildcards.
         public static void BeginDeleteLeftovers(string parent, string names) =>
             BeginDeleting(() => DeleteLeftovers(parent, names));
 
@@ -170,7 +170,7 @@ namespace FastPoints
                 catch (Exception e) when (IsTransient(e) && watch.ElapsedMilliseconds < RetryTimeoutMs &&
                     (isWanted == null || isWanted()))
                 {
-                    // Whoever has it open may be done with it soon.
+                    // The process that has it open may close it soon.
                 }
             }
         }
@@ -191,7 +191,7 @@ namespace FastPoints
         Delete,
         MoveFolder,
         DeleteFolder,
-        /// <summary>None: a folder's disk is asked for its free bytes.</summary>
+        /// <summary>None: queries the free bytes of a folder's disk.</summary>
         Measure,
     }
 }

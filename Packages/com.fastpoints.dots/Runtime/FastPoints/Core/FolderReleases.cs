@@ -15,8 +15,8 @@ namespace FastPoints
         JobHandle CloseBelow(string folder);
     }
 
-    /// <summary>Folders that are about to be renamed or deleted: what keeps their files open closes them, and none is read until
-    /// they are reacquired. Main thread, if nothing else is said.</summary>
+    /// <summary>Folders that are about to be renamed or deleted: streams close their files, and read none until
+    /// they are reacquired. Main thread, unless stated otherwise.</summary>
     internal static class FolderReleases
     {
         static readonly List<IOpenFiles> s_openFiles = new List<IOpenFiles>();

@@ -2,7 +2,7 @@ using System;
 
 namespace FastPoints
 {
-    /// <summary>What GPS times count from: numbers of two kinds do not go together.</summary>
+    /// <summary>The origin of GPS times: times of two kinds cannot be mixed.</summary>
     internal enum GpsTimeKind
     {
         Unknown,
@@ -22,7 +22,7 @@ namespace FastPoints
     {
         public readonly GpsTimeKind Kind;
 
-        /// <summary>Of times with an offset, in millions of seconds.</summary>
+        /// <summary>For times with an offset, in millions of seconds.</summary>
         public readonly int OffsetMegaseconds;
 
         public GpsTime(GpsTimeKind kind, int offsetMegaseconds = 0)

@@ -23,7 +23,7 @@ namespace FastPoints
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static ulong Encode(uint x, uint y, uint z) => Spread(x) | Spread(y) << 1 | Spread(z) << 2;
 
-        // Of at most ShortBits bits: three of them fit one number.
+        // For at most ShortBits bits: three of them fit into one number.
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static int EncodeShort(uint x, uint y, uint z)
         {
@@ -34,7 +34,7 @@ namespace FastPoints
             return (int)(v | v >> 20 | v >> 40) & (1 << 3 * ShortBits) - 1;
         }
 
-        // Burst makes vectors of it.
+        // Burst vectorizes it.
         public static void Encode(uint* x, uint* y, uint* z, int count, MortonCells cells, ulong* codes)
         {
             var corner = cells.Corner;

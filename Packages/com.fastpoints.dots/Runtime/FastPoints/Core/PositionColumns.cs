@@ -75,7 +75,7 @@ namespace FastPoints
         }
 
         // At most ColumnValues.BatchLength positions.
-        public unsafe void IncludeRun(double* x, double* y, double* z, int count)
+        public unsafe void IncludeBatch(double* x, double* y, double* z, int count)
         {
             double3 min = Bounds.Min, max = Bounds.Max;
             for (int i = 0; i < count; i++)
@@ -108,10 +108,10 @@ namespace FastPoints
             var found = Empty;
             for (int done = 0; done < count; done += ColumnValues.BatchLength)
             {
-                int run = math.min(ColumnValues.BatchLength, count - done);
-                columns.Load(bytes, first + done, run, x, y, z);
-                transform.ToGeo(run, x, y, z);
-                found.IncludeRun(x, y, z, run);
+                int length = math.min(ColumnValues.BatchLength, count - done);
+                columns.Load(bytes, first + done, length, x, y, z);
+                transform.ToGeo(length, x, y, z);
+                found.IncludeBatch(x, y, z, length);
             }
             return found;
         }

@@ -4,7 +4,7 @@ namespace FastPoints
 {
     internal static class UpAxes
     {
-        // Of X, Y and Z, whichever way it points.
+        // Index among X, Y and Z, ignoring the sign.
         public static int Index(this UpAxis axis) => (int)axis % 3;
 
         public static bool IsNegative(this UpAxis axis) => axis >= UpAxis.NegativeX;

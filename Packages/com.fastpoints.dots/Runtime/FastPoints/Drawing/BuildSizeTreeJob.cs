@@ -10,7 +10,7 @@ using Unity.Mathematics;
 namespace FastPoints.Drawing
 {
     // Builds a SizeTree from the nodes to draw. If a node is several levels below its parent because those between had no
-    // points, the levels between get nodes with the parent's gap. A node with its parent's own cube takes no place below it.
+    // points, the levels between get nodes with the parent's gap. A node with its parent's own cube gets no link.
     [BurstCompile]
     internal unsafe struct BuildSizeTreeJob : IJob
     {
@@ -33,7 +33,7 @@ namespace FastPoints.Drawing
                 NodeOfDrawn[i] = Links[NodeOfDrawn[i]].Node;
         }
 
-        // Finds or makes the place of a node below its parent's.
+        // Finds or creates the link of a node below its parent's.
         int Link(int i)
         {
             var drawn = Drawn[i];
@@ -42,16 +42,16 @@ namespace FastPoints.Drawing
                 return AddRoot(link);
             var above = Drawn[drawn.Parent];
             var cloud = (SizeTreeCloud*)Clouds.GetUnsafeReadOnlyPtr() + drawn.Cloud;
-            int level = cloud->Pages[drawn.Page].Places[drawn.Node].Level;
-            int levelAbove = cloud->Pages[above.Page].Places[above.Node].Level;
-            var place = cloud->Cubes.PointIn(cloud->Pages + drawn.Page, drawn.Node);
+            int level = cloud->Pages[drawn.Page].Addresses[drawn.Node].Level;
+            int levelAbove = cloud->Pages[above.Page].Addresses[above.Node].Level;
+            var position = cloud->Cubes.PointIn(cloud->Pages + drawn.Page, drawn.Node);
             var inAbove = cloud->Cubes.IndexAt(cloud->Cubes.PointIn(cloud->Pages + above.Page, above.Node), levelAbove);
-            if (level <= levelAbove || math.any(cloud->Cubes.IndexAt(place, levelAbove) != inAbove))
+            if (level <= levelAbove || math.any(cloud->Cubes.IndexAt(position, levelAbove) != inAbove))
                 return AddRoot(link);
             int at = NodeOfDrawn[drawn.Parent];
             for (int between = levelAbove + 1; ; between++)
             {
-                var octant = cloud->Cubes.IndexAt(place, between) - 2 * cloud->Cubes.IndexAt(place, between - 1);
+                var octant = cloud->Cubes.IndexAt(position, between) - 2 * cloud->Cubes.IndexAt(position, between - 1);
                 int child = (int)math.csum(math.clamp(octant, 0, 1) * new double3(1, 2, 4));
                 int below = Links.GetUnsafePtr()[at].Children[child];
                 if (between == level && below != 0 && Links[below].IsDrawn)

@@ -8,17 +8,17 @@ namespace FastPoints.Drawing
     {
         public ColorSource Source;
 
-        /// <summary>Index among the streamed planes; ignored for <see cref="ColorSource.Place"/>.</summary>
+        /// <summary>Index among the streamed planes; ignored for <see cref="ColorSource.Position"/>.</summary>
         public int Plane;
 
         /// <summary>Factor for one unit of the attribute as stored in the file, before any divisor.</summary>
         public double Scale;
         public double Bias;
 
-        /// <summary>For Place: palette entries for one CRS unit along each axis; Bias is the root corner's entry.</summary>
+        /// <summary>For Position: palette entries for one CRS unit along each axis; Bias is the root corner's entry.</summary>
         public double3 ValuePerUnit;
 
-        /// <summary>Number of the palette; the tables lie one behind the other.</summary>
+        /// <summary>Number of the palette; the tables follow one another.</summary>
         public int Palette;
 
         /// <summary>Classes whose points are not drawn.</summary>
@@ -40,7 +40,7 @@ namespace FastPoints.Drawing
         /// <summary>The same, with the palette repeated.</summary>
         Wrapped,
 
-        /// <summary>The place, looked up in the palette.</summary>
-        Place,
+        /// <summary>The position, looked up in the palette.</summary>
+        Position,
     }
 }

@@ -21,16 +21,16 @@ namespace FastPoints.Drawing
             View.IntersectsFrustum(center, half) || (HasBothEyes && RightView.IntersectsFrustum(center, half));
 
         // Without its first instance, tint and place in the size tree. The planes begin at the bank's first word.
-        public readonly GpuNode Place(int cloud, int page, int node, uint firstWord)
+        public readonly GpuNode ToGpu(int cloud, int page, int node, uint firstWord)
         {
             var from = Pages + page;
-            var place = from->Places[node];
+            var address = from->Addresses[node];
             var planes = from->Planes + (long)node * PlaneCount;
-            var corner = new double3(place.Corner.X, place.Corner.Y, place.Corner.Z);
-            var anchor = AnchorOf(from->Nodes[node], corner, place.IsWide);
+            var corner = new double3(address.Corner.X, address.Corner.Y, address.Corner.Z);
+            var anchor = AnchorOf(from->Nodes[node], corner, address.IsWide);
             var anchorGrid = corner + new double3(anchor.X, anchor.Y, anchor.Z);
-            var cubeCorner = Cubes.CornerAt(Cubes.PointIn(from, node), place.Level);
-            var cubeSize = Cubes.SizeAt(place.Level);
+            var cubeCorner = Cubes.CornerAt(Cubes.PointIn(from, node), address.Level);
+            var cubeSize = Cubes.SizeAt(address.Level);
             var fromEye = Placement.OriginWorld - EyeWorld;
             return new GpuNode
             {
@@ -42,7 +42,7 @@ namespace FastPoints.Drawing
                 ColorWord = WordOf(planes, Look.Plane, firstWord),
                 ClassWord = WordOf(planes, Look.ClassPlane, firstWord),
                 Cloud = (uint)cloud,
-                IsWide = place.IsWide ? 1u : 0u,
+                IsWide = address.IsWide ? 1u : 0u,
                 AnchorInCube = (float3)((anchorGrid * Step - cubeCorner) / cubeSize),
                 CubesPerStep = (float3)(Step / cubeSize),
             };
@@ -73,7 +73,7 @@ namespace FastPoints.Drawing
             };
             if (!Look.HiddenClasses.IsEmpty)
                 cloud.ClassDivisor = (uint)layout.Columns[layout.Planes[classPlane].FirstColumn].Divisor;
-            if (Look.Source == ColorSource.Place)
+            if (Look.Source == ColorSource.Position)
                 return cloud;
             var of = layout.Planes[plane];
             cloud.Columns = (uint)(of.ColumnCount | of.Shape.WideColumns << 8);

@@ -17,7 +17,7 @@ namespace FastPoints.Drawing
         public uint3 AnchorHigh; // The upper 32 bits: 0 except for wide nodes.
         public uint ColorWord;
         public float3 AnchorView; // From the camera to the anchor, along the world's axes.
-        public float AnchorValue; // In palette entries, if points are coloured by place.
+        public float AnchorValue; // In palette entries, if points are coloured by position.
         public uint FirstInstance; // Of the node's first block; the others follow.
         public uint Cloud;
         public uint IsWide; // 1 if positions are 64-bit columns.

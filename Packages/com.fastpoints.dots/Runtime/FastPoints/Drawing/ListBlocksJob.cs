@@ -15,7 +15,7 @@ namespace FastPoints.Drawing
         // By cloud number; clouds without pages are not drawn.
         [ReadOnly] public NativeArray<DrawListCloud> Clouds;
 
-        // Of the drawn nodes; empty if no size is adaptive.
+        // Empty if no size is adaptive.
         [ReadOnly] public NativeArray<int> SizeNodeOfDrawn;
 
         public NativeList<GpuNode> Nodes;
@@ -78,7 +78,7 @@ namespace FastPoints.Drawing
                 var cloud = clouds + drawn.Cloud;
                 int blocks = cloud->Pages[drawn.Page].Nodes[drawn.Node].BlockCount;
                 uint firstWord = (uint)drawn.Range.FirstPage * (NodePool.PageBytes / sizeof(uint));
-                var node = cloud->Place(drawn.Cloud, drawn.Page, drawn.Node, firstWord);
+                var node = cloud->ToGpu(drawn.Cloud, drawn.Page, drawn.Node, firstWord);
                 int instance = InstanceOfBank[drawn.Range.Bank];
                 InstanceOfBank[drawn.Range.Bank] = instance + blocks;
                 node.FirstInstance = (uint)instance;

@@ -7,8 +7,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Drawing
 {
-    /// <summary>Tells how far apart points are at any place, across all that a frame draws: a node's points are as far apart as
-    /// those of the deepest node that is drawn at their place (Schuetz, "Potree: Rendering Large Point Clouds in Web Browsers",
+    /// <summary>Finds how far apart points are at any position, among all that a frame draws: a node's points are as far apart as
+    /// those of the deepest node that is drawn there (Schuetz, "Potree: Rendering Large Point Clouds in Web Browsers",
     /// 2016, ch. 4.3.3). Main thread.</summary>
     public sealed unsafe class SizeTree : IDisposable
     {
@@ -67,7 +67,7 @@ namespace FastPoints.Drawing
             };
         }
 
-        /// <summary>Forgets what was built, so that nothing is adaptive.</summary>
+        /// <summary>Clears the tree, so that nothing is adaptive.</summary>
         public void Clear()
         {
             m_stream = null;
@@ -75,15 +75,15 @@ namespace FastPoints.Drawing
             m_nodeOfDrawn.Clear();
         }
 
-        // The node is the one that the point is drawn with, the place that in its cube: from 0 to 1 along each axis.
+        // node: the point's own; position: in the node's cube, from 0 to 1 along each axis.
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        internal static float GapAt(GpuSizeNode* nodes, int node, float3 place)
+        internal static float GapAt(GpuSizeNode* nodes, int node, float3 position)
         {
             for (int level = 0; level < MaxLevels; level++)
             {
-                place *= 2;
-                var upper = place >= 1;
-                place -= math.select(float3.zero, new float3(1), upper);
+                position *= 2;
+                var upper = position >= 1;
+                position -= math.select(float3.zero, new float3(1), upper);
                 uint octant = math.select(0u, 1u, upper.x) | math.select(0u, 2u, upper.y) | math.select(0u, 4u, upper.z);
                 uint children = nodes[node].Children;
                 if ((children >> (int)octant & 1) == 0)

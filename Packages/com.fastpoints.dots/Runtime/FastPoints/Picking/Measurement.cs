@@ -31,7 +31,7 @@ namespace FastPoints.Picking
         /// <summary>Vector from the first to the second in CRS units; NaN if it is meaningless.</summary>
         public double3 DeltaGeo { get; }
 
-        /// <summary>Of the first point's cloud.</summary>
+        /// <summary>Units of the first point's cloud.</summary>
         public CloudUnits Units { get; }
 
         /// <summary>Metres of a unit along each axis, of degrees half-way between the points; NaN if they are unknown.</summary>
@@ -40,7 +40,7 @@ namespace FastPoints.Picking
         /// <summary>The axis that points up.</summary>
         public UpAxis Up { get; }
 
-        /// <summary>Length in CRS units; of no use where they differ, as degrees and metres do.</summary>
+        /// <summary>Length in CRS units; meaningless if these differ, as degrees and metres do.</summary>
         public double LengthGeo => math.length(DeltaGeo);
 
         /// <summary>Distance on the map in CRS units, without the difference in height.</summary>

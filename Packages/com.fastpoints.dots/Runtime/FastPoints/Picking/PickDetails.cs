@@ -9,7 +9,7 @@ using Unity.Jobs;
 
 namespace FastPoints.Picking
 {
-    // Reads all that a cloud has of one point: every plane of its node except the position's, at once; or has these made.
+    // Reads all that a cloud has of one point: every plane of its node except the position's, at once; or transcodes them.
     sealed class PickDetails : IDisposable
     {
         readonly StreamedCloud m_cloud;
@@ -21,7 +21,7 @@ namespace FastPoints.Picking
         sealed class Plane
         {
             public int Number; // Among the planes that are streamed or made.
-            public StoreLayout.Plane Of;
+            public StoreLayout.Plane Layout;
             public StoreRead Read = new StoreRead();
             public NativeArray<ulong> Values;
             public NativeReference<bool> IsDamaged;
@@ -35,7 +35,7 @@ namespace FastPoints.Picking
                 m_planes.Add(new Plane
                 {
                     Number = p,
-                    Of = Source.Layout.Planes[Source.TranscodesNodes ? p : Source.Planes[p]],
+                    Layout = Source.Layout.Planes[Source.TranscodesNodes ? p : Source.Planes[p]],
                     Values = new NativeArray<ulong>(PlaneShape.MaxColumns, Allocator.Persistent),
                     IsDamaged = new NativeReference<bool>(Allocator.Persistent),
                 });
@@ -66,7 +66,7 @@ namespace FastPoints.Picking
             }
         }
 
-        // With the planes that were made, if any. After Done it can then be ended.
+        // Reads the transcoded planes, if any. Call End after Done.
         public void Continue()
         {
             if (!m_isTranscoding)
@@ -90,10 +90,10 @@ namespace FastPoints.Picking
                 if (plane.IsDamaged.Value)
                     throw new PointCloudException(FailureCode.BadInput, Source.PathOf(m_hit.Page),
                         m_cloud.RangeOf(m_hit.Page, m_hit.Node, plane.Number).OffsetBytes,
-                        "node " + m_hit.Node + ", plane \"" + plane.Of.Name + "\": is damaged");
-                for (int c = 0; c < plane.Of.ColumnCount; c++)
+                        "node " + m_hit.Node + ", plane \"" + plane.Layout.Name + "\": is damaged");
+                for (int c = 0; c < plane.Layout.ColumnCount; c++)
                 {
-                    int column = plane.Of.FirstColumn + c, attribute = layout.AttributeOfColumn[column];
+                    int column = plane.Layout.FirstColumn + c, attribute = layout.AttributeOfColumn[column];
                     attributes[attribute] = new PickedAttribute(layout.Attributes[attribute], plane.Values[c],
                         layout.Columns[column]);
                 }
@@ -128,7 +128,7 @@ namespace FastPoints.Picking
             Done = JobHandle.CombineDependencies(Done, new ReadPointJob
             {
                 Plane = bytes,
-                Shape = plane.Of.Shape,
+                Shape = plane.Layout.Shape,
                 Hash = hash,
                 IsTranscoded = Source.TranscodesNodes,
                 BlockCount = m_cloud.Pages[m_hit.Page].Nodes[m_hit.Node].BlockCount,
@@ -145,7 +145,7 @@ namespace FastPoints.Picking
         [ReadOnly] public NativeArray<byte> Plane;
         public PlaneShape Shape;
         public ulong Hash;
-        public bool IsTranscoded; // Made in memory, so that there is no hash.
+        public bool IsTranscoded; // Built in memory, so there is no hash.
         public int BlockCount;
         public int Block;
         public int Index; // In its block.

@@ -19,7 +19,7 @@ namespace FastPoints.Picking
         public PlaneShape PositionShape;
         public ulong PositionHash;
 
-        // Of the plane of classes, if some are Hidden; otherwise anything.
+        // The plane of classes if some are Hidden; otherwise undefined.
         [ReadOnly] public NativeArray<byte> Classes;
         public PlaneShape ClassShape;
         public ulong ClassHash;
@@ -31,7 +31,7 @@ namespace FastPoints.Picking
         [ReadOnly] public NativeArray<LocalClip> Clips;
         public double3 Step; // CRS units.
         public Grid3 RootCorner;
-        public NodeAddress Place;
+        public NodeAddress Address;
         public int Page;
         public int Node;
 
@@ -70,7 +70,7 @@ namespace FastPoints.Picking
             var min = new double3(positions.MinimumOf(block, 0), positions.MinimumOf(block, 1), positions.MinimumOf(block, 2));
             var widths = new double3(positions.WidthOf(block, 0), positions.WidthOf(block, 1), positions.WidthOf(block, 2));
             half = (math.exp2(widths) - 1) * 0.5 * Step;
-            return (ToDouble(Place.Corner) + min) * Step + half;
+            return (ToDouble(Address.Corner) + min) * Step + half;
         }
 
         void Search(in PlaneView positions, in PlaneView classes, int block, ulong* values, ref PickHit best)
@@ -84,7 +84,7 @@ namespace FastPoints.Picking
             var clips = (LocalClip*)Clips.GetUnsafeReadOnlyPtr();
             // The corner's position is computed in full, and offsets from it in the cloud's own units: nothing is lost far from
             // the origin.
-            var corner = Place.Corner + new Grid3((long)minX, (long)minY, (long)minZ);
+            var corner = Address.Corner + new Grid3((long)minX, (long)minY, (long)minZ);
             var cornerLocal = ToDouble(corner) * Step;
             var fromRay = Space.FromRay(cornerLocal);
             for (int i = 0; i < count; i++)
@@ -99,7 +99,7 @@ namespace FastPoints.Picking
                 {
                     Distance = distance,
                     RayDistanceSq = rayDistanceSq,
-                    Place = RootCorner + corner + steps,
+                    Position = RootCorner + corner + steps,
                     Page = Page,
                     Node = Node,
                     Block = block,
@@ -112,14 +112,14 @@ namespace FastPoints.Picking
             }
         }
 
-        static double3 ToDouble(Grid3 place) => new double3(place.X, place.Y, place.Z);
+        static double3 ToDouble(Grid3 position) => new double3(position.X, position.Y, position.Z);
     }
 
     internal struct PickHit
     {
         public double Distance; // World units along the ray; infinity if nothing was found.
         public double RayDistanceSq;
-        public Grid3 Place; // On the cloud's grid.
+        public Grid3 Position; // On the cloud's grid.
         public int Page;
         public int Node; // Its planes hold the point.
         public int Block;
@@ -137,12 +137,12 @@ namespace FastPoints.Picking
                 return Distance < other.Distance;
             if (RayDistanceSq != other.RayDistanceSq)
                 return RayDistanceSq < other.RayDistanceSq;
-            if (Place.X != other.Place.X)
-                return Place.X < other.Place.X;
-            if (Place.Y != other.Place.Y)
-                return Place.Y < other.Place.Y;
-            if (Place.Z != other.Place.Z)
-                return Place.Z < other.Place.Z;
+            if (Position.X != other.Position.X)
+                return Position.X < other.Position.X;
+            if (Position.Y != other.Position.Y)
+                return Position.Y < other.Position.Y;
+            if (Position.Z != other.Position.Z)
+                return Position.Z < other.Position.Z;
             if (Page != other.Page)
                 return Page < other.Page;
             return Node != other.Node ? Node < other.Node : Block != other.Block ? Block < other.Block : Index < other.Index;

@@ -22,7 +22,7 @@ namespace FastPoints.Picking
         public double To;
         internal ViewMask Mask;
 
-        /// <summary>Of a perspective camera. The radius is more than 0, the scale pixels of a unit at a distance of
+        /// <summary>A ray of a perspective camera. The radius is more than 0, the scale pixels of a unit at a distance of
         /// 1.</summary>
         public static PickRay FromEye(double3 eyeWorld, double3 direction, double scalePx, double radiusPx) => new PickRay
         {

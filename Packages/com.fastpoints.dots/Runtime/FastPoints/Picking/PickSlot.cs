@@ -7,7 +7,7 @@ using Unity.Jobs;
 
 namespace FastPoints.Picking
 {
-    // Examines one candidate of a search at a time: reads a page's table or a node's planes, or has these made, searches them
+    // Examines one candidate of a search at a time: reads a page's table or a node's planes, or transcodes them, searches them
     // in a job and takes the result. Its memory is reused.
     sealed class PickSlot : IDisposable
     {
@@ -21,7 +21,7 @@ namespace FastPoints.Picking
         PickCandidate m_candidate;
         NodeTranscoder m_transcoder;
         bool m_isTranscoding;
-        PickNodeJob m_job; // Of the node that is being made.
+        PickNodeJob m_job; // Of the node that is transcoded.
         int m_classPlane;
 
         public PickSlot(StreamedCloud cloud) => m_cloud = cloud;
@@ -31,10 +31,10 @@ namespace FastPoints.Picking
 
         NodeSource Source => m_cloud.Source;
 
-        // Of what was begun last.
+        // Bytes of the last read.
         public long Bytes { get; private set; }
 
-        // False if the node would have to be made while enough are being made already.
+        // False if the node needs a transcoder and all are busy.
         public unsafe bool TryTake(in PickCandidate candidate)
         {
             m_candidate = candidate;
@@ -55,7 +55,7 @@ namespace FastPoints.Picking
             Done = m_first.Done;
         }
 
-        // With what was read or made, if there is more to do. After Done it can then be ended.
+        // Schedules what follows the read, if anything. Call End after Done.
         public void Continue()
         {
             if (m_candidate.IsPage)
@@ -91,7 +91,7 @@ namespace FastPoints.Picking
                 Clips = clips,
                 Step = Source.Grid.Step,
                 RootCorner = Source.Root.Corner,
-                Place = m_cloud.Pages[page].Places[node],
+                Address = m_cloud.Pages[page].Addresses[node],
                 Page = page,
                 Node = node,
                 Best = m_best,

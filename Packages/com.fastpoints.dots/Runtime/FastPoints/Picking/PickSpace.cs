@@ -36,7 +36,7 @@ namespace FastPoints.Picking
         // The same for a difference of places.
         public double3 Rotate(double3 local) => math.mul(m_linear, local);
 
-        // Of a position FromRay.
+        // The position is in the space of FromRay.
         public bool IntersectsPoint(double3 fromRay, out double distance, out double rayDistanceSq)
         {
             distance = math.dot(fromRay, m_ray.DirectionWorld);

@@ -7,10 +7,10 @@ namespace FastPoints.Picking
     /// <summary>A point of a cloud that a user has picked, with all that the cloud knows of it.</summary>
     public sealed class PickedPoint
     {
-        internal PickedPoint(Grid3 place, CloudGrid grid, double3 world, double distance,
+        internal PickedPoint(Grid3 position, CloudGrid grid, double3 world, double distance,
             IReadOnlyList<PickedAttribute> attributes)
         {
-            Position = place;
+            Position = position;
             Grid = grid;
             PositionWorld = world;
             Distance = distance;

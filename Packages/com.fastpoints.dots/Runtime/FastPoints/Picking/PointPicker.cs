@@ -10,7 +10,7 @@ namespace FastPoints.Picking
 {
     // Finds the first point of a cloud that a ray hits, among all points on disk and not only those that are shown. It reads or
     // makes nodes from the nearest on, until none of the rest can have a nearer hit. Main thread; it waits only when it is
-    // disposed or a search is broken off.
+    // disposed or a search is cancelled.
     internal sealed class PointPicker : IDisposable
     {
         const int SlotCount = 8; // Nodes and tables that are read at the same time.
@@ -88,7 +88,7 @@ namespace FastPoints.Picking
                     yield return m_details.Done;
                     m_details.Continue();
                     yield return m_details.Done;
-                    result.Point = new PickedPoint(m_best.Place, Source.Grid, WorldOf(m_best.Place, placement),
+                    result.Point = new PickedPoint(m_best.Position, Source.Grid, WorldOf(m_best.Position, placement),
                         m_best.Distance, m_details.End());
                 }
             }
@@ -229,9 +229,9 @@ namespace FastPoints.Picking
             m_queue.Push(new PickCandidate { Distance = distance, Page = page, Node = node, SpacingAbove = spacingAbove });
         }
 
-        double3 WorldOf(Grid3 place, in CloudPlacement placement)
+        double3 WorldOf(Grid3 position, in CloudPlacement placement)
         {
-            var from = place - Source.Root.Corner;
+            var from = position - Source.Root.Corner;
             return math.mul(placement.Linear, new double3(from.X, from.Y, from.Z) * Source.Grid.Step) + placement.OriginWorld;
         }
 

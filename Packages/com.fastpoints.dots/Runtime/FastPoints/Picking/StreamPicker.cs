@@ -7,8 +7,8 @@ using FastPoints.Streaming;
 namespace FastPoints.Picking
 {
     /// <summary>Finds the first point that a ray hits among all clouds of a stream, beside its frames: <see cref="Begin"/>,
-    /// then <see cref="Update"/> once a frame until it returns true. Main thread; it waits only when a search is broken
-    /// off.</summary>
+    /// then <see cref="Update"/> once a frame until it returns true. Main thread; it waits only when a search is
+    /// cancelled.</summary>
     public sealed class StreamPicker : IDisposable
     {
         struct Target
@@ -34,7 +34,7 @@ namespace FastPoints.Picking
 
         public bool IsSearching { get; private set; }
 
-        /// <summary>Begins a search of all clouds, or of those that are to be searched; a search in progress is broken off.
+        /// <summary>Begins a search of all clouds, or of those that are to be searched; a search in progress is cancelled.
         /// Points of hidden classes are not hit. Both functions take a cloud's number.</summary>
         public void Begin(StreamContext stream, PickRay ray, Func<int, ClassMask> hiddenOf = null,
             Func<int, bool> isSearched = null)
@@ -112,7 +112,7 @@ namespace FastPoints.Picking
             {
                 if (!TryOpen(target.Source, budgetMs))
                     return false;
-                // It left while others were searched.
+                // The cloud was removed meanwhile.
                 if (m_opened == null)
                     return true;
                 picker = new PointPicker(m_opened);
@@ -176,7 +176,7 @@ namespace FastPoints.Picking
         /// <summary>Number of the point's cloud in the stream, as it was when the search began.</summary>
         public int Cloud { get; internal set; }
 
-        /// <summary>A converted folder, finished or not, without the suffix of one in the making; or a file.</summary>
+        /// <summary>A converted folder, without the suffix of an unfinished one; or a file.</summary>
         public string Path { get; internal set; }
 
         /// <summary>Units and coordinate system of the point's cloud.</summary>

@@ -159,7 +159,7 @@ namespace FastPoints.Store
             FindRangePlain(values + first, count - first, min, max, out min, out max);
         }
 
-        /// <summary>The same for some of the values and a range that is known: Burst makes vectors of it.</summary>
+        /// <summary>The same for some of the values and a known range: Burst vectorizes it.</summary>
         internal static void FindRangePlain(uint* values, int count, uint knownMin, uint knownMax, out uint min, out uint max)
         {
             uint low = knownMin, high = knownMax;

@@ -8,7 +8,7 @@ namespace FastPoints.Store
     // also if the cloud is opened again, as long as the files' sizes and times are the same.
     internal sealed class CheckedPlanes
     {
-        // Of the finished clouds that were opened, by folder.
+        // Finished clouds that were opened, by folder.
         static readonly Dictionary<string, CheckedPlanes> s_opened = new Dictionary<string, CheckedPlanes>();
 
         readonly ulong m_cloudId;
@@ -30,7 +30,7 @@ namespace FastPoints.Store
             for (int file = 0; file < m_files.Length; file++)
             {
                 var info = new FileInfo(files[file].Path);
-                // A file that is not there is noticed when it is read.
+                // A missing file is noticed when it is read.
                 m_files[file] = new CheckedFile
                 {
                     Bytes = info.Exists ? info.Length : -1,
@@ -40,8 +40,8 @@ namespace FastPoints.Store
             }
         }
 
-        // The first file is that of the upper levels; planes of a null folder are not remembered. Any thread: a plane that is
-        // checked later was written before this look or has changed the file's time.
+        // The first file is that of the upper levels; planes of a null folder are not remembered. Any thread: a plane
+        // checked later was written before this call or has changed the file's time.
         public static CheckedPlanes Of(ulong cloudId, int planeCount, IReadOnlyList<(string Path, int Nodes)> files,
             string folder)
         {

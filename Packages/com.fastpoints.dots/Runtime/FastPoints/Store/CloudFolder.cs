@@ -40,7 +40,7 @@ namespace FastPoints.Store
         /// <summary>Whether a path looks like a cloud's folder.</summary>
         public static bool IsCloud(string path) => File.Exists(Path.Combine(Find(path), StoreFormat.ManifestName));
 
-        /// <summary>Finds a cloud under its name, or, if that does not exist yet, in the making.</summary>
+        /// <summary>Finds a cloud under its name, or, if that does not exist yet, its unfinished folder.</summary>
         public static string Find(string path)
         {
             string name = path.TrimEnd(Path.DirectorySeparatorChar, Path.AltDirectorySeparatorChar);
@@ -52,7 +52,7 @@ namespace FastPoints.Store
         public static CloudFolder Open(string path)
         {
             path = Find(path);
-            // A cloud in the making may move on while its files are opened: then the next generation exists.
+            // An unfinished cloud may get another generation while its files are opened.
             for (int attempt = 0; ; attempt++)
             {
                 try

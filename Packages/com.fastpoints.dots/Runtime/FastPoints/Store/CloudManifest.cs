@@ -23,7 +23,7 @@ namespace FastPoints.Store
             // 0 in clouds of earlier versions: see SourceInfo.
             internal ulong HeadHash;
 
-            /// <summary>The file's own coordinate system, where files of several make one cloud; null where it is the
+            /// <summary>The file's own coordinate system, where files of several make one cloud; null if it is the
             /// cloud's.</summary>
             public CloudCrs Crs;
         }
@@ -87,7 +87,7 @@ namespace FastPoints.Store
         /// <summary>Metres of a horizontal unit; 0 where unknown, NaN for degrees.</summary>
         public double MetresPerUnit;
 
-        /// <summary>Metres of a vertical unit; 0 where nothing says it.</summary>
+        /// <summary>Metres of a vertical unit; 0 if nothing says it.</summary>
         public double VerticalMetresPerUnit;
 
         // GeoTIFF keys as LAS has them: directory, doubles, text; null without keys.
@@ -119,7 +119,7 @@ namespace FastPoints.Store
         public ulong HierarchyHash;
         public long UpperBytes;
 
-        /// <summary>A generation of a cloud in the making has its own files, so that none changes under a reader.</summary>
+        /// <summary>A generation of an unfinished cloud has its own files, so that none changes under a reader.</summary>
         public string HierarchyName => IsBuilding ? StoreFormat.GenerationName(StoreFormat.HierarchyName, Generation)
             : StoreFormat.HierarchyName;
         public string UpperName => IsBuilding ? StoreFormat.GenerationName(StoreFormat.UpperName, Generation)
@@ -343,11 +343,11 @@ namespace FastPoints.Store
         static Grid3 ReadGrid3(JsonMembers json, string name)
         {
             long[] steps = json.Longs(name, 3);
-            var place = new Grid3(steps[0], steps[1], steps[2]);
+            var position = new Grid3(steps[0], steps[1], steps[2]);
             const long limit = 1L << GridCube.MaxSideLog2;
-            if (place != Grid3.Max(Grid3.Min(place, new Grid3(limit, limit, limit)), new Grid3(-limit, -limit, -limit)))
+            if (position != Grid3.Max(Grid3.Min(position, new Grid3(limit, limit, limit)), new Grid3(-limit, -limit, -limit)))
                 throw json.Bad(name, "numbers within 2^" + GridCube.MaxSideLog2);
-            return place;
+            return position;
         }
     }
 
@@ -357,7 +357,7 @@ namespace FastPoints.Store
     {
         public BoundsGeo BoundsGeo;
         public CloudManifest.Range Elevation; // Along Z, in CRS units.
-        public CloudManifest.Range Intensity; // Stored values; both 0 where there is no intensity.
+        public CloudManifest.Range Intensity; // Stored values; both 0 if there is no intensity.
         public bool HasColor; // More than outliers have it.
         public bool AreClassesSet; // Several, and most points are of one that means something.
     }

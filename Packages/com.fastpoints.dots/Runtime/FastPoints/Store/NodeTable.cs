@@ -48,7 +48,7 @@ namespace FastPoints.Store
             return problem.IsNone ? null : Describe(problem, check);
         }
 
-        // Of what check found; its memory must still exist.
+        // Describes what check found; its memory must still exist.
         internal static unsafe string Describe(TableProblem problem, in TableCheck check)
         {
             return problem.Fault switch

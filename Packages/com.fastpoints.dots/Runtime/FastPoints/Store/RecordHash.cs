@@ -12,7 +12,7 @@ namespace FastPoints.Store
     /// instructions of XXH64's tail. Different seeds give independent hashes.</remarks>
     internal static unsafe class RecordHash
     {
-        // None of them is a position, by which what it is multiplied with would be lost; K2 with neither seed.
+        // No position equals one of them (K2 with either seed): the product would be 0 and lose the other factor.
         const ulong K1 = 0xA0761D6478BD642FUL;
         const ulong K2 = 0xE7037ED1A0B428DBUL;
         const ulong K3 = 0x8EBC6AF09C88C6E3UL;
@@ -26,10 +26,10 @@ namespace FastPoints.Store
 
         // The attributes are padded with zeros, to a multiple of 4 bytes.
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public static ulong Of(Grid3 place, byte* attributes, int paddedBytes, ulong seed)
+        public static ulong Of(Grid3 position, byte* attributes, int paddedBytes, ulong seed)
         {
-            ulong hash = Fold((ulong)place.X ^ K1, (ulong)place.Y ^ K2 ^ seed);
-            ulong word = (ulong)place.Z ^ K3;
+            ulong hash = Fold((ulong)position.X ^ K1, (ulong)position.Y ^ K2 ^ seed);
+            ulong word = (ulong)position.Z ^ K3;
             int at = 0;
             for (; at + 8 <= paddedBytes; at += 8)
             {

@@ -22,7 +22,7 @@ namespace FastPoints.Store
 
         public static long SizeOf(string path) => Reading(path, file => file.Length);
 
-        // Exactly so many bytes, in memory that the caller disposes.
+        // Exactly this many bytes, in memory that the caller disposes.
         public static NativeArray<byte> Read(string path, long offset, long count, Allocator allocator)
         {
             return Reading(path, file =>

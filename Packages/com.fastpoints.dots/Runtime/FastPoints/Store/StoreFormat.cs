@@ -10,7 +10,7 @@ namespace FastPoints.Store
         public const uint Version = 2;
         public const string FolderExtension = ".fastpoints";
 
-        /// <summary>Ends the name of a folder in the making.</summary>
+        /// <summary>Suffix of an unfinished folder.</summary>
         public const string PartSuffix = ".part";
 
         public const string ManifestName = "cloud.json";
@@ -31,7 +31,7 @@ namespace FastPoints.Store
         /// <summary>The most points of its own that a node holds; more equal ones make a chain of nodes with one cube.</summary>
         public const int MaxPointsPerNode = 50000;
 
-        /// <summary>The name of a file that belongs to one generation of a cloud in the making: <c>upper-3.bin</c>.</summary>
+        /// <summary>The name of a file that belongs to one generation of an unfinished cloud: <c>upper-3.bin</c>.</summary>
         public static string GenerationName(string name, long generation) =>
             name.Replace(".bin", "-" + NumberText.Of(generation) + ".bin");
 

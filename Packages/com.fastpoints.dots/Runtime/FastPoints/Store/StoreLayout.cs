@@ -22,7 +22,7 @@ namespace FastPoints.Store
         {
             public string Name;
 
-            /// <summary>Of its columns in StoreLayout.Columns; the position plane has none there.</summary>
+            /// <summary>Index in StoreLayout.Columns; the position plane has no columns there.</summary>
             public int FirstColumn;
             public int ColumnCount;
 

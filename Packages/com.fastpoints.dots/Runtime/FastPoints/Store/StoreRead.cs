@@ -40,7 +40,7 @@ namespace FastPoints.Store
             Done = m_read.JobHandle;
         }
 
-        // Throws where not all of it could be read.
+        // Throws if not all of it could be read.
         public void Complete()
         {
             Done.Complete();

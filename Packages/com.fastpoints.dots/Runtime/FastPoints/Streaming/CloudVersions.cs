@@ -91,7 +91,7 @@ namespace FastPoints.Streaming
             return true;
         }
 
-        /// <summary>Withdraws a build that was broken off. Returns whether <see cref="Cloud"/> has changed.</summary>
+        /// <summary>Removes a build that was aborted. Returns whether <see cref="Cloud"/> has changed.</summary>
         public bool DropBuild()
         {
             if (Next != None && m_nextStage == CloudStage.Building)

@@ -6,7 +6,7 @@ using Unity.Jobs;
 
 namespace FastPoints.Streaming
 {
-    /// <summary>The source of a cloud's folder, finished or in the making; then of the generation that was opened.</summary>
+    /// <summary>The source of a cloud's folder, finished or not; then of the generation that was opened.</summary>
     public sealed class FolderSource : NodeSource
     {
         readonly CloudFolder m_folder;

@@ -49,22 +49,23 @@ namespace FastPoints.Streaming
             if (stream.Motion.TryPredictView(views, settings.PrefetchFrames))
                 selector.Prefetch(stream.Motion.Predicted, settings.Selection,
                     (long)(settings.Selection.PointBudget * settings.PrefetchShare));
-
-            new TouchNodesJob
-            {
-                Clouds = stream.CloudPages,
-                Selected = selector.Selected,
-                Prefetched = selector.Prefetched,
-                Pinned = stream.Cache.Pinned,
-                Frame = selector.Frame,
-                Order = stream.Cache.Order,
-            }.Run();
+            Touch(stream);
             stats.Frame = selector.Frame;
             stats.SelectedNodes = selector.Selected.Length;
             stats.SelectedPoints = selector.Points;
             stats.MissingPages = selector.Missing.Length;
             stats.SelectMs = MsSince(start);
         }
+
+        internal static void Touch(StreamContext stream) => new TouchNodesJob
+        {
+            Clouds = stream.CloudPages,
+            Selected = stream.Selector.Selected,
+            Prefetched = stream.Selector.Prefetched,
+            Pinned = stream.Cache.Pinned,
+            Frame = stream.Selector.Frame,
+            Order = stream.Cache.Order,
+        }.Run();
 
         /// <summary>Begins to copy what has arrived.</summary>
         public static void Upload(StreamContext stream, ref FrameStats stats)

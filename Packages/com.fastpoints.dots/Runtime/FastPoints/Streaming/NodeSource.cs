@@ -30,12 +30,12 @@ namespace FastPoints.Streaming
         /// <summary>One for each plane of <see cref="Layout"/>; the position's is that of nodes that are not wide.</summary>
         public abstract NativeArray<PlaneShape> Shapes { get; }
 
-        /// <summary>Where nodes are made, building a page may make more known, behind the others.</summary>
+        /// <summary>If nodes are transcoded, building a page may discover more, after the others.</summary>
         public abstract int PageCount { get; }
 
-        /// <summary>Whether nodes are made on demand, from pages of the part of the hierarchy that the source has read so far.
-        /// Then <see cref="PlaneRange.LengthBytes"/> of a node is an upper bound until it was made once, and the members about
-        /// files and tables have no meaning.</summary>
+        /// <summary>Whether nodes are transcoded on demand, from pages of the part of the hierarchy that the source has read so
+        /// far. Then <see cref="PlaneRange.LengthBytes"/> of a node is an upper bound until it was made once, and the members
+        /// about files and tables have no meaning.</summary>
         public virtual bool TranscodesNodes => false;
 
         /// <summary>Creates the boxes of all pages and the nodes of the first one. The caller frees the pages.</summary>
@@ -48,7 +48,7 @@ namespace FastPoints.Streaming
 
         internal abstract FilePiece TableOf(int page);
 
-        /// <summary>Checks the bytes read and makes a page of them.</summary>
+        /// <summary>Checks the bytes read and builds a page from them.</summary>
         public abstract JobHandle ScheduleBuild(int page, NativeArray<byte> table, NativeReference<HierarchyPage> built,
             NativeReference<TableProblem> problem);
 
@@ -79,7 +79,7 @@ namespace FastPoints.Streaming
         /// <summary>The handle of what <see cref="Update"/> has in flight.</summary>
         public virtual JobHandle Reading => default;
 
-        /// <summary>For sources that make nodes: an idle transcoder for so many points. Null while enough are busy.</summary>
+        /// <summary>For sources that transcode: an idle transcoder for this many points. Null while enough are busy.</summary>
         public virtual NodeTranscoder RentTranscoder(int points) => null;
 
         public virtual void ReturnTranscoder(NodeTranscoder transcoder) { }

@@ -4,8 +4,8 @@ using Unity.Collections;
 
 namespace FastPoints.Streaming
 {
-    /// <summary>Everything that streaming keeps from frame to frame: clouds come and go, <see cref="FrameStep"/> runs each
-    /// frame, and Dispose ends it (on a domain reload or on quitting): it awaits reads and frees all memory. Main
+    /// <summary>Everything that streaming keeps from frame to frame: clouds are added and removed, <see cref="FrameStep"/> runs
+    /// each frame, and Dispose ends it (on a domain reload or on quitting): it awaits reads and frees all memory. Main
     /// thread.</summary>
     public sealed unsafe class StreamContext : IDisposable
     {

@@ -49,7 +49,7 @@ namespace FastPoints.Streaming
         /// <summary>A node is left out if its box is smaller than this on the screen.</summary>
         public float SmallestNodePx;
 
-        /// <summary>Nodes chosen last time count as so many times as coarse, so that none flickers at the edge of the
+        /// <summary>Nodes selected last time count as this many times as coarse, so that none flickers at the edge of the
         /// budget.</summary>
         public float Hysteresis;
 

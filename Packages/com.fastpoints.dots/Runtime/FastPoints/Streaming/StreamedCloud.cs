@@ -50,7 +50,7 @@ namespace FastPoints.Streaming
 
         public PlaneRange RangeOf(int page, int node, int plane) => Pages[page].Planes[node * Source.Planes.Length + plane];
 
-        public PlaneShape ShapeOf(int page, int node, int plane) => plane == 0 && Pages[page].Places[node].IsWide
+        public PlaneShape ShapeOf(int page, int node, int plane) => plane == 0 && Pages[page].Addresses[node].IsWide
             ? new PlaneShape(3, 7)
             : Source.Shapes[Source.Planes[plane]];
 
@@ -67,7 +67,7 @@ namespace FastPoints.Streaming
             var to = Pages + page;
             to->Nodes = built.Nodes;
             to->States = built.States;
-            to->Places = built.Places;
+            to->Addresses = built.Addresses;
             to->Planes = built.Planes;
             to->NodeCount = built.NodeCount;
             to->RootCount = built.RootCount;

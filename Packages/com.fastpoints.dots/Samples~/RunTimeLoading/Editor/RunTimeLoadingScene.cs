@@ -7,7 +7,7 @@ namespace FastPoints.Samples.RunTimeLoading
     /// <summary>Makes a scene that refers to no cloud: the cloud is loaded in play mode, and in a player.</summary>
     static class RunTimeLoadingScene
     {
-        // Of the sample's street.laz.bytes, wherever the sample was imported.
+        // GUID of the sample's street.laz.bytes, wherever the sample was imported.
         const string StreetGuid = "05f3c5e52a2f4fbdb97bf4b8344c4dc7";
 
         [MenuItem("FastPoints/Samples/Run-time loading")]

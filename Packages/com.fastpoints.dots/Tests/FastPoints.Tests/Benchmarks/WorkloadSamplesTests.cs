@@ -28,7 +28,7 @@ namespace FastPoints.Tests.Benchmarks
         }
 
         [Test]
-        public void Series_ExactWork_SaysThatItsErrorIsNought()
+        public void Series_ExactWork_HasZeroError()
         {
             SampleSeries error = Series(Of(new WorkloadResult { Points = 1 }, null, 1, 2), WorkloadSamples.Error);
 
@@ -47,7 +47,7 @@ namespace FastPoints.Tests.Benchmarks
         }
 
         [Test]
-        public void Series_ErrorThatIsInfinite_IsLeftOut() => Assert.That(
+        public void Series_InfiniteError_IsSkipped() => Assert.That(
             Series(Of(new WorkloadResult { Points = 1, Error = double.PositiveInfinity }, null, 1),
                 WorkloadSamples.Error).Samples, Is.Empty);
 

@@ -9,12 +9,12 @@ namespace FastPoints.Tests.Benchmarks
     [Category("Smoke")]
     public sealed class WorkloadTurnsTests
     {
-        sealed class Told : IWorkload
+        sealed class LoggingWorkload : IWorkload
         {
             readonly List<string> m_log;
             readonly Action m_run;
 
-            public Told(string name, string limit, List<string> log, Action run = null)
+            public LoggingWorkload(string name, string limit, List<string> log, Action run = null)
             {
                 Name = name;
                 LimitName = limit;
@@ -51,7 +51,7 @@ namespace FastPoints.Tests.Benchmarks
         public void Take_AWorkloadAndItsLimit_TimesThemInTurns()
         {
             var log = new List<string>();
-            var group = new IWorkload[] { new Told("limit", null, log), new Told("work", "limit", log) };
+            var group = new IWorkload[] { new LoggingWorkload("limit", null, log), new LoggingWorkload("work", "limit", log) };
 
             List<WorkloadSamples> samples = WorkloadTurns.Take(group, new WorkloadContext(), Settings(2));
 
@@ -69,8 +69,8 @@ namespace FastPoints.Tests.Benchmarks
         public void Take_AWorkloadThatThrows_DisposesAll()
         {
             var log = new List<string>();
-            var group = new IWorkload[] { new Told("limit", null, log),
-                new Told("work", "limit", log, () => throw new InvalidOperationException()) };
+            var group = new IWorkload[] { new LoggingWorkload("limit", null, log),
+                new LoggingWorkload("work", "limit", log, () => throw new InvalidOperationException()) };
 
             Assert.That(() => WorkloadTurns.Take(group, new WorkloadContext(), Settings(1)), Throws.InvalidOperationException);
             Assert.That(log, Does.Contain("dispose limit").And.Contain("dispose work"));
@@ -83,7 +83,7 @@ namespace FastPoints.Tests.Benchmarks
             TurnSettings settings = Settings(1);
             settings.ShortestSampleMs = 1e9;
 
-            WorkloadTurns.Take(new IWorkload[] { new Told("short", null, log) }, new WorkloadContext(), settings);
+            WorkloadTurns.Take(new IWorkload[] { new LoggingWorkload("short", null, log) }, new WorkloadContext(), settings);
 
             Assert.That(log.Count(l => l == "short"), Is.EqualTo(1 + 1000), "one to warm up, and as many as a sample may have");
         }
@@ -96,17 +96,19 @@ namespace FastPoints.Tests.Benchmarks
             settings.AllocatedBytes = () => allocated;
 
             var samples =
-                WorkloadTurns.Take(new IWorkload[] { new Told("work", null, new List<string>(), () => allocated += 64) },
+                WorkloadTurns.Take(new IWorkload[] { new LoggingWorkload("work", null, new List<string>(), () =>
+                    allocated += 64) },
                 new WorkloadContext(), settings);
 
             Assert.That(samples[0].MedianGarbageBytes, Is.EqualTo(64));
         }
 
         [Test]
-        public void Groups_ALimitedWorkload_BringsItsLimitBeforeIt()
+        public void Groups_WorkloadWithALimit_HasItsLimitFirst()
         {
             var log = new List<string>();
-            var all = new IWorkload[] { new Told("a", "z", log), new Told("b", null, log), new Told("z", null, log) };
+            var all = new IWorkload[] { new LoggingWorkload("a", "z", log), new LoggingWorkload("b", null, log),
+                new LoggingWorkload("z", null, log) };
 
             Assert.That(WorkloadTurns.Groups(all, new[] { all[0] }).Select(g => string.Join(" ", g.Select(w => w.Name))),
                 Is.EqualTo(new[] { "z a" }));
@@ -114,7 +116,7 @@ namespace FastPoints.Tests.Benchmarks
         }
 
         [Test]
-        public void Groups_OfAllWorkloads_HoldEachOnceAndEveryLimit()
+        public void Groups_OfAllWorkloads_ContainEachOnceAndEveryLimit()
         {
             List<IWorkload> all = WorkloadList.All();
             List<IWorkload> grouped = WorkloadTurns.Groups(all, all).SelectMany(g => g).ToList();

@@ -55,10 +55,10 @@ namespace FastPoints.Tests.Build
         static int3[] Uniform(int count, int extent, uint seed = 7)
         {
             var random = new Unity.Mathematics.Random(seed);
-            var places = new int3[count];
+            var positions = new int3[count];
             for (int i = 0; i < count; i++)
-                places[i] = random.NextInt3(extent);
-            return places;
+                positions[i] = random.NextInt3(extent);
+            return positions;
         }
 
         [TestCase(1), TestCase(2), TestCase(127), TestCase(129)]
@@ -90,39 +90,39 @@ namespace FastPoints.Tests.Build
         [Test]
         public void Convert_Plane_KeepsEveryPoint()
         {
-            var places = Uniform(60000, 50000);
-            for (int i = 0; i < places.Length; i++)
-                places[i].z = -12345;
-            Prove(MemoryReader.Of(places, s_centimetres), new ConvertSettings { PointsPerChunk = 10000 });
+            var positions = Uniform(60000, 50000);
+            for (int i = 0; i < positions.Length; i++)
+                positions[i].z = -12345;
+            Prove(MemoryReader.Of(positions, s_centimetres), new ConvertSettings { PointsPerChunk = 10000 });
         }
 
         [Test]
         public void Convert_Line_KeepsEveryPoint()
         {
-            var places = new int3[50000];
-            for (int i = 0; i < places.Length; i++)
-                places[i] = new int3(i * 3, i * 3, i * 3);
-            Prove(MemoryReader.Of(places, s_centimetres), new ConvertSettings { PointsPerChunk = 10000 });
+            var positions = new int3[50000];
+            for (int i = 0; i < positions.Length; i++)
+                positions[i] = new int3(i * 3, i * 3, i * 3);
+            Prove(MemoryReader.Of(positions, s_centimetres), new ConvertSettings { PointsPerChunk = 10000 });
         }
 
         [Test]
-        public void Convert_SixtyThousandEqualInACloud_MakeAChain([Values(Sampler.Random, Sampler.Poisson)] Sampler sampler)
+        public void Convert_SixtyThousandEqualPoints_BecomeAChain([Values(Sampler.Random, Sampler.Poisson)] Sampler sampler)
         {
-            var places = Uniform(90000, 20000);
+            var positions = Uniform(90000, 20000);
             for (int i = 0; i < 60000; i++)
-                places[i * 3 / 2] = new int3(777, 778, 779);
-            var made = Prove(MemoryReader.Of(places, s_centimetres),
+                positions[i * 3 / 2] = new int3(777, 778, 779);
+            var made = Prove(MemoryReader.Of(positions, s_centimetres),
                 new ConvertSettings { PointsPerChunk = 20000, Sampler = sampler });
             Assert.That(made.LevelCount, Is.EqualTo(made.Manifest.Root.SideLog2 + 1));
         }
 
         [Test]
-        public void Convert_AllEqual_MakeAChainWithoutBitsForPositions()
+        public void Convert_AllEqual_CreatesAChainWithoutPositionBits()
         {
-            var places = new int3[120000];
-            for (int i = 0; i < places.Length; i++)
-                places[i] = new int3(5, -6, 7);
-            var made = Prove(MemoryReader.Of(places, s_centimetres));
+            var positions = new int3[120000];
+            for (int i = 0; i < positions.Length; i++)
+                positions[i] = new int3(5, -6, 7);
+            var made = Prove(MemoryReader.Of(positions, s_centimetres));
             Assert.That(made.Manifest.NodeCount, Is.EqualTo(3));
             Assert.That(made.Manifest.Root.SideLog2, Is.EqualTo(0));
             Assert.That(made.BytesOfPlane[0], Is.LessThan(120000 / 4));
@@ -131,17 +131,17 @@ namespace FastPoints.Tests.Build
         [Test]
         public void Convert_IntegerLimits_AreKept()
         {
-            var places = Uniform(5000, 1000);
-            places[0] = new int3(int.MinValue, int.MinValue, int.MinValue);
-            places[1] = new int3(int.MaxValue, int.MaxValue, int.MaxValue);
-            places[2] = new int3(int.MaxValue, int.MinValue, 0);
-            var made = Prove(MemoryReader.Of(places, s_centimetres));
+            var positions = Uniform(5000, 1000);
+            positions[0] = new int3(int.MinValue, int.MinValue, int.MinValue);
+            positions[1] = new int3(int.MaxValue, int.MaxValue, int.MaxValue);
+            positions[2] = new int3(int.MaxValue, int.MinValue, 0);
+            var made = Prove(MemoryReader.Of(positions, s_centimetres));
             Assert.That(made.Manifest.BoundsMax, Is.EqualTo(new Grid3(int.MaxValue, int.MaxValue, int.MaxValue)));
             Assert.That(made.Manifest.Root.SideLog2, Is.EqualTo(32));
         }
 
         [Test]
-        public void Convert_UtmOffsetsWithFineScale_KeepExactPlaces()
+        public void Convert_UtmOffsetsWithFineScale_KeepsExactPositions()
         {
             var transform = new PositionTransform { Scale = new double3(1e-4, 1e-4, 1e-4), Offset = new double3(1e7, 5e6, -100) };
             var made = Prove(MemoryReader.Of(Uniform(30000, 30000000), transform));
@@ -150,10 +150,10 @@ namespace FastPoints.Tests.Build
         }
 
         [Test]
-        public void Convert_FilesOfDifferentScaleAndOffset_MeetOnOneGrid()
+        public void Convert_FilesOfDifferentScaleAndOffset_ShareOneGrid()
         {
-            var places = Uniform(20000, 100000);
-            var coarse = MemoryReader.Of(places, s_centimetres, 1000, 5);
+            var positions = Uniform(20000, 100000);
+            var coarse = MemoryReader.Of(positions, s_centimetres, 1000, 5);
             var fine = MemoryReader.Of(Uniform(20000, 100000, 3),
                 new PositionTransform { Scale = new double3(0.001, 0.01, 0.025), Offset = new double3(500, -0.005, 3) });
             ConvertResult made = null;
@@ -170,17 +170,17 @@ namespace FastPoints.Tests.Build
         public void Convert_OutlierFarAway_GrowsTheRootAndKeepsTheRest([Values] Sampler sampler)
         {
             // The outlier is not in the sample, and half the points are in a corner that it fools.
-            var places = Uniform(60000, 2000);
+            var positions = Uniform(60000, 2000);
             for (int i = 30000; i < 60000; i++)
-                places[i] += new int3(100000, 50000, 0);
-            places[45001] = new int3(-2000000000, 2000000000, 5);
-            var made = Prove(MemoryReader.Of(places, s_centimetres),
+                positions[i] += new int3(100000, 50000, 0);
+            positions[45001] = new int3(-2000000000, 2000000000, 5);
+            var made = Prove(MemoryReader.Of(positions, s_centimetres),
                 new ConvertSettings { PointsPerChunk = 5000, Sampler = sampler });
             Assert.That(made.Manifest.Root.SideLog2, Is.InRange(31, 32));
         }
 
         [Test]
-        public void Convert_FloatsWithNaN_LeavesThoseOut()
+        public void Convert_FloatsWithNaN_SkipsThem()
         {
             var random = new Unity.Mathematics.Random(3);
             float[] x = new float[5000], y = new float[5000], z = new float[5000];
@@ -208,15 +208,15 @@ namespace FastPoints.Tests.Build
         [Test]
         public void Convert_OneTwoSevenWorkers_WriteTheSameBytes([Values] Sampler sampler)
         {
-            var places = Uniform(240000, 3000);
-            for (int i = 0; i < places.Length; i++)
-                places[i].z /= 1000;
+            var positions = Uniform(240000, 3000);
+            for (int i = 0; i < positions.Length; i++)
+                positions[i].z /= 1000;
             var before = new Dictionary<string, byte[]>();
             foreach (int workers in new[] { 1, 2, 7 })
             {
                 using var threads = new WorkerCount(workers);
                 string name = "w" + workers;
-                Convert(MemoryReader.Of(places, s_centimetres, 3001), name, new ConvertSettings
+                Convert(MemoryReader.Of(positions, s_centimetres, 3001), name, new ConvertSettings
                 {
                     PointsPerChunk = 60000,
                     Workers = workers,
@@ -236,12 +236,12 @@ namespace FastPoints.Tests.Build
         }
 
         [Test]
-        public void Convert_SomeOutliers_ReportsWhatToShowWithoutThem()
+        public void Convert_SomeOutliers_StoresDisplayRangesWithoutThem()
         {
-            var places = Uniform(20000, 1000);
+            var positions = Uniform(20000, 1000);
             for (int i = 0; i < 20; i++)
-                places[i * 1000].z = 100000;
-            var manifest = Convert(MemoryReader.Of(places, s_centimetres)).Manifest;
+                positions[i * 1000].z = 100000;
+            var manifest = Convert(MemoryReader.Of(positions, s_centimetres)).Manifest;
             var shown = manifest.Shown.Value;
             Assert.That(manifest.BoundsGeo.Max.z, Is.EqualTo(1000).Within(1e-9));
             Assert.That(shown.Elevation.Min, Is.EqualTo(0.05).Within(0.04), "a two-hundredth lies below");
@@ -261,13 +261,13 @@ namespace FastPoints.Tests.Build
         }
 
         [TestCase(1), TestCase(3)]
-        public void Convert_SomeOfTheWorkers_ReadsSoManyBlocksSideBySide(int workers)
+        public void Convert_SomeWorkers_ReadsAsManyBlocksAtOnce(int workers)
         {
             using var threads = new WorkerCount(3);
             var reader = MemoryReader.Of(Uniform(20000, 3000), s_centimetres, 1000);
             Convert(reader, "cloud", new ConvertSettings { Workers = workers, SecondsToFirstGeneration = 1e9 });
-            // Those of the sample, and those of the reading: all others come behind another block's jobs.
-            Assert.That(reader.BlocksBehindNone, Is.EqualTo(2 * workers));
+            // Once for the sample and once for reading: all others depend on another block's jobs.
+            Assert.That(reader.BlocksWithoutDependency, Is.EqualTo(2 * workers));
         }
 
         [Test]
@@ -275,8 +275,8 @@ namespace FastPoints.Tests.Build
         {
             string path = Folder.File("text.xyz");
             using (var writer = new StreamWriter(path))
-                foreach (var place in Uniform(30000, 1000))
-                    writer.Write(place.x + " " + place.y + " " + place.z + "\n");
+                foreach (var position in Uniform(30000, 1000))
+                    writer.Write(position.x + " " + position.y + " " + position.z + "\n");
             foreach (int workers in new[] { 0, 1 })
                 using (var reader = PointReaders.Open(path))
                     Convert(reader, "w" + workers, new ConvertSettings { Workers = workers });
@@ -288,11 +288,11 @@ namespace FastPoints.Tests.Build
         [Test]
         public void Convert_OtherOrderOfTheSamePoints_GivesTheSameNodes([Values(Sampler.Random, Sampler.Poisson)] Sampler sampler)
         {
-            var places = Uniform(40000, 500);
-            var turned = (int3[])places.Clone();
+            var positions = Uniform(40000, 500);
+            var turned = (int3[])positions.Clone();
             Array.Reverse(turned);
             var settings = new ConvertSettings { Attributes = new string[0], Sampler = sampler };
-            var first = Convert(MemoryReader.Of(places, s_centimetres), "a", settings);
+            var first = Convert(MemoryReader.Of(positions, s_centimetres), "a", settings);
             var second = Convert(MemoryReader.Of(turned, s_centimetres), "b", settings);
             Assert.That(second.Manifest.Checksum, Is.EqualTo(first.Manifest.Checksum));
             Assert.That(File.ReadAllBytes(Path.Combine(Target("b"), StoreFormat.UpperName)),
@@ -310,10 +310,10 @@ namespace FastPoints.Tests.Build
         public void Convert_Poisson_KeepsTheSpacingInsideOfChunks()
         {
             // A slanted plane: a chunk's face along a plane would leave both sides without each other's samples.
-            var places = Uniform(300000, 100000);
-            for (int i = 0; i < places.Length; i++)
-                places[i].z = places[i].x / 3 + places[i].y / 5;
-            Prove(MemoryReader.Of(places, s_centimetres),
+            var positions = Uniform(300000, 100000);
+            for (int i = 0; i < positions.Length; i++)
+                positions[i].z = positions[i].x / 3 + positions[i].y / 5;
+            Prove(MemoryReader.Of(positions, s_centimetres),
                 new ConvertSettings { PointsPerChunk = 60000, Sampler = Sampler.Poisson });
             var verified = Verify(null);
             int sampledLevels = 0;
@@ -334,10 +334,10 @@ namespace FastPoints.Tests.Build
         [Test]
         public void Convert_Average_KeepsTheValuesAndAddsTheirMeans()
         {
-            var places = Uniform(200000, 100000);
-            for (int i = 0; i < places.Length; i++)
-                places[i].z = 0;
-            var reader = MemoryReader.Of(places, s_centimetres);
+            var positions = Uniform(200000, 100000);
+            for (int i = 0; i < positions.Length; i++)
+                positions[i].z = 0;
+            var reader = MemoryReader.Of(positions, s_centimetres);
             Prove(reader, new ConvertSettings { PointsPerChunk = 60000, Sampler = Sampler.Average });
             using var folder = CloudFolder.Open(Target());
             using var selection = new NodeSelection(folder);
@@ -422,13 +422,13 @@ namespace FastPoints.Tests.Build
         [Test]
         public void Verify_OtherSource_ReportsIt()
         {
-            var places = Uniform(2000, 1000);
-            Convert(MemoryReader.Of(places, s_centimetres));
-            places[1000].x ^= 1;
-            Assert.That(Verify(MemoryReader.Of(places, s_centimetres)).Ok, Is.False);
-            places[1000].x ^= 1;
-            Assert.That(Verify(MemoryReader.Of(places, s_centimetres)).Ok, Is.True);
-            Assert.That(Verify(MemoryReader.Of(places, s_centimetres, 1000, 2)).Ok, Is.False);
+            var positions = Uniform(2000, 1000);
+            Convert(MemoryReader.Of(positions, s_centimetres));
+            positions[1000].x ^= 1;
+            Assert.That(Verify(MemoryReader.Of(positions, s_centimetres)).Ok, Is.False);
+            positions[1000].x ^= 1;
+            Assert.That(Verify(MemoryReader.Of(positions, s_centimetres)).Ok, Is.True);
+            Assert.That(Verify(MemoryReader.Of(positions, s_centimetres, 1000, 2)).Ok, Is.False);
         }
 
         [Test]

@@ -22,22 +22,22 @@ namespace FastPoints.Tests.Build
         static MemoryReader Uneven(int count = Points, int blockPoints = 2000)
         {
             var random = new Unity.Mathematics.Random(5);
-            var places = new int3[count];
+            var positions = new int3[count];
             for (int i = 0; i < count; i++)
             {
-                places[i] = i % 4 == 0 ? new int3(70000, 60000, 50000) + random.NextInt3(300)
+                positions[i] = i % 4 == 0 ? new int3(70000, 60000, 50000) + random.NextInt3(300)
                     : random.NextInt3(new int3(100000, 100000, 1000));
             }
-            places[count * 2 / 3] = new int3(-300000000, 7, 7);
-            return MemoryReader.Of(places, s_centimetres, blockPoints);
+            positions[count * 2 / 3] = new int3(-300000000, 7, 7);
+            return MemoryReader.Of(positions, s_centimetres, blockPoints);
         }
 
         static MemoryReader Equal(int count)
         {
-            var places = new int3[count];
+            var positions = new int3[count];
             for (int i = 0; i < count; i++)
-                places[i] = new int3(-5, 600, 7);
-            return MemoryReader.Of(places, s_centimetres, 5000);
+                positions[i] = new int3(-5, 600, 7);
+            return MemoryReader.Of(positions, s_centimetres, 5000);
         }
 
         static ConvertSettings InFiles(long pointsPerChunk = 10000) => new ConvertSettings
@@ -48,7 +48,7 @@ namespace FastPoints.Tests.Build
         };
 
         [Test]
-        public void Convert_WorkersThatNeverHaveEnough_KeepsBlocksInFlightWithinTheMemory([Values(1, 8)] int memoryMegabytes)
+        public void Convert_StarvedWorkers_KeepsBlocksInFlightWithinTheMemory([Values(1, 8)] int memoryMegabytes)
         {
             var reader = Uneven(300000, 500);
             var settings = InFiles();
@@ -109,7 +109,7 @@ namespace FastPoints.Tests.Build
         }
 
         [Test]
-        public void Convert_PointsAtOnePlace_AreSplitByNumberIntoOneChain()
+        public void Convert_PointsAtOnePosition_AreSplitByCountIntoOneChain()
         {
             const int count = 330000;
             var reader = Equal(count);
@@ -122,28 +122,28 @@ namespace FastPoints.Tests.Build
         }
 
         [Test]
-        public void Convert_ManySmallChunks_MergeTheirTopsInRegions()
+        public void Convert_ManySmallChunks_MergesTopsByRegion()
         {
             // Tops of a filled volume are as large as nodes may be: 8 * 50,000 points are one region's.
             var random = new Unity.Mathematics.Random(9);
-            var places = new int3[1000000];
-            for (int i = 0; i < places.Length; i++)
-                places[i] = random.NextInt3(4000);
-            var reader = MemoryReader.Of(places, s_centimetres, 20000);
+            var positions = new int3[1000000];
+            for (int i = 0; i < positions.Length; i++)
+                positions[i] = random.NextInt3(4000);
+            var reader = MemoryReader.Of(positions, s_centimetres, 20000);
             var made = Convert(reader, "cloud", InMemory(20000));
             Assert.That(made.Manifest.NodeCount, Is.GreaterThan(10));
             Prove(reader, "cloud");
         }
 
         [Test]
-        public void Convert_PoissonInRegions_KeepsTheSpacingOfWhatIsSampledTogether()
+        public void Convert_PoissonInRegions_KeepsTheSpacingWithinRegions()
         {
             // Chunks are their tops whole: so many points that two regions and the root sample them.
             var random = new Unity.Mathematics.Random(9);
-            var places = new int3[850000];
-            for (int i = 0; i < places.Length; i++)
-                places[i] = new int3(random.NextInt(40000), random.NextInt(40000), 0);
-            Convert(MemoryReader.Of(places, s_centimetres, 20000), "cloud",
+            var positions = new int3[850000];
+            for (int i = 0; i < positions.Length; i++)
+                positions[i] = new int3(random.NextInt(40000), random.NextInt(40000), 0);
+            Convert(MemoryReader.Of(positions, s_centimetres, 20000), "cloud",
                 new ConvertSettings { PointsPerChunk = 20000, Sampler = Sampler.Poisson });
             var goes = new HashSet<int>();
             using (var folder = CloudFolder.Open(Target("cloud")))
@@ -217,7 +217,7 @@ namespace FastPoints.Tests.Build
         }
 
         [Test]
-        public void Convert_ReadingThatIsSlow_CanBeTakenUpAfterFewerPoints([Values(0, 1e9)] double secondsPerCheckpoint)
+        public void Convert_SlowReading_CanResumeAfterFewerPoints([Values(0, 1e9)] double secondsPerCheckpoint)
         {
             var settings = InFiles();
             (settings.PointsPerCheckpoint, settings.SecondsPerCheckpoint) = (100_000, secondsPerCheckpoint);
@@ -231,7 +231,7 @@ namespace FastPoints.Tests.Build
                 {
                     work.Current.Complete();
                     var read = File.Exists(journal) ? BuildJournal.FromJson(File.ReadAllText(journal)) : null;
-                    if (read != null && read.At == BuildJournal.Stage.Read)
+                    if (read != null && read.CurrentStage == BuildJournal.Stage.Read)
                         blocks.Add(read.Block);
                 }
             }
@@ -308,7 +308,7 @@ namespace FastPoints.Tests.Build
         }
 
         [Test]
-        public void Convert_CancelledWhileFilesAreThere_LeavesNothing()
+        public void Convert_CancelledWithTemporaryFiles_LeavesNothing()
         {
             string part = Target("cloud") + StoreFormat.PartSuffix;
             var work = new CoroutineStack(ConvertCloud.Run(new[] { Uneven() }, Target("cloud"), InFiles(), r => { }, null));
@@ -323,7 +323,7 @@ namespace FastPoints.Tests.Build
 
         [TestCase(true, Sampler.Random), TestCase(false, Sampler.Random), TestCase(true, Sampler.Poisson)]
         [TestCase(false, Sampler.Average)]
-        public void Convert_BeforeItsFirstChunk_ShowsASampleOfAllThatMakesWayForChunks(bool inFiles, Sampler sampler)
+        public void Convert_BeforeTheFirstChunk_ShowsPlaceholdersThatChunksReplace(bool inFiles, Sampler sampler)
         {
             var settings = inFiles ? InFiles() : InMemory();
             settings.SecondsToFirstGeneration = 0;
@@ -351,7 +351,7 @@ namespace FastPoints.Tests.Build
         }
 
         [TestCase(true), TestCase(false)]
-        public void Convert_InTheMaking_CanBeOpenedAndVerified(bool inFiles)
+        public void Convert_Unfinished_CanBeOpenedAndVerified(bool inFiles)
         {
             var settings = inFiles ? InFiles() : InMemory();
             settings.SecondsPerGeneration = 0;

@@ -14,7 +14,7 @@ namespace FastPoints.Tests.Build
     [Category("Smoke")]
     public class DensityTreeTests
     {
-        const int Points = 200_000, Lines = 800, PatchPoints = 250, RecordBytes = 24, MinRuns = 32;
+        const int Points = 200_000, Lines = 800, PatchPoints = 250, RecordBytes = 24, MinRanges = 32;
         const double Size = 100;
 
         public enum Order
@@ -28,8 +28,8 @@ namespace FastPoints.Tests.Build
             Chance,
         }
 
-        /// <summary>A hilly surface whose density goes with the inverse square of the distance from four places: the Morton codes
-        /// of its points, in the order.</summary>
+        /// <summary>A hilly surface whose density goes with the inverse square of the distance from four positions: the Morton
+        /// codes of its points, in the order.</summary>
         static uint[] Cloud(Order order, uint seed)
         {
             var random = new System.Random((int)seed);
@@ -54,34 +54,35 @@ namespace FastPoints.Tests.Build
                 .ToArray();
         }
 
-        /// <summary>By runs of evenly spaced points at hashed places in equal parts of the file; cells of more points than one
+        /// <summary>By runs of evenly spaced points at hashed positions in equal parts of the file; cells of more points than one
         /// stands for are divided.</summary>
         static DensityTree Estimate(uint[] cloud, int wanted, uint seed)
         {
-            var plan = new RunPlan(Points, wanted, RecordBytes, seed);
+            var plan = new RangePlan(Points, wanted, RecordBytes, seed);
             var codes = new List<uint>();
-            var runs = new List<SampleRun>();
-            for (int i = 0; i < plan.RunCount; i++)
+            var ranges = new List<SampleRange>();
+            for (int i = 0; i < plan.RangeCount; i++)
             {
                 int before = codes.Count;
-                bool isSplit = plan.RunOf(i, i, out var run, out var second);
-                Take(run);
+                bool isSplit = plan.RangeOf(i, i, out var range, out var second);
+                Take(range);
                 if (isSplit)
                     Take(second);
                 int count = codes.Count - before;
-                runs.Add(new SampleRun { First = before, Count = count, Weight = Points / ((double)plan.RunCount * count) });
+                ranges.Add(new SampleRange { First = before, Count = count,
+                    Weight = Points / ((double)plan.RangeCount * count) });
             }
             using var codeOfPoint = new NativeArray<uint>(codes.ToArray(), Allocator.TempJob);
-            using var allRuns = new NativeArray<SampleRun>(runs.ToArray(), Allocator.TempJob);
+            using var allRanges = new NativeArray<SampleRange>(ranges.ToArray(), Allocator.TempJob);
             DensityTree tree = null;
-            JobCoroutine.RunToEnd(DensityTree.Count(codeOfPoint, allRuns, codes.Count / (double)Points,
-                (double)Points / plan.RunCount, default, t => tree = t));
+            JobCoroutine.RunToEnd(DensityTree.Count(codeOfPoint, allRanges, codes.Count / (double)Points,
+                (double)Points / plan.RangeCount, default, t => tree = t));
             return tree;
 
-            void Take(PointRun run)
+            void Take(StridedRange range)
             {
-                for (int i = 0; i < run.Count; i++)
-                    codes.Add(cloud[run.First + (long)i * run.Step]);
+                for (int i = 0; i < range.Count; i++)
+                    codes.Add(cloud[range.First + (long)i * range.Step]);
             }
         }
 
@@ -93,14 +94,14 @@ namespace FastPoints.Tests.Build
         static IEnumerable<(DensityCell Cell, int Truth)> Leaves(DensityTree tree, int cell, int level, uint[] inside)
         {
             int parts = tree.FirstPartOf(cell);
-            if (parts < 0 || tree[cell].Runs < MinRuns)
+            if (parts < 0 || tree[cell].Ranges < MinRanges)
                 return new[] { (tree[cell], inside.Length) };
             var inPart = inside.ToLookup(code => (int)(code >> 3 * (DensityNumbers.Levels - 1 - level) & 7));
             return Enumerable.Range(0, 8).SelectMany(o => Leaves(tree, parts + o, level + 1, inPart[o].ToArray()));
         }
 
         [Test]
-        public void Errors_OfRuns_CoverTheTruthInNineOfTenCells([Values] Order order, [Values(10_000, 50_000)] int wanted)
+        public void Errors_OfRanges_CoverTheTruthInNineOfTenCells([Values] Order order, [Values(10_000, 50_000)] int wanted)
         {
             int known = 0, covered = 0;
             var relative = new List<double>();
@@ -131,7 +132,7 @@ namespace FastPoints.Tests.Build
         }
 
         [Test]
-        public void Cells_ThatNoPointWasSampledIn_AreUnknownAndNotEmpty()
+        public void Cells_WithoutSampledPoints_AreUnknownAndNotEmpty()
         {
             var cloud = Cloud(Order.ScanLines, 3);
             using var tree = Estimate(cloud, 20_000, 3);
@@ -141,7 +142,7 @@ namespace FastPoints.Tests.Build
         }
 
         [Test]
-        public void Estimate_OfAllPoints_IsExactAndWithoutError()
+        public void Estimate_OfAllPoints_IsExact()
         {
             var cloud = Cloud(Order.Chance, 5);
             using var tree = Estimate(cloud, Points, 5);

@@ -19,11 +19,11 @@ namespace FastPoints.Tests.Build
             return bytes;
         }
 
-        sealed class Trickle : MemoryStream
+        sealed class SlowStream : MemoryStream
         {
             readonly System.Random m_random = new System.Random(2);
 
-            public Trickle(byte[] bytes) : base(bytes) { }
+            public SlowStream(byte[] bytes) : base(bytes) { }
 
             public ManualResetEventSlim WaitsFor;
             public bool IsDisposed { get; private set; }
@@ -42,11 +42,11 @@ namespace FastPoints.Tests.Build
         }
 
         [TestCase(-1), TestCase(Length)]
-        public void Work_Stream_IsTheFile(long length)
+        public void Spool_Stream_WritesTheFile(long length)
         {
             string path = Folder.File("scan.las");
             File.WriteAllText(path, "what was there before");
-            var stream = new Trickle(Bytes());
+            var stream = new SlowStream(Bytes());
             using var spool = new StreamSpool(() => stream, path, length);
             spool.Work.GetAwaiter().GetResult();
             Assert.That(File.ReadAllBytes(path), Is.EqualTo(Bytes()));
@@ -55,28 +55,28 @@ namespace FastPoints.Tests.Build
         }
 
         [Test]
-        public void Work_StreamThatEndsEarly_ReportsItAndLeavesNothing()
+        public void Spool_TruncatedStream_ReportsItAndLeavesNothing()
         {
             string path = Folder.File("scan.las");
-            using var spool = new StreamSpool(() => new Trickle(Bytes()), path, Length + 1);
+            using var spool = new StreamSpool(() => new SlowStream(Bytes()), path, Length + 1);
             Failures.Of(() => spool.Work.GetAwaiter().GetResult(), FailureCode.Truncated, "scan.las", (Length + 1).ToString());
             Assert.That(Directory.GetFiles(Folder.Path), Is.Empty);
         }
 
         [Test]
-        public void Work_FolderThatIsNotThere_ReportsIt()
+        public void Spool_MissingFolder_ReportsIt()
         {
             string path = Folder.File("none/scan.las");
-            using var spool = new StreamSpool(() => new Trickle(Bytes()), path);
+            using var spool = new StreamSpool(() => new SlowStream(Bytes()), path);
             Failures.Of(() => spool.Work.GetAwaiter().GetResult(), FailureCode.NotFound);
         }
 
         [Test]
-        public void Dispose_Meanwhile_LeavesNothing()
+        public void Dispose_WhileDownloading_LeavesNothing()
         {
             using var hasMore = new ManualResetEventSlim();
             string path = Folder.File("scan.las");
-            var spool = new StreamSpool(() => new Trickle(Bytes()) { WaitsFor = hasMore }, path);
+            var spool = new StreamSpool(() => new SlowStream(Bytes()) { WaitsFor = hasMore }, path);
             spool.Dispose();
             hasMore.Set();
             Assert.Throws(Is.InstanceOf<OperationCanceledException>(), () => spool.Work.GetAwaiter().GetResult());

@@ -11,7 +11,7 @@ namespace FastPoints.Tests.Core
         [TestCase(AttributeType.Float32, AttributeType.UInt16, AttributeType.Float32)]
         [TestCase(AttributeType.Float32, AttributeType.Int32, AttributeType.Float64)]
         [TestCase(AttributeType.Float32, AttributeType.Float64, AttributeType.Float64)]
-        public void Common_HoldsBoth(AttributeType a, AttributeType b, AttributeType both)
+        public void Common_OfTwoSchemas_HoldsBoth(AttributeType a, AttributeType b, AttributeType both)
         {
             Assert.That(AttributeTypes.Common(a, b), Is.EqualTo(both));
             Assert.That(AttributeTypes.Common(b, a), Is.EqualTo(both));

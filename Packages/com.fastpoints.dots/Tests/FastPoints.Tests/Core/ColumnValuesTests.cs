@@ -65,7 +65,7 @@ namespace FastPoints.Tests.Core
         }
 
         [Test]
-        public void OrderedBits_AnyNumbers_OrderAsTheyDoAndRoundTrip()
+        public void OrderedBits_AnyNumbers_KeepTheOrderAndRoundTrip()
         {
             double[] values = { double.NegativeInfinity, -1e300, -2, -1e-310, 0, 1e-310, 1, 2, double.PositiveInfinity };
             for (int i = 0; i < values.Length; i++)
@@ -117,7 +117,7 @@ namespace FastPoints.Tests.Core
         }
 
         [Test]
-        public void Quantiles_NegativeScale_StillHaveTheLowOneBelow()
+        public void Quantiles_NegativeScale_StayInOrder()
         {
             var values = new double[101];
             for (int i = 0; i < values.Length; i++)
@@ -131,7 +131,7 @@ namespace FastPoints.Tests.Core
         }
 
         [Test]
-        public void Quantiles_MoreValuesThanAreTaken_AreRightWithinTheStatedShare()
+        public void Quantiles_MoreValuesThanSampled_AreWithinTheStatedError()
         {
             var random = new Unity.Mathematics.Random(11);
             var values = new double[300_000];
@@ -146,7 +146,7 @@ namespace FastPoints.Tests.Core
         }
 
         [Test]
-        public void Quantiles_NoFiniteValue_AreNoNumbers()
+        public void Quantiles_NoFiniteValue_AreNaN()
         {
             using var batch = Column(AttributeType.Float64, double.NaN, double.PositiveInfinity);
             var found = Measure(batch, 1, 0, 0.1, 0.9);
@@ -155,7 +155,7 @@ namespace FastPoints.Tests.Core
         }
 
         [Test]
-        public void Bounds_PointsWithOneBadCoordinate_AreLeftOutWhole()
+        public void Bounds_PointsWithOneBadCoordinate_AreIgnored()
         {
             using var batch = TestBatches.OfPositions(new double3(1, 2, 3), new double3(-50, double.NaN, 0),
                 new double3(4, -5, 6), new double3(0, 0, double.PositiveInfinity));
@@ -169,7 +169,7 @@ namespace FastPoints.Tests.Core
         [TestCase(AttributeType.UInt8)]
         [TestCase(AttributeType.UInt16)]
         [TestCase(AttributeType.Int16)]
-        public unsafe void Statistics_AnyCount_AreThoseOfEachValue(AttributeType type)
+        public unsafe void Statistics_AnyCount_MatchOneByOne(AttributeType type)
         {
             var random = new Unity.Mathematics.Random(5);
             byte* values = stackalloc byte[200];

@@ -66,7 +66,7 @@ namespace FastPoints.Tests.Core
         }
 
         [Test]
-        public void Run_OldestIsInFlight_StepsTheOthers()
+        public void Run_OldestInFlight_StepsTheOthers()
         {
             s_gate.Reset();
             using var workers = new WorkerCount(1);

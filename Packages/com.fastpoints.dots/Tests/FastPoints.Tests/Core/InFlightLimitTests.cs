@@ -6,7 +6,7 @@ namespace FastPoints.Tests.Core
     public class InFlightLimitTests
     {
         [Test]
-        public void Resume_IdleAgainAndAgain_DoublesUpToTheMaximum()
+        public void Resume_IdleRepeatedly_DoublesUpToTheMaximum()
         {
             var limit = new InFlightLimit(3, 20, () => double.PositiveInfinity);
             foreach (int wanted in new[] { 6, 12, 20, 20 })
@@ -19,7 +19,7 @@ namespace FastPoints.Tests.Core
         }
 
         [Test]
-        public void Resume_NotIdle_StaysAsItIs()
+        public void Resume_NotIdle_IsUnchanged()
         {
             var limit = new InFlightLimit(3, 20, () => double.PositiveInfinity);
             limit.Await();
@@ -29,7 +29,7 @@ namespace FastPoints.Tests.Core
         }
 
         [Test]
-        public void Resume_IdleAfterLongerThanPlanned_StaysAsItIs()
+        public void Resume_IdleAfterLongerThanPlanned_IsUnchanged()
         {
             var limit = new InFlightLimit(3, 20, () => 2.5);
             limit.Await();

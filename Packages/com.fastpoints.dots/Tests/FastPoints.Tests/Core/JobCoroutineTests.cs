@@ -40,7 +40,7 @@ namespace FastPoints.Tests.Core
         }
 
         [Test]
-        public void RunToEnd_NestedWork_IsDoneWhereItStands()
+        public void RunToEnd_NestedWork_RunsInOrder()
         {
             JobCoroutine.RunToEnd(Level(3));
             Assert.That(m_events, Is.EqualTo(new[]
@@ -171,7 +171,7 @@ namespace FastPoints.Tests.Core
         }
 
         [Test]
-        public void RunToEnd_CancelledInTheInnermostLevel_FreesFromTheInsideOut()
+        public void RunToEnd_CancelledInTheInnermostLevel_DisposesFromTheInside()
         {
             using var cancellation = new CancellationTokenSource();
             m_atInnermost = cancellation.Cancel;
@@ -181,7 +181,7 @@ namespace FastPoints.Tests.Core
         }
 
         [Test]
-        public void RunToEnd_FaultInTheInnermostLevel_FreesAllAndIsThrown()
+        public void RunToEnd_ExceptionInTheInnermostLevel_DisposesAllAndIsThrown()
         {
             m_atInnermost = () => throw new InvalidOperationException("broken");
             Assert.That(() => JobCoroutine.RunToEnd(Level(3)), Throws.InvalidOperationException.With.Message.EqualTo("broken"));

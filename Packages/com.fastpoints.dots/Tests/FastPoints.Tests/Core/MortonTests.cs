@@ -17,7 +17,7 @@ namespace FastPoints.Tests.Core
             Assert.That(Morton.Encode(x, y, z), Is.EqualTo(code));
 
         [Test]
-        public void Encode_EachBit_GoesToItsPlace()
+        public void Encode_EachBit_IsInterleaved()
         {
             for (int bit = 0; bit < Morton.BitsPerAxis; bit++)
             {
@@ -27,7 +27,7 @@ namespace FastPoints.Tests.Core
         }
 
         [Test]
-        public void EncodeFew_EachBit_GoesWhereEncodePutsIt()
+        public void EncodeFew_EachBit_MatchesEncode()
         {
             for (uint value = 0; value < 1 << Morton.ShortBits; value++)
             {
@@ -81,7 +81,7 @@ namespace FastPoints.Tests.Core
         }
 
         [Test]
-        public void Encode_TooManyBits_LeavesThemOut() =>
+        public void Encode_TooManyBits_IgnoresThem() =>
             Assert.That(Morton.Encode(0xFFFFFFFFu, 0, 0), Is.EqualTo(Morton.Encode(Morton.MaxCoordinate, 0, 0)));
     }
 }

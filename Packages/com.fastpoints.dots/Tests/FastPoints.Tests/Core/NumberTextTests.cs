@@ -59,7 +59,7 @@ namespace FastPoints.Tests.Core
             Assert.That(NumberText.Of(value), Is.EqualTo(wanted));
 
         [Test]
-        public void Of_EveryPowerOfTen_IsAOne()
+        public void Of_EveryPowerOfTen_BeginsWithOne()
         {
             for (int power = -307; power <= 308; power++)
             {
@@ -71,7 +71,7 @@ namespace FastPoints.Tests.Core
         }
 
         [Test]
-        public void Of_SeededBits_ReadsBackAndIsNotLongerThanItMustBe()
+        public void Of_SeededBits_RoundTripsInTheShortestText()
         {
             var random = new Random(23);
             for (int i = 0; i < 50000; i++)

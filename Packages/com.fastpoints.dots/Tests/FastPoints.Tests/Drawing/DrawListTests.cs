@@ -57,9 +57,9 @@ namespace FastPoints.Tests.Drawing
                 System.Threading.Thread.Yield();
         }
 
-        static IEnumerable<(double3 Drawn, double3 True)> PlacesOf(StreamContext stream, DrawList list, double3 eyeWorld)
+        static IEnumerable<(double3 Drawn, double3 True)> PositionsOf(StreamContext stream, DrawList list, double3 eyeWorld)
         {
-            var places = new List<(double3, double3)>();
+            var positions = new List<(double3, double3)>();
             foreach (var draw in list.Draws)
             {
                 byte* bank = ((MemoryNodePool)stream.Pool).AddressOf(new PoolRange { Bank = draw.Bank });
@@ -70,13 +70,13 @@ namespace FastPoints.Tests.Drawing
                     var shape = new PlaneShape(3, node.IsWide != 0 ? 7 : 0);
                     var plane = new PlaneView(bank + node.PositionWord * 4L, shape, block + 1);
                     for (int point = 0; point < plane.PointsOf(block); point++)
-                        places.Add(PlaceOf(stream, list, eyeWorld, node, axis => (long)plane.ValueAt(block, axis, point)));
+                        positions.Add(PositionOf(stream, list, eyeWorld, node, axis => (long)plane.ValueAt(block, axis, point)));
                 }
             }
-            return places;
+            return positions;
         }
 
-        static (double3, double3) PlaceOf(StreamContext stream, DrawList list, double3 eyeWorld, GpuNode node,
+        static (double3, double3) PositionOf(StreamContext stream, DrawList list, double3 eyeWorld, GpuNode node,
             System.Func<int, long> valueOf)
         {
             var cloud = stream.Clouds[0];
@@ -106,7 +106,7 @@ namespace FastPoints.Tests.Drawing
             {
                 if ((uint)drawn.Range.FirstPage * (NodePool.PageBytes / 4) != node.PositionWord)
                     continue;
-                var corner = stream.Clouds[0].Pages[drawn.Page].Places[drawn.Node].Corner;
+                var corner = stream.Clouds[0].Pages[drawn.Page].Addresses[drawn.Node].Corner;
                 return new double3(corner.X, corner.Y, corner.Z);
             }
             throw new KeyNotFoundException();
@@ -131,7 +131,7 @@ namespace FastPoints.Tests.Drawing
             var eyeWorld = math.mul(linear, eye) + moved;
             Settle(stream, EverythingFrom(eyeWorld));
             using var list = List(stream, EverythingFrom(eyeWorld));
-            CheckPlaces(stream, list, eyeWorld, 30_000, 0);
+            CheckPositions(stream, list, eyeWorld, 30_000, 0);
         }
 
         /// <summary>A root cube of more than 2^32 steps, whose points are 64-bit columns, and the camera a few steps from one
@@ -140,27 +140,27 @@ namespace FastPoints.Tests.Drawing
         public void Build_WideCloud_RoundsAMillionthOfTheDistance()
         {
             var random = new Random(5);
-            int3[] places = Enumerable.Range(0, 3000).Select(_ => random.NextInt3(-2_000_000_000, 2_000_000_000)).ToArray();
-            PointReader Reader(double moved) => MemoryReader.Of(places, new PositionTransform
+            int3[] positions = Enumerable.Range(0, 3000).Select(_ => random.NextInt3(-2_000_000_000, 2_000_000_000)).ToArray();
+            PointReader Reader(double moved) => MemoryReader.Of(positions, new PositionTransform
             {
                 Scale = new double3(0.001, 0.001, 0.001),
                 Offset = new double3(moved, 0, 0),
             });
             using var cloud = new StreamedTestCloud(1000, Reader(0), Reader(8e6), Reader(2e9));
             using var stream = Open(cloud, double3x3.identity, StreamedTestCloud.OriginGeo);
-            var eye = new double3(8e6, 0, 0) + (double3)places[17] * 0.001 + new double3(0.003, 0.002, -0.001);
+            var eye = new double3(8e6, 0, 0) + (double3)positions[17] * 0.001 + new double3(0.003, 0.002, -0.001);
             Settle(stream, EverythingFrom(eye));
             using var list = List(stream, EverythingFrom(eye));
             Assert.That(list.Nodes.ToArray().Any(n => n.IsWide != 0));
-            CheckPlaces(stream, list, eye, 9000, 4e9 / (1L << 52));
+            CheckPositions(stream, list, eye, 9000, 4e9 / (1L << 52));
         }
 
         /// <param name="ulpWorld">What a double cannot tell apart that far from the origin.</param>
-        static void CheckPlaces(StreamContext stream, DrawList list, double3 eyeWorld, int points, double ulpWorld)
+        static void CheckPositions(StreamContext stream, DrawList list, double3 eyeWorld, int points, double ulpWorld)
         {
             int count = 0;
             double worst = 0;
-            foreach (var (drawn, wanted) in PlacesOf(stream, list, eyeWorld))
+            foreach (var (drawn, wanted) in PositionsOf(stream, list, eyeWorld))
             {
                 count++;
                 worst = math.max(worst, (math.length(drawn - wanted) - ulpWorld) / math.length(wanted));
@@ -177,7 +177,7 @@ namespace FastPoints.Tests.Drawing
         }
 
         [Test]
-        public void Build_CameraSeesAPart_ListsItsNodesAndEachBlockOnce()
+        public void Build_CameraSeesAPart_ListsVisibleNodesAndEachBlockOnce()
         {
             using var cloud = new StreamedTestCloud(60_000, 4000);
             using var stream = Open(cloud, double3x3.identity, StreamedTestCloud.OriginGeo);
@@ -187,7 +187,7 @@ namespace FastPoints.Tests.Drawing
             Assert.That(list.Nodes.Length, Is.GreaterThan(10).And.LessThan(stream.Drawn.Length));
             Assert.That(list.Draws.ToArray().Select(d => d.Bank), Is.Unique.And.Ordered);
             Assert.That(list.Draws.ToArray().Sum(d => d.InstanceCount), Is.EqualTo(list.NodeOfInstance.Length));
-            long points = PlacesOf(stream, list, camera.EyeGeo).LongCount();
+            long points = PositionsOf(stream, list, camera.EyeGeo).LongCount();
             Assert.That(points, Is.EqualTo(list.Points).And.LessThan(60_000));
             int instance = 0;
             foreach (uint node in list.NodeOfInstance)

@@ -6,7 +6,7 @@ namespace FastPoints.Tests.Drawing
     public sealed class PointSizeTests
     {
         [Test]
-        public void ToPx_EachMode_TakesWhatItSays()
+        public void ToPx_EachMode_AppliesItsUnit()
         {
             Assert.That(PointSize.Pixels(3).ToPx(7, 11), Is.EqualTo(3));
             Assert.That(PointSize.World(0.5f).ToPx(7, 11), Is.EqualTo(5.5f));
@@ -14,7 +14,7 @@ namespace FastPoints.Tests.Drawing
         }
 
         [Test]
-        public void ToPx_OutOfLimits_IsKeptWithin()
+        public void ToPx_OutOfLimits_IsClamped()
         {
             var size = new PointSize { Mode = PointSizeMode.World, Value = 1, MinPx = 2, MaxPx = 10 };
             Assert.That(size.ToPx(0, 0.001f), Is.EqualTo(2));

@@ -22,17 +22,17 @@ namespace FastPoints.Tests.Drawing
         static (Grid3 Corner, long Edge) CubeOf(StreamContext stream, DrawnNode drawn)
         {
             var cloud = stream.Clouds[drawn.Cloud];
-            var place = cloud.Pages[drawn.Page].Places[drawn.Node];
-            return (place.Corner, cloud.Source.Root.Side >> place.Level);
+            var address = cloud.Pages[drawn.Page].Addresses[drawn.Node];
+            return (address.Corner, cloud.Source.Root.Side >> address.Level);
         }
 
-        static bool Contains((Grid3 Corner, long Edge) cube, Grid3 place)
+        static bool Contains((Grid3 Corner, long Edge) cube, Grid3 position)
         {
-            var from = place - cube.Corner;
+            var from = position - cube.Corner;
             return from.X >= 0 && from.Y >= 0 && from.Z >= 0 && from.X < cube.Edge && from.Y < cube.Edge && from.Z < cube.Edge;
         }
 
-        static int DeepestBelow(StreamContext stream, Dictionary<int, List<int>> childrenOf, int drawn, Grid3 place)
+        static int DeepestBelow(StreamContext stream, Dictionary<int, List<int>> childrenOf, int drawn, Grid3 position)
         {
             for (; ; )
             {
@@ -42,7 +42,7 @@ namespace FastPoints.Tests.Drawing
                     foreach (int child in children)
                     {
                         var cube = CubeOf(stream, stream.Drawn[child]);
-                        if (cube.Edge < edge && Contains(cube, place))
+                        if (cube.Edge < edge && Contains(cube, position))
                             next = child;
                     }
                 if (next < 0)
@@ -52,7 +52,7 @@ namespace FastPoints.Tests.Drawing
         }
 
         [TestCase(5_000, 1.0), TestCase(30_000, 1.0), TestCase(1_000_000, 3.5)]
-        public void GapAt_AnyPlaceOfAnyNode_IsThatOfTheDeepestNodeDrawnThere(int budget, double scale)
+        public void GapAt_AnyPositionInAnyNode_IsThatOfTheDeepestDrawnNode(int budget, double scale)
         {
             using var stream = StreamedTestCloud.Stream();
             using var sizes = new SizeTree();
@@ -67,15 +67,15 @@ namespace FastPoints.Tests.Drawing
         }
 
         [Test]
-        public void GapAt_NodesSeveralLevelsBelowTheirParents_IsThatOfTheDeepestNodeDrawnThere()
+        public void GapAt_NodesLevelsBelowTheirParents_IsThatOfTheDeepestDrawnNode()
         {
             var random = new Random(3);
-            var places = new int3[60_000];
-            for (int i = 0; i < places.Length; i++)
-                places[i] = new int3(i % 3 * 900_000, i % 2 * 900_000, 0) + random.NextInt3(2000);
+            var positions = new int3[60_000];
+            for (int i = 0; i < positions.Length; i++)
+                positions[i] = new int3(i % 3 * 900_000, i % 2 * 900_000, 0) + random.NextInt3(2000);
             var centimetres =
                 new PositionTransform { Scale = new double3(0.01, 0.01, 0.01), Offset = StreamedTestCloud.OriginGeo };
-            using var cloud = new StreamedTestCloud(6000, MemoryReader.Of(places, centimetres, 5000));
+            using var cloud = new StreamedTestCloud(6000, MemoryReader.Of(positions, centimetres, 5000));
             using var stream = StreamedTestCloud.Stream();
             using var sizes = new SizeTree();
             var source = cloud.Open();
@@ -123,8 +123,8 @@ namespace FastPoints.Tests.Drawing
                 {
                     var inCube = random.NextDouble3();
                     var steps = math.floor(inCube * cube.Edge);
-                    var place = cube.Corner + new Grid3((long)steps.x, (long)steps.y, (long)steps.z);
-                    int wanted = DeepestBelow(stream, childrenOf, i, place);
+                    var position = cube.Corner + new Grid3((long)steps.x, (long)steps.y, (long)steps.z);
+                    int wanted = DeepestBelow(stream, childrenOf, i, position);
                     float gap = SizeTree.GapAt((GpuSizeNode*)sizes.Nodes.GetUnsafeReadOnlyPtr(), sizes.NodeOfDrawn[i],
                         (float3)((steps + 0.5) / cube.Edge));
                     Assert.That(gap, Is.EqualTo(sizes.Nodes[sizes.NodeOfDrawn[wanted]].Gap), "node " + i + " at " + inCube);
@@ -142,7 +142,7 @@ namespace FastPoints.Tests.Drawing
         /// <summary>A surface of the test's cloud has 3 points a square unit: the last nodes know that, whatever their
         /// spacing is.</summary>
         [Test]
-        public void Gap_LastNodesOfASurface_IsAboutTheDistanceOfItsPoints()
+        public void Gap_LeavesOfASurface_IsAboutThePointSpacing()
         {
             using var stream = StreamedTestCloud.Stream();
             using var sizes = new SizeTree();

@@ -26,7 +26,7 @@ namespace FastPoints.Tests.E57
         }
 
         [Test]
-        public void Of_AnyLength_IsThatOfABitAtATime()
+        public void Of_AnyLength_MatchesBitByBit()
         {
             var bytes = new byte[1400];
             new System.Random(3).NextBytes(bytes);

@@ -55,7 +55,7 @@ namespace FastPoints.Tests.E57
         }
 
         [Test]
-        public void Read_DamagedChecksumOfAHeader_IsReadAndSaid()
+        public void Read_DamagedHeaderChecksum_IsReadWithAWarning()
         {
             byte[] file = new E57FileWriter(Scan()).ToArray();
             file[1023] ^= 1;
@@ -66,7 +66,7 @@ namespace FastPoints.Tests.E57
         }
 
         [Test]
-        public void Open_DamagedXml_IsAFailureThatNamesThePage()
+        public void Open_DamagedXml_FailsAndNamesThePage()
         {
             byte[] file = new E57FileWriter(Scan()).ToArray();
             int page = file.Length / 1024 - 1;
@@ -75,7 +75,7 @@ namespace FastPoints.Tests.E57
         }
 
         [TestCase(1), TestCase(1000), TestCase(2048), TestCase(100000)]
-        public void Open_TruncatedFile_FailsAsTheXmlIsGone(int bytes)
+        public void Open_TruncatedFile_FailsWithoutItsXml(int bytes)
         {
             byte[] file = new E57FileWriter(Scan()).ToArray();
             Array.Resize(ref file, file.Length - bytes);
@@ -83,7 +83,7 @@ namespace FastPoints.Tests.E57
         }
 
         [Test]
-        public void Open_EveryLengthOfASmallFile_EndsInAFailure()
+        public void Open_EveryLengthOfASmallFile_Fails()
         {
             byte[] file = new E57FileWriter(Scan(3)).ToArray();
             for (int length = 1; length < file.Length; length += 61)
@@ -99,7 +99,7 @@ namespace FastPoints.Tests.E57
         [TestCase(32, 30000000UL, "the XML section")]
         [TestCase(32, 100UL, "the XML section, line")]
         [TestCase(40, 512UL, "page size")]
-        public void Open_WrongHeader_IsAFailureThatNamesTheField(int at, ulong value, string field)
+        public void Open_WrongHeader_FailsAndNamesTheField(int at, ulong value, string field)
         {
             byte[] file = With(new E57FileWriter(Scan(3)).ToArray(), at, BitConverter.GetBytes(value));
             Assert.That(Failure(file).Message, Does.Contain(field));
@@ -116,7 +116,7 @@ namespace FastPoints.Tests.E57
         }
 
         [TestCase("20001"), TestCase("4000000000000"), TestCase("18446744073709551615")]
-        public void Read_TooManyClaimed_GivesWhatIsThere(string claimed)
+        public void Read_TooManyClaimed_GivesTheExistingPoints(string claimed)
         {
             var scan = Scan();
             scan.RecordCount = claimed;
@@ -128,7 +128,7 @@ namespace FastPoints.Tests.E57
         }
 
         [Test]
-        public void Read_FewerClaimed_GivesThese()
+        public void Read_FewerClaimed_GivesTheClaimedPoints()
         {
             var scan = Scan();
             scan.RecordCount = "17";
@@ -136,7 +136,7 @@ namespace FastPoints.Tests.E57
         }
 
         [TestCase("-1"), TestCase("x"), TestCase("99999999999999999999")]
-        public void Open_RecordCountThatIsNone_IsAFailure(string claimed)
+        public void Open_InvalidRecordCount_Fails(string claimed)
         {
             var scan = Scan(3);
             scan.RecordCount = claimed;
@@ -145,7 +145,7 @@ namespace FastPoints.Tests.E57
 
         [TestCase("0"), TestCase("46"), TestCase("1020"), TestCase("9223372036854775808"), TestCase("1048576")]
         [TestCase("1024")]
-        public void Read_SectionThatIsElsewhere_LosesThatScan(string offset)
+        public void Read_MisplacedSection_LosesThatScan(string offset)
         {
             var lost = Scan(3000);
             lost.FileOffset = offset;
@@ -189,7 +189,7 @@ namespace FastPoints.Tests.E57
         }
 
         [TestCase(0UL), TestCase(40UL), TestCase(ulong.MaxValue)]
-        public void Read_WrongSectionLength_GivesWhatItHolds(ulong length)
+        public void Read_WrongSectionLength_GivesTheExistingPoints(ulong length)
         {
             byte[] file = With(new E57FileWriter(Scan()).ToArray(), 48 + 8, BitConverter.GetBytes(length));
             if (length == ulong.MaxValue)
@@ -201,7 +201,7 @@ namespace FastPoints.Tests.E57
         [TestCase(48, new byte[] { 2 }, "section id")]
         [TestCase(64, new byte[] { 255, 255, 255, 255, 255, 255, 255, 255 }, "first packet")]
         [TestCase(64, new byte[] { 0, 0, 0, 0, 0, 0, 0, 0 }, "first packet")]
-        public void Open_WrongSectionHeader_IsAFailure(int at, byte[] bytes, string detail) =>
+        public void Open_WrongSectionHeader_Fails(int at, byte[] bytes, string detail) =>
             Assert.That(Failure(With(new E57FileWriter(Scan()).ToArray(), at, bytes)).Message, Does.Contain(detail));
 
         [TestCase("<cartesianX type=\"Integer\" minimum=\"5\" maximum=\"4\"/>", "above its maximum")]
@@ -216,7 +216,7 @@ namespace FastPoints.Tests.E57
         [TestCase("<cartesianZ type=\"Float\"/>", "twice")]
         [TestCase("<cartesianX type=\"String\"/>", "neither cartesianX")]
         [TestCase("", "neither cartesianX")]
-        public void Open_UnsoundPrototype_IsAFailureThatNamesTheField(string element, string detail)
+        public void Open_InvalidPrototype_FailsAndNamesTheField(string element, string detail)
         {
             var scan = Scan(3);
             scan.Fields[0].Xml = element;
@@ -234,7 +234,7 @@ namespace FastPoints.Tests.E57
         }
 
         [Test]
-        public void Read_RecordsWithoutBits_AreNotTakenAtTheirWord()
+        public void Read_ClaimedRecordsWithoutBits_AreLimited()
         {
             var fields = new[] { "cartesianX", "cartesianY", "cartesianZ" }
                 .Select(name => E57TestField.Scaled(name, 5, 5, 0.5, 1, 5, 5, 5)).ToArray();
@@ -247,7 +247,7 @@ namespace FastPoints.Tests.E57
         }
 
         [Test]
-        public void Read_PoseThatIsNone_IsAWarning()
+        public void Read_InvalidPose_IsAWarning()
         {
             var scan = Scan(3);
             scan.Xml = E57TestScan.Pose(0, 0, 0, 0, 0, double.NaN, 0);

@@ -47,7 +47,7 @@ namespace FastPoints.Tests.E57
 
         [TestCase(0.001, 0.005, 0.001, 5), TestCase(0.01, 0.025, 0.005, 5), TestCase(0.001, -0.002, 0.001, -2)]
         [TestCase(1, 0.25, 0.25, 1), TestCase(1e-6, 1, 1e-6, 1000000)]
-        public void Read_ScansOfDifferentScales_LieOnOneGridExactly(double first, double second, double step, long factor)
+        public void Read_ScansOfDifferentScales_ShareOneExactGrid(double first, double second, double step, long factor)
         {
             var moved = Grid(40, second, 12, 2);
             moved.Xml = E57TestScan.Pose(1, 0, 0, 0, 1000, -2, 0.5);

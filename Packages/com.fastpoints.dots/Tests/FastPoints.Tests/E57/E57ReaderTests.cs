@@ -36,7 +36,7 @@ namespace FastPoints.Tests.E57
         }
 
         [Test]
-        public void Read_IntegersOfEveryWidth_GivesThem()
+        public void Read_IntegersOfEveryWidth_RoundTrip()
         {
             const int Count = 300;
             var scan = Floats(Count);
@@ -70,7 +70,7 @@ namespace FastPoints.Tests.E57
         }
 
         [Test]
-        public void Read_SubsetOrRange_IsThatPartOfTheWhole()
+        public void Read_SubsetOrRange_MatchesTheWhole()
         {
             const int Count = 100000;
             var scan = Grid(Count);
@@ -126,7 +126,7 @@ namespace FastPoints.Tests.E57
         }
 
         [Test]
-        public void Read_PosedScan_IsTurnedAndMovedInDouble()
+        public void Read_PosedScan_IsTransformedInDouble()
         {
             // A quarter turn about z: x becomes y, y becomes -x.
             double h = Math.Sqrt(0.5);
@@ -160,7 +160,7 @@ namespace FastPoints.Tests.E57
         }
 
         [Test]
-        public void Read_SphericalScan_IsMadeCartesian()
+        public void Read_SphericalScan_BecomesCartesian()
         {
             var scan = new E57TestScan(
                 E57TestField.Double("sphericalRange", 2, 2, 3, 10),
@@ -186,7 +186,7 @@ namespace FastPoints.Tests.E57
         }
 
         [Test]
-        public void Read_InvalidPoints_AreLeftOutAndCounted()
+        public void Read_InvalidPoints_AreSkippedAndCounted()
         {
             const int Count = 50000;
             var scan = Grid(Count);
@@ -204,7 +204,7 @@ namespace FastPoints.Tests.E57
         }
 
         [Test]
-        public void Read_MoreFieldsThanCanBeHad_LeavesSomeOut()
+        public void Read_TooManyFields_SkipsSome()
         {
             var scans = Enumerable.Range(0, 4).Select(s => Floats(2)).ToArray();
             for (int i = 0; i < 400; i++)
@@ -295,7 +295,7 @@ namespace FastPoints.Tests.E57
         }
 
         [Test]
-        public void Read_FloatColors_AreSharesOrScaled()
+        public void Read_FloatColors_AreNormalizedOrScaled()
         {
             E57TestField[] Of(params double[] values) => new[]
             {
@@ -309,7 +309,7 @@ namespace FastPoints.Tests.E57
         }
 
         [Test]
-        public void Read_Strings_AreLeftOutAndSaid()
+        public void Read_Strings_AreSkippedWithAWarning()
         {
             var scan = Floats(40);
             scan.Fields.Insert(1, new E57TestField { Name = "label", Type = "String", Integers = new long[40] });
@@ -319,7 +319,7 @@ namespace FastPoints.Tests.E57
         }
 
         [Test]
-        public void Read_FieldNamedLikeAnAttribute_IsLeftOutAndSaid()
+        public void Read_FieldNamedLikeAnAttribute_IsSkippedWithAWarning()
         {
             var scan = Floats(2);
             scan.Fields.Add(E57TestField.Integer("X", 0, 9, 1, 2));

@@ -106,7 +106,7 @@ namespace FastPoints.Tests.Entities
         }
 
         [Test]
-        public void Instantiate_AtAnyMoment_MakesAnotherCloudThatOutlivesTheFirst([Values] Moment moment)
+        public void Instantiate_AtAnyTime_CreatesAnIndependentCloud([Values] Moment moment)
         {
             var first = Add(m_cloud.Path);
             Reach(first, moment);
@@ -128,7 +128,7 @@ namespace FastPoints.Tests.Entities
         }
 
         [Test]
-        public void Instantiate_CloudThatFailed_FailsOnItsOwnAndCanBeLookedForAgain()
+        public void Instantiate_FailedCloud_FailsItselfAndCanBeRefreshed()
         {
             using var cloud = new StreamedTestCloud(3000, 2000);
             string away = cloud.Path + ".away";
@@ -148,7 +148,7 @@ namespace FastPoints.Tests.Entities
         }
 
         [Test]
-        public void Prefab_WithLinkedEntities_IsNotOpenedAndItsInstancesAre()
+        public void Prefab_WithLinkedEntities_OpensItsInstancesOnly()
         {
             var root = Entities.CreateEntity(ComponentType.ReadWrite<Prefab>());
             var child = Add(m_cloud.Path, ComponentType.ReadWrite<Prefab>());
@@ -197,7 +197,7 @@ namespace FastPoints.Tests.Entities
         }
 
         [Test]
-        public void CopyEntitiesFrom_AnotherWorld_ShowsTheCloudInBoth()
+        public void CopyEntitiesFrom_AnotherWorld_DrawsTheCloudInBoth()
         {
             var first = Add(m_cloud.Path);
             PointsDrawn();
@@ -218,9 +218,9 @@ namespace FastPoints.Tests.Entities
             }
         }
 
-        /// <summary>As MoveEntitiesFrom and world serialization make them.</summary>
+        /// <summary>Such entities come from MoveEntitiesFrom and world serialization.</summary>
         [Test]
-        public void Entity_ThatWasStreamedElsewhere_IsOpenedHere()
+        public void Entity_StreamedInAnotherWorld_IsOpenedHere()
         {
             var entity = Add(m_cloud.Path);
             Entities.AddComponentData(entity, new StreamedPointCloud { Number = 77, Preview = 78, Next = 79 });
@@ -236,7 +236,7 @@ namespace FastPoints.Tests.Entities
         }
 
         [Test]
-        public void Instantiate_CloudWithASourceOfItsOwn_LeavesThatToTheFirst()
+        public void Instantiate_CloudWithItsOwnSource_DoesNotShareIt()
         {
             UnsafeUtility.ForgiveLeaks();
             Entity Sourced()
@@ -283,7 +283,7 @@ namespace FastPoints.Tests.Entities
         }
 
         [Test]
-        public void File_AsItIsMade_PointsUpAlongZ([Values] UpAxis up)
+        public void File_NewComponent_PointsUpAlongZ([Values] UpAxis up)
         {
             Assert.That(new PointCloudFile().Up, Is.EqualTo(UpAxis.Z));
             Assert.That(new PointCloudFile { Up = up }.Up, Is.EqualTo(up));

@@ -86,7 +86,7 @@ namespace FastPoints.Tests.Entities
         bool IsStreamed => Entities.HasComponent<StreamedPointCloud>(m_cloud);
 
         [Test]
-        public void File_NotConvertedYet_IsShownFromThePreviewToTheWholeAndNeverMovesNorThinsOut()
+        public void File_NotConvertedYet_IsRefinedWithoutMovingOrLosingPoints()
         {
             using var cloud = new GrowingCloud();
             Add(PathsOf(cloud));
@@ -122,7 +122,7 @@ namespace FastPoints.Tests.Entities
         }
 
         [Test]
-        public void File_WhoseOpeningThrowsUnexpectedly_EndsInItsErrorAndIsReportedOnce()
+        public void File_UnexpectedExceptionOnOpening_IsReportedOnce()
         {
             string path = Path.GetTempFileName();
             try
@@ -146,7 +146,7 @@ namespace FastPoints.Tests.Entities
         }
 
         [Test]
-        public void File_BuildAborted_GoesOnShowingThePreview()
+        public void File_BuildAborted_KeepsShowingThePreview()
         {
             using var cloud = new GrowingCloud();
             Add(PathsOf(cloud));
@@ -162,7 +162,7 @@ namespace FastPoints.Tests.Entities
         }
 
         [Test]
-        public void File_OctreeOfAnotherFormat_IsStreamedAsItIs()
+        public void File_OctreeOfAnotherFormat_IsStreamedDirectly()
         {
             PointFileReaders.Register();
             using var cloud = new TreeTestCloud(TreeTestCloud.Copc);
@@ -174,7 +174,7 @@ namespace FastPoints.Tests.Entities
         }
 
         [Test]
-        public void NeedsFrame_HierarchyThatIsReadPageByPage_IsTrueUntilAllIsShown()
+        public void NeedsFrame_HierarchyReadByPages_IsTrueUntilAllIsShown()
         {
             PointFileReaders.Register();
             using var cloud = new TreeTestCloud(TreeTestCloud.EptBinary, 20_000);
@@ -191,9 +191,9 @@ namespace FastPoints.Tests.Entities
             Assert.That(m_group.NeedsFrame, Is.False);
         }
 
-        /// <summary>As Mono does on Windows, where quotes are pasted with a path.</summary>
+        /// <summary>Mono on Windows throws for quotes, which are pasted with a path.</summary>
         [Test]
-        public void File_WithAPathThatTheSystemRefuses_IsAnErrorAndOthersAreShown()
+        public void File_InvalidPath_IsAnErrorAndOthersAreShown()
         {
             var before = PointCloudPaths.PathOfAsset;
             PointCloudPaths.PathOfAsset = _ => throw new ArgumentException("Illegal characters in path.");
@@ -215,7 +215,7 @@ namespace FastPoints.Tests.Entities
         }
 
         [Test]
-        public void NeedsRefresh_CloudThatWasNotThere_IsShownWhenItIs()
+        public void NeedsRefresh_CloudMissingBefore_IsShownOnceItExists()
         {
             using var cloud = new StreamedTestCloud(20_000, 8000);
             string away = cloud.Path + ".away";

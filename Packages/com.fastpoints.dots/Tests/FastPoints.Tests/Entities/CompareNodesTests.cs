@@ -15,8 +15,8 @@ namespace FastPoints.Tests.Entities
         NativeArray<CachedNode> m_slots;
         NativeList<TrackedNode> m_tracked;
         NativeList<bool> m_isDrawn;
-        NativeList<Entity> m_gone;
-        NativeList<int> m_come, m_changed;
+        NativeList<Entity> m_removed;
+        NativeList<int> m_added, m_changed;
         NativeReference<int> m_first;
 
         [SetUp]
@@ -25,8 +25,8 @@ namespace FastPoints.Tests.Entities
             m_slots = new NativeArray<CachedNode>(Count, Allocator.Persistent);
             m_tracked = new NativeList<TrackedNode>(Allocator.Persistent);
             m_isDrawn = new NativeList<bool>(Allocator.Persistent);
-            m_gone = new NativeList<Entity>(Allocator.Persistent);
-            m_come = new NativeList<int>(Allocator.Persistent);
+            m_removed = new NativeList<Entity>(Allocator.Persistent);
+            m_added = new NativeList<int>(Allocator.Persistent);
             m_changed = new NativeList<int>(Allocator.Persistent);
             m_first = new NativeReference<int>(Allocator.Persistent);
         }
@@ -37,8 +37,8 @@ namespace FastPoints.Tests.Entities
             m_slots.Dispose();
             m_tracked.Dispose();
             m_isDrawn.Dispose();
-            m_gone.Dispose();
-            m_come.Dispose();
+            m_removed.Dispose();
+            m_added.Dispose();
             m_changed.Dispose();
             m_first.Dispose();
         }
@@ -54,11 +54,11 @@ namespace FastPoints.Tests.Entities
                 First = m_first,
                 Tracked = m_tracked,
                 IsDrawn = m_isDrawn,
-                Removed = m_gone,
-                Added = m_come,
+                Removed = m_removed,
+                Added = m_added,
                 Changed = m_changed,
             }.Run();
-            foreach (int slot in m_come)
+            foreach (int slot in m_added)
                 m_tracked.ElementAt(slot).Entity = new Entity { Index = slot + 1, Version = 1 };
         }
 
@@ -68,16 +68,16 @@ namespace FastPoints.Tests.Entities
                 m_slots[i] = new CachedNode { Phase = phase, Version = version };
         }
 
-        List<(int Come, int Gone, int Changed)> Follow()
+        List<(int Added, int Removed, int Changed)> Follow()
         {
-            var done = new List<(int Come, int Gone, int Changed)>();
-            for (Compare(); m_come.Length + m_gone.Length + m_changed.Length > 0; Compare())
-                done.Add((m_come.Length, m_gone.Length, m_changed.Length));
+            var done = new List<(int Added, int Removed, int Changed)>();
+            for (Compare(); m_added.Length + m_removed.Length + m_changed.Length > 0; Compare())
+                done.Add((m_added.Length, m_removed.Length, m_changed.Length));
             return done;
         }
 
         [Test]
-        public void Execute_MoreThanAFrameMayChange_IsDoneInBatches()
+        public void Execute_MoreChangesThanAFrameAllows_AreBatched()
         {
             Set(CachePhase.Requested, 1);
             Assert.That(Follow(), Is.EqualTo(new[] { (10, 0, 0), (10, 0, 0), (10, 0, 0), (10, 0, 0), (5, 0, 0) }));
@@ -92,7 +92,7 @@ namespace FastPoints.Tests.Entities
 
         /// <summary>Slots at the beginning that change with every frame would starve the others.</summary>
         [Test]
-        public void Execute_SomeChangeInEachFrame_OthersHaveTheirTurn()
+        public void Execute_ConstantChanges_OthersAreNotStarved()
         {
             var made = new HashSet<int>();
             for (int frame = 1; frame <= 10; frame++)
@@ -100,14 +100,14 @@ namespace FastPoints.Tests.Entities
                 for (int i = 0; i < Count; i++)
                     m_slots[i] = new CachedNode { Phase = CachePhase.Requested, Version = i < 2 * Max ? frame : 1 };
                 Compare();
-                foreach (int slot in m_come)
+                foreach (int slot in m_added)
                     made.Add(slot);
             }
             Assert.That(made, Has.Count.EqualTo(Count));
         }
 
         [Test]
-        public void Execute_NoSlots_LetsAllGo()
+        public void Execute_NoSlots_DestroysAllEntities()
         {
             Set(CachePhase.Resident, 1);
             Follow();

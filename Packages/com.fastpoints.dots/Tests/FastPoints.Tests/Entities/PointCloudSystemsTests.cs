@@ -99,7 +99,7 @@ namespace FastPoints.Tests.Entities
         }
 
         [Test]
-        public void Update_SourceThatCannotBeAdded_IsNotTriedAgainAndOthersAreDrawn()
+        public void Update_SourceFails_IsNotRetriedAndOthersAreDrawn()
         {
             Begin();
             var broken = Add();
@@ -111,7 +111,7 @@ namespace FastPoints.Tests.Entities
         }
 
         [Test]
-        public void Update_NewerSourceThatCannotBeAdded_LeavesTheOlderDrawn()
+        public void Update_NewerSourceFails_KeepsDrawingTheOlder()
         {
             Begin();
             var entity = Add();
@@ -124,7 +124,7 @@ namespace FastPoints.Tests.Entities
         }
 
         [Test]
-        public void Update_CloudEntityMade_IsDrawnAndEachNodeInMemoryIsAnEntity()
+        public void Update_CloudEntityCreated_IsDrawnWithAnEntityPerResidentNode()
         {
             Begin();
             var cloud = Add();
@@ -176,7 +176,7 @@ namespace FastPoints.Tests.Entities
         }
 
         [Test]
-        public void Update_AtRest_ChangesNoEntity()
+        public void Update_Idle_ChangesNoEntity()
         {
             Begin();
             Add();
@@ -188,7 +188,7 @@ namespace FastPoints.Tests.Entities
         }
 
         [Test]
-        public void Update_SomebodyDestroysEntitiesOfNodes_GoesOn()
+        public void Update_NodeEntitiesDestroyedByOthers_Continues()
         {
             Begin();
             Add();
@@ -206,9 +206,9 @@ namespace FastPoints.Tests.Entities
             Begin(1 << 18);
             Add();
             m_group.Stream.Settings.Selection.PointBudget = 8000;
-            for (int place = 0; place < 6; place++)
+            for (int view = 0; view < 6; view++)
             {
-                var stats = Settle(StreamedTestCloud.Near(30 * place, 190 - 30 * place, place));
+                var stats = Settle(StreamedTestCloud.Near(30 * view, 190 - 30 * view, view));
                 Assert.That(Count<Drawn>(), Is.EqualTo(stats.DrawnNodes));
                 Assert.That(All<PointCloudNode>().ToArray().Select(e => Entities.GetComponentData<PointCloudNode>(e))
                     .Select(n => (n.Page, n.Node)), Is.Unique);
@@ -216,7 +216,7 @@ namespace FastPoints.Tests.Entities
         }
 
         [Test]
-        public void Hidden_NodeOfUsers_IsNotDrawnUntilItIsShownAgain()
+        public void Hidden_NodeHiddenByUser_IsNotDrawnUntilShownAgain()
         {
             Begin();
             Add();
@@ -232,7 +232,7 @@ namespace FastPoints.Tests.Entities
         }
 
         [Test]
-        public void Tint_NodeOfUsers_IsInTheListOfDraws()
+        public void Tint_NodeTintedByUser_IsInTheDrawList()
         {
             Begin();
             Add();
@@ -249,7 +249,7 @@ namespace FastPoints.Tests.Entities
         }
 
         [Test]
-        public void Pinned_NodeOfUsers_StaysWhenOthersAreEvicted()
+        public void Pinned_NodePinnedByUser_StaysWhenOthersAreEvicted()
         {
             Begin(1 << 18);
             Add();
@@ -260,15 +260,15 @@ namespace FastPoints.Tests.Entities
             Entities.SetComponentEnabled<Pinned>(pinned, true);
             int evicted = 0;
             // On a busy machine frames pass without reads: then there are more of them.
-            for (int place = 0; place < 8 || (evicted <= 50 && place < 10_000); place++)
+            for (int view = 0; view < 8 || (evicted <= 50 && view < 10_000); view++)
                 for (int frame = 0; frame < 200; frame++, Thread.Yield())
-                    evicted += Frame(StreamedTestCloud.Near(25 * (place % 8), 200 - 25 * (place % 8), place % 8)).EvictedNodes;
+                    evicted += Frame(StreamedTestCloud.Near(25 * (view % 8), 200 - 25 * (view % 8), view % 8)).EvictedNodes;
             Assert.That(evicted, Is.GreaterThan(50));
             Assert.That(Entities.Exists(pinned), Is.True);
         }
 
         [Test]
-        public void DestroyEntity_OfACloud_TakesItOutOfTheStreamAndItsNodesWithIt()
+        public void DestroyEntity_OfACloud_RemovesItAndItsNodesFromTheStream()
         {
             Begin();
             var cloud = Add();
@@ -313,7 +313,7 @@ namespace FastPoints.Tests.Entities
         }
 
         [Test]
-        public void File_WithATransform_IsOpenedAndStandsWhereThatIs()
+        public void File_WithATransform_IsShownThere()
         {
             Begin();
             var entity = AddFile(m_cloud.Path, float4x4.Translate(new float3(1000, 20, -300)));
@@ -335,7 +335,7 @@ namespace FastPoints.Tests.Entities
         }
 
         [Test]
-        public void File_ThatIsNotThere_ReportsItOnceAndTheOthersStream()
+        public void File_Missing_IsReportedOnceAndOthersStream()
         {
             Begin();
             var broken = AddFile(m_cloud.Path + "-gone", float4x4.identity);
@@ -346,7 +346,7 @@ namespace FastPoints.Tests.Entities
         }
 
         [Test]
-        public void Budget_OfTheWorld_HoldsFromTheNextFrameOn()
+        public void Budget_OfTheWorld_AppliesFromTheNextFrame()
         {
             Begin();
             Add();

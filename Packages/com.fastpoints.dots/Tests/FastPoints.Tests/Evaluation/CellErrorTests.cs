@@ -71,7 +71,7 @@ namespace FastPoints.Tests.Evaluation
             return new ErrorGrid(bounds);
         }
 
-        /// <summary>Cells by their place, without bits or Morton codes.</summary>
+        /// <summary>Cells by their position, without bits or Morton codes.</summary>
         static Dictionary<(int, int, int), int> ByHand(BoundsGeo bounds, double3[] points, int along)
         {
             double edge = math.cmax(bounds.Size) / ErrorGrid.Cells;
@@ -91,7 +91,7 @@ namespace FastPoints.Tests.Evaluation
         }
 
         [Test]
-        public void Compare_SeededClouds_IsWhatADictionaryFinds([Values(1u, 2u, 3u)] uint seed)
+        public void Compare_SeededClouds_MatchesADictionary([Values(1u, 2u, 3u)] uint seed)
         {
             var cloud = Cloud(40_000, seed);
             var random = new Unity.Mathematics.Random(seed + 100);
@@ -131,7 +131,7 @@ namespace FastPoints.Tests.Evaluation
         }
 
         [Test]
-        public void Compare_RandomSamples_VaryAsChanceSays()
+        public void Compare_RandomSamples_VaryAsExpectedByChance()
         {
             const int Samples = 100;
             var cloud = Cloud(60_000, 5);
@@ -183,7 +183,7 @@ namespace FastPoints.Tests.Evaluation
         }
 
         [Test]
-        public void Compare_NothingSampled_LeavesAllBare()
+        public void Compare_NothingSampled_LeavesAllCellsEmpty()
         {
             var cloud = Cloud(3000, 9);
             var error = Compare(GridOf(cloud), cloud, new double3[0]);

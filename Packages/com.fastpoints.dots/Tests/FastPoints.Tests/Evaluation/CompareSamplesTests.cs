@@ -48,7 +48,7 @@ namespace FastPoints.Tests.Evaluation
         }
 
         [Test]
-        public void TheFullCloud_InAnyOrder_HasNoError()
+        public void Compare_TheFullCloudInAnyOrder_HasNoError()
         {
             var cloud = Positions(20_000, 1);
             var error = Measure(cloud, Scrambled(cloud))[0];
@@ -67,7 +67,7 @@ namespace FastPoints.Tests.Evaluation
         }
 
         [Test]
-        public void MorePoints_HaveSmallerErrors_AndHalfOfTheCloudIsBias()
+        public void Errors_MorePoints_AreSmallerAndHalfTheCloudIsBiased()
         {
             var cloud = Positions(40_000, 2);
             var mixed = Scrambled(cloud);
@@ -88,7 +88,7 @@ namespace FastPoints.Tests.Evaluation
         }
 
         [Test]
-        public void Distances_OfASmallCloud_AreThoseOfBruteForce()
+        public void Distances_OfASmallCloud_MatchBruteForce()
         {
             var cloud = Positions(1500, 3);
             var sample = cloud.Take(100).ToArray();
@@ -104,7 +104,7 @@ namespace FastPoints.Tests.Evaluation
         }
 
         [Test]
-        public void PointsThatTheCloudLacks_AreNotFound()
+        public void Find_PointsNotInTheCloud_AreNotFound()
         {
             var cloud = Positions(5000, 4);
             var errors = Measure(cloud, cloud.Take(1000).ToArray(), cloud.Take(1000).Concat(Positions(1000, 5)).ToArray());
@@ -115,7 +115,7 @@ namespace FastPoints.Tests.Evaluation
         }
 
         [Test]
-        public void AnyNumberOfThreads_TheSameErrors()
+        public void Compare_AnyNumberOfThreads_GivesTheSameErrors()
         {
             var cloud = Positions(12_000, 6);
             var sample = Scrambled(cloud).Take(2000).ToArray();
@@ -134,7 +134,7 @@ namespace FastPoints.Tests.Evaluation
         }
 
         [Test]
-        public void PrefixOfABatch_IsMeasuredAsASampleOfItsOwn()
+        public void Measure_PrefixOfABatch_EqualsASampleOfItsOwn()
         {
             var cloud = Positions(5000, 8);
             var alone = Measure(cloud, cloud.Take(700).ToArray())[0];
@@ -150,7 +150,7 @@ namespace FastPoints.Tests.Evaluation
         }
 
         [Test]
-        public void OddClouds_AreMeasured()
+        public void Measure_OddClouds_Succeeds()
         {
             var nothing = new double3[0];
             Assert.That(Measure(nothing, nothing)[0].Distance.Rms, Is.Zero);
@@ -168,7 +168,7 @@ namespace FastPoints.Tests.Evaluation
         }
 
         [Test]
-        public void Cancelled_FreesWhatItHolds([Values(1, 4, 9, 14)] int steps)
+        public void Cancel_InTheMiddle_FreesItsMemory([Values(1, 4, 9, 14)] int steps)
         {
             using var reader = Reader(Positions(20_000, 1));
             using var comparison = new CompareSamples(reader, new PictureOptions(), 160, 90);

@@ -61,7 +61,7 @@ namespace FastPoints.Tests.Evaluation
         }
 
         [Test]
-        public void Draw_Budget_DrawsExactlySoMany()
+        public void Draw_Budget_DrawsExactlyAsMany()
         {
             using var reader = Scan(30_000, 5000);
             Assert.That(Draw(reader, Small(), 1000).PointsDrawn, Is.EqualTo(1000));

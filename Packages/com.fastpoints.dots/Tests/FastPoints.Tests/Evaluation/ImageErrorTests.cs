@@ -53,7 +53,7 @@ namespace FastPoints.Tests.Evaluation
         }
 
         [Test]
-        public void Compare_MissingPixels_AreCountedOfThoseTheReferenceCovers()
+        public void Compare_MissingPixels_AreCountedAmongCoveredPixels()
         {
             const uint Background = 0xFF101010;
             var reference = Filled(10, 10, Background);

@@ -49,7 +49,7 @@ namespace FastPoints.Tests.Evaluation
         }
 
         [Test]
-        public void Nearest_AnyCloud_IsThatOfBruteForce(
+        public void Nearest_AnyCloud_MatchesBruteForce(
             [Values("cube", "far", "clusters", "equal", "line", "lattice")] string kind, [Values(1, 8, 9, 17, 2000)] int count)
         {
             var points = Cloud(kind, count, 7);
@@ -70,7 +70,7 @@ namespace FastPoints.Tests.Evaluation
         }
 
         [Test]
-        public void Nearest_PositionsThatAreNotFinite_ArePassedOver()
+        public void Nearest_NonFinitePositions_AreSkipped()
         {
             using var batch = TestBatches.OfPositions(new double3(double.NaN, 0, 0), new double3(1, 1, 1),
                 new double3(0, double.NegativeInfinity, 0));
@@ -85,7 +85,7 @@ namespace FastPoints.Tests.Evaluation
         }
 
         [Test]
-        public void Rank_OneToAHundred_HasNearestRanksAndRootMeanSquare()
+        public void Rank_OneToAHundred_HasPercentilesAndRootMeanSquare()
         {
             using var distancesSq = new NativeArray<double>(120, Allocator.Persistent);
             using var error = new NativeReference<DistanceError>(Allocator.Persistent);

@@ -27,7 +27,7 @@ namespace FastPoints.Tests.Evaluation
         }
 
         [Test]
-        public void Whole_FewerWanted_IsEveryNth([Values(1, 7, 1000, 9999, 10_000, 20_000)] int wanted,
+        public void WholeSource_FewerWanted_IsEveryNth([Values(1, 7, 1000, 9999, 10_000, 20_000)] int wanted,
             [Values(1, 7)] int workers)
         {
             using var threads = new WorkerCount(workers);
@@ -38,7 +38,7 @@ namespace FastPoints.Tests.Evaluation
         }
 
         [Test]
-        public void Single_IsTheSameChoice()
+        public void Poisson_SinglePoints_ChoosesTheSame()
         {
             using var reader = Numbered(10_000, 777);
             Assert.That(Take(reader, RangeSampler.Single(reader, 321), 321),
@@ -46,7 +46,7 @@ namespace FastPoints.Tests.Evaluation
         }
 
         [Test]
-        public void First_IsTheBeginning()
+        public void First_OfASource_IsItsBeginning()
         {
             using var reader = Numbered(10_000, 777);
             Assert.That(Take(reader, RangeSampler.First(reader, 2345), 2345), Is.EqualTo(Enumerable.Range(0, 2345)));
@@ -54,16 +54,16 @@ namespace FastPoints.Tests.Evaluation
         }
 
         [Test]
-        public void Beginnings_AreOfEachBlock()
+        public void Prefixes_OfEachBlock_AreTaken()
         {
             using var reader = Numbered(2500, 1000);
-            Assert.That(Take(reader, RangeSampler.Beginnings(reader, 0.01), 1000),
+            Assert.That(Take(reader, RangeSampler.Prefixes(reader, 0.01), 1000),
                 Is.EqualTo(Enumerable.Range(0, 10).Concat(Enumerable.Range(1000, 10)).Concat(Enumerable.Range(2000, 5))));
-            Assert.That(Take(reader, RangeSampler.Beginnings(reader, 1e-9), 1000), Is.EqualTo(new[] { 0, 1000, 2000 }));
+            Assert.That(Take(reader, RangeSampler.Prefixes(reader, 1e-9), 1000), Is.EqualTo(new[] { 0, 1000, 2000 }));
         }
 
         [Test]
-        public void SourceThatEndsEarly_GivesWhatIsThere()
+        public void Sample_TruncatedSource_GivesTheExistingPoints()
         {
             using var reader = Numbered(10_000, 777, 4321);
             Assert.That(Take(reader, RangeSampler.Whole(reader), 100), Is.EqualTo(Enumerable.Range(0, 44).Select(i => i * 100)));
@@ -78,7 +78,7 @@ namespace FastPoints.Tests.Evaluation
         }
 
         [Test]
-        public void Cancelled_FreesWhatItHolds()
+        public void Cancel_InTheMiddle_FreesItsMemory()
         {
             using var reader = Numbered(100_000, 100);
             using var sampler = new RangeSampler(reader, RangeSampler.Whole(reader), 1000);

@@ -41,7 +41,7 @@ namespace FastPoints.Tests.Evaluation
         }
 
         [Test]
-        public void Draw_AllIsResident_IsThePictureOfTheStoredCloud()
+        public void Draw_AllResident_MatchesTheStoredCloud()
         {
             var camera = StreamedTestCloud.Near(40, 60, 0.8);
             DrawStored stored;
@@ -69,7 +69,7 @@ namespace FastPoints.Tests.Evaluation
             using (var source = m_cloud.Open())
                 placement = StreamedTestCloud.Geo(source);
 
-            // A thousand times smaller, turned by a right angle about the vertical, and at another place.
+            // A thousand times smaller, turned by a right angle about the vertical, and at another position.
             var linear = new double3x3(new double3(0, 0.001, 0), new double3(-0.001, 0, 0), new double3(0, 0, 0.001));
             var origin = new double3(1000, -2000, 30);
             placement.OriginWorld = math.mul(linear, placement.OriginWorld) + origin;

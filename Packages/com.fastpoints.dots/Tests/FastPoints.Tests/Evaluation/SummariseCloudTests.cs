@@ -77,7 +77,7 @@ namespace FastPoints.Tests.Evaluation
         }
 
         [Test]
-        public void IncludeColumn_SeededValuesOfEachType_AreThoseOneByOne(
+        public void IncludeColumn_SeededValuesOfEachType_MatchOneByOne(
             [Values(1, 7, 8, 9, 300)] int count, [Values(1, 3, 1000)] int valuesAlike)
         {
             var random = new System.Random(count * valuesAlike);
@@ -127,7 +127,7 @@ namespace FastPoints.Tests.Evaluation
         }
 
         [TestCase(0.01, 5e5), TestCase(-0.25, -3), TestCase(0, 7), TestCase(double.NaN, 0), TestCase(1e308, 0)]
-        public void Run_WholeNumbers_HaveTheBoundsOfTheirPlaces(double scale, double offset)
+        public void Run_Integers_HaveTheBoundsOfTheirPositions(double scale, double offset)
         {
             var batch = TestBatches.Scan(500, 9);
             using var reader = new MemoryPointReader(batch, 77);
@@ -139,7 +139,7 @@ namespace FastPoints.Tests.Evaluation
         }
 
         [Test]
-        public void Run_NonFiniteValues_AreInTheSumAndNotInTheRange()
+        public void Run_NonFiniteValues_AreSummedButNotInTheRange()
         {
             var batch = TestBatches.OfPositions(new double3(1, 2, 3), new double3(double.NaN, 50, 60), new double3(7, 8, 9));
             using var reader = new MemoryPointReader(batch, 2);
@@ -162,7 +162,7 @@ namespace FastPoints.Tests.Evaluation
         }
 
         [Test]
-        public void Run_SourceThatEndsEarly_CountsWhatIsThere()
+        public void Run_TruncatedSource_CountsTheExistingPoints()
         {
             using var reader = new MemoryPointReader(TestBatches.Scan(1000, 1), 128, true, 700);
             Assert.That(Summarise(reader, 3).Points, Is.EqualTo(700));

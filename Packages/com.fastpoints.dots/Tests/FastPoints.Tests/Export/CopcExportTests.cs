@@ -198,7 +198,7 @@ namespace FastPoints.Tests.Export
         }
 
         [Test]
-        public void Run_EachPointFormat_EveryRecordOnce([Values(0, 1, 2, 3, 6, 7, 8)] int format, [Values(0, 3)] int extra,
+        public void Run_EachPointFormat_WritesEveryRecordOnce([Values(0, 1, 2, 3, 6, 7, 8)] int format, [Values(0, 3)] int extra,
             [Values] bool isConverted)
         {
             var writer = new LazFileWriter { PointFormat = format, ItemVersion = format < 6 ? 2 : 3, ExtraBytes = extra };
@@ -216,7 +216,7 @@ namespace FastPoints.Tests.Export
 
         /// <summary>Steps that differ by axis: the octree of a converted cloud has no cubes then, one of its own has.</summary>
         [TestCase(0.01, 0.01, 0.001), TestCase(1e-7, 1e-7, 0.01), TestCase(0.01, 0.01, 0.003)]
-        public void Run_StepsOfEachAxis_InCubes(double x, double y, double z)
+        public void Run_StepsOfEachAxis_AreWrittenInCubes(double x, double y, double z)
         {
             var step = new double3(x, y, z);
             using var source = Scan(20000);
@@ -229,7 +229,7 @@ namespace FastPoints.Tests.Export
         MemoryPointReader Scan(int count) => new MemoryPointReader(TestBatches.Scan(count, 5), 3000);
 
         [Test]
-        public void Run_Doubles_WithinTheStatedError()
+        public void Run_Doubles_AreWithinTheStatedError()
         {
             var random = new Unity.Mathematics.Random(5);
             var points = Enumerable.Range(0, 40000).Select(_ => new double3(4e5, 5e6, 100)
@@ -241,7 +241,7 @@ namespace FastPoints.Tests.Export
 
         /// <summary>Numbers of more than 32 bits are rounded, and no point leaves its cube by that.</summary>
         [Test]
-        public void Run_WideNumbers_InTheirCubes()
+        public void Run_WideNumbers_AreWrittenInTheirCubes()
         {
             var batch = TestBatches.New(20000, AttributeType.Int64);
             var random = new Unity.Mathematics.Random(3);
@@ -253,7 +253,7 @@ namespace FastPoints.Tests.Export
         }
 
         [Test]
-        public void Run_MoreEqualPointsThanANodeHolds_OnDeeperLevels([Values(1, 3, 17)] int places)
+        public void Run_MoreEqualPointsThanANodeHolds_UsesDeeperLevels([Values(1, 3, 17)] int places)
         {
             using var source = Repeated(200000, places);
             Run(source);
@@ -261,7 +261,7 @@ namespace FastPoints.Tests.Export
         }
 
         [Test]
-        public void Run_MoreEqualPointsThanAllLevelsHold_AreAnError()
+        public void Run_MoreEqualPointsThanAllLevelsHold_Fails()
         {
             using var source = Repeated(300000, 1);
             TestBatches.Set(source.Points, 0, 0, 1 << 28);
@@ -280,7 +280,7 @@ namespace FastPoints.Tests.Export
         }
 
         [Test]
-        public void Run_PartsOfACloud_AreThePartsThatAreAskedFor()
+        public void Run_PartsOfACloud_AreTheRequestedParts()
         {
             using var source = Scan(60000);
             source.Info.Transform = new PositionTransform { Scale = 0.01, Offset = default };
@@ -325,14 +325,14 @@ namespace FastPoints.Tests.Export
         }
 
         [Test]
-        public void Run_NoPoints_AFileWithoutPoints()
+        public void Run_NoPoints_WritesAnEmptyFile()
         {
             using var source = new MemoryPointReader(TestBatches.OfPositions(), 2);
             Assert.That(Run(source).Points, Is.Zero);
         }
 
         [Test]
-        public void Run_PositionsThatAreNoNumbers_AreCounted()
+        public void Run_NonFinitePositions_AreCounted()
         {
             using var source = new MemoryPointReader(TestBatches.OfPositions(new double3(1, 2, 3),
                 new double3(double.NaN, 2, 3), new double3(7, 8, 9)), 2);

@@ -35,7 +35,7 @@ namespace FastPoints.Tests.Export
             : new[] { "none" };
 
         [Test]
-        public void Run_EachPointFormat_EveryRecordInOrder([Range(0, 10)] int format, [Values(0, 3)] int extra)
+        public void Run_EachPointFormat_WritesEveryRecordInOrder([Range(0, 10)] int format, [Values(0, 3)] int extra)
         {
             var writer = new LazFileWriter
             {
@@ -84,7 +84,7 @@ namespace FastPoints.Tests.Export
         }
 
         [TestCaseSource(nameof(MatrixFiles))]
-        public void Run_FilesOfLASzip_EveryRecordInOrder(string name)
+        public void Run_FilesOfLASzip_GivesEveryRecordInOrder(string name)
         {
             string source = TestData.PathOrIgnore("data/laszip-matrix/" + name), path = m_folder.File("out.laz");
             using var from = LazFileReading.Open(source);
@@ -98,7 +98,7 @@ namespace FastPoints.Tests.Export
         }
 
         [Test]
-        public void Run_Doubles_ErrorIsStated()
+        public void Run_Doubles_StatesTheError()
         {
             var random = new System.Random(5);
             var points = Enumerable.Range(0, 20000).Select(_ => 1000 + 90 * new double3(random.NextDouble(),
@@ -123,7 +123,7 @@ namespace FastPoints.Tests.Export
         }
 
         [Test]
-        public void Run_PositionsThatAreNoNumbers_AreLeftOutOfLasAndKeptInPly()
+        public void Run_NonFinitePositions_AreSkippedInLasAndKeptInPly()
         {
             using var source = new MemoryPointReader(TestBatches.OfPositions(new double3(1, 2, 3),
                 new double3(double.NaN, 2, 3), new double3(4, double.NegativeInfinity, 6), new double3(7, 8, 9)), 2);
@@ -136,7 +136,7 @@ namespace FastPoints.Tests.Export
         }
 
         [Test]
-        public void Run_CoordinatesOfAnySize_AreThereOrCounted([Values(1e-300, 1e-9, 1, 1e9, 1e300)] double size,
+        public void Run_CoordinatesOfAnySize_AreWrittenOrCounted([Values(1e-300, 1e-9, 1, 1e9, 1e300)] double size,
             [Values(0, 1e6)] double offset, [Values(".las", ".laz", ".ply")] string ending)
         {
             var corner = new double3(offset, offset, offset);
@@ -176,7 +176,7 @@ namespace FastPoints.Tests.Export
 
         [Test]
         [Category("Smoke")]
-        public void Run_BoxesClassesAndShares_OnlyTheirPoints()
+        public void Run_BoxesClassesAndFractions_WritesOnlyTheirPoints()
         {
             using var source = Grid();
             var box = new ClipBox(new double3(2, 2, 2), new double3(4, 4, 4));
@@ -193,7 +193,7 @@ namespace FastPoints.Tests.Export
         }
 
         [Test]
-        public void Run_SomeAttributes_OthersAreZeroOrGone()
+        public void Run_SomeAttributes_OthersAreZeroOrAbsent()
         {
             using var source = Grid();
             Run(source, m_folder.File("out.ply"), new ExportSettings { Attributes = new string[0] });
@@ -208,7 +208,7 @@ namespace FastPoints.Tests.Export
 
         /// <summary>What LAS's own field cannot hold is kept whole beside it, and said.</summary>
         [Test]
-        public void Run_FieldThatCannotHoldIt_InExtraBytesWithAWarning()
+        public void Run_FieldTooSmall_WritesExtraBytesWithAWarning()
         {
             var batch = TestBatches.New(20, AttributeType.Float64,
                 new PointAttribute(AttributeNames.Intensity, AttributeType.Float32));
@@ -245,7 +245,7 @@ namespace FastPoints.Tests.Export
         }
 
         [Test]
-        public void Run_Failed_WhatWasThereStays()
+        public void Run_Failed_KeepsTheOldFile()
         {
             string path = m_folder.Write("out.las", new byte[] { 1, 2, 3 });
             using var source = new MemoryPointReader(TestBatches.OfPositions(new double3(1, 2, 3)), 2);
@@ -259,7 +259,7 @@ namespace FastPoints.Tests.Export
         }
 
         [Test]
-        public void Run_NoPoints_AFileWithoutPoints([Values(".las", ".laz", ".ply")] string ending)
+        public void Run_NoPoints_WritesAnEmptyFile([Values(".las", ".laz", ".ply")] string ending)
         {
             using var source = new MemoryPointReader(TestBatches.OfPositions(), 2);
             Assert.That(Run(source, m_folder.File("out" + ending)).Points, Is.Zero);

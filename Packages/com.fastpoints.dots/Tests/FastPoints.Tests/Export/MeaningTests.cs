@@ -107,7 +107,7 @@ namespace FastPoints.Tests.Export
         }
 
         [Test]
-        public void GpsTimes_WhereOneFileHasNone_AreThoseOfTheOther()
+        public void GpsTimes_OneFileWithout_TakesTheOthers()
         {
             using var none = PointReaders.Open(Source("a.las", 2, 0, 0));
             using var some = PointReaders.Open(Source("b.las", 2, 1, 1));
@@ -156,7 +156,7 @@ namespace FastPoints.Tests.Export
         }
 
         [Test]
-        public void GeoKeys_LongerThanARecord_StayBehindThePoints()
+        public void GeoKeys_LongerThanARecord_FollowThePoints()
         {
             var las = RoundTrip(Source("a.las", 4, 1, 0, file => file.Evlr("LASF_Projection", 34735, s_keys)
                 .Evlr("LASF_Projection", 34736, new byte[70_000])), out _);
@@ -227,7 +227,7 @@ namespace FastPoints.Tests.Export
 
         [TestCase(1, 0), TestCase(2, 1), TestCase(2, 3), TestCase(4, 1), TestCase(4, 6), TestCase(4, 7), TestCase(4, 8)]
         [TestCase(5, 6)]
-        public void EverythingAroundPoints_ThroughACloud_IsTheSameBytes(int minor, int format)
+        public void Records_ExportedThroughACloud_AreTheSameBytes(int minor, int format)
         {
             string source = m_folder.Write("a.las", Full(minor, format, minor >= 4 ? 8 + 1 : 1));
             RoundTrip(source, out var losses);
@@ -256,7 +256,7 @@ namespace FastPoints.Tests.Export
         }
 
         [Test]
-        public void Waveforms_OfACloud_AreSaidToBeLostOnce()
+        public void Waveforms_OfACloud_AreReportedLostOnce()
         {
             using var reader = PointReaders.Open(Source("a.las", 3, 4, 2));
             Convert(reader);
@@ -287,7 +287,7 @@ namespace FastPoints.Tests.Export
         [TestCase("a.ply", PlyText, "element face", "comments", "by hand")]
         [TestCase("a.ptx", PtxText, "the scans' grids", "the scans' matrices", "shift 5, 6, 7")]
         [TestCase("a.pcd", PcdText, "the scan's grid", "the viewpoint", "1 0 0 1 0 0 0")]
-        public void WhatIsNoPoint_IsAFactOfTheCloudOrANamedLoss(string name, string text, string lost, string told, string fact)
+        public void Export_DataBesidePoints_IsAFactOrANamedLoss(string name, string text, string lost, string told, string fact)
         {
             string cloud;
             using (var reader = PointReaders.Open(m_folder.Write(name, Encoding.ASCII.GetBytes(text))))
@@ -302,7 +302,7 @@ namespace FastPoints.Tests.Export
         }
 
         [Test]
-        public void HeaderSystemAndTimes_AsPly_AreNamedLosses()
+        public void Export_HeaderSystemAndTimesToPly_AreNamedLosses()
         {
             using var reader = PointReaders.Open(Source("a.las", 2, 1, 1, AddKeys));
             using var stored = StoredReader.Open(Convert(reader));
@@ -327,7 +327,7 @@ namespace FastPoints.Tests.Export
 
         /// <summary>Files of PDAL, LAStools, libLAS, rlas and others.</summary>
         [Test]
-        public void Samples_ThroughACloud_AreWhatTheirOwnExportIs([Values("las", "laz", "copc")] string kind)
+        public void Samples_ThroughACloud_MatchTheirDirectExport([Values("las", "laz", "copc")] string kind)
         {
             if (TestData.Samples == null)
                 Assert.Ignore("no samples: set FASTPOINTS_DATA");
@@ -366,7 +366,7 @@ namespace FastPoints.Tests.Export
         }
 
         [Test]
-        public void GpsTimes_OfUnknownKind_AreSaidToBe()
+        public void GpsTimes_OfUnknownKind_AreNamedUnknown()
         {
             using var source = new MemoryPointReader(TestBatches.New(5, AttributeType.Float64,
                 new PointAttribute(AttributeNames.GpsTime, AttributeType.Float64)), 5);

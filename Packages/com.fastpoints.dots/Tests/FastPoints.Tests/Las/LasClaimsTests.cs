@@ -14,7 +14,7 @@ namespace FastPoints.Tests.Las
         const int CountAt = 107, Count64At = 247;
 
         [Test]
-        public void Open_CutFile_GivesTheWholeRecordsAndWarns()
+        public void Open_TruncatedFile_GivesCompleteRecordsAndWarns()
         {
             using var file = new LasTestFile().RandomPoints(10);
             var bytes = file.ToBytes();
@@ -27,7 +27,7 @@ namespace FastPoints.Tests.Las
         }
 
         [TestCase(0xFFFFFFFFul, 2), TestCase(11949411299132633685ul, 4), TestCase(ulong.MaxValue, 5)]
-        public void Open_AbsurdCount_CostsWhatTheFileHolds(ulong claimed, int minor)
+        public void Open_AbsurdCount_AllocatesByTheFilesSize(ulong claimed, int minor)
         {
             using var file = new LasTestFile { Minor = minor }.RandomPoints(10);
             file.SaveWith(minor < 4 ? CountAt : Count64At, minor < 4 ? BitConverter.GetBytes((uint)claimed)
@@ -67,7 +67,7 @@ namespace FastPoints.Tests.Las
         }
 
         [Test]
-        public void Open_64BitCountMissing_TakesThe32BitOne()
+        public void Open_64BitCountMissing_UsesThe32BitOne()
         {
             using var file = new LasTestFile { Minor = 4 }.RandomPoints(10).SaveWith(Count64At, BitConverter.GetBytes(0L));
             using var reader = PointReaders.Open(file.Path);
@@ -76,7 +76,7 @@ namespace FastPoints.Tests.Las
         }
 
         [Test]
-        public void Open_EvlrsBehindThePoints_AreNoPoints()
+        public void Open_EvlrsAfterThePoints_AreNotReadAsPoints()
         {
             using var file = new LasTestFile { Minor = 4, Format = 6 }.RandomPoints(10).Evlr("user", 7, new byte[100]);
             file.SaveWith(Count64At, BitConverter.GetBytes(1000L));
@@ -86,7 +86,7 @@ namespace FastPoints.Tests.Las
         }
 
         [Test]
-        public void Open_WaveformsBehindThePoints_AreNoPoints()
+        public void Open_WaveformsAfterThePoints_AreNotReadAsPoints()
         {
             using var file = new LasTestFile { Minor = 3, Format = 4 }.RandomPoints(10);
             var bytes = file.ToBytes();
@@ -126,7 +126,7 @@ namespace FastPoints.Tests.Las
         }
 
         [Test]
-        public void Open_HeaderCutAnywhere_IsTruncated([Values(4, 24, 100, 226)] int bytes)
+        public void Open_HeaderTruncatedAnywhere_IsTruncated([Values(4, 24, 100, 226)] int bytes)
         {
             using var file = new LasTestFile().RandomPoints(3);
             file.Save(file.ToBytes().Take(bytes).ToArray());
@@ -143,7 +143,7 @@ namespace FastPoints.Tests.Las
         }
 
         [Test]
-        public void Open_AllScalesZeroAndOffsetNaN_AssumesAndSaysIt()
+        public void Open_AllScalesZeroAndOffsetNaN_AssumesValuesWithAWarning()
         {
             using var file = new LasTestFile { Scale = new double[3], Offset = new[] { double.NaN, 5, double.NegativeInfinity } };
             file.Positions(1, 2, 3).Save();
@@ -182,7 +182,7 @@ namespace FastPoints.Tests.Las
         }
 
         [Test]
-        public void Open_BoundsThatLeaveOutPoints_AreKeptWithAWarning()
+        public void Open_BoundsSmallerThanThePoints_AreKeptWithAWarning()
         {
             using var file = new LasTestFile { Max = new double[] { 5, 5, 5 } }.Positions(1, 2, 3, 1000, 1000, 1000).Save();
             using var reader = PointReaders.Open(file.Path);
@@ -193,7 +193,7 @@ namespace FastPoints.Tests.Las
         [TestCase(double.NaN, 1.0, "wanted a box")]
         [TestCase(5.0, 1.0, "wanted a box")]
         [TestCase(0.0, double.PositiveInfinity, "wanted a box")]
-        public void Open_BoundsThatAreNone_AreLeftOutWithAWarning(double min, double max, string detail)
+        public void Open_InvalidBounds_AreIgnoredWithAWarning(double min, double max, string detail)
         {
             using var file = new LasTestFile { Min = new[] { min, min, min }, Max = new[] { max, max, max } }.Positions(1, 2, 3)
                 .Save();

@@ -54,7 +54,7 @@ namespace FastPoints.Tests.Las
         }
 
         [TestCase(""), TestCase("]]]]"), TestCase("\"only a name\""), TestCase("nothing of the kind")]
-        public void Wkt_NoneAtAll_IsRefused(string text)
+        public void Wkt_NotWkt_IsRefused(string text)
         {
             var crs = new CoordinateSystem();
             Assert.That(WktCoordinateSystem.Read(text, crs), Is.False);
@@ -100,7 +100,7 @@ namespace FastPoints.Tests.Las
         [TestCase(1, 32767, 9001, 0, 1), TestCase(1, 32767, 9003, 0, 1200.0 / 3937), TestCase(1, 32767, 0, 0, 0)]
         [TestCase(1, 0, 9001, 0, 1), TestCase(0, 32767, 0, 0, 0), TestCase(3, 0, 0, 0, 1), TestCase(3, 0, 9002, 0, 0.3048)]
         [TestCase(2, 0, 0, 4326, double.NaN), TestCase(2, 32767, 0, 4326, double.NaN), TestCase(0, 0, 0, 4326, double.NaN)]
-        public void GeoKeys_DerivedFromAGeographicSystem_HaveNotItsCodeOrUnit(int model, int projected, int unit, int epsg,
+        public void GeoKeys_DerivedFromAGeographicSystem_LackItsCodeAndUnit(int model, int projected, int unit, int epsg,
             double metresPerUnit)
         {
             var crs = Read(Keys("", new double[0], 1024, 0, 1, model, 2048, 0, 1, 4326, 3072, 0, 1, projected, 3076, 0, 1, unit));
@@ -121,7 +121,7 @@ namespace FastPoints.Tests.Las
         }
 
         [Test]
-        public void GeoKeys_CountBeyondTheRecord_ReadsWhatIsThere()
+        public void GeoKeys_CountBeyondTheRecord_ReadsTheExistingOnes()
         {
             var directory = Shorts(1, 1, 0, 60000, 3072, 0, 1, 32633);
             using var file = new LasTestFile().Vlr("LASF_Projection", 34735, directory);

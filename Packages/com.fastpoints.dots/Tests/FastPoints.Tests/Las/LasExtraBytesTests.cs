@@ -44,7 +44,7 @@ namespace FastPoints.Tests.Las
         }
 
         [Test]
-        public void Schema_ScaleAndOffset_AreTheAttributesWhereTheOptionsSaySo()
+        public void Schema_ScaleAndOffset_ApplyIfTheOptionsAreSet()
         {
             using var file = new LasTestFile { Minor = 4, Format = 6, ExtraBytes = 6 }.RandomPoints(3)
                 .Vlr("LASF_Spec", 4, Entry(3, 8 | 16, "Both", 0.5, 100).Concat(Entry(3, 8, "Scaled", 0.25, 7))
@@ -84,7 +84,7 @@ namespace FastPoints.Tests.Las
         }
 
         [Test]
-        public void Schema_NamesThatAreTaken_AreNumbered()
+        public void Schema_DuplicateNames_AreNumbered()
         {
             using var file = new LasTestFile { Format = 3, ExtraBytes = 3 }.RandomPoints(3)
                 .Vlr("LASF_Spec", 4, Entry(1, 0, "Intensity").Concat(Entry(1, 0, "Twice"))
@@ -97,7 +97,7 @@ namespace FastPoints.Tests.Las
         }
 
         [TestCase(31, 3), TestCase(255, 3), TestCase(10, 3), TestCase(30, 23)]
-        public void Schema_DescriptionThatCannotBe_LeavesSingleBytes(int type, int bytes)
+        public void Schema_InvalidDescription_GivesSingleBytes(int type, int bytes)
         {
             using var file = new LasTestFile { Format = 3, ExtraBytes = bytes }.RandomPoints(3)
                 .Vlr("LASF_Spec", 4, Entry(type, 0, "Bad"));

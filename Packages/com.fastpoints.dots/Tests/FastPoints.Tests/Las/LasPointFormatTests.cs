@@ -10,7 +10,7 @@ namespace FastPoints.Tests.Las
             Assert.That(LasPointFormat.Of(id).RecordBytes, Is.EqualTo(LasTestFile.RecordBytesOfFormat[id]));
 
         [Test]
-        public void Format_Fields_TakeEachBitOfTheRecordOnce([Range(0, 10)] int id)
+        public void Format_Fields_CoverEachBitOfTheRecordOnce([Range(0, 10)] int id)
         {
             var format = LasPointFormat.Of(id);
             var takenBits = new byte[format.RecordBytes];
@@ -25,7 +25,7 @@ namespace FastPoints.Tests.Las
         }
 
         [Test]
-        public void Format_ColorTimeAndWaves_AreWhereTheSpecificationHasThem()
+        public void Format_ColorTimeAndWaves_HaveTheSpecifiedOffsets()
         {
             Assert.That(Having(AttributeNames.Red), Is.EqualTo(new[] { 2, 3, 5, 7, 8, 10 }));
             Assert.That(Having(AttributeNames.GpsTime), Is.EqualTo(new[] { 1, 3, 4, 5, 6, 7, 8, 9, 10 }));

@@ -52,7 +52,7 @@ namespace FastPoints.Tests.Las
         }
 
         [Test]
-        public void Read_AnyRangeAndSelection_IsTheSameAsTheWhole()
+        public void Read_AnyRangeAndSelection_MatchesTheWhole()
         {
             using var file = new LasTestFile { Minor = 4, Format = 10, ExtraBytes = 3 }.RandomPoints(5000).Save();
             using var reader = PointReaders.Open(file.Path);

@@ -11,7 +11,7 @@ namespace FastPoints.Tests.Las
         const int VlrCountAt = 100, EvlrOffsetAt = 235, EvlrCountAt = 243;
 
         [Test]
-        public void Records_BeforeAndBehindThePoints_AreListedWithTheirBytes()
+        public void Records_BeforeAndAfterThePoints_AreListedWithTheirBytes()
         {
             using var file = new LasTestFile { Minor = 4, Format = 6, Padding = 2 }.RandomPoints(4)
                 .Vlr("first", 1, new byte[] { 1, 2, 3 }).Vlr("second", 65535, new byte[0])
@@ -37,7 +37,7 @@ namespace FastPoints.Tests.Las
         }
 
         [Test]
-        public void Records_LengthBeyondThePoints_IsLeftOut()
+        public void Records_LengthBeyondThePoints_IsSkipped()
         {
             using var file = new LasTestFile().RandomPoints(40).Vlr("first", 1, new byte[10]).Vlr("second", 2, new byte[10]);
             int second = 227 + 64;
@@ -70,7 +70,7 @@ namespace FastPoints.Tests.Las
         }
 
         [TestCase(11ul), TestCase(ulong.MaxValue), TestCase(0x7FFFFFFFFFFFFFFFul)]
-        public void Records_ExtendedLengthBeyondTheFile_IsLeftOut(ulong length)
+        public void Records_ExtendedLengthBeyondTheFile_IsSkipped(ulong length)
         {
             using var file = new LasTestFile { Minor = 4, Format = 6 }.RandomPoints(40).Vlr("first", 1, new byte[10])
                 .Evlr("second", 2, new byte[10]);

@@ -22,7 +22,7 @@ namespace FastPoints.Tests.Las
         }
 
         [Test]
-        public void Append_ColumnsOfEachFormat_ReadBackAsTheyWere([Range(0, 10)] int format)
+        public void Append_ColumnsOfEachFormat_ReadBackTheSame([Range(0, 10)] int format)
         {
             var extra = new[]
             {
@@ -110,7 +110,7 @@ namespace FastPoints.Tests.Las
         }
 
         [Test]
-        public void Create_NoSuchFolderOrSenselessSettings_IsRefused()
+        public void Create_MissingFolderOrInvalidSettings_IsRefused()
         {
             Failures.Of(() => LasWriter.Create(Path.Combine(FilePath, "no", "folder.las"), new LasWriterSettings()),
                 FailureCode.NotFound);

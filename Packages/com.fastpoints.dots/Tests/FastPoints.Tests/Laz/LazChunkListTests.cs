@@ -28,7 +28,7 @@ namespace FastPoints.Tests.Laz
         [TestCase(0, 0, -1), TestCase(1, 1, -1), TestCase(65, 65, -1), TestCase(65, 64, -1), TestCase(1000, 999, -1)]
         [TestCase(1000, 500, -1), TestCase(1000, 128, -1), TestCase(70_000, 0, -1), TestCase(300, 300, 128)]
         [TestCase(300, 10, 200)]
-        public void Add_AnyChunks_GivesThemBack(int count, int equal, int gapAt)
+        public void Add_AnyChunks_ReadsBackTheSame(int count, int equal, int gapAt)
         {
             var random = new Random(count + equal);
             var list = new LazChunkList();
@@ -76,7 +76,7 @@ namespace FastPoints.Tests.Laz
         }
 
         [Test]
-        public void Item_BehindTheLast_Throws()
+        public void Item_AfterTheLast_Throws()
         {
             var list = new LazChunkList();
             list.Add(new LazChunk { Offset = 1, Bytes = 30, Points = 1 });

@@ -30,7 +30,7 @@ namespace FastPoints.Tests.Laz
         }
 
         [TestCaseSource(nameof(Files))]
-        public void Read_WholeFile_IsTheTruth(string name)
+        public void Read_WholeFile_MatchesTheReference(string name)
         {
             string path = TestData.PathOrIgnore(Matrix + "/" + name);
             using var reader = LazFileReading.Open(path);
@@ -41,7 +41,7 @@ namespace FastPoints.Tests.Laz
         }
 
         [TestCaseSource(nameof(FilesOfEachFormat))]
-        public void Read_RangesAndSelections_AreTheTruth(string name)
+        public void Read_RangesAndSelections_MatchTheReference(string name)
         {
             string path = TestData.PathOrIgnore(Matrix + "/" + name);
             var layout = LazFileReading.LayoutOf(path);
@@ -97,7 +97,7 @@ namespace FastPoints.Tests.Laz
         [TestCase("laszip-generated", "1.2-with-color")]
         [TestCase("liblas-generated", "1.2-with-color")]
         [TestCase("simple-laszip-compressor-version-1.2r0", "1.2-with-color")]
-        public void Read_SampleWithTwin_IsTheTwin(string name, string twin = null)
+        public void Read_SampleWithTwin_MatchesTheTwin(string name, string twin = null)
         {
             string path = TestData.SampleOrIgnore("laz/" + name + ".laz");
             string las = TestData.SampleOrIgnore("las/" + (twin ?? name) + ".las");
@@ -109,7 +109,7 @@ namespace FastPoints.Tests.Laz
 
         [TestCase("broken_coder.laz", FailureCode.Unsupported, "entropy coder: wanted 0, got 15")]
         [TestCase("broken_type.laz", FailureCode.Unsupported, "item type: wanted 0 or 6 to 14, got 22")]
-        public void Open_BrokenSample_SaysWhatIsWrong(string name, FailureCode code, string detail)
+        public void Open_BrokenSample_NamesTheFault(string name, FailureCode code, string detail)
         {
             string path = TestData.SampleOrIgnore("broken/" + name);
             Failures.Of(() => PointReaders.Open(path).Dispose(), code, detail);

@@ -138,7 +138,7 @@ namespace FastPoints.Tests.Laz
         }
 
         [Test]
-        public void Median5_AnyValues_IsThePlainOne()
+        public void Median5_AnyValues_MatchesSorting()
         {
             var random = new Random(3);
             int* median = stackalloc int[Median5.Ints];

@@ -45,8 +45,8 @@ namespace FastPoints.Tests.Laz
                 ItemVersion = format >= 6 ? 3 + seed % 2 : 2,
                 ExtraBytes = seed % 3,
                 HasVariableChunks = kind == "Variable",
-                TablePlace = kind == "Lost" ? LazTablePlace.Missing : seed % 2 == 0 ? LazTablePlace.AtFileEnd
-                    : LazTablePlace.AtOffset,
+                TableLocation = kind == "Lost" ? LazTableLocation.Missing : seed % 2 == 0 ? LazTableLocation.AtFileEnd
+                    : LazTableLocation.AtOffset,
                 ChunkPoints = kind == "One" ? new int[0] : new[] { 40 },
             };
             return writer.Write(LazRecords.Make(format, writer.ExtraBytes, 100, seed));
@@ -157,20 +157,20 @@ namespace FastPoints.Tests.Laz
             using var input = Marked(chunk.Length, RangeCode.PaddingBytes, Mark);
             NativeArray<byte>.Copy(chunk, input, chunk.Length);
             byte* at = (byte*)input.GetUnsafePtr();
-            byte* place = (byte*)state.GetUnsafePtr();
+            byte* location = (byte*)state.GetUnsafePtr();
             byte* records = (byte*)tile.GetUnsafePtr();
             int got;
             if (isLayered)
             {
-                LayeredChunk.Configure((LayeredChunk*)place, layers, isWanted, recordBytes);
-                LayeredChunk.Start((LayeredChunk*)place, at, chunk.Length, true, points);
-                got = LayeredChunk.Decode((LayeredChunk*)place, at, records, points);
+                LayeredChunk.Configure((LayeredChunk*)location, layers, isWanted, recordBytes);
+                LayeredChunk.Start((LayeredChunk*)location, at, chunk.Length, true, points);
+                got = LayeredChunk.Decode((LayeredChunk*)location, at, records, points);
             }
             else
             {
-                PointwiseChunk.Configure((PointwiseChunk*)place, items, recordBytes);
-                PointwiseChunk.Start((PointwiseChunk*)place);
-                got = PointwiseChunk.Decode((PointwiseChunk*)place, at, chunk.Length, records, points);
+                PointwiseChunk.Configure((PointwiseChunk*)location, items, recordBytes);
+                PointwiseChunk.Start((PointwiseChunk*)location);
+                got = PointwiseChunk.Decode((PointwiseChunk*)location, at, chunk.Length, records, points);
             }
             Assert.That(got, Is.InRange(0, points), detail);
             Assert.That(IsMarked(state, (int)stateBytes, Mark), Is.True, detail + ": wrote behind the state");

@@ -52,15 +52,15 @@ namespace FastPoints.Tests.Laz
             return records;
         }
 
-        static LazFileWriter Writer(int seed, LazTablePlace table) => new LazFileWriter
+        static LazFileWriter Writer(int seed, LazTableLocation table) => new LazFileWriter
         {
             PointFormat = seed % 6,
             ChunkPoints = new[] { ChunkPoints },
-            TablePlace = table,
+            TableLocation = table,
         };
 
-        [TestCase(LazTablePlace.AtOffset), TestCase(LazTablePlace.AtFileEnd), TestCase(LazTablePlace.Missing)]
-        public void Read_HeaderClaimsMoreThanTheLastChunkHas_GivesNoPhantoms(LazTablePlace table)
+        [TestCase(LazTableLocation.AtOffset), TestCase(LazTableLocation.AtFileEnd), TestCase(LazTableLocation.Missing)]
+        public void Read_HeaderClaimsMoreThanTheLastChunkHas_GivesNoPhantomPoints(LazTableLocation table)
         {
             int exact = 0, files = 0, same = 0, maxMissing = 0;
             for (int seed = 0; seed < 240; seed++)
@@ -96,11 +96,11 @@ namespace FastPoints.Tests.Laz
         }
 
         [Test]
-        public void Read_OneStreamWhoseHeaderClaimsMore_GivesNoPhantoms([Values(0, 1, 2, 3)] int alike)
+        public void Read_OneStreamWhoseHeaderClaimsMore_GivesNoPhantomPoints([Values(0, 1, 2, 3)] int alike)
         {
             for (int seed = 0; seed < 12; seed++)
             {
-                var writer = Writer(seed, LazTablePlace.AtOffset);
+                var writer = Writer(seed, LazTableLocation.AtOffset);
                 writer.ChunkPoints = new int[0];
                 var records = Records(writer.PointFormat, alike, 8000 / (1 + seed), seed);
                 writer.Claims = 4000000000;
@@ -114,8 +114,8 @@ namespace FastPoints.Tests.Laz
         }
 
         [Test]
-        public void Read_CutAnywhere_GivesWhatWasWrittenAndReportsIt([Values(LazTablePlace.AtOffset, LazTablePlace.Missing)]
-            LazTablePlace table)
+        public void Read_TruncatedAnywhere_GivesPointsBeforeAndReportsIt([Values(LazTableLocation.AtOffset,
+            LazTableLocation.Missing)] LazTableLocation table)
         {
             for (int seed = 0; seed < 120; seed++)
             {
@@ -136,11 +136,11 @@ namespace FastPoints.Tests.Laz
         }
 
         [Test]
-        public void Read_ZerosOrTheTableBehindTheLastChunk_AreNoPoints([Values] bool areZeros)
+        public void Read_ZerosOrTheTableAfterTheLastChunk_AreNotReadAsPoints([Values] bool areZeros)
         {
             for (int seed = 0; seed < 24; seed++)
             {
-                var writer = Writer(seed, LazTablePlace.AtOffset);
+                var writer = Writer(seed, LazTableLocation.AtOffset);
                 var records = Records(writer.PointFormat, 0, 2 * ChunkPoints, seed);
                 writer.Claims = 10000;
                 var bytes = writer.Write(records);

@@ -41,18 +41,18 @@ namespace FastPoints.Tests.Laz
             Check(writer, LazRecords.Make(format, 0, 1500, 3), 0);
         }
 
-        [TestCase(1, LazTablePlace.AtFileEnd), TestCase(8, LazTablePlace.AtFileEnd)]
-        [TestCase(3, LazTablePlace.Missing), TestCase(6, LazTablePlace.Missing)]
-        public void Read_TableElsewhereOrLost_GivesEveryByte(int format, LazTablePlace place)
+        [TestCase(1, LazTableLocation.AtFileEnd), TestCase(8, LazTableLocation.AtFileEnd)]
+        [TestCase(3, LazTableLocation.Missing), TestCase(6, LazTableLocation.Missing)]
+        public void Read_TableElsewhereOrLost_GivesEveryByte(int format, LazTableLocation location)
         {
             var writer = new LazFileWriter
             {
                 PointFormat = format,
                 ItemVersion = format < 6 ? 2 : 4,
                 ChunkPoints = new[] { 400 },
-                TablePlace = place,
+                TableLocation = location,
             };
-            Check(writer, LazRecords.Make(format, 0, 1500, 5), place == LazTablePlace.Missing ? 1 : 0);
+            Check(writer, LazRecords.Make(format, 0, 1500, 5), location == LazTableLocation.Missing ? 1 : 0);
         }
 
         [Test]
@@ -64,7 +64,7 @@ namespace FastPoints.Tests.Laz
                 ItemVersion = 3,
                 ChunkPoints = new[] { 100, 3, 700, 1 },
                 HasVariableChunks = true,
-                TablePlace = LazTablePlace.Missing,
+                TableLocation = LazTableLocation.Missing,
             };
             Check(writer, LazRecords.Make(7, 0, 803, 5), 1);
         }
@@ -77,7 +77,7 @@ namespace FastPoints.Tests.Laz
                 PointFormat = 1,
                 ChunkPoints = new[] { 100, 3, 700 },
                 HasVariableChunks = true,
-                TablePlace = LazTablePlace.Missing,
+                TableLocation = LazTableLocation.Missing,
             };
             using var file = new TemporaryFile(writer.Write(LazRecords.Make(1, 0, 803, 5)), ".laz");
             Assert.That(() => LazFileReading.Open(file.Path),
@@ -120,7 +120,7 @@ namespace FastPoints.Tests.Laz
         }
 
         [TestCase(3, 1), TestCase(10, 1), TestCase(3, 97), TestCase(10, 97)]
-        public void Read_RangesOfAnyLength_AreTheSameAsTheWhole(int format, int length)
+        public void Read_RangesOfAnyLength_MatchTheWhole(int format, int length)
         {
             int count = length == 1 ? 150 : 1200;
             var records = LazRecords.Make(format, 2, count, 31);
@@ -143,7 +143,7 @@ namespace FastPoints.Tests.Laz
         }
 
         [TestCase(5), TestCase(10)]
-        public void Read_AnySelection_IsTheSameAsTheWhole(int format)
+        public void Read_AnySelection_MatchesTheWhole(int format)
         {
             var records = LazRecords.Make(format, 3, 3000, 41);
             var writer = new LazFileWriter
@@ -201,7 +201,7 @@ namespace FastPoints.Tests.Laz
         }
 
         [Test]
-        public void Read_NoiseInAChunk_IsReportedAndTheOthersAreWhole()
+        public void Read_NoiseInAChunk_IsReportedAndTheOthersAreComplete()
         {
             var records = LazRecords.Make(3, 0, 900, 16);
             var writer = new LazFileWriter { PointFormat = 3, ChunkPoints = new[] { 300 } };
@@ -237,7 +237,7 @@ namespace FastPoints.Tests.Laz
         }
 
         [TestCase(2), TestCase(6)]
-        public void Read_CutFile_GivesWhatItHoldsAndReportsIt(int format)
+        public void Read_TruncatedFile_GivesItsPointsAndReportsIt(int format)
         {
             var records = LazRecords.Make(format, 0, 2000, 61);
             var writer = new LazFileWriter { PointFormat = format, ItemVersion = format < 6 ? 2 : 3 };
@@ -256,7 +256,7 @@ namespace FastPoints.Tests.Laz
         }
 
         [Test]
-        public void Read_HeaderClaimsMore_GivesNoPhantoms()
+        public void Read_HeaderClaimsMore_GivesNoPhantomPoints()
         {
             var records = LazRecords.Make(6, 0, 1200, 71);
             var writer = new LazFileWriter { PointFormat = 6, ItemVersion = 3, ChunkPoints = new[] { 500 }, Claims = 1400 };
@@ -268,7 +268,7 @@ namespace FastPoints.Tests.Laz
         }
 
         [Test]
-        public void Read_LongChunkThatEndsEarly_IsNotTriedAgainBehindItsEnd()
+        public void Read_TruncatedLongChunk_IsNotReadBeyondItsEnd()
         {
             var writer = new LazFileWriter { PointFormat = 6, ItemVersion = 3 };
             var bytes = writer.Write(LazRecords.Make(6, 0, 1000, 5));
@@ -287,7 +287,7 @@ namespace FastPoints.Tests.Laz
         }
 
         [Test]
-        public void CreateRead_AttributeThatIsNotThere_IsRefused()
+        public void CreateRead_MissingAttribute_IsRefused()
         {
             var writer = new LazFileWriter { PointFormat = 6, ItemVersion = 3 };
             using var file = new TemporaryFile(writer.Write(LazRecords.Make(6, 0, 10, 1)), ".laz");

@@ -17,7 +17,7 @@ namespace FastPoints.Tests.Laz
         const int RecordBytes = 36, ColorLayer = 9;
 
         [Test]
-        public void PlanLazReads_SomeLayers_ReadsTheseAndNoOthers()
+        public void PlanLazReads_SomeLayers_ReadsOnlyThese()
         {
             // Sizes of the layers of point format 7; wanted: returns and XY, Z, then flags, then colour.
             var sizes = new uint[] { 1000, 500, 70, 60, 400, 30, 20, 10, 900, 800 };
@@ -43,7 +43,7 @@ namespace FastPoints.Tests.Laz
         }
 
         [Test]
-        public void PlanLazReads_SizesThatAreFalse_StayInsideTheChunkAndTheBuffer()
+        public void PlanLazReads_WrongSizes_StayInsideTheChunkAndTheBuffer()
         {
             var random = new Random(5);
             for (int i = 0; i < 500; i++)
@@ -97,7 +97,7 @@ namespace FastPoints.Tests.Laz
         }
 
         [Test]
-        public void Read_UnwantedLayersAreNoise_WantedOnesAreRight()
+        public void Read_NoiseInUnrequestedLayers_RequestedOnesAreCorrect()
         {
             var records = LazRecords.Make(7, 0, 3000, 81);
             var writer = new LazFileWriter { PointFormat = 7, ItemVersion = 3, ChunkPoints = new[] { 3000 } };
@@ -107,7 +107,7 @@ namespace FastPoints.Tests.Laz
         }
 
         [Test]
-        public void Read_FileIsCutInALayerThatIsNotWanted_WantedOnesAreWhole()
+        public void Read_FileTruncatedInAnUnrequestedLayer_RequestedOnesAreComplete()
         {
             var records = LazRecords.Make(7, 0, 3000, 91);
             var writer = new LazFileWriter { PointFormat = 7, ItemVersion = 3, ChunkPoints = new[] { 3000 } };

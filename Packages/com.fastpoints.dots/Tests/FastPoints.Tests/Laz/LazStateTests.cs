@@ -32,7 +32,7 @@ namespace FastPoints.Tests.Laz
         }
 
         [TestCaseSource(nameof(FormatsAndSelections))]
-        public void Begin_FromKeptStates_GivesTheBlocksBytes(int[] formatAndSelection)
+        public void Begin_FromSavedStates_GivesTheSameBytes(int[] formatAndSelection)
         {
             // Layers of chunks of 3,000 points are read on their own where not all are wanted.
             using var file = Save(formatAndSelection[0], 7000, 3000);
@@ -73,7 +73,7 @@ namespace FastPoints.Tests.Laz
         }
 
         [Test]
-        public void KeepState_NotAskedForBefore_ReportsIt()
+        public void KeepState_NotRequested_Throws()
         {
             using var file = Save(2, 100, 100);
             using var reader = PointReaders.Open(file.Path);
@@ -84,7 +84,7 @@ namespace FastPoints.Tests.Laz
         }
 
         [Test]
-        public void Begin_FromAStateBehindTheRange_Throws()
+        public void Begin_StateAfterTheRange_Throws()
         {
             using var file = Save(2, 100, 100);
             using var reader = PointReaders.Open(file.Path);

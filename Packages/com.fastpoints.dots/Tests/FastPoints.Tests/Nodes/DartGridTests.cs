@@ -10,7 +10,7 @@ namespace FastPoints.Tests.Nodes
         /// <summary>Vectors, plain code and a comparison with every sample find the same: of full, empty and overfull cells,
         /// and of spacings that are compared in steps and in parts.</summary>
         [Test]
-        public void IsNear_OfAnySpacing_IsThatOfEveryPair([Values(1, 2, 5, 11, 12, 20, 40)] int cell)
+        public void IsNear_AnySpacing_MatchesBruteForce([Values(1, 2, 5, 11, 12, 20, 40)] int cell)
         {
             var random = new Unity.Mathematics.Random(7);
             const int Tiles = 3;
@@ -28,14 +28,14 @@ namespace FastPoints.Tests.Nodes
                     grid.BeginTile(tile);
                     for (int i = 0; i < 300; i++)
                     {
-                        var place = corner + new Grid3(Part(ref random, edge), Part(ref random, edge), Part(ref random, edge));
-                        ulong dart = grid.DartOf(place, 0);
+                        var position = corner + new Grid3(Part(ref random, edge), Part(ref random, edge), Part(ref random, edge));
+                        ulong dart = grid.DartOf(position, 0);
                         bool isNear = false;
                         int nearest = -1;
                         double min = double.PositiveInfinity;
                         for (int s = 0; s < count; s++)
                         {
-                            double distance = DistanceSq(samples[s], place, cell, out double nearSq);
+                            double distance = DistanceSq(samples[s], position, cell, out double nearSq);
                             isNear |= distance < nearSq;
                             if (distance >= nearSq || distance >= min)
                                 continue;
@@ -54,7 +54,7 @@ namespace FastPoints.Tests.Nodes
                         for (int copies = i % 29 == 0 ? 10 : 1; copies > 0 && count < samples.Length; copies--)
                         {
                             grid.Add(dart, count);
-                            samples[count++] = place;
+                            samples[count++] = position;
                             chained += copies > 8 ? 1 : 0;
                         }
                     }

@@ -12,13 +12,13 @@ using Unity.Mathematics;
 
 namespace FastPoints.Tests.Nodes
 {
-    /// <summary>Counting and partition beyond 2^32 points, which nobody has the disk for in a test.</summary>
+    /// <summary>Counting and partition beyond 2^32 points, too many for a disk in a test.</summary>
     public class ManyPointsTests
     {
         const long Points = 5L << 32;
 
         [Test]
-        public unsafe void Partition_OfMoreThanFourThousandMillionPoints_CountsThemAll()
+        public unsafe void Partition_OfMoreThan2To32Points_CountsAll()
         {
             using var reader = new VirtualReader(Points);
             Assert.That(reader.PointCount, Is.EqualTo(Points));
@@ -26,7 +26,7 @@ namespace FastPoints.Tests.Nodes
             JobCoroutine.RunToEnd(SourceSample.Read(reader, () => 0, 0, 1 << 20, (_, loaded) => loaded, s => sample = s));
             using (sample)
             {
-                double weight = sample.Runs[0].Weight;
+                double weight = sample.Ranges[0].Weight;
                 Assert.That(weight * sample.Stored.Length, Is.EqualTo((double)Points).Within(1e-6 * Points));
                 var cube = RootCube.Around(default, new Grid3(150000, Points / 150000, 7));
                 var axes = GridChoice.OnGrid(reader.Info, new CloudGrid { Step = new double3(0.01, 0.01, 0.01) });
@@ -46,7 +46,7 @@ namespace FastPoints.Tests.Nodes
                             SourceGrid.ToGrid(axes.Y, stored.y), SourceGrid.ToGrid(axes.Z, stored.z))] += weight;
                     Assert.That(points.Sum(), Is.EqualTo((double)Points).Within(1e-3 * Points));
                     Assert.That(points[map.Outside], Is.Zero);
-                    // A run of the sample is in one cell and stands for 20 million points: no estimate is finer.
+                    // A range of the sample is in one cell and stands for 20 million points: no estimate is finer.
                     Assert.That(points.Max(), Is.LessThan(4.0 * plan.PointsPerPartition));
                     // Each has a page, and there is room for more.
                     Assert.That(points.Count(p => p > 0), Is.InRange(Points / plan.PointsPerPartition, plan.MaxPages));
@@ -55,7 +55,7 @@ namespace FastPoints.Tests.Nodes
         }
 
         [Test]
-        public void Groups_OfMoreThanFourThousandMillionPoints_AddUpInLongs()
+        public void Groups_OfMoreThan2To32Points_AreSummedInLongs()
         {
             var root = new GridCube(default, 20);
             var items = new List<GridCube>();
@@ -69,12 +69,12 @@ namespace FastPoints.Tests.Nodes
         }
 
         [Test]
-        public void Journal_OfMoreThanFourThousandMillionPoints_ReadsBackTheSame()
+        public void Journal_OfMoreThan2To32Points_RoundTrips()
         {
             var journal = new BuildJournal
             {
                 Identity = ulong.MaxValue - 3,
-                At = BuildJournal.Stage.Split,
+                CurrentStage = BuildJournal.Stage.Split,
                 Block = 77,
                 PeakBytes = Points
             };
@@ -85,19 +85,19 @@ namespace FastPoints.Tests.Nodes
             journal.Chunks.Add(new BuildJournal.Chunk
             {
                 Cube = new GridCube(new Grid3(-1L << 59, 0, 0), 40),
-                Runs = new[] { new RecordRange { File = 0, First = 1L << 33, Count = 1L << 34 } },
+                Ranges = new[] { new RecordRange { File = 0, First = 1L << 33, Count = 1L << 34 } },
             });
             string text = journal.ToJson();
             var back = BuildJournal.FromJson(text);
             Assert.That(back.ToJson(), Is.EqualTo(text));
             Assert.That(back.Statistics[0].Count, Is.EqualTo(Points));
-            Assert.That(back.Chunks[0].Runs[0].Count, Is.EqualTo(1L << 34));
+            Assert.That(back.Chunks[0].Ranges[0].Count, Is.EqualTo(1L << 34));
             Assert.That(BuildJournal.FromJson(text.Substring(0, text.Length / 2)), Is.Null);
             Assert.That(BuildJournal.FromJson("{}"), Is.Null);
         }
 
         [Test]
-        public void Convert_MorePointsThanTheDiskHasRoomFor_ReportsItBeforeItReadsThem()
+        public void Convert_NotEnoughDiskSpace_FailsBeforeReading()
         {
             // 200 TB of records.
             using var folder = new TemporaryFolder();

@@ -25,17 +25,17 @@ namespace FastPoints.Tests.Nodes
             };
         }
 
-        public static MemoryReader Of(int3[] places, PositionTransform transform, int blockPoints = 1000, uint seed = 1)
+        public static MemoryReader Of(int3[] positions, PositionTransform transform, int blockPoints = 1000, uint seed = 1)
         {
-            int count = places.Length;
+            int count = positions.Length;
             int[] x = new int[count], y = new int[count], z = new int[count];
             ushort[] intensity = new ushort[count], red = new ushort[count], green = new ushort[count], blue = new ushort[count];
             var random = new Unity.Mathematics.Random(seed);
             for (int i = 0; i < count; i++)
             {
-                x[i] = places[i].x;
-                y[i] = places[i].y;
-                z[i] = places[i].z;
+                x[i] = positions[i].x;
+                y[i] = positions[i].y;
+                z[i] = positions[i].z;
                 intensity[i] = (ushort)random.NextInt(65536);
                 red[i] = (ushort)(random.NextInt(256) * 257);
                 green[i] = (ushort)(random.NextInt(256) * 256);
@@ -57,7 +57,7 @@ namespace FastPoints.Tests.Nodes
 
         public override long BytesOfRange(BlockRange range) => (long)range.Count * Info.Schema.BytesPerPoint;
 
-        public int BlocksBehindNone { get; private set; }
+        public int BlocksWithoutDependency { get; private set; }
         public long SlotBytes { get; private set; }
         public long MaxSlotBytes { get; private set; }
 
@@ -71,7 +71,7 @@ namespace FastPoints.Tests.Nodes
         long BytesOfSlot(PointSchema wanted) =>
             (long)MaxPointsPerBlock * (wanted.BytesPerPoint + Info.Schema.BytesPerPoint);
 
-        sealed class Slot : FilledRead
+        sealed class Slot : ImmediateRead
         {
             readonly MemoryReader m_reader;
 
@@ -80,7 +80,7 @@ namespace FastPoints.Tests.Nodes
 
             protected override void Fill(BlockRange range, NativeArray<byte> bytes)
             {
-                m_reader.BlocksBehindNone += Dependency.Equals(default) ? 1 : 0;
+                m_reader.BlocksWithoutDependency += Dependency.Equals(default) ? 1 : 0;
                 for (int c = 0; c < Points.Schema.Count; c++)
                 {
                     int size = Points.Schema[c].Type.SizeOf();

@@ -25,13 +25,13 @@ namespace FastPoints.Tests.Nodes
         }
 
         [TestCaseSource(nameof(Clouds))]
-        public void Order_AnyCloud_IsAsBySorting(Grid3[] places)
+        public void Order_AnyCloud_MatchesSorting(Grid3[] positions)
         {
-            var expected = Bytes(places, 9, out var layout);
-            var order = new int[places.Length];
+            var expected = Bytes(positions, 9, out var layout);
+            var order = new int[positions.Length];
             for (int i = 0; i < order.Length; i++)
                 order[i] = i;
-            Array.Sort(order, (a, b) => Compare(places, expected, layout.StrideBytes, a, b));
+            Array.Sort(order, (a, b) => Compare(positions, expected, layout.StrideBytes, a, b));
             var sorted = new byte[expected.Length];
             for (int i = 0; i < order.Length; i++)
                 Array.Copy(expected, order[i] * layout.StrideBytes, sorted, i * layout.StrideBytes, layout.StrideBytes);
@@ -39,7 +39,7 @@ namespace FastPoints.Tests.Nodes
             ulong sum = 0;
             foreach (int costPerSlice in new[] { 1, 100000, int.MaxValue })
             {
-                var (found, common, priority, checksum) = Run(places, layout, expected, costPerSlice);
+                var (found, common, priority, checksum) = Run(positions, layout, expected, costPerSlice);
                 Assert.That(found.AsSpan().SequenceEqual(sorted), "in slices of " + costPerSlice);
                 sum = 0;
                 fixed (byte* records = sorted)
@@ -49,49 +49,50 @@ namespace FastPoints.Tests.Nodes
                         sum += hash;
                         Assert.That(priority[i], Is.EqualTo((uint)(hash >> 32)));
                         Assert.That(common[i], Is.EqualTo(i == 0 ? byte.MaxValue
-                            : MortonOrder.CommonCubeLog2(places[order[i - 1]], places[order[i]])));
+                            : MortonOrder.CommonCubeLog2(positions[order[i - 1]], positions[order[i]])));
                     }
                 Assert.That(checksum, Is.EqualTo(sum));
             }
         }
 
-        static TestCaseData Case(string name, Grid3[] places) => new TestCaseData((object)places).SetName("{m}(" + name + ")");
+        static TestCaseData Case(string name, Grid3[] positions) => new TestCaseData((object)positions).SetName("{m}(" + name +
+            ")");
 
         /// <summary>Records with seven bytes of attributes, a few of which differ.</summary>
-        static byte[] Bytes(Grid3[] places, uint seed, out RecordLayout layout)
+        static byte[] Bytes(Grid3[] positions, uint seed, out RecordLayout layout)
         {
             long max = 0;
-            foreach (var place in places)
-                max |= place.X | place.Y | place.Z;
+            foreach (var position in positions)
+                max |= position.X | position.Y | position.Z;
             layout = new RecordLayout(max >> 32 != 0, s_corner - new Grid3(3, 2, 1), 7);
             var random = new Unity.Mathematics.Random(seed);
-            var bytes = new byte[places.Length * layout.StrideBytes];
+            var bytes = new byte[positions.Length * layout.StrideBytes];
             fixed (byte* records = bytes)
-                for (int i = 0; i < places.Length; i++)
+                for (int i = 0; i < positions.Length; i++)
                 {
                     byte* record = records + i * layout.StrideBytes;
-                    var place = s_corner + places[i];
-                    layout.SetPosition(record, place.X, place.Y, place.Z);
+                    var position = s_corner + positions[i];
+                    layout.SetPosition(record, position.X, position.Y, position.Z);
                     layout.AttributesOf(record)[0] = (byte)random.NextInt(2);
                     layout.AttributesOf(record)[6] = (byte)random.NextInt(3);
                 }
             return bytes;
         }
 
-        static int Compare(Grid3[] places, byte[] records, int stride, int a, int b)
+        static int Compare(Grid3[] positions, byte[] records, int stride, int a, int b)
         {
-            int order = MortonOrder.Compare(places[a], places[b]);
+            int order = MortonOrder.Compare(positions[a], positions[b]);
             for (int w = stride - 8; w < stride && order == 0; w += 4)
                 order = BitConverter.ToUInt32(records, a * stride + w).CompareTo(BitConverter.ToUInt32(records, b * stride + w));
             return order;
         }
 
-        static (byte[] Sorted, byte[] Common, uint[] Priority, ulong Checksum) Run(Grid3[] places, RecordLayout layout,
+        static (byte[] Sorted, byte[] Common, uint[] Priority, ulong Checksum) Run(Grid3[] positions, RecordLayout layout,
             byte[] records, int costPerSlice)
         {
-            int count = places.Length, side = 0;
-            foreach (var place in places)
-                while ((place.X | place.Y | place.Z) >> side != 0)
+            int count = positions.Length, side = 0;
+            foreach (var position in positions)
+                while ((position.X | position.Y | position.Z) >> side != 0)
                     side++;
             var pool = new RecordPagePool(layout.StrideBytes, count / RecordPages.RecordsPerPage);
             var pages = default(RecordPages);

@@ -13,13 +13,13 @@ namespace FastPoints.Tests.Nodes
         static readonly NodeSizes s_small = new NodeSizes { CellsLog2 = 4, MaxPointsPerLeaf = 100, MaxPointsPerNode = 300 };
 
         [TestCaseSource(typeof(SamplingClouds), nameof(SamplingClouds.All))]
-        public void Sample_SmallCloud_IsExactlyTheReference(Grid3[] places)
+        public void Sample_SmallCloud_IsExactlyTheReference(Grid3[] positions)
         {
             foreach (var sampler in new[] { Sampler.Random, Sampler.Poisson })
             {
-                var sampled = SampledPoints.Run(places, sampler, s_small);
-                var reference = new SamplingReference(sampled.Places, sampled.Priority, s_small, sampler);
-                for (int i = 0; i < sampled.Places.Length; i++)
+                var sampled = SampledPoints.Run(positions, sampler, s_small);
+                var reference = new SamplingReference(sampled.Positions, sampled.Priority, s_small, sampler);
+                for (int i = 0; i < sampled.Positions.Length; i++)
                     Assert.That(sampled.IsSampled(i) ? sampled.Nodes[sampled.NodeOfPoint[i]].CellLog2 : -2,
                         Is.EqualTo(reference.CellOfPoint[i]), sampler + ", point " + i);
                 CheckNodes(sampled, s_small);
@@ -27,12 +27,12 @@ namespace FastPoints.Tests.Nodes
         }
 
         [TestCaseSource(typeof(SamplingClouds), nameof(SamplingClouds.All))]
-        public void Sample_InSlices_IsTheSame(Grid3[] places)
+        public void Sample_InSlices_IsTheSame(Grid3[] positions)
         {
             foreach (var sampler in new[] { Sampler.Random, Sampler.Poisson })
             {
-                var whole = SampledPoints.Run(places, sampler, s_small);
-                var sliced = SampledPoints.Run(places, sampler, s_small, 200);
+                var whole = SampledPoints.Run(positions, sampler, s_small);
+                var sliced = SampledPoints.Run(positions, sampler, s_small, 200);
                 Assert.That(sliced.NodeOfPoint, Is.EqualTo(whole.NodeOfPoint));
                 Assert.That(sliced.Nodes, Is.EqualTo(whole.Nodes));
             }
@@ -41,7 +41,7 @@ namespace FastPoints.Tests.Nodes
         // 16 cells along an edge: of 280 places in a volume a node would take all but a few, of so many on two lines 64 at most.
         [TestCase(Sampler.Random)]
         [TestCase(Sampler.Poisson)]
-        public void Sample_CubeThatANodeWouldTakeAlmostWhole_IsALeaf(Sampler sampler)
+        public void Sample_CubeAlmostExhaustedByANode_IsALeaf(Sampler sampler)
         {
             var scattered = SampledPoints.Run(SamplingClouds.Volume(280, 1 << 20), sampler, s_small);
             Assert.That(scattered.Nodes, Has.Length.EqualTo(1));
@@ -59,11 +59,11 @@ namespace FastPoints.Tests.Nodes
         [Test]
         public void Sample_ManyEqualPoints_TakesBoundedTime([Values(Sampler.Random, Sampler.Poisson)] Sampler sampler)
         {
-            var places = SamplingClouds.Make(400000, (r, i) => (i % 3 == 0
+            var positions = SamplingClouds.Make(400000, (r, i) => (i % 3 == 0
                 ? new Grid3(r.NextInt(1 << 20), r.NextInt(1 << 20), r.NextInt(1 << 12))
                 : new Grid3(77777, 88888, 99), r));
             var watch = System.Diagnostics.Stopwatch.StartNew();
-            var sampled = SampledPoints.Run(places, sampler, NodeSizes.Default, SampleNodesJob.CostOfSlice);
+            var sampled = SampledPoints.Run(positions, sampler, NodeSizes.Default, SampleNodesJob.CostOfSlice);
             Assert.That(watch.Elapsed.TotalSeconds, Is.LessThan(30));
             CheckNodes(sampled, NodeSizes.Default);
             Assert.That(sampled.Nodes.Where(n => n.SideLog2 == 0).Sum(n => n.Count), Is.EqualTo(266666).Within(30));
@@ -72,19 +72,19 @@ namespace FastPoints.Tests.Nodes
         [Test]
         public void Sample_SurfaceAlongAFace_KeepsItsPoints([Values(0, 1 << 19)] int z)
         {
-            var places = SamplingClouds.Make(20000,
+            var positions = SamplingClouds.Make(20000,
                 (r, i) => (new Grid3(r.NextInt(1 << 20), r.NextInt(1 << 20), i < 9 ? i << 17 : z), r));
-            Assert.That(SampledPoints.Run(places, Sampler.Poisson, s_small).Nodes[0].Count, Is.InRange(37, 48));
+            Assert.That(SampledPoints.Run(positions, Sampler.Poisson, s_small).Nodes[0].Count, Is.InRange(37, 48));
         }
 
         [TestCase(40), TestCase(61)]
         public void Sample_VastSpan_KeepsTheDistance(int bits)
         {
-            var places = SamplingClouds.Make(5000,
+            var positions = SamplingClouds.Make(5000,
                 (r, i) => (new Grid3(Long(ref r, bits), Long(ref r, i % 2 == 0 ? bits : 12), i % 3 == 0
                 ? Long(ref r, bits)
                 : 0), r));
-            var sampled = SampledPoints.Run(places, Sampler.Poisson, s_small);
+            var sampled = SampledPoints.Run(positions, Sampler.Poisson, s_small);
             CheckNodes(sampled, s_small);
             Assert.That(sampled.SmallestRatio(), Is.InRange(0.99, 1.5));
         }
@@ -93,7 +93,7 @@ namespace FastPoints.Tests.Nodes
             (long)(((ulong)random.NextUInt() << 32 | random.NextUInt()) >> (64 - bits));
 
         [Test]
-        public void Sample_DenserThanANodeMayBe_StopsAtItsLimit()
+        public void Sample_DenserThanANodeAllows_StopsAtItsLimit()
         {
             // The cap is less than what would fit at the coarsest cells that it allows: neighbours at exactly the spacing.
             var sizes = new NodeSizes { CellsLog2 = 4, MaxPointsPerLeaf = 10, MaxPointsPerNode = 64 };
@@ -104,23 +104,23 @@ namespace FastPoints.Tests.Nodes
         [Test]
         public void Sample_ManyLevels_KeepsTheDistanceAcrossNodes()
         {
-            foreach (var places in new[] { SamplingClouds.Volume(30000, 1 << 20), SamplingClouds.Surface(30000, 1 << 18) })
+            foreach (var positions in new[] { SamplingClouds.Volume(30000, 1 << 20), SamplingClouds.Surface(30000, 1 << 18) })
             {
                 var sizes =
                     new NodeSizes { CellsLog2 = 5, MaxPointsPerLeaf = 500, MaxPointsPerNode = StoreFormat.MaxPointsPerNode };
-                var sampled = SampledPoints.Run(places, Sampler.Poisson, sizes);
+                var sampled = SampledPoints.Run(positions, Sampler.Poisson, sizes);
                 CheckNodes(sampled, sizes);
                 Assert.That(sampled.SmallestRatio(), Is.InRange(1.0, 1.01));
             }
         }
 
         [Test]
-        public void Sample_Spacing_IsAsEvenAsDartThrowingInRandomOrder()
+        public void Sample_Spacing_MatchesRandomDartThrowing()
         {
             var sizes = new NodeSizes { CellsLog2 = 5, MaxPointsPerLeaf = 100, MaxPointsPerNode = StoreFormat.MaxPointsPerNode };
-            foreach (var places in new[] { SamplingClouds.Volume(6000, 1 << 20), SamplingClouds.Surface(6000, 1 << 18) })
+            foreach (var positions in new[] { SamplingClouds.Volume(6000, 1 << 20), SamplingClouds.Surface(6000, 1 << 18) })
             {
-                var sampled = SampledPoints.Run(places, Sampler.Poisson, sizes);
+                var sampled = SampledPoints.Run(positions, Sampler.Poisson, sizes);
                 // All that is drawn of the two widest spacings, as a picture from afar would have it.
                 int widest = 0;
                 foreach (var node in sampled.Nodes)
@@ -136,7 +136,7 @@ namespace FastPoints.Tests.Nodes
 
         static bool[] Thrown(SampledPoints sampled, int widest)
         {
-            var order = new int[sampled.Places.Length];
+            var order = new int[sampled.Positions.Length];
             for (int i = 0; i < order.Length; i++)
                 order[i] = i;
             Array.Sort((uint[])sampled.Priority.Clone(), order);
@@ -159,7 +159,7 @@ namespace FastPoints.Tests.Nodes
         static double Unevenness(SampledPoints sampled, Func<int, bool> isChosen)
         {
             var chosen = new List<int>();
-            for (int i = 0; i < sampled.Places.Length; i++)
+            for (int i = 0; i < sampled.Positions.Length; i++)
                 if (isChosen(i))
                     chosen.Add(i);
             double sum = 0, squares = 0;

@@ -12,16 +12,16 @@ namespace FastPoints.Tests.Nodes
     sealed class SampledPoints
     {
         /// <summary>In order along the Morton curve, from the cube's corner.</summary>
-        public Grid3[] Places;
+        public Grid3[] Positions;
         public uint[] Priority;
         public int[] NodeOfPoint;
         public NodeDraft[] Nodes;
 
-        public static unsafe SampledPoints Run(IReadOnlyList<Grid3> places, Sampler sampler, NodeSizes sizes,
+        public static unsafe SampledPoints Run(IReadOnlyList<Grid3> positions, Sampler sampler, NodeSizes sizes,
             int costPerSlice = int.MaxValue)
         {
-            var sorted = Sorted(places, out int side);
-            var result = new SampledPoints { Places = sorted };
+            var sorted = Sorted(positions, out int side);
+            var result = new SampledPoints { Positions = sorted };
             int count = sorted.Length;
             var layout = new RecordLayout(side > 32, default, 0);
             using var scratch = new SampleScratch(Allocator.Persistent);
@@ -74,13 +74,13 @@ namespace FastPoints.Tests.Nodes
         }
 
         /// <param name="side">log2 of the side of the smallest cube at the origin that has them all.</param>
-        static Grid3[] Sorted(IReadOnlyList<Grid3> places, out int side)
+        static Grid3[] Sorted(IReadOnlyList<Grid3> positions, out int side)
         {
-            var sorted = new Grid3[places.Count];
+            var sorted = new Grid3[positions.Count];
             long max = 0;
             for (int i = 0; i < sorted.Length; i++)
             {
-                sorted[i] = places[i];
+                sorted[i] = positions[i];
                 max |= sorted[i].X | sorted[i].Y | sorted[i].Z;
             }
             Array.Sort(sorted, MortonOrder.Compare);
@@ -96,17 +96,17 @@ namespace FastPoints.Tests.Nodes
         {
             double smallest = double.PositiveInfinity;
             var sampled = new List<int>();
-            for (int i = 0; i < Places.Length; i++)
+            for (int i = 0; i < Positions.Length; i++)
                 if (IsSampled(i))
                     sampled.Add(i);
             // Along x, so that few pairs are looked at.
-            sampled.Sort((a, b) => Places[a].X.CompareTo(Places[b].X));
+            sampled.Sort((a, b) => Positions[a].X.CompareTo(Positions[b].X));
             double widest = 0;
             foreach (var node in Nodes)
                 if (!node.IsLeaf)
                     widest = Math.Max(widest, Math.Pow(2, node.CellLog2));
             for (int a = 0; a < sampled.Count; a++)
-                for (int b = a + 1; b < sampled.Count && Places[sampled[b]].X - Places[sampled[a]].X < widest; b++)
+                for (int b = a + 1; b < sampled.Count && Positions[sampled[b]].X - Positions[sampled[a]].X < widest; b++)
                 {
                     int cell = Math.Min(Nodes[NodeOfPoint[sampled[a]]].CellLog2, Nodes[NodeOfPoint[sampled[b]]].CellLog2);
                     smallest = Math.Min(smallest, DistanceOf(sampled[a], sampled[b]) / Math.Pow(2, cell));
@@ -118,7 +118,7 @@ namespace FastPoints.Tests.Nodes
 
         public double DistanceOf(int a, int b)
         {
-            var d = Places[a] - Places[b];
+            var d = Positions[a] - Positions[b];
             return Math.Sqrt((double)d.X * d.X + (double)d.Y * d.Y + (double)d.Z * d.Z);
         }
     }
@@ -128,10 +128,10 @@ namespace FastPoints.Tests.Nodes
         public static Grid3[] Make(int count, Func<Unity.Mathematics.Random, int, (Grid3, Unity.Mathematics.Random)> make)
         {
             var random = new Unity.Mathematics.Random(99);
-            var places = new Grid3[count];
+            var positions = new Grid3[count];
             for (int i = 0; i < count; i++)
-                (places[i], random) = make(random, i);
-            return places;
+                (positions[i], random) = make(random, i);
+            return positions;
         }
 
         public static Grid3[] Volume(int count, int side) => Make(count, (r, i) =>
@@ -145,10 +145,10 @@ namespace FastPoints.Tests.Nodes
 
         public static Grid3[] Lattice(int edge, int step)
         {
-            var places = new List<Grid3>();
+            var positions = new List<Grid3>();
             for (int i = 0; i < edge * edge * edge; i++)
-                places.Add(new Grid3(i % edge * step, i / edge % edge * step, i / edge / edge * step));
-            return places.ToArray();
+                positions.Add(new Grid3(i % edge * step, i / edge % edge * step, i / edge / edge * step));
+            return positions.ToArray();
         }
 
         public static IEnumerable<TestCaseData> All()
@@ -167,6 +167,7 @@ namespace FastPoints.Tests.Nodes
                 (new Grid3(r.NextInt(int.MaxValue), r.NextInt(int.MaxValue), i % 2 * (long)int.MaxValue), r)));
         }
 
-        static TestCaseData Case(string name, Grid3[] places) => new TestCaseData((object)places).SetName("{m}(" + name + ")");
+        static TestCaseData Case(string name, Grid3[] positions) => new TestCaseData((object)positions).SetName("{m}(" + name +
+            ")");
     }
 }

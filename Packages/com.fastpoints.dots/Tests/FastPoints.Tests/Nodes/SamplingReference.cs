@@ -22,7 +22,7 @@ namespace FastPoints.Tests.Nodes
 
         const int InLeaf = -2;
 
-        readonly Grid3[] m_places;
+        readonly Grid3[] m_positions;
         readonly uint[] m_priority;
         readonly NodeSizes m_sizes;
         readonly long m_side;
@@ -33,17 +33,17 @@ namespace FastPoints.Tests.Nodes
         /// <summary>By point: log2 of the spacing at which it was taken; negative in leaves and chains.</summary>
         public int[] CellOfPoint { get; }
 
-        /// <param name="places">Along the Morton curve.</param>
-        public SamplingReference(Grid3[] places, uint[] priority, NodeSizes sizes, Sampler sampler)
+        /// <param name="positions">Along the Morton curve.</param>
+        public SamplingReference(Grid3[] positions, uint[] priority, NodeSizes sizes, Sampler sampler)
         {
-            m_places = places;
+            m_positions = positions;
             m_priority = priority;
             m_sizes = sizes;
-            for (m_side = 1; places.Any(p => Math.Max(p.X, Math.Max(p.Y, p.Z)) >= m_side);)
+            for (m_side = 1; positions.Any(p => Math.Max(p.X, Math.Max(p.Y, p.Z)) >= m_side);)
                 m_side *= 2;
-            CellOfPoint = new int[places.Length];
+            CellOfPoint = new int[positions.Length];
             Array.Fill(CellOfPoint, InLeaf);
-            var cubes = new List<Cube> { new Cube { Points = Enumerable.Range(0, places.Length).ToList() } };
+            var cubes = new List<Cube> { new Cube { Points = Enumerable.Range(0, positions.Length).ToList() } };
             for (int i = 0; i < cubes.Count; i++)
             {
                 Plan(cubes[i]);
@@ -68,10 +68,10 @@ namespace FastPoints.Tests.Nodes
         void Plan(Cube cube)
         {
             int side = 0;
-            var first = m_places[cube.Points[0]];
+            var first = m_positions[cube.Points[0]];
             foreach (int point in cube.Points)
             {
-                var d = m_places[point];
+                var d = m_positions[point];
                 for (long differs = d.X ^ first.X | d.Y ^ first.Y | d.Z ^ first.Z; differs >> side != 0;)
                     side++;
             }
@@ -102,7 +102,7 @@ namespace FastPoints.Tests.Nodes
 
         Grid3 CellOf(int point, int cell)
         {
-            var p = m_places[point];
+            var p = m_positions[point];
             return new Grid3(p.X >> cell, p.Y >> cell, p.Z >> cell);
         }
 
@@ -120,13 +120,13 @@ namespace FastPoints.Tests.Nodes
             long strip = m_side >= 1L << tileLog2 ? 1L << cube.CellLog2 >> 1 : 0, step = strip * 7 / 4;
             long Inward(long at) => at < strip ? at + step : m_side - at <= strip ? at - step : at;
             Grid3 Moved(Grid3 p) => new Grid3(Inward(p.X), Inward(p.Y), Inward(p.Z));
-            bool IsAtFace(int point) => MortonOrder.Compare(Moved(m_places[point]), m_places[point]) != 0;
+            bool IsAtFace(int point) => MortonOrder.Compare(Moved(m_positions[point]), m_positions[point]) != 0;
             foreach (var tile in Candidates(cube).GroupBy(p => CellOf(p, tileLog2)))
             {
                 foreach (int point in tile.OrderBy(IsAtFace).ThenBy(p => PoissonPriority.ClassOf(m_priority[p])).ThenBy(p => p))
                 {
                     if (own.Count == m_sizes.MaxPointsPerNode || takenOfSpacing.Any(t => IsNear(point, t, cube.CellLog2) ||
-                        IsNear(Moved(m_places[point]), m_places[t], cube.CellLog2)))
+                        IsNear(Moved(m_positions[point]), m_positions[t], cube.CellLog2)))
                         continue;
                     own.Add(point);
                     takenOfSpacing.Add(point);
@@ -136,7 +136,7 @@ namespace FastPoints.Tests.Nodes
             return own;
         }
 
-        bool IsNear(int a, int b, int cell) => IsNear(m_places[a], m_places[b], cell);
+        bool IsNear(int a, int b, int cell) => IsNear(m_positions[a], m_positions[b], cell);
 
         /// <summary>To the step for spacings of up to 2048 steps.</summary>
         static bool IsNear(Grid3 a, Grid3 b, int cell)

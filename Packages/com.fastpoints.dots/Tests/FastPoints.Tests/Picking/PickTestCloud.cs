@@ -17,7 +17,7 @@ namespace FastPoints.Tests.Picking
         public PickTestCloud(int points = 60_000, uint seed = 5)
         {
             var random = new Unity.Mathematics.Random(seed);
-            Places = new int3[points];
+            Positions = new int3[points];
             Times = new double[points];
             Classes = new byte[points];
             Angles = new short[points];
@@ -33,9 +33,9 @@ namespace FastPoints.Tests.Picking
                     (at.y, height) = (50_000 + random.NextInt(20), random.NextInt(20_000));
                 else if (i % 997 == 0)
                     height += random.NextInt(30_000);
-                Places[i] = new int3(at, height);
+                Positions[i] = new int3(at, height);
                 for (int axis = 0; axis < 3; axis++)
-                    ((int[])columns[axis])[i] = Places[i][axis];
+                    ((int[])columns[axis])[i] = Positions[i][axis];
                 Times[i] = 300_000_000 + i * 1e-7;
                 Classes[i] = (byte)random.NextInt(1, 8);
                 Angles[i] = (short)random.NextInt(-30000, 30000);
@@ -59,7 +59,7 @@ namespace FastPoints.Tests.Picking
             }), new PositionTransform { Scale = new double3(Scale, Scale, Scale), Offset = OriginGeo }, 5000, columns));
         }
 
-        public int3[] Places { get; }
+        public int3[] Positions { get; }
         public byte[] Classes { get; }
         public double[] Times { get; }
         public short[] Angles { get; }
@@ -70,7 +70,7 @@ namespace FastPoints.Tests.Picking
 
         public PointPicker Picker() => new PointPicker(FolderSource.OpenWhole(Path));
 
-        public double3 Geo(int point) => new double3(Places[point]) * Scale + OriginGeo;
+        public double3 Geo(int point) => new double3(Positions[point]) * Scale + OriginGeo;
 
         public static PickResult Find(PointPicker picker, PickRay ray, CloudPlacement placement, PickOptions options = null)
         {
@@ -79,14 +79,14 @@ namespace FastPoints.Tests.Picking
             return result;
         }
 
-        /// <summary>The first hit by looking at every point; -1 where there is none.</summary>
-        /// <param name="nextDistance">Of the second hit: where it is no farther to speak of, either may be found.</param>
+        /// <summary>The first hit by looking at every point; -1 if there is none.</summary>
+        /// <param name="nextDistance">Of the second hit: if it is hardly farther, either may be found.</param>
         public int First(PickRay ray, Func<double3, double3> toWorld, Func<int, bool> isShown, out double distance,
             out double nextDistance)
         {
             int first = -1;
             distance = nextDistance = double.PositiveInfinity;
-            for (int i = 0; i < Places.Length; i++)
+            for (int i = 0; i < Positions.Length; i++)
             {
                 if (isShown != null && !isShown(i))
                     continue;

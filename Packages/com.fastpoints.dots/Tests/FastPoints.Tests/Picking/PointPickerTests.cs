@@ -57,7 +57,7 @@ namespace FastPoints.Tests.Picking
             int hits = 0;
             for (int trial = 0; trial < 40; trial++)
             {
-                var target = ToWorld(m_cloud.Geo(random.NextInt(m_cloud.Places.Length)));
+                var target = ToWorld(m_cloud.Geo(random.NextInt(m_cloud.Positions.Length)));
                 var eye = target + math.normalize(random.NextDouble3(-1, 1)) * unit * random.NextDouble(0.01, 80);
                 var aim = target + random.NextDouble3(-1, 1) * unit * 0.1;
                 var ray = trial % 3 == 0 ? PickRay.Parallel(eye, aim - eye, 50 / unit, random.NextDouble(0.5, 10))
@@ -74,23 +74,23 @@ namespace FastPoints.Tests.Picking
                 hits++;
                 Assert.That(found.Point.Distance, Is.EqualTo(distance).Within(1e-8 * unit + 1e-9));
                 if (next - distance > 1e-7 * unit)
-                    Assert.That(PickTestCloud.StoredOf(found.Point), Is.EqualTo(m_cloud.Places[first]));
+                    Assert.That(PickTestCloud.StoredOf(found.Point), Is.EqualTo(m_cloud.Positions[first]));
                 Assert.That(math.distance(found.Point.PositionWorld, ToWorld(found.Point.PositionGeo)), Is.LessThan(1e-8));
             }
             Assert.That(hits, Is.InRange(15, 39), "some hit and some miss");
         }
 
         [Test]
-        public void Find_CameraOneCentimetreFromAPoint_IsThatPointToItsLastDigit()
+        public void Find_CameraOneCentimetreFromAPoint_IsExact()
         {
             var random = new Unity.Mathematics.Random(4);
             for (int trial = 0; trial < 20; trial++)
             {
-                int point = random.NextInt(m_cloud.Places.Length);
+                int point = random.NextInt(m_cloud.Positions.Length);
                 var direction = math.normalize(random.NextDouble3(-1, 1));
                 var ray = PickRay.FromEye(m_cloud.Geo(point) - 0.01 * direction, direction, 1000, 3);
                 var found = PickTestCloud.Find(m_picker, ray, m_geo).Point;
-                Assert.That(PickTestCloud.StoredOf(found), Is.EqualTo(m_cloud.Places[point]));
+                Assert.That(PickTestCloud.StoredOf(found), Is.EqualTo(m_cloud.Positions[point]));
                 Assert.That(found.PositionGeo, Is.EqualTo(m_cloud.Geo(point)), "not a digit is lost");
                 Assert.That(found.Distance, Is.EqualTo(0.01).Within(2e-9));
             }
@@ -103,7 +103,7 @@ namespace FastPoints.Tests.Picking
             {
                 var ray = PickRay.FromEye(m_cloud.Geo(point) + new double3(0, 0, 0.002), new double3(0, 0, -1), 1000, 1);
                 var found = PickTestCloud.Find(m_picker, ray, m_geo, EveryPoint).Point;
-                Assert.That(PickTestCloud.StoredOf(found), Is.EqualTo(m_cloud.Places[point]));
+                Assert.That(PickTestCloud.StoredOf(found), Is.EqualTo(m_cloud.Positions[point]));
                 Assert.That(found.Attributes.Select(a => a.Attribute.Name), Is.EqualTo(new[] { "Classification", "GpsTime",
                     "ScanAngle", "roughness", "Red", "Green", "Blue" }));
                 Assert.That(found.Attributes[0].Value, Is.EqualTo(m_cloud.Classes[point]));
@@ -116,7 +116,7 @@ namespace FastPoints.Tests.Picking
         }
 
         [Test]
-        public void Find_HiddenClassesAndClipBoxes_AreLookedThrough()
+        public void Find_HiddenClassesAndClipBoxes_AreNotHit()
         {
             var random = new Unity.Mathematics.Random(2);
             var box = new ClipBox(PickTestCloud.OriginGeo + new double3(0, 0, 3),
@@ -125,11 +125,11 @@ namespace FastPoints.Tests.Picking
             options.HiddenClasses = ClassMask.Of(2, 3, 4, 5);
             options.ClipBoxes.Add(box);
             bool IsShown(int i) => m_cloud.Classes[i] != 2 && (m_cloud.Classes[i] < 3 || m_cloud.Classes[i] > 5) &&
-                m_cloud.Places[i].z < 3000;
+                m_cloud.Positions[i].z < 3000;
             int hits = 0;
             for (int trial = 0; trial < 30; trial++)
             {
-                var target = m_cloud.Geo(random.NextInt(m_cloud.Places.Length));
+                var target = m_cloud.Geo(random.NextInt(m_cloud.Positions.Length));
                 var eye = target + new double3(random.NextDouble2(-20, 20), 30);
                 var ray = PickRay.FromEye(eye, target - eye, 800, 12);
                 var found = PickTestCloud.Find(m_picker, ray, m_geo, options).Point;
@@ -143,14 +143,14 @@ namespace FastPoints.Tests.Picking
         }
 
         [Test]
-        public void Find_FromFarAway_ReadsNoMoreThanAScreenShows()
+        public void Find_FromFarAway_ReadsNoMoreThanIsVisible()
         {
             var eye = PickTestCloud.OriginGeo + new double3(50, -3000, 3000);
             long all = 0, shown = 0;
             for (int x = 10; x < 90; x += 10)
             {
                 var aim = PickTestCloud.OriginGeo + new double3(x, 30, 0) - eye;
-                // Behind the points that stand out of the ground, of which each level has some.
+                // Beyond points that rise above the ground, of which each level has some.
                 var ray = PickRay.FromEye(eye, aim, 800, 2);
                 ray.From = math.length(aim) - 3;
                 all += PickTestCloud.Find(m_picker, ray, m_geo, EveryPoint).BytesRead;
@@ -163,7 +163,7 @@ namespace FastPoints.Tests.Picking
         }
 
         [Test]
-        public void Find_BeyondItsBytes_EndsWithWhatItHas()
+        public void Find_ByteLimitExceeded_ReturnsTheBestSoFar()
         {
             var ray = PickRay.FromEye(m_cloud.Geo(5) + new double3(0, 0, 0.01), new double3(0, 0, -1), 800, 1);
             var options = EveryPoint;
@@ -202,12 +202,12 @@ namespace FastPoints.Tests.Picking
                         if (step + 1 < steps)
                             work.Current.Complete();
                 Assert.That(PickTestCloud.StoredOf(PickTestCloud.Find(picker, of, m_geo, EveryPoint).Point),
-                    Is.EqualTo(m_cloud.Places[7]));
+                    Is.EqualTo(m_cloud.Positions[7]));
             }
         }
 
         [Test]
-        public void Find_DamagedChunk_SaysWhichFileAndByte()
+        public void Find_DamagedChunk_NamesFileAndByte()
         {
             using var cloud = new PickTestCloud(20_000);
             foreach (string file in cloud.ChunkFiles)

@@ -26,7 +26,7 @@ namespace FastPoints.Tests.Picking
         static PickOptions EveryPoint => new PickOptions { FinestSpacing = 0 };
 
         [Test]
-        public void Find_AnyRay_IsThePointThatTheConvertedCloudHas(
+        public void Find_AnyRay_MatchesTheConvertedCloud(
             [ValueSource(typeof(TreeTestCloud), nameof(TreeTestCloud.Kinds))] string kind)
         {
             using var cloud = new TreeTestCloud(kind);
@@ -40,15 +40,15 @@ namespace FastPoints.Tests.Picking
         [TestCase("potree/lion_takanawa/cloud.js")]
         [TestCase("potree/lion_takanawa_laz/cloud.js")]
         [TestCase("potree/v2-mixedconifer-default/metadata.json")]
-        public void Find_Sample_IsThePointThatTheConvertedCloudHas(string sample) =>
+        public void Find_Sample_MatchesTheConvertedCloud(string sample) =>
             Compare(TestData.SampleOrIgnore(sample), 12, EveryPoint);
 
         [Test]
-        public void Find_HiddenClassesAndClipBoxes_AreLookedThrough()
+        public void Find_HiddenClassesAndClipBoxes_AreNotHit()
         {
             using var cloud = new TreeTestCloud(TreeTestCloud.Copc);
             var options = EveryPoint;
-            var geo = PlacesOf(cloud.Path).Where(p => math.all(math.abs(p) < 1e6)).ToList();
+            var geo = PositionsOf(cloud.Path).Where(p => math.all(math.abs(p) < 1e6)).ToList();
             double middle = geo.Select(p => p.x).OrderBy(x => x).ElementAt(geo.Count / 2);
             options.ClipBoxes.Add(new ClipBox(new double3(-1e9, -1e9, -1e9), new double3(middle, 1e9, 1e9), true));
             options.HiddenClasses = ClassMask.Of(0, 1, 2, 3);
@@ -62,7 +62,7 @@ namespace FastPoints.Tests.Picking
 
         static List<PickedPoint> Compare(string path, int rays, PickOptions options)
         {
-            var all = PlacesOf(path);
+            var all = PositionsOf(path);
             var found = new List<PickedPoint>();
             using (var streamed = TreeTestCloud.Open(path))
             using (var reader = PointReaders.Open(path))
@@ -87,7 +87,7 @@ namespace FastPoints.Tests.Picking
                     Assert.That(got.Distance, Is.EqualTo(want.Distance).Within(1e-12 * (want.Distance + math.length(eye))));
                     Assert.That(got.PositionGeo, Is.EqualTo(want.PositionGeo), "not a digit is lost");
                     Assert.That(got.Attributes.Select(a => a.Attribute), Is.EqualTo(want.Attributes.Select(a => a.Attribute)));
-                    // Of several points at one place it may be another.
+                    // Any of several points at one position may be found.
                     if (all.Count(p => p.Equals(got.PositionGeo)) == 1)
                         Assert.That(got.Attributes.Select(a => a.ToString()),
                             Is.EqualTo(want.Attributes.Select(a => a.ToString())));
@@ -97,20 +97,20 @@ namespace FastPoints.Tests.Picking
             return found;
         }
 
-        static unsafe List<double3> PlacesOf(string path)
+        static unsafe List<double3> PositionsOf(string path)
         {
-            var places = new List<double3>();
+            var positions = new List<double3>();
             using (var reader = PointReaders.Open(path))
             {
                 JobCoroutine.RunToEnd(reader.FindBlocks());
                 ReadPoints.EachBlock(reader, reader.Info.Schema.Select("X", "Y", "Z"), read =>
                 {
-                    var positions = PositionColumns.Of(read.Points);
+                    var columns = PositionColumns.Of(read.Points);
                     for (int i = 0; i < read.Points.Count; i++)
-                        places.Add(positions.GeoAt((byte*)read.Points.Bytes.GetUnsafeReadOnlyPtr(), reader.Info.Transform, i));
+                        positions.Add(columns.GeoAt((byte*)read.Points.Bytes.GetUnsafeReadOnlyPtr(), reader.Info.Transform, i));
                 });
             }
-            return places;
+            return positions;
         }
 
         static PointPicker PickerOf(NodeSource streamed)
@@ -123,12 +123,12 @@ namespace FastPoints.Tests.Picking
         static CloudPlacement Geo(PointPicker picker) => CloudPlacement.Geo(picker.Source.Grid, picker.Source.Root);
 
         [Test]
-        public void Find_FewBytes_EndsWithWhatItHas()
+        public void Find_FewBytesAllowed_ReturnsTheBestSoFar()
         {
             using var cloud = new TreeTestCloud(TreeTestCloud.Copc);
             using var streamed = cloud.Open();
             using var picker = PickerOf(streamed);
-            var at = PlacesOf(cloud.Path)[2000];
+            var at = PositionsOf(cloud.Path)[2000];
             var ray = PickRay.FromEye(at + new double3(0, 0, 1), new double3(0, 0, -1), 800, 3);
             var options = EveryPoint;
             var whole = PickTestCloud.Find(picker, ray, Geo(picker), options);
@@ -142,7 +142,7 @@ namespace FastPoints.Tests.Picking
         }
 
         [Test]
-        public void Find_DamagedNode_SaysWhichFileAndByte()
+        public void Find_DamagedNode_NamesFileAndByte()
         {
             var writer = new CopcFileWriter { MaxNodePoints = 4000 };
             var bytes = writer.Write(LazRecords.Make(7, 0, 3000, 7));
@@ -150,7 +150,7 @@ namespace FastPoints.Tests.Picking
             long begin = (long)CopcEntry.Read(new ByteReader(bytes, "", 0), (int)offset).Offset;
             double3 at;
             using (var whole = new TemporaryFile(bytes, ".copc.laz"))
-                at = PlacesOf(whole.Path)[0];
+                at = PositionsOf(whole.Path)[0];
             for (int i = 60; i < 200; i++)
                 bytes[begin + i] = 0xFF;
             using var file = new TemporaryFile(bytes, ".copc.laz");
@@ -171,7 +171,7 @@ namespace FastPoints.Tests.Picking
         {
             using var cloud = new TreeTestCloud(kind);
             using var streamed = cloud.Open();
-            var at = PlacesOf(cloud.Path)[700];
+            var at = PositionsOf(cloud.Path)[700];
             var ray = PickRay.FromEye(at + new double3(0, 0, 0.01), new double3(0, 0, -1), 800, 3);
             UnsafeUtility.ForgiveLeaks();
             for (int steps = 0; steps < 30; steps++)
@@ -209,7 +209,7 @@ namespace FastPoints.Tests.Picking
             using var picker = new StreamPicker();
             var converted = folder.Open();
             var tree = copc.Open();
-            var at = PlacesOf(copc.Path)[1000];
+            var at = PositionsOf(copc.Path)[1000];
             stream.Add(converted, StreamedTestCloud.Geo(converted));
             int number = stream.Add(tree, StreamedTestCloud.Geo(tree));
             var ray = PickRay.FromEye(at + new double3(0, 0, 0.001), new double3(0, 0, -1), 800, 1);
@@ -232,7 +232,7 @@ namespace FastPoints.Tests.Picking
         }
 
         [Test]
-        public void StreamPicker_FileMissing_ReportsAndGoesOnWithTheOthers()
+        public void StreamPicker_MissingFile_ReportsItAndSearchesTheOthers()
         {
             using var folder = new StreamedTestCloud(20_000, 4000);
             using var copc = new TreeTestCloud(TreeTestCloud.Copc);

@@ -76,15 +76,15 @@ namespace FastPoints.Tests.Picture
         }
 
         [Test]
-        public void Frame_OnePlaceFarOut_IsSeenFromAUnitAwayOrMore([Values(0, 1e-7)] double size)
+        public void Frame_OnePositionFarOut_IsAtLeastAUnitAway([Values(0, 1e-7)] double size)
         {
-            var place = new double3(500_000, 5_400_000, 100);
+            var position = new double3(500_000, 5_400_000, 100);
             var outline = new double3[20];
             for (int i = 0; i < outline.Length; i++)
-                outline[i] = place;
-            var camera = CameraFraming.Frame(ViewDirection.Auto, new BoundsGeo(place - size, place + size), outline, 300, 300,
-                UpAxis.Z);
-            Assert.That(math.length(camera.EyeGeo - place), Is.InRange(1, 10));
+                outline[i] = position;
+            var camera = CameraFraming.Frame(ViewDirection.Auto, new BoundsGeo(position - size, position + size), outline, 300,
+                300, UpAxis.Z);
+            Assert.That(math.length(camera.EyeGeo - position), Is.InRange(1, 10));
         }
 
         [Test]

@@ -19,8 +19,8 @@ namespace FastPoints.Tests.Picture
             PositionColumns.Of(batch).Load(bytes, 0, batch.Count, x, y, z);
             var colors = new uint[batch.Count];
             fixed (uint* at = colors)
-                PointColoring.ColorRun(bytes, 0, mapping, (uint*)palettes.GetUnsafeReadOnlyPtr(),
-                    new PointRun { Count = batch.Count, X = x, Y = y, Z = z, Colors = at });
+                PointColoring.ColorBatch(bytes, 0, mapping, (uint*)palettes.GetUnsafeReadOnlyPtr(),
+                    new PointSpan { Count = batch.Count, X = x, Y = y, Z = z, Colors = at });
             return colors;
         }
 
@@ -44,7 +44,7 @@ namespace FastPoints.Tests.Picture
         [TestCase(AttributeType.Float32, ColorDepth.Unit, 0.5, 128)]
         [TestCase(AttributeType.Float32, ColorDepth.Unit, 7, 255)]
         [TestCase(AttributeType.Float32, ColorDepth.Unit, double.NaN, 0)]
-        public void Rgb_EachDepth_BecomesABytes(AttributeType type, ColorDepth depth, double stored, int value)
+        public void Rgb_EachBitDepth_BecomesBytes(AttributeType type, ColorDepth depth, double stored, int value)
         {
             using var batch = With(s_rgb, type, new[] { 0, 0, 0, stored, 0, stored });
             var color = Colors(batch, new DisplayRanges { Color = depth }, ColorMode.Rgb, PositionTransform.Identity)[0];

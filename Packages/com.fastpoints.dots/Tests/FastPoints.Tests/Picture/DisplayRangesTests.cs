@@ -38,7 +38,7 @@ namespace FastPoints.Tests.Picture
         [TestCase(AttributeType.Float64, double.NaN, ColorDepth.None)]
         [TestCase(AttributeType.UInt16, 0, ColorDepth.None)]
         [TestCase(AttributeType.Float32, 0, ColorDepth.None)]
-        public void Measure_Colour_DecidesOnceFromTheLargest(AttributeType type, double max, ColorDepth depth)
+        public void Measure_Colour_UsesTheMaximumOnce(AttributeType type, double max, ColorDepth depth)
         {
             using var batch = Colored(type, 0, max, 0);
             var ranges = Measure(batch);
@@ -63,7 +63,7 @@ namespace FastPoints.Tests.Picture
         }
 
         [Test]
-        public void Measure_FewOutliers_DoNotSpreadTheRobustBounds()
+        public void Measure_FewOutliers_DoNotEnlargeTheRobustBounds()
         {
             var positions = new double3[10_000];
             var random = new Unity.Mathematics.Random(21);
@@ -106,7 +106,7 @@ namespace FastPoints.Tests.Picture
         }
 
         [Test]
-        public void Measure_Classes_AreThoseThatPointsHave()
+        public void Measure_Classes_AreTheExistingOnes()
         {
             using var batch = TestBatches.Scan(5000, 4);
             for (int i = 0; i < batch.Count; i++)
@@ -142,7 +142,7 @@ namespace FastPoints.Tests.Picture
         }
 
         [Test]
-        public void Measure_FarthestPoints_AreInTheRimButForOutliers()
+        public void Measure_FarthestPoints_AreInTheRimExceptOutliers()
         {
             var random = new Unity.Mathematics.Random(5);
             var positions = new double3[30_000];

@@ -9,7 +9,7 @@ namespace FastPoints.Tests.Picture
     {
         [TestCase(0.0, 68, 1, 84), TestCase(0.25, 59, 82, 139), TestCase(0.5, 33, 145, 140)]
         [TestCase(0.75, 94, 201, 98), TestCase(1.0, 253, 231, 37)]
-        public void Viridis_KnownPlaces_AreWithinFiveSteps(double share, int red, int green, int blue)
+        public void Viridis_KnownEntries_AreWithinFiveSteps(double share, int red, int green, int blue)
         {
             uint color = Palettes.Viridis(share);
             Assert.That((int)(color & 255), Is.EqualTo(red).Within(5));
@@ -19,7 +19,7 @@ namespace FastPoints.Tests.Picture
         }
 
         [TestCase(0.0, 48, 18, 59), TestCase(0.5, 164, 252, 60), TestCase(1.0, 122, 4, 3)]
-        public void Turbo_KnownPlaces_AreWithinAnEighth(double share, int red, int green, int blue)
+        public void Turbo_KnownEntries_AreWithinAnEighth(double share, int red, int green, int blue)
         {
             uint color = Palettes.Turbo(share);
             Assert.That((int)(color & 255), Is.EqualTo(red).Within(32));
@@ -28,7 +28,7 @@ namespace FastPoints.Tests.Picture
         }
 
         [TestCase(ColorMode.ReturnNumber, 7), TestCase(ColorMode.PointSource, 100)]
-        public void Create_Categories_HaveColoursOfTheirOwn(ColorMode mode, int count)
+        public void Create_Categories_HaveDistinctColours(ColorMode mode, int count)
         {
             using var palette = Palettes.Create(mode, Allocator.Persistent);
             for (int a = 1; a < count; a++)
@@ -37,7 +37,7 @@ namespace FastPoints.Tests.Picture
         }
 
         [Test]
-        public void Create_Gradient_TakesThePlaceOfAnAmountsOwnAndNotOfACategorys()
+        public void Create_Gradient_ReplacesThatOfAmountsAndNotOfCategories()
         {
             using var turbo = Palettes.Create(ColorMode.Elevation, Allocator.Persistent, Gradient.Turbo);
             using var gray = Palettes.Create(ColorMode.Elevation, Allocator.Persistent, Gradient.Gray);
@@ -49,11 +49,11 @@ namespace FastPoints.Tests.Picture
         }
 
         [TestCase(0.0, 0), TestCase(1.0, 255), TestCase(0.5, 188), TestCase(0.002, 7)]
-        public void Gray_ShareOfLight_IsEncodedAsSrgb(double light, int value) =>
+        public void Gray_LinearLight_IsEncodedAsSrgb(double light, int value) =>
             Assert.That((int)(Palettes.Gray(light) & 255), Is.EqualTo(value));
 
         [Test]
-        public void CreateAll_EachModeAndGradient_HasItsTable([Values] Gradient gradient)
+        public void CreateAll_EachModeAndGradient_HasItsPalette([Values] Gradient gradient)
         {
             using var all = Palettes.CreateAll(Allocator.Persistent);
             foreach (ColorMode mode in Enum.GetValues(typeof(ColorMode)))

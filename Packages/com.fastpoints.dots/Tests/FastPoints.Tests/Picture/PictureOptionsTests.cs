@@ -51,7 +51,7 @@ namespace FastPoints.Tests.Picture
         [TestCase("size", "u"), TestCase("size", "-1u"), TestCase("size", "adaptive:")]
         [TestCase("size", "adaptive:0"), TestCase("points", "flat"), TestCase("edl", "-1")]
         [TestCase("background", "12345"), TestCase("up", ""), TestCase("shine", "on")]
-        public void TrySetStyle_BadValue_SaysWhatWasWanted(string key, string value)
+        public void TrySetStyle_BadValue_NamesTheWanted(string key, string value)
         {
             Assert.That(new PictureOptions().TrySetStyle(key, value, out string error), Is.False);
             Assert.That(error, Is.Not.Null.And.Not.Empty);

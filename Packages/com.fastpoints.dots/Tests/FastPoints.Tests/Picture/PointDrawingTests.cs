@@ -59,14 +59,14 @@ namespace FastPoints.Tests.Picture
 
         [TestCase(-0.01, 2), TestCase(4, 2), TestCase(2, 4.01), TestCase(2, -0.01), TestCase(double.NaN, 2)]
         [TestCase(1e300, 2), TestCase(double.PositiveInfinity, 2)]
-        public void Draw_PointOutsideOrNowhere_LeavesThePictureEmpty(double x, double y)
+        public void Draw_PointOutsideOrNonFinite_LeavesThePictureEmpty(double x, double y)
         {
             using var batch = TestBatches.OfColoredPositions(new[] { new double3(x, y, 1) }, new[] { Green });
             Assert.That(Covered(Draw(batch, FromAbove(4), 4, 4)), Is.EqualTo(0));
         }
 
         [Test]
-        public void Draw_SeveralPointsInOnePixel_TheNearestStaysInAnyOrder()
+        public void Draw_SeveralPointsInOnePixel_KeepsTheNearestInAnyOrder()
         {
             var positions = new[] { new double3(0.5, 0.5, 1), new double3(0.5, 0.5, 3), new double3(0.5, 0.5, -20) };
             var colors = new[] { Red, Green, Blue };
@@ -80,7 +80,7 @@ namespace FastPoints.Tests.Picture
         }
 
         [Test]
-        public void Draw_EqualDepth_TheSmallerColourStaysInAnyOrder()
+        public void Draw_EqualDepth_KeepsTheSmallerColourInAnyOrder()
         {
             var at = new double3(0.5, 0.5, 1);
             using var one = TestBatches.OfColoredPositions(new[] { at, at }, new[] { Red, Blue });
@@ -89,7 +89,7 @@ namespace FastPoints.Tests.Picture
         }
 
         [Test]
-        public void Draw_OrthographicBehindTheEye_IsDrawnToo()
+        public void Draw_OrthographicBehindTheEye_IsDrawn()
         {
             using var batch = TestBatches.OfColoredPositions(new[] { new double3(0.5, 0.5, 500) }, new[] { Green });
             Assert.That(Covered(Draw(batch, FromAbove(1), 1, 1)), Is.EqualTo(1));
@@ -173,7 +173,7 @@ namespace FastPoints.Tests.Picture
         }
 
         [Test]
-        public void DepthBits_AnyDepths_OrderAsTheyDoAndRoundTrip()
+        public void DepthBits_AnyDepths_KeepTheOrderAndRoundTrip()
         {
             float[] depths = { -1e30f, -1, -1e-40f, 0, 1e-40f, 1e-3f, 1, 1.0000001f, 1e30f };
             for (int i = 0; i < depths.Length; i++)

@@ -22,7 +22,7 @@ namespace FastPoints.Tests.Picture
 
         [TestCase(1, 1, 1), TestCase(0.95, 1, 1.2), TestCase(0.2, 3.5, 4.4), TestCase(0.1, 5, 6)]
         [TestCase(0.01, 8, 9), TestCase(0.001, 12, 12), TestCase(0, 1, 1)]
-        public void Choose_EvenPicture_GrowsWithTheGaps(double share, double min, double max)
+        public void Choose_EvenPicture_GrowsWithThePointSpacing(double share, double min, double max)
         {
             using var canvas = Chosen(share, share);
             Assert.That(canvas.TypicalSizePx, Is.InRange(min, max));
@@ -32,7 +32,7 @@ namespace FastPoints.Tests.Picture
         }
 
         [Test]
-        public void Choose_DenseAndThinHalves_GetTheirOwnSizes()
+        public void Choose_DenseAndSparseHalves_GetTheirOwnSizes()
         {
             using var canvas = Chosen(0.97, 0.5);
             int tiles = PointSizing.TilesAlong(256);
@@ -49,14 +49,14 @@ namespace FastPoints.Tests.Picture
         }
 
         [Test]
-        public void Choose_ManyMorePointsToCome_StaysSmall()
+        public void Choose_ManyPointsStillUnread_StaysSmall()
         {
             using var canvas = Chosen(0.1, 0.1, 100);
             Assert.That(canvas.TypicalSizePx, Is.EqualTo(1));
         }
 
         [Test]
-        public void UseSize_AllTiles_HaveIt()
+        public void UseSize_AllTiles_HaveThatSize()
         {
             using var canvas = new PictureCanvas(17, 8, Allocator.Persistent);
             canvas.UseSize(2.5f);

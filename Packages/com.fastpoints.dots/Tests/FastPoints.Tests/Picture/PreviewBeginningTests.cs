@@ -17,7 +17,7 @@ namespace FastPoints.Tests.Picture
         {
             PointFormat = 3,
             ChunkPoints = chunkPoints == 0 ? new int[0] : new[] { chunkPoints },
-            TablePlace = chunkPoints == 0 || chunkPoints == Points ? LazTablePlace.AtOffset : LazTablePlace.Missing,
+            TableLocation = chunkPoints == 0 || chunkPoints == Points ? LazTableLocation.AtOffset : LazTableLocation.Missing,
         };
 
         static PointReader Open(TemporaryFile file)
@@ -38,7 +38,7 @@ namespace FastPoints.Tests.Picture
             sample.Points.Column<int>(AttributeNames.X).ToArray().Take(sample.Count).ToArray();
 
         [TestCase(400, 1200), TestCase(3000, 1000), TestCase(0, 1000), TestCase(Points, 1000)]
-        public void FindPrefixes_BlocksUnknown_AreTheFirstPointsUntilAllAreFound(int chunkPoints, int expected)
+        public void FindPrefixes_BlocksUnknown_GivesFirstPointsUntilAllAreFound(int chunkPoints, int expected)
         {
             var writer = Writer(chunkPoints);
             var records = LazRecords.Make(3, 0, Points, 5);
@@ -62,7 +62,7 @@ namespace FastPoints.Tests.Picture
         }
 
         [TestCase(400, 1200), TestCase(0, 1000)]
-        public void QuickPreview_BlocksUnknown_IsOfTheBeginningAndReportsIt(int chunkPoints, int expected)
+        public void QuickPreview_BlocksUnknown_ShowsTheBeginningAndReportsIt(int chunkPoints, int expected)
         {
             using var file = new TemporaryFile(Writer(chunkPoints).Write(LazRecords.Make(3, 0, Points, 5)), ".laz");
             using var reader = Open(file);
@@ -76,7 +76,7 @@ namespace FastPoints.Tests.Picture
         }
 
         [TestCase(400), TestCase(0)]
-        public void Preview_BlocksUnknown_GoesOnToTheFullScansSample(int chunkPoints)
+        public void Preview_BlocksUnknown_EndsWithTheFullScansSample(int chunkPoints)
         {
             using var file = new TemporaryFile(Writer(chunkPoints).Write(LazRecords.Make(3, 0, Points, 5)), ".laz");
             using var reader = Open(file);
@@ -94,7 +94,7 @@ namespace FastPoints.Tests.Picture
         }
 
         [Test]
-        public void Preview_FewPointsWithoutATable_IsWholeAtOnce()
+        public void Preview_FewPointsWithoutATable_IsCompleteAtOnce()
         {
             var writer = Writer(400);
             using var file = new TemporaryFile(writer.Write(LazRecords.Make(3, 0, 900, 5)), ".laz");

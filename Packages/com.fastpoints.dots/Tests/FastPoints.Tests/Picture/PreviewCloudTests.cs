@@ -13,7 +13,7 @@ namespace FastPoints.Tests.Picture
     public class PreviewCloudTests
     {
         [Test]
-        public void WaveReady_OfBlocksReadDeeper_HandsEachWaveOut()
+        public void WaveReady_BlocksReadDeeper_IsCalledForEachWave()
         {
             var batch = TestBatches.New(600_000, TestBatches.Xyz(AttributeType.Int32));
             for (int i = 0; i < batch.Count; i++)
@@ -26,7 +26,7 @@ namespace FastPoints.Tests.Picture
             {
                 waves.Add(wave);
                 Assert.That(sample.Count, Is.EqualTo(wave.Points));
-                // What is told of is spread over all of the cloud.
+                // Reported properties hold for all of the cloud.
                 var places = sample.Points.Column<int>(AttributeNames.Y);
                 Assert.That(places.ToArray().Take(sample.Count).Max() - places.ToArray().Take(sample.Count).Min(),
                     Is.GreaterThan(700));
@@ -41,11 +41,11 @@ namespace FastPoints.Tests.Picture
         }
 
         /// <summary>A wavy square of 100 x 100 around a place.</summary>
-        static double3[] Square(double3 place, double3 lengths)
+        static double3[] Square(double3 position, double3 lengths)
         {
             var positions = new double3[10_000];
             for (int i = 0; i < positions.Length; i++)
-                positions[i] = place + new double3(i % 100, i / 100, 5 * Math.Sin(i % 100 * 0.1)) * lengths;
+                positions[i] = position + new double3(i % 100, i / 100, 5 * Math.Sin(i % 100 * 0.1)) * lengths;
             return positions;
         }
 
@@ -119,7 +119,7 @@ namespace FastPoints.Tests.Picture
             }
             using var batch = TestBatches.OfPositions(positions);
             using var preview = Draw(batch);
-            // Of each part columns of the square are missing. All parts together would be a few hundred pixels.
+            // Each part lacks columns of the square. All parts together would be a few hundred pixels.
             Assert.That(LitPx(preview), Is.GreaterThan(AFifthOfThePicture / 4));
             Assert.That(preview.Plan.Assumptions, Has.Some.Contains(share + " within").And.Contains("these are framed"));
         }
@@ -168,7 +168,7 @@ namespace FastPoints.Tests.Picture
         }
 
         [TestCase(double.NaN, "the CRS says so"), TestCase(0, "by their size")]
-        public void Picture_InDegrees_IsAsWideAsItWouldBeInMetresAndReportsIt(double metresPerUnit, string expected)
+        public void Picture_InDegrees_HasTheAspectInMetresAndReportsIt(double metresPerUnit, string expected)
         {
             using var metres = TestBatches.OfPositions(Square(new double3(4e5, 5e6, 100), 1));
             using var wanted = Draw(metres);
@@ -181,7 +181,7 @@ namespace FastPoints.Tests.Picture
         }
 
         [Test]
-        public void Picture_OfATowerNearTheOrigin_IsNotTakenForDegrees()
+        public void Picture_OfATowerNearTheOrigin_IsNotInDegrees()
         {
             using var batch = TestBatches.OfPositions(Square(default, new double3(0.01, 0.01, 4)));
             using var preview = Draw(batch);

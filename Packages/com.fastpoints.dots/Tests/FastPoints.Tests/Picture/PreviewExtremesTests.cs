@@ -65,7 +65,7 @@ namespace FastPoints.Tests.Picture
         }
 
         [Test]
-        public void Preview_OneChunkOf100MillionPointsThatEndsEarly_ShowsWhatIsThere()
+        public void Preview_TruncatedChunkOf100MillionPoints_ShowsTheExistingPoints()
         {
             var writer = new LazFileWriter { PointFormat = 3, ChunkPoints = new int[0], Claims = 100_000_000 };
             File.WriteAllBytes(FilePath, writer.Write(LazRecords.Make(3, 0, 5000, 5)));
@@ -91,9 +91,9 @@ namespace FastPoints.Tests.Picture
         }
 
         [Test]
-        public void Preview_SparseFileWithHoles_TakesItsShareOfEither()
+        public void Preview_SparseFileWithHoles_SamplesDataAndHoles()
         {
-            // 400 MB, of which every tenth stretch of 50,000 records has points: the others read as zeros.
+            // 400 MB, of which every tenth segment of 50,000 records has points: the others read as zeros.
             WriteLas(20_000_000, 100, i => i / 50_000 % 10 == 3);
             using var reader = PointReaders.Open(FilePath);
             long bytes = long.MaxValue;
@@ -110,7 +110,7 @@ namespace FastPoints.Tests.Picture
         }
 
         [Test]
-        public void Preview_FileThatGrows_IsOfThePointsThatWereClaimedAndReportsIt()
+        public void Preview_GrowingFile_ShowsTheClaimedPointsAndReportsIt()
         {
             WriteLas(100_000, 1, i => true);
             using var reader = PointReaders.Open(FilePath);
@@ -125,7 +125,7 @@ namespace FastPoints.Tests.Picture
         }
 
         [Test]
-        public void Preview_FileThatIsReplaced_ReportsIt()
+        public void Preview_ReplacedFile_ReportsIt()
         {
             WriteLas(100_000, 1, i => true);
             using var reader = PointReaders.Open(FilePath);
@@ -136,7 +136,7 @@ namespace FastPoints.Tests.Picture
         }
 
         [Test]
-        public void Preview_FileThatIsCutOff_FailsWithTheReason()
+        public void Preview_TruncatedFile_FailsWithTheReason()
         {
             WriteLas(100_000, 1, i => true);
             using var reader = PointReaders.Open(FilePath);

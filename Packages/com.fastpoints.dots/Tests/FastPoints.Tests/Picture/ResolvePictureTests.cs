@@ -50,7 +50,7 @@ namespace FastPoints.Tests.Picture
 
         /// <summary>3 by 3 pixels of depth 1, the middle empty, and as many more empty as told.</summary>
         [TestCase(0, true), TestCase(2, true), TestCase(3, false)]
-        public void Resolve_PixelAmongOthers_IsFilledByTheirMeanIfMostAreThere(int empty, bool isFilled)
+        public void Resolve_HoleAmongPixels_IsFilledByTheirMean(int empty, bool isFilled)
         {
             using var pixels = new NativeArray<ulong>(9, Allocator.Persistent);
             using var colors = new NativeArray<uint>(9, Allocator.Persistent);
@@ -73,7 +73,7 @@ namespace FastPoints.Tests.Picture
         }
 
         [Test]
-        public void Resolve_NextToNothing_IsNotDarkened() =>
+        public void Resolve_NextToBackground_IsNotDarkened() =>
             Assert.That(Resolve(1, 0, float.NaN, 5, float.NaN)[1], Is.EqualTo(White));
     }
 }

@@ -44,7 +44,7 @@ namespace FastPoints.Tests.Ply
         }
 
         [Test]
-        public void Read_ValuesThatTheirTypeCannotHold_AreClampedWithOneWarning()
+        public void Read_ValuesOutOfTheirTypesRange_AreClampedWithOneWarning()
         {
             const string Data = "0 0 0 300 -1 1.9 -5\n0 0 0 -7 40000 1e3 -2147483649\n0 0 0 256 -40000 nan 5.0\n";
             using var file = Xyz(3, Data, "property uchar a", "property short b", "property char c", "property int d");
@@ -60,7 +60,7 @@ namespace FastPoints.Tests.Ply
         }
 
         [Test]
-        public void Read_MoreValuesThanProperties_AreLeftOutWithOneWarning()
+        public void Read_MoreValuesThanProperties_AreIgnoredWithOneWarning()
         {
             using var file = Xyz(2, "1 2 3 4\n5 6 7 x y\n");
             var contents = FileContents.OfPly(file.Path);
@@ -71,7 +71,7 @@ namespace FastPoints.Tests.Ply
         [TestCase("1 2 3\n4 5\n6 7 8\n", 9, "before the vertex has all")]
         [TestCase("1 2 3\n4 5 zero\n6 7 8\n", 10, "not a number")]
         [TestCase("1 2 3\n4 0x5 6\n6 7 8\n", 8, "not a number")]
-        public void Read_BadLine_EndsTheBlockWithAWarningThere(string data, int at, string message)
+        public void Read_BadLine_EndsTheBlockWithAWarning(string data, int at, string message)
         {
             using var file = Xyz(3, data);
             var contents = FileContents.OfPly(file.Path);
@@ -90,7 +90,7 @@ namespace FastPoints.Tests.Ply
         }
 
         [Test]
-        public void Read_BadValueThatNobodyWants_IsSteppedOver()
+        public void Read_BadValueInUnrequestedColumn_IsSkipped()
         {
             using var file = Xyz(2, "1 2 3 what\n4 5 6 ever\n", "property int a");
             Assert.That(FileContents.OfPly(file.Path, "X", "Y", "Z").Points, Is.EqualTo(2));
@@ -108,7 +108,7 @@ namespace FastPoints.Tests.Ply
         /// <summary>Over 2 MiB of lines of odd lengths with all kinds of line ends: every block border falls somewhere
         /// else.</summary>
         [TestCase("\n", 0), TestCase("\r", 1), TestCase("\r\n", 2), TestCase("\n\n  \n", 3)]
-        public void Read_SeveralBlocks_LoseAndDoubleNoLine(string lineEnd, int shift)
+        public void Read_SeveralBlocks_ReadEachLineOnce(string lineEnd, int shift)
         {
             const int Points = 120000;
             var text = new StringBuilder(new string(' ', shift));
@@ -142,7 +142,7 @@ namespace FastPoints.Tests.Ply
         const int PlyAsciiReaderBlockBytes = 1 << 20;
 
         [Test]
-        public void Read_LineOverABorderInOneByteMore_IsReadUpToItsBound()
+        public void Read_LineOverABlockBorder_IsReadUpToItsLimit()
         {
             // The line starts one byte before the border and runs on as far as a line may, then one byte farther.
             string fill = new string('\n', PlyAsciiReaderBlockBytes - 1);
@@ -157,7 +157,7 @@ namespace FastPoints.Tests.Ply
         }
 
         [Test]
-        public void Read_NoLineEndInSight_IsOneBrokenLine()
+        public void Read_NoLineEndWithinTheLimit_IsOneBrokenLine()
         {
             using var file = Xyz(5, new string('7', 3 << 20));
             Failures.Of(() => FileContents.OfPly(file.Path), FailureCode.BadInput, "longer than");

@@ -37,7 +37,7 @@ namespace FastPoints.Tests.Ply
         }
 
         [TestCase("\n"), TestCase("\r"), TestCase("\r\n")]
-        public void Parse_AnyLineEnd_FindsTheDataBehindIt(string end)
+        public void Parse_AnyLineEnd_FindsTheData(string end)
         {
             string text = Usual.Replace("\n", end);
             Assert.That(Parse(text + "\x1\x2").DataOffset, Is.EqualTo(text.Length));
@@ -62,7 +62,7 @@ namespace FastPoints.Tests.Ply
             Assert.That(Parse(Usual + "\r\n").DataOffset, Is.EqualTo(Usual.Length));
 
         [Test]
-        public void Parse_TabsRepeatedAndTrailingBlanks_AreParted()
+        public void Parse_TabsRepeatedAndTrailingBlanks_AreSeparators()
         {
             const string Text = "ply \n\tformat   ascii 1.0\t\n\n element\tvertex\t\t3 \nproperty   float\t x \nend_header  \n";
             var header = Parse(Text + "1");
@@ -76,7 +76,7 @@ namespace FastPoints.Tests.Ply
             Assert.That(Parse("ply\nformat ascii 1.0\nend_header").DataOffset, Is.EqualTo(31));
 
         [Test]
-        public void Parse_MoreBytesToCome_AsksForThem()
+        public void Parse_IncompleteHeader_RequestsMoreBytes()
         {
             byte[] bytes = Encoding.ASCII.GetBytes(Usual);
             for (int length = 4; length < bytes.Length; length++)

@@ -153,7 +153,7 @@ namespace FastPoints.Tests.Ply
         }
 
         [Test]
-        public void Read_ListsAroundAndWithinTheVertices_ArePassedOver([ValueSource(nameof(s_formats))] string format)
+        public void Read_ListsAroundAndWithinTheVertices_AreSkipped([ValueSource(nameof(s_formats))] string format)
         {
             using var file = PlyTestFile.WithHeader(format, "element camera 1", "property float f", "property double g",
                 "element nothing 5", "element face 3", "property uchar flag", "property list uchar int i",
@@ -257,7 +257,7 @@ namespace FastPoints.Tests.Ply
         }
 
         [Test]
-        public void CreateRead_AttributeThatTheFileLacks_IsAProgrammingError()
+        public void CreateRead_AttributeMissingInTheFile_Throws()
         {
             using var file = Xyz("binary_little_endian", 1).Values(false, 1f, 2f, 3f).Save();
             using var reader = PlyReader.Open(file.Path);
@@ -276,7 +276,7 @@ namespace FastPoints.Tests.Ply
         }
 
         [Test]
-        public void Read_FewerVerticesThanClaimed_GivesWhatThereIs([ValueSource(nameof(s_formats))] string format,
+        public void Read_FewerVerticesThanClaimed_GivesTheExistingOnes([ValueSource(nameof(s_formats))] string format,
             [Values] bool hasList,
             [Values("4", "99999999999", "18446744073709551615", "999999999999999999999999")] string claimed)
         {
@@ -306,7 +306,7 @@ namespace FastPoints.Tests.Ply
         }
 
         [Test]
-        public void Read_BytesBehindTheLastElement_AreLeftOutWithAWarning()
+        public void Read_BytesAfterTheLastElement_AreIgnoredWithAWarning()
         {
             using var file = Xyz("binary_little_endian", 1).Values(false, 1f, 2f, 3f).Text("tail").Save();
             var contents = FileContents.OfPly(file.Path);
@@ -315,7 +315,7 @@ namespace FastPoints.Tests.Ply
         }
 
         [Test]
-        public void Read_BareCrInABinaryFile_StartsTheDataRightBehindIt()
+        public void Read_BareCrInABinaryFile_StartsTheDataAfterIt()
         {
             const string Header = "ply\rformat binary_little_endian 1.0\relement vertex 2\rproperty uchar x\r" +
                                   "property uchar y\rproperty uchar z\rend_header\r";
@@ -324,7 +324,7 @@ namespace FastPoints.Tests.Ply
         }
 
         [Test]
-        public void Open_RemarksAndElements_AreFacts()
+        public void Open_CommentsAndElements_AreFacts()
         {
             using var file = Xyz("ascii", 0, "comment made by hand", "obj_info shift 5").Save();
             using var reader = PlyReader.Open(file.Path);
@@ -395,7 +395,7 @@ namespace FastPoints.Tests.Ply
         }
 
         [Test]
-        public void FindBlocks_NegativeListLength_KeepsWhatLiesBefore()
+        public void FindBlocks_NegativeListLength_KeepsThePointsBefore()
         {
             using var file = Xyz("binary_little_endian", 4, "property list char int l");
             file.Values(false, 1f, 2f, 3f, (sbyte)1, 5, 4f, 5f, 6f, (sbyte)-1, 7, 7f, 8f, 9f, (sbyte)0).Save();
@@ -405,7 +405,7 @@ namespace FastPoints.Tests.Ply
         }
 
         [Test]
-        public void FindBlocks_ListLongerThanTheFile_KeepsWhatLiesBefore()
+        public void FindBlocks_ListLongerThanTheFile_KeepsThePointsBefore()
         {
             using var file = Xyz("binary_big_endian", 2, "property list uint64 double l");
             file.Values(true, 1f, 2f, 3f, 0ul, 4f, 5f, 6f, ulong.MaxValue, 7.0).Save();

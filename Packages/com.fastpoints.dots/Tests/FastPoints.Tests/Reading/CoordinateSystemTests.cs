@@ -39,7 +39,7 @@ namespace FastPoints.Tests.Reading
         [TestCase("GEOGCRS[\"3D\",CS[ellipsoidal,3],AXIS[\"a\",north,ANGLEUNIT[\"d\",0.0174532925]],AXIS[\"b\",east,ANGLEUNIT["
             + "\"d\",0.0174532925]],AXIS[\"h\",up,LENGTHUNIT[\"ft\",0.3048]]]", double.NaN, 0.3048)]
         [TestCase("GEOGCS[\"Paris\",UNIT[\"grad\",0.0157079632679]]", 0, 0)]
-        public void Text_OfEachKind_TellsTheUnits(string text, double metres, double vertical)
+        public void Text_OfEachKind_GivesTheUnits(string text, double metres, double vertical)
         {
             var info = new SourceInfo();
             Assert.That(CrsText.Read(text, info.Crs));
@@ -54,7 +54,7 @@ namespace FastPoints.Tests.Reading
 
         [TestCase("m", 1), TestCase("us-ft", UsFoot), TestCase("0.001", 0.001), TestCase("1200/3937", UsFoot)]
         [TestCase("cubit", 0), TestCase("-1", 0), TestCase("0", 0), TestCase("1/0", 0), TestCase("", 0), TestCase("nan", 0)]
-        public void Unit_ByNameOrNumber_IsItsMetres(string text, double metres) =>
+        public void Unit_ByNameOrNumber_GivesMetres(string text, double metres) =>
             Assert.That(CrsText.UnitOf(text), Is.EqualTo(metres));
 
         [Test]
@@ -70,7 +70,7 @@ namespace FastPoints.Tests.Reading
         }
 
         [Test]
-        public void Open_WithAnotherSystemAndUnit_TakesThem()
+        public void Open_WithAnotherSystemAndUnit_AppliesThem()
         {
             using var folder = new TemporaryFolder();
             string path = Path.Combine(folder.Path, "a.xyz");

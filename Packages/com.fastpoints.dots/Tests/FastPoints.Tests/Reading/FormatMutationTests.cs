@@ -33,8 +33,8 @@ namespace FastPoints.Tests.Reading
                 " of them read to their end");
         }
 
-        static int Number(string variable, int otherwise) =>
-            int.TryParse(Environment.GetEnvironmentVariable(variable), out int number) ? number : otherwise;
+        static int Number(string variable, int fallback) =>
+            int.TryParse(Environment.GetEnvironmentVariable(variable), out int number) ? number : fallback;
 
         int Mutate(FormatFixture fixture, int cases, int seed, int minReadable)
         {
@@ -44,13 +44,13 @@ namespace FastPoints.Tests.Reading
             var sound = Directory.GetFiles(Folder.Path, "*", SearchOption.AllDirectories).OrderBy(p => p, StringComparer.Ordinal)
                 .Select(p => (Path: p, Bytes: File.ReadAllBytes(p))).ToList();
             var indexes = sound.Where(f => f.Path == main || IsIndex(f.Path)).ToList();
-            var telling = sound.ToDictionary(f => f.Path, f => TellingPlaces.Of(f.Bytes));
+            var telling = sound.ToDictionary(f => f.Path, f => KeyFields.Of(f.Bytes));
             Assert.That(Reads(main, "as it is"), Is.True, fixture + " as it is");
             var random = new Random(seed);
             int readable = 0;
             for (int i = 0; i < cases; i++)
             {
-                // Of many files mostly the index and the pages of a hierarchy, which say what the others are.
+                // Among many files, mostly the index and hierarchy pages, which describe the others.
                 int choice = random.Next(3);
                 var (path, bytes) = choice == 0 ? sound.First(f => f.Path == main)
                     : choice == 1 ? indexes[random.Next(indexes.Count)] : sound[random.Next(sound.Count)];

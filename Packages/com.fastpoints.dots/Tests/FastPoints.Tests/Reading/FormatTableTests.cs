@@ -44,7 +44,7 @@ namespace FastPoints.Tests.Reading
         }
 
         [Test]
-        public void EachRow_HasACloudToTryItOn()
+        public void EachRow_OfFormats_HasASampleCloud()
         {
             var known = new HashSet<string>(Fixtures().Select(f => f.Format));
             foreach (var row in Rows())
@@ -59,7 +59,7 @@ namespace FastPoints.Tests.Reading
         }
 
         [TestCaseSource(nameof(Fixtures))]
-        public void EachCloud_OpensAsItsFormat(FormatFixture fixture)
+        public void Open_EachSampleCloud_HasItsFormat(FormatFixture fixture)
         {
             using var reader = PointReaders.Open(fixture.Write(Folder.Path));
             Assert.That(reader.Info.Format, Is.EqualTo(fixture.Format));

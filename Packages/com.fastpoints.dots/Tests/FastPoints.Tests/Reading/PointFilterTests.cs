@@ -76,7 +76,7 @@ namespace FastPoints.Tests.Reading
         }
 
         [Test]
-        public void Where_AnyCondition_IsThatOfEachPoint([Range(0, 19)] int seed)
+        public void Where_AnyCondition_MatchesPointByPoint([Range(0, 19)] int seed)
         {
             var random = new System.Random(seed);
             double[] values = { -3, -2, -1, 0, 1, 2, 3, double.NaN, double.PositiveInfinity, double.NegativeInfinity };
@@ -96,7 +96,7 @@ namespace FastPoints.Tests.Reading
         }
 
         [Test]
-        public void Where_ScaledValues_AreEqualToWhatTheyAreWrittenAs()
+        public void Where_ScaledValues_EqualTheirText()
         {
             var transform = new PositionTransform { Scale = new double3(0.01, 0.01, 0.01), Offset = new double3(500000, 0, 0) };
             using (var batch = Points(100, i => new double3(i, i, i)))
@@ -118,7 +118,7 @@ namespace FastPoints.Tests.Reading
         [TestCase("", "an attribute or a number at character 1", 0)]
         [TestCase("X > 1 Y < 2", "&&, || or the end at character 7", 6)]
         [TestCase("\"X > 1", "a name that ends in \" at character 1", 0)]
-        public void Where_WrongCondition_SaysWhere(string text, string message, int caret)
+        public void Where_WrongCondition_NamesTheCharacter(string text, string message, int caret)
         {
             var e = Assert.Throws<FormatException>(() => FilterExpression.Parse(text));
             Assert.That(e.Message, Does.Contain(message));
@@ -141,7 +141,7 @@ namespace FastPoints.Tests.Reading
         }
 
         [Test]
-        public void EveryNth_CountsFromTheSourcesFirstPoint([Values(1, 2, 7, 20000)] int nth, [Values(0, 3, 8191)] int first)
+        public void EveryNth_OfASource_CountsFromItsFirstPoint([Values(1, 2, 7, 20000)] int nth, [Values(0, 3, 8191)] int first)
         {
             using (var batch = Points(20000, i => new double3(i, 0, 0)))
                 Assert.That(Left(new PointFilter { EveryNth = nth }, batch, PositionTransform.Identity, first)
@@ -182,7 +182,7 @@ namespace FastPoints.Tests.Reading
                     "[" + p.x + "," + p.y + "]")) + "]")) + "]}}")) + "]}";
 
         [Test]
-        public void Polygon_OfAnyRings_HoldsWhatAnExactCountHolds([Range(0, 19)] int seed)
+        public void Polygon_AnyRings_MatchesExactArithmetic([Range(0, 19)] int seed)
         {
             var random = new System.Random(seed);
             // Few places: vertices fall on edges, on points and on one another, and rings are lines or single points.
@@ -206,7 +206,7 @@ namespace FastPoints.Tests.Reading
         }
 
         [Test]
-        public void Polygon_OfManyVertices_ComparesPointsWithFewOfThem()
+        public void Polygon_ManyVertices_TestsFewEdgesPerPoint()
         {
             const int vertices = 100_000;
             var text = new StringBuilder("POLYGON((");
@@ -240,7 +240,7 @@ namespace FastPoints.Tests.Reading
         [TestCase("{}"), TestCase("{\"type\":\"Point\",\"coordinates\":[1,2]}"), TestCase("[1]"), TestCase("")]
         [TestCase("{\"type\":\"Polygon\",\"coordinates\":[[[1]]]}"), TestCase("{\"type\":\"FeatureCollection\",\"features\":[]}")]
         [TestCase("{\"type\":\"Polygon\",\"coordinates\":[[[1e999,1]]]}"), TestCase("POLYGON((1 2)) x")]
-        public void Polygon_ThatIsNone_IsNamed(string text) =>
+        public void Polygon_Invalid_IsNamed(string text) =>
             Assert.Throws<FormatException>(() => FilterPolygons.Parse(text));
     }
 }

@@ -26,14 +26,14 @@ namespace FastPoints.Tests.Reading
         static FormatFixture[] Fixtures() => FormatFixture.All.ToArray();
 
         [TestCaseSource(nameof(Fixtures))]
-        public void Open_OnAThreadOfThePool_CanBeCancelledThere(FormatFixture fixture)
+        public void Open_OnAPoolThread_CanBeCancelled(FormatFixture fixture)
         {
             string path = fixture.Write(Folder.Path);
             Task.Run(() => PointReaders.Open(path).DisposeUnread()).GetAwaiter().GetResult();
         }
 
         [Test]
-        public void Open_NothingThere_IsNotFound() => CheckFailure(FailureCode.NotFound, "no such file");
+        public void Open_MissingPath_IsNotFound() => CheckFailure(FailureCode.NotFound, "no such file");
 
         [Test]
         public void Open_EmptyFolder_IsUnsupported()
@@ -61,7 +61,7 @@ namespace FastPoints.Tests.Reading
         }
 
         [TestCase("{\"a\":", "no JSON"), TestCase("{[", "no JSON")]
-        public void Open_BrokenJson_SaysWhere(string content, string detail)
+        public void Open_BrokenJson_NamesTheByte(string content, string detail)
         {
             File.WriteAllText(FilePath, content);
             CheckFailure(FailureCode.BadInput, detail);

@@ -12,12 +12,12 @@ namespace FastPoints.Tests.Reading
         [TestCase(3, 2)]
         [TestCase(1, 3)]
         [TestCase(0, 0)]
-        public void Run_MoreOrFewerThingsThanSlots_EndsEachOnceInItsOrder(int slots, int things)
+        public void Run_AnyNumberOfItems_EndsEachOnceInOrder(int slots, int items)
         {
             var inFlight = new Dictionary<int, int>();
             var ended = new List<int>();
             int max = 0;
-            JobCoroutine.RunToEnd(SlotRing.Run(slots, things, (slot, thing) =>
+            JobCoroutine.RunToEnd(SlotRing.Run(slots, items, (slot, thing) =>
             {
                 inFlight.Add(slot, thing);
                 max = Math.Max(max, inFlight.Count);
@@ -27,8 +27,8 @@ namespace FastPoints.Tests.Reading
                 ended.Add(inFlight[slot]);
                 inFlight.Remove(slot);
             }));
-            Assert.That(ended, Is.EqualTo(System.Linq.Enumerable.Range(0, things)));
-            Assert.That(max, Is.EqualTo(Math.Min(slots, things)));
+            Assert.That(ended, Is.EqualTo(System.Linq.Enumerable.Range(0, items)));
+            Assert.That(max, Is.EqualTo(Math.Min(slots, items)));
         }
 
         [Test]

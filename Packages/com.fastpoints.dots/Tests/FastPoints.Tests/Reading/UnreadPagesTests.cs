@@ -30,7 +30,7 @@ namespace FastPoints.Tests.Reading
         }
 
         [Test]
-        public void TryPeek_Root_TakesLevelByLevelInTheOrderOfComing()
+        public void TryPeek_Root_ReturnsLevelByLevelInOrderOfAddition()
         {
             var pages = Some();
             Assert.That(TakeAll(pages, default, 2), Is.EqualTo(new[] { 1, 4 }));
@@ -40,7 +40,7 @@ namespace FastPoints.Tests.Reading
         }
 
         [Test]
-        public void TryPeek_Node_TakesWhatIsAboveAndBelowIt()
+        public void TryPeek_Node_ReturnsPagesAboveAndBelow()
         {
             var pages = Some();
             Assert.That(TakeAll(pages, new int4(6, 6, 7, 3), 10), Is.EqualTo(new[] { 1, 4, 2, 5 }));
@@ -49,7 +49,7 @@ namespace FastPoints.Tests.Reading
         }
 
         [Test]
-        public void TryPeek_PagesTakenBeforeTheirTurn_DoNotComeAgain()
+        public void TryPeek_PagesReadEarly_AreNotReturnedAgain()
         {
             var pages = Some();
             Assert.That(TakeAll(pages, new int4(0, 1, 0, 2), 10), Is.EqualTo(new[] { 1, 3 }));

@@ -36,7 +36,7 @@ namespace FastPoints.Tests.Sampling
         }
 
         [Test]
-        public void Next_BlocksWithStates_AreAllReadToTheSameShare()
+        public void Next_BlocksWithStates_AreReadToEqualDepth()
         {
             using var reader = Blocks(100_000, 1000);
             var plan = new DepthPlan(reader, true, 1);
@@ -51,7 +51,7 @@ namespace FastPoints.Tests.Sampling
         }
 
         [Test]
-        public void Next_ABrokenBlock_IsAskedForNothingMore()
+        public void Next_BrokenBlock_IsNotReadAgain()
         {
             using var reader = Blocks(800, 100);
             var plan = new DepthPlan(reader, true, 1);
@@ -68,7 +68,7 @@ namespace FastPoints.Tests.Sampling
         }
 
         [Test]
-        public void Next_MoreBlocksThanStates_GivesWholeOnesSpreadOverTheSource()
+        public void Next_MoreBlocksThanStates_GivesWholeBlocksSpreadOverTheSource()
         {
             using var reader = Blocks(40_000, 100);
             var plan = new DepthPlan(reader, true, 1);

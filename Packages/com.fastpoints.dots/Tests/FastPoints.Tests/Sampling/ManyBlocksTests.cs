@@ -9,7 +9,7 @@ namespace FastPoints.Tests.Sampling
     public class ManyBlocksTests
     {
         [Test]
-        public void FirstWaves_OfTenMillionBlocks_LookAtFewOfThem()
+        public void FirstWaves_TenMillionBlocks_VisitFewOfThem()
         {
             using var reader = new VirtualReader(100_000_000, 10, false);
             Assert.That(reader.BlockCount, Is.EqualTo(10_000_000));

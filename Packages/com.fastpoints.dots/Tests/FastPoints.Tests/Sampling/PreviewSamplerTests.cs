@@ -64,7 +64,7 @@ namespace FastPoints.Tests.Sampling
         }
 
         [Test]
-        public void Waves_OfAFile_AreBeginningsOfTheSampleAndSpreadOverTheFile()
+        public void Waves_OfAFile_ArePrefixesOfTheSampleSpreadOverTheFile()
         {
             using var reader = Numbered(400_000);
             var waves = new List<SampleWave>();
@@ -78,7 +78,7 @@ namespace FastPoints.Tests.Sampling
             Assert.That(waves[2].Points, Is.EqualTo(50_000));
             foreach (var wave in waves)
             {
-                // Of each tenth of the file a tenth of the wave, give or take two runs of the order's unevenness.
+                // Each tenth of the file has a tenth of the wave, within two ranges.
                 var tenths = new int[10];
                 for (int i = 0; i < wave.Points; i++)
                     tenths[indices[i] / 40_000]++;
@@ -89,7 +89,7 @@ namespace FastPoints.Tests.Sampling
         }
 
         [Test]
-        public void Waves_AreReady_BeforeTheRestAndStayAsTheyWere()
+        public void Waves_Ready_ComeBeforeTheRestAndDoNotChange()
         {
             using var reader = Numbered(100_000);
             using var sampler = new PreviewSampler(reader, 30_000, 1);
@@ -127,7 +127,7 @@ namespace FastPoints.Tests.Sampling
         }
 
         [TestCase(1), TestCase(15), TestCase(16), TestCase(1999), TestCase(9000), TestCase(10_000), TestCase(50_000)]
-        public void Sample_OfAnySize_HasExactlySoManyDistinctPoints(int wanted)
+        public void Sample_OfAnySize_HasExactlyAsManyDistinctPoints(int wanted)
         {
             using var reader = Numbered(10_000);
             using var sample = Take(reader, wanted, 4);
@@ -137,7 +137,7 @@ namespace FastPoints.Tests.Sampling
         }
 
         [Test]
-        public void Sample_OfABigEndianFile_IsThatOfTheLittleEndianOne()
+        public void Sample_OfABigEndianFile_MatchesTheLittleEndianOne()
         {
             int[] little;
             using (var reader = Numbered(30_000))
@@ -184,7 +184,7 @@ namespace FastPoints.Tests.Sampling
         }
 
         [Test]
-        public void Sample_NonFinitePositions_AreLeftOutAndCounted()
+        public void Sample_NonFinitePositions_AreSkippedAndCounted()
         {
             var bytes = new List<byte>(Encoding.ASCII.GetBytes("ply\nformat binary_little_endian 1.0\nelement vertex 5000\n"
                 + "property double x\nproperty double y\nproperty double z\nend_header\n"));
@@ -216,7 +216,7 @@ namespace FastPoints.Tests.Sampling
         }
 
         [Test]
-        public void Sample_FileThatBecameShorter_IsAnErrorThatReportsIt()
+        public void Sample_ShrunkFile_FailsAndReportsIt()
         {
             using var reader = Numbered(200_000);
             using (var stream = new FileStream(FilePath, FileMode.Open, FileAccess.Write, FileShare.ReadWrite))
@@ -227,7 +227,7 @@ namespace FastPoints.Tests.Sampling
         }
 
         [Test]
-        public void Sample_CancelledAnywhere_FreesWhatItHolds()
+        public void Sample_CancelledAnywhere_FreesItsMemory()
         {
             using var reader = Numbered(50_000);
             for (int steps = 0; steps < 40; steps += 3)
@@ -265,7 +265,7 @@ namespace FastPoints.Tests.Sampling
 
         [TestCase(1, 100), TestCase(49, 100), TestCase(2000, 100), TestCase(2100, 7), TestCase(9999, 1)]
         [TestCase(10_000, 333), TestCase(20_000, 10_000)]
-        public void Prefixes_OfAnySize_AreExactlySoManyDistinctPoints(int wanted, int pointsPerBlock)
+        public void Prefixes_OfAnySize_AreExactlyAsManyDistinctPoints(int wanted, int pointsPerBlock)
         {
             using var reader = Blocks(10_000, pointsPerBlock);
             using var sample = Take(reader, wanted, 2);
@@ -289,7 +289,7 @@ namespace FastPoints.Tests.Sampling
         }
 
         [Test]
-        public void Prefixes_OfASourceThatEndsEarly_AreWhatIsThere()
+        public void Prefixes_TruncatedSource_GivesTheExistingPoints()
         {
             using var whole = Blocks(10_000, 100);
             using var reader = new MemoryPointReader(whole.Points, 100, false, 4_321);

@@ -8,22 +8,22 @@ namespace FastPoints.Tests.Sampling
         const long LargeBytes = 4L << 30;
 
         [Test]
-        public void Pace_OfSlowReads_IsFewerAndLongerOnesAndMoreAtOnce()
+        public void Pace_SlowReads_AreFewerLongerAndMoreAtOnce()
         {
             ReadPace quick = ReadPace.Of(100e-6, LargeBytes), slow = ReadPace.Of(10e-3, LargeBytes);
             Assert.That(quick.IsSlow, Is.False);
             Assert.That(slow.IsSlow, Is.True);
-            Assert.That(slow.PointsPerRun, Is.EqualTo(8 * quick.PointsPerRun));
+            Assert.That(slow.PointsPerRange, Is.EqualTo(8 * quick.PointsPerRange));
             Assert.That(slow.Slots, Is.GreaterThan(quick.Slots));
-            Assert.That(slow.RunsPerRequest(16, slow.Slots, 4, 256), Is.EqualTo(1));
+            Assert.That(slow.RangesPerRequest(16, slow.Slots, 4, 256), Is.EqualTo(1));
             Assert.That(slow.GapBytes(5e-3), Is.GreaterThan(quick.GapBytes(5e-3)));
         }
 
         [Test]
-        public void Pace_OfASmallSource_IsTheUsualOne() => Assert.That(ReadPace.Of(10e-3, 1 << 20).IsSlow, Is.False);
+        public void Pace_SmallSource_IsTheDefault() => Assert.That(ReadPace.Of(10e-3, 1 << 20).IsSlow, Is.False);
 
         [Test]
-        public void Gaps_GoWithWhatAReadTakes()
+        public void GapBytes_SlowerReads_AreLarger()
         {
             var pace = ReadPace.Of(0, LargeBytes);
             Assert.That(pace.GapBytes(0), Is.EqualTo(512));

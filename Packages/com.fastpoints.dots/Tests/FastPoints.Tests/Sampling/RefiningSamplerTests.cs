@@ -19,9 +19,9 @@ namespace FastPoints.Tests.Sampling
                 new PointAttribute(AttributeNames.Intensity, AttributeType.UInt16));
             for (int i = 0; i < batch.Count; i++)
             {
-                int square = i / 1600, place = i % 400;
-                TestBatches.Set(batch, 0, i, square % 10 * 20 + place % 20);
-                TestBatches.Set(batch, 1, i, square / 10 * 20 + place / 20);
+                int square = i / 1600, index = i % 400;
+                TestBatches.Set(batch, 0, i, square % 10 * 20 + index % 20);
+                TestBatches.Set(batch, 1, i, square / 10 * 20 + index / 20);
                 TestBatches.Set(batch, 2, i, i % 1600 / 400);
                 TestBatches.Set(batch, 3, i, i % 60_000);
             }
@@ -53,7 +53,7 @@ namespace FastPoints.Tests.Sampling
         }
 
         [TestCase(1600), TestCase(1777), TestCase(160_000), TestCase(500)]
-        public void Sample_InTheEnd_IsTheFullScansPointForPoint(int pointsPerBlock)
+        public void Sample_AtTheEnd_EqualsTheFullScans(int pointsPerBlock)
         {
             using var reader = Square(pointsPerBlock);
             using var exact = new UniformSampler(reader, 30_000, 5);
@@ -99,7 +99,7 @@ namespace FastPoints.Tests.Sampling
                 // A point that stands in for others may be one of the scan's that has not been come to.
                 Assert.That(chosen, Is.InRange(waves[wave].Length - placeholders[wave], waves[wave].Length));
             }
-            // Of the points that were read, an eighth is the scan's.
+            // An eighth of the read points is in the scan's sample.
             Assert.That(waves[1].Length - placeholders[1], Is.EqualTo(10_000).Within(600));
         }
 
@@ -126,7 +126,7 @@ namespace FastPoints.Tests.Sampling
         }
 
         [Test]
-        public void Waves_AtAHalf_LeaveNoRegionBareOfWhichPointsWereRead()
+        public void Waves_AtAHalf_LeaveNoReadRegionEmpty()
         {
             // One point in 20 is anywhere in the square, all others are in a tenth of its edges.
             var batch = TestBatches.New(160_000, TestBatches.Xyz(AttributeType.Int32));
@@ -152,7 +152,7 @@ namespace FastPoints.Tests.Sampling
         }
 
         [Test]
-        public void Sample_OfASourceThatEndsEarly_IsOfWhatIsThere()
+        public void Sample_TruncatedSource_SamplesTheExistingPoints()
         {
             using var reader = Square(1600, 100_000);
             using var sampler = new RefiningSampler(reader, 16_000, 1, null, Bounds);
@@ -179,7 +179,7 @@ namespace FastPoints.Tests.Sampling
         }
 
         [Test]
-        public void Run_CancelledAnywhere_FreesWhatItHoldsAndKeepsTheLastWave()
+        public void Run_CancelledAnywhere_FreesItsMemoryAndKeepsTheLastWave()
         {
             using var reader = Square(1600);
             for (int steps = 0; steps < 400; steps += 23)
@@ -194,7 +194,7 @@ namespace FastPoints.Tests.Sampling
         }
 
         [Test]
-        public void Run_WhilePaused_ReadsNothingAndGoesOnAfterwards()
+        public void Run_WhilePaused_ReadsNothingUntilResumed()
         {
             using var reader = Square(1600);
             using var sampler = new RefiningSampler(reader, 16_000, 1, null, Bounds) { IsPaused = true };

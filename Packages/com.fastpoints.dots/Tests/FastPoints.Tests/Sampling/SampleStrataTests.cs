@@ -43,9 +43,9 @@ namespace FastPoints.Tests.Sampling
         }
 
         [Test]
-        public void Chosen_ManyStrata_AreEvenWithinThem()
+        public void Chosen_ManyStrata_AreUniformWithinThem()
         {
-            // 100 places in each of 20,000 strata: chi-square with 99 degrees of freedom exceeds 148 once in a thousand.
+            // 100 positions in each of 20,000 strata: chi-square with 99 degrees of freedom exceeds 148 once in a thousand.
             var strata = new SampleStrata(2_000_000, 20_000, 12345);
             var hits = new int[100];
             for (int i = 0; i < strata.Count; i++)

@@ -43,7 +43,7 @@ namespace FastPoints.Tests.Sampling
         }
 
         [Test]
-        public void Uniform_MoreWantedThanThere_IsTheWholeSourceInOrder()
+        public void Uniform_MoreWantedThanAvailable_IsTheWholeSourceInOrder()
         {
             using var reader = new MemoryPointReader(TestBatches.Numbered(1234), 100);
             using var sample = Uniform(reader, 5000, 4);
@@ -80,7 +80,7 @@ namespace FastPoints.Tests.Sampling
         }
 
         [Test]
-        public void Samplers_NonFinitePositions_AreLeftOutAndCounted()
+        public void Samplers_NonFinitePositions_AreSkippedAndCounted()
         {
             var positions = new double3[5000];
             int bad = 0;
@@ -106,7 +106,7 @@ namespace FastPoints.Tests.Sampling
         }
 
         [Test]
-        public void Samplers_SourceThatEndsEarly_GiveWhatIsThere()
+        public void Samplers_TruncatedSource_GiveTheExistingPoints()
         {
             using var reader = new MemoryPointReader(TestBatches.Numbered(10_000), 999, true, 4321);
             using var sample = Uniform(reader, 100_000, 3);
@@ -134,7 +134,7 @@ namespace FastPoints.Tests.Sampling
         }
 
         [Test]
-        public void Samplers_CancelledHalfway_FreeWhatTheyHold()
+        public void Samplers_CancelledHalfway_FreeTheirMemory()
         {
             using var reader = new MemoryPointReader(TestBatches.Numbered(50_000), 500);
             using var sampler = new UniformSampler(reader, 5000, 1);

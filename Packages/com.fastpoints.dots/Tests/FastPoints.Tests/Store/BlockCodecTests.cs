@@ -79,7 +79,7 @@ namespace FastPoints.Tests.Store
 
         /// <summary>Processors have different vectors: the stored bytes must not.</summary>
         [Test]
-        public void FindRange_AnyCount_IsThatOfPlainCode()
+        public void FindRange_AnyCount_MatchesScalarCode()
         {
             var random = new Random(3);
             for (int count = 1; count <= 128; count++)

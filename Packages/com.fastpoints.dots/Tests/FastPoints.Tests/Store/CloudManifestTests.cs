@@ -49,7 +49,7 @@ namespace FastPoints.Tests.Store
         }
 
         [Test]
-        public void ToJson_ReadBack_SaysTheSame()
+        public void ToJson_ReadBack_IsTheSame()
         {
             string json = Example().ToJson();
             var back = CloudManifest.FromJson(json, "cloud.json");
@@ -63,7 +63,7 @@ namespace FastPoints.Tests.Store
         }
 
         [Test]
-        public void FromJson_OfACloudThatDoesNotTellWhatToShow_IsRead()
+        public void FromJson_WithoutDisplayRanges_IsRead()
         {
             var manifest = Example();
             manifest.Shown = null;
@@ -96,7 +96,7 @@ namespace FastPoints.Tests.Store
         [TestCase("\"version\": 2", "\"version\": 3", "version")]
         [TestCase("\"format\": \"fastpoints\"", "\"format\": \"potree\"", "\"format\"")]
         [TestCase("{", "[", "character")]
-        public void FromJson_SomethingWrong_NamesIt(string good, string bad, string named)
+        public void FromJson_InvalidMember_NamesIt(string good, string bad, string named)
         {
             string json = Example().ToJson();
             int at = json.IndexOf(good, System.StringComparison.Ordinal);
@@ -108,7 +108,7 @@ namespace FastPoints.Tests.Store
 
         [TestCase(""), TestCase("{"), TestCase("{\"a\": 01}"), TestCase("{\"a\": 1,}"), TestCase("{\"a\": 1} x")]
         [TestCase("{\"a\": \"\\x\"}"), TestCase("{\"a\": 1, \"a\": 2}"), TestCase("nul")]
-        public void Parse_NoJson_Throws(string text) =>
+        public void Parse_InvalidJson_Throws(string text) =>
             Assert.That(() => JsonReader.Parse(text), Throws.TypeOf<System.FormatException>());
 
         [Test]

@@ -68,9 +68,10 @@ namespace FastPoints.Tests.Store
                 Assert.That(changed[bit] / (double)Records, Is.EqualTo(32).Within(1.5), "bit " + bit);
         }
 
-        /// <summary>As in a lattice, or on a plumb line. The lowest priorities are chosen, so they must lie at random.</summary>
+        /// <summary>Points in a lattice, or on a vertical line. The lowest priorities are chosen, so they must be
+        /// random.</summary>
         [Test]
-        public void RecordHash_OneColumn_HasItsLowestPrioritiesAnywhere([Values(0, 4, 8)] int attributeBytes)
+        public void RecordHash_OneColumn_SpreadsTheLowestPriorities([Values(0, 4, 8)] int attributeBytes)
         {
             long* record = stackalloc long[6];
             for (int column = 0; column < 100; column++)

@@ -7,7 +7,7 @@ namespace FastPoints.Tests.Store
     public unsafe class PlaneViewTests
     {
         [TestCase(1, 0), TestCase(2, 0), TestCase(3, 0), TestCase(3, 7), TestCase(3, 2)]
-        public void IsSound_AnyBitOfAnyDescriptor_IsAsTheRulesSay(int columns, int wide)
+        public void IsValid_AnyBitOfAnyDescriptor_FollowsTheRules(int columns, int wide)
         {
             var shape = new PlaneShape(columns, wide);
             var random = new Random(11);

@@ -35,7 +35,7 @@ namespace FastPoints.Tests.Streaming
         }
 
         [TestCase(0), TestCase(3)]
-        public void Leave_Places_AreThoseInABoxThatKeepsAndInNoneThatCuts(int keeping)
+        public void Keeps_Positions_InKeepBoxesAndOutsideCutBoxes(int keeping)
         {
             var random = new Random(11);
             var placement = new CloudPlacement(new double3x3(new double3(0, 2, 0), new double3(-3, 0, 0), new double3(0, 0, 0.5)),
@@ -74,7 +74,7 @@ namespace FastPoints.Tests.Streaming
         }
 
         [Test]
-        public void Leave_BoxWithoutVolume_HasNothingInIt()
+        public void Keeps_BoxWithoutVolume_ContainsNothing()
         {
             var flat = new ClipBox(new double3(0, 0, 0), new double3(1, 1, 0));
             var identity = new CloudPlacement(double3x3.identity, 0);
@@ -86,7 +86,7 @@ namespace FastPoints.Tests.Streaming
         }
 
         [Test]
-        public void Run_Clipped_StreamsNothingThatLiesOutsideAndEverythingAgainAfterwards()
+        public void Run_Clipped_StreamsOnlyInsideUntilUnclipped()
         {
             using var cloud = new StreamedTestCloud();
             using var stream = StreamedTestCloud.Stream();

@@ -42,7 +42,7 @@ namespace FastPoints.Tests.Streaming
             .Where(c => m_stream.Clouds[c] != null && !m_stream.Clouds[c].IsRemoving).ToArray();
 
         [Test]
-        public void Update_PreviewBesideABuild_StaysUntilTheWholeIsThere()
+        public void Update_PreviewBesideABuild_StaysUntilTheBuildIsFinished()
         {
             Add(CloudStage.Preview);
             int preview = m_versions.Cloud;
@@ -65,7 +65,7 @@ namespace FastPoints.Tests.Streaming
         }
 
         [Test]
-        public void DropBuild_OfABuildWithAPreviewBeside_ShowsThePreview()
+        public void DropBuild_BuildWithPreview_ShowsThePreview()
         {
             Add(CloudStage.Preview);
             int preview = m_versions.Cloud;
@@ -77,7 +77,7 @@ namespace FastPoints.Tests.Streaming
         }
 
         [Test]
-        public void DropBuild_OfABuildAlone_ShowsItUntilAPreviewIsThere()
+        public void DropBuild_BuildWithoutPreview_IsShownUntilAPreviewExists()
         {
             Add(CloudStage.Building);
             int build = m_versions.Cloud;
@@ -89,7 +89,7 @@ namespace FastPoints.Tests.Streaming
         }
 
         [Test]
-        public void Place_StatesWithOtherCubes_PutsEveryPlaceWhereItWas()
+        public void Place_StatesWithOtherCubes_KeepsPositions()
         {
             using var other = new StreamedTestCloud(3000, 8000, 12);
             var random = new Random(5);

@@ -14,12 +14,12 @@ namespace FastPoints.Tests.Streaming
         const int Points = 120_000, MaxFrames = 1_000_000;
 
         [Test]
-        public void Update_CloudInTheMaking_ShowsMoreWithEachGenerationAndAllInTheEnd()
+        public void Update_UnfinishedCloud_ShowsMoreWithEachGeneration()
         {
             var random = new Unity.Mathematics.Random(11);
-            var places = new int3[Points];
+            var positions = new int3[Points];
             for (int i = 0; i < Points; i++)
-                places[i] = new int3(random.NextInt2(20000), random.NextInt(100));
+                positions[i] = new int3(random.NextInt2(20000), random.NextInt(100));
             var centimetres = new PositionTransform
             {
                 Scale = new double3(0.01, 0.01, 0.01),
@@ -39,7 +39,7 @@ namespace FastPoints.Tests.Streaming
             using var stream = StreamedTestCloud.Stream();
             int generations = 0;
             long seen = 0, max = 0;
-            var readers = new[] { MemoryReader.Of(places, centimetres, 5000) };
+            var readers = new[] { MemoryReader.Of(positions, centimetres, 5000) };
             using (var work = new CoroutineStack(ConvertCloud.Run(readers, path, settings, r => { }, null)))
                 while (work.MoveNext())
                 {
@@ -73,7 +73,7 @@ namespace FastPoints.Tests.Streaming
         }
 
         [Test]
-        public void Update_FinishedCloud_LooksNoMore()
+        public void Update_FinishedCloud_StopsPolling()
         {
             using var cloud = new StreamedTestCloud(20_000, 8000);
             using var stream = StreamedTestCloud.Stream();

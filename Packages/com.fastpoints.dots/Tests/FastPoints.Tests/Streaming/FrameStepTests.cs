@@ -53,7 +53,7 @@ namespace FastPoints.Tests.Streaming
             new HashSet<(int, int, int)>(stream.Drawn.AsArray().ToArray().Select(d => (d.Cloud, d.Page, d.Node)));
 
         [Test]
-        public void Run_WithoutWorkers_DrawsWhatIsSelected()
+        public void Run_WithoutWorkers_DrawsTheSelection()
         {
             using (new WorkerCount(0))
             {
@@ -66,7 +66,7 @@ namespace FastPoints.Tests.Streaming
         [TestCase(StoreLayout.ColorName, 32 << 10)]
         [TestCase(AttributeNames.Intensity, 0)]
         [TestCase(AttributeNames.Intensity, 1 << 20)]
-        public void Run_CameraAtRest_DrawsWhatIsSelectedByteForByte(string plane, int gapBytes)
+        public void Run_StillCamera_DrawsTheSelectionByteForByte(string plane, int gapBytes)
         {
             m_stream.Dispose();
             m_stream = StreamedTestCloud.Stream();
@@ -96,7 +96,7 @@ namespace FastPoints.Tests.Streaming
         }
 
         [Test]
-        public void Run_PlanesApart_ReadsNoMoreThanTheGapsThatItMay()
+        public void Run_DistantPlanes_ReadsNoLargerGapsThanAllowed()
         {
             long BytesRead(int gapBytes, out long requested)
             {
@@ -135,7 +135,7 @@ namespace FastPoints.Tests.Streaming
         }
 
         [Test]
-        public void Run_OnTheWay_DrawsOnlyWhatIsCompleteWithAllAbove()
+        public void Run_WhileLoading_DrawsOnlyNodesWithAllAncestors()
         {
             m_stream.Settings.UploadNodesPerFrame = 20;
             m_stream.Settings.BytesPerRead = 50_000;
@@ -164,7 +164,7 @@ namespace FastPoints.Tests.Streaming
         }
 
         [Test]
-        public void Run_PoolTooSmall_KeepsTheMostNeededAndRests()
+        public void Run_PoolTooSmall_KeepsTheMostImportantAndSettles()
         {
             Open(StreamedTestCloud.Stream(256 << 10, 64 << 10));
             var camera = StreamedTestCloud.Near(100, 100, 2);
@@ -185,7 +185,7 @@ namespace FastPoints.Tests.Streaming
         }
 
         [Test]
-        public void Run_LimitChanged_IsNeverPassed()
+        public void Run_LimitChanged_IsNeverExceeded()
         {
             var camera = StreamedTestCloud.Overview();
             StreamedTestCloud.Settle(m_stream, camera);
@@ -202,7 +202,7 @@ namespace FastPoints.Tests.Streaming
         }
 
         [Test]
-        public void Run_AtRestAndAmongWhatIsThere_MakesNoGarbage()
+        public void Run_IdleAndAmongResidentNodes_MakesNoGarbage()
         {
             var camera = StreamedTestCloud.Near(60, 60, 0.6);
             using var views = new NativeArray<StreamView>(1, Allocator.Persistent);
@@ -250,8 +250,8 @@ namespace FastPoints.Tests.Streaming
             var random = new Unity.Mathematics.Random(3);
             for (int i = 0; i < 300; i++)
             {
-                var place = random.NextFloat2(200);
-                StreamedTestCloud.Frame(m_stream, StreamedTestCloud.Near(place.x, place.y, random.NextFloat(6)));
+                var position = random.NextFloat2(200);
+                StreamedTestCloud.Frame(m_stream, StreamedTestCloud.Near(position.x, position.y, random.NextFloat(6)));
             }
             var camera = StreamedTestCloud.Near(20, 30, 0.6);
             StreamedTestCloud.Settle(m_stream, camera);

@@ -29,7 +29,7 @@ namespace FastPoints.Tests.Streaming
 
         [TestCase(1500, 1u), TestCase(10_000, 2u), TestCase(10_000, 3u)]
         [Category("Long"), Explicit]
-        public void Fly_WithAllThatCanHappen_EndsAsAFreshLoad(int frames, uint seed)
+        public void Fly_RandomEvents_EndsLikeAFreshLoad(int frames, uint seed)
         {
             UnsafeUtility.ForgiveLeaks();
             var last = StreamedTestCloud.Near(60, 80, 0.7);
@@ -42,7 +42,7 @@ namespace FastPoints.Tests.Streaming
                 StreamedTestCloud.Settle(stream, last);
                 Assert.That(stream.Pool.UsedBytes, Is.Zero);
                 Assert.That(stream.Cache.Count, Is.Zero);
-                // What was reported as broken stays so for the cloud that it was reported of: the next one begins anew.
+                // What was reported as broken stays so for the cloud that it was reported of: the next one starts over.
                 flown = Picture(stream, last);
                 Assert.That(stream.Pool.FindProblem(), Is.Null);
             }

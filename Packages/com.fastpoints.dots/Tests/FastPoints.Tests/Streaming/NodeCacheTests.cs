@@ -7,7 +7,7 @@ namespace FastPoints.Tests.Streaming
     public class NodeCacheTests
     {
         [Test]
-        public void NextToEvict_AfterAnyUse_IsTheOneThatWasUsedLongestAgo()
+        public void NextToEvict_AfterAnyUse_IsTheLeastRecentlyUsed()
         {
             var random = new Unity.Mathematics.Random(9);
             var order = new List<int>();

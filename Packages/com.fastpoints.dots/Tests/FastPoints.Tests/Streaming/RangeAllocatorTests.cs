@@ -9,17 +9,17 @@ namespace FastPoints.Tests.Streaming
     public class RangeAllocatorTests
     {
         [TestCase(1, 1u), TestCase(64, 2u), TestCase(1000, 3u), TestCase(4096, 4u)]
-        public void TakeAndGive_AtRandom_NeverOverlapAndLoseNothing(int capacity, uint seed)
+        public void AllocateAndFree_AtRandom_NeverOverlapAndLoseNothing(int capacity, uint seed)
         {
             var random = new Unity.Mathematics.Random(seed);
             var owner = new int[capacity];
-            var runs = new List<(int First, int Count)>();
+            var ranges = new List<(int First, int Count)>();
             using var heap = new RangeAllocator(capacity, Allocator.Persistent);
             var books = heap;
             int used = 0;
             for (int turn = 1; turn <= 3000; turn++)
             {
-                if (runs.Count == 0 || random.NextInt(5) < 3)
+                if (ranges.Count == 0 || random.NextInt(5) < 3)
                 {
                     int count = 1 + random.NextInt(Math.Max(1, capacity / (random.NextBool() ? 50 : 5)));
                     int first = books.Allocate(count);
@@ -30,7 +30,7 @@ namespace FastPoints.Tests.Streaming
                             Assert.That(owner[i], Is.Zero);
                             owner[i] = turn;
                         }
-                        runs.Add((first, count));
+                        ranges.Add((first, count));
                         used += count;
                     }
                     else
@@ -40,29 +40,29 @@ namespace FastPoints.Tests.Streaming
                 }
                 else
                 {
-                    int at = random.NextInt(runs.Count);
+                    int at = random.NextInt(ranges.Count);
                     if (random.NextInt(3) == 0)
                     {
-                        var (first, count) = runs[at];
+                        var (first, count) = ranges[at];
                         int kept = 1 + random.NextInt(count);
                         books.Shorten(first, kept);
                         Array.Clear(owner, first + kept, count - kept);
                         used -= count - kept;
-                        runs[at] = (first, kept);
+                        ranges[at] = (first, kept);
                         Assert.That(books.UsedSlots, Is.EqualTo(used));
                         continue;
                     }
-                    books.Free(runs[at].First);
-                    Array.Clear(owner, runs[at].First, runs[at].Count);
-                    used -= runs[at].Count;
-                    runs.RemoveAt(at);
+                    books.Free(ranges[at].First);
+                    Array.Clear(owner, ranges[at].First, ranges[at].Count);
+                    used -= ranges[at].Count;
+                    ranges.RemoveAt(at);
                 }
                 Assert.That(books.UsedSlots, Is.EqualTo(used));
                 if (turn % 50 == 0)
                     Assert.That(books.FindProblem(), Is.Null);
             }
-            foreach (var run in runs)
-                books.Free(run.First);
+            foreach (var range in ranges)
+                books.Free(range.First);
             Assert.That(books.FindProblem(), Is.Null);
             Assert.That(books.Allocate(capacity), Is.Zero);
         }
@@ -79,20 +79,20 @@ namespace FastPoints.Tests.Streaming
         }
 
         [Test]
-        public void Give_WhatIsNoRun_Throws()
+        public void Free_InvalidRange_Throws()
         {
             using var heap = new RangeAllocator(100, Allocator.Persistent);
             var books = heap;
-            int run = books.Allocate(10);
-            Assert.That(() => books.Free(run + 3), Throws.ArgumentException);
+            int range = books.Allocate(10);
+            Assert.That(() => books.Free(range + 3), Throws.ArgumentException);
             Assert.That(() => books.Free(50), Throws.ArgumentException);
             Assert.That(() => books.Free(-1), Throws.ArgumentException);
-            books.Free(run);
-            Assert.That(() => books.Free(run), Throws.ArgumentException);
+            books.Free(range);
+            Assert.That(() => books.Free(range), Throws.ArgumentException);
         }
 
         [Test]
-        public void Take_MoreThanThereIs_IsNone()
+        public void Allocate_MoreThanAvailable_Fails()
         {
             using var heap = new RangeAllocator(100, Allocator.Persistent);
             var books = heap;

@@ -93,7 +93,7 @@ namespace FastPoints.Tests.Streaming
         }
 
         [Test]
-        public void Choose_WithoutBudget_IsAllThatIsInViewAndCoarse()
+        public void Choose_NoBudget_SelectsAllVisibleCoarseNodes()
         {
             m_settings.PointBudget = long.MaxValue;
             m_settings.MinScreenErrorPx = 1.5f;
@@ -116,8 +116,8 @@ namespace FastPoints.Tests.Streaming
                     bool isSeen = false;
                     for (int i = 0; i < 9 * 9 * 9 && !isSeen; i++)
                     {
-                        var place = node.Center + (double3)node.Half * (new double3(i % 9, i / 9 % 9, i / 81) / 4 - 1);
-                        var from = place - eye;
+                        var position = node.Center + (double3)node.Half * (new double3(i % 9, i / 9 % 9, i / 81) / 4 - 1);
+                        var from = position - eye;
                         double depth = math.dot(from, forward);
                         isSeen = depth > 0 && math.abs(math.dot(from, right)) <= tanX * depth &&
                             math.abs(math.dot(from, up)) <= tanY * depth;
@@ -171,7 +171,7 @@ namespace FastPoints.Tests.Streaming
         }
 
         [Test]
-        public void Choose_CloudStretchedByItsTransform_IsThatOfAStretchedCloud()
+        public void Choose_CloudScaledByItsTransform_EqualsAScaledCloud()
         {
             var stretch = new double3(3, 0.5, 10);
             var view = Looking(s_middle * stretch, new double3(1, 0.3, -0.4));
@@ -206,7 +206,7 @@ namespace FastPoints.Tests.Streaming
         }
 
         [Test]
-        public void Choose_CloudWithoutVolume_IsLeftOut()
+        public void Choose_CloudWithoutVolume_IsSkipped()
         {
             var flat = new CloudPlacement(new double3x3(new double3(1, 0, 0), new double3(0, 1, 0), new double3(0, 0, 0)), 0);
             Assert.That(Choose(Looking(s_middle, new double3(1, 0, 0)), flat, At(new double3(double.NaN, 0, 0))), Is.Empty);
@@ -223,7 +223,7 @@ namespace FastPoints.Tests.Streaming
         }
 
         [Test]
-        public void Choose_CameraTrembles_ChangesLessWithHysteresis()
+        public void Choose_JitteringCamera_ChangesLessWithHysteresis()
         {
             int Changes(float hysteresis)
             {
@@ -249,7 +249,7 @@ namespace FastPoints.Tests.Streaming
         }
 
         [Test]
-        public void Choose_PageNotLoaded_IsReportedByNeedAndTheRestIsChosen()
+        public void Choose_PageNotLoaded_IsRequestedByPriorityAndTheRestIsChosen()
         {
             var view = Looking(s_middle, new double3(1, 0.3, -0.4));
             int nearest = Choose(view, At(0)).First(n => n.Page > 0).Page;

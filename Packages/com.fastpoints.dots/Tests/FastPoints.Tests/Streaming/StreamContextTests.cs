@@ -57,7 +57,7 @@ namespace FastPoints.Tests.Streaming
         }
 
         [Test]
-        public void Remove_WhileItStreams_LeavesTheOthersAndItsNumberIsFreeAgain()
+        public void Remove_WhileStreaming_KeepsTheOthersAndFreesItsNumber()
         {
             using var stream = StreamedTestCloud.Stream();
             int first = Add(stream);
@@ -84,7 +84,7 @@ namespace FastPoints.Tests.Streaming
         }
 
         [Test]
-        public void Run_ChunkFilesMissing_AreReportedOnceAndTheRestIsShown()
+        public void Run_MissingChunkFiles_AreReportedOnceAndTheRestIsShown()
         {
             var gone = m_cloud.ChunkFiles.OrderBy(f => f).Take(3).ToArray();
             foreach (string file in gone)
@@ -105,7 +105,7 @@ namespace FastPoints.Tests.Streaming
         }
 
         [Test]
-        public void Run_ChunkFileGoesWhileItIsShown_WhatIsThereStays()
+        public void Run_ChunkFileDeletedWhileShown_KeepsResidentNodes()
         {
             using var stream = StreamedTestCloud.Stream();
             Add(stream);
@@ -120,7 +120,7 @@ namespace FastPoints.Tests.Streaming
         }
 
         [Test]
-        public void Run_PlaneDamaged_NodeIsAHoleAndWhatIsBelowItIsShown()
+        public void Run_DamagedPlane_IsAHoleAndNodesBelowAreShown()
         {
             int node = -1;
             using (var folder = CloudFolder.Open(m_cloud.Path))
@@ -195,7 +195,7 @@ namespace FastPoints.Tests.Streaming
         }
 
         [Test]
-        public void Run_TableDamaged_IsReportedWithItsPlace()
+        public void Run_DamagedTable_IsReportedWithFileAndByte()
         {
             string file = m_cloud.ChunkFiles.OrderBy(f => f).Last();
             byte[] bytes = File.ReadAllBytes(file);
@@ -209,7 +209,7 @@ namespace FastPoints.Tests.Streaming
         }
 
         [Test]
-        public void Run_HierarchyTooLarge_GivesUpPagesOutOfView()
+        public void Run_HierarchyTooLarge_UnloadsPagesOutOfView()
         {
             using var stream = StreamedTestCloud.Stream();
             Add(stream);

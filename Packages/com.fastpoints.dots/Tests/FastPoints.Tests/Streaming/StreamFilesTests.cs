@@ -73,7 +73,7 @@ namespace FastPoints.Tests.Streaming
 
         /// <summary>Windows neither renames nor deletes a folder with an open file.</summary>
         [Test]
-        public void Leave_FolderIsReadNow_ClosesItsFilesAndThoseOfNoOther()
+        public void Release_FolderInUse_ClosesItsFilesOnly()
         {
             using var other = new StreamedTestCloud(30_000, 4000);
             var source = other.Open();
@@ -149,7 +149,7 @@ namespace FastPoints.Tests.Streaming
         }
 
         [Test]
-        public void Run_FolderInTheMaking_KeepsNothingOpen()
+        public void Run_UnfinishedFolder_KeepsNothingOpen()
         {
             string part = m_cloud.Path + StoreFormat.PartSuffix;
             Directory.Move(m_cloud.Path, part);

@@ -22,7 +22,7 @@ namespace FastPoints.Tests.Streaming
                 if (drawn.Cloud != number)
                     continue;
                 int blocks = cloud.Pages[drawn.Page].Nodes[drawn.Node].BlockCount;
-                var corner = cloud.Source.Root.Corner + cloud.Pages[drawn.Page].Places[drawn.Node].Corner;
+                var corner = cloud.Source.Root.Corner + cloud.Pages[drawn.Page].Addresses[drawn.Node].Corner;
                 for (int block = 0; block < blocks; block++)
                 {
                     byte* at = ((MemoryNodePool)stream.Pool).AddressOf(drawn.Range);
@@ -82,8 +82,8 @@ namespace FastPoints.Tests.Streaming
             for (int i = 0; i < points.Count; i++)
             {
                 var geo = positions.GeoAt(bytes, transform, i);
-                var place = math.round((geo - grid.Origin) / grid.Step);
-                ulong hash = Hash(Hash(Hash(1, (ulong)(long)place.x), (ulong)(long)place.y), (ulong)(long)place.z);
+                var position = math.round((geo - grid.Origin) / grid.Step);
+                ulong hash = Hash(Hash(Hash(1, (ulong)(long)position.x), (ulong)(long)position.y), (ulong)(long)position.z);
                 foreach (string name in names)
                 {
                     var column = points.Column(points.Schema.IndexOf(name));

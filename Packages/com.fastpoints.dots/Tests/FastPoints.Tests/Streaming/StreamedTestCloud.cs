@@ -52,14 +52,14 @@ namespace FastPoints.Tests.Streaming
         static MemoryReader Hills(int points, uint seed)
         {
             var random = new Unity.Mathematics.Random(seed);
-            var places = new int3[points];
+            var positions = new int3[points];
             for (int i = 0; i < points; i++)
             {
                 var at = random.NextInt2(20000);
-                places[i] = new int3(at, (int)(800 * math.sin(at.x * 0.0007) * math.cos(at.y * 0.0009)) + random.NextInt(20));
+                positions[i] = new int3(at, (int)(800 * math.sin(at.x * 0.0007) * math.cos(at.y * 0.0009)) + random.NextInt(20));
             }
             var centimetres = new PositionTransform { Scale = new double3(0.01, 0.01, 0.01), Offset = OriginGeo };
-            return MemoryReader.Of(places, centimetres, 5000);
+            return MemoryReader.Of(positions, centimetres, 5000);
         }
 
         public static CloudPlacement Geo(NodeSource source) => CloudPlacement.Geo(source.Grid, source.Root);
@@ -131,15 +131,7 @@ namespace FastPoints.Tests.Streaming
         internal static void RunJobsOfAFrame(StreamContext stream, NativeList<SelectedNode> wanted)
         {
             var selector = stream.Selector;
-            new TouchNodesJob
-            {
-                Clouds = stream.CloudPages,
-                Selected = selector.Selected,
-                Prefetched = selector.Prefetched,
-                Pinned = stream.Cache.Pinned,
-                Frame = selector.Frame,
-                Order = stream.Cache.Order,
-            }.Run();
+            FrameStep.Touch(stream);
             for (int i = 0; i < 2; i++)
                 new ListWantedJob
                 {

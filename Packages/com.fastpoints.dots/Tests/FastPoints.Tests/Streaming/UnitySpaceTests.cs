@@ -10,7 +10,7 @@ namespace FastPoints.Tests.Streaming
             new BoundsGeo(new double3(500_000, 4_000_000, 90), new double3(500_100, 4_000_300, 110));
 
         [Test]
-        public void Of_EachAxis_StandsOnItsFloorInTheMiddle([Values] UpAxis up)
+        public void Of_EachAxis_HasItsOriginAtTheFloorsMiddle([Values] UpAxis up)
         {
             var space = UnitySpace.Of(s_bounds, default, up);
 
@@ -37,7 +37,7 @@ namespace FastPoints.Tests.Streaming
         }
 
         [Test]
-        public void FromGeo_HeightsInAnotherUnit_AreAsHighAsTheyAre([Values] UpAxis up)
+        public void FromGeo_HeightsInAnotherUnit_AreConverted([Values] UpAxis up)
         {
             var space = UnitySpace.Of(s_bounds, new CloudUnits(1200.0 / 3937, 1), up);
 
@@ -58,8 +58,8 @@ namespace FastPoints.Tests.Streaming
             Assert.That(space.Scale.x, Is.EqualTo(perLongitude).Within(0.01));
             Assert.That(space.Scale.y, Is.EqualTo(perLatitude).Within(0.01));
             Assert.That(space.Scale.z, Is.EqualTo(1));
-            var place = new double3(-122.998765, latitude + 0.0012345, 7);
-            Assert.That(math.cmax(math.abs(space.ToGeo(space.FromGeo(place)) - place)), Is.LessThan(1e-12), "picked back");
+            var position = new double3(-122.998765, latitude + 0.0012345, 7);
+            Assert.That(math.cmax(math.abs(space.ToGeo(space.FromGeo(position)) - position)), Is.LessThan(1e-12), "picked back");
         }
 
         // The earth drops below its tangent by length²/2R; a degree of longitude at the northern corners is shorter than in the
@@ -87,7 +87,7 @@ namespace FastPoints.Tests.Streaming
         }
 
         [Test]
-        public void Place_EachAxis_IsWhereFromGeoSays([Values] UpAxis up)
+        public void Place_EachAxis_MatchesFromGeo([Values] UpAxis up)
         {
             var space = UnitySpace.Of(s_bounds, new CloudUnits(0.3048, 0.9144), up);
             var grid = new CloudGrid { Origin = new double3(499_000, 3_999_000, 0), Step = new double3(0.01, 0.01, 0.001) };

@@ -42,7 +42,7 @@ namespace FastPoints.Tests
             int exponent = 1 - infinite / 2 - fractionBits + math.max(biased, 1) - 1 - 2;
             BigInteger low = new BigInteger(mantissa) * 4 - (fraction == 0 && biased > 1 ? 1 : 2);
             BigInteger high = new BigInteger(mantissa) * 4 + 2;
-            // What is divided by on one side is multiplied by on the other.
+            // Divisors of one side multiply the other.
             BigInteger left = number * BigInteger.Pow(10, math.max(power, 0)) * BigInteger.Pow(2, math.max(-exponent, 0));
             BigInteger right = BigInteger.Pow(10, math.max(-power, 0)) * BigInteger.Pow(2, math.max(exponent, 0));
             int afterLow = left.CompareTo(low * right), beforeHigh = (high * right).CompareTo(left);

@@ -4,8 +4,8 @@ using FastPoints.Streaming;
 
 namespace FastPoints.Tests
 {
-    /// <summary>A cloud's folder that may still be in the making, streamed as it grows: each new generation is added beside the
-    /// one that is shown, and takes its place when nearly all that is selected of it is there. Main thread, but for opening
+    /// <summary>A cloud's folder that may be unfinished, streamed as it grows: each new generation is added beside the
+    /// one that is shown, and replaces it when nearly all its selected nodes are resident. Main thread, but for opening
     /// folders.</summary>
     public sealed class FollowedFolder : IDisposable
     {

@@ -35,10 +35,10 @@ namespace FastPoints.Tests
             Own("LAS", "PointFormat1", () => Las(2, 1)),
             Own("LAS", "PointFormat7", () => Las(4, 7)),
             Own("LAS", "PointFormat10", () => Las(5, 10)),
-            Own("LAZ", "Pointwise", () => Laz(3, 2, LazTablePlace.AtOffset)),
+            Own("LAZ", "Pointwise", () => Laz(3, 2, LazTableLocation.AtOffset)),
             Own("LAZ", "PointwiseV1", () => LazFileReading.FirstVersion("format1")),
-            Own("LAZ", "Layered", () => Laz(7, 3, LazTablePlace.AtFileEnd)),
-            Own("LAZ", "LayeredV4", () => Laz(10, 4, LazTablePlace.AtOffset)),
+            Own("LAZ", "Layered", () => Laz(7, 3, LazTableLocation.AtFileEnd)),
+            Own("LAZ", "LayeredV4", () => Laz(10, 4, LazTableLocation.AtOffset)),
             Own("COPC", "TwoLevelsAPage", () => new CopcFileWriter { LevelsPerPage = 2, MaxNodePoints = 30 }
                 .Write(LazRecords.Make(7, 0, 400, 5))),
             Own("PLY", "Ascii", () => Ply("ascii")),
@@ -120,13 +120,13 @@ namespace FastPoints.Tests
             return file.RandomPoints(60, pointFormat).ToBytes();
         }
 
-        static byte[] Laz(int pointFormat, int version, LazTablePlace table) => new LazFileWriter
+        static byte[] Laz(int pointFormat, int version, LazTableLocation table) => new LazFileWriter
         {
             PointFormat = pointFormat,
             ItemVersion = version,
             ExtraBytes = 2,
             ChunkPoints = new[] { 40 },
-            TablePlace = table,
+            TableLocation = table,
         }.Write(LazRecords.Make(pointFormat, 2, 100, pointFormat));
 
         static byte[] Ply(string format)

@@ -43,13 +43,13 @@ namespace FastPoints.Tests
             new VirtualRead(this, wanted, capacity, allocator);
     }
 
-    /// <summary>A read whose points are there at once.</summary>
-    abstract class FilledRead : BlockRead
+    /// <summary>A read that completes at once.</summary>
+    abstract class ImmediateRead : BlockRead
     {
         readonly PointReader m_reader;
         NativeReference<DecodeResult> m_result;
 
-        protected FilledRead(PointReader reader, PointSchema wanted, int capacity, Allocator allocator)
+        protected ImmediateRead(PointReader reader, PointSchema wanted, int capacity, Allocator allocator)
         {
             m_reader = reader;
             Points = new PointBatch(wanted, capacity, allocator);
@@ -78,7 +78,7 @@ namespace FastPoints.Tests
         }
     }
 
-    sealed class VirtualRead : FilledRead
+    sealed class VirtualRead : ImmediateRead
     {
         public VirtualRead(PointReader reader, PointSchema wanted, int capacity, Allocator allocator)
             : base(reader, wanted, capacity, allocator) { }

@@ -21,7 +21,7 @@ namespace FastPoints.Tests.Text
             return path;
         }
 
-        static IEnumerable<double> Places(PointReader reader, string axis) =>
+        static IEnumerable<double> Positions(PointReader reader, string axis) =>
             reader.Info.Schema.Single(a => a.Name == axis).Type == AttributeType.Float64 ? ReadPoints.Column<double>(reader, axis)
                 : ReadPoints.Column<float>(reader, axis).Select(v => (double)v);
 
@@ -29,8 +29,8 @@ namespace FastPoints.Tests.Text
         {
             Assert.That(reader.PointCount, Is.EqualTo(points));
             var all = Enumerable.Range(0, points).ToArray();
-            Assert.That(Places(reader, "X"), Is.EqualTo(all.Select(i => i + 0.5)));
-            Assert.That(Places(reader, "Y"), Is.EqualTo(all.Select(i => (double)-i)));
+            Assert.That(Positions(reader, "X"), Is.EqualTo(all.Select(i => i + 0.5)));
+            Assert.That(Positions(reader, "Y"), Is.EqualTo(all.Select(i => (double)-i)));
             Assert.That(ReadPoints.Column<double>(reader, "Z"), Is.EqualTo(all.Select(i => i * 1e-3)).Within(1e-12));
             Assert.That(ReadPoints.Column<byte>(reader, "Red"), Is.EqualTo(all.Select(i => (byte)(i * 7))));
             Assert.That(ReadPoints.Column<byte>(reader, "Green"), Is.EqualTo(all.Select(i => (byte)(i * 5))));
@@ -56,7 +56,7 @@ namespace FastPoints.Tests.Text
         }
 
         [TestCase(3922, 0, 0), TestCase(1, 0, 0), TestCase(4096, 0, 1), TestCase(3922, 1, 1)]
-        public void Open_BinaryWithBytesBehind_WarnsUnlessTheyPadAPage(int behind, byte last, int warnings)
+        public void Open_BinaryWithTrailingBytes_WarnsUnlessTheyPadAPage(int behind, byte last, int warnings)
         {
             var padding = new byte[behind];
             padding[behind - 1] = last;
@@ -66,7 +66,7 @@ namespace FastPoints.Tests.Text
         }
 
         [Test]
-        public void Compressed_RangesInAnyOrder_AreThosePoints()
+        public void Compressed_RangesInAnyOrder_GiveThesePoints()
         {
             using var reader = ReadPoints.Open(Write(PcdTestFile.Make("binary_compressed", Many)));
             Assert.That(reader.BlockCount, Is.GreaterThan(2));
@@ -88,10 +88,10 @@ namespace FastPoints.Tests.Text
         }
 
         [TestCase("ascii"), TestCase("binary"), TestCase("binary_compressed")]
-        public void Cut_File_GivesThePointsBeforeAndAWarning(string data)
+        public void Read_TruncatedFile_GivesThePointsBeforeAndAWarning(string data)
         {
             byte[] whole = PcdTestFile.Make(data, 3000);
-            // Text ends with a whole line: a broken one is told when it is decoded.
+            // Text ends with a complete line: a broken one is reported when it is decoded.
             int length = data == "ascii" ? Array.LastIndexOf(whole, (byte)'\n', whole.Length - 100) + 1 : whole.Length - 40;
             using var reader = ReadPoints.Open(Write(whole.AsSpan(0, length).ToArray()));
             Assert.That(reader.PointCount, Is.InRange(2000, 2999));
@@ -101,7 +101,7 @@ namespace FastPoints.Tests.Text
         }
 
         [Test]
-        public void FloatColor_IsItsBits()
+        public void FloatColor_OfAPixel_IsItsBits()
         {
             float packed = BitConverter.ToSingle(BitConverter.GetBytes(0x00102030), 0);
             foreach (string data in new[] { "ascii", "binary" })
@@ -113,7 +113,7 @@ namespace FastPoints.Tests.Text
                 using var reader = ReadPoints.Open(Write(head.Concat(point).ToArray()));
                 Assert.That(ReadPoints.Column<byte>(reader, "Red"), Is.EqualTo(new byte[] { 0x10 }), data);
                 Assert.That(ReadPoints.Column<byte>(reader, "Blue"), Is.EqualTo(new byte[] { 0x30 }), data);
-                Assert.That(Places(reader, "Z").Single(), Is.NaN);
+                Assert.That(Positions(reader, "Z").Single(), Is.NaN);
             }
         }
 
@@ -124,12 +124,12 @@ namespace FastPoints.Tests.Text
             string text = "VERSION .7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH 1\nHEIGHT 1\nDATA ascii\n" +
                 "512345.678 4123456.789 12.345\n";
             using var reader = ReadPoints.Open(Write(Encoding.ASCII.GetBytes(text)));
-            Assert.That(new[] { "X", "Y", "Z" }.Select(a => Places(reader, a).Single()),
+            Assert.That(new[] { "X", "Y", "Z" }.Select(a => Positions(reader, a).Single()),
                 Is.EqualTo(new[] { 512345.678, 4123456.789, 12.345 }));
         }
 
         [TestCase("# .PCD v.5 - Point Cloud Data file format\nVERSION .5\n"), TestCase("VERSION 0.6\n"), TestCase("")]
-        public void Open_EachBeginning_IsPcd(string head)
+        public void Open_EachSignature_IsPcd(string head)
         {
             string text = head + "FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH 1\nHEIGHT 1\nPOINTS 1\nDATA ascii\n1 2 3\n";
             using var reader = ReadPoints.Open(Write(Encoding.ASCII.GetBytes(text)));
@@ -147,7 +147,7 @@ namespace FastPoints.Tests.Text
         [TestCase("DATA ascii\n", "", "no DATA line")]
         [TestCase("TYPE F F F\n", "", "no TYPE line")]
         [TestCase("POINTS 2\n", "POINTS 99999999999999999999\n", "POINTS: wanted a whole number")]
-        public void BadHeader_IsAnErrorThatSaysWhat(string sound, string bad, string detail)
+        public void Open_BadHeader_NamesTheFault(string sound, string bad, string detail)
         {
             string text = "# .PCD v0.7\nVERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH 2\nHEIGHT 1\nPOINTS 2\n" +
                 "DATA ascii\n1 2 3\n4 5 6\n";
@@ -158,7 +158,7 @@ namespace FastPoints.Tests.Text
         }
 
         [Test]
-        public void OddLinesAndCounts_AreWarnings()
+        public void Open_OddLinesAndCounts_Warns()
         {
             string path = Write(Encoding.ASCII.GetBytes("# .PCD v0.7\nVERSION 0.7\nAUTHOR me\nFIELDS x y z\nSIZE 4 4 4\n" +
                 "TYPE F F F\nWIDTH 3\nHEIGHT 1\nPOINTS 2\nDATA ascii\n1 2 3\n4 5 6\n"));
@@ -177,7 +177,7 @@ namespace FastPoints.Tests.Text
         }
 
         [Test]
-        public void Lzf_OfNoise_RunsAndLongCopies_IsWhatWasCompressed()
+        public void Lzf_NoiseRunsAndLongCopies_RoundTrips()
         {
             var random = new Random(3);
             foreach (byte[] bytes in new[]

@@ -9,7 +9,7 @@ namespace FastPoints.Tests.Text
         string Write(string text) => Folder.Write("cloud.ptx", text);
 
         [TestCase(3, 4, 2, 5), TestCase(100, 200, 60, 100)]
-        public void Open_TwoScans_AreOneCloudInTheWorld(int columns, int rows, int columns2, int rows2)
+        public void Open_TwoScans_AreOneCloud(int columns, int rows, int columns2, int rows2)
         {
             string text = PtxTestFile.Scan(columns, rows) + PtxTestFile.Scan(columns2, rows2, 7) + "\n";
             using var reader = ReadPoints.Open(Write(text));
@@ -41,7 +41,7 @@ namespace FastPoints.Tests.Text
         }
 
         [Test]
-        public void Cut_File_GivesThePlacesBeforeAndAWarning()
+        public void Read_TruncatedFile_GivesThePositionsBeforeAndAWarning()
         {
             string text = PtxTestFile.Scan(5, 6);
             using var reader = ReadPoints.Open(Write(text.Substring(0, text.TrimEnd('\n').LastIndexOf('\n') + 1)));
@@ -50,7 +50,7 @@ namespace FastPoints.Tests.Text
         }
 
         [Test]
-        public void BadLinesAndTextBehindAScan_AreLeftOutWithWarnings()
+        public void Read_BadLinesAndTextAfterAScan_AreSkippedWithWarnings()
         {
             string text = PtxTestFile.Scan(2, 3).Replace("1.25 -2", "word -2") + "the end of it\n";
             using var reader = ReadPoints.Open(Write(text));
@@ -61,7 +61,7 @@ namespace FastPoints.Tests.Text
         }
 
         [TestCase("9999999999\n9999999999\n"), TestCase("1\n0\n")]
-        public void Claims_CostNothing(string size)
+        public void Open_LargeClaims_AllocatesNothing(string size)
         {
             string text = size + PtxTestFile.Scan(2, 2).Substring(4);
             if (size.StartsWith("9"))

@@ -69,7 +69,7 @@ namespace FastPoints.Tests.Text
 
         static string Types(PointReader reader) => string.Join(" ", reader.Info.Schema.Skip(3).Select(a => a.Type.ToString()));
 
-        // Every way of setting values apart that is told from the others; the same two points.
+        // Every separator that is recognised; the same two points.
         [TestCase("1.5 2.25 -3\n4 5.5 6\n")]
         [TestCase("1.5\t2.25\t-3\n4\t5.5\t6")]
         [TestCase("1.5,2.25,-3\n4,5.5,6\n")]
@@ -130,7 +130,7 @@ namespace FastPoints.Tests.Text
         }
 
         [Test]
-        public void Open_ColumnsAsTold_OverrideTheGuess()
+        public void Open_ColumnsGiven_OverrideTheGuess()
         {
             using (var reader = Open("a 10 20 30 1.5 2.5 3.5 9\nb 10 20 31 1.5 2.5 3.5 9\n", "-", "r", "g", "b", "x", "y", "z"))
             {
@@ -169,7 +169,7 @@ namespace FastPoints.Tests.Text
             var text = new StringBuilder();
             for (int i = 0; i < 200000; i++)
                 text.Append("1.25 2 3\n");
-            // Right behind the first stretch that the opening looks at: not in the sample.
+            // Right after the first segment that opening reads: not in the sample.
             int at = 70 * 1024;
             while (text[at] != '\n')
                 at++;
@@ -183,7 +183,7 @@ namespace FastPoints.Tests.Text
         }
 
         [Test]
-        public void Read_BadLines_AreCountedAndLeftOut()
+        public void Read_BadLines_AreCountedAndSkipped()
         {
             var lines = Enumerable.Range(0, 100).Select(i => i + " 2 3 4 5 6").ToList();
             lines[20] = "20 2 3 4 5";
@@ -222,7 +222,7 @@ namespace FastPoints.Tests.Text
         }
 
         [Test]
-        public void Read_ValuesThatDoNotFit_AreTheNearest()
+        public void Read_ValuesOutOfRange_AreClamped()
         {
             var text = new StringBuilder();
             for (int i = 0; i < 200000; i++)
@@ -251,7 +251,7 @@ namespace FastPoints.Tests.Text
             Assert.That(() => Open(text), Throws.InstanceOf<PointCloudException>());
 
         [Test]
-        public void Open_NamesWithoutPositions_AsksForThem() =>
+        public void Open_NamesWithoutPositions_IsRefused() =>
             Failures.Of(() => Open("time,temperature,humidity\n1,2,3\n"), FailureCode.Unsupported, "time, temperature, humidity");
 
         [Test]
@@ -297,7 +297,7 @@ namespace FastPoints.Tests.Text
         }
 
         [Test]
-        public void Read_LongLines_AreLeftOut()
+        public void Read_LongLines_AreSkipped()
         {
             var text = new StringBuilder();
             for (int i = 0; i < 10000; i++)

@@ -5,7 +5,7 @@ sealed class TemporaryTextures
     readonly Dictionary<int, RenderTexture> m_byName = new Dictionary<int, RenderTexture>();
     readonly List<RenderTexture> m_idle = new List<RenderTexture>();
 
-    /// <summary>Of the camera whose command buffers are executed; null where none draws.</summary>
+    /// <summary>Of the camera whose command buffers are executed; null if none draws.</summary>
     internal RenderTexture CameraTarget { get; set; }
 
     internal RenderTexture Get(int name, in RenderTextureDescriptor descriptor, FilterMode filter)
@@ -40,7 +40,7 @@ sealed class TemporaryTextures
             m_idle.Add(texture);
     }
 
-    /// <summary>The texture that an identifier stands for; null where it stands for none.</summary>
+    /// <summary>The texture that an identifier stands for; null if it stands for none.</summary>
     internal Texture Resolve(in RenderTargetIdentifier target)
     {
         if (target.IsNone)

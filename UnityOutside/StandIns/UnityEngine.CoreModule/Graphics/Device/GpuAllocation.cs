@@ -8,6 +8,6 @@ readonly unsafe struct GpuAllocation(GpuMemoryBlock block, ulong offset, ulong b
 
     internal bool IsCreated => Block != null;
 
-    /// <summary>Where the host sees it; null where it does not.</summary>
+    /// <summary>Where the host sees it; null if it does not.</summary>
     internal byte* Mapped => Block.Mapped == null ? null : Block.Mapped + Offset;
 }

@@ -12,7 +12,7 @@ sealed unsafe class GpuBuffer
 
     internal byte* Mapped => Allocation.Mapped;
 
-    /// <summary>A buffer, or null where there is no memory for it.</summary>
+    /// <summary>A buffer, or null if there is no memory for it.</summary>
     internal static GpuBuffer TryCreate(GpuDevice device, ulong bytes, BufferUsageFlags usage, bool isForHost,
         bool isRead = false)
     {

@@ -29,7 +29,7 @@ sealed unsafe class GpuImage
     internal bool IsDepth => Format == Format.D32Sfloat;
     internal ImageAspectFlags Aspect => IsDepth ? ImageAspectFlags.DepthBit : ImageAspectFlags.ColorBit;
 
-    /// <summary>An image, or null where there is no memory for it.</summary>
+    /// <summary>An image, or null if there is no memory for it.</summary>
     internal static GpuImage TryCreate(GpuDevice device, Format format, (int Width, int Height) size, int slices,
         bool isArray, bool isWritten)
     {

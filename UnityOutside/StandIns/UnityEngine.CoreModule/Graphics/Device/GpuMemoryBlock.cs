@@ -3,7 +3,7 @@ namespace StandIns.Graphics;
 sealed unsafe class GpuMemoryBlock
 {
     internal readonly DeviceMemory Memory;
-    /// <summary>Where the host sees it; null where it does not.</summary>
+    /// <summary>Where the host sees it; null if it does not.</summary>
     internal readonly byte* Mapped;
     internal readonly bool IsLarge;
 

@@ -9,7 +9,7 @@ public static class HeadlessGraphics
     static int s_framesBehind;
     public static bool IsAvailable => UnsupportedReason.Length == 0;
 
-    /// <summary>What is missing, in one line; empty where nothing is.</summary>
+    /// <summary>What is missing, in one line; empty if nothing is.</summary>
     public static string UnsupportedReason
     {
         get
@@ -34,7 +34,7 @@ public static class HeadlessGraphics
         set => GpuDevice.Current.Memory.LimitBytes = (ulong)value;
     }
 
-    /// <summary>0: the device is as quick as it is. Otherwise it tells so many frames later that it is done, as a card does
+    /// <summary>0: work completes at once. Otherwise it is reported complete this many frames later, as a GPU does
     /// that has much to do, or whose frames nobody waits for.</summary>
     public static int FramesBehind
     {

@@ -9,7 +9,7 @@ sealed class KeywordGroup
 
     KeywordGroup(string[] keywords, bool isLocal, string stage) => (Keywords, IsLocal, m_stage) = (keywords, isLocal, stage);
 
-    /// <summary>Reads a pragma's words; null where it declares no keywords.</summary>
+    /// <summary>Reads a pragma's words; null if it declares no keywords.</summary>
     internal static KeywordGroup TryRead(string[] words)
     {
         string kind = words[0];

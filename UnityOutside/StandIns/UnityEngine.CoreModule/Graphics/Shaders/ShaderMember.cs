@@ -9,7 +9,7 @@ sealed class ShaderMember(string name, int offset)
     internal bool IsFloat;
     internal int Columns = 1;
     internal int Rows = 1;
-    /// <summary>Elements of an array, <see cref="Stride"/> bytes apart; 1 where it is none.</summary>
+    /// <summary>Elements of an array, <see cref="Stride"/> bytes apart; 1 if it is none.</summary>
     internal int Count = 1;
     internal int Stride;
 

@@ -1,7 +1,7 @@
 namespace StandIns.Graphics;
 
 /// <summary>The size of points: Vulkan wants a vertex shader to give it, and glslang does not know HLSL's PSIZE. Its output of
-/// that semantic becomes the size; where there is none, the size is one pixel, as with Direct3D.</summary>
+/// that semantic becomes the size; if there is none, the size is one pixel, as with Direct3D.</summary>
 static class SpirvPointSize
 {
     const string Names = "SPV_GOOGLE_hlsl_functionality1";
@@ -34,7 +34,7 @@ static class SpirvPointSize
         return bytes;
     }
 
-    // The output with the semantic, or that is the size already; 0 where there is none.
+    // The output with the semantic, or that is the size already; 0 if there is none.
     static uint Named(uint[] words)
     {
         for (int at = HeaderWords; at < words.Length; at += Length(words, at))

@@ -8,7 +8,7 @@ using Unity.Jobs.LowLevel.Unsafe;
 
 namespace FastPoints.Benchmarks
 {
-    /// <summary>What any octree build must do at the least, without checks, samples, packing, or care for memory: read and count,
+    /// <summary>The minimum that any octree build must do, without checks, samples, packing, or care for memory: read and count,
     /// read and scatter, order each cell along the Morton curve, write 12 bytes a point.</summary>
     public unsafe struct BarePassWorkload : IWorkload
     {
@@ -135,8 +135,8 @@ namespace FastPoints.Benchmarks
                 byte* records = m_records + first * StrideBytes;
                 for (int i = 0; i < count; i++)
                 {
-                    var place = (int*)(records + (long)i * StrideBytes);
-                    keys[i] = Morton.Encode((uint)place[0], (uint)place[1], (uint)(place[2] + (1 << 20)));
+                    var position = (int*)(records + (long)i * StrideBytes);
+                    keys[i] = Morton.Encode((uint)position[0], (uint)position[1], (uint)(position[2] + (1 << 20)));
                     order[i] = (uint)i;
                 }
                 RadixSort.Sort(keys, order, keys + count, order + count, count);

@@ -35,7 +35,7 @@ namespace FastPoints.Benchmarks
             + "{1:0.0}, {2:0.0} ms (p50, p99, max), and for the pump {3:0.00}, {4:0.0}, {5:0.0}", m_waits.QuantileMs(0.5), WaitMs,
             m_waits.QuantileMs(1), m_ticks.QuantileMs(0.5), m_ticks.QuantileMs(0.99), m_ticks.QuantileMs(1), Frames);
 
-        /// <param name="frameMs">0 for a main thread that does nothing else than step the work; less than that for one that
+        /// <param name="frameMs">0 for a main thread that only steps the work; less than that for one that
         /// waits for jobs as well, and so runs some.</param>
         /// <returns>Its time in milliseconds.</returns>
         public double Run(IEnumerator<JobStep> work, double frameMs)

@@ -2,7 +2,7 @@ using System.IO;
 
 namespace FastPoints.Benchmarks
 {
-    /// <summary>Real clouds of workloads, since made ones compress unlike them (Documentation~/figures.md). Where one is
+    /// <summary>Real clouds for workloads, since synthetic ones compress differently (Documentation~/figures.md). Where one is
     /// absent, its workloads do nothing and report no points.</summary>
     static class BenchmarkSamples
     {
@@ -16,7 +16,7 @@ namespace FastPoints.Benchmarks
         public const string EptLaszip = "samples/ept/lone-star-laszip";
         public const string PotreeBrotli = "samples/potree/v2-autzen-brotli";
 
-        /// <returns>The path of a file or folder; null where it is not there.</returns>
+        /// <returns>The path of a file or folder; null if it does not exist.</returns>
         public static string Find(WorkloadContext context, string name)
         {
             if (context.DataFolder == null)

@@ -8,7 +8,7 @@ using Unity.Mathematics;
 
 namespace FastPoints.Benchmarks
 {
-    /// <summary>A seeded LAS file of a hilly surface with a few things on it, in strips as an airborne scan comes: point format
+    /// <summary>A seeded LAS file of a hilly surface with a few objects, in strips like an airborne scan: point format
     /// 2, millimetres, coloured.</summary>
     public static unsafe class TerrainBenchmarkFile
     {

@@ -22,7 +22,7 @@ namespace FastPoints.Benchmarks
         readonly bool m_isByWorkers;
         string m_path;
 
-        /// <param name="find">The path; null where there is none.</param>
+        /// <param name="find">The path; null if there is none.</param>
         /// <param name="wanted">The attributes; null for all.</param>
         /// <param name="isByWorkers">The main thread only steps the work, as beside frames.</param>
         public ColumnsWorkload(string name, string limitName, Func<WorkloadContext, string> find,

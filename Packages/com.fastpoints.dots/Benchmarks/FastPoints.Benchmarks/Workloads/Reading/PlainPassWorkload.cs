@@ -7,7 +7,7 @@ using Unity.Jobs.LowLevel.Unsafe;
 namespace FastPoints.Benchmarks
 {
     /// <summary>A pass over a file by plain threads and plain reads, without jobs, containers or any of the package: what the
-    /// reader is held against. As many threads as the job system has, each taking the next stretch.</summary>
+    /// reader is compared with. As many threads as the job system has, each taking the next segment.</summary>
     sealed unsafe class PlainPassWorkload : IWorkload
     {
         public const int SegmentPoints = 32768;

@@ -14,7 +14,7 @@ namespace FastPoints.Benchmarks
         string m_path;
         byte[] m_from, m_to;
 
-        /// <param name="find">The path; null where there is none.</param>
+        /// <param name="find">The path; null if there is none.</param>
         public ReadCopyWorkload(string name, Func<WorkloadContext, string> find) => (Name, m_find) = (name, find);
 
         public string Name { get; }

@@ -10,7 +10,7 @@ using Unity.Transforms;
 
 namespace FastPoints.Benchmarks
 {
-    /// <summary>A world as scenes have it, with the package's systems and memory in place of a graphics card: what clouds in a
+    /// <summary>A world as scenes have it, with the package's systems and memory in place of a GPU: what clouds in a
     /// scene cost the main thread, frame by frame. Frames follow one another without a pause.</summary>
     sealed class SceneBenchmark : IDisposable
     {
@@ -69,6 +69,22 @@ namespace FastPoints.Benchmarks
             Thread.Yield();
             return m_group.Stats;
         }
+
+        /// <summary>Later quantiles are of later frames only.</summary>
+        public void ResetTimes()
+        {
+            using var earlier = new SliceTimes(Allocator.Persistent);
+            earlier.Take(FrameTimes);
+        }
+
+        public WorkloadResult Result(long points, long bytes, string note) => new WorkloadResult
+        {
+            Points = points,
+            Bytes = bytes,
+            Error = FrameTimes.QuantileMs(0.99),
+            ErrorUnit = "ms p99 a frame",
+            Note = note,
+        };
 
         public void Dispose()
         {

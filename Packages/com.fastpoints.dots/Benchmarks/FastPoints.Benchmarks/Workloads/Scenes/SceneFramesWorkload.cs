@@ -23,7 +23,7 @@ namespace FastPoints.Benchmarks
         public void Prepare(WorkloadContext context)
         {
             m_radiusMetres = 0.3 * TerrainBenchmarkFile.SideMetres(context);
-            // Twice what is drawn, so that nodes come and go.
+            // Twice what is drawn, so that nodes are loaded and evicted.
             int budget = context.Points / 16;
             m_scene = new SceneBenchmark(2L * MaxBytesPerPoint * budget);
             m_scene.Settings.Selection.PointBudget = budget;
@@ -36,9 +36,7 @@ namespace FastPoints.Benchmarks
         public WorkloadResult Run()
         {
             long points = 0, uploaded = 0, garbage = 0;
-            // What frames before these took is not theirs.
-            using (var before = new SliceTimes(Unity.Collections.Allocator.Persistent))
-                before.Take(m_scene.FrameTimes);
+            m_scene.ResetTimes();
             for (int frame = 0; frame < Frames; frame++)
             {
                 var stats = m_scene.Frame(ViewAt(frame));
@@ -47,16 +45,9 @@ namespace FastPoints.Benchmarks
                 garbage += m_scene.Garbage;
             }
             var times = m_scene.FrameTimes;
-            return new WorkloadResult
-            {
-                Points = points,
-                Bytes = uploaded,
-                Error = times.QuantileMs(0.99),
-                ErrorUnit = "ms p99 a frame",
-                Note = string.Format(CultureInfo.InvariantCulture, "main thread {0:0.0} ms a frame (p50), {1:0.0} (p99), {2:0.0} "
-                    + "(max); {3} bytes of garbage in {4} frames", times.QuantileMs(0.5), times.QuantileMs(0.99),
-                    times.QuantileMs(1), garbage, Frames),
-            };
+            return m_scene.Result(points, uploaded, string.Format(CultureInfo.InvariantCulture,
+                "main thread {0:0.0} ms a frame (p50), {1:0.0} (p99), {2:0.0} (max); {3} bytes of garbage in {4} frames",
+                times.QuantileMs(0.5), times.QuantileMs(0.99), times.QuantileMs(1), garbage, Frames));
         }
 
         public void Dispose() => m_scene?.Dispose();

@@ -8,8 +8,9 @@ using Unity.Mathematics;
 namespace FastPoints.Benchmarks
 {
     /// <summary>A camera in the middle of a converted cloud turns round, and all points that it sees are wanted: of 48 M points
-    /// some 10,000 nodes come and as many go in every 60 frames, a few in each, with and without entities for them. The error
-    /// is the main thread's time for a frame that 99 of 100 do not exceed. Each frame takes a sixtieth of a second.</summary>
+    /// some 10,000 nodes are added and as many removed in every 60 frames, a few in each, with and without entities for them. The
+    /// error is the main thread's time for a frame that 99 of 100 do not exceed. Each frame takes a sixtieth of a
+    /// second.</summary>
     public sealed class SceneNodesWorkload : IWorkload
     {
         const int Frames = 300, FramesPerRound = 30;
@@ -47,32 +48,25 @@ namespace FastPoints.Benchmarks
 
         public WorkloadResult Run()
         {
-            using (var before = new SliceTimes(Allocator.Persistent))
-                before.Take(m_scene.FrameTimes);
+            m_scene.ResetTimes();
             long points = 0, bytes = 0, garbage = 0;
-            int come = 0, gone = 0;
+            int added = 0, removed = 0;
             for (int i = 0; i < Frames; i++)
             {
                 var frame = Stopwatch.StartNew();
                 var stats = m_scene.Frame(ViewAt(i));
                 points += stats.DrawnPoints;
                 bytes += stats.UploadedBytes;
-                come += stats.UploadedNodes;
-                gone += stats.EvictedNodes;
+                added += stats.UploadedNodes;
+                removed += stats.EvictedNodes;
                 garbage += m_scene.Garbage;
                 FrameLoop.Rest(frame, FrameMs);
             }
             var times = m_scene.FrameTimes;
-            return new WorkloadResult
-            {
-                Points = points,
-                Bytes = bytes,
-                Error = times.QuantileMs(0.99),
-                ErrorUnit = "ms p99 a frame",
-                Note = string.Format(CultureInfo.InvariantCulture, "{0:N0} nodes came and {1:N0} went in {2} frames; main thread "
-                    + "{3:0.0} ms a frame (p50), {4:0.0} (p99), {5:0.0} (max); {6} bytes of garbage", come, gone, Frames,
-                    times.QuantileMs(0.5), times.QuantileMs(0.99), times.QuantileMs(1), garbage),
-            };
+            return m_scene.Result(points, bytes, string.Format(CultureInfo.InvariantCulture,
+                "{0:N0} nodes came and {1:N0} went in {2} frames; main thread {3:0.0} ms a frame (p50), {4:0.0} (p99), {5:0.0} "
+                + "(max); {6} bytes of garbage", added, removed, Frames, times.QuantileMs(0.5), times.QuantileMs(0.99),
+                times.QuantileMs(1), garbage));
         }
 
         public void Dispose() => m_scene?.Dispose();

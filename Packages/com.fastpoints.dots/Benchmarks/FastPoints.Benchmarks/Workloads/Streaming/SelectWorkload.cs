@@ -7,14 +7,14 @@ namespace FastPoints.Benchmarks
 {
     sealed class SelectWorkload : IWorkload
     {
-        /// <summary>Of a camera that flies half a metre a frame, in radians.</summary>
+        /// <summary>Radians a frame, of a camera that flies half a metre.</summary>
         const double SmallStep = 0.0002;
 
         readonly int m_levels;
         readonly long m_budget;
         readonly double m_step;
         SelectionBenchmark m_benchmark;
-        double m_way;
+        double m_distance;
 
         /// <param name="levels">Of the cloud: 9 for 100,000 nodes.</param>
         SelectWorkload(string name, int levels, long budget, double step)
@@ -43,7 +43,7 @@ namespace FastPoints.Benchmarks
 
         public WorkloadResult Run() => new WorkloadResult
         {
-            Points = m_benchmark.Choose(SelectionBenchmark.Over(m_way += m_step), false),
+            Points = m_benchmark.Choose(SelectionBenchmark.Over(m_distance += m_step), false),
             Note = m_benchmark.Note,
         };
 

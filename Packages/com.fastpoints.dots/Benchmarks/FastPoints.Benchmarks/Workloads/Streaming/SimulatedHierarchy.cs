@@ -24,7 +24,7 @@ namespace FastPoints.Benchmarks
             int across = 1 << UpperLevels;
             m_pages = new NativeArray<HierarchyPage>(1 + across * across, Allocator.Persistent);
             for (int chunk = 0; chunk < across * across; chunk++)
-                m_pages[1 + chunk] = Build(UpperLevels, Place(chunk, UpperLevels), levels - UpperLevels, true, -1, stretch);
+                m_pages[1 + chunk] = Build(UpperLevels, PositionOf(chunk, UpperLevels), levels - UpperLevels, true, -1, stretch);
             m_pages[0] = Build(0, default, UpperLevels, false, 0, stretch);
             for (int p = 0; p < m_pages.Length; p++)
                 NodeCount += m_pages[p].NodeCount;
@@ -50,12 +50,12 @@ namespace FastPoints.Benchmarks
             200 * math.sin(x * 0.0013) * math.cos(y * 0.0017) + 15 * math.sin(x * 0.021 + y * 0.013);
 
         /// <summary>The i-th square of a level along the Morton curve.</summary>
-        static int2 Place(int index, int level)
+        static int2 PositionOf(int index, int level)
         {
-            var place = new int2(0, 0);
+            var position = new int2(0, 0);
             for (int bit = 0; bit < level; bit++)
-                place += new int2(index >> (2 * bit) & 1, index >> (2 * bit + 1) & 1) << bit;
-            return place;
+                position += new int2(index >> (2 * bit) & 1, index >> (2 * bit + 1) & 1) << bit;
+            return position;
         }
 
         static HierarchyPage Build(int topLevel, int2 top, int levels, bool hasDenseParts, int firstChunk, double3 stretch)
@@ -76,8 +76,8 @@ namespace FastPoints.Benchmarks
                 int begin = at, count = 1 << (2 * level);
                 for (int i = 0; i < count; i++, at++)
                 {
-                    var place = (top << level) + Place(i, level);
-                    var node = NodeAt(topLevel + level, place, stretch);
+                    var position = (top << level) + PositionOf(i, level);
+                    var node = NodeAt(topLevel + level, position, stretch);
                     if (level + 1 < levels)
                     {
                         node.FirstChild = begin + count + 4 * i;
@@ -93,7 +93,7 @@ namespace FastPoints.Benchmarks
                         node.FirstChild = nextDense;
                         node.ChildCount = 4;
                         for (int c = 0; c < 4; c++)
-                            page.Nodes[nextDense++] = NodeAt(topLevel + level + 1, (place << 1) + Place(c, 1), stretch);
+                            page.Nodes[nextDense++] = NodeAt(topLevel + level + 1, (position << 1) + PositionOf(c, 1), stretch);
                     }
                     page.Nodes[at] = node;
                 }
@@ -108,10 +108,10 @@ namespace FastPoints.Benchmarks
         static bool IsDense(int level, int2 top, int index) =>
             SceneHash.Of((uint)top.x << level, (uint)top.y, (uint)index) % 20 == 0;
 
-        static StreamNode NodeAt(int level, int2 place, double3 stretch)
+        static StreamNode NodeAt(int level, int2 position, double3 stretch)
         {
             double side = SideLocal / (1 << level);
-            double x = place.x * side, y = place.y * side, low = double.MaxValue, high = double.MinValue;
+            double x = position.x * side, y = position.y * side, low = double.MaxValue, high = double.MinValue;
             const int Steps = 8;
             for (int i = 0; i <= Steps * Steps + 2 * Steps; i++)
             {

@@ -43,7 +43,7 @@ namespace FastPoints.Benchmarks
         }
     }
 
-    /// <summary>What of uploads is not ours: the same files read in pieces of a megabyte and copied once, on one
+    /// <summary>The part of uploads outside our code: the same files read in pieces of a megabyte and copied once, on one
     /// thread.</summary>
     public sealed unsafe class StreamReadCopyWorkload : IWorkload
     {

@@ -21,7 +21,7 @@ namespace FastPoints.Build
 
         NativeList<DensitySum> m_sums;
         NativeList<int> m_childBricks;
-        int m_runs;
+        int m_ranges;
         double m_share;
 
         DensityTree()
@@ -34,7 +34,7 @@ namespace FastPoints.Build
         }
 
         /// <summary>The estimate for a cell's number.</summary>
-        public DensityCell this[int cell] => m_sums[cell].ToCell(m_runs, m_share);
+        public DensityCell this[int cell] => m_sums[cell].ToCell(m_ranges, m_share);
 
         /// <summary>The number of the first of a cell's eight parts, in Morton order; -1 if it is not divided.</summary>
         public int FirstPartOf(int cell)
@@ -52,27 +52,27 @@ namespace FastPoints.Build
 
         /// <summary>Coroutine: counts a sample.</summary>
         /// <param name="codes">The Morton code of each point's cell at the last level, or <see cref="OutsideCode"/>.</param>
-        /// <param name="runs">In the file's order.</param>
+        /// <param name="ranges">In the file's order.</param>
         /// <param name="share">The sampled share of the file's points, 0 to 1.</param>
         /// <param name="maxPoints">Cells with no more points are not divided.</param>
         /// <param name="coded">Completes when the codes are there.</param>
         /// <param name="take">Receives the tree at the end; the caller disposes it.</param>
-        public static IEnumerator<JobStep> Count(NativeArray<uint> codes, NativeArray<SampleRun> runs, double share,
+        public static IEnumerator<JobStep> Count(NativeArray<uint> codes, NativeArray<SampleRange> ranges, double share,
             double maxPoints, JobHandle coded, Action<DensityTree> take)
         {
-            var tree = new DensityTree { m_share = share, m_runs = runs.Length };
+            var tree = new DensityTree { m_share = share, m_ranges = ranges.Length };
             var bricks = new NativeArray<int>(Math.Max(1, codes.Length), Allocator.Persistent);
             var touched = new NativeList<int>(Allocator.Persistent);
             var bricksOfDepth = new NativeReference<int2>(new int2(0, 1), Allocator.Persistent);
             try
             {
                 var begins = new List<int> { 0 };
-                for (int run = 0, points = 0; run < runs.Length; run++)
+                for (int range = 0, points = 0; range < ranges.Length; range++)
                 {
-                    points += runs[run].Count;
-                    if (points < PointsPerSlice && run + 1 < runs.Length)
+                    points += ranges[range].Count;
+                    if (points < PointsPerSlice && range + 1 < ranges.Length)
                         continue;
-                    begins.Add(run + 1);
+                    begins.Add(range + 1);
                     points = 0;
                 }
                 // Each depth counts in all slices but one, which divides.
@@ -89,7 +89,7 @@ namespace FastPoints.Build
                     {
                         CodeOfPoint = codes,
                         BrickOfPoint = bricks,
-                        Runs = runs,
+                        Ranges = ranges,
                         First = begins[n % slices],
                         End = begins[n % slices + 1],
                         Depth = n / slices,
@@ -150,55 +150,56 @@ namespace FastPoints.Build
         public static int FineOf(uint code, int depth) => (int)(code >> 3 * (Levels - 2 * (depth + 1)) & FineCells - 1);
     }
 
-    /// <summary>Sums over the runs of a sample, one after the other in the file's order, for one cell. Blittable.</summary>
+    /// <summary>Sums over the ranges of a sample, one after the other in the file's order, for one cell. Blittable.</summary>
     internal struct DensitySum
     {
         public double Points;
         public double SquaresOfDifferences;
 
-        /// <summary>Points of the run that is being counted.</summary>
-        public double InRun;
+        /// <summary>Points of the range that is being counted.</summary>
+        public double InRange;
 
-        /// <summary>Points of <see cref="LastRun"/>, the last one that has points here.</summary>
+        /// <summary>Points of <see cref="LastRange"/>, the last one that has points here.</summary>
         public double InLast;
-        public int LastRun;
-        public int Runs;
+        public int LastRange;
+        public int Ranges;
 
-        /// <summary>Adds <see cref="InRun"/> when its run is counted; runs without points in the cell may be skipped.</summary>
-        public void Close(int run)
+        /// <summary>Adds <see cref="InRange"/> when its range is counted; runs without points in the cell may be
+        /// skipped.</summary>
+        public void Close(int range)
         {
-            if (Runs > 0 && LastRun == run - 1)
+            if (Ranges > 0 && LastRange == range - 1)
             {
-                SquaresOfDifferences += (InRun - InLast) * (InRun - InLast);
+                SquaresOfDifferences += (InRange - InLast) * (InRange - InLast);
             }
             else
             {
-                SquaresOfDifferences += run > 0 ? InRun * InRun : 0;
+                SquaresOfDifferences += range > 0 ? InRange * InRange : 0;
                 SquaresOfDifferences += InLast * InLast;
             }
-            Points += InRun;
-            InLast = InRun;
-            InRun = 0;
-            LastRun = run;
-            Runs++;
+            Points += InRange;
+            InLast = InRange;
+            InRange = 0;
+            LastRange = range;
+            Ranges++;
         }
 
         /// <summary>The estimate after all are counted.</summary>
-        /// <param name="runs">Number of runs in the sample, with or without points here.</param>
+        /// <param name="ranges">Number of ranges in the sample, with or without points here.</param>
         /// <param name="share">The sampled share of the file's points.</param>
-        /// <remarks>Points of one run are neighbours in space as well: they say hardly more than one of them would, and a
-        /// binomial error would be far too small. Each part of the file has one run, so the variance is estimated by the
+        /// <remarks>Points of one range are neighbours in space as well: they say hardly more than one of them would, and a
+        /// binomial error would be far too small. Each part of the file has one range, so the variance is estimated by the
         /// differences of neighbouring ones (Wolter, "Introduction to variance estimation", 2007, 8.2), with the correction for a
         /// finite population.</remarks>
-        public DensityCell ToCell(int runs, double share)
+        public DensityCell ToCell(int ranges, double share)
         {
-            if (Runs == 0)
+            if (Ranges == 0)
                 return new DensityCell(0, double.NaN, 0);
             double left = Math.Max(0, 1 - share);
-            if (runs < 2)
-                return new DensityCell(Points, left > 0 ? Points : 0, Runs);
-            double squares = SquaresOfDifferences + (LastRun < runs - 1 ? InLast * InLast : 0);
-            return new DensityCell(Points, Math.Sqrt(left * squares * runs / (2.0 * (runs - 1))), Runs);
+            if (ranges < 2)
+                return new DensityCell(Points, left > 0 ? Points : 0, Ranges);
+            double squares = SquaresOfDifferences + (LastRange < ranges - 1 ? InLast * InLast : 0);
+            return new DensityCell(Points, Math.Sqrt(left * squares * ranges / (2.0 * (ranges - 1))), Ranges);
         }
     }
 
@@ -211,18 +212,18 @@ namespace FastPoints.Build
         /// <summary>Error of <see cref="Points"/>, in points; NaN if nothing is known.</summary>
         public readonly double StandardError;
 
-        /// <summary>Runs that have sampled points here.</summary>
-        public readonly int Runs;
+        /// <summary>Ranges that have sampled points here.</summary>
+        public readonly int Ranges;
 
-        public DensityCell(double points, double standardError, int runs)
+        public DensityCell(double points, double standardError, int ranges)
         {
             Points = points;
             StandardError = standardError;
-            Runs = runs;
+            Ranges = ranges;
         }
 
         /// <summary>False if no sampled point lies here: there may be none, or some that no run reached.</summary>
-        public bool IsKnown => Runs > 0;
+        public bool IsKnown => Ranges > 0;
     }
 
     /// <summary>Counts some runs of a sample into the bricks of one depth.</summary>
@@ -235,8 +236,8 @@ namespace FastPoints.Build
         /// none.</summary>
         public NativeArray<int> BrickOfPoint;
 
-        /// <summary>Those from <see cref="First"/> to before <see cref="End"/> are counted.</summary>
-        [ReadOnly] public NativeArray<SampleRun> Runs;
+        /// <summary>The ranges from <see cref="First"/> to before <see cref="End"/> are counted.</summary>
+        [ReadOnly] public NativeArray<SampleRange> Ranges;
         public int First;
         public int End;
 
@@ -257,9 +258,9 @@ namespace FastPoints.Build
             var sums = (DensitySum*)Sums.GetUnsafePtr();
             for (int r = First; r < End; r++)
             {
-                var run = Runs[r];
-                for (int i = 0; i < run.Count; i++)
-                    Count(sums, run.First + i, run.Weight);
+                var range = Ranges[r];
+                for (int i = 0; i < range.Count; i++)
+                    Count(sums, range.First + i, range.Weight);
                 for (int i = 0; i < Touched.Length; i++)
                     sums[Touched[i]].Close(r);
                 Touched.Clear();
@@ -291,9 +292,9 @@ namespace FastPoints.Build
 
         void Add(DensitySum* sums, int cell, double weight)
         {
-            if (sums[cell].InRun == 0)
+            if (sums[cell].InRange == 0)
                 Touched.Add(cell);
-            sums[cell].InRun += weight;
+            sums[cell].InRange += weight;
         }
     }
 

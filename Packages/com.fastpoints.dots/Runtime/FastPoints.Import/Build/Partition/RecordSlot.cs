@@ -17,7 +17,7 @@ namespace FastPoints.Build
         readonly PartitionMap m_map;
         NativeArray<RecordField> m_fields;
         NativeArray<int> m_chunkOfPoint;
-        NativeArray<byte> m_runRecords;
+        NativeArray<byte> m_batchRecords;
 
         /// <param name="capacity">Points of the largest block.</param>
         public RecordSlot(int capacity, PointSchema attributes, RecordLayout layout, PartitionMap map, PointBatch batch)
@@ -32,7 +32,7 @@ namespace FastPoints.Build
             Slices = new SliceTimes(Allocator.Persistent);
             Detached = new NativeList<DetachedRecordPages>(8, Allocator.Persistent);
             m_chunkOfPoint = new NativeArray<int>(capacity, Allocator.Persistent, NativeArrayOptions.UninitializedMemory);
-            m_runRecords = new NativeArray<byte>(GroupRecordsJob.RunPoints * layout.StrideBytes, Allocator.Persistent);
+            m_batchRecords = new NativeArray<byte>(GroupRecordsJob.BatchPoints * layout.StrideBytes, Allocator.Persistent);
             var statistics = new AttributeStatistics[attributes.Count];
             var fields = new RecordField[attributes.Count];
             int offset = 0;
@@ -84,7 +84,7 @@ namespace FastPoints.Build
                 Records = Records,
                 FirstOfChunk = FirstOfChunk,
                 ChunkOfPoint = m_chunkOfPoint,
-                RunRecords = m_runRecords,
+                BatchRecords = m_batchRecords,
                 Statistics = Statistics,
                 Attributes = Attributes,
             }.Schedule(decoded);
@@ -117,7 +117,7 @@ namespace FastPoints.Build
             Attributes.Dispose();
             m_fields.Dispose();
             m_chunkOfPoint.Dispose();
-            m_runRecords.Dispose();
+            m_batchRecords.Dispose();
         }
     }
 
@@ -126,8 +126,8 @@ namespace FastPoints.Build
     [BurstCompile]
     internal unsafe struct GroupRecordsJob : IJob
     {
-        /// <summary>This many records are made one behind another, in the cache, before each goes to its chunk.</summary>
-        public const int RunPoints = 256;
+        /// <summary>This many records are built one after another, in the cache, before each is copied to its chunk.</summary>
+        public const int BatchPoints = 256;
 
         [ReadOnly] public NativeArray<byte> Columns;
         [ReadOnly] public NativeReference<DecodeResult> Decoded;
@@ -148,7 +148,7 @@ namespace FastPoints.Build
 
         public NativeArray<int> ChunkOfPoint;
 
-        public NativeArray<byte> RunRecords;
+        public NativeArray<byte> BatchRecords;
         public NativeReference<PointStatistics> Statistics;
         public NativeArray<AttributeStatistics> Attributes;
 
@@ -169,7 +169,7 @@ namespace FastPoints.Build
             statistics.Count += kept;
 
             // From here on a point's entry is the place of its record, or -1.
-            var run = (byte*)RunRecords.GetUnsafePtr();
+            var batch = (byte*)BatchRecords.GetUnsafePtr();
             ulong sum = 0;
             int end;
             for (int begin = 0; begin < count; begin = end)
@@ -177,10 +177,10 @@ namespace FastPoints.Build
                 end = begin + 1;
                 if (chunkOfPoint[begin] < 0)
                     continue;
-                while (end < count && end - begin < RunPoints && chunkOfPoint[end] >= 0)
+                while (end < count && end - begin < BatchPoints && chunkOfPoint[end] >= 0)
                     end++;
-                WriteRun(bytes, begin, end - begin, run);
-                sum += Scatter(run, chunkOfPoint + begin, end - begin, records);
+                WriteBatch(bytes, begin, end - begin, batch);
+                sum += Scatter(batch, chunkOfPoint + begin, end - begin, records);
             }
             statistics.Checksum += sum;
             Statistics.Value = statistics;
@@ -191,13 +191,13 @@ namespace FastPoints.Build
         {
             UnsafeUtility.MemClear(countOfChunk, (long)FirstOfChunk.Length * sizeof(int));
             var chunkOfCell = (int*)ChunkOfCell.GetUnsafeReadOnlyPtr();
-            for (int done = 0; done < count; done += RunPoints)
+            for (int done = 0; done < count; done += BatchPoints)
             {
-                int run = math.min(RunPoints, count - done);
+                int batch = math.min(BatchPoints, count - done);
                 int* chunks = chunkOfPoint + done;
-                if (Layout.IsWide || !FindChunksInside(bytes, done, run, chunkOfCell, chunks, ref statistics))
-                    FindChunksAnywhere(bytes, done, run, chunkOfCell, chunks, ref statistics);
-                for (int i = 0; i < run; i++)
+                if (Layout.IsWide || !FindChunksInside(bytes, done, batch, chunkOfCell, chunks, ref statistics))
+                    FindChunksAnywhere(bytes, done, batch, chunkOfCell, chunks, ref statistics);
+                for (int i = 0; i < batch; i++)
                     if (chunks[i] >= 0)
                         countOfChunk[chunks[i]]++;
             }
@@ -206,8 +206,8 @@ namespace FastPoints.Build
         /// <returns>False if some of the points are outside the cube: nothing is done.</returns>
         bool FindChunksInside(byte* bytes, int first, int count, int* chunkOfCell, int* chunks, ref PointStatistics statistics)
         {
-            uint* x = stackalloc uint[3 * RunPoints];
-            uint* y = x + RunPoints, z = y + RunPoints;
+            uint* x = stackalloc uint[3 * BatchPoints];
+            uint* y = x + BatchPoints, z = y + BatchPoints;
             LoadOffsets(bytes, first, count, x);
             Store.BlockCodec.FindRange(x, count, out uint minX, out uint maxX);
             Store.BlockCodec.FindRange(y, count, out uint minY, out uint maxY);
@@ -217,16 +217,16 @@ namespace FastPoints.Build
                 return false;
             statistics.Min = Grid3.Min(statistics.Min, min);
             statistics.Max = Grid3.Max(statistics.Max, max);
-            Chunks.ChunksOf(chunkOfCell, x, RunPoints, count, Layout.Base, chunks);
+            Chunks.ChunksOf(chunkOfCell, x, BatchPoints, count, Layout.Base, chunks);
             return true;
         }
 
         /// <summary>The same for any points; -1 for those without a position.</summary>
         void FindChunksAnywhere(byte* bytes, int first, int count, int* chunkOfCell, int* chunks, ref PointStatistics statistics)
         {
-            long* x = stackalloc long[3 * RunPoints];
-            long* y = x + RunPoints, z = y + RunPoints;
-            LoadRun(bytes, first, count, x, ref statistics.MaxRoundingSteps);
+            long* x = stackalloc long[3 * BatchPoints];
+            long* y = x + BatchPoints, z = y + BatchPoints;
+            LoadBatch(bytes, first, count, x, ref statistics.MaxRoundingSteps);
             for (int i = 0; i < count; i++)
             {
                 chunks[i] = -1;
@@ -236,9 +236,9 @@ namespace FastPoints.Build
                     statistics.LeftOut++;
                     continue;
                 }
-                var place = new Grid3(x[i], y[i], z[i]);
-                statistics.Min = Grid3.Min(statistics.Min, place);
-                statistics.Max = Grid3.Max(statistics.Max, place);
+                var position = new Grid3(x[i], y[i], z[i]);
+                statistics.Min = Grid3.Min(statistics.Min, position);
+                statistics.Max = Grid3.Max(statistics.Max, position);
                 chunks[i] = Chunks.ChunkOf(chunkOfCell, x[i], y[i], z[i]);
             }
         }
@@ -266,7 +266,7 @@ namespace FastPoints.Build
 
         /// <summary>Makes the records of points that follow one another and have a position. What fills the attributes up
         /// stays zero.</summary>
-        void WriteRun(byte* bytes, int first, int count, byte* records)
+        void WriteBatch(byte* bytes, int first, int count, byte* records)
         {
             WritePositions(bytes, first, count, records);
             int stride = Layout.StrideBytes;
@@ -287,15 +287,15 @@ namespace FastPoints.Build
             int stride = Layout.StrideBytes;
             if (Layout.IsWide)
             {
-                long* wide = stackalloc long[3 * RunPoints];
+                long* wide = stackalloc long[3 * BatchPoints];
                 double ignored = 0;
-                LoadRun(bytes, first, count, wide, ref ignored);
+                LoadBatch(bytes, first, count, wide, ref ignored);
                 for (int i = 0; i < count; i++)
-                    Layout.SetPosition(records + i * stride, wide[i], wide[RunPoints + i], wide[2 * RunPoints + i]);
+                    Layout.SetPosition(records + i * stride, wide[i], wide[BatchPoints + i], wide[2 * BatchPoints + i]);
                 return;
             }
-            uint* x = stackalloc uint[3 * RunPoints];
-            uint* y = x + RunPoints, z = y + RunPoints;
+            uint* x = stackalloc uint[3 * BatchPoints];
+            uint* y = x + BatchPoints, z = y + BatchPoints;
             LoadOffsets(bytes, first, count, x);
             for (int i = 0; i < count; i++, records += stride)
             {
@@ -308,30 +308,30 @@ namespace FastPoints.Build
         void LoadOffsets(byte* bytes, int first, int count, uint* offsets)
         {
             SourceGrid.ToOffsets(Grid.X, X.At(bytes, first), X.Type, count, Layout.Base.X, offsets);
-            SourceGrid.ToOffsets(Grid.Y, Y.At(bytes, first), Y.Type, count, Layout.Base.Y, offsets + RunPoints);
-            SourceGrid.ToOffsets(Grid.Z, Z.At(bytes, first), Z.Type, count, Layout.Base.Z, offsets + 2 * RunPoints);
+            SourceGrid.ToOffsets(Grid.Y, Y.At(bytes, first), Y.Type, count, Layout.Base.Y, offsets + BatchPoints);
+            SourceGrid.ToOffsets(Grid.Z, Z.At(bytes, first), Z.Type, count, Layout.Base.Z, offsets + 2 * BatchPoints);
         }
 
         /// <summary>Moves records to their places.</summary>
         /// <returns>The sum of their hashes.</returns>
-        ulong Scatter(byte* run, int* places, int count, byte* records)
+        ulong Scatter(byte* batch, int* positions, int count, byte* records)
         {
             var layout = Layout;
             int stride = layout.StrideBytes;
             ulong sum = 0;
-            for (int i = 0; i < count; i++, run += stride)
+            for (int i = 0; i < count; i++, batch += stride)
             {
-                sum += layout.HashOf(run, Store.RecordHash.ChecksumSeed);
-                RecordLayout.Copy(run, records + (long)places[i] * stride, stride);
+                sum += layout.HashOf(batch, Store.RecordHash.ChecksumSeed);
+                RecordLayout.Copy(batch, records + (long)positions[i] * stride, stride);
             }
             return sum;
         }
 
-        void LoadRun(byte* bytes, int first, int count, long* places, ref double worstLoss)
+        void LoadBatch(byte* bytes, int first, int count, long* positions, ref double worstLoss)
         {
-            SourceGrid.ToGrid(Grid.X, X.At(bytes, first), X.Type, count, places, ref worstLoss);
-            SourceGrid.ToGrid(Grid.Y, Y.At(bytes, first), Y.Type, count, places + RunPoints, ref worstLoss);
-            SourceGrid.ToGrid(Grid.Z, Z.At(bytes, first), Z.Type, count, places + 2 * RunPoints, ref worstLoss);
+            SourceGrid.ToGrid(Grid.X, X.At(bytes, first), X.Type, count, positions, ref worstLoss);
+            SourceGrid.ToGrid(Grid.Y, Y.At(bytes, first), Y.Type, count, positions + BatchPoints, ref worstLoss);
+            SourceGrid.ToGrid(Grid.Z, Z.At(bytes, first), Z.Type, count, positions + 2 * BatchPoints, ref worstLoss);
         }
 
         static void CopyColumn(byte* from, int size, int count, byte* to, int stride)

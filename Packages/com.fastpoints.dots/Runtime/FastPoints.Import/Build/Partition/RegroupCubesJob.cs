@@ -46,11 +46,11 @@ namespace FastPoints.Build
                 byte* record = RecordPages.RecordsOf(page);
                 for (int i = 0; i < page->Count; i++, record += stride)
                 {
-                    var place = Layout.PositionOf(record);
+                    var position = Layout.PositionOf(record);
                     // Points that follow one another are often neighbours.
-                    if (cube < 0 || !Cubes[cube].Contains(place))
-                        cube = LastFrom(place);
-                    if (cube >= 0 && Cubes[cube].Contains(place))
+                    if (cube < 0 || !Cubes[cube].Contains(position))
+                        cube = LastFrom(position);
+                    if (cube >= 0 && Cubes[cube].Contains(position))
                         pool.Append(ref chunks[cube], record, 1);
                 }
                 var next = page->Next;
@@ -62,9 +62,9 @@ namespace FastPoints.Build
         }
 
         /// <summary>The last cube whose corner does not come after a position; -1 if there is none.</summary>
-        int LastFrom(Grid3 place)
+        int LastFrom(Grid3 position)
         {
-            var at = place - Corner;
+            var at = position - Corner;
             // Morton order is only defined for positions within the octree.
             if (at.X < 0 || at.Y < 0 || at.Z < 0)
                 return -1;
@@ -103,8 +103,8 @@ namespace FastPoints.Build
                 byte* record = RecordPages.RecordsOf(page);
                 for (int i = 0; i < page->Count; i++, record += stride)
                 {
-                    var place = Layout.PositionOf(record);
-                    PointsOfCell[Cells.CellOf(place.X, place.Y, place.Z)]++;
+                    var position = Layout.PositionOf(record);
+                    PointsOfCell[Cells.CellOf(position.X, position.Y, position.Z)]++;
                 }
             }
             Slices.End(begin);
@@ -133,9 +133,9 @@ namespace FastPoints.Build
                 byte* record = RecordPages.RecordsOf(page);
                 for (int i = 0; i < page->Count; i++, record += stride)
                 {
-                    var place = Layout.PositionOf(record);
-                    min = Grid3.Min(min, place);
-                    max = Grid3.Max(max, place);
+                    var position = Layout.PositionOf(record);
+                    min = Grid3.Min(min, position);
+                    max = Grid3.Max(max, position);
                 }
             }
             Bounds[0] = min;

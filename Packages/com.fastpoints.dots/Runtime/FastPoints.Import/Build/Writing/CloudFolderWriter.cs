@@ -167,7 +167,7 @@ namespace FastPoints.Build
             }
         }
 
-        /// <summary>Coroutine: gives the folder its final name, once streams have let go of it. Everything must be written,
+        /// <summary>Coroutine: gives the folder its final name, once streams have released it. Everything must be written,
         /// cloud.json last of all.</summary>
         /// <exception cref="PointCloudException">It cannot be renamed, or belongs to another writer by now.</exception>
         public IEnumerator<JobStep> Complete()
@@ -204,7 +204,7 @@ namespace FastPoints.Build
         }
 
         /// <summary>Takes what a build that ended early left of a target out of the way, unless it is being built now, and
-        /// deletes it on a thread of the pool.</summary>
+        /// deletes it on a pool thread.</summary>
         public static void DeleteUnfinished(string target)
         {
             string part = target.TrimEnd(Path.DirectorySeparatorChar, Path.AltDirectorySeparatorChar) + StoreFormat.PartSuffix;
@@ -265,7 +265,7 @@ namespace FastPoints.Build
                 FileChanges.BeginDelete(old, _ => { });
         }
 
-        /// <summary>Any of its steps may be refused where somebody reads; it goes on with what is left to do.</summary>
+        /// <summary>Any of its steps may be refused while files are read; it continues with the rest.</summary>
         void Rename(string old)
         {
             FileChanges.DeleteFolder(PathOf(BuildFiles.RecordFolderName));
@@ -325,7 +325,7 @@ namespace FastPoints.Build
             new PointCloudException(FailureCode.WriteFailed, m_target, -1, "was taken over by another process");
     }
 
-    /// <summary>Names of files that exist only in a folder in the making.</summary>
+    /// <summary>Names of files that exist only in an unfinished folder.</summary>
     internal static class BuildFiles
     {
         /// <summary>The journal of the build, from which a killed one is continued.</summary>

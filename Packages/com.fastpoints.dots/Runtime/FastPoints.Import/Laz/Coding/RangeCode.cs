@@ -108,7 +108,7 @@ namespace FastPoints.Laz
             PutBits(16, symbol >> 16, ref low, ref length, ref next);
         }
 
-        /// <summary>Ends a stream: so many bytes that a decoder's reads end with it.</summary>
+        /// <summary>Ends a stream with as many bytes as a decoder reads.</summary>
         public static void End(uint low, uint length, ref byte* next)
         {
             bool isLong = length > 2 * MinLength;

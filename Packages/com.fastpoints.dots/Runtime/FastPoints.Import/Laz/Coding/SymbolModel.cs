@@ -40,7 +40,7 @@ namespace FastPoints.Laz
         ushort m_capacity;
         uint m_total;
 
-        /// <summary>Bytes of a model with room for so many symbols, a multiple of a cache line.</summary>
+        /// <summary>Bytes of a model for this many symbols, a multiple of a cache line.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static int BytesOf(int capacity) =>
             (HeaderBytes + (capacity + 1) * 2 + capacity * 2 + ((1 << CellBits(capacity)) + 1) * 2 + 63) / 64 * 64;

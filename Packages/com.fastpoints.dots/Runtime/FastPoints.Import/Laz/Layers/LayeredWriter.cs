@@ -52,7 +52,7 @@ namespace FastPoints.Laz
             writer->m_end = LazLayer.ChunkHeaderBytes(recordBytes, layerCount);
         }
 
-        /// <summary>Goes on for so many points of layers.</summary>
+        /// <summary>Continues for this many points of layers.</summary>
         /// <returns>Bytes of the whole chunk, once it is; 0 before.</returns>
         public static long Encode(LayeredWriter* writer, LazLayer* layers, byte* records, int points, byte* output, int count)
         {

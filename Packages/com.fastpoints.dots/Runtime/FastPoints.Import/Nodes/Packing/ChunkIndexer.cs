@@ -8,7 +8,7 @@ using Unity.Jobs;
 namespace FastPoints.Nodes
 {
     /// <summary>Turns one chunk at a time into nodes: orders and samples its points, and writes them into memory. It
-    /// owns what comes of a chunk; what the jobs need meanwhile is the workspace's.</summary>
+    /// owns a chunk's result; temporary memory is the workspace's.</summary>
     internal sealed class ChunkIndexer : IDisposable
     {
         readonly RecordLayout m_records;
@@ -65,12 +65,12 @@ namespace FastPoints.Nodes
         /// <summary>Sum of the hashes of all processed points.</summary>
         public ulong Checksum => m_checksum.Value;
 
-        /// <summary>Times of the jobs so far; code that takes them empties them.</summary>
+        /// <summary>Times of the jobs so far; taking them clears them.</summary>
         public SliceTimes Slices => m_slices;
 
         public NativeArray<long> BytesOfPlane => m_bytesOfPlane;
 
-        /// <summary>Begins a chunk, behind those that are in the workspace. The caller owns its pages again when the job is
+        /// <summary>Begins a chunk, after those in the workspace. The caller owns its pages again when the job is
         /// done.</summary>
         /// <param name="ready">Completes when the pages have their records.</param>
         public void Begin(GridCube cube, RecordPages pages, int number, IndexWorkspace workspace, JobHandle ready)
@@ -210,7 +210,7 @@ namespace FastPoints.Nodes
                 Scratch = m_workspace.Sampling,
                 CostPerSlice = SampleNodesJob.CostOfSlice,
             };
-            // Slices that come after the end have nothing to do; one takes what is left where levels are many.
+            // Slices after the end do nothing; with many levels one slice does the rest.
             long typical = (long)count * (isRandom ? SampleNodesJob.TypicalCost : SampleNodesJob.TypicalCostOfDarts) +
                 (Averaged.IsOn ? (long)count * SampleNodesJob.TypicalCostOfAverages : 0);
             for (long done = 0; done < typical; done += job.CostPerSlice)

@@ -40,7 +40,7 @@ namespace FastPoints.Nodes
 
         public long Points { get; set; }
 
-        /// <summary>Makes room for chunks of so many points. Waits for the jobs so far if there is too little: the largest
+        /// <summary>Reserves memory for chunks of this many points. Waits for the jobs so far if there is too little: the largest
         /// comes first.</summary>
         public void Reserve(int count)
         {
@@ -58,7 +58,7 @@ namespace FastPoints.Nodes
             AverageOfPoint = new NativeArray<int>(m_hasAverages ? m_capacity : 0, Allocator.Persistent, raw);
         }
 
-        /// <summary>Schedules what the first job of the next chunk comes behind.</summary>
+        /// <summary>Schedules what the first job of the next chunk depends on.</summary>
         public JobHandle Begin(int count, JobHandle ready)
         {
             Reserve(count);
@@ -131,7 +131,7 @@ namespace FastPoints.Nodes
             public int Plane;
             public int NodeCount;
 
-            /// <summary>Of the current node: whether a point of it stands for others, and the next averaged column.</summary>
+            /// <summary>For the current node: whether a point of it stands for others, and the next averaged column.</summary>
             public bool HasAverages;
             public int AveragedColumn;
         }
@@ -380,7 +380,7 @@ namespace FastPoints.Nodes
         /// <summary>A node takes some of what the parts offer, and offers these to the range above.</summary>
         Sampled,
 
-        /// <summary>The spacing would be no finer than that above: what the parts offer goes on to it.</summary>
+        /// <summary>The spacing would be no finer than that above: the parts' samples are passed on to it.</summary>
         Passed,
 
         /// <summary>All points are at one place: a chain of nodes, which offers one of them.</summary>

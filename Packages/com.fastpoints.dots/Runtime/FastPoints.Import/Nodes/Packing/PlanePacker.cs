@@ -7,7 +7,7 @@ using Unity.Mathematics;
 namespace FastPoints.Nodes
 {
     /// <summary>Some points of one node that become blocks of their own.</summary>
-    internal unsafe struct PackedRun
+    internal unsafe struct PackedGroup
     {
         [NativeDisableUnsafePtrRestriction] public uint* Points;
         public int Count;
@@ -22,53 +22,54 @@ namespace FastPoints.Nodes
         [NativeDisableUnsafePtrRestriction] public StoredColumn* Columns;
 
         /// <summary>Writes the position plane of a node at the end of a list.</summary>
-        /// <param name="min">Receives the smallest offset from the node's corner, three numbers for each run;
+        /// <param name="min">Receives the smallest offset from the node's corner, three numbers for each group;
         /// <paramref name="max"/> receives the largest.</param>
-        public PlaneRange WritePositions(NativeList<byte> file, PackedRun* runs, int runCount, in NodeRecord node, ulong* min,
-            ulong* max)
+        public PlaneRange WritePositions(NativeList<byte> file, PackedGroup* groups, int groupCount, in NodeRecord node,
+            ulong* min, ulong* max)
         {
             var corner = node.Corner;
             bool isWide = node.IsWide;
             var shape = new PlaneShape(3, isWide ? 7 : 0);
-            var writer = Begin(file, shape, runs, runCount, out long start);
+            var writer = Begin(file, shape, groups, groupCount, out long start);
             ulong* values = stackalloc ulong[3 * PlaneShape.MaxPointsPerBlock];
-            for (int r = 0; r < runCount; r++)
+            for (int r = 0; r < groupCount; r++)
             {
                 for (int c = 0; c < 3; c++)
                 {
                     min[3 * r + c] = ulong.MaxValue;
                     max[3 * r + c] = 0;
                 }
-                for (int first = 0; first < runs[r].Count; first += PlaneShape.MaxPointsPerBlock)
+                for (int first = 0; first < groups[r].Count; first += PlaneShape.MaxPointsPerBlock)
                 {
-                    int count = math.min(PlaneShape.MaxPointsPerBlock, runs[r].Count - first);
+                    int count = math.min(PlaneShape.MaxPointsPerBlock, groups[r].Count - first);
                     if (isWide)
-                        LoadOffsets(runs[r].Points + first, count, corner, values);
+                        LoadOffsets(groups[r].Points + first, count, corner, values);
                     else
-                        LoadOffsetsNarrow(runs[r].Points + first, count, corner, (uint*)values);
+                        LoadOffsetsNarrow(groups[r].Points + first, count, corner, (uint*)values);
                     writer.Write(values, count, min + 3 * r, max + 3 * r);
                 }
             }
             return End(file, writer, start);
         }
 
-        public PlaneRange WriteAttributes(NativeList<byte> file, PackedRun* runs, int runCount, PlaneShape shape, int firstColumn)
+        public PlaneRange WriteAttributes(NativeList<byte> file, PackedGroup* groups, int groupCount, PlaneShape shape,
+            int firstColumn)
         {
-            var writer = Begin(file, shape, runs, runCount, out long start);
+            var writer = Begin(file, shape, groups, groupCount, out long start);
             ulong* values = stackalloc ulong[PlaneShape.MaxColumns * PlaneShape.MaxPointsPerBlock];
             ulong* min = stackalloc ulong[PlaneShape.MaxColumns];
             ulong* max = stackalloc ulong[PlaneShape.MaxColumns];
-            for (int r = 0; r < runCount; r++)
+            for (int r = 0; r < groupCount; r++)
             {
-                for (int first = 0; first < runs[r].Count; first += PlaneShape.MaxPointsPerBlock)
+                for (int first = 0; first < groups[r].Count; first += PlaneShape.MaxPointsPerBlock)
                 {
-                    int count = math.min(PlaneShape.MaxPointsPerBlock, runs[r].Count - first);
+                    int count = math.min(PlaneShape.MaxPointsPerBlock, groups[r].Count - first);
                     for (int c = 0; c < shape.ColumnCount; c++)
                     {
                         if (shape.IsWide(c))
-                            LoadColumn(runs[r].Points + first, count, Columns[firstColumn + c], BlockWriter.WideOf(values, c));
+                            LoadColumn(groups[r].Points + first, count, Columns[firstColumn + c], BlockWriter.WideOf(values, c));
                         else
-                            LoadColumnNarrow(runs[r].Points + first, count, Columns[firstColumn + c],
+                            LoadColumnNarrow(groups[r].Points + first, count, Columns[firstColumn + c],
                                 BlockWriter.NarrowOf(values, c));
                     }
                     writer.Write(values, count, min, max);
@@ -79,21 +80,21 @@ namespace FastPoints.Nodes
 
         /// <summary>Writes a plane of averages of a node at the end of a list.</summary>
         /// <param name="firstColumn">Index of the first averaged column.</param>
-        public PlaneRange WriteAverages(NativeList<byte> file, PackedRun* runs, int runCount, PlaneShape shape,
+        public PlaneRange WriteAverages(NativeList<byte> file, PackedGroup* groups, int groupCount, PlaneShape shape,
             in AveragedColumns averaged, int firstColumn)
         {
-            var writer = Begin(file, shape, runs, runCount, out long start);
+            var writer = Begin(file, shape, groups, groupCount, out long start);
             ulong* values = stackalloc ulong[PlaneShape.MaxColumns * PlaneShape.MaxPointsPerBlock];
             ulong* min = stackalloc ulong[PlaneShape.MaxColumns];
             ulong* max = stackalloc ulong[PlaneShape.MaxColumns];
-            for (int r = 0; r < runCount; r++)
+            for (int r = 0; r < groupCount; r++)
             {
-                for (int first = 0; first < runs[r].Count; first += PlaneShape.MaxPointsPerBlock)
+                for (int first = 0; first < groups[r].Count; first += PlaneShape.MaxPointsPerBlock)
                 {
-                    int count = math.min(PlaneShape.MaxPointsPerBlock, runs[r].Count - first);
+                    int count = math.min(PlaneShape.MaxPointsPerBlock, groups[r].Count - first);
                     for (int i = 0; i < count; i++)
                     {
-                        int point = (int)runs[r].Points[first + i];
+                        int point = (int)groups[r].Points[first + i];
                         var average = averaged.Of(point, Records + (long)point * Layout.StrideBytes, Layout);
                         for (int c = 0; c < shape.ColumnCount; c++)
                         {
@@ -141,10 +142,10 @@ namespace FastPoints.Nodes
             uint shiftX = (uint)shift.X, shiftY = (uint)shift.Y, shiftZ = (uint)shift.Z;
             for (int i = 0; i < count; i++)
             {
-                var place = (uint*)(records + points[i] * stride);
-                x[i] = place[0] - shiftX;
-                y[i] = place[1] - shiftY;
-                z[i] = place[2] - shiftZ;
+                var position = (uint*)(records + points[i] * stride);
+                x[i] = position[0] - shiftX;
+                y[i] = position[1] - shiftY;
+                z[i] = position[2] - shiftZ;
             }
         }
 
@@ -179,14 +180,14 @@ namespace FastPoints.Nodes
                 values[i] = (uint)OrderedBits.Load(attribute + points[i] * stride, type);
         }
 
-        /// <summary>Makes room for the longest plane that these runs could need.</summary>
-        static BlockWriter Begin(NativeList<byte> file, PlaneShape shape, PackedRun* runs, int runCount, out long start)
+        /// <summary>Makes room for the longest plane that these groups could need.</summary>
+        static BlockWriter Begin(NativeList<byte> file, PlaneShape shape, PackedGroup* groups, int groupCount, out long start)
         {
             long blocks = 0, points = 0;
-            for (int r = 0; r < runCount; r++)
+            for (int r = 0; r < groupCount; r++)
             {
-                blocks += PlaneShape.BlocksOf(runs[r].Count);
-                points += runs[r].Count;
+                blocks += PlaneShape.BlocksOf(groups[r].Count);
+                points += groups[r].Count;
             }
             start = file.Length;
             long longest = start + shape.LongestBytes(blocks, points);

@@ -10,7 +10,7 @@ namespace FastPoints.Nodes
 {
     /// <summary>Writes the file of a chunk or of the upper levels in memory: every node's planes, then the table. A chunk's top
     /// node is not written: its points go to the merge of the upper levels.</summary>
-    /// <remarks>One run of the job is a slice; the job runs again until it is done. A plane of a node is written in one
+    /// <remarks>One run of the job is a slice; the job groups again until it is done. A plane of a node is written in one
     /// slice.</remarks>
     [BurstCompile]
     internal unsafe struct WriteNodesJob : IJob
@@ -18,7 +18,7 @@ namespace FastPoints.Nodes
         /// <summary>A slice takes about 2 ms.</summary>
         public const int CostOfSlice = 500000;
 
-        const int CostOfPlace = 4;
+        const int CostOfPosition = 4;
         const int CostOfAverage = 16;
 
         /// <summary>Leaves with fewer points are inlined leaves in their parent's planes.</summary>
@@ -59,7 +59,7 @@ namespace FastPoints.Nodes
         /// <summary>Its <see cref="WriteScratch.Progress"/> is reset before the first slice.</summary>
         public WriteScratch Scratch;
 
-        /// <summary>About this many values are written in one run; to group a point costs as much as one.</summary>
+        /// <summary>About this many values are written in one group; to group a point costs as much as one.</summary>
         public int CostPerSlice;
 
         /// <summary>Out: the file. Empty if a chunk has no node except its top.</summary>
@@ -94,12 +94,12 @@ namespace FastPoints.Nodes
             Slices.End(begin);
         }
 
-        /// <summary>Of all slices, at most.</summary>
+        /// <summary>Upper bound for all slices.</summary>
         public long Cost
         {
             get
             {
-                long ofPoint = 1 + CostOfPlace;
+                long ofPoint = 1 + CostOfPosition;
                 for (int p = 0; p < Shapes.Length; p++)
                     ofPoint += CostOf(p);
                 return Count * ofPoint;
@@ -307,11 +307,11 @@ namespace FastPoints.Nodes
             var draft = m_drafts[Scratch.DraftOfNode[node]];
             int parent = draft.Parent < 0 ? -1 : NodeOfDraft[draft.Parent];
             bool isInlined = draft.IsLeaf && draft.Count < InlinedLeafPoints && parent >= 0;
-            var place = Layout.PositionOf(m_packer.Records + (long)draft.First * Layout.StrideBytes) - Corner;
+            var position = Layout.PositionOf(m_packer.Records + (long)draft.First * Layout.StrideBytes) - Corner;
             long whole = -1L << draft.SideLog2;
             return new NodeRecord
             {
-                Corner = Corner + new Grid3(place.X & whole, place.Y & whole, place.Z & whole),
+                Corner = Corner + new Grid3(position.X & whole, position.Y & whole, position.Z & whole),
                 SideLog2 = draft.SideLog2,
                 CellLog2 = draft.CellLog2,
                 Flags = (byte)((draft.IsLeaf ? NodeRecord.IsLeaf : 0) | (draft.IsTop ? NodeRecord.IsTop : 0)),
@@ -328,43 +328,44 @@ namespace FastPoints.Nodes
         {
             // These are the node's own points, then each inlined leaf's.
             int first = nodes[planeNode].FirstChild, end = first + nodes[planeNode].ChildCount;
-            var runs = Allocate<PackedRun>(1 + nodes[planeNode].ChildCount);
-            int* nodeOfRun = Allocate<int>(1 + nodes[planeNode].ChildCount);
-            int runCount = 0, blocks = 0;
-            AddRun(planeNode, nodes, runs, nodeOfRun, ref runCount, ref blocks);
+            var groups = Allocate<PackedGroup>(1 + nodes[planeNode].ChildCount);
+            int* nodeOfGroup = Allocate<int>(1 + nodes[planeNode].ChildCount);
+            int groupCount = 0, blocks = 0;
+            AddGroup(planeNode, nodes, groups, nodeOfGroup, ref groupCount, ref blocks);
             for (int child = first; child < end; child++)
                 if (nodes[child].PlaneNode == planeNode)
-                    AddRun(child, nodes, runs, nodeOfRun, ref runCount, ref blocks);
+                    AddGroup(child, nodes, groups, nodeOfGroup, ref groupCount, ref blocks);
             nodes[planeNode].PlaneBlocks = blocks;
             long points = 0;
-            for (int r = 0; r < runCount; r++)
-                points += runs[r].Count;
+            for (int r = 0; r < groupCount; r++)
+                points += groups[r].Count;
             if (m_state.Plane == 0)
             {
-                WritePositions(planeNode, nodes, ranges, runs, nodeOfRun, runCount);
-                m_budget -= points * CostOfPlace;
+                WritePositions(planeNode, nodes, ranges, groups, nodeOfGroup, groupCount);
+                m_budget -= points * CostOfPosition;
             }
-            WriteAttributes(ranges, runs, runCount, points);
-            UnsafeUtility.Free(nodeOfRun, Allocator.Temp);
-            UnsafeUtility.Free(runs, Allocator.Temp);
+            WriteAttributes(ranges, groups, groupCount, points);
+            UnsafeUtility.Free(nodeOfGroup, Allocator.Temp);
+            UnsafeUtility.Free(groups, Allocator.Temp);
         }
 
-        void WritePositions(int planeNode, NodeRecord* nodes, PlaneRange* ranges, PackedRun* runs, int* nodeOfRun, int runCount)
+        void WritePositions(int planeNode, NodeRecord* nodes, PlaneRange* ranges, PackedGroup* groups, int* nodeOfGroup,
+            int groupCount)
         {
-            ulong* min = Allocate<ulong>(3 * runCount);
-            ulong* max = Allocate<ulong>(3 * runCount);
-            ranges[0] = m_packer.WritePositions(File, runs, runCount, nodes[planeNode], min, max);
+            ulong* min = Allocate<ulong>(3 * groupCount);
+            ulong* max = Allocate<ulong>(3 * groupCount);
+            ranges[0] = m_packer.WritePositions(File, groups, groupCount, nodes[planeNode], min, max);
             BytesOfPlane[0] += ranges[0].LengthBytes;
-            for (int r = 0; r < runCount; r++)
-                SetBounds(ref nodes[nodeOfRun[r]], nodes[planeNode].Corner, min + 3 * r, max + 3 * r);
+            for (int r = 0; r < groupCount; r++)
+                SetBounds(ref nodes[nodeOfGroup[r]], nodes[planeNode].Corner, min + 3 * r, max + 3 * r);
             UnsafeUtility.Free(max, Allocator.Temp);
             UnsafeUtility.Free(min, Allocator.Temp);
-            m_state.HasAverages = HasAverages(runs, runCount);
+            m_state.HasAverages = HasAverages(groups, groupCount);
             m_state.AveragedColumn = 0;
             m_state.Plane = 1;
         }
 
-        void WriteAttributes(PlaneRange* ranges, PackedRun* runs, int runCount, long points)
+        void WriteAttributes(PlaneRange* ranges, PackedGroup* groups, int groupCount, long points)
         {
             for (; m_state.Plane <= Shapes.Length && m_budget > 0; m_state.Plane++)
             {
@@ -378,12 +379,12 @@ namespace FastPoints.Nodes
                 m_budget -= points * CostOf(p);
                 if (AverageOf[p] >= 0)
                 {
-                    ranges[p + 1] = m_packer.WriteAverages(File, runs, runCount, Shapes[p], Averaged, m_state.AveragedColumn);
+                    ranges[p + 1] = m_packer.WriteAverages(File, groups, groupCount, Shapes[p], Averaged, m_state.AveragedColumn);
                     m_state.AveragedColumn += Shapes[p].ColumnCount;
                 }
                 else
                 {
-                    ranges[p + 1] = m_packer.WriteAttributes(File, runs, runCount, Shapes[p], FirstColumnOfPlane[p]);
+                    ranges[p + 1] = m_packer.WriteAttributes(File, groups, groupCount, Shapes[p], FirstColumnOfPlane[p]);
                 }
                 BytesOfPlane[p + 1] += ranges[p + 1].LengthBytes;
             }
@@ -393,13 +394,13 @@ namespace FastPoints.Nodes
 
         int CostOf(int plane) => AverageOf[plane] >= 0 ? CostOfAverage : Shapes[plane].ColumnCount;
 
-        bool HasAverages(PackedRun* runs, int runCount)
+        bool HasAverages(PackedGroup* groups, int groupCount)
         {
-            for (int r = 0; r < runCount && Averaged.IsOn; r++)
+            for (int r = 0; r < groupCount && Averaged.IsOn; r++)
             {
-                for (int i = 0; i < runs[r].Count; i++)
+                for (int i = 0; i < groups[r].Count; i++)
                 {
-                    int point = (int)runs[r].Points[i];
+                    int point = (int)groups[r].Points[i];
                     if (Averaged.Of(point, m_packer.Records + (long)point * Layout.StrideBytes, Layout).Points > 1)
                         return true;
                 }
@@ -407,12 +408,12 @@ namespace FastPoints.Nodes
             return false;
         }
 
-        void AddRun(int node, NodeRecord* nodes, PackedRun* runs, int* nodeOfRun, ref int runCount, ref int blocks)
+        void AddGroup(int node, NodeRecord* nodes, PackedGroup* groups, int* nodeOfGroup, ref int groupCount, ref int blocks)
         {
             nodes[node].FirstBlock = blocks;
             blocks += nodes[node].BlockCount;
-            nodeOfRun[runCount] = node;
-            runs[runCount++] = new PackedRun
+            nodeOfGroup[groupCount] = node;
+            groups[groupCount++] = new PackedGroup
             {
                 Points = m_points + Scratch.FirstPointOfDraft[Scratch.DraftOfNode[node]],
                 Count = nodes[node].PointCount,

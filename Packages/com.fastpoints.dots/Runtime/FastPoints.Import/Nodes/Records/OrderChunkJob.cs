@@ -50,7 +50,7 @@ namespace FastPoints.Nodes
         const int InsertedPoints = 48;
 
         // This many records are copied, then examined while they are in the cache.
-        const int PointsOfRun = 256;
+        const int PointsOfBatch = 256;
 
         public RecordPages Pages;
         public RecordLayout Layout;
@@ -95,7 +95,7 @@ namespace FastPoints.Nodes
         int Count => (int)Pages.Count;
         long Bytes => (long)Count * Layout.StrideBytes;
 
-        /// <summary>Of all slices, about.</summary>
+        /// <summary>Estimate for all slices.</summary>
         public long Cost =>
             Count * (long)(CostOfCount + CostOfMove + CostOfKey + CostOfSort + CostOfEmit) +
             Bytes / TouchedBytes * CostOfTouch;
@@ -206,21 +206,21 @@ namespace FastPoints.Nodes
 
         void FindBuckets(byte* records, int count, int shift, uint* bucketOf)
         {
-            uint* x = stackalloc uint[PointsOfRun];
-            uint* y = stackalloc uint[PointsOfRun];
-            uint* z = stackalloc uint[PointsOfRun];
-            for (int first = 0; first < count; first += PointsOfRun)
+            uint* x = stackalloc uint[PointsOfBatch];
+            uint* y = stackalloc uint[PointsOfBatch];
+            uint* z = stackalloc uint[PointsOfBatch];
+            for (int first = 0; first < count; first += PointsOfBatch)
             {
-                int run = math.min(PointsOfRun, count - first);
-                Layout.LoadPositions(records + first * Layout.StrideBytes, run, x, y, z);
-                Morton.EncodeShort(x, y, z, run, new MortonCells(CornerOffset, shift), bucketOf + first);
+                int length = math.min(PointsOfBatch, count - first);
+                Layout.LoadPositions(records + first * Layout.StrideBytes, length, x, y, z);
+                Morton.EncodeShort(x, y, z, length, new MortonCells(CornerOffset, shift), bucketOf + first);
             }
         }
 
         ulong CodeOf(byte* record, int shift)
         {
-            var place = Layout.PositionOf(record) - Cube.Corner;
-            return Morton.Encode((uint)(place.X >> shift), (uint)(place.Y >> shift), (uint)(place.Z >> shift));
+            var position = Layout.PositionOf(record) - Cube.Corner;
+            return Morton.Encode((uint)(position.X >> shift), (uint)(position.Y >> shift), (uint)(position.Z >> shift));
         }
 
         void Distribute()
@@ -270,12 +270,12 @@ namespace FastPoints.Nodes
             int dropped = math.max(0, restBits + numberBits - 64);
             ulong mask = (1UL << restBits) - 1, or = m_state.AnyBits, and = m_state.CommonBits;
             ulong* keys = Scratch.Keys.GetUnsafePtr();
-            uint* x = stackalloc uint[PointsOfRun];
-            uint* y = stackalloc uint[PointsOfRun];
-            uint* z = stackalloc uint[PointsOfRun];
-            for (; m_state.Point < count && m_budget > 0; m_state.Point += PointsOfRun)
+            uint* x = stackalloc uint[PointsOfBatch];
+            uint* y = stackalloc uint[PointsOfBatch];
+            uint* z = stackalloc uint[PointsOfBatch];
+            for (; m_state.Point < count && m_budget > 0; m_state.Point += PointsOfBatch)
             {
-                int end = math.min(count, m_state.Point + PointsOfRun);
+                int end = math.min(count, m_state.Point + PointsOfBatch);
                 byte* record = Scratch.Bucket.GetUnsafePtr() + (long)m_state.Point * stride;
                 UnsafeUtility.MemCpy(record, m_records + (long)(first + m_state.Point) * stride,
                     (long)(end - m_state.Point) * stride);
@@ -292,7 +292,7 @@ namespace FastPoints.Nodes
                     and &= key;
                     keys[i] = key;
                 }
-                m_budget -= PointsOfRun * CostOfKey;
+                m_budget -= PointsOfBatch * CostOfKey;
             }
             m_state.AnyBits = or;
             m_state.CommonBits = and;
@@ -359,14 +359,14 @@ namespace FastPoints.Nodes
                 Priority = (uint*)Priority.GetUnsafePtr(),
             };
             ulong sum = Checksum.Value;
-            for (; m_state.Point < count && m_budget > 0; m_state.Point += PointsOfRun)
+            for (; m_state.Point < count && m_budget > 0; m_state.Point += PointsOfBatch)
             {
-                int end = math.min(count, m_state.Point + PointsOfRun);
+                int end = math.min(count, m_state.Point + PointsOfBatch);
                 byte* to = m_records + (long)(first + m_state.Point) * stride;
                 for (int i = m_state.Point; i < end; i++, to += stride)
                     RecordLayout.Copy(records + (long)(sorted[i] & numberMask) * stride, to, stride);
                 sum += inputs.Prepare(m_records, first + m_state.Point, first + end, Layout, Cube.Corner);
-                m_budget -= PointsOfRun * CostOfEmit;
+                m_budget -= PointsOfBatch * CostOfEmit;
             }
             Checksum.Value = sum;
             if (m_state.Point < count)
@@ -448,14 +448,14 @@ namespace FastPoints.Nodes
             var before = layout.PositionOf(first > 0 ? record - stride : record) - corner;
             for (int i = first; i < end; i++, record += stride)
             {
-                var place = layout.PositionOf(record);
-                ulong hash = Store.RecordHash.Of(place, layout.AttributesOf(record), layout.AttributeBytes,
+                var position = layout.PositionOf(record);
+                ulong hash = Store.RecordHash.Of(position, layout.AttributesOf(record), layout.AttributeBytes,
                     Store.RecordHash.ChecksumSeed);
                 sum += hash;
                 priority[i] = (uint)(hash >> 32);
-                place -= corner;
-                commonCubeLog2[i] = (byte)MortonOrder.CommonCubeLog2(before, place);
-                before = place;
+                position -= corner;
+                commonCubeLog2[i] = (byte)MortonOrder.CommonCubeLog2(before, position);
+                before = position;
             }
             if (first == 0)
                 commonCubeLog2[0] = byte.MaxValue;

@@ -109,7 +109,7 @@ namespace FastPoints.Nodes
             public Slab* Next;
         }
 
-        // Slabs are large enough to come from the system and go back to it; untouched parts take no memory.
+        // Slabs are large enough to be returned to the system; untouched parts take no memory.
         const long SlabBytes = 36L << 20;
         const int HeaderBytes = 64;
         const int MinSlabPages = 4;
@@ -134,7 +134,7 @@ namespace FastPoints.Nodes
             SlabCount = 0;
         }
 
-        /// <summary>The pool itself, not a copy: what is taken from it is taken for all who hold the reference.</summary>
+        /// <summary>The pool itself, not a copy: all holders of the reference share it.</summary>
         public static ref RecordPagePool Of(NativeReference<RecordPagePool> pool) => ref *pool.GetUnsafePtr();
 
         public int StrideBytes { get; }

@@ -70,7 +70,7 @@ namespace FastPoints.Nodes
         }
 
         /// <summary>The same grid, for this spacing.</summary>
-        /// <param name="hasPoints">Whether <see cref="Nearest"/> is asked for.</param>
+        /// <param name="hasPoints">Whether <see cref="Nearest"/> will be called.</param>
         public DartGrid For(int cellLog2, bool hasPoints)
         {
             var grid = this;
@@ -100,19 +100,19 @@ namespace FastPoints.Nodes
             NewBucket(0);
         }
 
-        /// <param name="place">From the corner of a cube of the octree.</param>
+        /// <param name="position">From the corner of a cube of the octree.</param>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public ulong DartOf(in Grid3 place, int priorityClass) =>
-            (ushort)(place.X >> m_dropped) | (ulong)(ushort)(place.Y >> m_dropped) << 16 |
-            (ulong)(ushort)(place.Z >> m_dropped) << 32 | (ulong)priorityClass << 48;
+        public ulong DartOf(in Grid3 position, int priorityClass) =>
+            (ushort)(position.X >> m_dropped) | (ulong)(ushort)(position.Y >> m_dropped) << 16 |
+            (ulong)(ushort)(position.Z >> m_dropped) << 32 | (ulong)priorityClass << 48;
 
         public static int ClassOf(ulong dart) => (int)(dart >> 48 & 0xFF);
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public Grid3 TileOf(in Grid3 place)
+        public Grid3 TileOf(in Grid3 position)
         {
             int shift = math.min(63, m_cell + TileSpacingsLog2);
-            return new Grid3(place.X >> shift, place.Y >> shift, place.Z >> shift);
+            return new Grid3(position.X >> shift, position.Y >> shift, position.Z >> shift);
         }
 
         /// <summary>Makes a tile the current one, with the cells around it.</summary>
@@ -298,7 +298,7 @@ namespace FastPoints.Nodes
             return number;
         }
 
-        /// <summary>Of a dart of the current tile: its cell, and the steps to the cells on its side.</summary>
+        /// <summary>Finds the cell of a dart in the current tile, and the steps to the cells on its side.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         int OwnOf(ulong dart, out int ox, out int oy, out int oz)
         {

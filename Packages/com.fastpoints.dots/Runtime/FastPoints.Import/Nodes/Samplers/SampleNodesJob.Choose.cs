@@ -61,7 +61,7 @@ namespace FastPoints.Nodes
                 int* offered = Scratch.Offered.GetUnsafePtr();
                 for (int k = range.First; k < range.First + m_state.Taken; k++)
                     m_rangeOfPoint[offered[k]] = m_state.Range;
-                m_budget -= (long)m_state.Taken * CostOfLook;
+                m_budget -= (long)m_state.Taken * CostOfSurvey;
             }
             BeginRange(m_state.Range);
         }
@@ -91,8 +91,8 @@ namespace FastPoints.Nodes
                     int point = part.OffersAll ? part.First + m_state.Candidate : offered[part.First + m_state.Candidate];
                     if (m_rangeOfPoint[point] < 0 && !m_state.IsFixing)
                         continue;
-                    var place = PositionAt(point);
-                    var tile = grid.TileOf(place);
+                    var position = PositionAt(point);
+                    var tile = grid.TileOf(position);
                     if (darts == 0)
                     {
                         m_state.Tile = tile;
@@ -104,8 +104,8 @@ namespace FastPoints.Nodes
                         BeginThrows();
                         return;
                     }
-                    int last = IsAtFace(place, strip) ? PoissonPriority.Classes : 0;
-                    dartList[darts] = grid.DartOf(place, PoissonPriority.ClassOf(m_priority[point]) + last);
+                    int last = IsAtFace(position, strip) ? PoissonPriority.Classes : 0;
+                    dartList[darts] = grid.DartOf(position, PoissonPriority.ClassOf(m_priority[point]) + last);
                     points[darts++] = point;
                 }
                 m_state.Darts = darts;
@@ -128,13 +128,14 @@ namespace FastPoints.Nodes
         long FaceStrip =>
             Tops.Length > 0 || m_state.Cell + DartGrid.TileSpacingsLog2 > RootSideLog2 ? 0 : 1L << m_state.Cell >> 1;
 
-        bool IsAtFace(in Grid3 place, long strip)
+        bool IsAtFace(in Grid3 position, long strip)
         {
             ulong inner = (1UL << RootSideLog2) - 2 * (ulong)strip;
-            return (ulong)(place.X - strip) >= inner | (ulong)(place.Y - strip) >= inner | (ulong)(place.Z - strip) >= inner;
+            return (ulong)(position.X - strip) >= inner | (ulong)(position.Y - strip) >= inner |
+                (ulong)(position.Z - strip) >= inner;
         }
 
-        Grid3 Inward(in Grid3 place) => new Grid3(Inward(place.X), Inward(place.Y), Inward(place.Z));
+        Grid3 Inward(in Grid3 position) => new Grid3(Inward(position.X), Inward(position.Y), Inward(position.Z));
 
         long Inward(long at)
         {
@@ -267,13 +268,13 @@ namespace FastPoints.Nodes
                 m_budget -= CostOfBar;
                 int i = range.First + m_state.Candidate;
                 i = range.OffersAll ? i : Scratch.Offered[i];
-                var place = PositionAt(i);
-                var tile = grid.TileOf(place);
+                var position = PositionAt(i);
+                var tile = grid.TileOf(position);
                 if (m_state.Darts == 0 || (tile.X ^ m_state.Tile.X | tile.Y ^ m_state.Tile.Y | tile.Z ^ m_state.Tile.Z) != 0)
                     m_state.IsEmpty = !grid.BeginTile(tile);
                 m_state.Tile = tile;
                 m_state.Darts = 1;
-                if (!m_state.IsEmpty && m_rangeOfPoint[i] >= 0 && grid.IsNear(grid.DartOf(place, 0)))
+                if (!m_state.IsEmpty && m_rangeOfPoint[i] >= 0 && grid.IsNear(grid.DartOf(position, 0)))
                     m_rangeOfPoint[i] = ~m_state.Range;
             }
             if (m_state.Candidate == range.OfferedCount)

@@ -38,17 +38,17 @@ namespace FastPoints.Nodes
             for (; m_state.Point < range.End && m_budget > 0; m_state.Point++)
             {
                 int i = m_state.Point, own = RangeOf(i);
-                m_budget -= CostOfAverageLook;
+                m_budget -= CostOfAverageSurvey;
                 if (own == m_state.Range || Scratch.Ranges[own].Parent != m_state.Range)
                     continue;
                 m_budget -= CostOfAverage;
-                var place = PositionAt(i);
-                var tile = grid.TileOf(place);
+                var position = PositionAt(i);
+                var tile = grid.TileOf(position);
                 if (m_state.Darts == 0 || (tile.X ^ m_state.Tile.X | tile.Y ^ m_state.Tile.Y | tile.Z ^ m_state.Tile.Z) != 0)
                     grid.BeginTile(tile);
                 m_state.Tile = tile;
                 m_state.Darts = 1;
-                if (grid.Nearest(grid.DartOf(place, 0), out int nearest) && nearest >= 0)
+                if (grid.Nearest(grid.DartOf(position, 0), out int nearest) && nearest >= 0)
                     AddAverage(i, nearest);
             }
             if (m_state.Point == range.End)
@@ -74,7 +74,7 @@ namespace FastPoints.Nodes
         void CountPoints()
         {
             var ranges = Scratch.Ranges.GetUnsafePtr();
-            int end = Spend(m_state.Point, Count, CostOfLook);
+            int end = Spend(m_state.Point, Count, CostOfSurvey);
             for (int i = m_state.Point; i < end; i++)
                 ranges[RangeOf(i)].Count++;
             m_state.Point = end;
@@ -123,7 +123,7 @@ namespace FastPoints.Nodes
         void Renumber()
         {
             var ranges = Scratch.Ranges.GetUnsafePtr();
-            int end = Spend(m_state.Point, Count, CostOfLook);
+            int end = Spend(m_state.Point, Count, CostOfSurvey);
             for (int i = m_state.Point; i < end; i++)
             {
                 ref var range = ref ranges[RangeOf(i)];

@@ -35,14 +35,14 @@ namespace FastPoints.Nodes
         public const int TypicalCostOfDarts = 150;
         public const int TypicalCostOfAverages = 200;
 
-        const int CostOfLook = 2;
+        const int CostOfSurvey = 2;
         const int CostOfFill = 4;
         const int CostOfCandidate = 5;
         const int CostOfGather = 20;
         const int CostOfDart = 45;
         const int CostOfTile = 2000;
         const int CostOfBar = 18;
-        const int CostOfAverageLook = 6;
+        const int CostOfAverageSurvey = 6;
         const int CostOfAverage = 140;
 
         /// <summary>See <see cref="SampleScratch.Counts"/>.</summary>
@@ -188,12 +188,12 @@ namespace FastPoints.Nodes
             UnsafeUtility.MemClear(Scratch.Counts.GetUnsafePtr(), (long)Scratch.Counts.Length * sizeof(int));
         }
 
-        /// <summary>Looks at the cubes that neighbours have in common, then decides what becomes of the range.</summary>
+        /// <summary>Surveys the common cubes of neighbours, then decides how to handle the range.</summary>
         void Plan()
         {
             ref var range = ref Scratch.Ranges.ElementAt(m_state.Range);
             int* counts = (int*)Scratch.Counts.GetUnsafePtr();
-            int end = Spend(m_state.Point, range.End, CostOfLook), largest = m_state.Largest;
+            int end = Spend(m_state.Point, range.End, CostOfSurvey), largest = m_state.Largest;
             for (int i = m_state.Point; i < end; i++)
             {
                 int side = m_common[i];
@@ -208,11 +208,11 @@ namespace FastPoints.Nodes
             m_state.Largest = largest;
             if (end < range.End)
                 return;
-            var look = new RangeSurvey { Left = range.End - range.First, AnyCell = 1, Largest = largest };
+            var survey = new RangeSurvey { Left = range.End - range.First, AnyCell = 1, Largest = largest };
             for (int side = 0; side < RangeSurvey.Sides; side++)
                 for (int table = 0; table < CountTables; table++)
-                    look.CellsBelow[side] += counts[table * CountsOfTable + side];
-            Decide(ref range, look);
+                    survey.CellsBelow[side] += counts[table * CountsOfTable + side];
+            Decide(ref range, survey);
             if (range.Kind == RangeKind.Sampled || range.Kind == RangeKind.Passed)
             {
                 AddParts(m_state.Range);
@@ -224,10 +224,10 @@ namespace FastPoints.Nodes
             m_state.Stage = Stage.Fill;
         }
 
-        void Decide(ref SampledRange range, in RangeSurvey look)
+        void Decide(ref SampledRange range, in RangeSurvey survey)
         {
-            int finest = look.FinestCell(Sizes, out int cells);
-            bool isLeaf = Sizes.IsLeaf(look.Left, cells);
+            int finest = survey.FinestCell(Sizes, out int cells);
+            bool isLeaf = Sizes.IsLeaf(survey.Left, cells);
             if (Tops.Length > 0)
             {
                 int first = TopOf(range.First), last = TopOf(range.End - 1);
@@ -240,13 +240,13 @@ namespace FastPoints.Nodes
                 }
                 isLeaf &= !HasNodes(range);
             }
-            range.Kind = isLeaf ? RangeKind.Leaf : look.Largest == 0 ? RangeKind.Chain : RangeKind.Sampled;
+            range.Kind = isLeaf ? RangeKind.Leaf : survey.Largest == 0 ? RangeKind.Chain : RangeKind.Sampled;
             if (isLeaf)
             {
                 range.CellLog2 = (byte)math.max(0, range.SideLog2 - Sizes.CellsLog2);
                 return;
             }
-            range.SideLog2 = (byte)look.Largest;
+            range.SideLog2 = (byte)survey.Largest;
             range.CellLog2 = (byte)finest;
             if (range.Kind == RangeKind.Chain)
             {
@@ -338,12 +338,12 @@ namespace FastPoints.Nodes
                 {
                     if (IsRandom)
                         Scratch.OfferedCommon[to] = ranges[part].OffersAll ? m_common[k] : Scratch.OfferedCommon[k];
-                    // Barred ones as well: whoever gathers them looks.
+                    // Barred ones as well: gathering checks them.
                     Scratch.Offered[to] = ranges[part].OffersAll ? k : Scratch.Offered[k];
                 }
             }
             range.Offered = to - range.First;
-            m_budget -= (long)range.Offered * CostOfLook;
+            m_budget -= (long)range.Offered * CostOfSurvey;
         }
 
         /// <summary>Begins the next range of the current spacing, or what follows the last one.</summary>
@@ -374,7 +374,7 @@ namespace FastPoints.Nodes
 
         bool IsOfSpacing(in SampledRange range) => range.Kind == RangeKind.Sampled && range.CellLog2 == m_state.Cell;
 
-        /// <summary>Whether what is left of a chunk's top keeps others off at this spacing.</summary>
+        /// <summary>Whether remaining points of a chunk's top bar others at this spacing.</summary>
         bool IsFixed(SampledRange* ranges, int number)
         {
             ref var range = ref ranges[number];

@@ -139,7 +139,7 @@ namespace FastPoints.Reading
                     isInText = true;
                 }
             }
-            count.RowsBehindFirstEnd = rows;
+            count.RowsAfterFirstEnd = rows;
             count.EndsInText = isInText;
             Result.Value = count;
         }
@@ -149,7 +149,7 @@ namespace FastPoints.Reading
     struct AsciiRowCount
     {
         // Lines whose first character lies in the segment, behind its first line end.
-        public int RowsBehindFirstEnd;
+        public int RowsAfterFirstEnd;
 
         // A line of this segment unless it started earlier.
         public bool HasTextBeforeFirstEnd;
@@ -225,7 +225,7 @@ namespace FastPoints.Reading
         void Finish(AsciiSlot slot)
         {
             var count = slot.End();
-            ulong rows = (ulong)count.RowsBehindFirstEnd + (count.HasTextBeforeFirstEnd && !m_isInText ? 1ul : 0ul);
+            ulong rows = (ulong)count.RowsAfterFirstEnd + (count.HasTextBeforeFirstEnd && !m_isInText ? 1ul : 0ul);
             ulong before = m_rowsBefore > m_rows ? Math.Min(m_rowsBefore - m_rows, rows) : 0;
             ulong left = m_rowsEnd > m_rows + before ? m_rowsEnd - m_rows - before : 0;
             int points = (int)Math.Min(rows - before, left);

@@ -5,7 +5,7 @@ using Unity.Jobs;
 namespace FastPoints.Reading
 {
     /// <summary>Finds lines by jumping into a text file: in each of <see cref="Count"/> equal parts of its bytes, one segment at
-    /// a hashed place, from its first line end on. The parts come in an order of which every beginning is spread over the file,
+    /// a hashed position, from its first line end on. The parts come in an order whose every prefix is spread over the file,
     /// and some can be read before others: the cost depends only on how many are wanted.</summary>
     /// <remarks>Bytes are not points: fewer long lines than short ones start in a segment. Each line nevertheless has the same
     /// chance: one that starts at byte b is found by the segments that begin at most at b - 1 and end behind b, and there are as
@@ -94,16 +94,16 @@ namespace FastPoints.Reading
         // The finaliser of SplitMix64.
         long OffsetOf(int part)
         {
-            long first = m_bytes / Count * part, places = m_bytes / Count - SegmentBytes + 1;
+            long first = m_bytes / Count * part, count = m_bytes / Count - SegmentBytes + 1;
             ulong hash = (ulong)(part + 1) * 0x9E3779B97F4A7C15UL;
             hash = (hash ^ hash >> 30) * 0xBF58476D1CE4E5B9UL;
             hash = (hash ^ hash >> 27) * 0x94D049BB133111EBUL;
-            return m_offset + first + (long)((hash ^ hash >> 31) % (ulong)places);
+            return m_offset + first + (long)((hash ^ hash >> 31) % (ulong)count);
         }
 
         void Take(AsciiSlot slot, int part)
         {
-            int rows = slot.End().RowsBehindFirstEnd;
+            int rows = slot.End().RowsAfterFirstEnd;
             m_found++;
             m_rowsOfPart[part] = rows;
             if (rows == 0)

@@ -82,7 +82,7 @@ namespace FastPoints.Reading
         /// <summary>Offset of the error in the file.</summary>
         public long ErrorOffset;
 
-        // The hash of what is there, where another was wanted.
+        // The actual hash, if another was expected.
         internal ulong ErrorGot;
     }
 

@@ -99,7 +99,7 @@ namespace FastPoints.Reading
         public int Column1;
         public int Column2;
 
-        // Of PositionAndColor.
+        // For PositionAndColor.
         public int ColorByte;
         public int Red;
         public int Green;

@@ -27,7 +27,7 @@ namespace FastPoints.Reading
             m_commands = new NativeArray<ReadCommand>(Math.Max(1, segments), allocator);
         }
 
-        // What is in the buffer is lost. There is no read in flight.
+        // Discards the buffer's content. No read may be in flight.
         public void Reserve(long capacityBytes)
         {
             if (capacityBytes > int.MaxValue - PaddingBytes)
@@ -84,7 +84,7 @@ namespace FastPoints.Reading
                     ? "the file has become shorter since it was opened" : "the file could not be read");
         }
 
-        // got: bytes of a single segment that came.
+        // got: bytes read of a single segment.
         public ReadStatus Close(out long got)
         {
             got = Bytes;
@@ -116,7 +116,7 @@ namespace FastPoints.Reading
         }
     }
 
-    // Opened at the first read: threads of the pool open readers, but handles belong to the main thread.
+    // Opened at the first read: pool threads open readers, but handles belong to the main thread.
     sealed class SourceHandle
     {
         FileHandle m_handle;

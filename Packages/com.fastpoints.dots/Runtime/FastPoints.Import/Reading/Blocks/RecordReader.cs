@@ -82,31 +82,32 @@ namespace FastPoints.Reading
         public sealed override BlockRead CreateRead(PointSchema wanted, int capacity, Allocator allocator) =>
             new RecordRead(this, Records, wanted, capacity, allocator);
 
-        // A slot for scattered runs: maxRuns and maxBytes are of one request; these bytes are at least those of the longest run.
-        public RunRead CreateRunRead(PointBatch target, int maxRuns, int maxBytes, Allocator allocator) =>
-            new RunRead(Records, target, maxRuns, maxBytes, allocator);
+        // A slot for strided ranges: maxRanges and maxBytes are of one request; these bytes are at least those of the longest
+        // range.
+        public StridedRead CreateStridedRead(PointBatch target, int maxRanges, int maxBytes, Allocator allocator) =>
+            new StridedRead(Records, target, maxRanges, maxBytes, allocator);
 
         public sealed override void CloseFile() => m_file.Close();
 
-        // Coroutine: reads ranges of points, in the file's order, into a batch, one behind the other. "then" schedules jobs that
-        // need all ranges, behind those that are given; they are complete in the end.
-        public IEnumerator<JobStep> ReadRuns(IReadOnlyList<BlockRange> ranges, int first, int count, PointBatch target,
+        // Coroutine: reads ranges of points, in the file's order, into a batch, one after the other. "then" schedules jobs that
+        // need all ranges, after the given dependency; they are complete in the end.
+        public IEnumerator<JobStep> ReadRanges(IReadOnlyList<BlockRange> ranges, int first, int count, PointBatch target,
             Func<JobHandle, JobHandle> then)
         {
-            const int Slots = 8, RunsPerRequest = 256, BytesPerRequest = 2 << 20;
-            var runs = new NativeArray<PointRun>(count, Allocator.Persistent);
-            var reads = new RunRead[Slots];
+            const int Slots = 8, RangesPerRequest = 256, BytesPerRequest = 2 << 20;
+            var strided = new NativeArray<StridedRange>(count, Allocator.Persistent);
+            var reads = new StridedRead[Slots];
             var ring = new SlotRing(Slots);
             var behind = default(JobHandle);
             try
             {
-                int place = 0, longest = 1;
+                int index = 0, longest = 1;
                 for (int i = 0; i < count; i++)
                 {
                     var range = ranges[first + i];
                     long from = FirstPointOfBlock(range.Block) + range.First;
-                    runs[i] = new PointRun { First = from, Step = 1, Count = range.Count, Place = place };
-                    place += range.Count;
+                    strided[i] = new StridedRange { First = from, Step = 1, Count = range.Count, FirstEntry = index };
+                    index += range.Count;
                     longest = Math.Max(longest, range.Count);
                 }
                 if (count == 0)
@@ -120,9 +121,9 @@ namespace FastPoints.Reading
                         continue;
                     }
                     int slot = ring.Begin();
-                    reads[slot] ??= CreateRunRead(target, RunsPerRequest,
+                    reads[slot] ??= CreateStridedRead(target, RangesPerRequest,
                         Math.Max(BytesPerRequest, longest * m_recordBytes), Allocator.Persistent);
-                    next += reads[slot].Begin(runs, next, RunsPerRequest, 0);
+                    next += reads[slot].Begin(strided, next, RangesPerRequest, 0);
                     behind = JobHandle.CombineDependencies(behind, reads[slot].Decoded);
                     if (next == count)
                         behind = then(behind);
@@ -137,7 +138,7 @@ namespace FastPoints.Reading
                 behind.Complete();
                 foreach (var read in reads)
                     read?.Dispose();
-                runs.Dispose();
+                strided.Dispose();
             }
         }
     }

@@ -23,7 +23,7 @@ namespace FastPoints.Reading
 
         public override int PointsInBlock(int block) => Blocks[block].Points;
 
-        public override long PlaceOfBlock(int block) => Blocks[block].OffsetBytes;
+        public override long OrderOfBlock(int block) => Blocks[block].OffsetBytes;
 
         public override long BytesOfRange(BlockRange range) => range.Count == 0 ? 0 : Blocks[range.Block].Bytes;
 
@@ -52,10 +52,10 @@ namespace FastPoints.Reading
         public PointEstimate EstimatedPoints =>
             Info.HasPointsClaimed ? new PointEstimate(Info.PointsClaimed, 0) : m_segments.Estimate;
 
-        public IEnumerator<JobStep> FindPrefixes(int places)
+        public IEnumerator<JobStep> FindPrefixes(int count)
         {
             m_segments ??= new AsciiSegments(File, Info.FileBytes, m_dataOffset);
-            yield return JobStep.Of(m_segments.Find(places));
+            yield return JobStep.Of(m_segments.Find(count));
             Blocks.Take(m_segments.Blocks);
             BlocksFound();
         }
@@ -99,10 +99,10 @@ namespace FastPoints.Reading
         public long FirstPoint;
         public int Points;
 
-        // Of text: lines of the block that belong to what comes before the points.
+        // Text: lines of the block before the points.
         public int RowsBefore;
 
-        // Of text: the block starts within a line that belongs to an earlier block.
+        // Text: the block starts within a line of an earlier block.
         public bool StartsInRow;
     }
 }

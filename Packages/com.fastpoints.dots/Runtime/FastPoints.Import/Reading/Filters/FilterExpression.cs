@@ -22,7 +22,7 @@ namespace FastPoints.Reading
         public bool IsAttribute;
         public PointColumn Column;
 
-        /// <summary>Of an attribute: value = stored * Scale + Offset.</summary>
+        /// <summary>For an attribute: value = stored * Scale + Offset.</summary>
         public double Scale;
         public double Offset;
         public double Number;
@@ -35,7 +35,7 @@ namespace FastPoints.Reading
         public FilterOperand Left;
         public FilterOperand Right;
 
-        /// <summary>What scaling alone puts apart is equal: by so much of the values, and by so much.</summary>
+        /// <summary>Values that differ only by rounding of the scale are equal: relative and absolute tolerance.</summary>
         public double Rounding;
         public double RoundingOfOffsets;
     }

@@ -8,7 +8,7 @@ using Unity.Mathematics;
 
 namespace FastPoints.Reading
 {
-    /// <summary>An edge of a ring, counted from the polygons' least corner. Blittable.</summary>
+    /// <summary>An edge of a ring, counted from the polygons' min corner. Blittable.</summary>
     internal struct FilterEdge
     {
         public double2 From;
@@ -41,7 +41,7 @@ namespace FastPoints.Reading
         /// <summary>By slab, in each by polygon.</summary>
         public NativeArray<FilterEdge> EdgesOfSlabs { get; private set; }
 
-        /// <summary>Another for other polygons.</summary>
+        /// <summary>Differs for other polygons.</summary>
         public unsafe ulong Hash => ContentHash.Of(EdgesOfSlabs.GetUnsafeReadOnlyPtr(),
             (long)EdgesOfSlabs.Length * sizeof(FilterEdge)) ^ math.asulong(m_min.x) ^ 2 * math.asulong(m_min.y);
 
@@ -137,7 +137,7 @@ namespace FastPoints.Reading
         static List<object> ListOf(object value) =>
             value as List<object> ?? throw new FormatException("wanted a list, got " + JsonReader.Describe(value));
 
-        /// <summary>A ring that is not closed is closed.</summary>
+        /// <summary>An open ring is closed.</summary>
         void AddRing(List<double2> points)
         {
             for (int i = 0; i < points.Count; i++)
@@ -195,14 +195,14 @@ namespace FastPoints.Reading
         public static int SlabOf(double y, double height, int slabs) =>
             height > 0 ? (int)math.clamp(y / height * slabs, 0, slabs - 1) : 0;
 
-        /// <summary>POLYGON and MULTIPOLYGON of WKT; what follows x and y of a vertex is passed over.</summary>
+        /// <summary>POLYGON and MULTIPOLYGON of WKT; what follows x and y of a vertex is skipped.</summary>
         sealed class WktPolygons
         {
             readonly string m_text;
-            readonly FilterPolygons m_to;
+            readonly FilterPolygons m_target;
             int m_at;
 
-            public WktPolygons(string text, FilterPolygons to) => (m_text, m_to) = (text, to);
+            public WktPolygons(string text, FilterPolygons to) => (m_text, m_target) = (text, to);
 
             public void Read()
             {
@@ -227,7 +227,7 @@ namespace FastPoints.Reading
 
             void Polygon()
             {
-                m_to.m_polygons++;
+                m_target.m_polygons++;
                 InParentheses(Ring);
             }
 
@@ -240,7 +240,7 @@ namespace FastPoints.Reading
                     while (Peek() != ',' && Peek() != ')')
                         Number();
                 });
-                m_to.AddRing(points);
+                m_target.AddRing(points);
             }
 
             void InParentheses(Action item)

@@ -3,7 +3,7 @@ using Unity.Collections;
 
 namespace FastPoints.Reading
 {
-    /// <summary>Those points of another source that a filter leaves. Its blocks are the other's, and hold at most as many points
+    /// <summary>The points of another source that pass a filter. Its blocks are the other's, and hold at most as many points
     /// as they say. Neither the source nor the filter belongs to it.</summary>
     internal sealed class FilteredReader : PointReader
     {
@@ -35,13 +35,13 @@ namespace FastPoints.Reading
 
         public override int PointsInBlock(int block) => Unfiltered.PointsInBlock(block);
 
-        public override long PlaceOfBlock(int block) => Unfiltered.PlaceOfBlock(block);
+        public override long OrderOfBlock(int block) => Unfiltered.OrderOfBlock(block);
 
         public override string FileOfBlock(int block, out long byteOffset) => Unfiltered.FileOfBlock(block, out byteOffset);
 
         public override long BytesOfRange(BlockRange range) => Unfiltered.BytesOfRange(range);
 
-        /// <returns>A slot whose batch has the filter's attributes, too, behind those that are wanted.</returns>
+        /// <returns>A slot whose batch also has the filter's attributes, after the requested ones.</returns>
         public override BlockRead CreateRead(PointSchema wanted, int capacity, Allocator allocator)
         {
             var names = new List<string>();

@@ -10,7 +10,7 @@ using Unity.Mathematics;
 
 namespace FastPoints.Reading
 {
-    /// <summary>Which points of a source are wanted: what holds for all that is set here.</summary>
+    /// <summary>Which points of a source to keep: those that satisfy all conditions here.</summary>
     internal sealed class PointFilter : IDisposable
     {
         readonly List<FilterExpression> m_expressions = new List<FilterExpression>();
@@ -68,7 +68,7 @@ namespace FastPoints.Reading
 
         public void Dispose() => Polygons?.Dispose();
 
-        /// <summary>What each expression does with columns of a batch, one behind another.</summary>
+        /// <summary>The operations of each expression on columns of a batch, one after another.</summary>
         internal FilterStep[] StepsOf(PointBatch batch, in PositionTransform transform)
         {
             var steps = new List<FilterStep>();
@@ -176,11 +176,11 @@ namespace FastPoints.Reading
         }
     }
 
-    /// <summary>Chooses points of a slice of a batch, and moves them behind those that are chosen of the slices before.</summary>
+    /// <summary>Chooses points of a slice of a batch, and moves them after those chosen in earlier slices.</summary>
     [BurstCompile]
     internal unsafe struct FilterPointsJob : IJob
     {
-        const int Run = ColumnValues.BatchLength;
+        const int BatchLength = ColumnValues.BatchLength;
 
         public NativeArray<byte> Columns;
         [ReadOnly] public NativeReference<DecodeResult> Decoded;
@@ -219,14 +219,14 @@ namespace FastPoints.Reading
         {
             byte* bytes = (byte*)Columns.GetUnsafeReadOnlyPtr();
             int* chosen = (int*)Chosen.GetUnsafePtr();
-            double* x = stackalloc double[Run], y = stackalloc double[Run], z = stackalloc double[Run];
+            double* x = stackalloc double[BatchLength], y = stackalloc double[BatchLength], z = stackalloc double[BatchLength];
             // Parentheses nest so deep at most, each with an "or" and an "and" that wait.
-            byte* results = stackalloc byte[(2 * FilterExpression.MaxDepth + 8) * Run];
+            byte* results = stackalloc byte[(2 * FilterExpression.MaxDepth + 8) * BatchLength];
             bool needsPlaces = Clips.Length > 0 || FirstOfSlab.Length > 0;
             int done = 0;
-            for (int first = 0; first < count; first += Run)
+            for (int first = 0; first < count; first += BatchLength)
             {
-                int points = math.min(Run, count - first);
+                int points = math.min(BatchLength, count - first);
                 UnsafeUtility.MemSet(results, 1, points);
                 if (Steps.Length > 0)
                     Evaluate(bytes, First + first, points, results, x, y);
@@ -247,7 +247,7 @@ namespace FastPoints.Reading
 
         void Evaluate(byte* bytes, int first, int points, byte* results, double* left, double* right)
         {
-            byte* top = results - Run;
+            byte* top = results - BatchLength;
             for (int s = 0; s < Steps.Length; s++)
             {
                 var step = Steps[s];
@@ -260,7 +260,7 @@ namespace FastPoints.Reading
                 if (step.Op == FilterOp.And || step.Op == FilterOp.Or)
                 {
                     byte* other = top;
-                    top -= Run;
+                    top -= BatchLength;
                     if (step.Op == FilterOp.And)
                         for (int i = 0; i < points; i++)
                             top[i] &= other[i];
@@ -271,7 +271,7 @@ namespace FastPoints.Reading
                 }
                 Load(bytes, step.Left, first, points, left);
                 Load(bytes, step.Right, first, points, right);
-                top += Run;
+                top += BatchLength;
                 Compare(step, points, left, right, top);
             }
         }
@@ -329,15 +329,15 @@ namespace FastPoints.Reading
             }
         }
 
-        bool IsInside(double3 place) =>
-            (Clips.Length == 0 || LocalClip.Leave((LocalClip*)Clips.GetUnsafeReadOnlyPtr(), Clips.Length, place)) &&
-            (FirstOfSlab.Length == 0 || IsInPolygons(place));
+        bool IsInside(double3 position) =>
+            (Clips.Length == 0 || LocalClip.Keeps((LocalClip*)Clips.GetUnsafeReadOnlyPtr(), Clips.Length, position)) &&
+            (FirstOfSlab.Length == 0 || IsInPolygons(position));
 
         /// <summary>What rounding alone puts beside an edge counts as on it.</summary>
-        bool IsInPolygons(double3 place)
+        bool IsInPolygons(double3 position)
         {
-            double reach = (math.abs(place.x) + math.abs(place.y)) * 4.5e-16;
-            double x = place.x - PolygonMin.x, y = place.y - PolygonMin.y;
+            double reach = (math.abs(position.x) + math.abs(position.y)) * 4.5e-16;
+            double x = position.x - PolygonMin.x, y = position.y - PolygonMin.y;
             bool isFinite = reach < double.PositiveInfinity;
             if (!(isFinite && x >= -reach && y >= -reach && x <= PolygonSize.x + reach && y <= PolygonSize.y + reach))
                 return false;

@@ -66,13 +66,13 @@ namespace FastPoints.Reading
             double scale = column.Scale, offset = column.Offset;
             for (; first < end; first += BatchLength)
             {
-                int run = math.min(BatchLength, end - first);
-                ColumnValues.ToDoubles(from, column.From.Type, first, run, values);
+                int length = math.min(BatchLength, end - first);
+                ColumnValues.ToDoubles(from, column.From.Type, first, length, values);
                 if (column.To.Type == AttributeType.Float32)
-                    for (int i = 0; i < run; i++)
+                    for (int i = 0; i < length; i++)
                         ((float*)to)[first + i] = (float)(values[i] * scale + offset);
                 else
-                    for (int i = 0; i < run; i++)
+                    for (int i = 0; i < length; i++)
                         ((double*)to)[first + i] = values[i] * scale + offset;
             }
         }
@@ -86,11 +86,11 @@ namespace FastPoints.Reading
             bool isUnsigned64 = column.From.Type == AttributeType.UInt64;
             for (; first < end; first += BatchLength)
             {
-                int run = math.min(BatchLength, end - first);
-                ColumnValues.ToBits(from, column.From.Type, first, run, bits);
+                int length = math.min(BatchLength, end - first);
+                ColumnValues.ToBits(from, column.From.Type, first, length, bits);
                 if (isPlace)
                 {
-                    for (int i = 0; i < run; i++)
+                    for (int i = 0; i < length; i++)
                     {
                         long value = (long)bits[i];
                         bool isOut = value < 0 ? isUnsigned64 || value < -max : value > max;
@@ -101,19 +101,19 @@ namespace FastPoints.Reading
                 switch (column.To.Type.SizeOf())
                 {
                     case 1:
-                        for (int i = 0; i < run; i++)
+                        for (int i = 0; i < length; i++)
                             to[first + i] = (byte)((long)bits[i] * factor);
                         break;
                     case 2:
-                        for (int i = 0; i < run; i++)
+                        for (int i = 0; i < length; i++)
                             ((ushort*)to)[first + i] = (ushort)((long)bits[i] * factor);
                         break;
                     case 4:
-                        for (int i = 0; i < run; i++)
+                        for (int i = 0; i < length; i++)
                             ((uint*)to)[first + i] = (uint)((long)bits[i] * factor);
                         break;
                     default:
-                        for (int i = 0; i < run; i++)
+                        for (int i = 0; i < length; i++)
                             ((ulong*)to)[first + i] = (ulong)((long)bits[i] * factor);
                         break;
                 }

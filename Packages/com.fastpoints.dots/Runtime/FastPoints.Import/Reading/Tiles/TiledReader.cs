@@ -13,15 +13,15 @@ namespace FastPoints.Reading
     {
         public const int MaxOpen = 32;
 
-        const int MaxShown = 20;
+        const int MaxListed = 20;
 
         const int MaxEqualWarnings = 3;
 
         readonly List<Tile> m_tiles = new List<Tile>();
         readonly List<Tile> m_open = new List<Tile>();
         readonly Dictionary<PointSchema, PointSchema> m_schemas = new Dictionary<PointSchema, PointSchema>();
-        readonly Dictionary<string, int> m_equalWarnings = new Dictionary<string, int>();
-        readonly bool m_leavesOut;
+        readonly Dictionary<string, int> m_warningCounts = new Dictionary<string, int>();
+        readonly bool m_skipsUnreadable;
         readonly Func<string, PointReader> m_openFile;
         long[] m_firstPointOfBlock;
         List<long> m_pointsOfBlock;
@@ -29,9 +29,9 @@ namespace FastPoints.Reading
         bool m_hasFixedStride = true;
         long m_clock;
 
-        TiledReader(string name, bool leavesOut, Func<string, PointReader> openFile)
+        TiledReader(string name, bool skipsUnreadable, Func<string, PointReader> openFile)
         {
-            m_leavesOut = leavesOut;
+            m_skipsUnreadable = skipsUnreadable;
             m_openFile = openFile;
             Info = new SourceInfo { Path = name };
         }
@@ -54,15 +54,15 @@ namespace FastPoints.Reading
             var reader = new TiledReader(folder, true, openFile);
             if (folders.Count > 0)
                 reader.Info.Warn(-1, "folders in it are not looked into: " + string.Join(", ", folders.GetRange(0,
-                    Math.Min(folders.Count, MaxShown))) + (folders.Count > MaxShown
-                        ? " and " + (folders.Count - MaxShown) + " more" : ""));
+                    Math.Min(folders.Count, MaxListed))) + (folders.Count > MaxListed
+                        ? " and " + (folders.Count - MaxListed) + " more" : ""));
             return reader.OpenAll(paths);
         }
 
         public int TileCount => m_tiles.Count;
 
         public override bool BlocksAreKnown => m_firstPointOfBlock != null;
-        public override int BlockCount => Found().Length - 1;
+        public override int BlockCount => BlockStarts().Length - 1;
         public override int MaxPointsPerBlock => m_maxPointsPerBlock;
         public override bool HasFixedStride => m_hasFixedStride;
 
@@ -77,9 +77,9 @@ namespace FastPoints.Reading
             }
         }
 
-        public override long FirstPointOfBlock(int block) => Found()[block];
+        public override long FirstPointOfBlock(int block) => BlockStarts()[block];
 
-        public override int PointsInBlock(int block) => (int)(Found()[block + 1] - m_firstPointOfBlock[block]);
+        public override int PointsInBlock(int block) => (int)(BlockStarts()[block + 1] - m_firstPointOfBlock[block]);
 
         public List<string> Paths => m_tiles.ConvertAll(tile => tile.Path);
 
@@ -105,7 +105,7 @@ namespace FastPoints.Reading
 
         public override BlockRead CreateRead(PointSchema wanted, int capacity, Allocator allocator)
         {
-            Found();
+            BlockStarts();
             return new TiledRead(this, wanted, capacity, allocator);
         }
 
@@ -151,7 +151,7 @@ namespace FastPoints.Reading
             {
                 return work.MoveNext();
             }
-            catch (PointCloudException e) when (m_leavesOut && e.IsBadInput)
+            catch (PointCloudException e) when (m_skipsUnreadable && e.IsBadInput)
             {
                 WarnLeftOut(tile.Path, e);
                 return false;
@@ -213,9 +213,9 @@ namespace FastPoints.Reading
             {
                 var warning = warnings[i];
                 bool isReported = false;
-                foreach (int place in tile.Warnings)
-                    isReported |= place >= 0 && Info.Warnings[place].ByteOffset == warning.ByteOffset &&
-                        Info.Warnings[place].Path == warning.Path && Info.Warnings[place].Text == warning.Text;
+                foreach (int index in tile.Warnings)
+                    isReported |= index >= 0 && Info.Warnings[index].ByteOffset == warning.ByteOffset &&
+                        Info.Warnings[index].Path == warning.Path && Info.Warnings[index].Text == warning.Text;
                 if (isReported)
                     continue;
                 // A reader continues counting in the warning that it has.
@@ -234,11 +234,11 @@ namespace FastPoints.Reading
             return false;
         }
 
-        // Its index, or -1 if enough files have said the same.
+        // Its index, or -1 after MaxEqualWarnings of the same text.
         int Report(CloudWarning warning)
         {
-            m_equalWarnings.TryGetValue(warning.Text, out int reported);
-            m_equalWarnings[warning.Text] = reported + 1;
+            m_warningCounts.TryGetValue(warning.Text, out int reported);
+            m_warningCounts[warning.Text] = reported + 1;
             if (reported > MaxEqualWarnings)
                 return -1;
             if (reported == MaxEqualWarnings)
@@ -291,12 +291,12 @@ namespace FastPoints.Reading
             tile.Reader = null;
         }
 
-        long[] Found() => m_firstPointOfBlock ?? throw new InvalidOperationException("FindBlocks comes first");
+        long[] BlockStarts() => m_firstPointOfBlock ?? throw new InvalidOperationException("FindBlocks comes first");
 
         TiledReader OpenAll(IReadOnlyList<string> paths)
         {
             var summary = new TileSummary(Info);
-            var strangers = new List<string>();
+            var otherFiles = new List<string>();
             bool isKnown = true;
             m_pointsOfBlock = new List<long>();
             foreach (string path in paths)
@@ -306,10 +306,10 @@ namespace FastPoints.Reading
                 {
                     reader = m_openFile(path);
                 }
-                catch (PointCloudException e) when (m_leavesOut)
+                catch (PointCloudException e) when (m_skipsUnreadable)
                 {
                     if (e.Code == FailureCode.Unsupported && e.ByteOffset == 0)
-                        strangers.Add(Path.GetFileName(path));
+                        otherFiles.Add(Path.GetFileName(path));
                     else
                         WarnLeftOut(path, e);
                     continue;
@@ -335,7 +335,7 @@ namespace FastPoints.Reading
                     isKnown &= tile.IsKnown;
                     m_hasFixedStride &= tile.HasFixedStride;
                     summary.Include(reader.Info);
-                    if (m_tiles.Count <= MaxShown)
+                    if (m_tiles.Count <= MaxListed)
                         Info.Fact(Path.GetFileName(path), summary.Describe(reader.Info));
                     TakeWarnings(tile);
                     tile.Reader = null;
@@ -345,14 +345,14 @@ namespace FastPoints.Reading
                     reader.DisposeUnread();
                 }
             }
-            if (strangers.Count > 0)
-                Info.Warn(-1, strangers.Count + " files in it are no point clouds: " + strangers[0] +
-                    (strangers.Count > 1 ? " and others" : ""));
+            if (otherFiles.Count > 0)
+                Info.Warn(-1, otherFiles.Count + " files in it are no point clouds: " + otherFiles[0] +
+                    (otherFiles.Count > 1 ? " and others" : ""));
             if (m_tiles.Count == 0)
                 throw new PointCloudException(FailureCode.Unsupported, Info.Path, -1, "the folder has no point cloud that can " +
                     "be read" + (Info.Warnings.Count > 0 ? ": " + Info.Warnings[Info.Warnings.Count - 1].Text : ""));
-            if (m_tiles.Count > MaxShown)
-                Info.Fact("and", (m_tiles.Count - MaxShown) + " more files");
+            if (m_tiles.Count > MaxListed)
+                Info.Fact("and", (m_tiles.Count - MaxListed) + " more files");
             summary.End(m_tiles.Count);
             new TileSchema(m_tiles, Info).MergeSchemas();
             if (isKnown)

@@ -29,7 +29,7 @@ namespace FastPoints.Sources
         // A compressed node is read whole.
         const long MaxCompressedBytes = 1L << 28;
 
-        // Of one byte of a zstandard frame: a block of 128 KiB takes 4.
+        // Bytes from one byte of a zstandard frame: a block of 128 KiB takes 4.
         const long MaxZstandardRatio = 1 << 15;
 
         // Looked up together: adding them takes far less than a millisecond of the main thread.

@@ -165,7 +165,7 @@ namespace FastPoints.Sources
 
     internal enum EptDataType
     {
-        // Records as the schema describes them, one behind the other (.bin).
+        // Records as the schema describes them, one after the other (.bin).
         Binary,
 
         // The same in a zstandard frame (.zst).

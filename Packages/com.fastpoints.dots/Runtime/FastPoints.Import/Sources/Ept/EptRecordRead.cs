@@ -12,7 +12,7 @@ namespace FastPoints.Sources
     {
         [ReadOnly] public NativeArray<byte> Records;
 
-        // Of making the records; if broken, there are none.
+        // State of decompression; if broken, there are no records.
         [ReadOnly] public NativeReference<DecompressState> State;
 
         [ReadOnly] public NativeArray<FieldCopy> Copies;

@@ -21,10 +21,10 @@ namespace FastPoints.Sources
         const int RecordBytes = 5;
         const int StepNodes = 32;
 
-        // Of an .hrc file; 8^7 nodes take less.
+        // For an .hrc file; 8^7 nodes take less.
         const int MaxHierarchyBytes = 16 << 20;
 
-        // Of a LAS or LAZ node, which a slot reads whole.
+        // For a LAS or LAZ node, which a slot reads whole.
         const long MaxLasBytes = 1 << 29;
 
         // How far rounding may move corners above a grid place, in steps.

@@ -15,7 +15,7 @@ namespace FastPoints.Sources
     //      type  child mask  points (u32)  byte offset      byte count
     //
     // Offset and count are of octree.bin, or of the page in hierarchy.bin for a proxy (type 2), whose page repeats it as its
-    // first record. Type 0 and 1 (leaf) are not told apart by converters. A node that claims points and has no bytes is empty:
+    // first record. Converters do not distinguish types 0 and 1 (leaf). A node that claims points and has no bytes is empty:
     // PotreeConverter writes such (potree issue 1125).
     internal sealed class Potree2Reader : PotreeReader
     {

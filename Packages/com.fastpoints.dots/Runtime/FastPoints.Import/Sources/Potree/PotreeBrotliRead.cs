@@ -214,7 +214,7 @@ namespace FastPoints.Sources
             }
         }
 
-        // As tiles of records, which the plan's copies take apart.
+        // Writes tiles of records, which the plan's copies split into columns.
         void SpreadColors(ulong* codes, FieldCopies copies, byte* columns)
         {
             const int TilePoints = 256;

@@ -144,10 +144,10 @@ namespace FastPoints.Sources
         // Names and counts, in versions up to 1.4; null if it is in files.
         public List<object> Hierarchy { get; }
 
-        // Of nodes in files of their own: "LAS" or "LAZ"; null for BIN.
+        // "LAS" or "LAZ" if each node is a file; null for BIN.
         public string NodeFormat { get; private set; }
 
-        // Of BIN nodes in their order; null stands for one with an unknown name, and so unknown length.
+        // Attributes of BIN nodes in order; null for an unknown name, whose length is unknown too.
         public List<PotreeAttribute> Attributes { get; } = new List<PotreeAttribute>();
 
         public string UnknownAttribute { get; private set; }

@@ -213,8 +213,8 @@ namespace FastPoints.Sources
                 Columns[i] = new PointAttribute(names[i], type);
         }
 
-        static double At(double[] values, int index, double otherwise) =>
-            values != null && index < values.Length ? values[index] : otherwise;
+        static double At(double[] values, int index, double fallback) =>
+            values != null && index < values.Length ? values[index] : fallback;
     }
 
     enum PotreeAttributeKind

@@ -16,10 +16,10 @@ namespace FastPoints.Sources
         // More than the largest clouds have: it bounds the memory of a hierarchy.
         internal const int MaxNodes = 1 << 21;
 
-        // Of a block that can be cut.
+        // Limit of a block that can be split.
         internal const int MaxBlockPoints = 1 << 20;
 
-        // Of a node that cannot be cut.
+        // Limit of a node that cannot be split.
         internal const int MaxNodePoints = 1 << 22;
 
         // In the columns of a node that cannot be cut: it bounds a slot, whatever a file claims.

@@ -71,13 +71,13 @@ namespace FastPoints.Sources
             bool isValid = true;
             for (int at = 0; at < count; at += BatchLength)
             {
-                int run = math.min(BatchLength, count - at);
-                SourceGrid.ToGrid(Grid.X, Positions.X.At(columns, First + at), Positions.X.Type, run, x, ref loss);
-                SourceGrid.ToGrid(Grid.Y, Positions.Y.At(columns, First + at), Positions.Y.Type, run, y, ref loss);
-                SourceGrid.ToGrid(Grid.Z, Positions.Z.At(columns, First + at), Positions.Z.Type, run, z, ref loss);
-                isValid &= Store(x, Corner.X, 0, First + at, run) & Store(y, Corner.Y, 1, First + at, run) &
-                    Store(z, Corner.Z, 2, First + at, run);
-                for (int i = 0; i < run; i++)
+                int length = math.min(BatchLength, count - at);
+                SourceGrid.ToGrid(Grid.X, Positions.X.At(columns, First + at), Positions.X.Type, length, x, ref loss);
+                SourceGrid.ToGrid(Grid.Y, Positions.Y.At(columns, First + at), Positions.Y.Type, length, y, ref loss);
+                SourceGrid.ToGrid(Grid.Z, Positions.Z.At(columns, First + at), Positions.Z.Type, length, z, ref loss);
+                isValid &= Store(x, Corner.X, 0, First + at, length) & Store(y, Corner.Y, 1, First + at, length) &
+                    Store(z, Corner.Z, 2, First + at, length);
+                for (int i = 0; i < length; i++)
                 {
                     keys[at + i] = Morton.Encode(Cell(x[i], CubePosition.X, CubeBits.x), Cell(y[i], CubePosition.Y, CubeBits.y),
                         Cell(z[i], CubePosition.Z, CubeBits.z));
@@ -113,8 +113,8 @@ namespace FastPoints.Sources
         }
 
         // A position outside its cube goes with those at its side.
-        static uint Cell(long place, long cube, int bits) =>
-            (uint)(math.clamp(place - cube, 0, (1L << bits) - 1) >> math.max(0, bits - KeyBits));
+        static uint Cell(long position, long cube, int bits) =>
+            (uint)(math.clamp(position - cube, 0, (1L << bits) - 1) >> math.max(0, bits - KeyBits));
     }
 
     internal struct PackState
@@ -128,7 +128,7 @@ namespace FastPoints.Sources
         public long Word;
     }
 
-    // Some blocks of a plane, behind those of the previous slice. The planes of a node come one behind the other.
+    // Some blocks of a plane, after those of the previous slice. The planes of a node follow one another.
     [BurstCompile]
     internal unsafe struct PackPlaneJob : IJob
     {

@@ -15,7 +15,7 @@ namespace FastPoints.Sources
         // About what a screen shows, with the slots of its reads below 200 MB.
         public const int PreviewPoints = 1_000_000;
 
-        // Of an octree's upper levels, which decide on colours.
+        // Points of an octree's upper levels from which colours are chosen.
         const int PointsOfTop = 50_000;
 
         readonly StageProgress m_progress = new StageProgress();

@@ -33,7 +33,7 @@ namespace FastPoints.Sources
         // As the source claims, georeferenced; the cube if it claims none.
         public BoundsGeo Bounds;
 
-        // Of the root, in CRS units.
+        // Spacing of the root, in CRS units.
         public double Spacing;
 
         // Unsupported if no grid holds the source's numbers.
@@ -150,7 +150,7 @@ namespace FastPoints.Sources
         // The position's is that of nodes that are not wide.
         public NativeArray<PlaneShape> Shapes => m_shapes;
 
-        // Of a point's values in each plane. The position's depend on the node.
+        // Bits of a point in each plane. The position's depend on the node.
         public NativeArray<int> Bits => m_bits;
 
         public PointSchema Decoded { get; }

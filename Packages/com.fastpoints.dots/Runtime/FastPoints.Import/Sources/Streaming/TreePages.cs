@@ -9,7 +9,7 @@ using Unity.Mathematics;
 
 namespace FastPoints.Sources
 {
-    // The hierarchy as pages of some levels each. It reads only the unknown parts that a wanted page needs: looking into one
+    // The hierarchy as pages of some levels each. It reads only the unknown parts that a requested page needs: showing one
     // corner costs what lies there. Main thread; never waits.
     sealed class TreePages : IDisposable
     {
@@ -33,7 +33,7 @@ namespace FastPoints.Sources
         JobHandle m_building;
         int m_nodes;
 
-        // No more of the hierarchy is tried.
+        // After a failure, no more of the hierarchy is read.
         bool m_isBroken;
 
         // The first page that was requested since the last update, and the one being read; or None.
@@ -64,7 +64,7 @@ namespace FastPoints.Sources
             return m_isPageKnown[page];
         }
 
-        // The failure, after which pages that are still wanted are made of what is known; or null.
+        // The failure, after which requested pages are built from the known part; or null.
         public PointCloudException Update()
         {
             // Jobs that build pages read the lists that would grow.
@@ -118,7 +118,7 @@ namespace FastPoints.Sources
             return building;
         }
 
-        // Of the pages attached to one; the numbers are the same each time it is built.
+        // Numbers the pages attached to one; the same each time it is built.
         public unsafe void Number(int page, in HierarchyPage built, int planeCount)
         {
             if (m_firstPendingOfPage[page] == Unnumbered)
@@ -192,7 +192,7 @@ namespace FastPoints.Sources
         // The first node of each SourceNode.Key.
         [ReadOnly] public NativeParallelHashMap<int4, int> NodeOfKey;
 
-        // Of a point in each streamed plane; the position's depend on the node.
+        // Bits of a point in each streamed plane; the position's depend on the node.
         [ReadOnly] public NativeArray<int> BitsOfPlane;
 
         [ReadOnly] public NativeArray<PlaneShape> Shapes;
@@ -264,7 +264,7 @@ namespace FastPoints.Sources
             Grid.BoxOf(source.Key, out node.Center, out node.Half);
             page.Nodes[n] = node;
             page.States[n] = new NodeState { Slot = NodeState.NoSlot, Failures = hasPoints ? 0 : NodeState.IsHole };
-            page.Places[n] = new NodeAddress
+            page.Addresses[n] = new NodeAddress
             {
                 Corner = Grid.Corner - Grid.Root.Corner,
                 IsWide = Grid.IsWide,

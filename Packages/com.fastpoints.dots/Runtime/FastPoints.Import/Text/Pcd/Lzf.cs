@@ -79,7 +79,7 @@ namespace FastPoints.Text
         public NativeArray<byte> Buffer;
 
         // Offsets of decoded bytes that get checkpoints, ascending.
-        [ReadOnly] public NativeArray<long> Places;
+        [ReadOnly] public NativeArray<long> Offsets;
         [WriteOnly] public NativeArray<LzfCheckpoint> Checkpoints;
         [WriteOnly] public NativeArray<byte> Windows;
         public NativeReference<LzfWalk> State;
@@ -101,12 +101,12 @@ namespace FastPoints.Text
                     break;
                 }
                 long after = state.Output + written;
-                for (; state.Checkpoints < Places.Length && Places[state.Checkpoints] < after; state.Checkpoints++)
+                for (; state.Checkpoints < Offsets.Length && Offsets[state.Checkpoints] < after; state.Checkpoints++)
                 {
                     Checkpoints[state.Checkpoints] = new LzfCheckpoint
                     {
                         Input = state.Input,
-                        Skip = (int)(Places[state.Checkpoints] - state.Output),
+                        Skip = (int)(Offsets[state.Checkpoints] - state.Output),
                     };
                     UnsafeUtility.MemCpy(windows + (long)state.Checkpoints * Lzf.WindowBytes, output - Lzf.WindowBytes,
                         Lzf.WindowBytes);

@@ -90,7 +90,7 @@ namespace FastPoints.Text
         {
             int index = field * (int)BlocksOf((long)Info.PointsClaimed) + block;
             var checkpoint = m_checkpoints[index];
-            // The shortest copy takes two bytes and writes three: twice what is wanted is enough anywhere.
+            // The shortest copy takes two bytes and writes three: twice the wanted length is always enough.
             long end = Math.Min(StreamBytes, checkpoint.Input + Lzf.MaxTaken
                 + 2 * (checkpoint.Skip + (long)m_blockPoints * m_fields[field].Bytes));
             if (index + 1 < m_checkpoints.Length && m_checkpoints[index + 1].Input > 0)
@@ -112,9 +112,9 @@ namespace FastPoints.Text
             DisposeUnread();
             var state = new NativeReference<LzfWalk>(Allocator.Persistent);
             var buffer = new NativeArray<byte>(WalkLzfJob.BufferBytes, Allocator.Persistent);
-            var places = new NativeArray<long>(PlacesOfCheckpoints(), Allocator.Persistent);
-            m_checkpoints = new NativeArray<LzfCheckpoint>(places.Length, Allocator.Persistent);
-            m_windows = new NativeArray<byte>(places.Length * Lzf.WindowBytes, Allocator.Persistent);
+            var offsets = new NativeArray<long>(OffsetsOfCheckpoints(), Allocator.Persistent);
+            m_checkpoints = new NativeArray<LzfCheckpoint>(offsets.Length, Allocator.Persistent);
+            m_windows = new NativeArray<byte>(offsets.Length * Lzf.WindowBytes, Allocator.Persistent);
             var read = new NativeFileRead(Math.Min(StreamBytes, WalkLzfJob.SliceBytes), Allocator.Persistent);
             var walked = default(JobHandle);
             try
@@ -129,7 +129,7 @@ namespace FastPoints.Text
                         InputBytes = bytes,
                         DecodedBytes = m_decodedBytes,
                         Buffer = buffer,
-                        Places = places,
+                        Offsets = offsets,
                         Checkpoints = m_checkpoints,
                         Windows = m_windows,
                         State = state,
@@ -144,22 +144,22 @@ namespace FastPoints.Text
             {
                 walked.Complete();
                 read.Dispose();
-                places.Dispose();
+                offsets.Dispose();
                 buffer.Dispose();
                 state.Dispose();
             }
         }
 
-        long[] PlacesOfCheckpoints()
+        long[] OffsetsOfCheckpoints()
         {
             int blocks = (int)BlocksOf((long)Info.PointsClaimed);
-            var places = new long[blocks * m_fields.Length];
-            for (int i = 0; i < places.Length; i++)
-                places[i] = m_starts[i / blocks] + i % blocks * (long)m_blockPoints * m_fields[i / blocks].Bytes;
-            return places;
+            var offsets = new long[blocks * m_fields.Length];
+            for (int i = 0; i < offsets.Length; i++)
+                offsets[i] = m_starts[i / blocks] + i % blocks * (long)m_blockPoints * m_fields[i / blocks].Bytes;
+            return offsets;
         }
 
-        // A stream that breaks off leaves those points whose last field is there.
+        // A truncated stream leaves the points whose last field is complete.
         void CountPoints(LzfWalk end)
         {
             int last = m_fields.Length - 1;

@@ -27,7 +27,7 @@ namespace FastPoints.Text
         public int UnknownOffset;
 
         public ulong Points;
-        public ulong? Places;
+        public ulong? GridPoints;
         public string Data;
         public long DataOffset;
 
@@ -95,10 +95,10 @@ namespace FastPoints.Text
             if (m_words.ContainsKey("WIDTH") && m_words.ContainsKey("HEIGHT"))
             {
                 ulong width = Number("WIDTH", Words("WIDTH", 1)[0]), height = Number("HEIGHT", Words("HEIGHT", 1)[0]);
-                Places = height != 0 && width > ulong.MaxValue / height ? ulong.MaxValue : width * height;
+                GridPoints = height != 0 && width > ulong.MaxValue / height ? ulong.MaxValue : width * height;
             }
             Points = m_words.ContainsKey("POINTS") ? Number("POINTS", Words("POINTS", 1)[0])
-                : Places ?? throw new PointCloudException(FailureCode.BadInput, m_path, -1,
+                : GridPoints ?? throw new PointCloudException(FailureCode.BadInput, m_path, -1,
                     "the header says neither POINTS nor WIDTH and HEIGHT");
         }
 
@@ -207,7 +207,7 @@ namespace FastPoints.Text
             };
         }
 
-        // Zeros up to the end of a page, which the Point Cloud Library puts behind binary points; 0 if anything else is there.
+        // Zeros up to the end of a page, which the Point Cloud Library writes after binary points; 0 if there is anything else.
         static int PaddingOf(RandomAccessFile source, long offset)
         {
             if (offset >= source.Length || source.Length - offset >= PageBytes)
@@ -225,8 +225,8 @@ namespace FastPoints.Text
             info.OnlyInFacts = pcd["VIEWPOINT"] is { } view && view != "0 0 0 1 0 0 0" ? "the viewpoint" : null;
             if (pcd["HEIGHT"] is { } height && height != "1")
                 info.Losses.Add(new Loss("the scan's grid", info.Path, "points are kept without their neighbours in it"));
-            if (pcd.Places is { } places && places != pcd.Points)
-                info.Warn(0, "WIDTH times HEIGHT is " + NumberText.Of(places) + ", POINTS " + NumberText.Of(pcd.Points) +
+            if (pcd.GridPoints is { } gridPoints && gridPoints != pcd.Points)
+                info.Warn(0, "WIDTH times HEIGHT is " + NumberText.Of(gridPoints) + ", POINTS " + NumberText.Of(pcd.Points) +
                     ": the latter is believed");
             if (pcd.UnknownLines > 0)
                 info.Warn(pcd.UnknownOffset,

@@ -32,7 +32,7 @@ namespace FastPoints.Text
             ", shift " + NumberText.Of(Shift);
 
         // Lines of points, those without a return included.
-        public ulong Places => Rows != 0 && Columns > ulong.MaxValue / Rows ? ulong.MaxValue : Columns * Rows;
+        public ulong GridPoints => Rows != 0 && Columns > ulong.MaxValue / Rows ? ulong.MaxValue : Columns * Rows;
 
         public static bool TryParse(ReadOnlySpan<byte> bytes, out PtxScanHeader header)
         {
@@ -149,7 +149,7 @@ namespace FastPoints.Text
                     break;
                 var header = m_scans[m_scans.Count - 1];
                 offset += header.Bytes;
-                using var scan = new AsciiRowScan(this, File, offset, MaxBlockBytes, 0, header.Places);
+                using var scan = new AsciiRowScan(this, File, offset, MaxBlockBytes, 0, header.GridPoints);
                 while (scan.Next(out var handle))
                     yield return handle;
                 var found = scan.TakeBlocks();
@@ -160,10 +160,11 @@ namespace FastPoints.Text
                 }
                 blocks.AddRange(found);
                 points += scan.Points;
-                if ((ulong)scan.Points < header.Places)
+                if ((ulong)scan.Points < header.GridPoints)
                 {
                     Info.Warn(Info.FileBytes, "scan " + NumberText.Of(m_scans.Count) + ": wanted " +
-                        NumberText.Of(header.Places) + " places, got " + NumberText.Of(scan.Points) + ": the file ends before");
+                        NumberText.Of(header.GridPoints) + " places, got " + NumberText.Of(scan.Points) +
+                            ": the file ends before");
                     break;
                 }
                 if (found.Length == 0)

@@ -117,12 +117,12 @@ namespace FastPoints.Text
                     case XyzStepKind.Place:
                         if (!AsciiNumber.TryDecimal(ref p, out var number))
                             return XyzError.NoNumber;
-                        if (!ToGridPosition(number, step->Decimals, out long place, out bool isWhole))
+                        if (!ToGridPosition(number, step->Decimals, out long position, out bool isWhole))
                             return XyzError.TooLarge;
                         if (!isWhole && anomalies.Rounded++ == 0)
                             anomalies.FirstRounded = Range.Offset + (text - input);
                         if (step->IsStored)
-                            ((long*)column)[row] = place;
+                            ((long*)column)[row] = position;
                         break;
                     case XyzStepKind.Integer:
                         if (!AsciiNumber.TryInteger(ref p, out ulong magnitude, out bool isNegative, out bool isExact))
@@ -157,12 +157,12 @@ namespace FastPoints.Text
         }
 
         // The nearest multiple of 10^-decimals (halves away from zero); false if it is beyond the grid.
-        static bool ToGridPosition(in DecimalDigits number, int decimals, out long place, out bool isExact)
+        static bool ToGridPosition(in DecimalDigits number, int decimals, out long position, out bool isExact)
         {
             ulong value = number.Mantissa;
             int exponent = number.Exponent + decimals;
             isExact = !number.IsTruncated;
-            place = 0;
+            position = 0;
             if (exponent < -19)
             {
                 isExact &= value == 0;
@@ -185,7 +185,7 @@ namespace FastPoints.Text
             }
             if (value >= (ulong)CommonGrid.Limit)
                 return false;
-            place = number.IsNegative ? -(long)value : (long)value;
+            position = number.IsNegative ? -(long)value : (long)value;
             return true;
         }
 

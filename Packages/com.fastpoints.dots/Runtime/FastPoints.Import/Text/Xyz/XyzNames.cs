@@ -142,7 +142,7 @@ namespace FastPoints.Text
                 int left = count - i;
                 bool isNormal = !hasNormal && IsNormal(columns, unitLength, i);
                 bool isColor = !hasColor && IsColor(columns, i);
-                // Of four columns the intensity comes first (PTS), if the other three then fit, and the last is no opacity.
+                // With four columns, the first is the intensity (PTS) if the other three fit, unless the last is an opacity.
                 bool hasAlpha = left == 4 && isColor && columns[i + 3].IsWithin(byte.MaxValue, byte.MaxValue);
                 bool intensityFirst = !hasIntensity && left % 3 == 1 && !hasAlpha &&
                     (!hasColor && IsColor(columns, i + 1) || !hasNormal && IsNormal(columns, unitLength, i + 1));

@@ -17,7 +17,7 @@ namespace FastPoints
         JsonMembers(Dictionary<string, object> members, JsonMembers parent, string name)
             : this(members, parent.Path, parent.m_isForeign, parent.FileBytes)
         {
-            // In files of our own no name means two things.
+            // Files of the package have no ambiguous names.
             if (m_isForeign)
                 m_prefix = parent.m_prefix + name + ".";
         }
@@ -63,7 +63,7 @@ namespace FastPoints
 
         public long Long(string name) => Read(name, JsonReader.ToLong);
 
-        public long Long(string name, long otherwise) => Has(name) ? Long(name) : otherwise;
+        public long Long(string name, long fallback) => Has(name) ? Long(name) : fallback;
 
         public int Int(string name) => Read(name, v => (int)InRange(v, int.MinValue, int.MaxValue));
 
@@ -76,11 +76,11 @@ namespace FastPoints
 
         public double Number(string name) => Read(name, Finite);
 
-        public double Number(string name, double otherwise) => Has(name) ? Number(name) : otherwise;
+        public double Number(string name, double fallback) => Has(name) ? Number(name) : fallback;
 
         public string Text(string name) => Shown(Read(name, JsonReader.ToText));
 
-        public string Text(string name, string otherwise) => IsText(name) ? Text(name) : otherwise;
+        public string Text(string name, string fallback) => IsText(name) ? Text(name) : fallback;
 
         public string TextOrNull(string name) => Find(name) == null ? null : Text(name);
 
@@ -100,7 +100,7 @@ namespace FastPoints
                 : throw Wrong(name, "wanted " + NumberText.Of(count) + " numbers, got a list of " + NumberText.Of(list.Count));
         }
 
-        // Exactly so many unless count is negative.
+        // Exactly count numbers, unless it is negative.
         public long[] Longs(string name, int count = -1) => Read(name, v => ToLongs(v, count));
 
         public List<long[]> Lists(string name, int count) => Read(name, _ => List(name).ConvertAll(i => ToLongs(i, count)));

@@ -28,9 +28,9 @@ namespace FastPoints
         {
             var reader = new JsonReader(text, allowTrailingCommas);
             object value = reader.Value(0);
-            reader.Space();
+            reader.SkipSpace();
             if (reader.m_at != text.Length)
-                throw reader.Bad("nothing more");
+                throw reader.Unexpected("nothing more");
             return value;
         }
 
@@ -80,17 +80,17 @@ namespace FastPoints
         object Value(int depth)
         {
             if (depth > MaxDepth)
-                throw Bad("fewer levels");
-            Space();
+                throw Unexpected("fewer levels");
+            SkipSpace();
             return (m_at < m_text.Length ? m_text[m_at] : '\0') switch
             {
                 '{' => Object(depth),
                 '[' => Array(depth),
                 '"' => String(),
-                't' => Word("true", true),
-                'f' => Word("false", false),
-                'n' => Word("null", null),
-                _ => NumberAt(),
+                't' => Literal("true", true),
+                'f' => Literal("false", false),
+                'n' => Literal("null", null),
+                _ => ReadNumber(),
             };
         }
 
@@ -104,11 +104,11 @@ namespace FastPoints
             {
                 if (IsTrailing('}'))
                     break;
-                Space();
+                SkipSpace();
                 string name = String();
                 Require(':');
                 if (!members.TryAdd(name, Value(depth + 1)))
-                    throw Bad("one \"" + name + "\"");
+                    throw Unexpected("one \"" + name + "\"");
             }
             while (TryTake(','));
             Require('}');
@@ -135,18 +135,18 @@ namespace FastPoints
         string String()
         {
             if (m_at >= m_text.Length || m_text[m_at] != '"')
-                throw Bad("a string");
+                throw Unexpected("a string");
             m_at++;
             var result = new StringBuilder();
             while (m_at < m_text.Length && m_text[m_at] != '"')
             {
                 char c = m_text[m_at++];
                 if (c < ' ')
-                    throw Bad("no control character");
+                    throw Unexpected("no control character");
                 result.Append(c == '\\' ? Escaped() : c);
             }
             if (m_at >= m_text.Length)
-                throw Bad("an end of the string");
+                throw Unexpected("an end of the string");
             m_at++;
             return result.ToString();
         }
@@ -171,10 +171,10 @@ namespace FastPoints
                     }
                     break;
             }
-            throw Bad("an escape");
+            throw Unexpected("an escape");
         }
 
-        object NumberAt()
+        object ReadNumber()
         {
             int start = m_at;
             if (m_at < m_text.Length && m_text[m_at] == '-')
@@ -196,7 +196,7 @@ namespace FastPoints
                 digits = Digits();
             }
             if (!digits)
-                throw Bad("a value");
+                throw Unexpected("a value");
             return new Number { Text = m_text.Substring(start, m_at - start) };
         }
 
@@ -208,17 +208,17 @@ namespace FastPoints
             return m_at > start;
         }
 
-        object Word(string word, object value)
+        object Literal(string word, object value)
         {
             if (string.CompareOrdinal(m_text, m_at, word, 0, word.Length) != 0)
-                throw Bad("a value");
+                throw Unexpected("a value");
             m_at += word.Length;
             return value;
         }
 
         bool TryTake(char c)
         {
-            Space();
+            SkipSpace();
             if (m_at >= m_text.Length || m_text[m_at] != c)
                 return false;
             m_at++;
@@ -230,24 +230,24 @@ namespace FastPoints
         {
             if (!m_allowsTrailingCommas)
                 return false;
-            Space();
+            SkipSpace();
             return m_at < m_text.Length && m_text[m_at] == end;
         }
 
         void Require(char c)
         {
             if (!TryTake(c))
-                throw Bad("'" + c + "'");
+                throw Unexpected("'" + c + "'");
         }
 
-        void Space()
+        void SkipSpace()
         {
             while (m_at < m_text.Length && (m_text[m_at] == ' ' || m_text[m_at] == '\n' || m_text[m_at] == '\r' ||
                 m_text[m_at] == '\t'))
                 m_at++;
         }
 
-        FormatException Bad(string wanted) =>
+        FormatException Unexpected(string wanted) =>
             new FormatException(string.Format(CultureInfo.InvariantCulture, "at character {0}: wanted {1}, got {2}", m_at, wanted,
                 m_at >= m_text.Length ? "the end"
                     : char.IsControl(m_text[m_at]) ? "U+" + ((int)m_text[m_at]).ToString("X4", CultureInfo.InvariantCulture)

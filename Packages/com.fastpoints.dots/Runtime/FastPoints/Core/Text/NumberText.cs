@@ -29,7 +29,7 @@ namespace FastPoints
 
         public static string Of(double3 values) => Of(values.x) + ", " + Of(values.y) + ", " + Of(values.z);
 
-        // As AsciiNumber takes it, with nothing around it; infinite beyond the doubles.
+        // Parses what AsciiNumber does, without blanks around it; infinite beyond the doubles.
         public static unsafe bool TryRead(string text, out double value)
         {
             var bytes = new byte[text.Length + 1];
@@ -95,7 +95,7 @@ namespace FastPoints
             }
         }
 
-        // As .NET writes them: with an exponent of at least two digits instead of many zeros.
+        // Like .NET: with an exponent of at least two digits instead of many zeros.
         static string Write(string digits, int power, int maxPlainDigits)
         {
             int whole = digits.Length + power;

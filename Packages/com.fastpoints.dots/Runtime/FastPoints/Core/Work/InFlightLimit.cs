@@ -23,7 +23,7 @@ namespace FastPoints
         public int Value { get; private set; }
         public int Max { get; }
 
-        // Pieces of at least pieceMs that so many chains do in a time, and at least what a coroutine needs.
+        // Pieces of at least pieceMs that this many chains do in a time, and at least what a coroutine needs.
         public static int ValueFor(int min, double ms, int chains, double pieceMs) =>
             (int)Math.Max(min, Math.Min(int.MaxValue, Math.Ceiling(ms * chains / pieceMs)));
 

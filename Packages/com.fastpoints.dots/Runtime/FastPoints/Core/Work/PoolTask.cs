@@ -5,7 +5,7 @@ using System.Threading.Tasks;
 
 namespace FastPoints
 {
-    /// <summary>Examines files on threads of the pool. What is thrown reaches the caller as a PointCloudException.</summary>
+    /// <summary>Examines files on pool threads. What is thrown reaches the caller as a PointCloudException.</summary>
     public static class PoolTask
     {
         /// <summary>Begins work, which must not use anything that other code changes: it continues even when its result is no
@@ -28,7 +28,7 @@ namespace FastPoints
         }
     }
 
-    /// <summary>Work that runs, or has ended, on a thread of the pool. One thread owns it and takes its result.</summary>
+    /// <summary>Work that runs, or has ended, on a pool thread. One thread owns it and takes its result.</summary>
     public sealed class PoolTask<T> : IDisposable
     {
         readonly string m_path;

@@ -12,7 +12,7 @@ namespace FastPoints
         const int JobsPerStep = 16; // A fraction of a millisecond of the main thread.
         const int MaxStepsInFlight = 32; // About a second's work.
 
-        // As all workers, and a thread that waits, can run side by side.
+        // All workers and a waiting thread.
         public static int MaxChains => Math.Max(1, JobsUtility.JobWorkerCount) + 1;
 
         public static IEnumerator<JobStep> Run(int begin, int end, int perSlice, Func<int, int, JobHandle, JobHandle> schedule,

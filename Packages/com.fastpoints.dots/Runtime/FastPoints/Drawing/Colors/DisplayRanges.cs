@@ -17,18 +17,18 @@ namespace FastPoints.Drawing
         // Outliers apart, the bounds are widened by this share of their size on either side.
         const double Widening = 0.1;
 
-        // What lies farther from the middle half than so many times its longest edge is not framed, however many points that
+        // Points farther from the middle half than this many times its longest edge are not framed, however many points that
         // are: scanners put what they did not hit at 0, and a hundredth of such points would make the rest one pixel.
         const double FarInInterquartileRanges = 50;
 
         // Reports bounds that are this many times larger than the framed ones.
         const double FarBoundsFactor = 10;
 
-        // Within the degrees of the earth, so many times as high as they are wide: no object is; degrees and metres are, a
+        // Within the degrees of the earth, this many times as high as wide: no object is; degrees with metres are, a
         // thousand times.
         const double MaxHeightPerDegree = 200;
 
-        // Of 255. Colours darker than this, outliers apart, vanish against the background.
+        // Of 255: colours darker than this, except outliers, vanish against the background.
         const double DarkestColor = 12;
 
         const int MaxOutlinePoints = 4096;
@@ -46,7 +46,7 @@ namespace FastPoints.Drawing
 
         bool m_hasFar;
 
-        // Of the points that are not far out: less than 1 where only the largest of parts far apart is framed.
+        // Share of the points that are not outliers: less than 1 if only the largest of distant parts is framed.
         double m_shareFramed = 1;
 
         /// <summary>What the CRS says; where it is silent, degrees are guessed from the bounds.</summary>
@@ -71,7 +71,7 @@ namespace FastPoints.Drawing
 
         public UpAxis UpAxis = UpAxis.Z;
 
-        /// <summary>Of all finite positions.</summary>
+        /// <summary>Bounds of all finite positions.</summary>
         public BoundsGeo Full = BoundsGeo.Empty;
 
         /// <summary>Where nearly all points are: quantiles, widened, within <see cref="Full"/>.</summary>
@@ -80,7 +80,7 @@ namespace FastPoints.Drawing
         /// <summary>Some positions within <see cref="Robust"/>, at most 4,096: what a camera frames.</summary>
         public double3[] Outline = new double3[0];
 
-        /// <summary>The farthest positions in many directions, but for those far out of Robust: what a camera is to
+        /// <summary>The farthest positions in many directions, except those far outside of Robust: what a camera is to
         /// show.</summary>
         public double3[] Rim = new double3[0];
 
@@ -91,14 +91,14 @@ namespace FastPoints.Drawing
         public double ElevationLow;
         public double ElevationHigh;
 
-        /// <summary>Stored values; both 0 where there is no intensity.</summary>
+        /// <summary>Stored values; both 0 if there is no intensity.</summary>
         public double IntensityLow;
         public double IntensityHigh;
         public bool IntensityVaries;
 
         public bool HasIntensity;
 
-        /// <summary>Those of <see cref="ColorModes.Categories"/> whose attributes are there.</summary>
+        /// <summary>The existing ones of <see cref="ColorModes.Categories"/>.</summary>
         public readonly HashSet<ColorMode> Categories = new HashSet<ColorMode>();
 
         /// <summary>Classes of some of the points, where they have any; none of a manifest.</summary>
@@ -110,10 +110,10 @@ namespace FastPoints.Drawing
         /// <summary>None where there is no colour or it is all black.</summary>
         public ColorDepth Color;
 
-        /// <summary>What was assumed, and from what: a line for people each.</summary>
+        /// <summary>What was assumed, and from what: a readable line each.</summary>
         public readonly List<string> Assumptions = new List<string>();
 
-        // For a manifest; null where nothing was measured. The up axis is Z.
+        // For a manifest; null if nothing was measured. The up axis is Z.
         internal StoredDisplayRanges? ToShown() => Robust.IsEmpty ? (StoredDisplayRanges?)null : new StoredDisplayRanges
         {
             BoundsGeo = Robust,
@@ -297,7 +297,7 @@ namespace FastPoints.Drawing
             return all;
         }
 
-        // Of the outline of all.
+        // Frames the outline of all parts.
         void Frame()
         {
             var part = LargestPart.Of(Outline);
@@ -310,7 +310,7 @@ namespace FastPoints.Drawing
             SetLengths();
         }
 
-        /// <summary>The mode that a picture gets where <paramref name="wanted"/> is asked for, by what the cloud has.</summary>
+        /// <summary>The mode that a picture gets for <paramref name="wanted"/>, by the cloud's attributes.</summary>
         public ColorMode Resolve(ColorMode wanted)
         {
             switch (wanted)

@@ -40,10 +40,10 @@ namespace FastPoints.Drawing
             var scale = 2 / math.max(Around.Size, longest * MinThickness);
             for (int done = 0; done < Count; done += ColumnValues.BatchLength)
             {
-                int run = math.min(ColumnValues.BatchLength, Count - done);
-                Columns.Load((byte*)Bytes.GetUnsafeReadOnlyPtr(), First + done, run, x, y, z);
-                Transform.ToGeo(run, x, y, z);
-                for (int i = 0; i < run; i++)
+                int length = math.min(ColumnValues.BatchLength, Count - done);
+                Columns.Load((byte*)Bytes.GetUnsafeReadOnlyPtr(), First + done, length, x, y, z);
+                Transform.ToGeo(length, x, y, z);
+                for (int i = 0; i < length; i++)
                 {
                     var from = new double3(x[i], y[i], z[i]) - middle;
                     if (!math.all(math.abs(from) <= max))

@@ -121,7 +121,7 @@ namespace FastPoints.Drawing
 
         static byte ToByte(double share) => (byte)Math.Min(255, Math.Max(0, share * 255 + 0.5));
 
-        // As viewers usually have them, by ASPRS class (LAS 1.4 R15, table 17); the last is for all others.
+        // Common colours of ASPRS classes (LAS 1.4 R15, table 17); the last is for all others.
         static readonly uint[] s_classes =
         {
             Pack(160, 160, 160), // 0 created, never classified

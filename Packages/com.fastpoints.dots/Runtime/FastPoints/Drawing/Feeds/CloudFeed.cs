@@ -16,17 +16,18 @@ namespace FastPoints.Drawing
         /// <summary>Whether nothing newer is expected.</summary>
         public abstract bool IsEnded { get; }
 
-        // Nothing is in flight or waits to be taken: until a folder is looked at again, updates change nothing.
+        // Nothing is in flight or waits to be taken: until a folder is polled again, updates change nothing.
         internal virtual bool IsIdle => IsEnded;
 
-        /// <summary>Whether a build was broken off, so that the generations taken from it must no longer be shown.</summary>
+        /// <summary>Whether a build was aborted, so that the generations taken from it must no longer be shown.</summary>
         public virtual bool IsBuildAborted => false;
 
         /// <summary>Makes a source of Newest, which the caller owns, with the named planes besides the position, as far as the
         /// cloud has them. Throws a <see cref="PointCloudException"/> if the state cannot be streamed.</summary>
         public abstract NodeSource Take(params string[] planes);
 
-        /// <summary>Works for so long, once a frame. Throws if the cloud cannot be read; states taken stay valid.</summary>
+        /// <summary>Works for about this long, once a frame. Throws if the cloud cannot be read; states taken stay
+        /// valid.</summary>
         public abstract void Update(double budgetMs);
 
         /// <summary>Skips work that takes a pass over the whole source, because a build will offer better states.</summary>
@@ -54,7 +55,7 @@ namespace FastPoints.Drawing
         public bool RangesHaveOutliers;
     }
 
-    /// <summary>Opens any path that is a cloud: converted ones here, others by a registered reader (FastPoints.Import, if it is
+    /// <summary>Opens any cloud: converted ones here, others by a registered reader (FastPoints.Import, if it is
     /// loaded), so that a player that only shows converted clouds carries no readers.</summary>
     public static class CloudFeeds
     {
@@ -90,7 +91,7 @@ namespace FastPoints.Drawing
                 "is no converted cloud, and no readers for other files are there: wanted a " + StoreFormat.FolderExtension +
                 " folder, or the assembly FastPoints.Import in the player");
 
-        // Null where they cannot be opened: a build in progress can be shown without them.
+        // Null if they cannot be opened: a build in progress can be shown without them.
         static CloudFeed TryOpenSource(IReadOnlyList<string> paths)
         {
             if (paths.Count == 0 || s_openSource == null)

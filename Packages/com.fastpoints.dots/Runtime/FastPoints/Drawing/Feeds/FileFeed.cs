@@ -6,7 +6,7 @@ using FastPoints.Streaming;
 namespace FastPoints.Drawing
 {
     // The states of a cloud that has files and, now or later, a converted folder. The files are shown until the folder exists,
-    // which takes over as it is built. When a build is broken off, the files are shown again.
+    // which replaces them as it is built. When a build is aborted, the files are shown again.
     internal sealed class FileFeed : CloudFeed
     {
         readonly string m_folder;

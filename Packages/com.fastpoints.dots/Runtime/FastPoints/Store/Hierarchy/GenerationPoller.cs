@@ -3,7 +3,7 @@ using System.Diagnostics;
 
 namespace FastPoints.Store
 {
-    // Follows a cloud's folder that may still be in the making: looks for a newer generation once a second, on a thread of the
+    // Follows a cloud's folder that may be unfinished: polls for a newer generation once a second, on a thread of the
     // pool, and keeps it until it is taken. Main thread; only Dispose waits.
     internal sealed class GenerationPoller : IDisposable
     {
@@ -47,7 +47,7 @@ namespace FastPoints.Store
         public bool IsFound { get; private set; }
         public bool IsBuilding { get; private set; }
 
-        // The build was broken off, or the folder was deleted.
+        // The build was aborted, or the folder was deleted.
         public bool IsDeleted => m_misses >= MissesUntilDeleted;
 
         // No poll is requested or in flight, and no generation waits to be taken.

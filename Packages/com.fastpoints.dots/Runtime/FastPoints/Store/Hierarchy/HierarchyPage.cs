@@ -11,7 +11,7 @@ namespace FastPoints.Store
         /// <summary>Null while the page is not loaded, as are the other pointers.</summary>
         public StreamNode* Nodes;
         public NodeState* States;
-        public NodeAddress* Places;
+        public NodeAddress* Addresses;
 
         /// <summary>Indexed by node times streamed planes, plus plane.</summary>
         public PlaneRange* Planes;
@@ -30,7 +30,7 @@ namespace FastPoints.Store
         /// <summary>Number of its nodes in flight or in the cache.</summary>
         public int NodesInCache;
 
-        /// <summary>Consecutive failed reads of its file, the last one's frame, and that until which none is tried.</summary>
+        /// <summary>Consecutive failed reads of its file, the frame of the last one, and the frame of the next try.</summary>
         public int Failures;
         public uint LastFailureFrame;
         public uint RetryFrame;
@@ -55,8 +55,8 @@ namespace FastPoints.Store
         {
             Nodes = (StreamNode*)UnsafeUtility.Malloc(math.max(64, BytesFor(nodeCount, planeCount)), 64, Allocator.Persistent);
             States = (NodeState*)(Nodes + nodeCount);
-            Places = (NodeAddress*)(States + nodeCount);
-            Planes = (PlaneRange*)(Places + nodeCount);
+            Addresses = (NodeAddress*)(States + nodeCount);
+            Planes = (PlaneRange*)(Addresses + nodeCount);
             NodeCount = nodeCount;
             RootCount = 0;
         }
@@ -67,7 +67,7 @@ namespace FastPoints.Store
             UnsafeUtility.Free(Nodes, Allocator.Persistent);
             Nodes = null;
             States = null;
-            Places = null;
+            Addresses = null;
             Planes = null;
             NodeCount = 0;
             Status = HierarchyPageStatus.Absent;
@@ -139,7 +139,7 @@ namespace FastPoints.Store
     /// <summary>What the selection knows of a node: 64 bytes, one line of the cache.</summary>
     public struct StreamNode
     {
-        /// <summary>Of the box around all points from the node down, from the root's corner, in CRS units.</summary>
+        /// <summary>Centre of the box around all points from the node down, from the root's corner, in CRS units.</summary>
         public double3 Center;
         public float3 Half;
 
@@ -179,9 +179,9 @@ namespace FastPoints.Store
             BoundsMax = manifest.BoundsMax;
         }
 
-        public double3 ToLocal(Grid3 place)
+        public double3 ToLocal(Grid3 position)
         {
-            var from = place - Corner;
+            var from = position - Corner;
             return new double3(from.X, from.Y, from.Z) * Step;
         }
 

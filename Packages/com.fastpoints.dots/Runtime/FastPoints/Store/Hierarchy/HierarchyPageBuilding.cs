@@ -36,7 +36,7 @@ namespace FastPoints.Store
                 // Only chunks attached to the upper levels have pages of their own.
                 page.Nodes[n].ChunkCount = chunks != null ? page.Nodes[n].ChunkCount : 0;
                 page.States[n] = new NodeState { Slot = NodeState.NoSlot };
-                page.Places[n] = new NodeAddress
+                page.Addresses[n] = new NodeAddress
                 {
                     Corner = records[n].Corner - grid.Corner,
                     IsWide = records[n].IsWide,

@@ -9,7 +9,7 @@ namespace FastPoints.Streaming
     // They run on the main thread, between steps that need their results at once: a job that is scheduled and awaited costs more
     // than all of one of them.
 
-    // Orders the cache by what a frame has chosen: foreseen nodes go before chosen ones, and those before pinned ones.
+    // Orders the cache by what a frame has chosen: prefetched nodes go before selected ones, and those before pinned ones.
     [BurstCompile]
     internal struct TouchNodesJob : IJob
     {

@@ -3,7 +3,7 @@ using Unity.Collections;
 
 namespace FastPoints.Streaming
 {
-    // The nodes that have memory, from the least to the most useful: first those that no selection has wanted for longest, then
+    // The nodes that have memory, in the order of eviction: first those that no selection has wanted for longest, then
     // those that the last one wanted, in reverse order. Main thread.
     internal sealed class NodeCache : IDisposable
     {
@@ -31,7 +31,7 @@ namespace FastPoints.Streaming
 
         public bool IsValid(int slot, int version) => m_order.Slots[slot].Version == version;
 
-        public int Add(int cloud, int page, int node, PoolRange run)
+        public int Add(int cloud, int page, int node, PoolRange range)
         {
             int slot;
             if (m_free.Length > 0)
@@ -49,7 +49,7 @@ namespace FastPoints.Streaming
                 Cloud = cloud,
                 Page = page,
                 Node = node,
-                Range = run,
+                Range = range,
                 Phase = CachePhase.Requested,
                 Version = m_order.Slots[slot].Version,
                 Tint = CachedNode.White,
@@ -91,7 +91,7 @@ namespace FastPoints.Streaming
 
         public void SetPhase(int slot, CachePhase phase) => m_order.Slots.ElementAt(slot).Phase = phase;
 
-        public void SetRange(int slot, PoolRange run) => m_order.Slots.ElementAt(slot).Range = run;
+        public void SetRange(int slot, PoolRange range) => m_order.Slots.ElementAt(slot).Range = range;
 
         public void Touch(int slot, uint frame, int rank) => m_order.Touch(slot, frame, rank);
 

@@ -8,7 +8,7 @@ using Unity.Jobs;
 namespace FastPoints.Streaming
 {
     // One read, from its beginning until its memory can be reused: a page's table, some nodes of one file, whose planes are
-    // read in as few pieces as possible, or a node that is made. Main thread; where there are workers, only Await waits.
+    // read in as few pieces as possible, or a node that is transcoded. Main thread; where there are workers, only Await waits.
     internal sealed unsafe class NodeFetch : IDisposable
     {
         readonly StreamState m_state;
@@ -18,7 +18,7 @@ namespace FastPoints.Streaming
         NativeList<FetchPart> m_sorted = new NativeList<FetchPart>(256, Allocator.Persistent);
         NativeList<FetchedNode> m_nodes = new NativeList<FetchedNode>(64, Allocator.Persistent);
 
-        // Of each plane's bytes in what was read, by node times planes, plus plane.
+        // Offset of each plane in the read bytes; the index is node * planes + plane.
         NativeList<long> m_offsets = new NativeList<long>(256, Allocator.Persistent);
         NativeReference<HierarchyPage> m_built = new NativeReference<HierarchyPage>(Allocator.Persistent);
         NativeReference<TableProblem> m_problem = new NativeReference<TableProblem>(Allocator.Persistent);
@@ -125,7 +125,7 @@ namespace FastPoints.Streaming
         {
             status = default;
             bytes = m_readBytes;
-            // Its status does not tell: a read that waits for its file has one that the enum lacks.
+            // Its status is not enough: a read that waits for its file has one that the enum lacks.
             if (!JobCoroutine.HasEnded(m_read.JobHandle))
                 return false;
             m_read.JobHandle.Complete();
@@ -176,13 +176,13 @@ namespace FastPoints.Streaming
         public void AddParts(int index, byte* to, int upload, NativeList<UploadPart> parts)
         {
             int node = m_nodes[index].Node;
-            byte* made = m_transcoder != null ? (byte*)m_transcoder.Planes.GetUnsafeReadOnlyPtr() : null;
+            byte* transcoded = m_transcoder != null ? (byte*)m_transcoder.Planes.GetUnsafeReadOnlyPtr() : null;
             for (int p = 0; p < Cloud.Source.Planes.Length; p++)
             {
                 var range = Cloud.RangeOf(Page, node, p);
                 parts.Add(new UploadPart
                 {
-                    From = m_transcoder != null ? made
+                    From = m_transcoder != null ? transcoded
                         : (byte*)m_bytes.GetUnsafeReadOnlyPtr() + m_offsets[index * Cloud.Source.Planes.Length + p],
                     Check = m_transcoder != null ? UploadCheck.None
                         : Cloud.Source.IsChecked(Page, node, p) ? UploadCheck.Shape : UploadCheck.Hash,
@@ -194,7 +194,7 @@ namespace FastPoints.Streaming
                     Upload = upload,
                 });
                 to += range.LengthBytes;
-                made += range.LengthBytes;
+                transcoded += range.LengthBytes;
             }
         }
 

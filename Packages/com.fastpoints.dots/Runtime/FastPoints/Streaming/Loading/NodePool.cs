@@ -12,7 +12,7 @@ namespace FastPoints.Streaming
         /// <summary>Bytes of a page. A node's last page is half empty on average, which is 1 % of a node of 50 KB.</summary>
         public const int PageBytes = 1024;
 
-        /// <summary>Every graphics card supports storage buffers of this size.</summary>
+        /// <summary>Every GPU supports storage buffers of this size.</summary>
         public const int LargestBankBytes = 1 << 27;
 
         RangeAllocator[] m_banks = Array.Empty<RangeAllocator>();
@@ -50,56 +50,56 @@ namespace FastPoints.Streaming
         public static int PagesFor(long bytes) => (int)((bytes + PageBytes - 1) / PageBytes);
 
         /// <returns>Whether there was room. A new bank is made if none has room.</returns>
-        public bool TryAllocate(long bytes, out PoolRange run)
+        public bool TryAllocate(long bytes, out PoolRange range)
         {
             int pages = PagesFor(bytes), limit = BankLimit;
-            run = new PoolRange { PageCount = pages };
-            int unmade = -1;
+            range = new PoolRange { PageCount = pages };
+            int unallocated = -1;
             for (int bank = 0; bank < m_banks.Length && bank < limit; bank++)
             {
                 if (!m_banks[bank].IsCreated)
                 {
-                    unmade = unmade < 0 ? bank : unmade;
+                    unallocated = unallocated < 0 ? bank : unallocated;
                     continue;
                 }
-                if (TryAllocate(bank, ref run))
+                if (TryAllocate(bank, ref range))
                     return true;
             }
-            if (unmade < 0 && m_banks.Length < limit)
+            if (unallocated < 0 && m_banks.Length < limit)
             {
-                unmade = m_banks.Length;
-                Array.Resize(ref m_banks, Math.Min(limit, Math.Max(16, 2 * unmade)));
+                unallocated = m_banks.Length;
+                Array.Resize(ref m_banks, Math.Min(limit, Math.Max(16, 2 * unallocated)));
             }
-            if (unmade >= 0 && pages <= m_pagesPerBank)
+            if (unallocated >= 0 && pages <= m_pagesPerBank)
             {
-                CreateBank(unmade);
-                m_banks[unmade] = new RangeAllocator(m_pagesPerBank, Allocator.Persistent);
+                CreateBank(unallocated);
+                m_banks[unallocated] = new RangeAllocator(m_pagesPerBank, Allocator.Persistent);
                 AllocatedBytes += BankBytes;
-                return TryAllocate(unmade, ref run);
+                return TryAllocate(unallocated, ref range);
             }
-            run = default;
+            range = default;
             return false;
         }
 
         /// <summary>Takes a range back, and frees its bank if that is empty and beyond the limit.</summary>
-        public void Release(PoolRange run)
+        public void Release(PoolRange range)
         {
-            ref var heap = ref m_banks[run.Bank];
-            heap.Free(run.FirstPage);
-            UsedBytes -= (long)run.PageCount * PageBytes;
-            if (heap.UsedSlots == 0 && run.Bank >= BankLimit)
-                Free(run.Bank);
+            ref var heap = ref m_banks[range.Bank];
+            heap.Free(range.FirstPage);
+            UsedBytes -= (long)range.PageCount * PageBytes;
+            if (heap.UsedSlots == 0 && range.Bank >= BankLimit)
+                Free(range.Bank);
         }
 
         /// <summary>Keeps as much of a range as these bytes need. Returns whether it is long enough.</summary>
-        public bool TryShorten(ref PoolRange run, long bytes)
+        public bool TryShorten(ref PoolRange range, long bytes)
         {
             int pages = PagesFor(bytes);
-            if (pages > run.PageCount)
+            if (pages > range.PageCount)
                 return false;
-            m_banks[run.Bank].Shorten(run.FirstPage, pages);
-            UsedBytes -= (long)(run.PageCount - pages) * PageBytes;
-            run.PageCount = pages;
+            m_banks[range.Bank].Shorten(range.FirstPage, pages);
+            UsedBytes -= (long)(range.PageCount - pages) * PageBytes;
+            range.PageCount = pages;
             return true;
         }
 
@@ -120,7 +120,7 @@ namespace FastPoints.Streaming
 
         /// <summary>Where the upload's job writes a range, of a multiple of 16 bytes, front to back without reading. Null if
         /// there is no room.</summary>
-        public abstract byte* AddressForUpload(PoolRange run, long bytes);
+        public abstract byte* AddressForUpload(PoolRange range, long bytes);
 
         /// <summary>Ends the upload after its job is complete: its nodes can be drawn from now on.</summary>
         public virtual void EndUpload() { }
@@ -151,13 +151,13 @@ namespace FastPoints.Streaming
 
         protected abstract void DisposeBank(int bank);
 
-        bool TryAllocate(int bank, ref PoolRange run)
+        bool TryAllocate(int bank, ref PoolRange range)
         {
-            run.Bank = bank;
-            run.FirstPage = m_banks[bank].Allocate(run.PageCount);
-            if (run.FirstPage < 0)
+            range.Bank = bank;
+            range.FirstPage = m_banks[bank].Allocate(range.PageCount);
+            if (range.FirstPage < 0)
                 return false;
-            UsedBytes += (long)run.PageCount * PageBytes;
+            UsedBytes += (long)range.PageCount * PageBytes;
             return true;
         }
 
@@ -188,11 +188,11 @@ namespace FastPoints.Streaming
         public MemoryNodePool(long limitBytes, int bankBytes = 16 << 20) : base(limitBytes, bankBytes) { }
 
         /// <summary>The address of a range's bytes.</summary>
-        public byte* AddressOf(PoolRange run) =>
-            (byte*)NativeArrayUnsafeUtility.GetUnsafeBufferPointerWithoutChecks(m_memory[run.Bank]) +
-            (long)run.FirstPage * PageBytes;
+        public byte* AddressOf(PoolRange range) =>
+            (byte*)NativeArrayUnsafeUtility.GetUnsafeBufferPointerWithoutChecks(m_memory[range.Bank]) +
+            (long)range.FirstPage * PageBytes;
 
-        public override byte* AddressForUpload(PoolRange run, long bytes) => AddressOf(run);
+        public override byte* AddressForUpload(PoolRange range, long bytes) => AddressOf(range);
 
         protected override void CreateBank(int bank)
         {

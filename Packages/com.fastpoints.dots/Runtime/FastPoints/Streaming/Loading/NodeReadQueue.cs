@@ -12,7 +12,7 @@ namespace FastPoints.Streaming
     // cancelled when their data is no longer wanted; failed ones are retried, then reported.
     internal sealed unsafe class NodeReadQueue : IDisposable
     {
-        public const int FirstPrefetchRank = 1 << 30; // Foreseen nodes rank behind all selected ones.
+        public const int FirstPrefetchRank = 1 << 30; // Prefetched nodes rank after all selected ones.
 
         readonly StreamState m_state;
         readonly List<NodeFetch> m_fetches = new List<NodeFetch>();
@@ -103,7 +103,7 @@ namespace FastPoints.Streaming
             RequestNodes(FirstPrefetchRank, ref stats);
         }
 
-        // Of one cloud, or of all if it is null.
+        // Cancels reads of one cloud, or all if it is null.
         public void Cancel(StreamedCloud cloud)
         {
             foreach (var fetch in m_fetches)
@@ -262,7 +262,7 @@ namespace FastPoints.Streaming
                 string path = fetch.IsTable ? source.TableOf(fetch.Page).Path : source.PathOf(fetch.Page);
                 m_state.Files.Close(fetch.Cloud, path);
                 Drop(fetch, page);
-                // A build's folder that has its last name by now, or is gone: the feed hears of it within a second.
+                // The folder of a build was renamed at its end, or deleted: the feed notices within a second.
                 if (!source.KeepsFilesOpen && !Directory.Exists(Path.GetDirectoryName(path)))
                     page->RetryFrame = m_state.Selector.Frame + (uint)m_state.Settings.FramesToRetry;
                 else
@@ -288,9 +288,9 @@ namespace FastPoints.Streaming
             {
                 page->Failures = 0;
                 // A node with points outside its cube exceeds its bound: it is requested again with its true length.
-                var run = m_state.Cache[node.Slot].Range;
-                if (m_state.Pool.TryShorten(ref run, fetch.Cloud.BytesOf(fetch.Page, node.Node)))
-                    m_state.Cache.SetRange(node.Slot, run);
+                var range = m_state.Cache[node.Slot].Range;
+                if (m_state.Pool.TryShorten(ref range, fetch.Cloud.BytesOf(fetch.Page, node.Node)))
+                    m_state.Cache.SetRange(node.Slot, range);
                 else
                     Drop(fetch, page);
                 return;
@@ -325,7 +325,7 @@ namespace FastPoints.Streaming
             fetch.End();
         }
 
-        // What the read was to bring is requested again if it is still wanted.
+        // The data are requested again if still wanted.
         void Drop(NodeFetch fetch, HierarchyPage* page)
         {
             if (fetch.IsTable)
@@ -348,7 +348,7 @@ namespace FastPoints.Streaming
                 return;
             if (page->Status == HierarchyPageStatus.Absent)
                 page->Status = HierarchyPageStatus.Failed;
-            // What was in flight when the file was given up fails later: that was reported already.
+            // Reads in flight when the file was given up fail later, and were reported already.
             if (!page->IsBroken)
                 m_state.Report(new StreamFailure(path, offset, what));
             page->IsBroken = true;

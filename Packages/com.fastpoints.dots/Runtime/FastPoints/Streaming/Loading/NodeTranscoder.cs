@@ -15,7 +15,7 @@ namespace FastPoints.Streaming
         /// <summary>Bytes read from files for the node that was made last.</summary>
         public abstract long BytesRead { get; }
 
-        /// <summary>One behind the other with space after them, valid until the next node begins.</summary>
+        /// <summary>One after the other with space at the end, valid until the next node begins.</summary>
         public abstract NativeArray<byte> Planes { get; }
 
         /// <summary>Begins a node; the one before must have ended.</summary>

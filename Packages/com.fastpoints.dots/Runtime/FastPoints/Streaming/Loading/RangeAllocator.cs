@@ -45,21 +45,21 @@ namespace FastPoints.Streaming
         // The first slot, or -1 if no free range is long enough.
         public int Allocate(int count)
         {
-            int run = count < m_tooLong ? Find(count) : None;
-            if (run < 0)
+            int range = count < m_tooLong ? Find(count) : None;
+            if (range < 0)
             {
                 // A full pool is asked again and again while nodes are evicted.
                 if (count > 0)
                     m_tooLong = math.min(m_tooLong, count);
                 return None;
             }
-            int length = -m_length[run];
-            RemoveFree(run, length);
+            int length = -m_length[range];
+            RemoveFree(range, length);
             if (length > count)
-                AddFree(run + count, length - count);
-            Mark(run, count, count);
+                AddFree(range + count, length - count);
+            Mark(range, count, count);
             UsedSlots += count;
-            return run;
+            return range;
         }
 
         public void Free(int first)
@@ -86,7 +86,7 @@ namespace FastPoints.Streaming
             AddFree(begin, end - begin);
         }
 
-        // Keeps the first slots of a range, at least one, and gives the rest back.
+        // Keeps the first slots of a range, at least one, and frees the rest.
         public void Shorten(int first, int count)
         {
             int length = first >= 0 && first < m_length.Length ? m_length[first] : 0;
@@ -135,9 +135,9 @@ namespace FastPoints.Streaming
             {
                 if (m_firstOfBin[bin] >= 0 != ((m_occupiedBins >> bin & 1) != 0))
                     return "bin " + bin + " is not as marked";
-                for (int run = m_firstOfBin[bin], before = None; run >= 0; before = run, run = m_next[run], listed++)
-                    if (m_length[run] >= 0 || BinOf(-m_length[run]) != bin || m_previous[run] != before || listed > free)
-                        return "run " + run + " of " + m_length[run] + " is in bin " + bin;
+                for (int range = m_firstOfBin[bin], before = None; range >= 0; before = range, range = m_next[range], listed++)
+                    if (m_length[range] >= 0 || BinOf(-m_length[range]) != bin || m_previous[range] != before || listed > free)
+                        return "run " + range + " of " + m_length[range] + " is in bin " + bin;
             }
             return listed == free ? null : "listed " + listed + " free runs, wanted " + free;
         }
@@ -149,16 +149,16 @@ namespace FastPoints.Streaming
             if (count < 1 || count > m_length.Length)
                 return None;
             int bin = BinOf(count), tries = 0;
-            for (int run = m_firstOfBin[bin]; run >= 0 && tries < MaxTries; run = m_next[run], tries++)
-                if (-m_length[run] >= count)
-                    return run;
+            for (int range = m_firstOfBin[bin]; range >= 0 && tries < MaxTries; range = m_next[range], tries++)
+                if (-m_length[range] >= count)
+                    return range;
             uint longer = m_occupiedBins >> bin >> 1;
             if (longer != 0)
                 return m_firstOfBin[bin + 1 + math.tzcnt(longer)];
             // Searching all of its own list is better than reporting that there is no room.
-            for (int run = m_firstOfBin[bin]; run >= 0; run = m_next[run])
-                if (-m_length[run] >= count)
-                    return run;
+            for (int range = m_firstOfBin[bin]; range >= 0; range = m_next[range])
+                if (-m_length[range] >= count)
+                    return range;
             return None;
         }
 

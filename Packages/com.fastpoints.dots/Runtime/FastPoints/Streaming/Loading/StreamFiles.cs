@@ -13,7 +13,7 @@ namespace FastPoints.Streaming
         internal const uint FramesToClose = 30;
 
         readonly List<OpenedFile> m_kept = new List<OpenedFile>(64);
-        JobHandle m_loose; // Reads of files that are not kept open.
+        JobHandle m_uncachedReads; // Reads of files that are not kept open.
 
         struct OpenedFile
         {
@@ -36,7 +36,7 @@ namespace FastPoints.Streaming
             if (!cloud.Source.KeepsFilesOpen)
             {
                 var loose = FileReads.BeginOneShot(path, commands, count, out var closed);
-                m_loose = FolderReleases.Combine(m_loose, closed);
+                m_uncachedReads = FolderReleases.Combine(m_uncachedReads, closed);
                 return loose;
             }
             int at = IndexOf(cloud, path);
@@ -73,7 +73,7 @@ namespace FastPoints.Streaming
                     Close(i);
         }
 
-        JobHandle IOpenFiles.OtherReads => m_loose;
+        JobHandle IOpenFiles.OtherReads => m_uncachedReads;
 
         JobHandle IOpenFiles.CloseBelow(string folder)
         {

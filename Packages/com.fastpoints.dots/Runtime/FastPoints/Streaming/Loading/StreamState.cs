@@ -41,8 +41,8 @@ namespace FastPoints.Streaming
         // Evicts less useful nodes than one of this rank.
         public bool TryPlace(SelectedNode node, int rank, long bytes, ref FrameStats stats, out int slot)
         {
-            PoolRange run;
-            while (!Pool.TryAllocate(bytes, out run))
+            PoolRange range;
+            while (!Pool.TryAllocate(bytes, out range))
             {
                 slot = Cache.NextToEvict;
                 if (slot == NodeCache.None || bytes > Pool.BankBytes)
@@ -54,7 +54,7 @@ namespace FastPoints.Streaming
                 Release(slot);
                 stats.EvictedNodes++;
             }
-            slot = Cache.Add(node.Cloud, node.Page, node.Node, run);
+            slot = Cache.Add(node.Cloud, node.Page, node.Node, range);
             Cache.Touch(slot, Selector.Frame, rank);
             var page = Clouds[node.Cloud].Pages + node.Page;
             page->States[node.Node].Slot = slot;
@@ -97,7 +97,7 @@ namespace FastPoints.Streaming
             Report(failure);
         }
 
-        // Not wanted for so long that its read is cancelled.
+        // Unwanted long enough that its read is cancelled.
         public bool IsStale(uint usedFrame) => Selector.Frame - usedFrame > (uint)Settings.FramesToCancel;
 
         public bool IsDue(uint frame) => (int)(Selector.Frame - frame) >= 0;

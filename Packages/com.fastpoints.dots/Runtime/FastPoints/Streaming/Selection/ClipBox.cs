@@ -22,7 +22,7 @@ namespace FastPoints.Streaming
         }
     }
 
-    // Inside the box, no coordinate of ToBox * place + Offset, in one cloud's own space, is farther than a half from 0.
+    // Inside the box, no coordinate of ToBox * position + Offset, in one cloud's own space, is farther than a half from 0.
     internal unsafe struct LocalClip
     {
         public double3x3 ToBox;
@@ -37,16 +37,16 @@ namespace FastPoints.Streaming
             Cuts = box.Cuts;
         }
 
-        // Whether clips leave a position. A box holds its faces, whether it keeps or cuts: what rounding alone puts outside
+        // Whether clips keep a position. A box holds its faces, whether it keeps or cuts: what rounding alone puts outside
         // counts as inside.
-        public static bool Leave(LocalClip* clips, int count, double3 place)
+        public static bool Keeps(LocalClip* clips, int count, double3 position)
         {
             bool isKept = false, doesAnyKeep = false;
-            var rounding = math.abs(place) * 4.5e-16;
+            var rounding = math.abs(position) * 4.5e-16;
             for (int i = 0; i < count; i++)
             {
                 var toBox = clips[i].ToBox;
-                var at = math.abs(math.mul(toBox, place) + clips[i].Offset);
+                var at = math.abs(math.mul(toBox, position) + clips[i].Offset);
                 var reach = math.abs(toBox.c0) * rounding.x + math.abs(toBox.c1) * rounding.y + math.abs(toBox.c2) * rounding.z;
                 bool isInside = math.all(at - reach <= 0.5);
                 if (isInside && clips[i].Cuts)
@@ -57,7 +57,7 @@ namespace FastPoints.Streaming
             return isKept || !doesAnyKeep;
         }
 
-        // Whether clips leave anything of a box; perhaps true where nothing is left, but exact for a position (half is 0).
+        // Whether clips keep anything of a box; perhaps true if they keep nothing, but exact for a position (half is 0).
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static bool MayKeep(LocalClip* clips, int count, double3 center, double3 half)
         {

@@ -48,7 +48,7 @@ namespace FastPoints.Streaming
         public static double3 AxisScaleOf(in CloudPlacement placement) => new double3(math.length(placement.Linear.c0),
             math.length(placement.Linear.c1), math.length(placement.Linear.c2));
 
-        // Of degrees beside metres the cubes are no cubes in the world.
+        // With degrees beside metres, cubes on the grid are no cubes in the world.
         public static double SpacingScaleOf(double3 axisScale, double3 cubeSize)
         {
             double longest = math.cmax(cubeSize);

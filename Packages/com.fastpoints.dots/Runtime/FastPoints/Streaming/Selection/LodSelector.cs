@@ -28,7 +28,7 @@ namespace FastPoints.Streaming
         // Parents before children, the most needed first.
         public NativeArray<SelectedNode> Selected => m_selected.AsArray();
 
-        // Those of the last Prefetch that were not chosen already; their parent indices mean nothing.
+        // Nodes of the last Prefetch that were not selected already; their parent indices are undefined.
         public NativeArray<SelectedNode> Prefetched => m_prefetched.AsArray();
 
         public NativeArray<MissingHierarchyPage> Missing => m_missing.AsArray();
@@ -65,7 +65,7 @@ namespace FastPoints.Streaming
             job.Run();
         }
 
-        // Of the same clouds for future views, beyond what this frame has chosen: about so many points.
+        // Selects about so many points of the same clouds for future views, beyond this frame's selection.
         public void Prefetch(NativeArray<StreamView> views, in LodSettings settings, long points)
         {
             var job = JobFor(views, settings);

@@ -69,13 +69,13 @@ namespace FastPoints.Streaming
                 if (points > 0 && points + cost > Settings.PointBudget)
                     break;
                 points += cost;
-                int place = Choose(best, cloud, page, ref more);
+                int index = Choose(best, cloud, page, ref more);
                 if (IsPrefetch && more >= PrefetchPoints)
                     break;
                 for (int i = 0; i < node->ChildCount; i++)
-                    PushNode(best.Cloud, page, best.Page, node->FirstChild + i, node->Spacing, place);
+                    PushNode(best.Cloud, page, best.Page, node->FirstChild + i, node->Spacing, index);
                 for (int i = 0; i < node->ChunkCount; i++)
-                    PushPage(best.Cloud, cloud.Pages, 1 + node->FirstChunk + i, node->Spacing, place);
+                    PushPage(best.Cloud, cloud.Pages, 1 + node->FirstChunk + i, node->Spacing, index);
             }
             Points.Value = points;
         }
@@ -185,7 +185,7 @@ namespace FastPoints.Streaming
         public HierarchyPage* Pages;
         public int Cloud;
 
-        /// <summary>Of the root, in units of each axis.</summary>
+        /// <summary>Size of the root cube, in units of each axis.</summary>
         public double3 CubeSize;
     }
 }

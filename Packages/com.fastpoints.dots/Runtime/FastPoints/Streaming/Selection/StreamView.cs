@@ -17,7 +17,7 @@ namespace FastPoints.Streaming
         /// <summary>With 0 planes, everything is in view.</summary>
         public int PlaneCount;
 
-        /// <summary>A unit normal n and a distance w: inside is dot(n, place - eye) + w >= 0.</summary>
+        /// <summary>A unit normal n and a distance w: inside is dot(n, position - eye) + w >= 0.</summary>
         public double4 Plane0;
         public double4 Plane1;
         public double4 Plane2;
@@ -27,7 +27,7 @@ namespace FastPoints.Streaming
 
         internal ViewMask Mask;
 
-        /// <summary>A view without a position that sees everything; a length of one unit has so many pixels.</summary>
+        /// <summary>A view without a position that sees everything; a length of one unit has this many pixels.</summary>
         public static StreamView Everything(double scalePx) => new StreamView { IsOrthographic = true, ScalePx = scalePx };
 
         /// <summary>Unit vectors, forward into the picture; the field of view is vertical.</summary>

@@ -42,7 +42,7 @@ namespace FastPoints.Tests.Drawing
         }
 
         [Test]
-        public void Update_OfAWholeCloud_MakesNoGarbage()
+        public void Update_FinishedCloud_MakesNoGarbage()
         {
             using var cloud = new GrowingCloud();
             while (!cloud.IsBuilt)
@@ -58,7 +58,7 @@ namespace FastPoints.Tests.Drawing
         }
 
         [Test]
-        public void Update_FileThenABuildThenItsResult_ReportsOfPreviewsGenerationsAndTheWholeInThisOrder()
+        public void Update_FileThenBuildThenResult_ReportsPreviewsGenerationsAndResultInOrder()
         {
             UnsafeUtility.ForgiveLeaks();
             using var cloud = new GrowingCloud();
@@ -103,7 +103,7 @@ namespace FastPoints.Tests.Drawing
 
         /// <summary>Its files are about to have other paths: what is opened of it now cannot be read in a moment.</summary>
         [Test]
-        public void Update_ResultWithoutItsName_IsABuildUntilItHasIt()
+        public void Update_ResultNotRenamedYet_IsStillABuild()
         {
             using var cloud = new StreamedTestCloud(20_000, 8000);
             Directory.Move(cloud.Path, cloud.Path + ".part");
@@ -124,7 +124,7 @@ namespace FastPoints.Tests.Drawing
         }
 
         [Test]
-        public void LookAgain_FolderThatWasMadeAgainOrDeleted_IsReported()
+        public void Refresh_FolderReplacedOrDeleted_IsReported()
         {
             using var cloud = new StreamedTestCloud(20_000, 8000);
             using var other = new StreamedTestCloud(30_000, 8000);
@@ -144,7 +144,7 @@ namespace FastPoints.Tests.Drawing
         }
 
         [Test]
-        public void Open_OctreeOfAnotherFormat_IsWholeAndNothingIsConverted(
+        public void Open_OctreeOfAnotherFormat_IsCompleteWithoutConversion(
             [ValueSource(typeof(TreeTestCloud), nameof(TreeTestCloud.Kinds))] string kind)
         {
             UnsafeUtility.ForgiveLeaks();
@@ -167,7 +167,7 @@ namespace FastPoints.Tests.Drawing
             Assert.That(UnsafeUtility.CheckForLeaks(), Is.Zero);
         }
 
-        // Of a file those beside it that have its name: others come and go there.
+        // For a file, only siblings with its name: others change.
         static int FilesIn(string path) => Directory.Exists(path) ? Directory.GetFiles(path).Length
             : Directory.GetFiles(Path.GetDirectoryName(path), Path.GetFileName(path) + "*").Length;
 
@@ -199,7 +199,7 @@ namespace FastPoints.Tests.Drawing
         }
 
         [Test]
-        public void Open_NothingThere_NamesThePath()
+        public void Open_MissingPath_NamesThePath()
         {
             PointFileReaders.Register();
             string path = Path.Combine(Path.GetTempPath(), "fastpoints-none.las");

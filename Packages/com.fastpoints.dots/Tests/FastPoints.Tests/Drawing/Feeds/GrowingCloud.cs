@@ -18,14 +18,14 @@ namespace FastPoints.Tests.Drawing
         public const int PreviewPoints = 50_000;
 
         readonly TemporaryFolder m_scratch = new TemporaryFolder();
-        readonly int3[] m_places = new int3[Points];
+        readonly int3[] m_positions = new int3[Points];
         CoroutineStack m_build;
 
         public GrowingCloud()
         {
             var random = new Unity.Mathematics.Random(3);
             for (int i = 0; i < Points; i++)
-                m_places[i] = new int3(random.NextInt2(20000), random.NextInt(100));
+                m_positions[i] = new int3(random.NextInt2(20000), random.NextInt(100));
             Folder = m_scratch.File("cloud" + StoreFormat.FolderExtension);
             Source = m_scratch.File("scan");
             CloudFeeds.Register(paths => new SourceFeed(Open(), PreviewPoints));
@@ -39,7 +39,7 @@ namespace FastPoints.Tests.Drawing
         MemoryReader Open()
         {
             var centimetres = new PositionTransform { Scale = 0.01, Offset = StreamedTestCloud.OriginGeo };
-            return MemoryReader.Of(m_places, centimetres, 5000);
+            return MemoryReader.Of(m_positions, centimetres, 5000);
         }
 
         public void Build()

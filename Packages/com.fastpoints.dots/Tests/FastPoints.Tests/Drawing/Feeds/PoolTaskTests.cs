@@ -9,7 +9,7 @@ namespace FastPoints.Tests.Drawing
     {
         static readonly TimeSpan s_maxTime = TimeSpan.FromMinutes(1);
 
-        sealed class Thing : IDisposable
+        sealed class DisposableResult : IDisposable
         {
             public readonly ManualResetEventSlim Disposed = new ManualResetEventSlim();
 
@@ -17,7 +17,7 @@ namespace FastPoints.Tests.Drawing
         }
 
         [Test]
-        public void Take_OfWorkThatFails_IsItsFailure()
+        public void Take_FailedTask_ThrowsItsFailure()
         {
             var thrown = new PointCloudException(FailureCode.NotFound, "a.las", -1, "no such file");
             var work = PoolTask.Begin<int>("cloud", () => throw thrown);
@@ -25,7 +25,7 @@ namespace FastPoints.Tests.Drawing
         }
 
         [Test]
-        public void Take_OfWorkThatThrowsUnexpectedly_NamesTheFileAndSaysWhere()
+        public void Take_UnexpectedException_NamesTheFile()
         {
             var work = PoolTask.Begin<int>("cloud", () => throw new InvalidOperationException("planted"));
             var failure = Failures.Of(() => work.Take(), FailureCode.Unexpected);
@@ -34,7 +34,7 @@ namespace FastPoints.Tests.Drawing
         }
 
         [Test]
-        public void Take_OfWorkThatWaitsForATaskThatFails_IsWhatTheTaskThrew()
+        public void Take_AwaitedTaskFailed_ThrowsItsException()
         {
             int Fail() => throw new InvalidOperationException("planted");
             var work = PoolTask.Begin("cloud", () => Task.Run(Fail).Result);
@@ -43,15 +43,15 @@ namespace FastPoints.Tests.Drawing
         }
 
         [Test]
-        public void TakeIfSound_OfWorkThatFails_IsNothing() =>
+        public void TakeOrDefault_FailedTask_IsDefault() =>
             Assert.That(PoolTask.Begin<string>("cloud", () => throw new InvalidOperationException("planted")).TakeOrDefault(),
                 Is.Null);
 
         [Test]
-        public void Dispose_BeforeTheEnd_DisposesWhatComesOfIt()
+        public void Dispose_BeforeTheEnd_DisposesTheLaterResult()
         {
             using var hasMore = new ManualResetEventSlim();
-            var thing = new Thing();
+            var thing = new DisposableResult();
             var work = PoolTask.Begin("cloud", () =>
             {
                 hasMore.Wait();
@@ -64,9 +64,9 @@ namespace FastPoints.Tests.Drawing
         }
 
         [Test]
-        public void Dispose_AfterTheEnd_DisposesWhatNobodyTook()
+        public void Dispose_AfterTheEnd_DisposesTheUntakenResult()
         {
-            var thing = new Thing();
+            var thing = new DisposableResult();
             var work = PoolTask.Begin("cloud", () => thing, unwanted => unwanted.Dispose());
             Assert.That(SpinWait.SpinUntil(() => work.IsDone, s_maxTime), Is.True);
             work.Dispose();
@@ -74,9 +74,9 @@ namespace FastPoints.Tests.Drawing
         }
 
         [Test]
-        public void Dispose_OfWhatWasTaken_LeavesItToWhoHasIt()
+        public void Dispose_TakenResult_IsLeftToItsOwner()
         {
-            var thing = new Thing();
+            var thing = new DisposableResult();
             var work = PoolTask.Begin("cloud", () => thing, unwanted => unwanted.Dispose());
             work.Take();
             work.Dispose();

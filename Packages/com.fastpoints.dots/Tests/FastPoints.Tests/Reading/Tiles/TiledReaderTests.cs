@@ -54,13 +54,13 @@ namespace FastPoints.Tests.Reading
             return PathOf(name);
         }
 
-        static int3[] Places(int count, uint seed)
+        static int3[] Positions(int count, uint seed)
         {
             var random = new Unity.Mathematics.Random(seed);
-            var places = new int3[count];
+            var positions = new int3[count];
             for (int i = 0; i < count; i++)
-                places[i] = random.NextInt3(-1000000000, 1000000000);
-            return places;
+                positions[i] = random.NextInt3(-1000000000, 1000000000);
+            return positions;
         }
 
         static void Coroutine(IEnumerator<JobStep> work) => JobCoroutine.RunToEnd(work);
@@ -70,15 +70,15 @@ namespace FastPoints.Tests.Reading
         {
             var scale = new double3(0.01, 0.01, 0.01);
             var offset = new double3(500000, 4000000, 0);
-            var places = new[] { Places(40000, 1), Places(0, 2), Places(70001, 3) };
+            var positions = new[] { Positions(40000, 1), Positions(0, 2), Positions(70001, 3) };
             var paths = new List<string>();
-            for (int i = 0; i < places.Length; i++)
-                paths.Add(WriteLas(i + ".las", places[i], scale, offset));
+            for (int i = 0; i < positions.Length; i++)
+                paths.Add(WriteLas(i + ".las", positions[i], scale, offset));
             using var reader = PointReaders.Open(paths);
             Assert.That(reader.PointCount, Is.EqualTo(110001));
             Assert.That(reader.Info.Schema[0].Type, Is.EqualTo(AttributeType.Int32));
             Assert.That(reader.Info.Transform.Offset, Is.EqualTo(offset));
-            Assert.That(ReadPoints.Column<int>(reader, "X"), Is.EqualTo(places.SelectMany(p => p).Select(p => p.x)));
+            Assert.That(ReadPoints.Column<int>(reader, "X"), Is.EqualTo(positions.SelectMany(p => p).Select(p => p.x)));
             Assert.That(ReadPoints.Column<ushort>(reader, "Intensity").Skip(40000).Take(3), Is.EqualTo(new[] { 1, 2, 3 }));
             Assert.That(reader.Info.Warnings, Is.Empty);
         }
@@ -92,12 +92,12 @@ namespace FastPoints.Tests.Reading
         [TestCase(0.01, -1e7, 0.01, 1e7)]
         public void Open_TilesOfDifferentGrids_HoldsEachExactly(double scaleA, double offsetA, double scaleB, double offsetB)
         {
-            var places = new[] { Places(1000, 4), Places(1000, 5) };
-            places[1][0] = new int3(int.MinValue, int.MaxValue, 0);
+            var positions = new[] { Positions(1000, 4), Positions(1000, 5) };
+            positions[1][0] = new int3(int.MinValue, int.MaxValue, 0);
             var transforms = new[] { (scaleA, offsetA), (scaleB, offsetB) };
             var paths = new List<string>();
             for (int i = 0; i < 2; i++)
-                paths.Add(WriteLas(i + ".las", places[i], new double3(transforms[i].Item1, 0.01, 0.01),
+                paths.Add(WriteLas(i + ".las", positions[i], new double3(transforms[i].Item1, 0.01, 0.01),
                     new double3(transforms[i].Item2, 0, 0)));
             using (var reader = PointReaders.Open(paths))
             {
@@ -108,7 +108,7 @@ namespace FastPoints.Tests.Reading
                 {
                     var (scale, offset) = transforms[i / 1000];
                     Assert.That(x[i] * step + origin,
-                        Is.EqualTo(places[i / 1000][i % 1000].x * Decimal(scale) + Decimal(offset)));
+                        Is.EqualTo(positions[i / 1000][i % 1000].x * Decimal(scale) + Decimal(offset)));
                 }
                 Assert.That(ReadPoints.Column<int>(reader, "Y")[1000], Is.EqualTo(int.MaxValue));
             }
@@ -119,23 +119,23 @@ namespace FastPoints.Tests.Reading
                 System.Globalization.NumberStyles.Float, System.Globalization.CultureInfo.InvariantCulture);
 
         [Test]
-        public void Open_OffsetsWithoutACommonStep_SaysWhatItCosts()
+        public void Open_OffsetsWithoutACommonStep_NamesTheLoss()
         {
             var scale = new double3(0.01, 0.01, 0.01);
-            string a = WriteLas("a.las", Places(10, 1), scale, default);
-            string b = WriteLas("b.las", Places(10, 2), scale, new double3(1.0 / 3, 0, 0));
+            string a = WriteLas("a.las", Positions(10, 1), scale, default);
+            string b = WriteLas("b.las", Positions(10, 2), scale, new double3(1.0 / 3, 0, 0));
             using var reader = PointReaders.Open(new[] { a, b });
             Assert.That(reader.Info.Warnings.Select(w => w.Text), Has.Some.Contains("no common step"));
             var x = ReadPoints.Column<long>(reader, "X");
-            Assert.That((x[10] - Places(10, 2)[0].x) * 0.01, Is.EqualTo(1.0 / 3).Within(0.005));
+            Assert.That((x[10] - Positions(10, 2)[0].x) * 0.01, Is.EqualTo(1.0 / 3).Within(0.005));
         }
 
         [Test]
         public void Open_DifferentAttributes_UnitesThem()
         {
             var scale = new double3(0.01, 0.01, 0.01);
-            string las = WriteLas("a.las", Places(5, 1), scale, default, 1);
-            string old = WriteLas("b.las", Places(5, 2), scale, default, 2);
+            string las = WriteLas("a.las", Positions(5, 1), scale, default, 1);
+            string old = WriteLas("b.las", Positions(5, 2), scale, default, 2);
             string ply = WriteText("c.ply", "ply\nformat ascii 1.0\nelement vertex 2\nproperty double x\nproperty double y\n" +
                 "property double z\nproperty uchar red\nproperty uchar green\nproperty uchar blue\nproperty float Intensity\n" +
                 "end_header\n1.5 2.5 3.5 255 128 0 0.5\n4 5 6 1 2 3 70000\n");
@@ -146,7 +146,7 @@ namespace FastPoints.Tests.Reading
             Assert.That(schema[schema.IndexOf("Red")].Type, Is.EqualTo(AttributeType.UInt16));
             Assert.That(schema[schema.IndexOf("Intensity")].Type, Is.EqualTo(AttributeType.Float32));
             var x = ReadPoints.Column<double>(reader, "X");
-            Assert.That(x[0], Is.EqualTo(Places(5, 1)[0].x * 0.01));
+            Assert.That(x[0], Is.EqualTo(Positions(5, 1)[0].x * 0.01));
             Assert.That(x[10], Is.EqualTo(1.5));
             Assert.That(ReadPoints.Column<ushort>(reader, "Red").Skip(10), Is.EqualTo(new ushort[] { 65535, 257 }));
             Assert.That(ReadPoints.Column<ushort>(reader, "Red").Take(10), Is.All.EqualTo(0));
@@ -163,7 +163,8 @@ namespace FastPoints.Tests.Reading
         public void Open_ScanAnglesOfTwoKinds_AreDegrees()
         {
             var scale = new double3(0.01, 0.01, 0.01);
-            string a = WriteLas("a.las", Places(1, 1), scale, default, 1), b = WriteLas("b.las", Places(1, 2), scale, default, 6);
+            string a = WriteLas("a.las", Positions(1, 1), scale, default, 1), b = WriteLas("b.las", Positions(1, 2), scale,
+                default, 6);
             PatchByte(a, 16, unchecked((byte)-15));
             PatchByte(b, 18, 0xF6);
             PatchByte(b, 19, 0xFF);
@@ -179,19 +180,19 @@ namespace FastPoints.Tests.Reading
         }
 
         [Test]
-        public void OpenFolder_TakesCloudsInOrderOfNames_AndNamesTheOthers()
+        public void OpenFolder_MixedFiles_TakesCloudsByNameAndListsTheOthers()
         {
             var scale = new double3(0.01, 0.01, 0.01);
-            WriteLas("b.las", Places(2, 2), scale, default);
-            WriteLas("a10.las", Places(1, 1), scale, default);
-            WriteLas("Z.las", Places(3, 3), scale, default);
+            WriteLas("b.las", Positions(2, 2), scale, default);
+            WriteLas("a10.las", Positions(1, 1), scale, default);
+            WriteLas("Z.las", Positions(3, 3), scale, default);
             WriteText("notes.md", "what this is");
             WriteText("broken.ply", "ply\nnonsense");
             WriteText("empty.laz", "");
             Directory.CreateDirectory(PathOf("sub"));
             using var reader = PointReaders.Open(Folder.Path);
             Assert.That(ReadPoints.Column<int>(reader, "X"),
-                Is.EqualTo(new[] { 3, 1, 2 }.SelectMany(n => Places(n, (uint)n)).Select(p => p.x)));
+                Is.EqualTo(new[] { 3, 1, 2 }.SelectMany(n => Positions(n, (uint)n)).Select(p => p.x)));
             var warnings = reader.Info.Warnings.Select(w => w.ToString()).ToList();
             Assert.That(warnings, Has.Some.Contains("notes.md"));
             Assert.That(warnings, Has.Some.Contains("broken.ply: left out"));
@@ -210,7 +211,7 @@ namespace FastPoints.Tests.Reading
         [Test]
         public void Open_OneOfSeveralIsBroken_Fails()
         {
-            string a = WriteLas("a.las", Places(2, 2), new double3(1, 1, 1), default), b = WriteText("b.las", "LASF");
+            string a = WriteLas("a.las", Positions(2, 2), new double3(1, 1, 1), default), b = WriteText("b.las", "LASF");
             Assert.That(() => PointReaders.Open(new[] { a, b }), Throws.InstanceOf<PointCloudException>());
             Assert.That(() => PointReaders.Open(new[] { a, PathOf("c") }), Throws.InstanceOf<PointCloudException>());
         }
@@ -219,9 +220,9 @@ namespace FastPoints.Tests.Reading
         public void Open_DifferentCoordinateSystems_Warns()
         {
             var one = new double3(1, 1, 1);
-            string a = WriteLas("a.las", Places(1, 1), one, default, 7, "PROJCS[\"A\",AUTHORITY[\"EPSG\",\"25832\"]]");
-            string b = WriteLas("b.las", Places(1, 1), one, default, 7, "PROJCS[\"B\",AUTHORITY[\"EPSG\",\"25833\"]]");
-            string c = WriteLas("c.las", Places(1, 1), one, default, 7);
+            string a = WriteLas("a.las", Positions(1, 1), one, default, 7, "PROJCS[\"A\",AUTHORITY[\"EPSG\",\"25832\"]]");
+            string b = WriteLas("b.las", Positions(1, 1), one, default, 7, "PROJCS[\"B\",AUTHORITY[\"EPSG\",\"25833\"]]");
+            string c = WriteLas("c.las", Positions(1, 1), one, default, 7);
             using var reader = PointReaders.Open(new[] { a, b, c });
             Assert.That(reader.Info.Crs.Epsg, Is.EqualTo(25832));
             Assert.That(reader.Info.Warnings.Select(w => w.Text), Has.Some.Contains("coordinate systems differ"));
@@ -279,10 +280,10 @@ namespace FastPoints.Tests.Reading
         [Test]
         public void Read_FileChangedSince_Fails()
         {
-            string a = WriteLas("a.las", Places(2, 2), new double3(1, 1, 1), default);
-            string b = WriteLas("b.las", Places(2, 3), new double3(1, 1, 1), default);
+            string a = WriteLas("a.las", Positions(2, 2), new double3(1, 1, 1), default);
+            string b = WriteLas("b.las", Positions(2, 3), new double3(1, 1, 1), default);
             using var reader = PointReaders.Open(new[] { a, b });
-            WriteLas("b.las", Places(7, 3), new double3(1, 1, 1), default);
+            WriteLas("b.las", Positions(7, 3), new double3(1, 1, 1), default);
             Failures.Of(() => ReadPoints.Column<int>(reader, "X"), FailureCode.ReadFailed, "b.las", "has changed");
         }
 
@@ -290,14 +291,14 @@ namespace FastPoints.Tests.Reading
         public void Convert_TilesOfDifferentGrids_IsTheSameCloud()
         {
             var random = new Unity.Mathematics.Random(9);
-            var places = new int3[20000];
-            for (int i = 0; i < places.Length; i++)
-                places[i] = random.NextInt3(100000);
+            var positions = new int3[20000];
+            for (int i = 0; i < positions.Length; i++)
+                positions[i] = random.NextInt3(100000);
             var paths = new[]
             {
-                WriteLas("a.las", places, new double3(0.01, 0.01, 0.01), new double3(500000, 4000000, 0)),
-                WriteLas("b.las", places, new double3(0.001, 0.001, 0.001), new double3(501000, 4000000, 0)),
-                WriteLas("c.las", places, new double3(-0.025, 0.025, 0.01), new double3(500100, 4000100, 0), 7),
+                WriteLas("a.las", positions, new double3(0.01, 0.01, 0.01), new double3(500000, 4000000, 0)),
+                WriteLas("b.las", positions, new double3(0.001, 0.001, 0.001), new double3(501000, 4000000, 0)),
+                WriteLas("c.las", positions, new double3(-0.025, 0.025, 0.01), new double3(500100, 4000100, 0), 7),
             };
             string target = PathOf("all.fastpoints");
             using var reader = PointReaders.Open(paths);
@@ -330,7 +331,7 @@ namespace FastPoints.Tests.Reading
         [Test, Category("Long"), Explicit]
         public void Open_TenThousandFiles_IsQuick()
         {
-            var bytes = File.ReadAllBytes(WriteLas("00000.las", Places(3, 1), new double3(0.01, 0.01, 0.01), default));
+            var bytes = File.ReadAllBytes(WriteLas("00000.las", Positions(3, 1), new double3(0.01, 0.01, 0.01), default));
             for (int i = 1; i < 10000; i++)
                 File.WriteAllBytes(PathOf(i.ToString("D5") + ".las"), bytes);
             var watch = Stopwatch.StartNew();
@@ -341,7 +342,7 @@ namespace FastPoints.Tests.Reading
             Assert.That(reader.OpenCount, Is.LessThanOrEqualTo(TiledReader.MaxOpen));
             watch.Restart();
             Assert.That(ReadPoints.Column<int>(reader, "X").Sum(x => (long)x),
-                Is.EqualTo(10000 * Places(3, 1).Sum(p => (long)p.x)));
+                Is.EqualTo(10000 * Positions(3, 1).Sum(p => (long)p.x)));
             TestContext.WriteLine("read in " + watch.Elapsed.TotalSeconds + " s");
         }
     }

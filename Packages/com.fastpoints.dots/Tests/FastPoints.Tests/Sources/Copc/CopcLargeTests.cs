@@ -14,7 +14,7 @@ namespace FastPoints.Tests.Sources
         const string KeepVariable = "FASTPOINTS_COPC";
 
         [Test, Category("Long"), Explicit]
-        public void FiveMillionPoints_AreReadBack()
+        public void Read_FiveMillionPoints_RoundTrips()
         {
             var writer = new CopcFileWriter { PointFormat = 7, MaxNodePoints = 50000, LevelsPerPage = 4 };
             long[] wanted;

@@ -113,7 +113,7 @@ namespace FastPoints.Tests.Sources
         }
 
         [Test]
-        public void Read_AnySelectionAndPrefix_IsTheSameAsTheWhole()
+        public void Read_AnySelectionAndPrefix_MatchesTheWhole()
         {
             var writer = new CopcFileWriter { MaxNodePoints = 700 };
             using var file = new TemporaryFile(writer.Write(LazRecords.Make(7, 0, 2500, 9)), ".copc.laz");
@@ -128,7 +128,7 @@ namespace FastPoints.Tests.Sources
         }
 
         [Test]
-        public void Read_LongNode_IsOneNodePerBlock()
+        public void Read_LongNode_HasOneNodePerBlock()
         {
             var writer = new CopcFileWriter { MaxNodePoints = 5000 };
             var records = LazRecords.Make(7, 0, 2500, 10);
@@ -198,7 +198,7 @@ namespace FastPoints.Tests.Sources
         }
 
         [Test]
-        public void Hierarchy_CountWrong_GivesNoPhantoms()
+        public void Hierarchy_WrongCount_GivesNoPhantomPoints()
         {
             foreach (int change in new[] { -3, 4 })
             {
@@ -216,7 +216,7 @@ namespace FastPoints.Tests.Sources
         }
 
         [Test]
-        public void Hierarchy_NodeBesideItsChunk_IsAHoleAndNoNoise()
+        public void Hierarchy_NodeOffItsChunk_IsAHoleWithoutNoise()
         {
             var writer = new CopcFileWriter();
             var bytes = writer.Write(LazRecords.Make(7, 0, 2000, 14));
@@ -255,7 +255,7 @@ namespace FastPoints.Tests.Sources
         }
 
         [Test]
-        public void Hierarchy_PagesThatOverlap_TakeNoMoreTimeThanTheFileHasBytes()
+        public void Hierarchy_OverlappingPages_TakeTimeLinearInTheFile()
         {
             // 20,000 pages, each of all the entries behind it: read as told, they would be 200 million entries.
             var writer = new CopcFileWriter { MaxNodePoints = 2000 };
@@ -281,7 +281,7 @@ namespace FastPoints.Tests.Sources
         }
 
         [Test]
-        public void Read_CutFile_GivesWhatItHoldsAndReportsIt()
+        public void Read_TruncatedFile_GivesItsPointsAndReportsIt()
         {
             var writer = new CopcFileWriter();
             var bytes = writer.Write(LazRecords.Make(7, 0, 2000, 17));

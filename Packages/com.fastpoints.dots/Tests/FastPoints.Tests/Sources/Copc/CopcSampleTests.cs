@@ -19,11 +19,9 @@ namespace FastPoints.Tests.Sources
             using var reader = ReadPoints.Open(TestData.SampleOrIgnore("copc/" + name + ".copc.laz"));
             Assert.That(reader.Info.Format, Is.EqualTo("COPC"));
             Assert.That(reader.Info.Version, Is.EqualTo("1.4"));
-            Assert.That(reader.PointCount, Is.EqualTo(points));
-            Assert.That(reader.Tree.NodeCount, Is.EqualTo(nodes));
-            Assert.That(reader.Tree.LevelCount, Is.EqualTo(levels));
-            Assert.That(reader.Tree.PageCount, Is.EqualTo(pages));
-            CheckPlaces(reader);
+            Assert.That((reader.PointCount, reader.Tree.NodeCount, reader.Tree.LevelCount, reader.Tree.PageCount),
+                Is.EqualTo(((long)points, nodes, levels, pages)));
+            CheckPositions(reader);
             Assert.That(reader.Info.Warnings, Is.Empty);
         }
 
@@ -47,7 +45,7 @@ namespace FastPoints.Tests.Sources
             PointMultiset.CheckTwins(reader, other, names, math.abs(reader.Info.Transform.Scale), points);
         }
 
-        static void CheckPlaces(PointReader reader)
+        static void CheckPositions(PointReader reader)
         {
             var wanted = reader.Info.Schema.Select(AttributeNames.X, AttributeNames.Y, AttributeNames.Z);
             var nodeOfBlock = Enumerable.Range(0, reader.Tree.NodeCount).Where(i => reader.Tree[i].Block >= 0)

@@ -40,7 +40,7 @@ namespace FastPoints.Tests.Sources
         }
 
         [Test]
-        public void LazNode_PlaceBeyond32Bits_EndsBeforeIt()
+        public void LazNode_PositionBeyond32Bits_EndsBeforeIt()
         {
             using var folder = Make(EptDataType.Laszip);
             var node = folder.Nodes[1];

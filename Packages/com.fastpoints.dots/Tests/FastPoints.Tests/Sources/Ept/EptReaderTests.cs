@@ -56,7 +56,7 @@ namespace FastPoints.Tests.Sources
 
         [TestCase(nameof(EptDataType.Binary)), TestCase(nameof(EptDataType.Zstandard))]
         [TestCase(nameof(EptDataType.Laszip))]
-        public void Read_AnySelectionAndRange_IsTheSameAsTheWhole(string typeName)
+        public void Read_AnySelectionAndRange_MatchesTheWhole(string typeName)
         {
             var type = Named(typeName);
             using var folder = Make(type, 2500, 99, 7, 20000);
@@ -110,7 +110,7 @@ namespace FastPoints.Tests.Sources
         [TestCase(nameof(EptDataType.Binary), "cannot hold")]
         [TestCase(nameof(EptDataType.Zstandard), "zstandard stream is broken")]
         [TestCase(nameof(EptDataType.Laszip), "breaks off")]
-        public void Node_Cut_GivesWhatItHoldsAndReportsIt(string typeName, string detail)
+        public void Node_Truncated_GivesItsPointsAndReportsIt(string typeName, string detail)
         {
             var type = Named(typeName);
             using var folder = Make(type);
@@ -146,7 +146,7 @@ namespace FastPoints.Tests.Sources
         [TestCase("{ \"0-0-0-0\": 100, \"1-0-0-0\": -1, \"1-0-0-1\": -1 }", "cannot be read")]
         [TestCase("{ \"0-0-0-0\": 99999999999999999999 }", "cannot hold")]
         [TestCase("\uFEFF { \"0-0-0-0\" : 100 , }", "claims 1500 points")]
-        public void Page_Odd_IsReportedAndTheRestIsRead(string page, string detail)
+        public void Page_Inconsistent_IsReportedAndTheRestIsRead(string page, string detail)
         {
             using var folder = Make(EptDataType.Binary);
             File.WriteAllText(folder.PagePath("0-0-0-0"), page);
@@ -185,7 +185,7 @@ namespace FastPoints.Tests.Sources
         }
 
         [Test, Category("Long"), Explicit]
-        public void Hierarchy_OfTooManyNodes_IsCutThere()
+        public void Hierarchy_TooManyNodes_IsTruncated()
         {
             const int MaxNodes = 1 << 21;
             using var folder = Make(EptDataType.Binary);
@@ -229,7 +229,7 @@ namespace FastPoints.Tests.Sources
         }
 
         [Test]
-        public void CreateRead_ZstandardWithoutADecompressor_SaysWhatIsMissing()
+        public void CreateRead_ZstandardWithoutADecompressor_NamesWhatIsMissing()
         {
             Decompressors.Zstandard = null;
             using var folder = Make(EptDataType.Zstandard);
@@ -240,7 +240,7 @@ namespace FastPoints.Tests.Sources
         }
 
         [Test]
-        public void CreateRead_AttributeThatIsNotThere_IsRefused()
+        public void CreateRead_MissingAttribute_IsRefused()
         {
             foreach (EptDataType type in Enum.GetValues(typeof(EptDataType)))
                 using (var folder = Make(type))
@@ -253,7 +253,7 @@ namespace FastPoints.Tests.Sources
 
         [TestCase(nameof(EptDataType.Binary)), TestCase(nameof(EptDataType.Zstandard))]
         [TestCase(nameof(EptDataType.Laszip))]
-        public void Mutation_OfAnyFile_EndsInALineOrAResult(string typeName)
+        public void Mutation_OfAnyFile_EndsInAnErrorLineOrAResult(string typeName)
         {
             var type = Named(typeName);
             var random = new Random((int)type + 1);

@@ -17,10 +17,8 @@ namespace FastPoints.Tests.Sources
         public void Sample_Tree_IsAsKnown(string name, int points, int nodes, int levels, int pages)
         {
             using var reader = ReadPoints.Open(Folder(name));
-            Assert.That(reader.PointCount, Is.EqualTo(points));
-            Assert.That(reader.Tree.NodeCount, Is.EqualTo(nodes));
-            Assert.That(reader.Tree.LevelCount, Is.EqualTo(levels));
-            Assert.That(reader.Tree.PageCount, Is.EqualTo(pages));
+            Assert.That((reader.PointCount, reader.Tree.NodeCount, reader.Tree.LevelCount, reader.Tree.PageCount),
+                Is.EqualTo(((long)points, nodes, levels, pages)));
             Assert.That(reader.Info.Warnings.Any(warning => warning.Text.Contains("ept.json claims 10 points")),
                 Is.EqualTo(name == "bcbf"));
         }

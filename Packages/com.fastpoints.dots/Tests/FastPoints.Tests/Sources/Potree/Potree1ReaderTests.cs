@@ -87,7 +87,7 @@ namespace FastPoints.Tests.Sources
         }
 
         [Test]
-        public void Read_DecimalScale_IsWithinAStep()
+        public void Read_DecimalScale_IsWithinOneStep()
         {
             using var reader = Write(new Potree1Writer { Scale = 0.001, Min = new double3(481260.37, 3812921.09, -0.1) });
             int lower = 0;
@@ -107,7 +107,7 @@ namespace FastPoints.Tests.Sources
         }
 
         [Test]
-        public void FindLevels_ReadsThePagesOfTheseLevelsOnly()
+        public void FindLevels_SomeLevels_ReadsTheirPagesOnly()
         {
             new Potree1Writer().Write(Folder, s_cloud);
             using var reader = PointReaders.Open(Folder.Path);
@@ -185,7 +185,7 @@ namespace FastPoints.Tests.Sources
         }
 
         [Test]
-        public void Read_MissingHierarchyFile_LosesWhatLiesBelow()
+        public void Read_MissingHierarchyFile_LosesTheNodesBelow()
         {
             var writer = new Potree1Writer();
             writer.Write(Folder, s_cloud);
@@ -199,7 +199,7 @@ namespace FastPoints.Tests.Sources
         }
 
         [Test]
-        public void Open_HierarchyThatIsFalse_IsHeldAgainstTheFiles()
+        public void Open_WrongHierarchy_IsComparedWithTheFiles()
         {
             var writer = new Potree1Writer();
             writer.Write(Folder, s_cloud);
@@ -262,7 +262,7 @@ namespace FastPoints.Tests.Sources
 
         /// <summary>Nodes in LAS, each with its own offset, as PotreeConverter 1.5 and later write them.</summary>
         [Test]
-        public void Read_LasNodes_MeetOnOneGrid([Values(0.0, 0.3)] double between)
+        public void Read_LasNodes_ShareOneGrid([Values(0.0, 0.3)] double between)
         {
             var writer = new Potree1Writer { Version = "1.4" };
             writer.Write(Folder, s_cloud);

@@ -98,7 +98,7 @@ namespace FastPoints.Tests.Sources
         }
 
         [Test]
-        public void FindLevels_ReadsThePagesOfTheseLevelsOnly_AndIndicesStay()
+        public void FindLevels_SomeLevels_ReadsTheirPagesOnlyAndKeepsIndices()
         {
             using var reader = Write(false);
             Assert.That(reader.BlocksAreKnown, Is.False);
@@ -136,7 +136,7 @@ namespace FastPoints.Tests.Sources
         }
 
         [TestCase(false), TestCase(true)]
-        public void Read_OctreeCutShort_GivesWhatItHolds(bool isBrotli)
+        public void Read_TruncatedOctree_GivesItsPoints(bool isBrotli)
         {
             Write(isBrotli).Dispose();
             var bytes = File.ReadAllBytes(Folder.File("octree.bin"));
@@ -168,7 +168,7 @@ namespace FastPoints.Tests.Sources
         }
 
         [Test]
-        public void Read_WithoutABrotliDecoder_SaysWhereToRegisterOne()
+        public void Read_WithoutABrotliDecoder_NamesWhereToRegisterOne()
         {
             var before = Decompressors.Brotli;
             try
@@ -197,7 +197,7 @@ namespace FastPoints.Tests.Sources
         static void Put(byte[] hierarchy, int node, int at, byte[] value) => value.CopyTo(hierarchy, node * 22 + at);
 
         [TestCase(0L), TestCase(22L), TestCase(-22L), TestCase(long.MaxValue), TestCase(long.MinValue)]
-        public void Open_PagesInALoopOrOutOfTheFile_End(long page)
+        public void Open_PagesInALoopOrOutsideTheFile_Terminates(long page)
         {
             Write(false).Dispose();
             var bytes = File.ReadAllBytes(Folder.File("hierarchy.bin"));
@@ -218,7 +218,7 @@ namespace FastPoints.Tests.Sources
         }
 
         [Test]
-        public void Open_CountsAndMasksThatAreFalse_CostNothing([Values(false, true)] bool isBrotli)
+        public void Open_WrongCountsAndMasks_AllocateNothing([Values(false, true)] bool isBrotli)
         {
             Write(isBrotli).Dispose();
             var bytes = File.ReadAllBytes(Folder.File("hierarchy.bin"));

@@ -28,7 +28,7 @@ namespace FastPoints.Tests.Sources
         }
 
         [Test]
-        public void FromSphereMap_OfPackedVectors_IsWithinTwoDegreesButAtTheSeam()
+        public void FromSphereMap_OfPackedVectors_IsWithinTwoDegreesExceptAtTheSeam()
         {
             var random = new Random(2);
             for (int i = 0; i < 10000; i++)
@@ -41,7 +41,7 @@ namespace FastPoints.Tests.Sources
         }
 
         [Test]
-        public void AnyBytes_GiveAUnitVector()
+        public void Decode_AnyBytes_GivesAUnitVector()
         {
             float worst = 0;
             for (int x = 0; x < 256; x++)

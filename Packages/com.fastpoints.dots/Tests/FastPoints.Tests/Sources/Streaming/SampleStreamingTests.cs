@@ -115,13 +115,13 @@ namespace FastPoints.Tests.Sources
         }
 
         [Test]
-        public void Update_WavesThenABuildThenItsResult_ShowMoreAndMoreAndAreNeverGone()
+        public void Update_WavesThenBuildThenResult_AlwaysShowMore()
         {
             const int Points = 150_000;
             var random = new Unity.Mathematics.Random(3);
-            var places = new int3[Points];
+            var positions = new int3[Points];
             for (int i = 0; i < Points; i++)
-                places[i] = new int3(random.NextInt2(20000), random.NextInt(100));
+                positions[i] = new int3(random.NextInt2(20000), random.NextInt(100));
             var centimetres = new PositionTransform { Scale = 0.01, Offset = StreamedTestCloud.OriginGeo };
             string scratch = Path.Combine(Path.GetTempPath(), "fastpoints-" + Guid.NewGuid().ToString("N"));
             string path = Path.Combine(scratch, "cloud" + StoreFormat.FolderExtension);
@@ -132,7 +132,7 @@ namespace FastPoints.Tests.Sources
                 using (var watched = new Watched())
                 {
                     int waves = 0;
-                    using (var reader = MemoryReader.Of(places, centimetres, 5000))
+                    using (var reader = MemoryReader.Of(positions, centimetres, 5000))
                     using (var preview = new PreviewCloud(reader, new PreviewOptions { Points = 50_000 }))
                     {
                         preview.WaveReady += (sample, wave) =>
@@ -153,7 +153,7 @@ namespace FastPoints.Tests.Sources
                         SecondsToFirstGeneration = 0,
                         SecondsPerGeneration = 0,
                     };
-                    var readers = new[] { MemoryReader.Of(places, centimetres, 5000) };
+                    var readers = new[] { MemoryReader.Of(positions, centimetres, 5000) };
                     watched.Run(ConvertCloud.Run(readers, path, settings, r => { }, null), () =>
                     {
                         if (watched.Followed == null && CloudFolder.IsCloud(path))

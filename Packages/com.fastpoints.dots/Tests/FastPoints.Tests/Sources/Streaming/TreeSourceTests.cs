@@ -58,7 +58,7 @@ namespace FastPoints.Tests.Sources
         }
 
         [Test]
-        public void Run_AllIsWanted_DrawsEveryPointAsItStandsInTheFile(
+        public void Run_AllSelected_DrawsEveryPointExactly(
             [ValueSource(typeof(TreeTestCloud), nameof(TreeTestCloud.Kinds))] string kind)
         {
             using var cloud = new TreeTestCloud(kind);
@@ -87,7 +87,7 @@ namespace FastPoints.Tests.Sources
         }
 
         [Test]
-        public void Run_FewLevelsInView_ReadsNoMoreOfTheHierarchyThanTheirs()
+        public void Run_FewLevelsInView_ReadsOnlyTheirHierarchy()
         {
             using var cloud = new TreeTestCloud(TreeTestCloud.Copc, 20_000);
             using var stream = Stream();
@@ -104,14 +104,14 @@ namespace FastPoints.Tests.Sources
         }
 
         [TestCase(TreeTestCloud.EptBinary), TestCase(TreeTestCloud.Potree1), TestCase(TreeTestCloud.Potree2)]
-        public void Run_DeepInOneCorner_ReadsThePagesThatLieThere(string kind)
+        public void Run_DeepInOneCorner_ReadsThePagesThere(string kind)
         {
             using var cloud = new TreeTestCloud(kind, 20_000);
             LookIntoACorner(cloud.Path, 20_000, 4);
         }
 
         [Test]
-        public void Run_DeepInOneCornerOfACopc_ReadsThePagesThatLieThere()
+        public void Run_DeepInOneCornerOfACopc_ReadsThePagesThere()
         {
             var random = new System.Random(3);
             var records = LazRecords.Make(7, 0, 5000, 7);
@@ -177,7 +177,7 @@ namespace FastPoints.Tests.Sources
         }
 
         [Test]
-        public void Run_WantedAndNotAnyMore_EndsAsAFreshLoadDoes(
+        public void Run_WantedThenUnwanted_EndsLikeAFreshLoad(
             [Values(TreeTestCloud.Copc, TreeTestCloud.EptZstandard, TreeTestCloud.Potree2Brotli)] string kind)
         {
             using var cloud = new TreeTestCloud(kind);
@@ -201,7 +201,8 @@ namespace FastPoints.Tests.Sources
         }
 
         [Test]
-        public void Run_PoolTooSmall_KeepsTheMostNeededAndRests([Values(TreeTestCloud.Copc, TreeTestCloud.EptBinary)] string kind)
+        public void Run_PoolTooSmall_KeepsMostImportantAndSettles([Values(TreeTestCloud.Copc,
+            TreeTestCloud.EptBinary)] string kind)
         {
             using var cloud = new TreeTestCloud(kind, 20_000);
             using var stream = StreamedTestCloud.Stream(64 << 10, 32 << 10);
@@ -221,7 +222,7 @@ namespace FastPoints.Tests.Sources
         }
 
         [Test]
-        public void Run_NodeOfDamagedBytes_IsAHoleThatIsReported()
+        public void Run_DamagedNode_ReportsAHole()
         {
             var writer = new CopcFileWriter { MaxNodePoints = 60 };
             var bytes = writer.Write(LazRecords.Make(7, 0, 3000, 7));
@@ -257,7 +258,7 @@ namespace FastPoints.Tests.Sources
         }
 
         [Test]
-        public void Run_FilesOfNodesMissing_AreHolesThatAreReported()
+        public void Run_MissingNodeFiles_ReportsHoles()
         {
             using var cloud = new TreeTestCloud(TreeTestCloud.EptLaz);
             using var stream = Stream();
@@ -280,7 +281,7 @@ namespace FastPoints.Tests.Sources
         }
 
         [Test]
-        public void Run_FileCutWhileItIsStreamed_EndsInHolesThatAreReported()
+        public void Run_FileTruncatedWhileStreamed_ReportsHoles()
         {
             var writer = new CopcFileWriter { MaxNodePoints = 60 };
             var bytes = writer.Write(LazRecords.Make(7, 0, 20_000, 7));
@@ -301,7 +302,7 @@ namespace FastPoints.Tests.Sources
         }
 
         [Test]
-        public void Run_NodesLargerThanABank_AreHolesThatAreReported()
+        public void Run_NodesLargerThanABank_ReportHoles()
         {
             var writer = new CopcFileWriter { MaxNodePoints = 4000 };
             using var file = new TemporaryFile(writer.Write(LazRecords.Make(7, 0, 20_000, 7)), ".copc.laz");
@@ -314,7 +315,7 @@ namespace FastPoints.Tests.Sources
         }
 
         [Test]
-        public void Run_PointsOutOfTheirCubes_AreAllDrawn()
+        public void Run_PointsOutsideTheirCubes_AreAllDrawn()
         {
             const int HalfSizeAt = 375 + 54 + 24;
             var bytes = new CopcFileWriter { MaxNodePoints = 600 }.Write(LazRecords.Make(7, 0, 20_000, 7));
@@ -347,7 +348,7 @@ namespace FastPoints.Tests.Sources
         }
 
         [Test]
-        public void RentTranscoder_NodesOfSomeFrames_AreBegunTogether()
+        public void RentTranscoder_NodesOfSeveralFrames_BeginTogether()
         {
             using var workers = new WorkerCount(1);
             using var cloud = new TreeTestCloud(TreeTestCloud.Copc);
@@ -364,7 +365,7 @@ namespace FastPoints.Tests.Sources
         }
 
         [Test]
-        public void Begin_InAChain_IsDecodedBehindTheOthers()
+        public void Begin_InAChain_IsDecodedAfterTheOthers()
         {
             s_gateBegun.Reset();
             s_gate.Reset();
@@ -412,7 +413,7 @@ namespace FastPoints.Tests.Sources
         }
 
         [Test]
-        public void Run_AtRest_MakesNoGarbage()
+        public void Run_Idle_MakesNoGarbage()
         {
             using var cloud = new TreeTestCloud(TreeTestCloud.Copc);
             using var stream = Stream();
@@ -450,7 +451,7 @@ namespace FastPoints.Tests.Sources
         [TestCase("potree/lion_takanawa/cloud.js", 272_768)]
         [TestCase("potree/v2-autzen-brotli/metadata.json", 110_000)]
         [TestCase("potree/v2-mixedconifer-default/metadata.json", 37_657)]
-        public void Run_Sample_DrawsEveryPointAsItStandsInTheFile(string sample, int points)
+        public void Run_Sample_DrawsEveryPointExactly(string sample, int points)
         {
             string path = TestData.SampleOrIgnore(sample);
             using var stream = Stream(16 << 20);

@@ -104,7 +104,7 @@ namespace FastPoints.Tests
             return bytes.ToArray();
         }
 
-        /// <returns>Where two runs of records first differ, in words; null where they do not.</returns>
+        /// <returns>Where two runs of records first differ, in words; null if they do not.</returns>
         public static string Difference(byte[] got, byte[] wanted, int recordBytes)
         {
             if (got.Length != wanted.Length)

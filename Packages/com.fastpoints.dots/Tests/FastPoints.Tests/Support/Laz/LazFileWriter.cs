@@ -7,7 +7,7 @@ using Unity.Mathematics;
 
 namespace FastPoints.Tests
 {
-    public enum LazTablePlace
+    public enum LazTableLocation
     {
         AtOffset,
 
@@ -31,7 +31,7 @@ namespace FastPoints.Tests
         public int[] ChunkPoints = { 50000 };
 
         public bool HasVariableChunks;
-        public LazTablePlace TablePlace = LazTablePlace.AtOffset;
+        public LazTableLocation TableLocation = LazTableLocation.AtOffset;
         public bool IsPlain;
 
         /// <summary>Points that the header claims; -1 for the truth.</summary>
@@ -94,7 +94,7 @@ namespace FastPoints.Tests
                 return;
             }
             long tableOffsetAt = file.BaseStream.Position;
-            file.Write(TablePlace == LazTablePlace.Missing ? tableOffsetAt : -1L);
+            file.Write(TableLocation == LazTableLocation.Missing ? tableOffsetAt : -1L);
             var bytes = new List<int>();
             var points = new List<int>();
             for (int first = 0; first < records.Count;)
@@ -107,11 +107,11 @@ namespace FastPoints.Tests
                 points.Add(count);
                 first += count;
             }
-            if (TablePlace == LazTablePlace.Missing)
+            if (TableLocation == LazTableLocation.Missing)
                 return;
             long table = file.BaseStream.Position;
             file.Write(LazChunkTable.ToBytes(bytes, HasVariableChunks ? points : null));
-            if (TablePlace == LazTablePlace.AtFileEnd)
+            if (TableLocation == LazTableLocation.AtFileEnd)
             {
                 file.Write(table);
                 return;

@@ -19,7 +19,7 @@ namespace FastPoints.Tests
         public string ExtraMembers = "\"projection\": \"\",";
         public PotreeTestAttribute[] Attributes = AllNamed;
 
-        /// <summary>Those that versions before 1.8 know by name.</summary>
+        /// <summary>Attributes that versions before 1.8 know by name.</summary>
         public static readonly PotreeTestAttribute[] AllNamed =
         {
             new PotreeTestAttribute("POSITION_CARTESIAN", "int32", 3), new PotreeTestAttribute("COLOR_PACKED", "uint8", 4),

@@ -5,7 +5,7 @@ using Random = System.Random;
 namespace FastPoints.Tests
 {
     /// <summary>A seeded cloud in an octree: points on a grid of steps, each in a node of a hashed level. A point's values follow
-    /// from its number, which it carries, so that what a reader gives can be held against it.</summary>
+    /// from its number, which it carries, so that a reader's results can be compared.</summary>
     public sealed class PotreeTestCloud
     {
         /// <summary>Steps of the cube's edge: no multiple of the leaves', so that their corners lie between steps.</summary>

@@ -9,7 +9,7 @@ using NUnit.Framework;
 
 namespace FastPoints.Tests.Picture
 {
-    public class PreviewStretchTests : FolderTests
+    public class PreviewSegmentTests : FolderTests
     {
         const int Lines = 800_000, ShortLine = 20, LongLine = 160;
 
@@ -39,7 +39,7 @@ namespace FastPoints.Tests.Picture
         [TestCase(".xyz", "")]
         [TestCase(".ply", "ply\nformat ascii 1.0\nelement vertex 800000\nproperty float x\n"
             + "property float y\nproperty float z\nend_header\n")]
-        public void QuickPreview_OfLongText_IsFairToLinesOfAnyLength(string name, string header)
+        public void QuickPreview_LongText_SamplesLinesOfAnyLengthEvenly(string name, string header)
         {
             Write(name, header);
             using var reader = PointReaders.Open(m_path);
@@ -52,7 +52,7 @@ namespace FastPoints.Tests.Picture
             var xs = Xs(sample);
             Assert.That(sample.IsOfPrefix, Is.False);
             Assert.That(xs.Distinct().Count(), Is.EqualTo(xs.Length));
-            // Of the bytes eight ninths are the second half's. A stretch has 820 or 103 lines to choose from: one more or less
+            // Eight ninths of the bytes are the second half's. A segment has 820 or 103 lines to choose from: one more or less
             // at its ends moves the shares by less than a hundredth.
             Assert.That(xs.Count(x => x < Lines / 2) / (double)xs.Length, Is.EqualTo(0.5).Within(0.02));
             foreach (var eighth in xs.GroupBy(x => (int)x / (Lines / 8)))
@@ -65,7 +65,7 @@ namespace FastPoints.Tests.Picture
         }
 
         [Test]
-        public void Preview_OfLongText_EndsWithTheFullScansPoints()
+        public void Preview_LongText_EndsWithTheFullScansPoints()
         {
             Write(".xyz", "");
             using var exactReader = PointReaders.Open(m_path);

@@ -8,25 +8,25 @@ using Unity.Profiling.LowLevel.Unsafe;
 
 namespace FastPoints.Reading
 {
-    // Reads many short runs, scattered over a file of fixed stride, into places of a batch with one request, as samples need; a
-    // block read for each would cost several times as much. Slots that write to different places may be in flight together.
-    internal sealed unsafe class RunRead : IDisposable
+    // Reads many short ranges, scattered over a file of fixed stride, into entries of a batch with one request, as samples need;
+    // a block read for each would cost several times as much. Slots that write to different entries may be in flight together.
+    internal sealed unsafe class StridedRead : IDisposable
     {
         readonly FixedRecords m_records;
         readonly NativeFileRead m_file;
         readonly PointBatch m_target;
-        NativeArray<BufferedRun> m_runs;
+        NativeArray<BufferedRange> m_ranges;
         NativeArray<FieldCopy> m_copies;
         NativeReference<long> m_ended;
 
-        // maxBytes: of one request, at least those of the longest run.
-        public RunRead(FixedRecords records, PointBatch target, int maxRuns, int maxBytes, Allocator allocator)
+        // maxBytes: of one request, at least those of the longest range.
+        public StridedRead(FixedRecords records, PointBatch target, int maxRanges, int maxBytes, Allocator allocator)
         {
             m_records = records;
             m_target = target;
             m_copies = records.CopiesTo(target, allocator);
-            m_file = new NativeFileRead(maxBytes, allocator, maxRuns);
-            m_runs = new NativeArray<BufferedRun>(maxRuns, allocator, NativeArrayOptions.UninitializedMemory);
+            m_file = new NativeFileRead(maxBytes, allocator, maxRanges);
+            m_ranges = new NativeArray<BufferedRange>(maxRanges, allocator, NativeArrayOptions.UninitializedMemory);
             m_ended = new NativeReference<long>(allocator);
         }
 
@@ -39,15 +39,15 @@ namespace FastPoints.Reading
 
         internal long Ended => m_ended.Value;
 
-        public static long BytesOf(in PointRun run, int recordBytes) => (run.Last - run.First + 1) * recordBytes;
+        public static long BytesOf(in StridedRange range, int recordBytes) => (range.Last - range.First + 1) * recordBytes;
 
-        // Starts as many of the runs as fit, up to max, and says how many; main thread only. The runs lie in the file's order
+        // Starts as many of the ranges as fit, up to max, and says how many; main thread only. The ranges lie in the file's order
         // without overlaps. Those no farther apart than gapBytes are read in one segment: more for a file that is slow to seek.
-        public int Begin(NativeArray<PointRun> runs, int first, int max, int gapBytes)
+        public int Begin(NativeArray<StridedRange> ranges, int first, int max, int gapBytes)
         {
             if (m_file.IsReading)
                 throw new InvalidOperationException(SlotRing.InFlight);
-            max = Math.Min(Math.Min(max, runs.Length - first), m_runs.Length);
+            max = Math.Min(Math.Min(max, ranges.Length - first), m_ranges.Length);
             int capacity = m_file.Buffer.Length - NativeFileRead.PaddingBytes;
             byte* buffer = (byte*)m_file.Buffer.GetUnsafePtr();
             var commands = m_file.Commands;
@@ -55,9 +55,9 @@ namespace FastPoints.Reading
             long segmentEnd = -1;
             for (; taken < max; taken++)
             {
-                var run = runs[first + taken];
-                long begin = m_records.OffsetOf(run.First);
-                long end = begin + BytesOf(run, m_records.RecordBytes);
+                var range = ranges[first + taken];
+                long begin = m_records.OffsetOf(range.First);
+                long end = begin + BytesOf(range, m_records.RecordBytes);
                 bool joins = segments > 0 && begin - segmentEnd <= gapBytes;
                 long added = joins ? end - segmentEnd : end - begin;
                 if (used + added > capacity)
@@ -69,27 +69,27 @@ namespace FastPoints.Reading
                 var command = commands[segments - 1];
                 command.Size = end - command.Offset;
                 commands[segments - 1] = command;
-                m_runs[taken] = new BufferedRun
+                m_ranges[taken] = new BufferedRange
                 {
                     FirstByte = (int)((byte*)command.Buffer - buffer + (begin - command.Offset)),
-                    StrideBytes = run.Step * m_records.RecordBytes,
-                    Count = run.Count,
-                    Place = run.Place,
+                    StrideBytes = range.Step * m_records.RecordBytes,
+                    Count = range.Count,
+                    FirstEntry = range.FirstEntry,
                 };
             }
             if (taken == 0)
-                throw new ArgumentException("a run does not fit into the slot's " + capacity + " bytes", nameof(runs));
+                throw new ArgumentException("a run does not fit into the slot's " + capacity + " bytes", nameof(ranges));
             Segments = segments;
             BytesRead = used;
             Begun = ReadClock.Now;
             var read = m_file.Begin(m_records.File, segments);
             var stamped = new TimestampJob { At = m_ended }.Schedule(read);
-            var decoded = new DecodeRunsJob
+            var decoded = new DecodeRangesJob
             {
                 Records = m_file.Buffer,
-                Runs = m_runs,
+                Ranges = m_ranges,
                 Copies = m_copies,
-                RunCount = taken,
+                RangeCount = taken,
                 RecordBytes = m_records.RecordBytes,
                 Columns = m_target.Bytes,
             }.Schedule(read);
@@ -111,24 +111,24 @@ namespace FastPoints.Reading
 
         public void Dispose()
         {
-            if (!m_runs.IsCreated)
+            if (!m_ranges.IsCreated)
                 return;
             m_file.Cancel();
             Decoded.Complete();
             m_file.Dispose();
-            m_runs.Dispose();
+            m_ranges.Dispose();
             m_copies.Dispose();
             m_ended.Dispose();
         }
     }
 
     [BurstCompile]
-    struct DecodeRunsJob : IJob
+    struct DecodeRangesJob : IJob
     {
         [ReadOnly] public NativeArray<byte> Records;
-        [ReadOnly] public NativeArray<BufferedRun> Runs;
+        [ReadOnly] public NativeArray<BufferedRange> Ranges;
         [ReadOnly] public NativeArray<FieldCopy> Copies;
-        public int RunCount;
+        public int RangeCount;
         public int RecordBytes;
 
         // Other slots write to other parts of it at the same time.
@@ -138,33 +138,34 @@ namespace FastPoints.Reading
         {
             byte* records = (byte*)Records.GetUnsafeReadOnlyPtr();
             byte* columns = (byte*)NativeArrayUnsafeUtility.GetUnsafeBufferPointerWithoutChecks(Columns);
-            for (int i = 0; i < RunCount; i++)
+            for (int i = 0; i < RangeCount; i++)
             {
-                var run = Runs[i];
-                if (run.FirstByte + (run.Count - 1L) * run.StrideBytes + RecordBytes > Records.Length)
+                var range = Ranges[i];
+                if (range.FirstByte + (range.Count - 1L) * range.StrideBytes + RecordBytes > Records.Length)
                     return;
-                PointRecords.ToColumns(records + run.FirstByte, run.StrideBytes, run.Count, Copies, columns, run.Place);
+                PointRecords.ToColumns(records + range.FirstByte, range.StrideBytes, range.Count, Copies, columns,
+                    range.FirstEntry);
             }
         }
     }
 
-    // First, First + Step, ... of a source, one after the other in a batch from Place on.
-    internal struct PointRun
+    // First, First + Step, ... of a source, one after the other in a batch from FirstEntry on.
+    internal struct StridedRange
     {
         public long First;
         public int Step;
         public int Count;
-        public int Place;
+        public int FirstEntry;
 
         public long Last => First + (Count - 1L) * Step;
     }
 
-    struct BufferedRun
+    struct BufferedRange
     {
         public int FirstByte;
         public int StrideBytes;
         public int Count;
-        public int Place;
+        public int FirstEntry;
     }
 
     [BurstCompile]

@@ -1,7 +1,7 @@
 namespace FastPoints.Cli.Preview;
 
 /// <summary>A sample that is to be measured, in waves: each the beginning of a batch, there after some seconds.</summary>
-public sealed class TakenSample(PositionTransform transform) : IDisposable
+public sealed class MeasuredSample(PositionTransform transform) : IDisposable
 {
     readonly List<(SampleWave Wave, PointBatch Points)> m_waves = [];
 

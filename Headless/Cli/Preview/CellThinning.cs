@@ -2,9 +2,9 @@ using Unity.Collections.LowLevel.Unsafe;
 
 namespace FastPoints.Cli.Preview;
 
-/// <summary>Some of a batch's points: the first one of each cell before all others, so that no cell is bare for which there
+/// <summary>Some of a batch's points: the first one of each cell before all others, so that no cell is empty for which there
 /// is a point.</summary>
-public static class ThinnedChoice
+public static class CellThinning
 {
     const int BatchLength = ColumnValues.BatchLength;
     const double CellsPerRootOfPoints = 1.05;
@@ -24,10 +24,10 @@ public static class ThinnedChoice
         {
             for (int first = 0; first < points.Count; first += BatchLength)
             {
-                int run = Math.Min(BatchLength, points.Count - first);
-                positions.Load(bytes, first, run, x, y, z);
-                transform.ToGeo(run, x, y, z);
-                for (int i = 0; i < run; i++)
+                int length = Math.Min(BatchLength, points.Count - first);
+                positions.Load(bytes, first, length, x, y, z);
+                transform.ToGeo(length, x, y, z);
+                for (int i = 0; i < length; i++)
                     if (PositionBounds.IsFinite(x[i], y[i], z[i]) && cells.Mark(table, x[i], y[i], z[i]))
                     {
                         isFirst[first + i] = true;

@@ -1,6 +1,6 @@
 namespace UnityOutside.Hpc;
 
-internal static class CodePlace
+internal static class CodeLocation
 {
     internal static string Of(MethodDefinition method, Instruction at)
     {

@@ -2,15 +2,15 @@ using System.Diagnostics;
 
 namespace FastPoints.Cli.Preview;
 
-public sealed class SampleTakers(Func<PointReader> open, PreviewOptions options, CliRun run)
+public sealed class SampleMethods(Func<PointReader> open, PreviewOptions options, CliRun run)
 {
     public int Runs { get; init; } = 3;
     const double QuickSeconds = 3;
     const int MaxSinglePoints = 20_000;
 
-    public TakenSample Ours() => Timed((reader, opened) =>
+    public MeasuredSample Ours() => Timed((reader, opened) =>
     {
-        var taken = new TakenSample(reader.Info.Transform);
+        var taken = new MeasuredSample(reader.Info.Transform);
         bool refines = PreviewSampling.Refines(reader);
         int wanted = refines ? RefiningSampler.PointsBefore(reader, options.Points) : options.Points;
         var watch = Stopwatch.StartNew();
@@ -32,7 +32,7 @@ public sealed class SampleTakers(Func<PointReader> open, PreviewOptions options,
         return taken;
     });
 
-    public TakenSample FullScan(int points) => Timed((reader, opened) =>
+    public MeasuredSample FullScan(int points) => Timed((reader, opened) =>
     {
         var watch = Stopwatch.StartNew();
         using var sampler = new UniformSampler(reader, points, options.Seed);
@@ -42,31 +42,31 @@ public sealed class SampleTakers(Func<PointReader> open, PreviewOptions options,
         return OneWave(sample.Points, reader, seconds, sample.BytesRead);
     });
 
-    public TakenSample EveryNth(int points) => Timed((reader, opened) => Ranges(reader, opened,
+    public MeasuredSample EveryNth(int points) => Timed((reader, opened) => Ranges(reader, opened,
         reader.HasFixedStride && points <= MaxSinglePoints && points <= reader.PointCount
             ? RangeSampler.Single(reader, points)
             : RangeSampler.Whole(reader), points));
 
-    public TakenSample First(int points) =>
+    public MeasuredSample First(int points) =>
         Timed((reader, opened) => Ranges(reader, opened, RangeSampler.First(reader, points), points));
 
-    public TakenSample Beginnings(double share, int points) =>
-        Timed((reader, opened) => Ranges(reader, opened, RangeSampler.Beginnings(reader, share), points));
+    public MeasuredSample Prefixes(double share, int points) =>
+        Timed((reader, opened) => Ranges(reader, opened, RangeSampler.Prefixes(reader, share), points));
 
-    public TakenSample ThinnedBeginnings(int points, int times) => Timed((reader, opened) =>
+    public MeasuredSample ThinnedPrefixes(int points, int times) => Timed((reader, opened) =>
     {
         var watch = Stopwatch.StartNew();
-        var ranges = RangeSampler.Beginnings(reader, Math.Min(1, (double)times * points / reader.PointCount));
+        var ranges = RangeSampler.Prefixes(reader, Math.Min(1, (double)times * points / reader.PointCount));
         using var sampler = new RangeSampler(reader, ranges, int.MaxValue);
         run.RunSteps(sampler.Run(run.Progress));
         using var decoded = sampler.TakePoints();
         var display = new DisplayRanges();
         run.RunSteps(display.Measure(decoded, reader.Info.Transform, options.Picture.UpAxis));
-        var thinned = ThinnedChoice.Take(decoded, reader.Info.Transform, display, points);
+        var thinned = CellThinning.Take(decoded, reader.Info.Transform, display, points);
         return OneWave(thinned, reader, opened + watch.Elapsed.TotalSeconds, sampler.BytesRead);
     });
 
-    TakenSample Ranges(PointReader reader, double opened, List<BlockRange> ranges, int points)
+    MeasuredSample Ranges(PointReader reader, double opened, List<BlockRange> ranges, int points)
     {
         var watch = Stopwatch.StartNew();
         using var sampler = new RangeSampler(reader, ranges, points);
@@ -74,17 +74,17 @@ public sealed class SampleTakers(Func<PointReader> open, PreviewOptions options,
         return OneWave(sampler.TakePoints(), reader, opened + watch.Elapsed.TotalSeconds, sampler.BytesRead);
     }
 
-    static TakenSample OneWave(PointBatch points, PointReader reader, double seconds, long bytesRead)
+    static MeasuredSample OneWave(PointBatch points, PointReader reader, double seconds, long bytesRead)
     {
-        var taken = new TakenSample(reader.Info.Transform);
+        var taken = new MeasuredSample(reader.Info.Transform);
         taken.Add(new SampleWave { Points = points.Count, BytesRead = bytesRead }, seconds, points);
         return taken;
     }
 
     /// <param name="take">From an open reader whose blocks are known, and the seconds that this took.</param>
-    TakenSample Timed(Func<PointReader, double, TakenSample> take)
+    MeasuredSample Timed(Func<PointReader, double, MeasuredSample> take)
     {
-        TakenSample? best = null;
+        MeasuredSample? best = null;
         for (int i = 0; i < Runs; i++)
         {
             // What earlier samples left behind is not to be collected within this one's time.

@@ -2,11 +2,11 @@ namespace FastPoints.Cli.Stability;
 
 /// <summary>What a camera needs of a stored cloud, drawn by the renderer that a game would use, beside the software
 /// rasteriser's picture of the same.</summary>
-static class CardStage
+static class GpuStage
 {
     const int MaxBytes = 256 << 20;
 
-    /// <summary>Of covered pixels: discs are cut out pixel by pixel, see internals/rendering.md.</summary>
+    /// <summary>Share of covered pixels that may differ: discs are cut out by pixels, see internals/rendering.md.</summary>
     const double MaxDifferent = 0.002;
 
     /// <summary>In 255ths: of entries of the palette that lie beside one another. Places on a lattice often lie at the border
@@ -21,7 +21,7 @@ static class CardStage
             WidthPx = from.WidthPx,
             HeightPx = from.HeightPx,
             Camera = from.Camera,
-            // By place: of points in one place a card shows the last, the software rasteriser that of the smallest colour.
+            // By position: of points at one position a GPU shows the last, the software rasteriser the smallest colour.
             Color = ColorMode.Elevation,
             PointSizePx = 3,
             RoundPoints = true,
@@ -29,11 +29,11 @@ static class CardStage
         };
         var shaders = new GpuShaders();
         using var memory = new StreamContext(new MemoryNodePool(MaxBytes));
-        using var card = new StreamContext(shaders.CreatePool(MaxBytes, 8 << 20));
+        using var gpuStream = new StreamContext(shaders.CreatePool(MaxBytes, 8 << 20));
         using var software = new CpuFlightRenderer(memory, options);
-        using var drawn = new GpuFlightRenderer(shaders, card, options);
+        using var drawn = new GpuFlightRenderer(shaders, gpuStream, options);
         var wanted = Draw(target, memory, software, options, problems);
-        var got = Draw(target, card, drawn, options, problems);
+        var got = Draw(target, gpuStream, drawn, options, problems);
         double differ = ImageError.ShareThatDiffers(wanted, got, options.Background, out int covered, MaxPerChannel);
         // A picture of a few pixels may have one beside its place.
         if (differ > MaxDifferent && differ * covered > 1.5)

@@ -7,33 +7,33 @@ using Unity.Jobs;
 
 namespace FastPoints.Sampling
 {
-    /// <summary>Samples short runs of evenly spaced points from all over a source of fixed stride: see <see cref="RunPlan"/> for
-    /// which.</summary>
+    /// <summary>Samples short ranges of evenly spaced points from all over a source of fixed stride: see <see cref="RangePlan"/>
+    /// for which.</summary>
     /// <remarks>The time of the first reads decides between two plans (<see cref="ReadPace"/>), and the time of the first wave's
-    /// reads decides which gaps between runs are read along.</remarks>
-    sealed class RunWaveReader : WaveReader
+    /// reads decides which gaps between ranges are read along.</remarks>
+    sealed class RangeWaveReader : WaveReader
     {
-        /// <summary>Runs in one request: one of the most takes a worker about a millisecond, one of the fewest takes the main
+        /// <summary>Ranges in one request: one of the most takes a worker about a millisecond, one of the fewest takes the main
         /// thread as long to begin as any other.</summary>
-        const int MaxRunsPerRequest = 1536, MinRunsPerRequest = 16;
+        const int MaxRangesPerRequest = 1536, MinRangesPerRequest = 16;
 
-        /// <summary>Runs in one slice of planning them: about 2 ms of managed code.</summary>
-        const int RunsPerSlice = 1 << 14;
+        /// <summary>Ranges in one slice of planning them: about 2 ms of managed code.</summary>
+        const int RangesPerSlice = 1 << 14;
 
         /// <summary>Bytes of a slot's buffer, of which only what is read takes memory.</summary>
         const int SlotBytes = 2 << 20;
 
         readonly int m_wanted;
         readonly uint m_seed;
-        RunPlan m_plan;
+        RangePlan m_plan;
         ReadPace m_pace;
-        RunRead[] m_reads;
+        StridedRead[] m_reads;
         NativeArray<int> m_ranks;
-        NativeReference<int> m_nextPlace;
-        NativeList<PointRun> m_runs;
+        NativeReference<int> m_nextIndex;
+        NativeList<StridedRange> m_ranges;
 
-        /// <summary>Those of the wave after this one, up to <see cref="m_plannedEnd"/>: found while this one is read.</summary>
-        NativeList<PointRun> m_nextRuns;
+        /// <summary>Ranges of the next wave, up to <see cref="m_plannedEnd"/>: planned while this one is read.</summary>
+        NativeList<StridedRange> m_nextRanges;
         SlotRing m_ring;
         StageProgress m_progress;
         bool m_isFirstWave = true;
@@ -44,12 +44,12 @@ namespace FastPoints.Sampling
         long m_waveBegun;
         long m_waveEnded;
 
-        public RunWaveReader(PointReader reader, int wanted, uint seed)
-            : this(reader, wanted, seed, new RunPlan(reader.PointCount, wanted, reader.Info.RecordBytes, seed)) { }
+        public RangeWaveReader(PointReader reader, int wanted, uint seed)
+            : this(reader, wanted, seed, new RangePlan(reader.PointCount, wanted, reader.Info.RecordBytes, seed)) { }
 
-        RunWaveReader(PointReader reader, int wanted, uint seed, RunPlan plan)
-            : base(reader, plan.PlaceCount,
-                plan.RunCount + " runs of evenly spaced points, one in each stratum of the file, in waves")
+        RangeWaveReader(PointReader reader, int wanted, uint seed, RangePlan plan)
+            : base(reader, plan.EntryCount,
+                plan.RangeCount + " runs of evenly spaced points, one in each stratum of the file, in waves")
         {
             m_wanted = wanted;
             m_seed = seed;
@@ -63,42 +63,42 @@ namespace FastPoints.Sampling
                 yield return JobStep.Of(Try());
                 Allocate(slots < 1 ? m_pace.Slots : slots);
             }
-            int end = m_plan.RunsFor(wanted);
+            int end = m_plan.RangesFor(wanted);
             if (end == m_endRank)
                 yield break;
             if (m_plannedEnd != end)
                 yield return JobStep.Of(PlanWave(m_endRank, end));
             yield return Filling;
             Filling.Complete();
-            (m_runs, m_nextRuns) = (m_nextRuns, m_runs);
+            (m_ranges, m_nextRanges) = (m_nextRanges, m_ranges);
             m_progress = progress;
             yield return JobStep.Of(BeginReads());
-            int nextEnd = m_plan.RunsFor(next);
+            int nextEnd = m_plan.RangesFor(next);
             if (nextEnd > end)
                 yield return JobStep.Of(PlanWave(end, nextEnd));
             m_endRank = end;
-            EndIndex = m_plan.PlaceOf(end);
+            EndIndex = m_plan.FirstEntryOf(end);
         }
 
-        /// <summary>Coroutine: reads the first runs of the usual plan, and changes to the other one if that is
+        /// <summary>Coroutine: reads the first ranges of the usual plan, and changes to the other one if that is
         /// slow.</summary>
         IEnumerator<JobStep> Try()
         {
             m_gapBytes = m_pace.GapBytes(0);
-            if (m_plan.RunCount < ReadPace.TrialReads || m_plan.PlaceCount >= Reader.PointCount)
+            if (m_plan.RangeCount < ReadPace.TrialReads || m_plan.EntryCount >= Reader.PointCount)
                 yield break;
-            m_reads = new RunRead[ReadPace.TrialReads];
-            m_runs = new NativeList<PointRun>(Allocator.Persistent);
-            for (int rank = 0, place = 0; rank < ReadPace.TrialReads; place++)
+            m_reads = new StridedRead[ReadPace.TrialReads];
+            m_ranges = new NativeList<StridedRange>(Allocator.Persistent);
+            for (int rank = 0, index = 0; rank < ReadPace.TrialReads; index++)
             {
-                int stratum = m_plan.Order.StratumAt(place);
+                int stratum = m_plan.Order.StratumAt(index);
                 if (stratum < 0)
                     continue;
-                m_plan.RunOf(stratum, rank, out var run, out _);
-                m_runs.Add(run);
-                m_reads[rank] = ((RecordReader)Reader).CreateRunRead(Buffer.Points, 1,
+                m_plan.RangeOf(stratum, rank, out var range, out _);
+                m_ranges.Add(range);
+                m_reads[rank] = ((RecordReader)Reader).CreateStridedRead(Buffer.Points, 1,
                     m_plan.MaxSegmentPoints * Reader.Info.RecordBytes, Allocator.Persistent);
-                m_reads[rank].Begin(m_runs.AsArray(), rank, 1, 0);
+                m_reads[rank].Begin(m_ranges.AsArray(), rank, 1, 0);
                 rank++;
             }
             JobHandle.ScheduleBatchedJobs();
@@ -114,45 +114,45 @@ namespace FastPoints.Sampling
             m_pace = ReadPace.Of(quickest, Reader.PointCount * Reader.Info.RecordBytes);
             if (!m_pace.IsSlow)
                 yield break;
-            m_plan = new RunPlan(Reader.PointCount, m_wanted, Reader.Info.RecordBytes, m_seed, m_pace.PointsPerRun);
-            Method = m_plan.RunCount + " long runs of evenly spaced points, as reads take long, one in each stratum of " +
+            m_plan = new RangePlan(Reader.PointCount, m_wanted, Reader.Info.RecordBytes, m_seed, m_pace.PointsPerRange);
+            Method = m_plan.RangeCount + " long runs of evenly spaced points, as reads take long, one in each stratum of " +
                 "the file, in waves";
         }
 
         void Allocate(int slots)
         {
-            m_ranks = new NativeArray<int>(m_plan.RunCount, Allocator.Persistent);
-            m_nextPlace = new NativeReference<int>(Allocator.Persistent);
-            m_runs = new NativeList<PointRun>(MaxRunsPerRequest, Allocator.Persistent);
-            m_nextRuns = new NativeList<PointRun>(MaxRunsPerRequest, Allocator.Persistent);
-            m_reads = new RunRead[slots];
+            m_ranks = new NativeArray<int>(m_plan.RangeCount, Allocator.Persistent);
+            m_nextIndex = new NativeReference<int>(Allocator.Persistent);
+            m_ranges = new NativeList<StridedRange>(MaxRangesPerRequest, Allocator.Persistent);
+            m_nextRanges = new NativeList<StridedRange>(MaxRangesPerRequest, Allocator.Persistent);
+            m_reads = new StridedRead[slots];
             m_ring = new SlotRing(slots);
         }
 
-        /// <summary>Coroutine: schedules what finds the next wave's runs, in the file's order, and what comes of
+        /// <summary>Coroutine: schedules the jobs that plan the next wave's ranges, in the file's order, and what depends on
         /// it.</summary>
         IEnumerator<JobStep> PlanWave(int firstRank, int endRank)
         {
-            var runs = m_nextRuns;
-            runs.Clear();
+            var ranges = m_nextRanges;
+            ranges.Clear();
             m_plannedEnd = endRank;
             var planned = default(JobHandle);
-            yield return JobStep.Of(Slices.Schedule(endRank - firstRank, RunsPerSlice, (first, end, after) => new RankStrataJob
+            yield return JobStep.Of(Slices.Schedule(endRank - firstRank, RangesPerSlice, (first, end, after) => new RankStrataJob
             {
                 Order = m_plan.Order,
-                NextPlace = m_nextPlace,
+                NextIndex = m_nextIndex,
                 FirstRank = firstRank + first,
                 EndRank = firstRank + end,
                 Ranks = m_ranks,
             }.Schedule(after), 1, default, ranked => planned = ranked));
-            yield return JobStep.Of(Slices.Schedule(m_ranks.Length, RunsPerSlice, (first, end, after) => new PlanWaveJob
+            yield return JobStep.Of(Slices.Schedule(m_ranks.Length, RangesPerSlice, (first, end, after) => new PlanWaveJob
             {
                 Plan = m_plan,
                 FirstRank = firstRank,
                 Ranks = m_ranks,
                 First = first,
                 End = end,
-                Runs = runs,
+                Ranges = ranges,
                 Filled = Buffer.Filled,
             }.Schedule(after), 1, planned, all => Filling = JobHandle.CombineDependencies(Filling, all)));
             JobHandle.ScheduleBatchedJobs();
@@ -160,12 +160,12 @@ namespace FastPoints.Sampling
 
         IEnumerator<JobStep> BeginReads()
         {
-            var runs = m_runs.AsArray();
-            int max = m_pace.RunsPerRequest(runs.Length, m_reads.Length, MinRunsPerRequest, MaxRunsPerRequest);
+            var ranges = m_ranges.AsArray();
+            int max = m_pace.RangesPerRequest(ranges.Length, m_reads.Length, MinRangesPerRequest, MaxRangesPerRequest);
             int slotBytes = Math.Max(SlotBytes, m_plan.MaxSegmentPoints * Reader.Info.RecordBytes);
             m_waveBegun = m_waveEnded = ReadClock.Now;
             m_segments = 0;
-            for (int next = 0; next < runs.Length;)
+            for (int next = 0; next < ranges.Length;)
             {
                 if (m_ring.IsFull)
                 {
@@ -174,9 +174,9 @@ namespace FastPoints.Sampling
                     continue;
                 }
                 int slot = m_ring.Begin();
-                var read = m_reads[slot] ??= ((RecordReader)Reader).CreateRunRead(Buffer.Points, MaxRunsPerRequest, slotBytes,
-                    Allocator.Persistent);
-                next += read.Begin(runs, next, max, m_gapBytes);
+                var read = m_reads[slot] ??= ((RecordReader)Reader).CreateStridedRead(Buffer.Points, MaxRangesPerRequest,
+                    slotBytes, Allocator.Persistent);
+                next += read.Begin(ranges, next, max, m_gapBytes);
                 Filling = JobHandle.CombineDependencies(Filling, read.Decoded);
                 JobHandle.ScheduleBatchedJobs();
                 // The coroutine checks its budget.
@@ -216,53 +216,53 @@ namespace FastPoints.Sampling
             m_reads = null;
             if (m_ranks.IsCreated)
                 m_ranks.Dispose();
-            if (m_nextPlace.IsCreated)
-                m_nextPlace.Dispose();
-            if (m_runs.IsCreated)
-                m_runs.Dispose();
-            if (m_nextRuns.IsCreated)
-                m_nextRuns.Dispose();
+            if (m_nextIndex.IsCreated)
+                m_nextIndex.Dispose();
+            if (m_ranges.IsCreated)
+                m_ranges.Dispose();
+            if (m_nextRanges.IsCreated)
+                m_nextRanges.Dispose();
         }
     }
 
-    /// <summary>Ranks the strata with the next runs, in an order of which every beginning is spread over the file.</summary>
+    /// <summary>Ranks the strata with the next ranges, in an order whose every prefix is spread over the file.</summary>
     [BurstCompile]
     struct RankStrataJob : IJob
     {
         public SampleOrder Order;
 
         /// <summary>Position in the order where the last call stopped.</summary>
-        public NativeReference<int> NextPlace;
+        public NativeReference<int> NextIndex;
 
-        /// <summary>Number of runs that have a stratum.</summary>
+        /// <summary>Number of ranges that have a stratum.</summary>
         public int FirstRank;
 
         /// <summary>The same, plus those that get one now.</summary>
         public int EndRank;
 
-        /// <summary>For each stratum, its run's rank + 1; 0 for those that were not reached.</summary>
+        /// <summary>For each stratum, its range's rank + 1; 0 for those that were not reached.</summary>
         public NativeArray<int> Ranks;
 
         public void Execute()
         {
-            int place = NextPlace.Value;
-            for (int rank = FirstRank; rank < EndRank; place++)
+            int index = NextIndex.Value;
+            for (int rank = FirstRank; rank < EndRank; index++)
             {
-                int stratum = Order.StratumAt(place);
+                int stratum = Order.StratumAt(index);
                 if (stratum >= 0)
                     Ranks[stratum] = ++rank;
             }
-            NextPlace.Value = place;
+            NextIndex.Value = index;
         }
     }
 
-    /// <summary>Plans the runs of one wave, in the file's order, for the strata examined.</summary>
+    /// <summary>Plans the ranges of one wave, in the file's order, for the strata examined.</summary>
     [BurstCompile]
     struct PlanWaveJob : IJob
     {
-        public RunPlan Plan;
+        public RangePlan Plan;
 
-        /// <summary>Number of runs in earlier waves.</summary>
+        /// <summary>Number of ranges in earlier waves.</summary>
         public int FirstRank;
 
         /// <summary>See <see cref="RankStrataJob.Ranks"/>.</summary>
@@ -272,9 +272,9 @@ namespace FastPoints.Sampling
         public int First;
         public int End;
 
-        public NativeList<PointRun> Runs;
+        public NativeList<StridedRange> Ranges;
 
-        /// <summary>One for each place of the sample; those of the runs become 1.</summary>
+        /// <summary>One for each place of the sample; those of the ranges become 1.</summary>
         public NativeArray<byte> Filled;
 
         public void Execute()
@@ -284,28 +284,28 @@ namespace FastPoints.Sampling
                 int rank = Ranks[stratum] - 1;
                 if (rank < FirstRank)
                     continue;
-                bool isSplit = Plan.RunOf(stratum, rank, out var run, out var second);
-                Add(run);
+                bool isSplit = Plan.RangeOf(stratum, rank, out var range, out var second);
+                Add(range);
                 if (isSplit)
                     Add(second);
             }
         }
 
-        void Add(in PointRun run)
+        void Add(in StridedRange range)
         {
-            Runs.Add(run);
-            for (int i = 0; i < run.Count; i++)
-                Filled[run.Place + i] = 1;
+            Ranges.Add(range);
+            for (int i = 0; i < range.Count; i++)
+                Filled[range.FirstEntry + i] = 1;
         }
     }
 
-    /// <summary>Chooses how a sample of short runs is read, by the time of a source's first reads.</summary>
-    /// <remarks>If reads take long, as from a network or a disk that has to seek, fewer and longer runs make another, coarser
+    /// <summary>Chooses how a sample of short ranges is read, by the time of a source's first reads.</summary>
+    /// <remarks>If reads take long, as from a network or a disk that has to seek, fewer and longer ranges make another, coarser
     /// sample of as many points. There are only these two plans, so that the sample is the same wherever the same plan was
     /// chosen.</remarks>
     internal readonly struct ReadPace
     {
-        /// <summary>Number of trial reads, of which the quickest counts: anything may delay the others.</summary>
+        /// <summary>Number of trial reads, of which the fastest counts: anything may delay the others.</summary>
         public const int TrialReads = 4;
 
         /// <summary>Duration of a slow read: a seek of a disk takes four times as long, a solid state disk a tenth.</summary>
@@ -314,7 +314,7 @@ namespace FastPoints.Sampling
         /// <summary>A smaller source is quickly read as a whole.</summary>
         const long MinSlowBytes = 64L << 20;
 
-        const int PointsPerShortRun = 16, PointsPerLongRun = 128;
+        const int PointsPerShortRange = 16, PointsPerLongRange = 128;
 
         /// <summary>Requests in flight: enough to keep a worker busy from frame to frame, and so that slow ones take as long
         /// as one.</summary>
@@ -335,14 +335,14 @@ namespace FastPoints.Sampling
         public static ReadPace Of(double quickestSeconds, long bytes) =>
             new ReadPace(quickestSeconds >= SlowSeconds && bytes >= MinSlowBytes);
 
-        public int PointsPerRun => IsSlow ? PointsPerLongRun : PointsPerShortRun;
+        public int PointsPerRange => IsSlow ? PointsPerLongRange : PointsPerShortRange;
 
         public int Slots => IsSlow ? SlowSlots : DefaultSlots;
 
-        /// <summary>Number of runs in one request, if there are so many in all: so few that all are in flight at once, and half
+        /// <summary>Number of ranges in one request, of this many in all: so few that all are in flight at once, and half
         /// as many where they are slow, since slow requests must not wait for each other.</summary>
-        public int RunsPerRequest(int runs, int slots, int min, int max) =>
-            Math.Max(IsSlow ? 1 : min, Math.Min(max, IsSlow ? runs / (2 * slots) : (runs + slots - 1) / slots));
+        public int RangesPerRequest(int ranges, int slots, int min, int max) =>
+            Math.Max(IsSlow ? 1 : min, Math.Min(max, IsSlow ? ranges / (2 * slots) : (ranges + slots - 1) / slots));
 
         /// <summary>The largest gap that is read along.</summary>
         /// <param name="secondsPerRead">The time of reads that lie far apart, with several in flight.</param>

@@ -5,7 +5,7 @@ using System.Text;
 
 namespace FastPoints.Tests
 {
-    static class TellingPlaces
+    static class KeyFields
     {
         public static List<(int At, int Bytes)> Of(byte[] file)
         {

@@ -4,8 +4,8 @@ using FastPoints.Store;
 
 namespace FastPoints.Build
 {
-    /// <summary>What a source says of itself, in a file of the cloud that is made of it alone.</summary>
-    internal static class KeptFacts
+    /// <summary>The facts of a source, in a file of the cloud that was converted from it alone.</summary>
+    internal static class StoredFacts
     {
         const int MaxChars = 4 << 20;
 

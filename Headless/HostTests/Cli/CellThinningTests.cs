@@ -2,7 +2,7 @@ using FastPoints.Cli.Preview;
 
 namespace FastPoints.HostTests.Cli;
 
-public sealed class ThinnedChoiceTests
+public sealed class CellThinningTests
 {
     static PointBatch Heap()
     {
@@ -21,12 +21,12 @@ public sealed class ThinnedChoiceTests
     {
         using var points = Heap();
         var ranges = new DisplayRanges { Robust = new BoundsGeo(default, new(100, 0, 0)) };
-        using var chosen = ThinnedChoice.Take(points, PositionTransform.Identity, ranges, wanted);
+        using var chosen = CellThinning.Take(points, PositionTransform.Identity, ranges, wanted);
         return [.. chosen.Column<double>(AttributeNames.X).ToArray().Take(chosen.Count)];
     }
 
     [Test]
-    public void Take_MoreThanPlaces_HasEachPlaceAndFillsUp()
+    public void Take_MoreThanCells_FillsEachCellFirst()
     {
         var x = Take(500);
         Assert.That(x, Has.Length.EqualTo(500));
