@@ -67,8 +67,9 @@ public sealed class DrawStep
         Legend? legend = null;
         foreach (string path in paths)
         {
-            var (plan, _, number, crs) = FlightCloud.Add(path, stream, options, run.Cancellation);
-            legend ??= Legend.Of(plan, options, crs);
+            var added = FlightCloud.Add(path, stream, options, run.Cancellation);
+            var (plan, _, number) = added;
+            legend ??= Legend.Of(plan, options, added.Crs);
             picture.Add(number, plan);
             assumptions.AddRange(plan.Assumptions);
             camera ??= plan.Camera;

@@ -6,8 +6,10 @@ using FastPoints.Sources;
 namespace FastPoints.Cli.Draw;
 
 /// <summary>A cloud that is flown over: its number in the stream, and how it is drawn.</summary>
-sealed record FlightCloud(PicturePlan Plan, DisplayRanges Ranges, int Number, CloudCrs Crs)
+sealed record FlightCloud(PicturePlan Plan, DisplayRanges Ranges, int Number)
 {
+    public required CloudCrs Crs { get; init; }
+
     const int PointsToPlanWith = DrawStored.PointsToPlanWith, PxOfDegrees = 3;
 
     internal static FlightCloud Add(string path, StreamContext stream, PictureOptions options, CancellationToken cancellation) =>
@@ -29,8 +31,10 @@ sealed record FlightCloud(PicturePlan Plan, DisplayRanges Ranges, int Number, Cl
             var source = new TreeSource(reader,
                 CloudLooks.PlanesFor(ranges.Resolve(options.Color), !options.HiddenClasses.IsEmpty));
             var plan = new PicturePlan(options, ranges, source.Grid.FromCorner(source.Root.Corner));
-            return new FlightCloud(plan, ranges, stream.Add(source, CloudPlacement.Geo(source.Grid, source.Root)),
-                reader.Info.Crs.ToCloudCrs());
+            return new FlightCloud(plan, ranges, stream.Add(source, CloudPlacement.Geo(source.Grid, source.Root)))
+            {
+                Crs = reader.Info.Crs.ToCloudCrs(),
+            };
         }
         catch
         {
@@ -79,7 +83,10 @@ sealed record FlightCloud(PicturePlan Plan, DisplayRanges Ranges, int Number, Cl
         }
         var source = new TreeSource(sample, CloudLooks.PlanesFor(ranges.Resolve(options.Color), !options.HiddenClasses.IsEmpty));
         return new FlightCloud(new PicturePlan(options, ranges, source.Grid.FromCorner(source.Root.Corner)), ranges,
-            stream.Add(source, CloudPlacement.Geo(source.Grid, source.Root)), reader.Info.Crs.ToCloudCrs());
+            stream.Add(source, CloudPlacement.Geo(source.Grid, source.Root)))
+        {
+            Crs = reader.Info.Crs.ToCloudCrs(),
+        };
     }
 
     static FlightCloud AddFolder(string path, StreamContext stream, PictureOptions options, CancellationToken cancellation)
@@ -100,8 +107,10 @@ sealed record FlightCloud(PicturePlan Plan, DisplayRanges Ranges, int Number, Cl
             }
             var plan = new PicturePlan(options, ranges, transform);
             var source = new FolderSource(folder, CloudLooks.PlanesFor(plan.Mode, !options.HiddenClasses.IsEmpty));
-            return new FlightCloud(plan, ranges, stream.Add(source, CloudPlacement.Geo(source.Grid, source.Root)),
-                folder.Manifest.Crs);
+            return new FlightCloud(plan, ranges, stream.Add(source, CloudPlacement.Geo(source.Grid, source.Root)))
+            {
+                Crs = folder.Manifest.Crs,
+            };
         }
         catch
         {

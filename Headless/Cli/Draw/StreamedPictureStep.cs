@@ -24,7 +24,7 @@ public static class StreamedPictureStep
         foreach (string cloud in clouds)
         {
             var added = FlightCloud.Add(cloud, stream, options, run.Cancellation);
-            var (plan, ranges, number, _) = added;
+            var (plan, ranges, number) = added;
             first ??= added;
             picture.Add(new StreamedBlocks(stream, number, plan), plan.Mode);
             assumptions.AddRange(plan.Assumptions.Where(a => !assumptions.Contains(a)));

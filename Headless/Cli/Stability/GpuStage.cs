@@ -44,7 +44,7 @@ static class GpuStage
     static RgbaImage Draw(string target, StreamContext stream, FlightRenderer picture, PictureOptions options,
         List<string> problems)
     {
-        var (plan, _, cloud, _) = FlightCloud.Add(target, stream, options, CancellationToken.None);
+        var (plan, _, cloud) = FlightCloud.Add(target, stream, options, CancellationToken.None);
         picture.Add(cloud, plan);
         StreamStage.Settle(stream, plan.Camera.ToStreamView(options.WidthPx, options.HeightPx), problems, picture.EndFrame);
         return picture.Draw(plan.Camera);

@@ -10,7 +10,7 @@ static class StreamStage
     {
         using var stream = new StreamContext(new MemoryNodePool(256 << 20));
         using var picture = new StreamedPicture(options);
-        var (plan, _, cloud, _) = FlightCloud.Add(target, stream, options, CancellationToken.None);
+        var (plan, _, cloud) = FlightCloud.Add(target, stream, options, CancellationToken.None);
         picture.Add(new StreamedBlocks(stream, cloud, plan), plan.Mode);
         stream.Settings.Selection = new LodSettings { PointBudget = long.MaxValue, Hysteresis = 1 };
         long points = ((FolderSource)stream.Clouds[cloud].Source).Folder.Manifest.Points;

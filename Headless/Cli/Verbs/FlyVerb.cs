@@ -103,7 +103,7 @@ public sealed class FlyVerb : Verb
         var bounds = BoundsGeo.Empty;
         foreach (string cloud in clouds)
         {
-            var (plan, ranges, number, _) = FlightCloud.Add(cloud, stream, options, run.Cancellation);
+            var (plan, ranges, number) = FlightCloud.Add(cloud, stream, options, run.Cancellation);
             picture.Add(number, plan);
             if (!ranges.Robust.IsEmpty)
                 bounds = bounds.IsEmpty ? ranges.Robust
