@@ -199,13 +199,14 @@ namespace FastPoints.Export
             byte* to = (byte*)Changed.GetUnsafePtr() + change.To.OffsetBytes;
             if (change.IsClamp && change.From.Type == AttributeType.UInt8 && change.To.Type == AttributeType.UInt8)
             {
-                int max = (int)change.Max;
+                int max = (int)change.Max, clamped = 0;
                 for (int i = 0; i < chosen; i++)
                 {
                     int value = from[First + i];
-                    state.Clamped += value > max ? 1 : 0;
+                    clamped += value > max ? 1 : 0;
                     to[i] = (byte)math.min(value, max);
                 }
+                state.Clamped += clamped;
                 return;
             }
             double* values = stackalloc double[ColumnValues.BatchLength];
