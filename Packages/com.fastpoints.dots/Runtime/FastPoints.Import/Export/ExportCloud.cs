@@ -108,6 +108,9 @@ namespace FastPoints.Export
                 Attributes = attributes?.ToArray(),
                 HasCubes = true,
                 InFlightMs = settings.InFlightMs,
+                // Nobody opens it while it is made.
+                SecondsToFirstGeneration = double.PositiveInfinity,
+                SecondsPerGeneration = double.PositiveInfinity,
             };
             if (settings.MemoryBytes > 0)
                 build.MemoryBytes = settings.MemoryBytes;

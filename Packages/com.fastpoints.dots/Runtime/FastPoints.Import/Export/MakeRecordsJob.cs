@@ -90,14 +90,22 @@ namespace FastPoints.Export
             int* chosen = (int*)Chosen.GetUnsafePtr();
             double* x = stackalloc double[run], y = stackalloc double[run], z = stackalloc double[run];
             double* classes = stackalloc double[run];
-            bool needsPlaces = Clips.Length > 0 || Position.Kind != PositionKind.Same;
+            bool needsGeo = Clips.Length > 0 || Position.Kind != PositionKind.Same && Position.Kind != PositionKind.Whole;
+            if (Position.Kind == PositionKind.Same && Clips.Length == 0 && Classes.Length == 0 && Share >= 1)
+            {
+                state.Seen += count;
+                state.Chosen += count;
+                return count;
+            }
             int done = 0;
             for (int first = 0; first < count; first += run)
             {
                 int points = math.min(run, count - first);
-                if (needsPlaces)
+                if (needsGeo)
+                {
                     Positions.Load(columns, First + first, points, x, y, z);
-                Position.From.ToGeo(points, x, y, z);
+                    Position.From.ToGeo(points, x, y, z);
+                }
                 if (Classes.Length > 0)
                     ColumnValues.ToDoubles(columns + Classification.OffsetBytes, Classification.Type, First + first, points,
                         classes);
@@ -108,7 +116,7 @@ namespace FastPoints.Export
                         continue;
                     if (Classes.Length > 0 && !IsWanted(classes[i]))
                         continue;
-                    var place = needsPlaces ? new double3(x[i], y[i], z[i]) : default;
+                    var place = needsGeo ? new double3(x[i], y[i], z[i]) : default;
                     if (Clips.Length > 0 && !LocalClip.Keeps((LocalClip*)Clips.GetUnsafeReadOnlyPtr(), Clips.Length, place))
                         continue;
                     if (Position.Kind != PositionKind.Same &&
@@ -132,19 +140,25 @@ namespace FastPoints.Export
                     ((double*)(changed + axis * 8 * PointsPerSlice))[to] = place[axis];
                 return true;
             }
-            if (!math.all(math.isfinite(place)))
-            {
-                state.LeftOut++;
-                return false;
-            }
             if (Position.Kind == PositionKind.Whole)
             {
                 var stored = new Grid3(((long*)(columns + Positions.X.OffsetBytes))[point],
                     ((long*)(columns + Positions.Y.OffsetBytes))[point], ((long*)(columns + Positions.Z.OffsetBytes))[point]);
-                state.MinStored = Grid3.Min(state.MinStored, stored);
-                state.MaxStored = Grid3.Max(state.MaxStored, stored);
+                if (Buffers.Length == 0)
+                {
+                    state.MinStored = Grid3.Min(state.MinStored, stored);
+                    state.MaxStored = Grid3.Max(state.MaxStored, stored);
+                    return true;
+                }
                 var from = stored - Position.Base;
+                if (Position.Divisor == 1)
+                    return Put(from, changed, to, ref state);
                 place = new double3(from.X, from.Y, from.Z) / Position.Divisor;
+            }
+            else if (!math.all(math.isfinite(place)))
+            {
+                state.LeftOut++;
+                return false;
             }
             else
             {
@@ -162,8 +176,20 @@ namespace FastPoints.Export
             }
             var off = math.abs(rounded - place) * math.abs(Position.To.Scale);
             state.WorstError = math.max(state.WorstError, math.max(off.x, math.max(off.y, off.z)));
-            for (int axis = 0; axis < 3; axis++)
-                ((int*)(changed + axis * 8 * PointsPerSlice))[to] = (int)rounded[axis];
+            return Put(new Grid3((long)rounded.x, (long)rounded.y, (long)rounded.z), changed, to, ref state);
+        }
+
+        static bool Put(Grid3 place, byte* changed, int to, ref ExportState state)
+        {
+            int x = (int)place.X, y = (int)place.Y, z = (int)place.Z;
+            if (x != place.X || y != place.Y || z != place.Z)
+            {
+                state.LeftOut++;
+                return false;
+            }
+            ((int*)changed)[to] = x;
+            ((int*)(changed + 8 * PointsPerSlice))[to] = y;
+            ((int*)(changed + 16 * PointsPerSlice))[to] = z;
             return true;
         }
 
@@ -171,6 +197,18 @@ namespace FastPoints.Export
         {
             byte* from = (byte*)Columns.GetUnsafeReadOnlyPtr() + change.From.OffsetBytes;
             byte* to = (byte*)Changed.GetUnsafePtr() + change.To.OffsetBytes;
+            if (change.IsClamp && change.From.Type == AttributeType.UInt8 && change.To.Type == AttributeType.UInt8)
+            {
+                int max = (int)change.Max, clamped = 0;
+                for (int i = 0; i < chosen; i++)
+                {
+                    int value = from[First + i];
+                    clamped += value > max ? 1 : 0;
+                    to[i] = (byte)math.min(value, max);
+                }
+                state.Clamped += clamped;
+                return;
+            }
             double* values = stackalloc double[ColumnValues.BatchLength];
             for (int first = 0; first < chosen; first += ColumnValues.BatchLength)
             {
@@ -278,6 +316,8 @@ namespace FastPoints.Export
 
         /// <summary>Larger values become this one, and are counted.</summary>
         public double Max;
+
+        public bool IsClamp => Scale == 1 && Offset == 0 && Max <= byte.MaxValue;
     }
 
     /// <summary>What an export has seen and written so far. Blittable.</summary>

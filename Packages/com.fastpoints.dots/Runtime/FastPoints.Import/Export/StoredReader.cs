@@ -296,34 +296,59 @@ namespace FastPoints.Export
                 Result.Value = new DecodeResult { Error = 1 + p, ErrorOffset = Ranges[p].OffsetBytes, ErrorGot = hash };
                 return;
             }
-            ulong* values = stackalloc ulong[PlaneShape.MaxPointsPerBlock];
             for (int t = 0; t < Targets.Length; t++)
-            {
-                var target = Targets[t];
-                var view = new PlaneView(file + Ranges[target.Plane].OffsetBytes, Shapes[target.Plane], PlaneBlocks);
-                int size = target.To.Type.SizeOf();
-                byte* to = (byte*)Columns.GetUnsafePtr() + target.To.OffsetBytes;
-                long corner = target.Column == 0 ? Corner.X : target.Column == 1 ? Corner.Y : Corner.Z;
-                int at = 0;
-                for (int b = 0; b < PlaneBlocks && at < First + Count; b++)
-                {
-                    int points = view.PointsOf(b), begin = math.max(0, First - at);
-                    int end = math.min(points, First + Count - at);
-                    at += points;
-                    if (begin >= end)
-                        continue;
-                    view.UnpackWide(b, target.Column, values);
-                    if (target.Plane == 0)
-                    {
-                        for (int i = begin; i < end; i++, to += size)
-                            *(long*)to = corner + (long)values[i];
-                        continue;
-                    }
-                    for (int i = begin; i < end; i++, to += size)
-                        OrderedBits.Store(values[i] * (ulong)target.Stored.Divisor, target.Stored.Type, to);
-                }
-            }
+                Unpack(file, Targets[t]);
             Result.Value = new DecodeResult { Points = Count };
+        }
+
+        void Unpack(byte* file, in StoredTarget target)
+        {
+            ulong* wide = stackalloc ulong[PlaneShape.MaxPointsPerBlock];
+            uint* narrow = stackalloc uint[PlaneShape.MaxPointsPerBlock];
+            var view = new PlaneView(file + Ranges[target.Plane].OffsetBytes, Shapes[target.Plane], PlaneBlocks);
+            bool isPlace = target.Plane == 0, isWide = view.Shape.IsWide(target.Column);
+            byte* to = (byte*)Columns.GetUnsafePtr() + target.To.OffsetBytes;
+            long corner = target.Column == 0 ? Corner.X : target.Column == 1 ? Corner.Y : Corner.Z;
+            int at = 0;
+            for (int b = 0; b < PlaneBlocks && at < First + Count; b++)
+            {
+                int points = view.PointsOf(b), begin = math.max(0, First - at);
+                int count = math.min(points, First + Count - at) - begin;
+                at += points;
+                if (count <= 0)
+                    continue;
+                if (isWide)
+                    view.UnpackWide(b, target.Column, wide);
+                else
+                    view.Unpack(b, target.Column, narrow);
+                if (isPlace && isWide)
+                    for (int i = 0; i < count; i++)
+                        ((long*)to)[i] = corner + (long)wide[begin + i];
+                else if (isPlace)
+                    for (int i = 0; i < count; i++)
+                        ((long*)to)[i] = corner + narrow[begin + i];
+                else if (isWide)
+                    for (int i = 0; i < count; i++)
+                        OrderedBits.Store(wide[begin + i] * (ulong)target.Stored.Divisor, target.Stored.Type, to + 8 * i);
+                else
+                    Store(narrow + begin, count, target.Stored, to);
+                to += count * target.To.Type.SizeOf();
+            }
+        }
+
+        static void Store(uint* values, int count, in StoredColumn stored, byte* to)
+        {
+            uint divisor = (uint)stored.Divisor;
+            int size = stored.Type.SizeOf();
+            if (stored.Type == AttributeType.UInt8)
+                for (int i = 0; i < count; i++)
+                    to[i] = (byte)values[i];
+            else if (stored.Type == AttributeType.UInt16)
+                for (int i = 0; i < count; i++)
+                    ((ushort*)to)[i] = (ushort)(values[i] * divisor);
+            else
+                for (int i = 0; i < count; i++)
+                    OrderedBits.Store((ulong)values[i] * divisor, stored.Type, to + i * size);
         }
     }
 }

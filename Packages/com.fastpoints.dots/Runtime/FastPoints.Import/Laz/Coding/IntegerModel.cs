@@ -87,7 +87,9 @@ namespace FastPoints.Laz
             ref uint low, ref uint length, ref byte* next)
         {
             difference = difference << 32 - bits >> 32 - bits;
-            k = 32 - math.lzcnt((uint)(difference <= 0 ? -difference : difference - 1));
+            // The sign is as good as random: no branch asks for it.
+            long less = difference - 1L, isLower = less >> 63;
+            k = 32 - math.lzcnt((uint)(less ^ isLower));
             byte* kModel = model + ContextsAt + context * SymbolModel.BytesOf(bits + 1);
             SymbolModel.Encode(kModel, bits + 1, (uint)k, ref low, ref length, ref next);
             if (k == 0)
@@ -100,7 +102,7 @@ namespace FastPoints.Laz
             byte* corrector = model + ContextsAt + contexts * SymbolModel.BytesOf(bits + 1) + (k - 1) * SymbolModel.Bytes256;
             if ((*(uint*)model >> k & 1) == 0)
                 InitializeCorrector(model, corrector, k);
-            uint place = (uint)(difference < 0 ? difference + (int)((1u << k) - 1) : difference - 1);
+            uint place = (uint)less + ((uint)isLower & 1u << k);
             if (k <= ModelledBits)
             {
                 SymbolModel.Encode(corrector, 256, place, ref low, ref length, ref next);

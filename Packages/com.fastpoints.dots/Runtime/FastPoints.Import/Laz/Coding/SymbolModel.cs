@@ -100,15 +100,17 @@ namespace FastPoints.Laz
             var model = (SymbolModel*)place;
             ushort* starts = Distribution(model);
             uint unit = length >> LengthBits;
-            uint from = starts[symbol] * unit;
-            uint to = symbol == model->m_last ? length : starts[symbol + 1] * unit;
-            RangeCode.Narrow(from, to - from, ref low, ref length, ref next);
+            // Behind the last symbol stand 65,535: 32,768 without a branch, and what the division by that leaves over.
+            uint start = starts[symbol], end = starts[symbol + 1], isLast = end >> LengthBits;
+            end &= MaxTotal - 1 + isLast;
+            RangeCode.Narrow(start * unit, (end - start) * unit + (length & MaxTotal - 1 & 0 - isLast), ref low, ref length,
+                ref next);
             Counts(model, capacity)[symbol]++;
             if (--model->m_untilUpdate == 0)
-                Update(model);
+                UpdateStarts(model);
         }
 
-        /// <summary>Derives the distribution from the counts, and halves these where they have grown too large.</summary>
+        /// <summary>Derives the distribution from the counts, and what finds symbols in it.</summary>
         [MethodImpl(MethodImplOptions.NoInlining)]
         static void Update(SymbolModel* model)
         {
@@ -116,21 +118,7 @@ namespace FastPoints.Laz
             ushort* starts = Distribution(model);
             ushort* count = Counts(model, model->m_capacity);
             ushort* first = FirstSymbols(model, model->m_capacity);
-
-            uint total = model->m_total + model->m_cycle;
-            if (total > MaxTotal)
-            {
-                total = 0;
-                for (int i = 0; i < symbols; i++)
-                {
-                    uint half = (count[i] + 1u) >> 1;
-                    count[i] = (ushort)half;
-                    total += half;
-                }
-            }
-            model->m_total = total;
-
-            uint scale = 0x80000000u / total;
+            uint scale = Tally(model);
             int shift = model->m_cellShift;
             uint sum = 0;
             int cell = 0;
@@ -147,13 +135,47 @@ namespace FastPoints.Laz
             int cells = 1 << (LengthBits - shift);
             while (cell <= cells)
                 first[cell++] = (ushort)(symbols - 1);
+        }
 
+        /// <summary>The distribution alone: encoders find no symbols.</summary>
+        [MethodImpl(MethodImplOptions.NoInlining)]
+        static void UpdateStarts(SymbolModel* model)
+        {
+            ushort* starts = Distribution(model) + 1;
+            ushort* count = Counts(model, model->m_capacity);
+            uint scale = Tally(model), sum = 0;
+            for (int i = 0; i < model->m_last; i++)
+            {
+                sum += count[i];
+                starts[i] = (ushort)((scale * sum) >> (31 - LengthBits));
+            }
+        }
+
+        /// <summary>Halves counts that have grown too large, and says when the next update is.</summary>
+        /// <returns>What makes a sum of counts its part of 2^31.</returns>
+        static uint Tally(SymbolModel* model)
+        {
+            int symbols = model->m_last + 1;
+            ushort* count = Counts(model, model->m_capacity);
+            uint total = model->m_total + model->m_cycle;
+            if (total > MaxTotal)
+            {
+                total = 0;
+                for (int i = 0; i < symbols; i++)
+                {
+                    uint half = (count[i] + 1u) >> 1;
+                    count[i] = (ushort)half;
+                    total += half;
+                }
+            }
+            model->m_total = total;
             int cycle = (5 * model->m_cycle) >> 2;
             int longest = (symbols + 6) << 3;
             if (cycle > longest)
                 cycle = longest;
             model->m_cycle = (ushort)cycle;
             model->m_untilUpdate = (ushort)cycle;
+            return 0x80000000u / total;
         }
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
