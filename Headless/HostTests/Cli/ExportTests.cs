@@ -136,6 +136,24 @@ public sealed class ExportTests : ScratchTests
         }
     }
 
+    [TestCase("las"), TestCase("laz"), TestCase("copc.laz")]
+    public void Crs_Overridden_IsWrittenInPlaceOfTheFilesOwn(string extension)
+    {
+        string own = CliCall.Of("info", m_demo, "--json", "-", "--quiet").Json.GetProperty("crsWkt").GetString();
+        Assert.That(own, Is.Not.Null);
+        string target = Scratch["told." + extension];
+        string[] losses = Losses(Export("told." + extension, m_demo, "--crs", "EPSG:2229", "--force"));
+        var info = CliCall.Of("info", target, "--json", "-", "--quiet").Json;
+        Assert.That((info.GetProperty("crsEpsg").GetInt32(), info.GetProperty("crsWkt").GetString()), Is.EqualTo((2229, (string)null)));
+        Assert.That(info.GetProperty("crsMetresPerUnit").GetDouble(), Is.EqualTo(1200.0 / 3937).Within(1e-9));
+        Assert.That(losses, Has.Some.Contains("as WKT"));
+        if (extension == "las")
+            Assert.That(Losses(Export("unit.las", m_demo, "--unit", "ft", "--force")), Has.Some.StartsWith("the unit, "));
+
+        static string[] Losses(JsonElement json) =>
+            [.. json.GetProperty("losses").EnumerateArray().Select(l => l.GetProperty("what").GetString())];
+    }
+
     [Test]
     public void Losses_OfAnExport_AreNamedOnceInTextAndJson()
     {
@@ -160,11 +178,13 @@ public sealed class ExportTests : ScratchTests
         string readme = Path.Combine(Checkout.Repository.Root, "README.md");
         string[] lines = [.. File.ReadLines(readme).Select(l => l.Split('#')[0].Trim())
             .Where(l => l.StartsWith("./fastpoints ") && !l.Contains("--help"))];
-        Assert.That(lines, Has.Length.GreaterThan(5));
-        File.Copy(m_demo, Scratch["scan.las"]);
+        Assert.That(lines, Has.Length.GreaterThan(2));
+        Directory.CreateDirectory(Scratch["tiles"]);
+        foreach (string copy in new[] { "scan.las", "tiles/east.las", "tiles/west.las" })
+            File.Copy(m_demo, Scratch[copy]);
         foreach (string line in lines.Where(l => l != "./fastpoints scan.las" && !l.Contains(" fly ")))
         {
-            var call = CliCall.Of([.. line.Split(' ').Skip(1).Select(word => word.Contains('.') && !word.Contains(',')
+            var call = CliCall.Of([.. line.Split(' ').Skip(1).Select(word => word.IndexOfAny(['.', '/']) >= 0 && !word.Contains(',')
                 ? Scratch[word] : word), "--force"]);
             Assert.That((call.Status, call.Error.Contains("warning")), Is.EqualTo((0, false)), line + ": " + call.Error);
         }

@@ -55,7 +55,7 @@ public class FirstPictureTests : ScratchPerTest
         int left = 0, right = 0, elsewhere = 0;
         for (int y = 0; y < a.Height; y++)
             for (int x = 0; x < a.Width; x++)
-                if (a[x, y] != b[x, y] && y < 630)
+                if (a[x, y] != b[x, y] && y < 560)
                     elsewhere++;
                 else if (a[x, y] != b[x, y])
                     (left, right) = x < 640 ? (left + 1, right) : (left, right + 1);

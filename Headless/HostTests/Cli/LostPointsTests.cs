@@ -25,7 +25,7 @@ public sealed class LostPointsTests : ScratchTests
         ["info", "--scan", "FILE"],
         ["preview", "FILE", "-o", "OUT.png", "--size", "16x16"],
         ["picture", "FILE", "-o", "OUT.png", "--size", "16x16"],
-        ["convert", "FILE", "-o", "OUT.fastpoints"],
+        ["convert", "FILE", "-o", "OUT.fastpoints", "--force"],
         ["FILE", "-o", "OUT", "--force"],
     ];
 
@@ -48,7 +48,7 @@ public sealed class LostPointsTests : ScratchTests
     }
 
     [TestCaseSource(nameof(s_verbs))]
-    public void Export_WholeSource_LosesNothing(params string[] args)
+    public void Verb_WholeSource_LosesNothing(params string[] args)
     {
         var call = CliCall.Of(Args(m_whole, args).Append("--strict").Append("--force").Append("--json").Append("-").ToArray());
         Assert.That(call.Status, Is.Zero, call.Error);

@@ -76,6 +76,11 @@ namespace FastPoints.Export
                 CopyRecords(las, chosen == null);
                 if (m_extraBytes != null)
                     m_vlrs.Add(m_extraBytes);
+                if (info.IsCrsOverridden)
+                    AddNewCrs(info.Crs);
+                else if (info.IsUnitOverridden)
+                    Losses.Add(new Loss("the unit, " + info.Crs.Units.Describe(BoundsGeo.Empty), m_path,
+                        "LAS has a place for it in a coordinate system alone, and the source's own is kept"));
             }
             else
             {
@@ -356,7 +361,7 @@ namespace FastPoints.Export
             foreach (var vlr in las.Vlrs.Records)
             {
                 long length = vlr.DataOffset + vlr.DataBytes - vlr.Offset;
-                if (vlr.DescribesStorage || !keepsExtraBytes && vlr.Is(LasVlr.SpecificationUser, LasVlr.ExtraBytesRecord))
+                if (vlr.DescribesStorage || las.Info.IsCrsOverridden && vlr.IsCrs || !keepsExtraBytes && vlr.Is(LasVlr.SpecificationUser, LasVlr.ExtraBytesRecord))
                     continue;
                 if (vlr.IsExtended)
                 {
@@ -411,6 +416,11 @@ namespace FastPoints.Export
                 WarnOfKeysAlone(m_kept.Crs);
                 return;
             }
+            AddNewCrs(crs);
+        }
+
+        void AddNewCrs(CoordinateSystem crs)
+        {
             m_header.GlobalEncoding &= unchecked((ushort)~LasHeader.WktBit);
             AddCrs(crs);
         }
@@ -452,6 +462,7 @@ namespace FastPoints.Export
             {
                 m_vlrs.Add(LasWriter.Vlr(LasVlr.ProjectionUser, LasVlr.GeoKeyDirectoryRecord, "GeoTIFF keys",
                     LasGeoKeys.Directory(crs)));
+                WarnOfKeysAlone(crs);
             }
             else if (crs.IsKnown)
             {
@@ -466,9 +477,9 @@ namespace FastPoints.Export
 
         void WarnOfKeysAlone(CoordinateSystem crs)
         {
-            if (crs.Wkt == null && crs.GeoKeys != null && m_header.PointFormat >= LasPointFormat.FirstExtended)
+            if (crs.Wkt == null && (crs.GeoKeys != null || crs.Epsg != 0) && m_header.PointFormat >= LasPointFormat.FirstExtended)
                 Losses.Add(new Loss("the coordinate system as WKT, which point format " + m_header.PointFormat + " wants", m_path,
-                    "the source has GeoTIFF keys alone: these are kept, and readers that go by the letter see none"));
+                    "it is known by GeoTIFF keys or codes alone: they are written as keys, and readers that go by the letter see none"));
         }
     }
 

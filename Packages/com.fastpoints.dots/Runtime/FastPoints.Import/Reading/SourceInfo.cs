@@ -54,6 +54,10 @@ namespace FastPoints.Reading
 
         public CoordinateSystem Crs = new CoordinateSystem();
 
+        /// <summary>By the caller, whatever the file says.</summary>
+        internal bool IsCrsOverridden;
+        internal bool IsUnitOverridden;
+
         /// <summary>Unknown if there are no GPS times.</summary>
         internal GpsTime GpsTime;
 

@@ -237,11 +237,13 @@ namespace FastPoints.Sources
             if (CoordinateSystem != null)
             {
                 info.Crs = new CoordinateSystem();
+                info.IsCrsOverridden = true;
                 if (!CrsText.Read(CoordinateSystem, info.Crs))
                     throw new PointCloudException(FailureCode.BadInput, info.Path, -1, "wanted a coordinate system such as " +
                         "EPSG:2229, got " + CoordinateSystem);
             }
-            if (MetresPerUnit > 0)
+            info.IsUnitOverridden = MetresPerUnit > 0;
+            if (info.IsUnitOverridden)
                 (info.Crs.MetresPerUnit, info.Crs.VerticalMetresPerUnit) = (MetresPerUnit, MetresPerUnit);
         }
     }
