@@ -12,10 +12,10 @@ namespace FastPoints.Picture
         // So many times as many points lie in it as in the best plane across another axis.
         const double MinRatio = 1.5;
 
-        // All but PLY have Z up, by their standards or by custom.
+        // All formats but PLY have Z up, by their standards or by custom.
         public static bool Applies(string format) => format != null && format.StartsWith("PLY", StringComparison.Ordinal);
 
-        // Positions are a fair choice, outliers apart; the reason is a readable line.
+        // The positions are a fair sample, outliers apart; the reason is a line for people.
         public static UpAxis Of(double3[] positions, out string reason)
         {
             var shares = new double3();

@@ -3,7 +3,7 @@ using Unity.Mathematics;
 
 namespace FastPoints.Drawing
 {
-    // Tells values that depend on the place from noise, and from values that are nearly all the same: whether they vary less
+    // Distinguishes values that depend on position from noise, and from values that are nearly all equal: whether they vary less
     // within cubes of space than throughout.
     sealed class SpatialSignal
     {
