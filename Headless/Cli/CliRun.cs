@@ -32,7 +32,7 @@ public sealed class CliRun(TextWriter output, TextWriter error, RunSettings sett
     public Failure? FirstFailure { get; private set; }
     public double Seconds => m_watch.Elapsed.TotalSeconds;
 
-    /// <summary>Writes the verb's own keys; set as soon as they are known, so that a failed run says what it found.</summary>
+    /// <summary>Writes the verb's own keys; set as soon as they are known, so that a failed run reports what it found.</summary>
     public Action<Utf8JsonWriter>? WriteKeys { get; set; }
 
     /// <returns>The inputs, with a file in place of standard input.</returns>
@@ -108,7 +108,7 @@ public sealed class CliRun(TextWriter output, TextWriter error, RunSettings sett
         json.WriteEndArray();
     }
 
-    /// <summary>Says what nodes of a stream could not be shown.</summary>
+    /// <summary>Warns of nodes of a stream that could not be shown.</summary>
     internal void WarnOfFailures(StreamContext stream)
     {
         while (stream.TryTakeFailure(out var failure))
@@ -118,7 +118,7 @@ public sealed class CliRun(TextWriter output, TextWriter error, RunSettings sett
         }
     }
 
-    /// <summary>Says that nothing came out, which --strict takes for a failure.</summary>
+    /// <summary>Warns of an empty output, which --strict takes for a failure.</summary>
     internal void WarnEmpty(string output, string what, long points, BoundsGeo bounds, IReadOnlyList<ClipBox> clips)
     {
         static BoundsGeo Of(ClipBox box)

@@ -17,7 +17,7 @@ public static class CommandLine
         foreach (var verb in verbs.Skip(1))
             root.Add(verb.Command);
         var common = new CommonOptions(root);
-        // --help belongs to every command, and is one option: its action is replaced, and its text is ours.
+        // --help is one option of every command: its action is replaced by our text.
         root.Options.OfType<HelpOption>().Single().Action = new HelpTextAction(verbs, common);
 
         if (args is ["help", "--man"])
@@ -79,7 +79,7 @@ public static class CommandLine
         int plain = parsed.Tokens.SkipWhile(t => t.Type != TokenType.DoubleDash).Skip(1).Count();
         var words = command.Arguments.SelectMany(a => parsed.GetResult(a)?.Tokens ?? []).ToList();
         bool isWrong = parsed.Errors.Count > 0 && parsed.Action is ParseErrorAction or null;
-        // Before what is missing for it.
+        // Reported before missing arguments.
         foreach (string word in words.SkipLast(plain).Select(t => t.Value).Concat(isWrong ? parsed.UnmatchedTokens : []))
             if (word.StartsWith('-') && !StandardStreams.IsInput(word))
                 return "unknown option " + word + Suggestion(word, command, parsed.RootCommandResult.Command);
@@ -125,7 +125,7 @@ public static class CommandLine
         return meant != null ? ": did you mean " + meant + "?" : Suggestion(plain, options.Select(o => o.TrimStart('-')), "--");
     }
 
-    /// <summary>Nearer than a third of its letters, or a beginning.</summary>
+    /// <summary>An edit distance below a third of its letters, or a prefix.</summary>
     static string Suggestion(string word, IEnumerable<string> known, string before = "")
     {
         int Far(string name) => word.Length > 2 && name.StartsWith(word, StringComparison.Ordinal) ? 1 : Distance(word, name);
@@ -133,7 +133,7 @@ public static class CommandLine
         return nearest == null ? "" : ": did you mean " + before + nearest + "?";
     }
 
-    /// <summary>Letters changed, left out, added, or swapped with the next.</summary>
+    /// <summary>Letters changed, omitted, added, or swapped with the next.</summary>
     static int Distance(string a, string b)
     {
         var rows = new int[a.Length + 1, b.Length + 1];

@@ -25,7 +25,7 @@ public sealed class Baseline
             + $"{m_run.Hardware.ProcessorType}, "
         + $"{m_run.Hardware.ProcessorCount} cores, {m_run.Hardware.DeviceName}, {m_run.Editor.Version}");
 
-    /// <summary>What was otherwise in the earlier run, so that ratios say less; or null.</summary>
+    /// <summary>What differed in the earlier run, so that ratios are less reliable; or null.</summary>
     public string? Differences(PerformanceRun now)
     {
         if (m_run.Date == 0)
@@ -61,7 +61,7 @@ public sealed class Baseline
         return new BaselineRow(now.Name, times, time, limit, earlierError, Outcome(time, limit));
     }
 
-    /// <summary>By the limit of each run where there is one: a machine that is slower altogether slows both.</summary>
+    /// <summary>Relative to the limit of each run if there is one: a machine that is slower overall slows both.</summary>
     static string Outcome(SampleComparison? time, SampleComparison? limit)
     {
         bool isByLimit = limit is { IsUnknown: false };
@@ -99,12 +99,12 @@ public sealed class BaselineRow(string name, IReadOnlyList<double> times, Sample
     public double? Error => error;
     public string Outcome => result;
 
-    /// <summary>What has only its time to be judged by is not called slower where all are: that may be the machine.</summary>
+    /// <summary>A workload without a limit is not called slower if all are: that may be the machine.</summary>
     public BaselineRow BesideAll(double all)
     {
         if (time == null || (result != Baseline.Slower && result != Baseline.Faster))
             return this;
-        // Between no change and that of all, or with that of all inside what the scatter allows.
+        // Between no change and the common one, or with the common one within the scatter.
         bool isAsAll = time.Low <= all && all <= time.High;
         bool isLess = result == Baseline.Slower ? all > time.High : all < time.Low;
         string beside = isAsAll && Math.Abs(Math.Log(all)) > CommonChange ? ", as all are" : isLess ? ", less than all are" : "";

@@ -1,5 +1,5 @@
-// The classes are the Performance Testing package's own JSON (Unity.PerformanceTesting.Data.Run, version 3), field by field: what
-// reads its PerformanceTestResults.json reads a run of ours.
+// The classes are the Performance Testing package's own JSON (Unity.PerformanceTesting.Data.Run, version 3), field by
+// field: readers of its PerformanceTestResults.json read our runs.
 namespace FastPoints.Cli.Bench;
 
 public sealed class PerformanceRun

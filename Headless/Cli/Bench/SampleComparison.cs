@@ -11,7 +11,7 @@ public sealed class SampleComparison
 
     public double Ratio { get; }
 
-    /// <summary>The least and the greatest ratio that the scatter allows; NaN if there are too few samples to say.</summary>
+    /// <summary>The min and max ratio that the scatter allows; NaN if there are too few samples.</summary>
     public double Low { get; }
     public double High { get; }
     public bool IsUnknown => double.IsNaN(Low);
@@ -30,7 +30,7 @@ public sealed class SampleComparison
         return new SampleComparison(ratio, ratios[cut - 1], ratios[^cut]);
     }
 
-    /// <summary>How many of the least values of Mann and Whitney's U together have at most that probability, where nothing
+    /// <summary>How many of the smallest values of Mann and Whitney's U together have at most that probability, if nothing
     /// differs between samples of these sizes.</summary>
     static int SmallRankSums(int first, int second, double probability)
     {

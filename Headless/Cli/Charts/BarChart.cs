@@ -1,6 +1,6 @@
 namespace FastPoints.Cli.Charts;
 
-/// <summary>Bars as SVG: a histogram of amounts, or a bar for each of some names. Narrow, so that telephones show it
+/// <summary>Bars as SVG: a histogram of amounts, or a bar for each of some names. Narrow, so that phones show it
 /// legibly.</summary>
 public static class BarChart
 {

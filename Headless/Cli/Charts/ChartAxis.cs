@@ -13,7 +13,7 @@ public sealed class ChartAxis
     {
         (m_isLog, m_low, m_high, m_lowPx, m_highPx) = (isLog, low, high, lowPx, highPx);
         Ticks = (isLog ? LogTicks(low, high) : LinearTicks(low, high)).ToList();
-        // Between two of the few round numbers of a logarithm lies much: an axis without a number says nothing.
+        // Round numbers of a logarithm are far apart: an axis without a number would be useless.
         if (isLog && Ticks.Count < 2)
             Ticks = LinearTicks(Math.Pow(10, low), Math.Pow(10, high)).ToList();
     }

@@ -9,7 +9,7 @@ public static class ChartSvg
 
     public static int ColorCount => s_onLight.Length;
 
-    // Okabe and Ito's colours, which most people can tell apart: darkened for light pages, lightened for dark ones.
+    // Okabe and Ito's colours, which most people can distinguish: darkened for light pages, lightened for dark ones.
     static readonly string[] s_onLight = ["#0072b2", "#444444", "#d55e00", "#009e73", "#b05b8f", "#a87f00", "#2f97c9", "#8a5a2b"];
     static readonly string[] s_onDark = ["#56a9e8", "#dddddd", "#ff8a3c", "#2fd0a0", "#e59ac6", "#f0d040", "#8fd3f5", "#c99a6b"];
 

@@ -15,7 +15,7 @@ public sealed class LineChart(string title, string xLabel, string yLabel)
     public int PlotWidth { get; init; } = 490;
     public bool HasMarkers { get; init; } = true;
 
-    /// <summary>Where there is but one series, the title may name it.</summary>
+    /// <summary>If there is only one series, the title may name it.</summary>
     public bool HasLegend { get; init; } = true;
 
     public string Title => title;

@@ -1,7 +1,7 @@
 namespace FastPoints.Cli.Demo;
 
 /// <summary>A LAZ file's points as plain LAS records, in their order: attributes, grid and WKT are kept, other header
-/// records do not.</summary>
+/// records are not.</summary>
 public static class LasUnpacking
 {
     sealed class Appending(LasWriter writer) : IBlockConsumer

@@ -43,12 +43,12 @@ public sealed class FlightLog
         double atSeconds, bool isCut) =>
         m_frames.Add(new Frame(stats, mainThreadMs, frameMs, garbageBytes, atSeconds, isCut));
 
-    /// <summary>Seconds from the beginning until nearly all that was selected was drawn; NaN if that never was.</summary>
+    /// <summary>Seconds until nearly all that was selected was drawn; NaN if never.</summary>
     public double SecondsToFull =>
         FirstFull(0) is var full and >= 0 ? m_frames[full].AtSeconds - m_frames[0].AtSeconds : double.NaN;
 
-    /// <summary>For each cut: frames until nearly all that was selected was drawn (-1 if that never was), and the bytes
-    /// that were copied until then.</summary>
+    /// <summary>For each cut: frames until nearly all that was selected was drawn (-1 if never), and the bytes that
+    /// were copied until then.</summary>
     public IEnumerable<(int Frame, int FramesToFull, long Bytes)> Cuts()
     {
         for (int cut = 0; cut < m_frames.Count; cut++)

@@ -54,7 +54,7 @@ public static class Human
         return value.ToString("N" + decimals, CultureInfo.InvariantCulture);
     }
 
-    /// <summary>To four digits: more of a measured figure is noise.</summary>
+    /// <summary>Four digits: more of a measurement is noise.</summary>
     public static string FourDigits(double value) => value == 0 ? "0"
         : Math.Abs(value) is >= 1e-4 and < 1e6
             ? Math.Round(value, Math.Clamp(3 - (int)Math.Floor(Math.Log10(Math.Abs(value))), 0, 15))

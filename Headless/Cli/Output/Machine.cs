@@ -2,7 +2,7 @@ using System.Runtime.InteropServices;
 
 namespace FastPoints.Cli.Output;
 
-/// <summary>What figures were measured on, for people.</summary>
+/// <summary>Describes the machine of a measurement.</summary>
 public static class Machine
 {
     public static string Describe() => Processor() + ", " + Environment.ProcessorCount

@@ -1,7 +1,7 @@
 namespace FastPoints.Cli.Output;
 
 /// <summary>A file that is complete or absent: written under a temporary name beside its own, renamed by <see cref="Commit"/>,
-/// deleted when it never came to that.</summary>
+/// deleted otherwise.</summary>
 public sealed class OutputFile : IDisposable
 {
     readonly string m_path;
@@ -39,7 +39,7 @@ public sealed class OutputFile : IDisposable
         }
         catch (IOException)
         {
-            // What could not be flushed is deleted all the same.
+            // Deleted even if flushing fails.
         }
         if (!IsDevice(m_path))
             File.Delete(m_temporaryPath);

@@ -1,6 +1,6 @@
 namespace FastPoints.Cli.Output;
 
-/// <summary>Names that an output may have: never that of an input, and none that promises another kind of file.</summary>
+/// <summary>Names that an output may have: never that of an input, and none with another format's extension.</summary>
 static class OutputNames
 {
     const long MarkTicks = TimeSpan.TicksPerMillisecond * 10;
@@ -153,7 +153,7 @@ static class OutputNames
         + (sources[0].FileBytes > 0 ? " (" + Human.Count(sources[0].FileBytes) + " bytes)" : "")
         + (sources.Count > 1 ? " and " + (sources.Count - 1) + " more" : "");
 
-    /// <summary>Like clouds: files of other sources stay, and those that somebody has changed.</summary>
+    /// <summary>Like clouds: files of other sources, and edited ones, are not replaced.</summary>
     public static void RefuseOtherExport(string path, PointReader reader, long mark)
     {
         if (!OutputFile.IsDevice(path) && File.Exists(path) && File.GetLastWriteTimeUtc(path).Ticks % MarkTicks != mark)
@@ -162,7 +162,7 @@ static class OutputNames
     }
 
     /// <summary>Encodes an export's sources in the digits below 10 ms of its time of writing: editing the file changes them,
-    /// and its bytes need no room for it. Where they get lost, as in copies, the file counts as changed.</summary>
+    /// and its bytes need no room for it. If they are lost, as in copies, the file counts as changed.</summary>
     public static void MarkExport(string path, long mark)
     {
         if (OutputFile.IsDevice(path))
@@ -209,7 +209,7 @@ static class OutputNames
         }
         catch (IOException)
         {
-            // A link that leads nowhere, or in a circle, is no input that could be read.
+            // A broken or circular link cannot be read as an input.
         }
         string? folder = Path.GetDirectoryName(full);
         return folder == null ? full : Path.Combine(Real(folder), Path.GetFileName(full));

@@ -37,7 +37,7 @@ public sealed class StandardStreams : IDisposable
         string path = Temporary("stdin");
         if (File.Exists(path))
             throw new UsageException("- is standard input, which can be read once");
-        // Others want room there, too, the conversion itself perhaps.
+        // Others need space there too, perhaps the conversion itself.
         long limit = new DriveInfo(m_folder!).AvailableFreeSpace / 2;
         run.Progress.Begin("standard input");
         using var spool = new StreamSpool(Console.OpenStandardInput, path);
@@ -84,7 +84,7 @@ public sealed class StandardStreams : IDisposable
         }
         catch (IOException)
         {
-            // Windows keeps what is open still: the system clears its folder.
+            // Windows keeps open files: the system clears its folder.
         }
     }
 }

@@ -48,7 +48,7 @@ public sealed class ErrorStep
         using (var ours = m_methods.Ours())
         {
             counts = ours.Waves.Select(w => w.Wave.Points).Distinct().ToList();
-            // The scan comes before ours is measured: its views are what the views of others are compared with.
+            // The full scan comes first: the views of the others are compared with its views.
             foreach (int count in counts)
                 Measure(scan, () => m_methods.FullScan(count));
             Measure(curve, ours);
@@ -57,7 +57,7 @@ public sealed class ErrorStep
         Curves.Add(scan);
         MeasureOthers(reader, counts);
 
-        // What else the machine does changes within minutes: ours were the first, and are timed among the others as well.
+        // The load of the machine changes within minutes: ours ran first, and is timed again among the others.
         m_run.Progress.Begin(OursName);
         using var again = m_methods.Ours();
         curve.KeepFaster(again.Waves.Select(w => w.Wave));

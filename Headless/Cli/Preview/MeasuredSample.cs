@@ -1,6 +1,6 @@
 namespace FastPoints.Cli.Preview;
 
-/// <summary>A sample that is to be measured, in waves: each the beginning of a batch, there after some seconds.</summary>
+/// <summary>A sample to measure, in waves: each a prefix of a batch, ready after some seconds.</summary>
 public sealed class MeasuredSample(PositionTransform transform) : IDisposable
 {
     readonly List<(SampleWave Wave, PointBatch Points)> m_waves = [];

@@ -87,7 +87,7 @@ public sealed class SampleMethods(Func<PointReader> open, PreviewOptions options
         MeasuredSample? best = null;
         for (int i = 0; i < Runs; i++)
         {
-            // What earlier samples left behind is not to be collected within this one's time.
+            // Garbage of earlier samples must not be collected within this one's time.
             GC.Collect();
             var watch = Stopwatch.StartNew();
             using var reader = open();

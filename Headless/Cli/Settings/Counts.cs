@@ -2,7 +2,7 @@ using System.CommandLine.Parsing;
 
 namespace FastPoints.Cli.Settings;
 
-/// <summary>Options that are whole numbers, as people write large ones: 2000000, 2,000,000, 2e6, 2M, 500k.</summary>
+/// <summary>Integer options in the usual spellings of large numbers: 2000000, 2,000,000, 2e6, 2M, 500k.</summary>
 public static class Counts
 {
     const double Largest = 1L << 53;

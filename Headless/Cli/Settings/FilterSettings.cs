@@ -1,6 +1,6 @@
 namespace FastPoints.Cli.Settings;
 
-/// <summary>The options that say which points are wanted, the same for every verb that has them.</summary>
+/// <summary>The options that select points, shared by several verbs.</summary>
 public sealed class FilterSettings
 {
     readonly Option<string?> m_classes = new("--classes") { HelpName = "N,...", Description = "Only points of these classes." };
@@ -34,7 +34,7 @@ public sealed class FilterSettings
         command.Add(m_where);
     }
 
-    /// <returns>What is asked of <paramref name="reader"/>; null for all points.</returns>
+    /// <returns>The filter for <paramref name="reader"/>; null for all points.</returns>
     internal PointFilter? Read(ParseResult parsed, PointReader reader)
     {
         var filter = new PointFilter { EveryNth = parsed.GetValue(m_everyNth) ?? 0 };

@@ -2,7 +2,7 @@ namespace FastPoints.Cli.Settings;
 
 public static class Memory
 {
-    /// <summary>What the process takes whatever the cloud: code, the runtime's own, readers, stacks. Measured with a thousand
+    /// <summary>What the process takes for any cloud: code, the runtime, readers, stacks. Measured with a thousand
     /// points: 45 MB; with LAZ and two workers 70.</summary>
     const long ProcessBytes = 96L << 20;
     const long MinBytes = ProcessBytes + (64L << 20);

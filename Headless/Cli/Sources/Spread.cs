@@ -11,7 +11,7 @@ sealed class Spread
 
     Spread(BoundsGeo nearlyAll, DensityMap density, string unit) => (NearlyAll, m_density, Unit) = (nearlyAll, density, unit);
 
-    /// <summary>What 99.9 % of the points lie in, along each axis.</summary>
+    /// <summary>Bounds of 99.9 % of the points along each axis.</summary>
     public BoundsGeo NearlyAll { get; }
 
     public string Unit { get; }

@@ -1,6 +1,6 @@
 namespace FastPoints.Cli.Stability;
 
-/// <summary>What a camera needs of a stored cloud, drawn by the renderer that a game would use, beside the software
+/// <summary>Draws a stored cloud with the renderer of a game, and compares it with the software
 /// rasteriser's picture of the same.</summary>
 static class GpuStage
 {
@@ -35,7 +35,7 @@ static class GpuStage
         var wanted = Draw(target, memory, software, options, problems);
         var got = Draw(target, gpuStream, drawn, options, problems);
         double differ = ImageError.ShareThatDiffers(wanted, got, options.Background, out int covered, MaxPerChannel);
-        // A picture of a few pixels may have one beside its place.
+        // In a picture of a few pixels, one may be shifted.
         if (differ > MaxDifferent && differ * covered > 1.5)
             problems.Add("card: " + differ * covered + " of " + covered + " pixels are not the software rasteriser's");
         return differ;

@@ -21,7 +21,7 @@ public sealed class StabilityRun
     public string Name => m_case.Name;
     public List<StageResult> Stages { get; } = [];
 
-    /// <summary>What is not as it must be; empty for a case that holds.</summary>
+    /// <summary>Failed expectations; empty if the case passes.</summary>
     public List<string> Problems { get; } = [];
 
     public static StabilityRun Run(StabilityCase stabilityCase, int points, string scratch, Sampler sampler)

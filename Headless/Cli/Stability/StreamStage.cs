@@ -5,7 +5,7 @@ static class StreamStage
     /// <summary>A read that never ends is a failure, not a hang.</summary>
     const int MaxFrames = 100_000_000;
 
-    /// <returns>Share of the reference's pixels that the picture leaves bare.</returns>
+    /// <returns>Share of the reference's pixels that the picture leaves uncovered.</returns>
     public static double Run(string target, PictureOptions options, RgbaImage reference, List<string> problems)
     {
         using var stream = new StreamContext(new MemoryNodePool(256 << 20));

@@ -67,7 +67,7 @@ public sealed class DefaultVerb : Verb
         long points = parsed.GetValue(m_points);
         var source = m_source.Read(parsed);
         bool isPlain = m_look.IsPlain(parsed);
-        // Each cloud has its own camera, and its own idea of what is up.
+        // Each cloud has its own camera and up axis.
         PictureOptions Look() => m_look.Read(parsed);
         if (Look().IsFiltered)
             throw new UsageException("--style: classes can be chosen by the verbs picture and fly, of converted clouds");

@@ -83,7 +83,7 @@ public sealed class PreviewVerb : Verb
         run.WriteKeys = json => result.WriteKeys(json);
         if (parsed.GetValue(m_report))
         {
-            // Once more, now that all code is compiled: the first runs of jobs took that along.
+            // Again, now that all code is compiled: the first runs included compilation.
             using (var again = PointReaders.Open(files, source))
                 result.Slices = PreviewStep.Run(again, options, run).Slices;
             result.Error = ErrorStep.Run(() => PointReaders.Open(files, source), options, run);

@@ -25,7 +25,7 @@ public sealed class SimulatedWorkersTests
     [OneTimeTearDown]
     public void DeleteFolder() => Directory.Delete(m_folder, true);
 
-    /// <param name="max60Ms">The same, at 60 Hz: the most time, since a share falls where fewer jobs do the same.</param>
+    /// <param name="max60Ms">Time limits at 60 Hz: ratios would fall if fewer jobs did the same.</param>
     /// <param name="max10Ms">At 10 Hz.</param>
     [TestCase(Sampler.Random, new[] { 1, 1.6, 2.5, 3.3 }, new[] { 834.0, 534, 400, 334 }, new[] { 1300.0, 1100, 1000, 900 })]
     [TestCase(Sampler.Poisson, new[] { 1, 1.6, 2.5, 3.3 }, new[] { 884.0, 567, 417, 350 }, new[] { 1300.0, 1100, 1000, 900 })]
@@ -42,7 +42,7 @@ public sealed class SimulatedWorkersTests
             TestContext.Out.WriteLine(s_workers[i] + FormattableString.Invariant($" workers: {alone:0} ms, {at60:0}, {at10:0}"));
             Assert.That(first / alone, Is.GreaterThanOrEqualTo(speedups[i]), s_workers[i] + " workers");
             Assert.That(at60, Is.LessThanOrEqualTo(max60Ms[i]), s_workers[i] + " workers, at 60 Hz");
-            // Eight phases await one another, a frame each: with a million points more workers make little of it.
+            // Eight phases await one another, a frame each: with a million points more workers gain little.
             Assert.That(at10, Is.LessThanOrEqualTo(max10Ms[i] + 0.5), s_workers[i] + " workers, at 10 Hz");
         }
     }

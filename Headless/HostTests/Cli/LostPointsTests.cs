@@ -32,7 +32,7 @@ public sealed class LostPointsTests : ScratchTests
     [TestCaseSource(nameof(s_verbs))]
     public void Source_Truncated_IsCountedAndIncompleteWithStrict(params string[] args)
     {
-        var call = CliCall.Of(Args(m_short, args).Append("--json").Append("-").Append("--quiet").ToArray());
+        var call = CliCall.Of(Args(m_short, args).Append("--force").Append("--json").Append("-").Append("--quiet").ToArray());
         Assert.That(call.Status, Is.Zero, call.Error);
         Assert.That(call.Error, Is.Empty, "--quiet");
         var json = call.Json;

@@ -110,7 +110,7 @@ public sealed class SampleScriptTests
         int before = entities.EntityOrderVersion, loaded = 0;
         for (int round = 0; round < 4; round++)
         {
-            // Nodes go with their memory, and come again.
+            // Nodes are evicted with their memory, and loaded again.
             m_world.Group.Stream.Pool.LimitBytes = 0;
             m_world.Frame();
             m_world.Group.Stream.Pool.LimitBytes = 64 << 20;

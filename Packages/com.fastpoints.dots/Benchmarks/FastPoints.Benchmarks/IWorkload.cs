@@ -37,7 +37,7 @@ namespace FastPoints.Benchmarks
     {
         public long Points;
 
-        /// <summary>Bytes of input worked on, or 0 where bytes mean nothing.</summary>
+        /// <summary>Bytes of input, or 0 if meaningless.</summary>
         public long Bytes;
 
         /// <summary>Error of the approximation in <see cref="ErrorUnit"/>; 0 for exact work.</summary>
@@ -48,7 +48,7 @@ namespace FastPoints.Benchmarks
 
         public bool ErrorIncreaseIsBetter;
 
-        /// <summary>What a number does not say, or null.</summary>
+        /// <summary>What the numbers do not show, or null.</summary>
         public string Note;
     }
 }

@@ -282,7 +282,7 @@ namespace FastPoints.Evaluation
                 m_table = table;
             }
 
-            public JobHandle Schedule(BlockRead read, int slot, JobHandle decoded) => new SeePositionsJob
+            public JobHandle Schedule(BlockRead read, int slot, JobHandle decoded) => new MarkSeenJob
             {
                 Block = read.Points.Bytes,
                 Result = read.Result,

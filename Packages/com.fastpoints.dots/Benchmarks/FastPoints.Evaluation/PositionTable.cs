@@ -92,7 +92,7 @@ namespace FastPoints.Evaluation
     /// <summary>Marks those positions of a <see cref="PositionTable"/> that a decoded block holds. Any number of these may
     /// run at once: they all write the same value.</summary>
     [BurstCompile]
-    public struct SeePositionsJob : IJob
+    public struct MarkSeenJob : IJob
     {
         [ReadOnly] public NativeArray<byte> Block;
         [ReadOnly] public NativeReference<DecodeResult> Result;

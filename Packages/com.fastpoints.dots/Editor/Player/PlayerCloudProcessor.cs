@@ -83,8 +83,8 @@ namespace FastPoints.Editor
         }
     }
 
-    /// <summary>Converts in batch mode: a build server has sources and nobody to press Convert. Before Entities, which bakes
-    /// subscenes from what the handles say.</summary>
+    /// <summary>Converts in batch mode: a build server has sources and no user. Before Entities, which bakes
+    /// subscenes from the handles.</summary>
     internal sealed class BatchCloudProcessor : BuildPlayerProcessor
     {
         public override int callbackOrder => -1;

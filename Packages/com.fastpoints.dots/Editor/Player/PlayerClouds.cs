@@ -33,7 +33,7 @@ namespace FastPoints.Editor
 
         /// <summary>Adds a cloud, only once if several assets refer to it.</summary>
         /// <param name="asset">Whose cloud it is, for messages.</param>
-        /// <param name="cloudId">What the asset says; 0 if nothing.</param>
+        /// <param name="cloudId">The id in the asset; 0 if unknown.</param>
         /// <exception cref="PointCloudException">It is not converted, is unfinished, or another cloud has its
         /// place.</exception>
         public void Add(string asset, string folder, string playerPath, ulong cloudId = 0)

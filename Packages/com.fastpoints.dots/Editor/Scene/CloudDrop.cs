@@ -9,7 +9,7 @@ using UnityEngine;
 namespace FastPoints.Editor
 {
     /// <summary>Files that were dropped together become assets: their headers are read and handles written on a thread of the
-    /// pool, Unity imports all in one batch, and what follows is done in slices. However many there are, each asset is loaded
+    /// pool, Unity imports all in one batch, and the rest is done in slices. However many there are, each asset is loaded
     /// once, and the queue is written once.</summary>
     internal sealed class CloudDrop : IDisposable
     {
@@ -32,7 +32,7 @@ namespace FastPoints.Editor
         int m_written;
         int m_clouds;
 
-        /// <param name="sources">Absolute paths; their order decides on nothing.</param>
+        /// <param name="sources">Absolute paths; their order has no effect.</param>
         /// <param name="folder">The handles' folder, in <c>Assets</c>.</param>
         /// <param name="target">Where they are shown, in the order of their paths; null for nowhere.</param>
         public CloudDrop(EditorImports imports, IReadOnlyList<string> sources, string folder, DropTarget target)

@@ -51,7 +51,7 @@ namespace FastPoints.Editor
         {
             if (IsDestroyed || assets.Count == 0)
                 return null;
-            // What comes updates after the drop would be part of whatever the user did last, and the next of this.
+            // Changes some updates after the drop would join the user's last undo step, and the next step would join this.
             Undo.IncrementCurrentGroup();
             var origin = Parent != null ? Parent.GetComponentInParent<PointCloudOrigin>() : OfScene();
             if (assets.Count > 1 && origin == null)
@@ -100,7 +100,7 @@ namespace FastPoints.Editor
         GameObject Create(string name, Transform parent, bool isOfDrop)
         {
             var made = ObjectFactory.CreateGameObject(name);
-            // The Hierarchy's default parent has it by its place in the world: beneath another it would lie elsewhere.
+            // The Hierarchy's default parent keeps its world position: under another parent it would move.
             if (parent != null || Scene.IsValid())
                 made.transform.SetParent(null, true);
             if (parent != null)

@@ -13,7 +13,7 @@ namespace FastPoints.Editor
             if (AssetDatabase.IsAssetImportWorkerProcess())
                 return;
             Begin();
-            // Scene views keep their cameras, and these their command buffers, whose memory goes.
+            // Scene views keep their cameras, and these their command buffers, whose memory is freed.
             AssemblyReloadEvents.beforeAssemblyReload += End;
         }
 

@@ -45,7 +45,7 @@ namespace FastPoints.Editor
         public static DragAndDropVisualMode OnProject(string path, bool perform)
         {
             var imports = PointCloudImports.Current;
-            // Folders of packages that are not in the project are nowhere in it.
+            // Folders of packages outside the project do not exist in it.
             if (KindOf(imports, perform) != DropKind.Handle ||
                 !Directory.Exists(imports.Paths.Absolute(FolderOf(path))))
                 return DragAndDropVisualMode.None;
@@ -59,8 +59,9 @@ namespace FastPoints.Editor
 
         /// <summary>Accepts clouds of the project, or files that can become some.</summary>
         public static DragAndDropVisualMode OnScene(Vector3? position, Transform parent, bool perform) =>
-            OnScene(new DropTarget { Point = position, Parent = parent, Scene = parent != null ? parent.gameObject.scene
-                : default }, perform);
+            OnScene(
+                new DropTarget { Point = position, Parent = parent, Scene = parent != null ? parent.gameObject.scene : default },
+                perform);
 
         internal static DragAndDropVisualMode OnScene(DropTarget target, bool perform)
         {
@@ -97,7 +98,7 @@ namespace FastPoints.Editor
                 target?.Show(new[] { asset });
         }
 
-        /// <summary>What is dragged. A drag asks at each of its events, some sixty times a second: files are looked up
+        /// <summary>The dragged files. A drag has some sixty events a second: files are inspected
         /// once.</summary>
         static DropKind KindOf(EditorImports imports, bool perform)
         {

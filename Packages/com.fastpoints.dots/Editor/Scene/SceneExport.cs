@@ -12,8 +12,8 @@ using UnityEngine;
 
 namespace FastPoints.Editor
 {
-    /// <summary>The menu <em>GameObject > Point Cloud > Export Selection...</em>: what the scene's clip boxes and the shown
-    /// classes leave of the selected cloud, in the cloud's own coordinates, as LAZ.</summary>
+    /// <summary>The menu <em>GameObject > Point Cloud > Export Selection...</em>: what the scene's clip boxes and the
+    /// shown classes keep of the selected cloud, in the cloud's own coordinates, as LAZ.</summary>
     internal static class SceneExport
     {
         const string Menu = "GameObject/Point Cloud/Export Selection...";

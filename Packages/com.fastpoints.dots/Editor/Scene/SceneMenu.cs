@@ -27,7 +27,7 @@ namespace FastPoints.Editor
         {
             var made = ObjectFactory.CreateGameObject(name);
             ObjectFactory.AddComponent<T>(made);
-            // In a prefab stage it belongs into the prefab, and with a default parent beneath that.
+            // In a prefab stage it is added to the prefab, with a default parent under that.
             ObjectFactory.PlaceGameObject(made, command.context as GameObject);
         }
     }

@@ -12,8 +12,8 @@ using UnityEngine;
 
 namespace FastPoints.Editor
 {
-    /// <summary>Has a click in the Scene view select the cloud that has a point there: Unity asks, again and again for what lies
-    /// behind, where the click hits nothing that it draws itself.</summary>
+    /// <summary>Has a click in the Scene view select the cloud that has a point there: Unity asks, repeatedly for what
+    /// is behind, where the click hits nothing that it draws itself.</summary>
     [InitializeOnLoad]
     internal static class ScenePicking
     {
@@ -28,7 +28,7 @@ namespace FastPoints.Editor
                 HandleUtility.pickGameObjectCustomPasses += Pick;
         }
 
-        /// <summary>Unity wants the answer at once: so long a click waits for files; then it hits what was found until
+        /// <summary>Unity needs the answer at once: a click waits this long for files; then it hits what was found until
         /// then.</summary>
         internal static double MaxMs { get; set; } = 100;
 

@@ -18,11 +18,11 @@ namespace FastPoints.Editor
             CameraViews.SceneMaskOf = MaskOf;
             PointCloud.IsHiddenInSceneViews = cloud => SceneVisibilityManager.instance.IsHidden(cloud);
             PointCloudOrigin.Decided = RecordChanges;
-            // Clouds look in their updates.
+            // Clouds check it in their updates.
             SceneVisibilityManager.visibilityChanged += EditModeFrames.RequestFrame;
         }
 
-        /// <summary>Has what no user changed saved, in instances of prefabs too.</summary>
+        /// <summary>Saves changes that were not made by the user, in instances of prefabs too.</summary>
         static void RecordChanges(PointCloudOrigin origin)
         {
             if (EditorApplication.isPlaying)
@@ -31,7 +31,7 @@ namespace FastPoints.Editor
             PrefabUtility.RecordPrefabInstancePropertyModifications(origin);
         }
 
-        /// <summary>As the render pipelines ask for it.</summary>
+        /// <summary>In the form that the render pipelines use.</summary>
         static ulong MaskOf(Camera camera)
         {
             if (camera.overrideSceneCullingMask != 0)

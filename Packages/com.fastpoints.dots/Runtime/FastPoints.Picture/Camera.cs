@@ -4,7 +4,7 @@ using Unity.Mathematics;
 
 namespace FastPoints.Picture
 {
-    /// <summary>Where a picture is taken from: a position and three axes in georeferenced space. There is no near or far plane:
+    /// <summary>A position and three axes in georeferenced space. There is no near or far plane:
     /// a perspective camera sees everything in front of it, an orthographic one everything along its axis.</summary>
     public struct Camera
     {

@@ -95,7 +95,7 @@ namespace FastPoints.Picture
         public const int PixelsPerTile = TileEdgePx * TileEdgePx;
         public const float MinPx = 1;
 
-        // For pictures of few points, which would be lost otherwise; the others have half of that.
+        // For pictures of few points, which would be lost otherwise; half of it for others.
         public const float MaxPx = 12;
 
         // With a smaller share of a picture's pixels drawn by points of one pixel, sizes may exceed half of MaxPx.

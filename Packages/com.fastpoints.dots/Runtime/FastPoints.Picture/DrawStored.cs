@@ -6,8 +6,8 @@ using Unity.Collections;
 
 namespace FastPoints.Picture
 {
-    /// <summary>Draws a picture of a stored cloud within a point budget: the top of the octree decides on camera, colours and
-    /// size, then the nodes that the camera needs most are drawn.</summary>
+    /// <summary>Draws a picture of a stored cloud within a point budget: the top of the octree determines camera,
+    /// colours and size, then the nodes that the camera needs most are drawn.</summary>
     public sealed class DrawStored
     {
         public const long DefaultBudget = 2000000;

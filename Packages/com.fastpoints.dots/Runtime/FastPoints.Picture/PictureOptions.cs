@@ -105,7 +105,7 @@ namespace FastPoints.Picture
             "classes=N+N+... (shown; of converted clouds), edl=auto|on|off|STRENGTH, holes=fill|keep, " +
             "background=RRGGBB[AA], up=x|y|z|-x|-y|-z";
 
-        /// <summary>Sets one option from text, as <c>--style</c> has it; the error says what was wanted.</summary>
+        /// <summary>Sets one option from text, as for <c>--style</c>; the error says what was expected.</summary>
         public bool TrySetStyle(string key, string value, out string error)
         {
             error = null;

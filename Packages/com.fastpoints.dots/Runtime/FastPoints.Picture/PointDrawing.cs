@@ -14,7 +14,7 @@ namespace FastPoints.Picture
     /// bit 63 ............ 32  31 .. 24  23 .. 16  15 .. 8  7 .. 0
     ///     depth (ordered)     radius    blue      green    red
     /// </code>
-    /// (the radius is half a point's size in pixels, which eye-dome lighting looks around itself by) so that a picture depends on
+    /// (the radius is half a point's size in pixels, the radius of eye-dome lighting) so that a picture depends on
     /// no order and on no number of threads; of two points at one depth the smaller colour stays. Blittable, for jobs.
     /// </summary>
     internal struct PointDrawing

@@ -25,7 +25,7 @@ namespace FastPoints.Picture
             m_sampling = new PreviewSampling(reader, options);
         }
 
-        /// <summary>Raised when there is a sample to draw, coarse to fine, the wave's until the next step.</summary>
+        /// <summary>Raised when there is a sample to draw, coarse to fine; it is valid until the next step.</summary>
         public event Action<PreviewSample, SampleWave> WaveReady
         {
             add => m_sampling.WaveReady += value;

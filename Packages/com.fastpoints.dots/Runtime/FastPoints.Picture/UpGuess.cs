@@ -16,10 +16,10 @@ namespace FastPoints.Picture
         // Models lie about their origin. What is so many times its own size away from it was surveyed.
         const double MinSizesFromOrigin = 100;
 
-        // All but PLY have Z up, by their standards or by custom.
+        // All formats but PLY have Z up, by their standards or by custom.
         public static bool Applies(string format) => format != null && format.StartsWith("PLY", StringComparison.Ordinal);
 
-        // Positions are a fair choice, outliers apart; the reason is a readable line.
+        // The positions are a fair sample, outliers apart; the reason is a line for people.
         public static UpAxis Of(double3[] positions, out string reason)
         {
             var shares = new double3();

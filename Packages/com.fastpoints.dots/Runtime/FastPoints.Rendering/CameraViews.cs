@@ -9,7 +9,7 @@ namespace FastPoints.Rendering
     /// <summary>The engine's cameras as streaming and drawing see them, off-centre and oblique ones included.</summary>
     public static class CameraViews
     {
-        // The editor's scene culling mask of a camera, where there is an editor.
+        // The editor's scene culling mask of a camera; null in players.
         internal static Func<Camera, ulong> SceneMaskOf { get; set; }
 
         static ViewMask MaskOf(Camera camera) => new ViewMask

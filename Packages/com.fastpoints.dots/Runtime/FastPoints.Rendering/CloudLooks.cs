@@ -5,7 +5,7 @@ using FastPoints.Streaming;
 
 namespace FastPoints.Rendering
 {
-    // Translates what a picture decides into what shaders read, so that both colour a point alike.
+    // Translates a picture's colours into shader parameters, so that both colour a point alike.
     internal static class CloudLooks
     {
         // Besides the position.
@@ -22,7 +22,7 @@ namespace FastPoints.Rendering
         public static string[] PlanesFor(ColorMode mode) => mode == ColorMode.Rgb ? new[] { StoreLayout.ColorName }
             : ColorModes.AttributeOf(mode) is string attribute ? new[] { attribute } : new string[0];
 
-        // Colours take places in grid steps from the corner of the source's root cube. The source streams the plane that the
+        // Colours by position take grid steps from the corner of the source's root cube. The source streams the plane that the
         // mode needs; without a plane of classes, none is hidden.
         public static CloudLook Of(in ColorMapping colors, NodeSource source, in ClassMask hidden = default)
         {

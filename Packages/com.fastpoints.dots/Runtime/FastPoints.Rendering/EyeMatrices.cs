@@ -28,7 +28,7 @@ namespace FastPoints.Rendering
             var eye = Of(camera.worldToCameraMatrix, camera.projectionMatrix);
             var position = camera.transform.position;
             var exact = new double3(position.x, position.y, position.z);
-            // The matrix is rounded, but where a script has set it, as mirrors do, it alone counts.
+            // The matrix is rounded, but if a script has set it, as mirrors do, only it counts.
             if (math.distance(eye.PositionWorld, exact) <= MaxRounding * (1 + math.length(exact)))
                 eye.PositionWorld = exact;
             return eye;

@@ -7,7 +7,7 @@ using UnityEngine.Rendering;
 
 namespace FastPoints.Rendering
 {
-    // A buffer that is rewritten for each picture and grows when it must. Elements of raw buffers have 4 bytes.
+    // A buffer that is rewritten for each picture and grows as needed. Elements of raw buffers have 4 bytes.
     internal sealed class GrowingBuffer : IDisposable
     {
         readonly GraphicsBuffer.Target m_target;
@@ -16,10 +16,10 @@ namespace FastPoints.Rendering
         public GrowingBuffer(GraphicsBuffer.Target target, int strideBytes) =>
             (m_target, m_strideBytes) = (target, strideBytes);
 
-        // Null until room was made.
+        // Null until the first reservation.
         public GraphicsBuffer Buffer { get; private set; }
 
-        // Whether the buffer is a new one, which holds nothing.
+        // Whether the buffer is new, without its former content.
         public bool Reserve(long bytes)
         {
             if (Buffer != null && (long)Buffer.count * m_strideBytes >= bytes)

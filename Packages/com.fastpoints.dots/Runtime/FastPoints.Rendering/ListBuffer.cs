@@ -7,7 +7,7 @@ using UnityEngine.Rendering;
 
 namespace FastPoints.Rendering
 {
-    // What a camera's draws read beside the points, in one buffer: some devices give vertex shaders no more than four.
+    // The lists that a camera's draws read, in one buffer: some devices give vertex shaders no more than four.
     internal sealed class ListBuffer : IDisposable
     {
         readonly GrowingBuffer m_buffer = new GrowingBuffer(GraphicsBuffer.Target.Raw, sizeof(uint));

@@ -5,7 +5,7 @@ using UnityEngine.Rendering;
 namespace FastPoints.Rendering
 {
     // Holds points alone, for styles that look at a point's neighbours: they are then composed into the camera's picture with
-    // their depth. It therefore needs nothing from the picture's own targets.
+    // their depth. It therefore does not read the picture's own targets.
     sealed class PointLayer
     {
         // Floats where the device can blend them: exact for 2,000 points a pixel. With halves, colours are exact to a few

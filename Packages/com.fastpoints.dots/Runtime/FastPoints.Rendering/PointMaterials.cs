@@ -25,7 +25,7 @@ namespace FastPoints.Rendering
 
         internal ComputeShader Raster { get; }
 
-        // Two triangles of four vertices for each point of a block: so the GPU computes shared vertices once.
+        // Two triangles of four vertices for each point of a block, so that the GPU computes shared vertices once.
         internal GraphicsBuffer SquareIndices
         {
             get
@@ -85,7 +85,7 @@ namespace FastPoints.Rendering
         {
             if (material == null)
                 return;
-            // In a paused editor no frame would come that destroys what waits.
+            // A paused editor has no next frame to destroy them.
             if (Application.isEditor)
                 UnityEngine.Object.DestroyImmediate(material);
             else

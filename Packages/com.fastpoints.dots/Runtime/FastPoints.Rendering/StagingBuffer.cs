@@ -19,13 +19,13 @@ namespace FastPoints.Rendering
         GraphicsBuffer m_bytes;
         GraphicsBuffer m_pages;
         NativeArray<uint> m_words;
-        NativeList<PoolRange> m_runs; // In the order in which the nodes lie here.
+        NativeList<PoolRange> m_ranges; // In the order in which the nodes lie here.
         int m_pageCount;
 
         /// <summary>Requested pages; a larger node may have allocated more.</summary>
         int m_usual;
 
-        public StagingBuffer() => m_runs = new NativeList<PoolRange>(256, Allocator.Persistent);
+        public StagingBuffer() => m_ranges = new NativeList<PoolRange>(256, Allocator.Persistent);
 
         public int Capacity => m_pages.count;
         public bool IsLocked { get; private set; }
@@ -41,12 +41,12 @@ namespace FastPoints.Rendering
         void Lock()
         {
             m_words = m_bytes.LockBufferForWrite<uint>(0, m_bytes.count);
-            m_runs.Clear();
+            m_ranges.Clear();
             m_pageCount = 0;
             IsLocked = true;
         }
 
-        // Null if there is no room. The first always has room.
+        // Null if it does not fit. The first always fits.
         public byte* Take(PoolRange range)
         {
             if (m_pageCount + range.PageCount > Capacity)
@@ -55,7 +55,7 @@ namespace FastPoints.Rendering
                     return null;
                 Grow(range.PageCount);
             }
-            m_runs.Add(range);
+            m_ranges.Add(range);
             byte* at = (byte*)m_words.GetUnsafePtr() + (long)m_pageCount * NodePool.PageBytes;
             m_pageCount += range.PageCount;
             return at;
@@ -86,13 +86,13 @@ namespace FastPoints.Rendering
 
         public void Dispose()
         {
-            if (!m_runs.IsCreated)
+            if (!m_ranges.IsCreated)
                 return;
             if (IsLocked)
                 Unlock();
             m_bytes?.Dispose();
             m_pages?.Dispose();
-            m_runs.Dispose();
+            m_ranges.Dispose();
         }
 
         // Where each lies here and where it goes, bank by bank.
@@ -101,8 +101,8 @@ namespace FastPoints.Rendering
             endOfBank.ResizeUninitialized(bankCount);
             for (int bank = 0; bank < bankCount; bank++)
                 endOfBank[bank] = 0;
-            for (int i = 0; i < m_runs.Length; i++)
-                endOfBank[m_runs[i].Bank] += m_runs[i].PageCount;
+            for (int i = 0; i < m_ranges.Length; i++)
+                endOfBank[m_ranges[i].Bank] += m_ranges[i].PageCount;
             int first = 0;
             for (int bank = 0; bank < bankCount; bank++)
             {
@@ -113,9 +113,9 @@ namespace FastPoints.Rendering
             var pages = m_pages.LockBufferForWrite<uint2>(0, m_pageCount);
             var to = (uint2*)pages.GetUnsafePtr();
             uint from = 0;
-            for (int i = 0; i < m_runs.Length; i++)
+            for (int i = 0; i < m_ranges.Length; i++)
             {
-                var range = m_runs[i];
+                var range = m_ranges[i];
                 for (int page = 0; page < range.PageCount; page++)
                     to[endOfBank[range.Bank]++] = new uint2(from++, (uint)(range.FirstPage + page));
             }

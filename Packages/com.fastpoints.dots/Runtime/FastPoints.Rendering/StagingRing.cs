@@ -34,8 +34,7 @@ namespace FastPoints.Rendering
             m_endOfBank = new NativeList<int>(Allocator.Persistent);
         }
 
-        // Frames count where a picture was drawn; a larger node makes more room than the pages. Whether there is memory to write
-        // to.
+        // Only frames with a picture count; a larger node reserves more than the pages. False if there is no memory.
         public bool TryBegin(long frame, int pages)
         {
             if (m_isSent[m_next] && !HasBeenRead(frame))
@@ -45,7 +44,7 @@ namespace FastPoints.Rendering
             return true;
         }
 
-        // The first always has room; null if there is none.
+        // The first always fits; null if it does not.
         public byte* Take(PoolRange range) => m_buffers[m_next].Take(range);
 
         // After everything is written: later draws find it in the pool.
@@ -69,7 +68,7 @@ namespace FastPoints.Rendering
             m_endOfBank.Dispose();
         }
 
-        // Counting frames is for GPUs without fences alone, which may be longer behind than any setting says.
+        // Frames are only counted for GPUs without fences, which may lag further than any setting says.
         bool HasBeenRead(long frame) => m_hasFences ? m_fences[m_next].passed : m_freeAtFrame[m_next] <= frame;
     }
 }

@@ -5,7 +5,7 @@ using System.Threading;
 
 namespace FastPoints.Editor
 {
-    /// <summary>Converts in batch mode, where there are no updates to do it in.</summary>
+    /// <summary>Converts in batch mode, which has no editor updates.</summary>
     public static class BatchConvert
     {
         /// <summary>Converts every cloud of the project's assets that is not converted yet, and returns when all are. For
@@ -38,7 +38,7 @@ namespace FastPoints.Editor
                 imports.Update(DateTime.UtcNow);
                 if (imports.Queue.Session != null || imports.Queue.Problem == null)
                     stopped.Restart();
-                // What is refused for a moment, as by a virus scanner, is tried again.
+                // Momentary refusals, as by a virus scanner, are retried.
                 else if (stopped.ElapsedMilliseconds > FileChanges.RetryTimeoutMs)
                     throw new InvalidOperationException("FastPoints: " + imports.Queue.Problem);
                 // Workers need the core more than this loop does.

@@ -164,7 +164,7 @@ namespace FastPoints.Editor
                 return;
             CloudRelocation.Prompt(imports, Asset, m_missing);
             Refresh();
-            // Other windows were drawn while the panel was open: what this one has laid out is gone.
+            // Other windows were drawn while the panel was open: this one's layout is lost.
             GUIUtility.ExitGUI();
         }
 

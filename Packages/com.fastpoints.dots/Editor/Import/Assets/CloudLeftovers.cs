@@ -7,8 +7,9 @@ using UnityEngine;
 
 namespace FastPoints.Editor
 {
-    /// <summary>When the user deletes the last asset of a converted cloud, asks whether its data go, too: once for all that are
-    /// deleted together. Assets deleted in other ways, as by a change of branches, keep their data.</summary>
+    /// <summary>When the user deletes the last asset of a converted cloud, asks whether to delete its data too: once
+    /// for all that are deleted together. Assets deleted in other ways, as by a change of branches, keep their
+    /// data.</summary>
     internal sealed class CloudLeftovers
     {
         readonly EditorImports m_imports;
@@ -20,7 +21,7 @@ namespace FastPoints.Editor
         /// <summary>The user deletes an asset or a folder of them.</summary>
         public void Expect(string path)
         {
-            // The clouds of assets that are gone are not to be found any more.
+            // The clouds of deleted assets could not be found later.
             if (m_imports.Assets.All.Count > 0)
                 m_expected.Add(path);
         }
@@ -38,7 +39,7 @@ namespace FastPoints.Editor
         /// <summary>Called once an update of the editor: not while Unity imports.</summary>
         public void Prompt()
         {
-            // A question would be in the way of who plays.
+            // A question would interrupt play mode.
             if (m_left.Count == 0 || EditorApplication.isPlayingOrWillChangePlaymode)
                 return;
             foreach (string cloud in m_left)
@@ -69,7 +70,7 @@ namespace FastPoints.Editor
         }
     }
 
-    /// <summary>Hears of what the user deletes, before it is gone.</summary>
+    /// <summary>Receives what the user deletes, before it is deleted.</summary>
     internal sealed class CloudDeletions : AssetModificationProcessor
     {
         // Unity finds it by name.

@@ -7,7 +7,7 @@ using FastPoints.Store;
 
 namespace FastPoints.Editor
 {
-    /// <summary>All clouds of a project: of its assets, and converted ones that no asset has any more. It is collected on a
+    /// <summary>All clouds of a project: of its assets, and converted ones without an asset. It is collected on a
     /// pool thread, since a thousand clouds have ten thousand files.</summary>
     internal sealed class CloudList
     {
@@ -39,7 +39,7 @@ namespace FastPoints.Editor
 
         public readonly List<Row> Rows = new List<Row>();
 
-        /// <summary>Clouds of no asset and of no request, which may be deleted; of a place outside the project there are none,
+        /// <summary>Clouds of no asset and of no request, which may be deleted; none in a folder outside the project,
         /// for another project may use them.</summary>
         public readonly List<Row> Unused = new List<Row>();
 
@@ -48,7 +48,7 @@ namespace FastPoints.Editor
         public List<Row> Wanted { get; private set; }
         public List<Row> Lost { get; private set; }
 
-        /// <summary>Collects what there is now, on a pool thread.</summary>
+        /// <summary>Collects the current clouds, on a pool thread.</summary>
         public static PoolTask<CloudList> Begin(EditorImports imports, bool measures = true,
             CancellationToken cancelled = default)
         {

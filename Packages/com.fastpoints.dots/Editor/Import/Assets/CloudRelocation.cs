@@ -6,7 +6,7 @@ using UnityEngine;
 
 namespace FastPoints.Editor
 {
-    /// <summary>Leads handles to sources that have moved. They stay the same assets, with what refers to them, and keep their
+    /// <summary>Updates handles whose sources have moved. They stay the same assets, with all references, and keep their
     /// converted clouds.</summary>
     internal static class CloudRelocation
     {
@@ -14,7 +14,7 @@ namespace FastPoints.Editor
         public static string FindMissing(CloudHandle handle, ProjectPaths paths) =>
             handle.Sources.ConvertAll(paths.Absolute).Find(s => !File.Exists(s) && !Directory.Exists(s));
 
-        /// <summary>Asks the user where a source is, and whether those of other assets that moved along are meant, too.</summary>
+        /// <summary>Asks the user where a source is, and whether to update other assets whose sources moved along.</summary>
         /// <exception cref="PointCloudException">The handle cannot be read.</exception>
         public static void Prompt(EditorImports imports, string asset, string missing)
         {
@@ -77,8 +77,8 @@ namespace FastPoints.Editor
         }
     }
 
-    /// <summary>Where sources have gone, as one of them shows that was found again: what lay beside it, or in folders of its
-    /// path that are called as before, has moved along.</summary>
+    /// <summary>A move of sources, inferred from one that was found again: files beside it, or in folders of its
+    /// path with unchanged names, have moved along.</summary>
     internal sealed class SourceMove
     {
         readonly string m_from;
@@ -92,7 +92,7 @@ namespace FastPoints.Editor
                 (m_from, m_to) = (fromFolder, toFolder);
         }
 
-        /// <summary>Where a source is that has moved along; null for one that is where it was, or not there either.</summary>
+        /// <summary>The new path of a source that has moved along; null for one that has not moved, or is missing too.</summary>
         public string Find(string source)
         {
             if (Exists(source))

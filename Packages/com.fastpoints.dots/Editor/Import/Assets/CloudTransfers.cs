@@ -155,7 +155,7 @@ namespace FastPoints.Editor
             m_cancellation.Cancel();
         }
 
-        /// <summary>Cancels, and waits for the megabyte being copied: a domain reload ends threads without notice and must not
+        /// <summary>Cancels, and waits for the megabyte being copied: a domain reload aborts threads and must not
         /// find anything half copied.</summary>
         public void Dispose()
         {

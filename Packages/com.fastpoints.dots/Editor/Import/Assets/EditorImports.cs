@@ -71,7 +71,7 @@ namespace FastPoints.Editor
         /// <summary>The largest file in bytes that may be copied into the project.</summary>
         public long MaxCopiedBytes => (long)m_settings.CopiedMiB << 20;
 
-        /// <summary>Whether handles wait to be written that the system refused.</summary>
+        /// <summary>Whether handles are still to be written because the system refused.</summary>
         internal bool HasPendingWrites => m_pendingWrites.Count > 0;
 
         /// <summary>Called once an update of the editor.</summary>
@@ -207,7 +207,7 @@ namespace FastPoints.Editor
             return null;
         }
 
-        /// <summary>Copies a converted cloud into the project's place, and makes a handle for the copy when it is
+        /// <summary>Copies a converted cloud into the project's folder of clouds, and makes a handle for the copy when it is
         /// complete.</summary>
         /// <param name="folder">The handle's folder, in <c>Assets</c>.</param>
         public void ImportCopy(string cloud, string folder)
@@ -265,7 +265,7 @@ namespace FastPoints.Editor
 
         string AutoConvertMarkPath(string cloud) => Path.ChangeExtension(Paths.Absolute(cloud), ".cancelled");
 
-        /// <summary>What an asset says of its cloud.</summary>
+        /// <summary>The handle of an asset's cloud.</summary>
         /// <exception cref="PointCloudException">The handle cannot be read.</exception>
         internal CloudHandle HandleOf(string asset) => asset.EndsWith(CloudHandle.Extension, StringComparison.OrdinalIgnoreCase)
             ? HandleFile.Read(Paths.Absolute(asset))
@@ -331,7 +331,7 @@ namespace FastPoints.Editor
             }
             catch (Exception e) when (e is PointCloudException || FileFailures.IsFileFailure(e))
             {
-                // The queue says so, and tries again.
+                // The queue reports it and retries.
             }
         }
 

@@ -43,10 +43,10 @@ namespace FastPoints.Editor
         /// <summary>Larger files are not copied into the project when dropped: they get a handle.</summary>
         public int CopiedMiB = 64;
 
-        /// <summary>What becomes of point cloud files in <c>Assets</c> that no other package imports.</summary>
+        /// <summary>How to handle point cloud files in <c>Assets</c> that no other package imports.</summary>
         public PointFiles PointFiles;
 
-        /// <summary>What becomes of several files that are dropped together.</summary>
+        /// <summary>How to handle several files that are dropped together.</summary>
         public SeveralFiles SeveralFiles;
 
         /// <summary>Whether imported files are converted at once, or only on request.</summary>
@@ -55,7 +55,7 @@ namespace FastPoints.Editor
         /// <summary>Whether that includes COPC, Potree and EPT, which can be streamed directly.</summary>
         public bool ConvertOctrees;
 
-        /// <summary>From this size on, the clouds of a player are warned of when it is built; 0 for never.</summary>
+        /// <summary>A build warns if a player's clouds are larger; 0 for never.</summary>
         public int PlayerMiB = 2048;
 
         /// <summary>Assets of clouds that go into every player, because only code names them: by GUID, since settings are loaded
@@ -76,7 +76,7 @@ namespace FastPoints.Editor
         /// <summary>What the file says; kept when scripts are reloaded, as Unity keeps private fields.</summary>
         string m_saved;
 
-        /// <summary>What could not be saved, and was said.</summary>
+        /// <summary>The text that could not be saved, which was reported.</summary>
         string m_refused;
 
         void OnEnable()
@@ -90,15 +90,15 @@ namespace FastPoints.Editor
             f.GetValue(this) is string[] texts ? string.Join(",", texts)
                 : System.Convert.ToString(f.GetValue(this), CultureInfo.InvariantCulture)));
 
-        /// <summary>Applies changes, and saves them. Every Undo comes here, and another file has all of a player's data built
-        /// anew.</summary>
+        /// <summary>Applies changes, and saves them. Every Undo calls this, and a changed file would rebuild all of a
+        /// player's data.</summary>
         public void Save()
         {
             Apply();
             string now = Text();
             if (now == m_saved && File.Exists(FileName))
                 return;
-            // Each Undo and each step of a slider would ask version control again, and say so again.
+            // Each Undo and each step of a slider would ask version control again, and report it again.
             if (now == m_refused && File.Exists(FileName) && (File.GetAttributes(FileName) & FileAttributes.ReadOnly) != 0)
                 return;
             try
@@ -128,7 +128,7 @@ namespace FastPoints.Editor
             Sampler = request.Sampler,
             MemoryBytes = (long)MemoryMiB << 20,
             Workers = Workers,
-            // What is shorter is not worth the files: a reload loses about as much again while nodes are made.
+            // Shorter conversions are not worth the files: a reload loses about as much again while nodes are built.
             SecondsInMemory = 15,
         };
     }

@@ -17,7 +17,7 @@ namespace FastPoints.Editor
             guiHandler = _ => Draw(FastPointsSettings.instance),
         };
 
-        /// <summary>Undo brings back what was set, but not what follows from it.</summary>
+        /// <summary>Undo restores the values, but not their consequences.</summary>
         internal static void SaveUndone()
         {
             if (PointCloudImports.Paths.Clouds != PointCloudImports.Current.Paths.Clouds)
@@ -61,7 +61,7 @@ namespace FastPoints.Editor
                 "Clouds that only code names. An empty field takes one more."), settings.AlwaysInPlayers);
         }
 
-        /// <summary>An asset that is not here now keeps its place until another takes it.</summary>
+        /// <summary>A missing asset keeps its row until another replaces it.</summary>
         static string[] CloudFields(GUIContent label, string[] clouds)
         {
             var chosen = new List<string>();
@@ -107,7 +107,7 @@ namespace FastPoints.Editor
                 folder = PointCloudImports.Paths.StoredPlace(chosen);
             if (isChanged || folder != settings.Place)
                 Keep(settings, folder);
-            // Other windows were drawn while the panel was open: what this one has laid out is gone.
+            // Other windows were drawn while the panel was open: this one's layout is lost.
             if (browses)
                 GUIUtility.ExitGUI();
         }

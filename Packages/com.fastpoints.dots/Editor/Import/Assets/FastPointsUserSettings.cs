@@ -3,11 +3,11 @@ using UnityEditor;
 
 namespace FastPoints.Editor
 {
-    /// <summary>What is this user's own, or this machine's: not for version control.</summary>
+    /// <summary>Settings of this user or machine, not under version control.</summary>
     [FilePath("UserSettings/FastPoints.asset", FilePathAttribute.Location.ProjectFolder)]
     internal sealed class FastPointsUserSettings : ScriptableSingleton<FastPointsUserSettings>
     {
-        /// <summary>An environment variable that counts for more than <see cref="SourceRoot"/>, as for build servers.</summary>
+        /// <summary>An environment variable that overrides <see cref="SourceRoot"/>, for build servers.</summary>
         public const string Variable = "FASTPOINTS_SOURCES";
 
         /// <summary>The folder below which this user has what the team's clouds are made of; empty for none.</summary>

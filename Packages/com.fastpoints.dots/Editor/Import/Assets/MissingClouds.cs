@@ -6,7 +6,7 @@ using UnityEngine;
 
 namespace FastPoints.Editor
 {
-    /// <summary>Clouds whose sources are here and whose data are not, or are older, as after a clone or a pull, since converted
+    /// <summary>Clouds with sources and without current data, as after a clone or a pull, since converted
     /// data are not for version control. The user is asked once for all whether they are to be converted, and not again about
     /// those that are declined.</summary>
     internal sealed class MissingClouds : IDisposable
@@ -33,7 +33,7 @@ namespace FastPoints.Editor
                 SessionState.EraseString(CheckedKey);
         }
 
-        /// <summary>Whether the data that a handle says are not in their place, as far as is known.</summary>
+        /// <summary>Whether a handle's data are missing or older, as far as known.</summary>
         bool HasOtherData(string asset)
         {
             try
@@ -42,16 +42,16 @@ namespace FastPoints.Editor
             }
             catch (PointCloudException)
             {
-                // Its importer has said so.
+                // Its importer has reported that.
                 return false;
             }
         }
 
-        /// <summary>Called once an update of the editor. Looks at all assets once a session, and when some came without
-        /// data.</summary>
+        /// <summary>Called once an update of the editor. Checks all assets once a session, and when some were imported
+        /// without data.</summary>
         public void Update()
         {
-            // A question would be in the way of who plays.
+            // A question would interrupt play mode.
             if (EditorApplication.isPlayingOrWillChangePlaymode)
                 return;
             if (m_looking == null)
@@ -89,7 +89,7 @@ namespace FastPoints.Editor
 
         void Prompt(CloudList list)
         {
-            // Who has the user decide on each conversion does not ask either.
+            // Without automatic conversion there is no question either.
             if (!FastPointsSettings.instance.ConvertAtOnce)
                 return;
             var wanted = list.Wanted.FindAll(r => !m_imports.IsAutoConvertDisabled(r.Cloud));

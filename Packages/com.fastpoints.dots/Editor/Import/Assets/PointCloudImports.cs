@@ -11,7 +11,7 @@ namespace FastPoints.Editor
     [InitializeOnLoad]
     public static class PointCloudImports
     {
-        /// <summary>Requests that no file has, while scripts are reloaded.</summary>
+        /// <summary>Unsaved requests, during a reload of scripts.</summary>
         const string Unsaved = "FastPoints.Imports";
 
         static EditorImports s_current;
@@ -30,7 +30,7 @@ namespace FastPoints.Editor
             PointFileReaders.Register();
             EditorApplication.quitting += Suspend;
             AssemblyReloadEvents.beforeAssemblyReload += Suspend;
-            // What can be undone outlives a reload of scripts.
+            // Undo survives a reload of scripts.
             if (IsMainEditor)
                 Undo.undoRedoPerformed += FastPointsSettingsPage.SaveUndone;
             Listen();
@@ -43,7 +43,7 @@ namespace FastPoints.Editor
 
         internal static void Listen()
         {
-            // Who waits for a batch does not wait for conversions: BatchConvert does.
+            // Batch mode does not wait for conversions: BatchConvert does.
             if (!Application.isBatchMode && IsMainEditor)
                 EditorApplication.update += Update;
         }
@@ -55,8 +55,8 @@ namespace FastPoints.Editor
 
         static string Project => Path.GetDirectoryName(Application.dataPath);
 
-        /// <summary>Changes the place into which clouds are converted from now on. A running conversion is suspended, and
-        /// continues when the place is changed back.</summary>
+        /// <summary>Changes the folder into which clouds are converted from now on. A running conversion is suspended,
+        /// and continues when the folder is changed back.</summary>
         /// <returns>Why this is not possible, in one line; null if it is done.</returns>
         public static string Move(string folder)
         {
@@ -92,7 +92,7 @@ namespace FastPoints.Editor
             FastPointsSettings.instance.Apply();
         }
 
-        /// <summary>Takes over another <see cref="FastPointsUserSettings.Root"/>.</summary>
+        /// <summary>Applies another <see cref="FastPointsUserSettings.Root"/>.</summary>
         internal static void MoveRoot(string root) => Begin(() => FastPointsUserSettings.instance.SetRoot(root));
 
         static void Update() => Current.Update(DateTime.UtcNow);

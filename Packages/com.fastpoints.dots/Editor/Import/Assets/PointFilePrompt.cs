@@ -9,7 +9,7 @@ using UnityEngine;
 namespace FastPoints.Editor
 {
     /// <summary>Has point cloud files in <c>Assets</c> imported by <see cref="PointFileImporter"/> if the project wants that,
-    /// which the user is asked once: whether they came before the package or after it.</summary>
+    /// which the user is asked once, also for files older than the package.</summary>
     internal sealed class PointFilePrompt
     {
         const string CheckedKey = "FastPoints.PointFilePrompt";
@@ -31,7 +31,7 @@ namespace FastPoints.Editor
                 Claim();
         }
 
-        /// <summary>Called once an update of the editor. Looks at all assets once a session, and when the setting
+        /// <summary>Called once an update of the editor. Checks all assets once a session, and when the setting
         /// changes.</summary>
         public void Update()
         {
@@ -41,7 +41,7 @@ namespace FastPoints.Editor
                 m_before = m_settings.PointFiles;
                 AddExisting();
             }
-            // A question would be in the way of who plays.
+            // A question would interrupt play mode.
             if (m_offered.Count == 0 || m_settings.PointFiles != PointFiles.Ask || Application.isBatchMode ||
                 EditorApplication.isPlayingOrWillChangePlaymode)
                 return;
@@ -78,7 +78,7 @@ namespace FastPoints.Editor
             try
             {
                 using var source = RandomAccessFile.Open(file);
-                // A file without a line end is not read to its own.
+                // A file without a line end is not read to its end.
                 foreach (string line in Encoding.ASCII.GetString(source.ReadUpTo(0, MaxHeaderBytes).Bytes).Split('\n', '\r'))
                 {
                     if (line == "end_header")

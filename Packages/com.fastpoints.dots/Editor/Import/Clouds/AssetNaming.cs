@@ -22,7 +22,7 @@ namespace FastPoints.Editor
             "COM\u00B9", "COM\u00B2", "COM\u00B3", "LPT\u00B9", "LPT\u00B2", "LPT\u00B3",
         };
 
-        /// <summary>The nearest safe name: composed characters, none that a system forbids, no point, blank or tilde at an end,
+        /// <summary>The nearest safe name: composed characters, none that a system forbids, no dot, blank or tilde at an end,
         /// not the name of a device, at most <see cref="MaxBytes"/>.</summary>
         public static string Safe(string name)
         {
@@ -44,8 +44,8 @@ namespace FastPoints.Editor
             return isDevice ? "_" + safe : safe;
         }
 
-        /// <summary>Removes what systems dislike: Unity ignores files that begin with a point or end with a tilde; Windows drops
-        /// points and blanks at the end.</summary>
+        /// <summary>Removes what systems dislike: Unity ignores files that begin with a dot or end with a tilde;
+        /// Windows drops dots and blanks at the end.</summary>
         static string Trim(string name) =>
             name.TrimStart(' ', '.', '\u00A0', '\u3000').TrimEnd(' ', '.', '~', '\u00A0', '\u3000');
 
@@ -82,7 +82,7 @@ namespace FastPoints.Editor
             m_taken = new HashSet<string>(taken, StringComparer.OrdinalIgnoreCase);
         }
 
-        /// <summary>The path of the safe name, with a number behind it if that is taken; it is taken from now on.</summary>
+        /// <summary>The path of the safe name, with a number appended if that is taken; it is reserved from now on.</summary>
         public string Next(string name)
         {
             string safe = AssetNaming.Safe(name), path = Path.Combine(m_folder, safe + m_extension);

@@ -8,7 +8,7 @@ using UnityEngine;
 
 namespace FastPoints.Editor
 {
-    /// <summary>The converted clouds of a project: every <c>.fastpoints</c> folder in their place, found by path and by the id
+    /// <summary>The converted clouds of a project: every <c>.fastpoints</c> folder in their folder, found by path and by the id
     /// that follows from their content.</summary>
     internal sealed class CloudCatalog
     {
@@ -76,8 +76,8 @@ namespace FastPoints.Editor
             return new FreeNames(m_paths.Clouds, StoreFormat.FolderExtension, taken);
         }
 
-        /// <summary>Deletes a converted cloud: first its name, so that a half-deleted one never passes for a complete one. It may
-        /// keep that while somebody has its files open; the rest is done on a pool thread.</summary>
+        /// <summary>Deletes a converted cloud: first its name, so that a half-deleted one never passes for a complete
+        /// one. It may keep that while its files are open; the rest is done on a pool thread.</summary>
         public static void Delete(string path)
         {
             CloudFolderWriter.DeleteUnfinished(path);
@@ -154,7 +154,7 @@ namespace FastPoints.Editor
         InPlace,
         /// <summary>It is in another folder of the project's clouds, found by its id.</summary>
         Moved,
-        /// <summary>Another cloud is where the handle says, and its own was not found.</summary>
+        /// <summary>Another cloud is at the handle's path, and its own was not found.</summary>
         Another,
         Building,
     }

@@ -34,7 +34,7 @@ namespace FastPoints.Editor
         /// <summary>Whether they contain an octree (COPC, Potree, EPT) and can be streamed directly.</summary>
         public bool IsOctree;
 
-        /// <summary>The place that transforms move, georeferenced: where the cloud was first shown. Null until then.</summary>
+        /// <summary>The position that transforms move, georeferenced: where the cloud was first shown. Null until then.</summary>
         public double3? Origin;
 
         /// <summary>The axis whose floor <see cref="Origin"/> lies on.</summary>

@@ -6,11 +6,11 @@ using FastPoints.Store;
 
 namespace FastPoints.Editor
 {
-    /// <summary>Recognises files and folders as point clouds by their names, and what is dropped by headers where names do not
-    /// tell.</summary>
+    /// <summary>Recognises files and folders as point clouds by their names, and dropped files by headers where names do not
+    /// suffice.</summary>
     internal static class CloudSources
     {
-        /// <summary>Extensions of files that are imported where they lie in a project's assets.</summary>
+        /// <summary>Extensions of files that are imported in place in a project's assets.</summary>
         public static readonly string[] ImportedExtensions = { "las", "laz", "ply" };
 
         const string CopcExtension = ".copc.laz";

@@ -28,7 +28,7 @@ namespace FastPoints.Editor
             Clouds = Absolute(clouds);
         }
 
-        /// <summary>Why converted clouds cannot lie in a place, in one line; null if they can.</summary>
+        /// <summary>Why a folder cannot hold converted clouds, in one line; null if it can.</summary>
         /// <param name="folder">A path relative to the project, or absolute.</param>
         public static string FindProblem(string project, string folder)
         {
@@ -72,7 +72,7 @@ namespace FastPoints.Editor
             return (Below(Project, full) ?? (sibling == null ? full : "../" + sibling)).Replace(Path.DirectorySeparatorChar, '/');
         }
 
-        /// <returns>Null for a path that is not below the folder. Windows knows no case.</returns>
+        /// <returns>Null for a path that is not below the folder. Windows ignores case.</returns>
         static string Below(string folder, string path) =>
             path.StartsWith(Inside(folder), Path.DirectorySeparatorChar == '\\' ? StringComparison.OrdinalIgnoreCase
                 : StringComparison.Ordinal) ? path.Substring(Inside(folder).Length) : null;

@@ -2,14 +2,14 @@ using System;
 
 namespace FastPoints.Editor
 {
-    /// <summary>How much main-thread time background work gets in an update of the editor. Without focus updates are rare, and
-    /// nobody looks: slices grow, so that the share of the time stays what it is at 60 updates a second.</summary>
+    /// <summary>How much main-thread time background work gets in an update of the editor. Without focus updates are rare and
+    /// unseen: slices grow, so that the share of the time stays what it is at 60 updates a second.</summary>
     internal sealed class EditorPace
     {
         const double FocusedMs = 1000.0 / 60;
 
-        /// <summary>A slice is part of the interval that the next one is measured by: with less than one it cannot run
-        /// away.</summary>
+        /// <summary>The next slice is a share of an interval that contains this one: below 1, slices cannot grow
+        /// without bound.</summary>
         const double MaxShare = 0.5;
         const double MaxMs = 250;
         const double MinInFlightMs = 250;

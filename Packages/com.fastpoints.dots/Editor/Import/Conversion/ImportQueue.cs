@@ -42,10 +42,10 @@ namespace FastPoints.Editor
 
         public BuildSession Session { get; private set; }
 
-        /// <summary>Whether nothing is begun or continued for now.</summary>
+        /// <summary>Whether all conversions are on hold.</summary>
         public bool IsHeld { get; set; }
 
-        /// <summary>Whether there is something to convert that nobody has paused.</summary>
+        /// <summary>Whether there is a request that is not paused.</summary>
         public bool HasWork =>
             m_requests.Exists(r => r.State == ImportState.Waiting || r.State == ImportState.Running);
 
@@ -76,7 +76,7 @@ namespace FastPoints.Editor
             Save();
         }
 
-        /// <summary>Requests that no file has: until the lock is acquired, or the folder can be written; null for
+        /// <summary>Unsaved requests: until the lock is acquired, or the folder can be written; null for
         /// none.</summary>
         internal IReadOnlyList<ImportRequest> Unsaved =>
             (m_lock == null || m_isUnsaved) && m_requests.Count > 0 ? m_requests : null;
@@ -117,7 +117,7 @@ namespace FastPoints.Editor
                 ReleaseLock();
         }
 
-        /// <summary>Has others go first. A running conversion keeps its memory until another begins. One that reads its header
+        /// <summary>Lets others run first. A running conversion keeps its memory until another begins. One that reads its header
         /// is not paused.</summary>
         public void Pause(ImportRequest request)
         {
@@ -294,7 +294,7 @@ namespace FastPoints.Editor
                     m_requests.Insert(at, requests[i]);
         }
 
-        /// <summary>Reads the file. A damaged one is put aside: its clouds are imported again on request. One of a later version
+        /// <summary>Reads the file. A damaged one is renamed: its clouds are imported again on request. One of a later version
         /// is left alone.</summary>
         List<ImportRequest> Read()
         {

@@ -119,7 +119,7 @@ namespace FastPoints.Entities
             return exists;
         }
 
-        /// <summary>Looks for newer data on disk. What is shown stays until that is ready.</summary>
+        /// <summary>Opens newer data on disk. The shown cloud stays until they are ready.</summary>
         public void Refresh()
         {
             if (!TryGet(out var entities))
@@ -192,7 +192,7 @@ namespace FastPoints.Entities
                 TransformMatrix.Set(entities, Entity, transform, ref m_placed);
         }
 
-        /// <summary>One that others have destroyed keeps its cleanup components for a while, and nothing that could be written
+        /// <summary>A destroyed entity keeps its cleanup components for a while, but no component to write
         /// to.</summary>
         bool TryGet(out EntityManager entities) =>
             m_entity.TryGet(out entities) && entities.HasComponent<PointCloudFile>(Entity);
@@ -200,7 +200,7 @@ namespace FastPoints.Entities
         static PointCloudSystemGroup GroupOf(EntityManager entities) =>
             entities.World.GetExistingSystemManaged<PointCloudSystemGroup>();
 
-        /// <summary>Not by a component: a copy of the entity is nobody's.</summary>
+        /// <summary>Not a component: a copy of the entity has no owner.</summary>
         void AssignOwner(EntityManager entities)
         {
             var group = GroupOf(entities);

@@ -41,7 +41,7 @@ namespace FastPoints.Entities
         /// <summary>Metres of a vertical unit; 0 if nothing says it.</summary>
         public double VerticalMetresPerUnit;
 
-        /// <summary>Metres of a unit as the user has set it, whatever the file says; 0 if it is not set.</summary>
+        /// <summary>Metres of a unit as set by the user, overriding the file; 0 if not set.</summary>
         public double UnitMetres;
 
         /// <summary>The axis that points up.</summary>
@@ -51,7 +51,7 @@ namespace FastPoints.Entities
         /// nothing.</summary>
         public bool HasOrigin;
 
-        /// <summary>The place that transforms move, georeferenced, in CRS units.</summary>
+        /// <summary>The position that transforms move, georeferenced, in CRS units.</summary>
         public double3 Origin;
 
         /// <summary>The user's, or else the file's.</summary>

@@ -108,7 +108,7 @@ namespace FastPoints.Entities
 
         internal void Remove(PointCloud cloud) => m_clouds.Remove(cloud);
 
-        /// <summary>Takes note of a cloud's coordinate system, and warns if it is another than those of the others.</summary>
+        /// <summary>Records a cloud's coordinate system, and warns if it differs from the others'.</summary>
         internal void Compare(PointCloud cloud, string crs)
         {
             if (string.IsNullOrEmpty(crs))

@@ -94,7 +94,7 @@ namespace FastPoints.Entities
         }
     }
 
-    /// <summary>For subscenes. An open one has both entities, which say the same.</summary>
+    /// <summary>For subscenes. An open one has both entities, with equal values.</summary>
     internal sealed class SettingsBaker : Baker<PointCloudSettings>
     {
         public override void Bake(PointCloudSettings authoring)

@@ -16,7 +16,7 @@ namespace FastPoints.Entities
         /// <summary>The most entities to make, to destroy, and to update; the rest waits for the next frame.</summary>
         public int MaxChanges;
 
-        /// <summary>The slot to begin with, so that each has its turn.</summary>
+        /// <summary>The slot to begin with, so that none is starved.</summary>
         public NativeReference<int> First;
         public NativeList<TrackedNode> Tracked;
 
@@ -52,7 +52,7 @@ namespace FastPoints.Entities
             First.Value = next < 0 ? 0 : next;
         }
 
-        /// <returns>Whether its entity is as it should be then.</returns>
+        /// <returns>Whether its entity is up to date afterwards.</returns>
         bool Compare(int slot)
         {
             var cached = slot < Slots.Length ? Slots[slot] : default;
@@ -77,7 +77,7 @@ namespace FastPoints.Entities
                 Added.Add(slot);
                 tracked.Version = cached.Version;
                 tracked.State = state;
-                // As a copy of the prefab is.
+                // The state of a copy of the prefab.
                 tracked.Changes = state;
             }
             else if (tracked.State != state)
@@ -92,7 +92,7 @@ namespace FastPoints.Entities
         }
     }
 
-    /// <summary>What is known of a slot of the cache: the entity of its node.</summary>
+    /// <summary>The entity of the node in a slot of the cache.</summary>
     internal struct TrackedNode
     {
         public const byte IsResident = 1;

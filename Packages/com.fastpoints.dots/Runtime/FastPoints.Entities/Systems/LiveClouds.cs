@@ -33,7 +33,7 @@ namespace FastPoints.Entities
         /// entity's own look is that of the shown state.</summary>
         public readonly Dictionary<int, PointCloudLook> Looks = new Dictionary<int, PointCloudLook>();
 
-        /// <summary>Gives a source, in place of one that the stream has not taken.</summary>
+        /// <summary>Sets the next source, replacing one that the stream has not taken.</summary>
         public void SetSource(NodeSource source, PointCloudLook? look, CloudStage stage)
         {
             DropSource();
@@ -82,7 +82,7 @@ namespace FastPoints.Entities
             return Entity.Null;
         }
 
-        /// <summary>Removes the entries of entities that are gone.</summary>
+        /// <summary>Removes the entries of destroyed entities.</summary>
         public void RemoveDestroyed(EntityManager entities)
         {
             foreach (var entity in m_all.Keys)

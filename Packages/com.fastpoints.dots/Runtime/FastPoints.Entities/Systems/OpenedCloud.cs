@@ -31,7 +31,7 @@ namespace FastPoints.Entities
 
         public string Path { get; }
 
-        /// <summary>What the world's shift that is applied, <see cref="WorldShift"/>, moves its origin by, in the space that its
+        /// <summary>The applied <see cref="WorldShift"/> in the space that its
         /// transform moves.</summary>
         public double3 Shift;
         public double3 WorldShift;
@@ -39,7 +39,7 @@ namespace FastPoints.Entities
         /// <summary>Whether it can be disposed without waiting for a disk.</summary>
         public bool IsOpen => m_opening == null || m_opening.IsDone;
 
-        /// <summary>Whether updates change nothing until somebody asks, or a second is over.</summary>
+        /// <summary>Whether updates change nothing until a refresh, or for a second.</summary>
         public bool IsIdle => m_opening == null && (m_feed == null || m_feed.Newest == null && m_feed.IsIdle);
 
         public bool IsFollowed => m_feed != null && !m_feed.IsEnded;

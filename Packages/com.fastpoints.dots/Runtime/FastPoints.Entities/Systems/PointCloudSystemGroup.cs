@@ -35,8 +35,8 @@ namespace FastPoints.Entities
     [UpdateInGroup(typeof(PresentationSystemGroup))]
     public partial class PointCloudSystemGroup : ComponentSystemGroup
     {
-        /// <summary>The group rests after this many frames without reads and uploads: a dropped node is requested again within
-        /// them.</summary>
+        /// <summary>The group is idle after this many frames without reads and uploads: a dropped node is requested
+        /// again within them.</summary>
         const int FramesToIdle = 40;
 
         /// <summary>Bytes of graphics memory without a <see cref="PointCloudBudget"/>; changes apply from the next frame on. An
@@ -84,13 +84,13 @@ namespace FastPoints.Entities
         /// <summary>What passes draw; null if <see cref="Begin"/> was called by hand.</summary>
         internal PointScene Scene { get; private set; }
 
-        /// <summary>What belongs to clouds' entities and is no component.</summary>
+        /// <summary>State of clouds' entities beside components.</summary>
         internal readonly LiveClouds Live = new LiveClouds();
 
-        /// <summary>Whether clouds that are files are being opened or looked at, or have states to be taken.</summary>
+        /// <summary>Whether files of clouds are being opened or polled, or have states to be taken.</summary>
         internal bool IsOpening { get; set; }
 
-        /// <summary>Whether a cloud is unfinished on disk: its folder is looked at once a second, if there are frames.</summary>
+        /// <summary>Whether a cloud is unfinished on disk: its folder is polled once a second, if there are frames.</summary>
         internal bool IsFollowing { get; set; }
 
         /// <summary>What the frame has done so far; after the update, all that it did.</summary>
@@ -107,7 +107,7 @@ namespace FastPoints.Entities
             {
                 if (Stream == null)
                     return CanBegin;
-                // A look at a folder needs frames until it ends, and no more after it.
+                // Polling a folder needs frames until it ends.
                 return m_idleFrames < FramesToIdle || IsOpening || Scene != null && HasMoved(Scene.NextViews);
             }
         }
@@ -123,9 +123,9 @@ namespace FastPoints.Entities
         /// <summary>The error of opening a <see cref="PointCloudFile"/>, in one line; null if there was none.</summary>
         public string ErrorOf(Entity cloud) => Live.Find(cloud)?.Error;
 
-        /// <summary>Gives an entity with a <see cref="PointCloudPlacement"/> the source that it is streamed from; the stream
-        /// takes it over in the next frame. If there is one already, the new source is a newer state of the same cloud and
-        /// replaces it when it is ready. Copies of the entity do not have it.</summary>
+        /// <summary>Gives an entity with a <see cref="PointCloudPlacement"/> the source that it is streamed from; the
+        /// stream takes it in the next frame. If there is one already, the new source is a newer state of the same
+        /// cloud and replaces it when it is ready. Copies of the entity do not have it.</summary>
         /// <param name="source">It is disposed with the entity or the world.</param>
         /// <param name="look">What becomes the entity's <see cref="PointCloudLook"/> when the source is shown; null keeps the
         /// current one.</param>
@@ -180,7 +180,7 @@ namespace FastPoints.Entities
             base.OnDestroy();
         }
 
-        /// <summary>With the next frame, where something keeps an entity from being destroyed now.</summary>
+        /// <summary>Destroys an entity in the next frame, if it cannot be destroyed now.</summary>
         internal void DestroyLater(Entity entity)
         {
             m_toDestroy.Add(entity);
@@ -190,7 +190,7 @@ namespace FastPoints.Entities
         /// <summary>Requests frames after a change that they do not detect.</summary>
         internal void Wake() => m_idleFrames = 0;
 
-        /// <summary>Whether a cloud that is a file is to be found in this folder.</summary>
+        /// <summary>Whether a cloud's files are in this folder.</summary>
         /// <param name="looks">Whether all of them poll for newer data on disk in the next frame.</param>
         internal bool IsShown(string folder, bool looks = false)
         {

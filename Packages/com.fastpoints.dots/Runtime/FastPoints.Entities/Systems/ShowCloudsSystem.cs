@@ -28,7 +28,7 @@ namespace FastPoints.Entities
             if (scene == null || scene.Stream != Group.Stream)
                 return;
             UseStyle(scene);
-            // The number of a cloud that is gone may be another's now.
+            // The number of a removed cloud may be another's now.
             scene.ClearLooks();
             using var entities = m_shown.ToEntityArray(Allocator.Temp);
             using var clouds = m_shown.ToComponentDataArray<StreamedPointCloud>(Allocator.Temp);

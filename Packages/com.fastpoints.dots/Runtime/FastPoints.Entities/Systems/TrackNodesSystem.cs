@@ -5,8 +5,8 @@ using Unity.Jobs;
 
 namespace FastPoints.Entities
 {
-    /// <summary>Makes and destroys the entities of nodes, some in each frame, and updates their nodes' state. It does nothing at
-    /// rest, and nothing at all unless entities are wanted (<see cref="PointCloudNodesWanted"/>).</summary>
+    /// <summary>Creates and destroys the entities of nodes, some in each frame, and updates their nodes' state. It does nothing
+    /// when idle, and nothing at all unless entities are requested (<see cref="PointCloudNodesWanted"/>).</summary>
     [WorldSystemFilter(WorldSystemFilterFlags.Default | WorldSystemFilterFlags.Editor)]
     [UpdateInGroup(typeof(PointCloudSystemGroup), OrderLast = true)]
     internal unsafe partial class TrackNodesSystem : StreamSystem
@@ -14,7 +14,7 @@ namespace FastPoints.Entities
         /// <summary>The most entities that one frame makes, destroys, and updates.</summary>
         internal const int MaxChanges = 512;
 
-        /// <summary>A node that was just requested: copies need little more than its place.</summary>
+        /// <summary>A node that was just requested: copies need little more than its bounds.</summary>
         Entity m_prefab;
         int m_count;
         EntityQuery m_wanted;
@@ -24,7 +24,7 @@ namespace FastPoints.Entities
         NativeList<Entity> m_removed;
         NativeList<int> m_added;
         NativeList<int> m_changed;
-        NativeList<Entity> m_made;
+        NativeList<Entity> m_created;
         NativeList<Entity> m_entityOfCloud;
 
         protected override void OnCreate()
@@ -37,7 +37,7 @@ namespace FastPoints.Entities
             m_removed = new NativeList<Entity>(MaxChanges, Allocator.Persistent);
             m_added = new NativeList<int>(MaxChanges, Allocator.Persistent);
             m_changed = new NativeList<int>(1024, Allocator.Persistent);
-            m_made = new NativeList<Entity>(MaxChanges, Allocator.Persistent);
+            m_created = new NativeList<Entity>(MaxChanges, Allocator.Persistent);
             m_entityOfCloud = new NativeList<Entity>(Allocator.Persistent);
         }
 
@@ -77,7 +77,7 @@ namespace FastPoints.Entities
             m_removed.Dispose();
             m_added.Dispose();
             m_changed.Dispose();
-            m_made.Dispose();
+            m_created.Dispose();
             m_entityOfCloud.Dispose();
             base.OnDestroy();
         }
@@ -86,13 +86,13 @@ namespace FastPoints.Entities
         {
             FindClouds();
             if (!EntityManager.Exists(m_prefab))
-                MakePrefab();
-            m_made.ResizeUninitialized(m_added.Length);
-            EntityManager.Instantiate(m_prefab, m_made.AsArray());
+                CreatePrefab();
+            m_created.ResizeUninitialized(m_added.Length);
+            EntityManager.Instantiate(m_prefab, m_created.AsArray());
             for (int i = 0; i < m_added.Length; i++)
             {
                 int slot = m_added[i];
-                var entity = m_made[i];
+                var entity = m_created[i];
                 ref var tracked = ref m_tracked.ElementAt(slot);
                 tracked.Entity = entity;
                 Describe(entity, slot, Group.Stream.Cache[slot]);
@@ -100,7 +100,7 @@ namespace FastPoints.Entities
             }
         }
 
-        void MakePrefab()
+        void CreatePrefab()
         {
             m_prefab = EntityManager.CreateEntity(ComponentType.ReadWrite<PointCloudNode>(),
                 ComponentType.ReadWrite<PointCloudNodeBounds>(), ComponentType.ReadWrite<Requested>(),

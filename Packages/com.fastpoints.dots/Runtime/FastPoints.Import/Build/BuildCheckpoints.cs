@@ -39,7 +39,7 @@ namespace FastPoints.Build
         /// written.</summary>
         public bool MustClear { get; private set; }
 
-        /// <summary>Takes up the build that was killed, where there is one of the same sources and settings, and its points are
+        /// <summary>Resumes a killed build of the same sources and settings, if its points are
         /// on disk.</summary>
         public static BuildCheckpoints Resume(BuildContext build, ScatterPoints scatter, ChunkSet chunks)
         {
@@ -76,7 +76,7 @@ namespace FastPoints.Build
             return checkpoints;
         }
 
-        /// <summary>Coroutine: queues the journal behind everything that it refers to, so that this reaches the disk before
+        /// <summary>Coroutine: queues the journal after everything that it refers to, so that this reaches the disk before
         /// the journal does. Does nothing if points are in memory.</summary>
         public IEnumerator<JobStep> Begin()
         {
@@ -101,7 +101,7 @@ namespace FastPoints.Build
             yield return JobStep.Of(End());
         }
 
-        /// <summary>Coroutine: writes the last journal when all files of the cloud are complete, also where points were in
+        /// <summary>Coroutine: writes the last journal when all files of the cloud are complete, also if points were in
         /// memory: if the folder cannot be renamed, the next build has only that left to do.</summary>
         public IEnumerator<JobStep> Finish(int levelCount, long[] bytesOfPlane)
         {

@@ -92,7 +92,7 @@ namespace FastPoints.Build
 
         public void UseFiles() => Files ??= new RecordFiles(Folder, Records.StrideBytes);
 
-        /// <summary>The same where all stay in memory, if the disk has room for all of them.</summary>
+        /// <summary>The same if all are in memory, and the disk has room for all of them.</summary>
         public bool TryUseFiles()
         {
             long free = Folder.FreeBytes();

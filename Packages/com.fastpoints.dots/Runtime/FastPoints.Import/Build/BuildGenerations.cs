@@ -8,7 +8,7 @@ using Unity.Jobs;
 
 namespace FastPoints.Build
 {
-    /// <summary>Makes a build that is under way a cloud that can be opened, again and again: the finished chunks, and for the
+    /// <summary>Makes a running build a cloud that can be opened, repeatedly: the finished chunks, and for the
     /// others what a sample shows of them, as chunks' tops that the same sampler made. A reader follows the generations of
     /// cloud.json.</summary>
     internal sealed class BuildGenerations : IDisposable
@@ -83,13 +83,13 @@ namespace FastPoints.Build
                     tops[i].Dispose();
             }
             yield return JobStep.Of(m_build.Folder.WriteText(StoreFormat.ManifestName, manifest.ToJson()));
-            // The generation before is what a reader may just be opening.
+            // A reader may be opening the previous generation.
             m_build.Folder.DeleteGeneration(m_generation - 2);
         }
 
         public void Dispose() => m_sample.Dispose();
 
-        /// <summary>A top of the sample for each chunk that is not finished. What the sampler leaves below a top is not
+        /// <summary>A top of the sample for each chunk that is not finished. Points below a top are not
         /// shown.</summary>
         IEnumerator<JobStep> MakeTops(CloudManifest manifest, NativeStoreLayout store, IReadOnlyList<GridCube> cubes,
             ChunkResult[] results, NativeArray<byte>[] tops, List<int> placeholders)

@@ -11,9 +11,9 @@ namespace FastPoints.Build
         {
             /// <summary>Sources are read: up to <see cref="Source"/> and <see cref="Block"/>.</summary>
             Read,
-            /// <summary>All points are in chunks, which are split where they are too large.</summary>
+            /// <summary>All points are in chunks, which are split if they are too large.</summary>
             Split,
-            /// <summary>The chunks are final, and made into nodes one by one.</summary>
+            /// <summary>The chunks are final, and are indexed one by one.</summary>
             Index,
             /// <summary>Everything is done except the folder's final name.</summary>
             Done,

@@ -33,14 +33,14 @@ namespace FastPoints.Build
 
         public string PathOf(int file) => file == UpperFile ? Folder.UpperPath : Folder.ChunkPath(file);
 
-        /// <summary>Chooses what streaming would choose for a view without a place: the children of the widest spacing first,
-        /// ties by file and place in it, until the next one is too many.</summary>
+        /// <summary>Chooses what streaming would choose without a camera: the children of the widest spacing first,
+        /// ties by file and node number, until the next one would exceed the budget.</summary>
         /// <param name="budget">The most points, except that the root is always chosen.</param>
         /// <exception cref="PointCloudException">A chunk's table is damaged.</exception>
         public void ChooseEvenly(long budget)
         {
             Clear();
-            // A chunk that is not open yet stands there as node -1.
+            // Node -1 stands for a chunk that is not open yet.
             var next = new SortedSet<(float Narrowness, int File, int Node)>();
             if (Folder.Upper.Nodes.Length > 0)
                 next.Add((float.NegativeInfinity, UpperFile, 0));

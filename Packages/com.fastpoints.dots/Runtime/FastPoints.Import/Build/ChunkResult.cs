@@ -54,7 +54,7 @@ namespace FastPoints.Build
             return result;
         }
 
-        /// <summary>The result of its top alone, as if nothing were below; the caller fills in the checksum.</summary>
+        /// <summary>The result of the chunk's top alone; the caller fills in the checksum.</summary>
         public static ChunkResult OfTop(ChunkIndexer indexer)
         {
             var top = indexer.Drafts[0];
@@ -79,7 +79,7 @@ namespace FastPoints.Build
             };
         }
 
-        /// <summary>Makes the file's bytes; the caller disposes them.</summary>
+        /// <summary>The bytes of its file; the caller disposes them.</summary>
         public NativeArray<byte> ToBytes(NativeArray<byte> topRecords, ulong cloudId)
         {
             int planeBytes = BytesOfPlane.Length * sizeof(long);

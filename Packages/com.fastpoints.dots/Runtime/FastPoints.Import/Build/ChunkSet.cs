@@ -44,7 +44,7 @@ namespace FastPoints.Build
         public ChunkSet(BuildContext build)
         {
             m_build = build;
-            // What parts of chunks may take until they go to files.
+            // The pages that parts of chunks may take until they go to files.
             m_maxPages = build.Plan.MaxPages / 2;
             m_load = new RecordLoad(build);
         }
@@ -53,8 +53,8 @@ namespace FastPoints.Build
 
         RecordFiles Files => m_build.Files;
 
-        /// <summary>Makes the work to run after each completed change, when every record is where the chunks say. Files that are
-        /// no longer needed exist until it has ended.</summary>
+        /// <summary>Creates the coroutine to run after each completed change, when the chunks and their records agree. Files that
+        /// are no longer needed exist until it has ended.</summary>
         public Func<IEnumerator<JobStep>> Rebalanced { get; set; }
 
         public void Add(GridCube cube, ref RecordPages pages)
@@ -100,7 +100,7 @@ namespace FastPoints.Build
         }
 
         /// <summary>Coroutine: splits every chunk of more than <paramref name="limit"/> points until none is larger than
-        /// that. Points at one place are split by their number, in the order in which they came.</summary>
+        /// that. Points at one position are split by count, in their order.</summary>
         /// <param name="target">The most points of a part.</param>
         public IEnumerator<JobStep> SplitLarge(long limit, long target)
         {
@@ -121,7 +121,7 @@ namespace FastPoints.Build
         /// Morton order.</summary>
         public void MergeSmall(GridCube root, long target)
         {
-            // The order is stable: several chunks at one place come in the order of their points.
+            // The order is stable: several chunks of one cube keep the order of their points.
             var order = new int[m_chunks.Count];
             for (int i = 0; i < order.Length; i++)
                 order[i] = i;

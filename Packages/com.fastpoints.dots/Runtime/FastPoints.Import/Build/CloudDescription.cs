@@ -12,7 +12,7 @@ namespace FastPoints.Build
     /// warnings.</summary>
     internal static class CloudDescription
     {
-        /// <summary>The manifest of the whole cloud, as far as its points say; what is known of its nodes comes later. Sources
+        /// <summary>The manifest of the whole cloud, except for its nodes, which come later. Sources
         /// get their warnings.</summary>
         public static CloudManifest OfBuild(BuildContext build, BuildJournal journal, ScatterPoints scatter)
         {
@@ -44,8 +44,8 @@ namespace FastPoints.Build
             return manifest;
         }
 
-        /// <exception cref="PointCloudException">Their numbers have different meanings, so that they cannot be one
-        /// cloud.</exception>
+        /// <exception cref="PointCloudException">Their coordinates or values have different meanings, so that they
+        /// cannot be one cloud.</exception>
         public static void Check(IReadOnlyList<PointReader> readers)
         {
             foreach (var reader in readers)

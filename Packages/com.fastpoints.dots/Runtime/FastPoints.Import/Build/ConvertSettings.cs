@@ -47,14 +47,14 @@ namespace FastPoints.Build
         /// opened.</summary>
         public double SecondsToFirstGeneration = 1;
 
-        /// <summary>The most workers of the job system that this work keeps busy: this many blocks are read and decoded, and this
+        /// <summary>The most job workers that this keeps busy: this many blocks are read and decoded, and this
         /// many chunks are sorted, at the same time. 0 for all. May be set while the work is running, from the next piece on; the
         /// stored bytes are the same.</summary>
         public int Workers;
 
-        /// <summary>Where a coroutine is ticked: how far apart ticks may be, in ms, for jobs to be scheduled that keep workers
-        /// busy from one to the next, as memory allows. More where updates are rare, as in an editor without focus; ending the
-        /// work early then takes as much longer. May be set while the work is running; the stored bytes are the same.</summary>
+        /// <summary>For coroutines: the time between ticks, in ms, for which enough jobs are scheduled to keep workers
+        /// busy, as memory allows. More where updates are rare, as in an editor without focus; ending the work early
+        /// then takes as much longer. May be set while the work is running; the stored bytes are the same.</summary>
         public double InFlightMs = 50;
 
         /// <summary>Whether the files on disk stay there when the work is disposed early: the next build of the target with the
@@ -80,7 +80,7 @@ namespace FastPoints.Build
         /// <summary>The number of points that chunks were planned for; the stored bytes depend on it.</summary>
         public long PointsPerChunk;
 
-        /// <summary>How long single runs of the octree's own jobs took: median, 99th percentile, longest; in steps of 0.1
+        /// <summary>How long the octree's jobs took: median, 99th percentile, longest; in steps of 0.1
         /// ms.</summary>
         public double[] SliceMs;
 

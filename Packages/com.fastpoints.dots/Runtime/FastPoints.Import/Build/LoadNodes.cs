@@ -48,7 +48,7 @@ namespace FastPoints.Build
 
         /// <summary>Reads the nodes as a coroutine. Positions come as grid steps from the root's corner: see
         /// <see cref="CloudGrid.FromCorner"/>.</summary>
-        /// <param name="batch">A batch with the schema of <see cref="SchemaFor"/> and room for all points of the
+        /// <param name="batch">A batch with the schema of <see cref="SchemaFor"/> and capacity for all points of the
         /// selection.</param>
         /// <exception cref="PointCloudException">A file cannot be read, or a node is damaged.</exception>
         public static IEnumerator<JobStep> Run(CloudFolder folder, ChosenNodes selection, PointBatch batch,
@@ -101,7 +101,7 @@ namespace FastPoints.Build
         static StoreRead Complete(Queue<(FileLoad Load, int Part, StoreRead Read, JobHandle Decoded)> inFlight,
             ChosenNodes selection, StageProgress progress)
         {
-            // It stays in the queue, whose reads are disposed, until it is known to be sound.
+            // It stays in the queue, whose reads are disposed, until it has been checked.
             var (load, part, read, decoded) = inFlight.Peek();
             decoded.Complete();
             read.Complete();
@@ -137,7 +137,6 @@ namespace FastPoints.Build
             NativeArray<StoredColumn> m_columns;
             NativeArray<PointColumn> m_targets;
 
-            /// <summary>For each part that was scheduled.</summary>
             readonly NativeArray<bool>[] m_isDamaged;
 
             public FileLoad(CloudFolder folder, ChosenNodes selection, int file, PointBatch batch, int firstPoint,

@@ -13,13 +13,12 @@ namespace FastPoints.Build
         // A chunk that a sample or a cube's octants made eight times smaller is still larger than a leaf.
         const long MinPointsPerChunk = 200000;
 
-        /// <summary>The smallest chunk, however little memory there is: smaller ones would consist of tops alone.</summary>
+        /// <summary>The smallest chunk for any amount of memory: smaller ones would consist of tops alone.</summary>
         const long MinPlannedPointsPerChunk = 1 << 16;
 
         const int ChunksPlanned = 2;
 
-        /// <summary>More points show no more in a picture of everything; there are fewer if these took more than this share of
-        /// the memory.</summary>
+        /// <summary>More points do not improve an overview; little memory means fewer.</summary>
         const long MaxPlaceholderPoints = 1 << 17;
         const long PlaceholderShare = 16;
 
@@ -46,8 +45,8 @@ namespace FastPoints.Build
         /// <summary>Bytes of the blocks in flight while sources are read.</summary>
         public long ReadBytes { get; private set; }
 
-        /// <summary>The maximum in flight if workers run out of fewer: the free memory until chunks are in
-        /// progress.</summary>
+        /// <summary>The maximum in flight if fewer do not keep workers busy: the memory that is free until chunks are
+        /// in progress.</summary>
         public long InFlightBytes => IsStored ? ReadBytes : Math.Max(ReadBytes, IndexBytes);
 
         /// <summary>The most pages that chunks hold while sources are read, including those that wait to be written.</summary>

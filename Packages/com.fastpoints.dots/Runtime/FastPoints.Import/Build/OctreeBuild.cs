@@ -19,7 +19,6 @@ namespace FastPoints.Build
             public IndexWorkspace Workspace;
             public RecordLoad Load;
 
-            /// <summary>Loaded records outside of the chunk.</summary>
             public NativeReference<int> Outside;
             public int Chunk;
 
@@ -103,7 +102,7 @@ namespace FastPoints.Build
             {
                 for (int slabs = RecordPagePool.Of(m_build.Pool).SlabCount; slabs > 0; slabs--)
                     freed = new FreeSlabJob { Pool = m_build.Pool }.Schedule(freed);
-                // Beside them each of the others would wait for the kernel as long.
+                // Other jobs would wait for the kernel beside them as long.
                 yield return freed;
                 for (; m_spare.Count > 0; m_spare.Pop().Dispose())
                     yield return default;
@@ -151,7 +150,7 @@ namespace FastPoints.Build
                 if (next < order.Count && m_inFlight.Count < m_limit.Value)
                 {
                     Begin(order[next++]);
-                    // The coroutine checks its budget.
+                    // Lets the coroutine check its budget.
                     yield return default;
                     continue;
                 }
@@ -174,8 +173,8 @@ namespace FastPoints.Build
             }
         }
 
-        /// <summary>Chunks that the resumed build has not done, the largest first, so that none is left for the end
-        /// alone.</summary>
+        /// <summary>Chunks that the resumed build has not finished, the largest first, so that no large one runs alone
+        /// at the end.</summary>
         IEnumerator<JobStep> FindChunksLeft(List<int> order)
         {
             int stride = m_build.Records.ForTops(m_store.HasAverages).StrideBytes;
@@ -265,7 +264,7 @@ namespace FastPoints.Build
             m_newest = slot.Indexer.Job;
         }
 
-        /// <summary>Not often, not much of the time, and only where memory has room beside the chunks in work.</summary>
+        /// <summary>Not often, not much of the time, and only if there is memory for it beside the chunks in progress.</summary>
         bool IsGenerationDue(double seconds, double lastTook)
         {
             if (seconds < Math.Max(m_build.Settings.SecondsPerGeneration, 8 * lastTook))
@@ -292,8 +291,7 @@ namespace FastPoints.Build
             return m_generations.Write(Manifest, m_store, cubes, finished, m_topRecords);
         }
 
-        /// <summary>Reads what the build before this one has left of a chunk, if that is done; otherwise null. Any
-        /// thread.</summary>
+        /// <summary>Reads a chunk that the interrupted build finished; null if it did not. Any thread.</summary>
         ChunkResult ReadFinishedChunk(int chunk, int stride)
         {
             string path = m_build.Folder.PathOf(BuildFiles.TopPath(chunk));
@@ -350,7 +348,7 @@ namespace FastPoints.Build
     }
 
     /// <summary>Files of finished chunks that wait to be written, so that the next chunks need not wait for the disk. There are
-    /// as many as memory allows: the writing code gets an empty list in exchange.</summary>
+    /// as many as memory allows: the caller gets an empty list in exchange.</summary>
     sealed class ChunkWrites : IDisposable
     {
         struct Pending

@@ -85,10 +85,8 @@ namespace FastPoints.Build
     [BurstCompile]
     internal struct CodeSampleJob : IJob
     {
-        /// <summary>Points of one run of the job.</summary>
         public const int PointsPerSlice = 1 << 16;
 
-        /// <summary>A slice of a sample.</summary>
         [ReadOnly] public NativeArray<double3> Stored;
         public SourceGrid Grid;
         public GridCube Cube;

@@ -12,8 +12,8 @@ namespace FastPoints.Build
     /// built yet. Owns its records.</summary>
     internal sealed class PlaceholderSample : IDisposable
     {
-        /// <summary>Records that lie together are neighbours in space: runs of 128 left most of a tile bare that runs of 16
-        /// cover.</summary>
+        /// <summary>Consecutive records are neighbours in space: ranges of 128 left most of a tile bare that ranges of
+        /// 16 cover.</summary>
         const int RangePoints = 16;
 
         /// <summary>Ranges that are grouped in one slice.</summary>
@@ -41,7 +41,6 @@ namespace FastPoints.Build
         public PointStatistics Statistics { get; private set; } = PointStatistics.None;
         public AttributeStatistics[] Attributes { get; }
 
-        /// <summary>Coroutine: reads the sample.</summary>
         public IEnumerator<JobStep> Read()
         {
             for (int i = 0; i < m_build.Readers.Count; i++)
@@ -77,7 +76,6 @@ namespace FastPoints.Build
             return all;
         }
 
-        /// <summary>Takes back a part.</summary>
         public void Return(RecordPages part) => RecordPagePool.Of(m_pool).Return(ref part);
 
         public void Dispose()
@@ -137,7 +135,7 @@ namespace FastPoints.Build
             }
         }
 
-        /// <summary>Copies records here and now, since they are few.</summary>
+        /// <summary>Copies at once, since the records are few.</summary>
         unsafe void Take(RecordSlot slot)
         {
             RecordPagePool.Of(m_pool).Append(ref m_pages,
@@ -148,7 +146,7 @@ namespace FastPoints.Build
             Statistics = statistics;
         }
 
-        /// <summary>Takes runs that come as blocks.</summary>
+        /// <summary>Takes ranges that come as blocks.</summary>
         sealed class Consumer : IBlockConsumer, IDisposable
         {
             readonly PlaceholderSample m_sample;

@@ -5,8 +5,8 @@ using FastPoints.Reading;
 
 namespace FastPoints.Build
 {
-    /// <summary>Reads all sources into the chunks of the first partition, from where a build that was killed had come, and writes
-    /// the journal as it goes.</summary>
+    /// <summary>Reads all sources into the chunks of the first partition, from where a killed build stopped, and writes
+    /// the journal.</summary>
     internal sealed class ReadSources
     {
         readonly BuildContext m_build;
@@ -54,7 +54,7 @@ namespace FastPoints.Build
         bool UsesFiles() => m_build.Files != null ||
             m_watch.Elapsed.TotalSeconds >= m_build.Settings.SecondsInMemory && m_build.TryUseFiles();
 
-        /// <summary>A build with timed checkpoints has the first one early, to measure the speed.</summary>
+        /// <summary>With timed checkpoints the first one is early, to measure the speed.</summary>
         long PointsToCheckpoint()
         {
             var settings = m_build.Settings;
@@ -110,8 +110,8 @@ namespace FastPoints.Build
             yield return JobStep.Of(m_scatter.EndSource());
         }
 
-        /// <summary>Where reading takes long, the first generation is made beside it; not for what is left of the second half,
-        /// since chunks follow soon.</summary>
+        /// <summary>If reading takes long, the first generation is built meanwhile; not in its second half, since
+        /// chunks follow soon.</summary>
         void StepFirst()
         {
             if (m_first == null && m_generations.IsFirstDue && 2 * m_scatter.PointsDone <= m_build.Points)

@@ -28,7 +28,7 @@ namespace FastPoints.Build
         /// <summary>The pages, which have their records when <see cref="Done"/> completes.</summary>
         public RecordPages Pages => m_pages;
 
-        /// <summary>Starts a load; the one before is complete, and the records have been written.</summary>
+        /// <summary>Starts a load once the previous one is complete and the records are written.</summary>
         /// <param name="ranges">Ranges that together are one sequence of records.</param>
         /// <param name="first">First record of that sequence.</param>
         /// <param name="count">Number of records, at most as many as there are.</param>
@@ -116,7 +116,7 @@ namespace FastPoints.Build
         }
     }
 
-    /// <summary>Checks records that came from a disk before anything is computed with them: those outside of their cube are
+    /// <summary>Validates records from disk before use: those outside of their cube are
     /// counted, and put at its corner, so that dependent jobs that are already scheduled can run on them.</summary>
     [BurstCompile]
     internal unsafe struct CheckRecordsJob : IJob

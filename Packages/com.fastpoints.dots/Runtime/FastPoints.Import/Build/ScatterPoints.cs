@@ -9,8 +9,8 @@ using Unity.Jobs;
 
 namespace FastPoints.Build
 {
-    /// <summary>Takes every block of a source into the chunks of a partition: into memory, and on to files where that has no more
-    /// room. Owns the records in memory until they are handed over.</summary>
+    /// <summary>Takes every block of a source into the chunks of a partition: into memory, and into files when that is
+    /// full. Owns the records in memory until they are handed over.</summary>
     internal sealed class ScatterPoints : IThrottledConsumer, IDisposable
     {
         readonly BuildContext m_build;
@@ -32,7 +32,7 @@ namespace FastPoints.Build
                 Attributes[a] = AttributeStatistics.None;
         }
 
-        /// <summary>Points that were read, those of a build before this one with them.</summary>
+        /// <summary>Points that were read, including those of the resumed build.</summary>
         public long PointsDone { get; private set; }
 
         /// <summary>Sum of all that <see cref="TakeStatistics"/> added.</summary>
@@ -43,7 +43,7 @@ namespace FastPoints.Build
         /// <summary>Records by chunk of the partition, the last those outside. Elements may be taken over and emptied.</summary>
         public NativeArray<RecordPages> Chunks => m_chunks;
 
-        /// <summary>Whether the disk keeps up.</summary>
+        /// <summary>False while the disk lags behind.</summary>
         public bool IsReady
         {
             get
@@ -95,7 +95,7 @@ namespace FastPoints.Build
             m_build.Progress?.Report(PointsDone / (double)Math.Max(1, m_build.Points), PointsDone, m_bytesDone);
         }
 
-        /// <summary>Takes in what a build before this one has read.</summary>
+        /// <summary>Adopts what the resumed build has read.</summary>
         public void Resume(BuildJournal journal)
         {
             for (int a = 0; a < journal.Attributes.Length; a++)
@@ -183,7 +183,7 @@ namespace FastPoints.Build
 
         public long MaxPages;
 
-        /// <summary>Number of pages held elsewhere, on their way to a disk.</summary>
+        /// <summary>Pages that wait to be written.</summary>
         public NativeReference<long> PagesDetached;
 
         /// <summary>Out: full pages to be written, each once.</summary>

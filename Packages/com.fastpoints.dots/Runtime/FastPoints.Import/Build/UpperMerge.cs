@@ -7,14 +7,14 @@ using Unity.Collections.LowLevel.Unsafe;
 
 namespace FastPoints.Build
 {
-    /// <summary>From the chunks' tops to the upper levels. Where there are more tops than one go should take, those of neighbours
-    /// become regions with tops of their own, and so on: memory is that of one region, whatever the number of chunks.</summary>
+    /// <summary>From the chunks' tops to the upper levels. If there are too many tops for one merge, neighbours become
+    /// regions with their own tops, and so on: memory is that of one region for any number of chunks.</summary>
     internal sealed unsafe class UpperMerge : IDisposable
     {
         /// <summary>Eight neighbours are merged into a region of at least this many points: each round leaves fewer.</summary>
         const int MinPointsPerRegion = 8 * StoreFormat.MaxPointsPerNode;
 
-        /// <summary>Tops that are read from files side by side.</summary>
+        /// <summary>Tops that are read from files at the same time.</summary>
         const int MaxReadsInFlight = 8;
 
         readonly BuildContext m_build;
@@ -38,13 +38,13 @@ namespace FastPoints.Build
             BytesOfPlane = new long[store.Layout.Planes.Count];
         }
 
-        /// <summary>Tops' points that one go takes: more are merged in regions first.</summary>
+        /// <summary>The most points of tops in one merge: more are merged in regions first.</summary>
         public static long MaxPointsInFlight(long pointsPerRegion) => 2 * Math.Max(pointsPerRegion, MinPointsPerRegion);
 
         public int LowestSideLog2 { get; private set; } = int.MaxValue;
         public long[] BytesOfPlane { get; }
 
-        /// <summary>Coroutine: writes upper.bin and hierarchy.bin, and says of them in the manifest.</summary>
+        /// <summary>Coroutine: writes upper.bin and hierarchy.bin, and adds them to the manifest.</summary>
         /// <param name="chunks">In Morton order, with rising numbers; all, or those that are finished.</param>
         /// <param name="topRecords">By chunk; if there are none, they are in the chunk's file. They stay the caller's.</param>
         public IEnumerator<JobStep> Run(IReadOnlyList<ChunkResult> chunks, NativeArray<byte>[] topRecords, StageProgress progress)
@@ -145,7 +145,7 @@ namespace FastPoints.Build
 
         int TopStride => m_build.Records.ForTops(m_store.HasAverages).StrideBytes;
 
-        /// <summary>Brings the members' records together, from memory or from the chunks' files.</summary>
+        /// <summary>Gathers the members' records from memory or from the chunks' files.</summary>
         IEnumerator<JobStep> GatherTops(List<UpperItem> members, NativeArray<byte> records, NativeArray<ChunkTop> tops)
         {
             int stride = TopStride, at = 0, begun = 0;
@@ -198,7 +198,7 @@ namespace FastPoints.Build
             return read;
         }
 
-        /// <summary>Remembers by which of the region's nodes its members hang.</summary>
+        /// <summary>Records the region's node that each member is attached to.</summary>
         /// <returns>Whether one of them has nodes.</returns>
         bool Attach(List<UpperItem> members, NativeArray<ChunkTop> tops, UpperRegion region)
         {

@@ -94,11 +94,11 @@ namespace FastPoints.Build
         }
     }
 
-    /// <summary>Some upper nodes that were made in one go: those above a few chunks, or above other regions. The top node of a
+    /// <summary>Upper nodes of one merge: those above a few chunks, or above other regions. The top node of a
     /// region, like a chunk's, belongs to the region above; the root's has none above. Owns its table.</summary>
     internal sealed class UpperRegion : IDisposable
     {
-        /// <summary>Records and planes of the nodes, as the writer made them.</summary>
+        /// <summary>Records and planes of the nodes, as the writer returned them.</summary>
         public NativeArray<byte> Table;
 
         /// <summary>For each draft, its node in the table, or -1 for the top that belongs to the region above.</summary>
@@ -112,7 +112,7 @@ namespace FastPoints.Build
         public UpperRegion Above;
         public int AttachDraft;
 
-        /// <summary>Number of the region's first node when all regions' tables are put one after the other.</summary>
+        /// <summary>Number of the region's first node when all regions' tables are concatenated.</summary>
         public int FirstNode;
 
         /// <summary>The number of the node that a draft became, possibly in a region above.</summary>
@@ -145,7 +145,6 @@ namespace FastPoints.Build
         /// <summary>The chunk whose top it is, or -1.</summary>
         public int Chunk = -1;
 
-        /// <summary>The region whose top it is, or null.</summary>
         public UpperRegion Region;
 
         /// <summary>The top's records, if they are in memory.</summary>

@@ -295,7 +295,7 @@ namespace FastPoints.E57
         // Logical, of a packet at or before the first byte.
         public long PacketOffset;
 
-        // In the packets before that.
+        // In the packets before it.
         public long BytesBefore;
 
         // Logical, where the packets that are read end.

@@ -6,7 +6,7 @@ namespace FastPoints.E57
 {
     static class E57Facts
     {
-        // This many scans are listed with all that is known of them; later ones with names and counts only.
+        // This many scans are listed in full, later ones with names and counts only.
         const int MaxWholeScans = 50;
         const int MaxScans = 1000;
         const int MaxImages = 50;

@@ -87,7 +87,7 @@ namespace FastPoints.E57
                 return Unreadable(node, "precision");
             Kind = precision == "single" ? E57FieldKind.Float32 : E57FieldKind.Float64;
             Bits = precision == "single" ? 32 : 64;
-            // Limits of floats are for people; unreadable ones are ignored.
+            // Limits of floats are only displayed; unreadable ones are ignored.
             if (!E57Text.TryReal(node.Attribute("minimum"), double.NaN, out FloatMinimum))
                 FloatMinimum = double.NaN;
             if (!E57Text.TryReal(node.Attribute("maximum"), double.NaN, out FloatMaximum))

@@ -162,7 +162,7 @@ namespace FastPoints.E57
         }
     }
 
-    // Some extents of a file together, checked and without checksums; at most one such read is in flight.
+    // Several extents of a file, checked and without checksums; at most one such read is in flight.
     sealed unsafe class E57PagesRead : IDisposable
     {
         readonly E57File m_file;

@@ -5,9 +5,9 @@ using Unity.Collections;
 
 namespace FastPoints.E57
 {
-    // E57 (ASTM E2807-11): the points of all scans, one scan after the other, moved to where their poses put them. Where in the
-    // packets a record lies takes a walk over their headers (FindBlocks). Points that a scan marks as invalid are left out and
-    // counted, points in a page with a wrong checksum with a warning. Images are named, not read.
+    // E57 (ASTM E2807-11): the points of all scans, one scan after the other, moved to where their poses put them. A
+    // walk over packet headers finds where records lie (FindBlocks). Points that a scan marks as invalid are left out
+    // and counted, points in a page with a wrong checksum with a warning. Images are named, not read.
     internal sealed class E57Reader : PointReader
     {
         const int MaxReportedScans = 20;

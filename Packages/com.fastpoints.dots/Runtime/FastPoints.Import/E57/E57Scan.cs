@@ -10,7 +10,7 @@ namespace FastPoints.E57
         // More bytestreams than any real prototype has.
         public const int MaxFields = 250;
 
-        // In the file: scans that cannot be read are missing in the list.
+        // In the file: the list lacks scans that cannot be read.
         public int Index;
         public string Name;
         public ulong RecordsClaimed;

@@ -4,13 +4,13 @@ using FastPoints.Reading;
 
 namespace FastPoints.E57
 {
-    // Marks are kept separately for each bytestream, since a packet need not hold the same records of each.
+    // Checkpoints are separate for each bytestream, since a packet need not hold the same records of each.
     sealed class E57Section
     {
         public const int HeaderBytes = 32;
         const int SectionId = 1;
 
-        // Between two marks, unless records are long: a range costs what it holds, rounded up to that.
+        // Between two marks, unless records are long: a range costs its own records, rounded up to that.
         const int DefaultCheckpointRecords = 4096;
         const int MinCheckpointRecords = 64;
         const long MaxCheckpointBytes = 512 << 10;
@@ -185,7 +185,7 @@ namespace FastPoints.E57
         public SourceInfo Info { get; }
         public E57Schema Schema { get; }
 
-        // Some scan's positions or normals pass through rows of doubles.
+        // Whether some scan's positions or normals pass through rows of doubles.
         public bool HasVectors { get; }
 
         public bool AreKnown { get; private set; }
@@ -218,7 +218,7 @@ namespace FastPoints.E57
             }
             if (points == 0)
             {
-                // The last walk's warning says what is wrong, and where.
+                // The last walk's warning is the reason.
                 var reason = Info.Warnings.Count > 0 ? Info.Warnings[Info.Warnings.Count - 1] : new CloudWarning(null, -1, "");
                 throw PointCloudException.Wanted(FailureCode.Truncated, Info.Path, reason.ByteOffset, "points",
                     NumberText.Of(Info.PointsClaimed), "0: " + reason.Text);

@@ -4,7 +4,7 @@ using FastPoints.Reading;
 namespace FastPoints.Las
 {
     // The GeoTIFF keys of a LAS file (GeoTIFF 1.0, sections 2.4 and 6): a directory of 16-bit entries, which point into a record
-    // of doubles and one of text. What is wrong with them is a warning, since points need no keys.
+    // of doubles and one of text. Errors in them are warnings, since points need no keys.
     internal static class LasGeoKeys
     {
         const int ModelTypeKey = 1024;
@@ -51,8 +51,8 @@ namespace FastPoints.Las
             keys.Fill(crs);
         }
 
-        /// <summary>The three records as they are; empty ones where the file has none. Null without a directory, and where one is
-        /// too long to be written again.</summary>
+        /// <summary>The three records unchanged, empty if missing. Null without a directory, or if one is too long to
+        /// be written again.</summary>
         public static byte[][] Bytes(LasVlrTable vlrs)
         {
             var records = System.Array.ConvertAll(Records, id => vlrs.Find(LasVlr.ProjectionUser, id));

@@ -5,8 +5,8 @@ using FastPoints.Reading;
 
 namespace FastPoints.Las
 {
-    /// <summary>What LAS files have around their points, where it is the same in all of them: fields of the header, and records
-    /// byte by byte. A cloud keeps it as a LAS file without points.</summary>
+    /// <summary>What several LAS files have in common besides points: header fields, and records byte by byte. A cloud
+    /// keeps it as a LAS file without points.</summary>
     internal sealed class LasRecords
     {
         /// <summary>More bytes of records are not kept.</summary>
@@ -30,7 +30,7 @@ namespace FastPoints.Las
 
         public LasHeader Header { get; }
 
-        /// <summary>Unknown where records of it differ.</summary>
+        /// <summary>Unknown if the files' records of it differ.</summary>
         public CoordinateSystem Crs { get; private set; }
 
         public GpsTime GpsTime { get; }
@@ -65,7 +65,7 @@ namespace FastPoints.Las
             return all;
         }
 
-        /// <summary>What a cloud kept of its sources; null if nothing.</summary>
+        /// <summary>The records kept with a cloud; null if there are none.</summary>
         public static LasRecords Read(string path)
         {
             if (!File.Exists(path))
@@ -116,7 +116,7 @@ namespace FastPoints.Las
             return bytes;
         }
 
-        /// <summary>All but what its points decide.</summary>
+        /// <summary>All fields except those that depend on points.</summary>
         public static LasHeader CopyOf(LasHeader from) => new LasHeader
         {
             FileSourceId = from.FileSourceId,

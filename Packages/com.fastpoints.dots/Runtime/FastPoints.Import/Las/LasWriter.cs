@@ -9,7 +9,7 @@ using Unity.Mathematics;
 namespace FastPoints.Las
 {
     // Writes points as they come; counts and bounds go into the header at the end. The file has a temporary name until Complete:
-    // if disposed before that, nothing of it stays, and an existing file of that name is unchanged.
+    // if disposed before that, it is deleted, and an existing file of that name is unchanged.
     internal sealed unsafe class LasWriter : IDisposable
     {
         const int BufferBytes = 1 << 20;
@@ -141,7 +141,6 @@ namespace FastPoints.Las
             m_isGivenUp = true;
             m_stream?.Dispose();
             m_stream = null;
-            // The failure that led here is the one to report; a file that cannot be deleted could not be made either.
             FileChanges.TryDelete(m_temporaryPath, () => false);
         }
 

@@ -11,7 +11,7 @@ namespace FastPoints.Ply
     [BurstCompile]
     unsafe struct DecodePlyAsciiJob : IJob
     {
-        // Not read-only: a line end is put behind the last byte, so that no loop has to check for the buffer's end.
+        // Not read-only: a line end is written after the last byte, so that no loop has to check for the buffer's end.
         public NativeArray<byte> Input;
         public AsciiRange Range;
         [ReadOnly] public NativeArray<PlyStep> Steps;
@@ -134,7 +134,7 @@ namespace FastPoints.Ply
             return PlyError.None;
         }
 
-        // A whole number, or a float whose bits are meant.
+        // An integer, or a float whose bits are the colour.
         static bool Color(ref byte* p, byte* output, int row, PlyStep* step)
         {
             uint bits;

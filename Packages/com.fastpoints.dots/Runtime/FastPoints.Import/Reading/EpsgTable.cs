@@ -7,7 +7,7 @@ using FastPoints.Store;
 
 namespace FastPoints.Reading
 {
-    // EPSG's coordinate systems: kinds, units, order of axes, names. The data beside it is made by "RepoTools epsg".
+    // EPSG's coordinate systems: kinds, units, order of axes, names. "RepoTools epsg" generates the data.
     internal static partial class EpsgTable
     {
         const int CompoundKind = byte.MaxValue;
@@ -17,7 +17,7 @@ namespace FastPoints.Reading
         static readonly Lazy<string[]> s_names = new Lazy<string[]>(ReadNames);
         static readonly string[] s_kinds = Kinds.Split(';');
 
-        /// <summary>Length of EPSG's unit of a code in metres: NaN for degrees, 0 for one that is not here and for other
+        /// <summary>Length of EPSG's unit of a code in metres: NaN for degrees, 0 for unknown units and other
         /// angles.</summary>
         public static double UnitOf(int code) => s_units.Value.TryGetValue(code, out double metres) ? metres : 0;
 

@@ -93,7 +93,7 @@ namespace FastPoints.Reading
             }
         }
 
-        // .NET gives the length of a link, not of the file that it leads to.
+        // .NET returns the length of a link, not of its target.
         static long LengthOf(FileInfo file)
         {
             if ((file.Attributes & FileAttributes.ReparsePoint) == 0)
@@ -205,8 +205,8 @@ namespace FastPoints.Reading
 
         public double Float64(int at, string field) => BitConverter.Int64BitsToDouble((long)UInt64(at, field));
 
-        // Up to the first zero byte, without blanks at the end. Other than printable ASCII becomes '?': people see it as one
-        // line.
+        // Up to the first zero byte, without blanks at the end. Anything but printable ASCII becomes '?', so that it
+        // prints as one line.
         public string Text(int at, int count, string field)
         {
             int start = Start(at, count, field);

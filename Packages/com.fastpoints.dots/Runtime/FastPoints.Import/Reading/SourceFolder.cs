@@ -12,9 +12,9 @@ namespace FastPoints.Reading
 
         public static bool IsIndex(string fileName) => Array.IndexOf(s_indexNames, fileName) >= 0;
 
-        /// <summary>What may be tiles below a folder, in order of their names.</summary>
+        /// <summary>Possible tiles below a folder, by name.</summary>
         /// <param name="paths">Receives files and, of folders in it, octrees.</param>
-        /// <param name="left">Receives the names of folders that are not looked into: all, or converted clouds and links.</param>
+        /// <param name="left">Receives the names of folders that are not entered: all, or converted clouds and links.</param>
         public static void List(string folder, bool isRecursive, List<string> paths, List<string> left)
         {
             try

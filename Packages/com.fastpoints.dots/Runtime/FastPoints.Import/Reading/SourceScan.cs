@@ -7,7 +7,7 @@ namespace FastPoints.Reading
 {
     internal static class SourceScan
     {
-        // One block is decoded on each worker, and one read for it.
+        // For each worker, one block is decoded and one read.
         public static int DefaultSlots => 2 * Math.Max(1, Unity.Jobs.LowLevel.Unsafe.JobsUtility.JobWorkerCount + 1);
 
         // Bounds a scan's resident set, whatever the number of cores and the size of blocks.
@@ -41,7 +41,7 @@ namespace FastPoints.Reading
             return new InFlightLimit(first, SlotsIn(reader, wanted, extraBytesPerPoint, maxBytes), ms);
         }
 
-        // Coroutine: decodes what is wanted of every block and hands each to the consumer. The slots determine the memory.
+        // Coroutine: decodes every block and passes it to the consumer. The slots determine the memory.
         public static IEnumerator<JobStep> Run(PointReader reader, PointSchema wanted, IBlockConsumer consumer, int slots,
             StageProgress progress) =>
             Run(ScanRanges.Blocks(reader, 0, reader.BlockCount), wanted, consumer, new InFlightLimit(slots, slots, () => 0), 0,
@@ -58,7 +58,7 @@ namespace FastPoints.Reading
         }
     }
 
-    // What is scanned of a source: ranges by their numbers, from First to before End.
+    // The scanned ranges of a source, from First to before End.
     internal sealed class ScanRanges
     {
         public PointReader Reader;
@@ -158,7 +158,7 @@ namespace FastPoints.Reading
                 if (m_spare.Count == 0)
                 {
                     Add();
-                    // The coroutine checks its budget.
+                    // Lets the coroutine check its budget.
                     yield return default;
                 }
                 int slot = m_spare.Pop();

@@ -30,8 +30,8 @@ namespace FastPoints.Reading
             Work = Task.Run(Run);
         }
 
-        /// <summary>Ends when the file has its name; throws a <see cref="PointCloudException"/>, what the stream throws, or is
-        /// cancelled.</summary>
+        /// <summary>Ends when the file has its name; fails with a <see cref="PointCloudException"/> or the stream's
+        /// exception, or is cancelled.</summary>
         public Task Work { get; }
 
         /// <summary>Bytes written so far; any thread.</summary>
@@ -41,7 +41,7 @@ namespace FastPoints.Reading
         public double Share =>
             Work.Status == TaskStatus.RanToCompletion ? 1 : m_lengthBytes > 0 ? (double)Bytes / m_lengthBytes : 0;
 
-        /// <summary>Cancels it; the work ends by itself.</summary>
+        /// <summary>Cancels the work without waiting for its end.</summary>
         public void Dispose() => m_cancellation.Cancel();
 
         void Run()

@@ -3,7 +3,7 @@ using System.Globalization;
 
 namespace FastPoints.Reading
 {
-    // What is shown of a CRS in well-known text: name, EPSG codes, length of the unit. WKT 1 and 2.
+    // The displayed facts of a CRS in well-known text: name, EPSG codes, length of the unit. WKT 1 and 2.
     internal static class WktCoordinateSystem
     {
         static readonly string[] s_authority = { "AUTHORITY", "ID" };
@@ -22,7 +22,7 @@ namespace FastPoints.Reading
             (s_local, CrsKind.Local), (s_vertical, CrsKind.Vertical),
         };
 
-        // False if it is no well-known text at all; nothing is filled in then.
+        // False if it is no well-known text; the system is then unchanged.
         public static bool Read(string wkt, CoordinateSystem crs)
         {
             var root = WktNode.Parse(wkt, out int end);
@@ -52,7 +52,7 @@ namespace FastPoints.Reading
             return true;
         }
 
-        // What is bound to a transformation is the system inside.
+        // A bound system contains the actual one beside a transformation.
         static WktNode Unbound(WktNode node) => node.Is(s_bound) && node.Child("SOURCECRS") is WktNode source &&
             source.Children.Count > 0 ? source.Children[0] : node;
 
@@ -133,7 +133,7 @@ namespace FastPoints.Reading
 
         WktNode(string keyword) => Keyword = keyword;
 
-        // The outermost node, or null. Text that breaks off gives what comes before.
+        // The outermost node, or null. Truncated text gives the nodes before its end.
         public static WktNode Parse(string text, out int at)
         {
             var open = new Stack<WktNode>();

@@ -4,9 +4,9 @@ using FastPoints.Reading;
 
 namespace FastPoints.Sampling
 {
-    /// <summary>Plans the order in which all points of a source are read, in waves. If blocks are few enough to keep a decoder
-    /// state for each, all blocks are read to the same share of their points, then all of them deeper. Otherwise whole blocks are
-    /// read, spread over the source.</summary>
+    /// <summary>Plans the order in which all points of a source are read, in waves. If blocks are few enough to keep a
+    /// decoder state for each, all blocks are read to the same share of their points, then all further. Otherwise whole
+    /// blocks are read, spread over the source.</summary>
     /// <remarks>Ranges come in rounds, whatever the number of slots and threads. Continuing with the blocks that found most empty
     /// cells was tried: at half of ca13_d's points, which are in the order of an octree, its sample leaves 39 % of the 512th
     /// cells bare, that of equal depths 49 %, but its distances are longer (RMS 0.0092 of the diagonal against 0.0078), and on
@@ -22,14 +22,14 @@ namespace FastPoints.Sampling
         readonly PointReader m_reader;
         readonly SampleOrder m_order;
 
-        /// <summary>Points of each block that were given out; null if whole blocks are.</summary>
+        /// <summary>Points of each block returned so far; null if blocks are read whole.</summary>
         readonly int[] m_taken;
 
         /// <summary>Next entry in the order.</summary>
         int m_next;
         double m_share;
 
-        /// <param name="canSlice">Whether a block can be continued where it was left.</param>
+        /// <param name="canSlice">Whether decoding of a block can be continued.</param>
         public DepthPlan(PointReader reader, bool canSlice, uint seed)
         {
             m_reader = reader;
@@ -40,10 +40,10 @@ namespace FastPoints.Sampling
 
         public bool IsSliced { get; }
 
-        /// <summary>Number of points in the ranges that were given out.</summary>
+        /// <summary>Number of points in the ranges returned so far.</summary>
         public long Taken { get; private set; }
 
-        /// <summary>Returns the ranges to read next; none when <paramref name="share"/> of the points were given out.</summary>
+        /// <summary>Returns the ranges to read next; none once <paramref name="share"/> of the points were returned.</summary>
         /// <param name="share">0 to 1, never less than before.</param>
         public List<BlockRange> Next(double share)
         {
@@ -74,7 +74,7 @@ namespace FastPoints.Sampling
             m_taken[range.Block] = m_reader.PointsInBlock(range.Block);
         }
 
-        /// <summary>Whether a block was given out to its end.</summary>
+        /// <summary>Whether a block was returned to its end.</summary>
         public bool IsTaken(int block) => !IsSliced || m_taken[block] == m_reader.PointsInBlock(block);
 
         void Take(int block, double share, List<BlockRange> ranges)

@@ -25,7 +25,7 @@ namespace FastPoints.Sampling
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public unsafe bool Mark(ulong* table, double x, double y, double z)
         {
-            // Far away everything is one cell: a conversion that overflows always gives the same value.
+            // All distant points share a cell: a conversion that overflows always gives the same value.
             long cellX = (long)math.floor((x - Corner.x) * CellsPerUnit);
             long cellY = (long)math.floor((y - Corner.y) * CellsPerUnit);
             long cellZ = (long)math.floor((z - Corner.z) * CellsPerUnit);
@@ -39,8 +39,8 @@ namespace FastPoints.Sampling
         }
     }
 
-    /// <summary>Appends, from decoded points, the first one of each empty cell: a cell with neither a point that stands for a
-    /// stratum, nor one that was appended. These jobs must run one after the other.</summary>
+    /// <summary>Appends, from decoded points, the first one of each empty cell: a cell with neither a stratum's point
+    /// nor an appended one. These jobs must run one after the other.</summary>
     [BurstCompile]
     struct KeepEmptyCellsJob : IJob
     {
@@ -108,7 +108,7 @@ namespace FastPoints.Sampling
             Kept.Value = keptOfAll;
         }
 
-        /// <summary>Marks the cells of the points that stand for a stratum.</summary>
+        /// <summary>Marks the cells of the strata's points.</summary>
         unsafe void MarkChosen(byte* block, ulong* table, int endOfRange, double* x, double* y, double* z)
         {
             long begin = FirstPoint + First;

@@ -5,7 +5,7 @@ using Unity.Mathematics;
 
 namespace FastPoints.Sampling
 {
-    /// <summary>Measures a sample: where it lies, and how fine its numbers are.</summary>
+    /// <summary>Measures a sample's bounds and precision.</summary>
     [BurstCompile]
     internal struct MeasureSampleJob : IJob
     {

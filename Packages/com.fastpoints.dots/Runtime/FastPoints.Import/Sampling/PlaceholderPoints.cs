@@ -7,8 +7,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Sampling
 {
-    /// <summary>What an unfinished sample shows where it has no point yet: the first point read in each cell that would be empty
-    /// (spatial thinning). When there are too many, the cells become larger.</summary>
+    /// <summary>The points that an unfinished sample shows in cells that would be empty: the first one read in each
+    /// (spatial thinning). If there are too many, the cells become larger.</summary>
     sealed class PlaceholderPoints : IDisposable
     {
         /// <summary>Cells along the longest edge, divided by the root of the wanted points: a surface then has about as many
@@ -46,7 +46,7 @@ namespace FastPoints.Sampling
         /// <summary>The first <see cref="Count"/> entries hold the points; all count as filled.</summary>
         public SampleBuffer Points => m_points;
 
-        /// <summary>Do not read it while anything is in flight.</summary>
+        /// <summary>Not to be read while anything is in flight.</summary>
         public int Count => m_count.Value;
         public bool AreTooMany => m_count.Value > MaxTaken * m_points.EntryCount;
 

@@ -9,14 +9,14 @@ namespace FastPoints.Sampling
     /// levels from the top, all of them whole except the last.</summary>
     sealed class PrefixPlan
     {
-        /// <summary>Points that make starting a block worthwhile: if all blocks would get fewer, fewer blocks are
-        /// chosen.</summary>
+        /// <summary>The fewest points that are worth starting a block for: if all blocks would get fewer, fewer blocks
+        /// are chosen.</summary>
         public const int MinPoints = 50;
 
         readonly PointReader m_reader;
         readonly SampleOrder m_order;
 
-        /// <summary>Points given so far by blocks that have given any: few among millions.</summary>
+        /// <summary>Points taken so far, for the few among millions of blocks that have any taken.</summary>
         readonly Dictionary<int, int> m_taken = new Dictionary<int, int>();
 
         /// <summary>Blocks of each level of the source's own octree, or null.</summary>
@@ -105,7 +105,7 @@ namespace FastPoints.Sampling
         {
             var blocks = new List<int>();
             long points = 0;
-            // Blocks found by jumping come in an order that is spread already.
+            // Blocks at random offsets are spread already.
             bool isSpread = m_reader is LineReader && !m_reader.BlocksAreKnown;
             int count = isSpread ? m_reader.BlockCount : m_order.Length;
             for (int index = 0; index < count; index++)
@@ -128,7 +128,6 @@ namespace FastPoints.Sampling
     {
         public int Block;
 
-        /// <summary>Points of the block that were taken before.</summary>
         public int First;
 
         public int Count;

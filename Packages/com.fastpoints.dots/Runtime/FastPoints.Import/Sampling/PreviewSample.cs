@@ -2,7 +2,7 @@ using System;
 
 namespace FastPoints.Sampling
 {
-    /// <summary>Some points of a source in file order: their positions and what they can be coloured by. Owns its
+    /// <summary>Some points of a source in file order: positions and attributes for colouring. Owns its
     /// memory.</summary>
     public sealed class PreviewSample : IDisposable
     {
@@ -37,15 +37,15 @@ namespace FastPoints.Sampling
         /// <summary>Whether each point was chosen from a scan of all points.</summary>
         public bool IsFullScan { get; internal set; }
 
-        /// <summary>Number of points among them that were only taken because no other point is near; each of the others stands
-        /// for an equal number of the source's points.</summary>
+        /// <summary>Number of points among them that were only taken because no other point is near; each of the others
+        /// represents an equal number of the source's points.</summary>
         public int Placeholders { get; internal set; }
 
-        /// <summary>Whether they come from the source's beginning alone, because reading the rest takes a pass over all of
-        /// it.</summary>
+        /// <summary>Whether they are all from the start of the source, because reading the rest takes a pass over all
+        /// of it.</summary>
         public bool IsOfPrefix { get; internal set; }
 
-        /// <summary>How the points were chosen, and why not otherwise: a readable line.</summary>
+        /// <summary>How the points were chosen, and why, in a line for people.</summary>
         public string Method { get; internal set; }
 
         public int Count => Points.Count;

@@ -14,7 +14,7 @@ namespace FastPoints.Sampling
         /// <summary>Points at which a wave ends; the last one ends with the sample.</summary>
         static readonly int[] s_waves = { 2_000, 20_000, 200_000, 1_000_000, 4_000_000 };
 
-        /// <summary>A wave that comes this near to the end continues to it: another one would show hardly more, and may decode
+        /// <summary>A wave this close to the end continues to it: another one would show hardly more, and may decode
         /// all prefixes again.</summary>
         const double MinShareOfLast = 0.75;
 
@@ -80,7 +80,7 @@ namespace FastPoints.Sampling
             }
         }
 
-        /// <summary>The entries that a wave is to reach.</summary>
+        /// <summary>The last entry of a wave.</summary>
         int EntriesOf(int wave) => wave >= s_waves.Length || s_waves[wave] >= MinShareOfLast * m_buffer.EntryCount
             ? m_buffer.EntryCount
             : s_waves[wave];

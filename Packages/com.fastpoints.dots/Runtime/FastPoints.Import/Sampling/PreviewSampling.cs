@@ -12,7 +12,7 @@ namespace FastPoints.Sampling
     /// over the whole file, waves from prefixes come before. Owns the sample.</summary>
     public sealed class PreviewSampling : IDisposable
     {
-        /// <summary>Stages that read all of a source: anything else that would read it may as well go first.</summary>
+        /// <summary>Stages that read all of a source: other work that reads it can run first.</summary>
         public const string FindBlocksStage = "find blocks", RefineStage = "refine";
 
         readonly PointReader m_reader;
@@ -77,8 +77,8 @@ namespace FastPoints.Sampling
                 + " now): the sample may be of neither state");
         }
 
-        /// <summary>Whether a first sample consists of prefixes of blocks alone, which are ready soon and leave most of the cloud
-        /// bare: whole blocks replace them.</summary>
+        /// <summary>Whether a first sample consists of prefixes of blocks alone, which are ready soon and leave most of the
+        /// cloud's cells empty: whole blocks replace them.</summary>
         public static bool Refines(PointReader reader) => !(reader is RecordReader) && reader.Tree == null;
 
         IEnumerator<JobStep> Scan(StageProgress progress)
@@ -185,7 +185,7 @@ namespace FastPoints.Sampling
 
         public uint Seed = 1;
 
-        /// <summary>Whether to choose from a scan of all points instead of short runs.</summary>
+        /// <summary>Whether to choose from a scan of all points instead of short ranges.</summary>
         public bool Exact;
 
         /// <summary>Whether to stop at the sample that reads little, even if it consists of prefixes of blocks, or of the file's

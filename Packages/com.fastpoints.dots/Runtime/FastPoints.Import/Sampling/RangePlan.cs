@@ -6,9 +6,10 @@ namespace FastPoints.Sampling
     /// <summary>Plans which points a sample takes from a source of fixed stride, and in which order: a range of evenly spaced
     /// points at a hashed position in each of equal strata of the file, the strata in an order whose every prefix is spread
     /// over all of the file. Blittable, for jobs.</summary>
-    /// <remarks>Within a stratum each point is taken with the same probability, its share of taken points: runs that leave it
-    /// continue at its start. Strata differ by one point in length, runs by one point in count; so a sample of nearly all points
-    /// may lack one point in each range, and the entries of a sample of all points have gaps.</remarks>
+    /// <remarks>Within a stratum each point is taken with the same probability, its share of taken points: ranges that
+    /// leave it continue at its start. Strata differ by one point in length, ranges by one point in count; so a sample
+    /// of nearly all points may lack one point in each range, and the entries of a sample of all points have
+    /// gaps.</remarks>
     internal readonly struct RangePlan
     {
         /// <summary>Points of a usual range: reading a page of the file costs the same for one wanted point as for
@@ -27,7 +28,6 @@ namespace FastPoints.Sampling
 
         public readonly SampleOrder Order;
 
-        /// <param name="points">Points of the source.</param>
         public RangePlan(long points, int wanted, int recordBytes, uint seed, int pointsPerRange = PointsPerDefaultRange)
         {
             wanted = (int)Math.Min(points, Math.Max(0, wanted));
@@ -35,7 +35,7 @@ namespace FastPoints.Sampling
             m_spanPoints = Math.Max(pointsPerRange, Math.Min(MaxSpanPoints, SpanBytes / Math.Max(1, recordBytes)) * times);
             long ranges = Math.Min((wanted + pointsPerRange - 1L) / pointsPerRange, Math.Max(1, points / m_spanPoints));
             m_strata = new SampleStrata(points, (int)ranges, seed);
-            // With all points, the longest stratum's must find room wherever it comes in the order.
+            // With all points, the longest stratum must fit at any rank.
             m_entries = new SampleStrata(wanted == points ? wanted + ranges : wanted, (int)ranges, seed);
             Order = new SampleOrder((int)ranges, seed);
         }

@@ -13,14 +13,14 @@ namespace FastPoints.Sampling
     /// reads decides which gaps between ranges are read along.</remarks>
     sealed class RangeWaveReader : WaveReader
     {
-        /// <summary>Ranges in one request: one of the most takes a worker about a millisecond, one of the fewest takes the main
-        /// thread as long to begin as any other.</summary>
+        /// <summary>Ranges in one request: the most take a worker about a millisecond; the fewest take the main thread
+        /// as long to begin as any others.</summary>
         const int MaxRangesPerRequest = 1536, MinRangesPerRequest = 16;
 
         /// <summary>Ranges in one slice of planning them: about 2 ms of managed code.</summary>
         const int RangesPerSlice = 1 << 14;
 
-        /// <summary>Bytes of a slot's buffer, of which only what is read takes memory.</summary>
+        /// <summary>Bytes of a slot's buffer; only pages that are read take memory.</summary>
         const int SlotBytes = 2 << 20;
 
         readonly int m_wanted;
@@ -200,8 +200,8 @@ namespace FastPoints.Sampling
             base.EndReads();
             while (!m_ring.IsEmpty)
                 EndRead();
-            // The first wave is measured, whose runs lie far apart: when gaps are read along, a segment takes longer for its
-            // bytes.
+            // Only the first wave is measured, whose ranges lie far apart: with gaps read along, a segment's time
+            // includes theirs.
             if (m_isFirstWave)
                 m_gapBytes = m_pace.GapBytes(ReadClock.Seconds(m_waveBegun, m_waveEnded) / m_segments);
             m_isFirstWave = false;
@@ -240,7 +240,7 @@ namespace FastPoints.Sampling
         /// <summary>The same, plus those that get one now.</summary>
         public int EndRank;
 
-        /// <summary>For each stratum, its range's rank + 1; 0 for those that were not reached.</summary>
+        /// <summary>For each stratum, its range's rank + 1; 0 for strata without one.</summary>
         public NativeArray<int> Ranks;
 
         public void Execute()
@@ -274,7 +274,7 @@ namespace FastPoints.Sampling
 
         public NativeList<StridedRange> Ranges;
 
-        /// <summary>One for each place of the sample; those of the ranges become 1.</summary>
+        /// <summary>By entry of the sample; those of the ranges become 1.</summary>
         public NativeArray<byte> Filled;
 
         public void Execute()
@@ -305,7 +305,7 @@ namespace FastPoints.Sampling
     /// chosen.</remarks>
     internal readonly struct ReadPace
     {
-        /// <summary>Number of trial reads, of which the fastest counts: anything may delay the others.</summary>
+        /// <summary>Number of trial reads, of which the fastest counts.</summary>
         public const int TrialReads = 4;
 
         /// <summary>Duration of a slow read: a seek of a disk takes four times as long, a solid state disk a tenth.</summary>

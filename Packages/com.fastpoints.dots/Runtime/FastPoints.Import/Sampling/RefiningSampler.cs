@@ -20,8 +20,8 @@ namespace FastPoints.Sampling
         /// for keeping states and composing the sample: one more, at a fifteenth, delayed all others.</summary>
         static readonly double[] s_shares = { 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1 };
 
-        /// <summary>From this share on, waves come at any cost; before it, only if this many points are decoded for one, which
-        /// takes half a second.</summary>
+        /// <summary>From this share on, waves always come; before it, only after decoding this many points, which takes
+        /// half a second.</summary>
         const double FirstShareOfAny = 0.2;
         const long MinPointsBeforeFifth = 2_000_000;
 
@@ -98,7 +98,7 @@ namespace FastPoints.Sampling
                 {
                     if (share < FirstShareOfAny && (m_plan.IsSliced || share * m_reader.PointCount < MinPointsBeforeFifth))
                         continue;
-                    // A wave never shows less than what it follows.
+                    // A wave never shows less than the one before.
                     if (share < 1 && m_plan.IsSliced && m_before != null && share * m_strata.Count < m_before.Count)
                         continue;
                     m_isLastWave = share == 1;
@@ -167,7 +167,7 @@ namespace FastPoints.Sampling
             while (m_columnsOfSlot.Count <= slot)
                 m_columnsOfSlot.Add(SampleBuffer.ColumnsOf(read.Points));
             var chosen = m_buffer.Schedule(read, m_columnsOfSlot[slot], m_strata, decoded);
-            // In the final sample no point stands in for another one.
+            // The final sample has no placeholders.
             return m_isLastWave ? chosen : JobHandle.CombineDependencies(chosen, m_placeholders.ScheduleAppend(read,
                 m_columnsOfSlot[slot], m_strata, decoded));
         }

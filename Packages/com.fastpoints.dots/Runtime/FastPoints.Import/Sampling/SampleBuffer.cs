@@ -15,7 +15,7 @@ namespace FastPoints.Sampling
         /// <summary>Entries in one slice of such work: about 2 ms of managed code.</summary>
         public const int EntriesPerSlice = 1 << 17;
 
-        /// <summary>Points in one slice that looks each up in a table: about as much.</summary>
+        /// <summary>Points in one slice that looks each up in a table: about the same time.</summary>
         public const int PointsPerSlice = 1 << 16;
 
         readonly PositionTransform m_transform;
@@ -43,7 +43,7 @@ namespace FastPoints.Sampling
         /// <summary>Entries that are closed, whether their point was kept or not. Only while nothing is in flight.</summary>
         public int Closed => m_state.Value.Kept + (int)m_state.Value.Found.NonFinite;
 
-        /// <summary>For code that fills the entries from the first on, and knows how many.</summary>
+        /// <summary>For code that fills entries from the first on.</summary>
         public unsafe void FillAll() => UnsafeUtility.MemSet(m_filled.GetUnsafePtr(), 1, m_filled.Length);
 
         /// <summary>The location of the batch's columns, for a job. The caller disposes it.</summary>
@@ -129,7 +129,7 @@ namespace FastPoints.Sampling
         }
     }
 
-    /// <summary>What a preview keeps of each point: its position and what it can be coloured by.</summary>
+    /// <summary>The attributes of a preview's points: position and those for colouring.</summary>
     internal static class SampleSchema
     {
         /// <exception cref="PointCloudException">The source has no positions.</exception>
@@ -148,7 +148,6 @@ namespace FastPoints.Sampling
         }
     }
 
-    /// <summary>The progress of <see cref="CompactSampleJob"/>.</summary>
     struct CompactedSample
     {
         /// <summary>Points kept so far: the first entries of each column.</summary>

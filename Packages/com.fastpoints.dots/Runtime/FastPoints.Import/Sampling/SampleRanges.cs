@@ -4,7 +4,7 @@ using FastPoints.Reading;
 
 namespace FastPoints.Sampling
 {
-    /// <summary>Chooses runs of records, spread evenly over a source, that a sample reads.</summary>
+    /// <summary>Chooses the ranges of records that a sample reads, spread evenly over a source.</summary>
     internal static class SampleRanges
     {
         const int MinRanges = 16;

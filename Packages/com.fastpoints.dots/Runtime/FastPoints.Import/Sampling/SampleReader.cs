@@ -10,7 +10,7 @@ using Unity.Mathematics;
 namespace FastPoints.Sampling
 {
     /// <summary>Presents a preview's sample as a source with an octree: one node, in blocks whose points are each spread over all
-    /// of the sample. <c>TreeSource</c> can thus stream it like any other cloud, before there is another.</summary>
+    /// of the sample. <c>TreeSource</c> can thus stream it like any cloud, before one is built.</summary>
     internal sealed class SampleReader : PointReader
     {
         public const int PointsPerBlock = 1 << 15;
@@ -162,7 +162,6 @@ namespace FastPoints.Sampling
         }
     }
 
-    /// <summary>Copies a slice of a column from one batch to another.</summary>
     [BurstCompile]
     internal unsafe struct CopyColumnJob : IJob
     {
@@ -234,7 +233,6 @@ namespace FastPoints.Sampling
         }
     }
 
-    /// <summary>Copies every n-th point of a batch to the beginning of another.</summary>
     [BurstCompile]
     internal unsafe struct CopyStrideJob : IJob
     {

@@ -13,15 +13,16 @@ namespace FastPoints.Sampling
     /// read in milliseconds. It is only an estimate: correctness never depends on it.</summary>
     internal sealed class SourceSample : IDisposable
     {
-        // Eight times as many points gave the same chunks on tiles of 5 and 20 M points, and took 0.15 to 0.25 s longer. Of many
-        // points each range stands for more than a chunk's: there they are worth their time.
+        // Eight times as many points gave the same chunks on tiles of 5 and 20 M points, and took 0.15 to 0.25 s
+        // longer. In larger sources each range represents more points than a chunk has: there they are worth their
+        // time.
         const int MaxRanges = 512;
         const int RangePoints = 256;
         const long ManyPoints = 64 << 20;
         const int MaxRangesOfMany = 1024;
         const int LongRangePoints = 1024;
 
-        // By long ranges these are read whole: the grid is chosen from all their digits.
+        // Sources this small are read whole, in long ranges: the grid is chosen from all their digits.
         const int FewPoints = 16 << 10;
 
         const int PointsOfSlice = 1 << 16;
@@ -43,7 +44,7 @@ namespace FastPoints.Sampling
 
         /// <summary>Coroutine: reads the sample. The reader's blocks are known.</summary>
         /// <param name="inFlightMs">See <see cref="InFlightLimit"/>.</param>
-        /// <param name="chains">The most ranges that are decoded side by side; 0 for all in flight.</param>
+        /// <param name="chains">The most ranges decoded at the same time; 0 for all in flight.</param>
         /// <param name="maxBytes">The most bytes of reads in flight.</param>
         /// <param name="measure">Schedules jobs on the positions, after those that load them.</param>
         /// <param name="take">Receives the sample at the end; the caller disposes it.</param>
@@ -133,8 +134,8 @@ namespace FastPoints.Sampling
                 Stored = stored,
             }.Schedule(after);
 
-        /// <summary>Number of points from a range's first point to the next range's; the first run also stands for those before
-        /// it.</summary>
+        /// <summary>Number of points from a range's first point to the next range's; the first range also represents
+        /// those before it.</summary>
         static long PointsUpToNext(PointReader reader, List<BlockRange> ranges, int range)
         {
             long first = range == 0 ? 0 : reader.FirstPointOfBlock(ranges[range].Block) + ranges[range].First;
@@ -157,7 +158,7 @@ namespace FastPoints.Sampling
             m_ranges.Dispose();
         }
 
-        /// <summary>Adds runs to the sample that come as blocks.</summary>
+        /// <summary>Adds ranges that come as blocks.</summary>
         sealed class Appending : IBlockConsumer, IDisposable
         {
             readonly SourceSample m_sample;
@@ -205,7 +206,7 @@ namespace FastPoints.Sampling
 
         public int Count;
 
-        /// <summary>Number of points of the file that each stands for.</summary>
+        /// <summary>Number of points of the file that each represents.</summary>
         public double Weight;
     }
 
@@ -219,7 +220,7 @@ namespace FastPoints.Sampling
         public PointColumn Y;
         public PointColumn Z;
 
-        /// <summary>The first point, and room for all from there on that are loaded.</summary>
+        /// <summary>The index of the first loaded point.</summary>
         public int First;
         public NativeArray<double3> Stored;
 

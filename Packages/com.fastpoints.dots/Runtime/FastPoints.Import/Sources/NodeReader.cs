@@ -7,7 +7,7 @@ using Unity.Mathematics;
 
 namespace FastPoints.Sources
 {
-    // Blocks are nodes of an octree, in files of their own or parts of one. A node with more points than a slot should hold
+    // Blocks are nodes of an octree, in separate files or in one. A node with more points than a slot should hold
     // becomes several blocks; the tree then has an entry for each, with the same cell.
     internal abstract class NodeReader : PointReader, IOctreeSource
     {
@@ -121,7 +121,7 @@ namespace FastPoints.Sources
 
         public NodeWarnings(SourceInfo info) => m_info = info;
 
-        // what: in the same words for all nodes; path: null for the source's own.
+        // what: the same text for all nodes; path: null for the source's own.
         public void Add(string what, string node, string detail = null, long byteOffset = -1, string path = null)
         {
             if (!m_kinds.TryGetValue(what, out var kind))

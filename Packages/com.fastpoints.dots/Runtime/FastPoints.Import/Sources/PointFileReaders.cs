@@ -11,7 +11,7 @@ namespace FastPoints.Sources
     [Icon("Packages/com.fastpoints.dots/Editor/Icons/PointCloud.png")]
     public sealed class PointFileReaders : MonoBehaviour
     {
-        /// <summary>Works with domain reload off, too: registering twice is the same as once.</summary>
+        /// <summary>Works with domain reload off, too: registering twice is harmless.</summary>
         [RuntimeInitializeOnLoadMethod(RuntimeInitializeLoadType.SubsystemRegistration)]
         public static void Register() => CloudFeeds.Register(paths => new SourceFeed(PointReaders.Open(paths)));
 

@@ -215,7 +215,7 @@ namespace FastPoints.Sources
         }
     }
 
-    /// <summary>What a caller knows about files better than the files themselves. All of it is optional.</summary>
+    /// <summary>Overrides for facts that files get wrong or lack. All are optional.</summary>
     public sealed class ReadOptions
     {
         /// <summary>Names of the columns of a text file, in their order: x, y, z, i, r, g, b, nx, ny, nz or any other; "-" leaves
@@ -226,10 +226,10 @@ namespace FastPoints.Sources
         /// or a PROJ string. Points are not moved.</summary>
         public string CoordinateSystem;
 
-        /// <summary>Metres of a unit along all axes, whatever files say; 0 to follow them.</summary>
+        /// <summary>Metres of a unit along all axes, instead of the files' unit; 0 for theirs.</summary>
         public double MetresPerUnit;
 
-        /// <summary>Folders in a folder are looked into, too; an octree in one of them is a tile.</summary>
+        /// <summary>Subfolders are searched, too; an octree in one of them is a tile.</summary>
         public bool IsRecursive;
 
         internal void Apply(SourceInfo info)

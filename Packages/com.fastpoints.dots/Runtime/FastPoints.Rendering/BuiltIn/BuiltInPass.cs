@@ -8,7 +8,7 @@ using UnityEngine.XR;
 namespace FastPoints.Rendering.BuiltIn
 {
     // Draws the clouds in the Built-in pipeline: command buffers in each camera, before and after opaque meshes, recorded again
-    // before each picture. The second draws into what the camera has set, be it the screen, a part of it or a texture.
+    // before each picture. The second draws into the camera's current target: the screen, a part of it or a texture.
     internal static class BuiltInPass
     {
         const CameraEvent Before = CameraEvent.BeforeForwardOpaque, Into = CameraEvent.AfterForwardOpaque;
@@ -18,7 +18,7 @@ namespace FastPoints.Rendering.BuiltIn
         static readonly List<(CommandBuffer Before, CommandBuffer Into)> s_commands =
             new List<(CommandBuffer Before, CommandBuffer Into)>();
 
-        // Works with domain reload off, too: adding twice adds once.
+        // Works with domain reload off, too: adding twice is harmless.
         [BeginsPass]
         [RuntimeInitializeOnLoadMethod(RuntimeInitializeLoadType.SubsystemRegistration)]
         public static void Begin()
@@ -55,7 +55,7 @@ namespace FastPoints.Rendering.BuiltIn
 
         static void Draw(Camera camera)
         {
-            // Scriptable pipelines have passes of their own.
+            // Scriptable pipelines have their own passes.
             if (GraphicsSettings.currentRenderPipeline != null)
                 return;
             bool isDrawn = PointScene.IsDrawn(camera);

@@ -32,7 +32,7 @@ namespace FastPoints
         public static AttributeType Integer(int bytes, bool isSigned) =>
             (AttributeType)(2 * math.tzcnt((uint)bytes) + (isSigned ? 1 : 0));
 
-        // What an integer type of 32 bits and less holds; of any other type what 32 bits hold.
+        // The range of an integer type of up to 32 bits; that of 32 bits for any other type.
         public static void RangeOf(this AttributeType type, out long min, out long max)
         {
             long values = 1L << 8 * math.min(4, type.SizeOf());

@@ -1,6 +1,6 @@
 namespace FastPoints
 {
-    /// <summary>What a cloud says of its coordinate system, as far as it says anything.</summary>
+    /// <summary>A cloud's coordinate system, as far as it is known.</summary>
     public sealed class CloudCrs
     {
         /// <summary>A readable name: one line, or null.</summary>

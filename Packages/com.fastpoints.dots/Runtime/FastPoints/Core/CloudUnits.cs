@@ -3,14 +3,14 @@ using Unity.Mathematics;
 
 namespace FastPoints
 {
-    /// <summary>How long a cloud's coordinates are in metres.</summary>
+    /// <summary>Lengths of a cloud's coordinate units in metres.</summary>
     public struct CloudUnits
     {
         // WGS 84. On other ellipsoids a degree is up to a ten-thousandth longer or shorter.
         const double EquatorRadius = 6_378_137;
         const double EccentricitySq = 6.694379990141e-3;
 
-        // Nearer to a pole a degree of longitude is no length.
+        // Nearer to a pole a degree of longitude has no useful length.
         const double MaxLatitude = 89.99;
 
         /// <summary>Metres of a horizontal unit; 0 if unknown, NaN if X is a longitude and Y a latitude, in degrees.</summary>
@@ -30,7 +30,7 @@ namespace FastPoints
 
         public readonly bool IsKnown => IsInDegrees || IsLength(Horizontal);
 
-        /// <summary>Metres of a unit along each axis around a place; 1 if they are unknown.</summary>
+        /// <summary>Metres of a unit along each axis around a position; 1 if they are unknown.</summary>
         /// <param name="geo">Counts for degrees alone: a degree of longitude is shorter at higher latitudes.</param>
         public readonly double3 MetresAt(double3 geo, UpAxis up)
         {

@@ -2,7 +2,7 @@ using Unity.Mathematics;
 
 namespace FastPoints
 {
-    // Widens columns of any type, a run at a time: the type is examined once for these, and the loops have no branches.
+    // Converts columns of any type in batches: the type is examined once a batch, and the loops have no branches.
     internal static unsafe class ColumnValues
     {
         // Callers convert this many at once, on the stack: three arrays of doubles stay in the first-level cache.

@@ -21,7 +21,7 @@ namespace FastPoints
 
         static readonly List<Task> s_deletes = new List<Task>();
 
-        // Hears of each change before it is made, and may refuse it: for hosts whose own system refuses less than Windows.
+        // Called before each change, which it may refuse: for tests on systems that refuse less than Windows.
         internal static Action<FileChange, string, string> Intercept;
 
         public static FileStream OpenToRead(string path, int bufferBytes)
@@ -66,7 +66,7 @@ namespace FastPoints
             Directory.Delete(path, true);
         }
 
-        // Its remains do no harm. It waits like Retry.
+        // What remains is harmless. It waits like Retry.
         public static void TryDelete(string path, Func<bool> isWanted = null)
         {
             try
@@ -85,8 +85,8 @@ namespace FastPoints
             }
         }
 
-        // Takes a folder's name from it, at once unless somebody has it open, and deletes it on a pool thread: thousands
-        // of files take their time. moved hears, on any thread, that the name is free, or why the folder keeps it.
+        // Renames a folder, at once unless it is open, and deletes it on a pool thread, since thousands of files take
+        // long. Calls moved on any thread when the name is free, or with the reason why not.
         public static void BeginDelete(string folder, Action<Exception> moved)
         {
             string renamed = folder + DeletedSuffix;
@@ -120,7 +120,7 @@ namespace FastPoints
             }
             catch (Exception e) when (e is IOException || e is UnauthorizedAccessException)
             {
-                // All that was there has gone, or the next to look deletes it.
+                // It has gone, or the next clean-up deletes it.
             }
         }
 
@@ -147,7 +147,6 @@ namespace FastPoints
             }
         }
 
-        // Before a process ends.
         public static void AwaitDeletes()
         {
             Task[] deletes;

@@ -5,9 +5,9 @@ namespace FastPoints
 {
     internal static unsafe class FileReads
     {
-        // Opens a file, reads and closes it. Read by its name, a file would stay open on macOS and Linux: it would be read on
-        // after another has its name, and keep its place on the disk after it was deleted. Main thread. Commands and their
-        // memory stay where they are until the read has ended; closed ends when nothing has the file open.
+        // Opens a file, reads and closes it. Read by its name, a file would stay open on macOS and Linux: it would be
+        // read on after another has its name, and keep its place on the disk after it was deleted. Main thread.
+        // Commands and their memory must stay valid until the read has ended; closed ends when the file is closed.
         public static ReadHandle BeginOneShot(string path, ReadCommand* commands, int count) =>
             BeginOneShot(path, commands, count, out _);
 

@@ -21,7 +21,7 @@ namespace FastPoints
     {
         static readonly List<IOpenFiles> s_openFiles = new List<IOpenFiles>();
 
-        /// <summary>Another array with each change, which any thread may make.</summary>
+        /// <summary>Replaced at each change, on any thread.</summary>
         static string[] s_released = Array.Empty<string>();
 
         static JobHandle s_closing;
@@ -56,7 +56,7 @@ namespace FastPoints
 
         public static bool IsReleased(string folder)
         {
-            // This is asked often, and only while a folder is renamed does it cost anything.
+            // Called often; it only has a cost while a folder is renamed.
             foreach (string released in s_released)
                 if (IsBelow(Below(folder), released))
                     return true;

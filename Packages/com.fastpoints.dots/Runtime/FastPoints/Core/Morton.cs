@@ -11,8 +11,8 @@ namespace FastPoints
     ///      bit 20     bit 19        bit 1     bit 0
     /// </code>
     /// </summary>
-    /// <remarks>Spread and gathered by shifts and masks (Warren, Hacker's Delight, ch. 7): no table to keep in the cache, and a
-    /// compiler can do several codes at once.</remarks>
+    /// <remarks>Spread and gathered by shifts and masks (Warren, Hacker's Delight, ch. 7): no table to keep in the
+    /// cache, and compilers can vectorize it.</remarks>
     internal static unsafe class Morton
     {
         public const int BitsPerAxis = 21;
@@ -72,7 +72,7 @@ namespace FastPoints
             return v;
         }
 
-        // Moves bit 3i to bit i, whatever lies between.
+        // Moves bit 3i to bit i; other bits are ignored.
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static uint Gather(ulong code)
         {

@@ -12,7 +12,7 @@ namespace FastPoints
         /// <summary>The file or folder that failed.</summary>
         public string Path { get; }
 
-        /// <summary>Byte offset in the file, or -1 if no single place is at fault.</summary>
+        /// <summary>Byte offset in the file, or -1 if no single byte is at fault.</summary>
         public long ByteOffset { get; }
 
         /// <summary>The message without file and byte.</summary>

@@ -12,7 +12,7 @@ namespace FastPoints.Store
         /// <summary>The node takes all points of its cube that no node above has.</summary>
         public const byte IsLeaf = 1;
 
-        /// <summary>In the upper levels: what these left of the top node of a chunk, or of some that were sampled together. It
+        /// <summary>In the upper levels: the remaining points of a chunk's top node, or of some that were sampled together. It
         /// keeps its distance from the points below and above it, not from those beside it.</summary>
         public const byte IsTop = 2;
 
@@ -41,7 +41,7 @@ namespace FastPoints.Store
         [FieldOffset(68)] public int PointCount;
 
         /// <summary>The node whose planes hold the points: itself, or, for a tiny leaf, its parent. Positions count from the
-        /// host's corner.</summary>
+        /// plane node's corner.</summary>
         [FieldOffset(72)] public int PlaneNode;
 
         /// <summary>The node's blocks in the plane node's planes.</summary>
@@ -63,7 +63,7 @@ namespace FastPoints.Store
 
         public GridCube Cube => new GridCube(Corner, SideLog2);
 
-        /// <summary>Leaves have all remaining points, and a chain has points at one place: others keep a distance.</summary>
+        /// <summary>Leaves have all remaining points, and a chain has points at one position: others keep a distance.</summary>
         public bool HasSpacing => (Flags & IsLeaf) == 0 && SideLog2 > 0;
 
         /// <summary>Whether offsets are stored as 64-bit columns, as in cubes with a side beyond 2^32.</summary>

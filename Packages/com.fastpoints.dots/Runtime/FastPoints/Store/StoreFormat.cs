@@ -19,7 +19,7 @@ namespace FastPoints.Store
         // What LAS sources have around their points, as a LAS file without points.
         internal const string RecordsName = "records.las";
 
-        // What the source says of itself for people, where there is one.
+        // Readable facts of the source, if there is only one.
         internal const string FactsName = "facts.json";
         public const string ChunkFolderName = "chunks";
 

@@ -69,8 +69,8 @@ namespace FastPoints.Tests.Build
                 if (isSplit)
                     Take(second);
                 int count = codes.Count - before;
-                ranges.Add(new SampleRange { First = before, Count = count,
-                    Weight = Points / ((double)plan.RangeCount * count) });
+                double weight = Points / ((double)plan.RangeCount * count);
+                ranges.Add(new SampleRange { First = before, Count = count, Weight = weight });
             }
             using var codeOfPoint = new NativeArray<uint>(codes.ToArray(), Allocator.TempJob);
             using var allRanges = new NativeArray<SampleRange>(ranges.ToArray(), Allocator.TempJob);

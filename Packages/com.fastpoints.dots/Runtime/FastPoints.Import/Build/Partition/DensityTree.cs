@@ -164,7 +164,7 @@ namespace FastPoints.Build
         public int LastRange;
         public int Ranges;
 
-        /// <summary>Adds <see cref="InRange"/> when its range is counted; runs without points in the cell may be
+        /// <summary>Adds <see cref="InRange"/> when its range is counted; ranges without points in the cell may be
         /// skipped.</summary>
         public void Close(int range)
         {
@@ -222,11 +222,11 @@ namespace FastPoints.Build
             Ranges = ranges;
         }
 
-        /// <summary>False if no sampled point lies here: there may be none, or some that no run reached.</summary>
+        /// <summary>False if no sampled point lies here: there may be none, or some that no range covers.</summary>
         public bool IsKnown => Ranges > 0;
     }
 
-    /// <summary>Counts some runs of a sample into the bricks of one depth.</summary>
+    /// <summary>Counts some ranges of a sample into the bricks of one depth.</summary>
     [BurstCompile]
     unsafe struct CountDensityJob : IJob
     {
@@ -236,7 +236,7 @@ namespace FastPoints.Build
         /// none.</summary>
         public NativeArray<int> BrickOfPoint;
 
-        /// <summary>The ranges from <see cref="First"/> to before <see cref="End"/> are counted.</summary>
+        /// <summary>Counts the ranges from <see cref="First"/> on, before <see cref="End"/>.</summary>
         [ReadOnly] public NativeArray<SampleRange> Ranges;
         public int First;
         public int End;
@@ -248,7 +248,7 @@ namespace FastPoints.Build
         [ReadOnly] public NativeList<int> ChildBricks;
         public NativeList<DensitySum> Sums;
 
-        /// <summary>Cells in which the current run has points.</summary>
+        /// <summary>Cells in which the current range has points.</summary>
         public NativeList<int> Touched;
 
         public void Execute()
@@ -305,7 +305,7 @@ namespace FastPoints.Build
         /// <summary>The depth's first brick and the end of them; becomes the next depth's.</summary>
         public NativeReference<int2> Bricks;
 
-        /// <summary>A cell with no more is small enough.</summary>
+        /// <summary>A cell with no more is not divided.</summary>
         public double MaxPoints;
 
         public NativeList<int> ChildBricks;

@@ -257,7 +257,7 @@ namespace FastPoints.Build
                 }
                 if (cube.SideLog2 == 0)
                 {
-                    // There are several at one place.
+                    // Several may share one cube.
                     for (int i = first; i < end; i++)
                         groups.Add(new Group { Cube = cube, First = i, Count = 1 });
                     return;

@@ -54,7 +54,6 @@ namespace FastPoints.Build
 
         public bool IsEmpty => Min > Max;
 
-        /// <summary>Examines consecutive values.</summary>
         public static unsafe AttributeStatistics Of(byte* values, AttributeType type, int count)
         {
             int size = type.SizeOf();
@@ -71,7 +70,8 @@ namespace FastPoints.Build
             return result;
         }
 
-        /// <summary>The same for one or two bytes, the usual types. Halves of two bytes, often colours, are examined.</summary>
+        /// <summary>The same for one or two bytes, the usual types. Only two-byte values, often colours, are tested for 8-bit
+        /// content.</summary>
         static unsafe AttributeStatistics OfUnsigned(byte* values, int size, int count)
         {
             var result = None;

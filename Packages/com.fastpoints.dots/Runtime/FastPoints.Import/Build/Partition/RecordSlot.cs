@@ -51,7 +51,7 @@ namespace FastPoints.Build
             Attributes = new NativeArray<AttributeStatistics>(statistics, Allocator.Persistent);
         }
 
-        /// <summary>The block's points that have a position.</summary>
+        /// <summary>The records of the block's points that have a position.</summary>
         public NativeArray<byte> Records { get; }
 
         /// <summary>First record of each chunk, including that for points outside, and one more entry.</summary>
@@ -168,7 +168,7 @@ namespace FastPoints.Build
             int kept = Order(count, chunkOfPoint, first);
             statistics.Count += kept;
 
-            // From here on a point's entry is the place of its record, or -1.
+            // From here on a point's entry is the index of its record, or -1.
             var batch = (byte*)BatchRecords.GetUnsafePtr();
             ulong sum = 0;
             int end;
@@ -243,7 +243,7 @@ namespace FastPoints.Build
             }
         }
 
-        /// <summary>Turns counts into starts, and each point's chunk into the place of its record.</summary>
+        /// <summary>Turns counts into starts, and each point's chunk into the index of its record.</summary>
         int Order(int count, int* chunkOfPoint, int* first)
         {
             int chunks = FirstOfChunk.Length - 1;
@@ -264,8 +264,7 @@ namespace FastPoints.Build
             return sum;
         }
 
-        /// <summary>Makes the records of points that follow one another and have a position. What fills the attributes up
-        /// stays zero.</summary>
+        /// <summary>Writes the records of consecutive points that have a position. Padding stays zero.</summary>
         void WriteBatch(byte* bytes, int first, int count, byte* records)
         {
             WritePositions(bytes, first, count, records);
@@ -312,7 +311,7 @@ namespace FastPoints.Build
             SourceGrid.ToOffsets(Grid.Z, Z.At(bytes, first), Z.Type, count, Layout.Base.Z, offsets + 2 * BatchPoints);
         }
 
-        /// <summary>Moves records to their places.</summary>
+        /// <summary>Copies records to their indices.</summary>
         /// <returns>The sum of their hashes.</returns>
         ulong Scatter(byte* batch, int* positions, int count, byte* records)
         {
@@ -358,7 +357,7 @@ namespace FastPoints.Build
         }
     }
 
-    /// <summary>A copy from a column of a batch to a place in a record. Blittable.</summary>
+    /// <summary>A copy from a column of a batch to a field of a record. Blittable.</summary>
     internal struct RecordField
     {
         public PointColumn Column;

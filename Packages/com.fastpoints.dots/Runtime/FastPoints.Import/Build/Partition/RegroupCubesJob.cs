@@ -10,14 +10,13 @@ namespace FastPoints.Build
     [BurstCompile]
     internal unsafe struct RegroupCubesJob : IJob
     {
-        /// <summary>Pages of one run that keeps them: a millisecond or so.</summary>
+        /// <summary>Pages of one slice, which takes about a millisecond.</summary>
         public const int PagesPerSlice = 8;
 
-        /// <summary>The records, which stay unchanged.</summary>
         public RecordPages Pages;
 
-        /// <summary>Whether all pages are taken, and return to the pool as they are done, not a slice of them from
-        /// <see cref="FirstPage"/> on.</summary>
+        /// <summary>Whether the job takes all pages and returns them to the pool, instead of reading a slice from <see
+        /// cref="FirstPage"/> on.</summary>
         public bool TakesPages;
         public int FirstPage;
         public RecordLayout Layout;
@@ -47,7 +46,7 @@ namespace FastPoints.Build
                 for (int i = 0; i < page->Count; i++, record += stride)
                 {
                     var position = Layout.PositionOf(record);
-                    // Points that follow one another are often neighbours.
+                    // Consecutive points are often neighbours.
                     if (cube < 0 || !Cubes[cube].Contains(position))
                         cube = LastFrom(position);
                     if (cube >= 0 && Cubes[cube].Contains(position))
@@ -118,7 +117,7 @@ namespace FastPoints.Build
         public RecordPages Pages;
         public RecordLayout Layout;
 
-        /// <summary>The smallest and the largest position; they grow.</summary>
+        /// <summary>The smallest and the largest position, extended by each job.</summary>
         public NativeArray<Grid3> Bounds;
 
         public SliceTimes Slices;

@@ -11,10 +11,10 @@ namespace FastPoints.Build
     /// points.</summary>
     internal static class RootCube
     {
-        /// <summary>Claims of an extent more than this many times that of the sample are ignored.</summary>
+        /// <summary>Claimed extents more than this many times that of the sample are ignored.</summary>
         const double MaxClaimRatio = 4;
 
-        /// <summary>The smallest cube with a box in its middle, so that points a little outside the box are still
+        /// <summary>The smallest cube centred on a box, so that points slightly outside the box are still
         /// inside.</summary>
         public static GridCube Around(Grid3 min, Grid3 max)
         {
@@ -53,8 +53,8 @@ namespace FastPoints.Build
             return cube;
         }
 
-        /// <summary>The cube around the sample, and around what the headers claim unless that is far larger: claims may be
-        /// anything.</summary>
+        /// <summary>The cube around the sample, and around the bounds in headers, unless these are far larger: headers
+        /// may be wrong.</summary>
         public static GridCube Guess(IReadOnlyList<PointReader> readers, IReadOnlyList<SampleStatistics> found, GridChoice grid)
         {
             var min = PointStatistics.None.Min;

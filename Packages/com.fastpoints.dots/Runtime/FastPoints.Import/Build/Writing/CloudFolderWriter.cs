@@ -137,8 +137,8 @@ namespace FastPoints.Build
 
         public string PathOf(string name) => Path.Combine(m_part, name);
 
-        /// <summary>Deletes a file that the build no longer needs, behind everything queued. What somebody has open is deleted at
-        /// the end.</summary>
+        /// <summary>Deletes a file that the build no longer needs, after everything queued. A file that is open is
+        /// deleted at the end.</summary>
         public void Delete(string name) => m_queue.Run(PathOf(name), () => FileChanges.TryDelete(PathOf(name), () => false));
 
         public void DeleteGeneration(long generation)
@@ -169,7 +169,7 @@ namespace FastPoints.Build
 
         /// <summary>Coroutine: gives the folder its final name, once streams have released it. Everything must be written,
         /// cloud.json last of all.</summary>
-        /// <exception cref="PointCloudException">It cannot be renamed, or belongs to another writer by now.</exception>
+        /// <exception cref="PointCloudException">It cannot be renamed, or now belongs to another writer.</exception>
         public IEnumerator<JobStep> Complete()
         {
             FolderReleases.Release(m_part);
@@ -203,8 +203,8 @@ namespace FastPoints.Build
                 m_lock.Dispose();
         }
 
-        /// <summary>Takes what a build that ended early left of a target out of the way, unless it is being built now, and
-        /// deletes it on a pool thread.</summary>
+        /// <summary>Moves away what an unfinished build of a target left, unless it is being built now, and deletes it
+        /// on a pool thread.</summary>
         public static void DeleteUnfinished(string target)
         {
             string part = target.TrimEnd(Path.DirectorySeparatorChar, Path.AltDirectorySeparatorChar) + StoreFormat.PartSuffix;
@@ -247,7 +247,7 @@ namespace FastPoints.Build
             }
             catch (Exception e) when (FileFailures.IsFileFailure(e))
             {
-                // All is there but the name: the next build of this target takes it up.
+                // Only the name is missing: the next build of this target resumes it.
                 m_isKept = true;
                 if (!Directory.Exists(m_target) && Directory.Exists(old))
                     FileChanges.MoveFolder(old, m_target);
@@ -265,7 +265,7 @@ namespace FastPoints.Build
                 FileChanges.BeginDelete(old, _ => { });
         }
 
-        /// <summary>Any of its steps may be refused while files are read; it continues with the rest.</summary>
+        /// <summary>The system may refuse any step while files are read; the rest continues.</summary>
         void Rename(string old)
         {
             FileChanges.DeleteFolder(PathOf(BuildFiles.RecordFolderName));

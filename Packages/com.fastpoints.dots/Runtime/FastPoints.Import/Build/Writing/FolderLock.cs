@@ -91,7 +91,7 @@ namespace FastPoints.Build
             }
             catch (PointCloudException e) when (e.Code == FailureCode.NotFound || e.Code == FailureCode.ReadFailed)
             {
-                // It was released between two looks, or is being written: the next try decides.
+                // It was released in between, or is being written: the next try decides.
                 return UnknownOwner;
             }
             catch (Exception e) when (FileFailures.IsFileFailure(e))
@@ -130,7 +130,7 @@ namespace FastPoints.Build
             }
             catch (Exception e) when (e is PointCloudException || FileFailures.IsFileFailure(e))
             {
-                // The file names this process: the next owner finds it gone.
+                // The file names this process, which the next owner will find gone.
             }
         }
 
@@ -164,14 +164,14 @@ namespace FastPoints.Build
             }
         }
 
-        /// <summary>Lets only one of several that found it stale take it over: a file beside it keeps the others off
+        /// <summary>Only one of several that found it stale takes it over: a file beside it locks out the others
         /// meanwhile.</summary>
         static bool TryReplaceStale(string path, string machine, string owner)
         {
             string guard = path + GuardSuffix;
             if (!TryCreate(guard, owner))
             {
-                // A crash in the middle of this left it.
+                // Left by a crash in this method.
                 if (DateTime.UtcNow - File.GetLastWriteTimeUtc(guard) > RenewAfter)
                     FileChanges.Delete(guard);
                 return false;

@@ -30,7 +30,7 @@ namespace FastPoints.Build
             Records,
             /// <summary>A flush to disk of what was written to such a file so far.</summary>
             Sync,
-            /// <summary>Something else that takes its turn.</summary>
+            /// <summary>A callback.</summary>
             Call,
         }
 
@@ -62,7 +62,7 @@ namespace FastPoints.Build
         {
             m_check = check;
             m_checkAfter = checkAfter;
-            // An editor stands still while it waits.
+            // The editor is blocked while it waits.
             m_stopRetrying = () => m_isRetryStopped = true;
             m_thread = new Thread(WriteOrders) { IsBackground = true, Name = "FastPoints writer" };
             m_thread.Start();
@@ -100,7 +100,7 @@ namespace FastPoints.Build
             Ticket = new WriteTicket(m_stopRetrying),
         });
 
-        /// <summary>Queues something else that is to be done with files.</summary>
+        /// <summary>Queues a callback that works with files.</summary>
         public WriteTicket Run(string path, Action act) => Enqueue(new Order
         {
             Kind = OrderKind.Call,
@@ -109,7 +109,7 @@ namespace FastPoints.Build
             Ticket = new WriteTicket(m_stopRetrying),
         });
 
-        /// <summary>Whether what the system refuses is to be tried again: nobody waits for the end.</summary>
+        /// <summary>Whether to retry what the system refuses: not while someone waits for the end.</summary>
         public bool ShouldRetry() => !m_isEnding && !m_isRetryStopped;
 
 
@@ -176,7 +176,7 @@ namespace FastPoints.Build
             return order.Ticket;
         }
 
-        /// <summary>May be begun again after any of its steps.</summary>
+        /// <summary>May be repeated after any of its steps.</summary>
         static void Execute(in Order order)
         {
             var bytes = (byte*)order.Bytes;
@@ -252,8 +252,8 @@ namespace FastPoints.Build
             }
         }
 
-        /// <summary>Waits until the bytes are no longer needed, written or not. It throws nothing, so that it suits
-        /// clean-up: what the system refuses is not tried again meanwhile.</summary>
+        /// <summary>Waits until the bytes are no longer needed, written or not. It throws nothing, as clean-up needs
+        /// it: what the system refuses is not retried meanwhile.</summary>
         public void Wait()
         {
             lock (m_lock)

@@ -44,17 +44,16 @@ namespace FastPoints.Nodes
             NodeOfDraft = new NativeList<int>(64, Allocator.Persistent);
         }
 
-        /// <summary>The current chunk, and its records as they came.</summary>
+        /// <summary>The current chunk, and its records in arrival order.</summary>
         public GridCube Cube { get; private set; }
         public RecordPages Pages { get; private set; }
         public int Number { get; private set; }
         public JobHandle Job { get; private set; }
 
-        /// <summary>The chunk's file after the job, empty if all points are in the top. Code that takes it gives another list for
-        /// the next one.</summary>
+        /// <summary>The chunk's file after the job, empty if all points are in the top. A caller that takes it supplies
+        /// another list for the next chunk.</summary>
         public NativeList<byte> File { get; set; }
 
-        /// <summary>The upper nodes' table, after an upper job.</summary>
         public NativeList<byte> Table { get; }
 
         /// <summary>The records of the top node in the layout of tops, after the job.</summary>
@@ -70,7 +69,7 @@ namespace FastPoints.Nodes
 
         public NativeArray<long> BytesOfPlane => m_bytesOfPlane;
 
-        /// <summary>Begins a chunk, after those in the workspace. The caller owns its pages again when the job is
+        /// <summary>Begins a chunk after the others of the workspace. The caller owns its pages again when the job is
         /// done.</summary>
         /// <param name="ready">Completes when the pages have their records.</param>
         public void Begin(GridCube cube, RecordPages pages, int number, IndexWorkspace workspace, JobHandle ready)
@@ -182,7 +181,7 @@ namespace FastPoints.Nodes
             };
             for (long done = 0; done < job.Cost; done += job.CostPerSlice)
                 inputDeps = job.Schedule(inputDeps);
-            // Slices end at pages and buckets: what they leave.
+            // Slices end at pages and buckets: the rest.
             job.CostPerSlice = int.MaxValue;
             return job.Schedule(inputDeps);
         }
@@ -241,7 +240,7 @@ namespace FastPoints.Nodes
             job.CostPerSlice = WriteNodesJob.CostOfSlice;
             for (long done = 0; done < job.Cost; done += job.CostPerSlice)
                 inputDeps = job.Schedule(inputDeps);
-            // Slices end at planes: what they leave.
+            // Slices end at planes: the rest.
             job.CostPerSlice = int.MaxValue;
             return m_workspace.Last = job.Schedule(inputDeps);
         }
@@ -261,7 +260,7 @@ namespace FastPoints.Nodes
         /// <summary>A slice takes about 4 ms.</summary>
         public const int PointsPerSlice = 100000;
 
-        /// <summary>The points of this slice. The slices of one cloud follow one another.</summary>
+        /// <summary>The points of this slice. The slices of one cloud run in order.</summary>
         public int First;
         public int End;
         public RecordLayout Layout;

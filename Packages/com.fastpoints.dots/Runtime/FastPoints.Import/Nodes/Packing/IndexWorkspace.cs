@@ -7,8 +7,8 @@ using Unity.Jobs;
 
 namespace FastPoints.Nodes
 {
-    /// <summary>The working memory of chunks that become nodes one after another: the jobs of one workspace never run side by
-    /// side. It is as large as the workspace's largest chunk needs.</summary>
+    /// <summary>The working memory of chunks that become nodes one after another: the jobs of one workspace never
+    /// overlap. It has the size that its largest chunk needs.</summary>
     internal sealed class IndexWorkspace : IDisposable
     {
         readonly int m_strideBytes;
@@ -131,7 +131,8 @@ namespace FastPoints.Nodes
             public int Plane;
             public int NodeCount;
 
-            /// <summary>For the current node: whether a point of it stands for others, and the next averaged column.</summary>
+            /// <summary>For the current node: whether any of its points represents others, and the next averaged
+            /// column.</summary>
             public bool HasAverages;
             public int AveragedColumn;
         }
@@ -180,7 +181,7 @@ namespace FastPoints.Nodes
     /// <summary>The progress of an <see cref="OrderChunkJob"/> between two slices, and its working memory.</summary>
     internal struct OrderScratch : IDisposable
     {
-        // Points that most buckets have less than: more memory is given back.
+        // Most buckets have fewer points: memory for more is freed.
         const int KeptPoints = 1 << 16;
 
         public enum Stage
@@ -204,7 +205,7 @@ namespace FastPoints.Nodes
             public int Bucket;
             public int Point;
 
-            /// <summary>Bytes of the ordered records that have memory.</summary>
+            /// <summary>Bytes of the ordered records whose pages are touched.</summary>
             public long Touched;
 
             /// <summary>Bits that any of the bucket's keys has, and those that all have.</summary>
@@ -242,7 +243,7 @@ namespace FastPoints.Nodes
                 Bucket.ResizeUninitialized(points * strideBytes);
         }
 
-        /// <summary>Gives back what an unusual bucket took, before the chunk takes memory for its nodes.</summary>
+        /// <summary>Frees the memory of an unusual bucket before the chunk's nodes need theirs.</summary>
         public void Trim()
         {
             if (Keys.Length <= 2 * KeptPoints)
@@ -309,8 +310,8 @@ namespace FastPoints.Nodes
             /// <summary>While chunks' tops are put into the grid before anything is sampled.</summary>
             public bool IsFixing;
 
-            /// <summary>The current tile, whether no sample is in it or beside it, the number of its darts, and the next to
-            /// throw.</summary>
+            /// <summary>The current tile, whether it and its neighbours have no samples, the number of its darts, and
+            /// the next to throw.</summary>
             public Grid3 Tile;
             public bool IsEmpty;
             public int Darts;
@@ -323,14 +324,15 @@ namespace FastPoints.Nodes
         public NativeReference<State> Progress;
         public NativeList<SampledRange> Ranges;
 
-        /// <summary>While ranges are planned: how many neighbours have a cube of each side in common, in four tables that take
-        /// turns, so that no count waits for the one before.</summary>
+        /// <summary>While ranges are planned: how many neighbours have a cube of each side in common, in four tables
+        /// used in turn, so that no count depends on the previous one.</summary>
         public NativeArray<int> Counts;
 
-        /// <summary>From a range's first place on: the points that it offers to the range above, in order.</summary>
+        /// <summary>From a range's first index on: the points that it offers to the range above, in order.</summary>
         public NativeList<int> Offered;
 
-        /// <summary>The random sampler's: for each of these, log2 of the side of the smallest cube with the one before.</summary>
+        /// <summary>For the random sampler: for each of these, log2 of the side of the smallest cube with the previous
+        /// one.</summary>
         public NativeList<byte> OfferedCommon;
 
         /// <summary>The darts of the current tile along the curve, their points, and the order in which they are
@@ -374,7 +376,7 @@ namespace FastPoints.Nodes
     /// <summary>What becomes of the points of a range.</summary>
     internal enum RangeKind : byte
     {
-        /// <summary>All that nothing above takes are one node.</summary>
+        /// <summary>All points that no node above takes are one node.</summary>
         Leaf,
 
         /// <summary>A node takes some of what the parts offer, and offers these to the range above.</summary>
@@ -383,7 +385,7 @@ namespace FastPoints.Nodes
         /// <summary>The spacing would be no finer than that above: the parts' samples are passed on to it.</summary>
         Passed,
 
-        /// <summary>All points are at one place: a chain of nodes, which offers one of them.</summary>
+        /// <summary>All points are at one position: a chain of nodes, which offers one of them.</summary>
         Chain,
 
         /// <summary>A chunk's top.</summary>

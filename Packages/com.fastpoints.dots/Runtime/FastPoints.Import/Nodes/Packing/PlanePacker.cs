@@ -220,7 +220,7 @@ namespace FastPoints.Nodes
             Word = word;
         }
 
-        /// <summary>The plane's word behind what is packed.</summary>
+        /// <summary>The plane's word after the packed ones.</summary>
         public long Word { get; private set; }
 
         /// <summary>Where a column of 64-bit values is gathered.</summary>
@@ -277,7 +277,7 @@ namespace FastPoints.Nodes
             Word = word;
         }
 
-        /// <summary>Clears what fills the plane up.</summary>
+        /// <summary>Clears the padding.</summary>
         /// <returns>Its length in bytes.</returns>
         public long End()
         {

@@ -59,7 +59,7 @@ namespace FastPoints.Nodes
         /// <summary>Its <see cref="WriteScratch.Progress"/> is reset before the first slice.</summary>
         public WriteScratch Scratch;
 
-        /// <summary>About this many values are written in one group; to group a point costs as much as one.</summary>
+        /// <summary>About this many values are written in one group; grouping a point costs as much as one.</summary>
         public int CostPerSlice;
 
         /// <summary>Out: the file. Empty if a chunk has no node except its top.</summary>
@@ -132,7 +132,7 @@ namespace FastPoints.Nodes
         void Start()
         {
             File.Clear();
-            // One that grows is copied whole, in one slice. Only what is written takes memory.
+            // A list that grows is copied whole, in one slice. Only written pages take memory.
             if (File.Capacity < Count * Layout.StrideBytes)
                 File.SetCapacity(Count * Layout.StrideBytes);
             Table.Clear();
@@ -167,8 +167,7 @@ namespace FastPoints.Nodes
             m_state.Stage = Stage.Plan;
         }
 
-        /// <summary>Plans everything except the points: which nodes there are, and the table without what is only known after
-        /// writing.</summary>
+        /// <summary>Plans the nodes, and the table except for fields that are only known after writing.</summary>
         void Plan()
         {
             NodeOfDraft.ResizeUninitialized(Drafts.Length);

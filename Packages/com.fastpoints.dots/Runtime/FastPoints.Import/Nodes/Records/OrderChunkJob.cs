@@ -7,19 +7,18 @@ using Stage = FastPoints.Nodes.OrderScratch.Stage;
 
 namespace FastPoints.Nodes
 {
-    /// <summary>Copies a chunk's records in order along the Morton curve, those at one place by their content, so that the order
-    /// is the same however they came; and prepares the sampling: where cubes end in the order, and each record's
-    /// priority.</summary>
+    /// <summary>Copies a chunk's records in order along the Morton curve, at one position by their content, so that the
+    /// order is independent of that of arrival; and prepares the sampling: where cubes end in the order, and each
+    /// record's priority.</summary>
     /// <remarks>
     /// Whole records are distributed by the top octree levels; each bucket fits a core's cache and is sorted there, as one number
     /// a record:
     /// <code>
     /// bit 63 ........ n      n - 1 ........ 0
     ///     Morton bits left   record of the bucket
-    /// </code>
-    /// Its top differing bits are sorted by digits, which leaves few records out of place. Where a chunk has more Morton bits
-    /// than there is room for (a few points in a vast cube), and at equal places, the runs that are equal so far are sorted by
-    /// comparing records. One run of the job is a slice: it is run until it is done.
+    /// </code> Its top differing bits are sorted by digits, which leaves few records out of order. If a chunk has more
+    /// Morton bits than fit (a few points in a vast cube), and at equal positions, groups that are equal so far are
+    /// sorted by comparing records. Each execution of the job is a slice: it is repeated until it is done.
     /// </remarks>
     [BurstCompile]
     internal unsafe struct OrderChunkJob : IJob
@@ -33,7 +32,7 @@ namespace FastPoints.Nodes
         const int CostOfSort = 20;
         const int CostOfEmit = 20;
 
-        // A page of memory that is touched for the first time.
+        // Touching a page of memory for the first time.
         const int CostOfTouch = 3000;
         const int TouchedBytes = 4096;
 
@@ -43,7 +42,7 @@ namespace FastPoints.Nodes
         // Points to a bucket, in a surface: a level has four times the buckets.
         const int PointsOfBucket = 2048;
 
-        // Below this, digits are shorter: their counts take as long as the points.
+        // Below this, digits are shorter: counters would take as long as the points.
         const int FewPoints = 2048;
         const int LongDigitBits = 11;
         const int ShortDigitBits = 8;
@@ -158,8 +157,8 @@ namespace FastPoints.Nodes
             m_state = new OrderScratch.State { Stage = Stage.Touch, Page = Pages.First };
         }
 
-        /// <summary>The system makes memory when it is written for the first time. Records come in no order: without this, nearly
-        /// all of it would be made in one slice.</summary>
+        /// <summary>The system commits memory on the first write. Records come in no order: without this, one slice
+        /// would commit nearly all of it.</summary>
         void Touch()
         {
             for (; m_state.Touched < Bytes; m_state.Touched += TouchedBytes, m_budget -= CostOfTouch)
@@ -304,7 +303,7 @@ namespace FastPoints.Nodes
         {
             var start = (int*)Scratch.FirstOfBucket.GetUnsafePtr();
             int count = start[m_state.Bucket + 1] - start[m_state.Bucket];
-            // One that takes longer than is left has a slice of its own.
+            // A bucket that takes longer than is left gets its own slice.
             long cost = (long)count * CostOfSort;
             if (cost > m_budget && m_budget < CostPerSlice)
             {
@@ -376,7 +375,7 @@ namespace FastPoints.Nodes
             m_state.Stage = Stage.Keys;
         }
 
-        /// <returns>Whether it was done: it gives up where many are far from their place.</returns>
+        /// <returns>False if it gave up, since many keys are far from their index.</returns>
         static bool InsertionSort(ulong* keys, int count)
         {
             long budget = 8L * count + InsertedPoints * InsertedPoints;
@@ -431,7 +430,7 @@ namespace FastPoints.Nodes
     /// <summary>The common basis of all samplers.</summary>
     internal unsafe struct SampleInputs
     {
-        /// <summary>By point: see <see cref="MortonOrder.CommonCubeLog2"/> of it and the one before.</summary>
+        /// <summary>By point: <see cref="MortonOrder.CommonCubeLog2"/> of it and the previous one.</summary>
         public byte* CommonCubeLog2;
         public uint* Priority;
 

@@ -7,7 +7,7 @@ using Unity.Mathematics;
 namespace FastPoints.Nodes
 {
     /// <summary>
-    /// How a point lies in memory while the octree is built: one record, so that scattering and gathering touch one place.
+    /// The memory layout of a point while the octree is built: one record, so that scattering and gathering touch one address.
     /// <code>
     /// narrow: x, y, z as 32-bit offsets from Base | attributes, padded to whole words
     /// wide:   x, y, z as 64-bit grid numbers      | attributes, padded to whole words

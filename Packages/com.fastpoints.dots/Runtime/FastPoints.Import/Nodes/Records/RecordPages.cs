@@ -47,7 +47,7 @@ namespace FastPoints.Nodes
             Count += page->Count;
         }
 
-        /// <summary>Takes over all pages of another list, which is empty afterwards.</summary>
+        /// <summary>Moves all pages of another list to this one.</summary>
         public void Join(ref RecordPages other)
         {
             if (other.First == null)
@@ -100,8 +100,9 @@ namespace FastPoints.Nodes
         public RecordPages Pages;
     }
 
-    /// <summary>The memory of record pages: slabs that are reused and freed all at once. The resident memory is thus the peak in
-    /// use, however the allocator below handles many small blocks. Blittable; one job at a time may use it.</summary>
+    /// <summary>The memory of record pages: slabs that are reused and freed all at once. Resident memory is thus the
+    /// peak in use, whatever the allocator below does with many small blocks. Blittable; one job at a time may use
+    /// it.</summary>
     internal unsafe struct RecordPagePool
     {
         struct Slab
@@ -141,7 +142,7 @@ namespace FastPoints.Nodes
 
         public int SlabCount { get; private set; }
 
-        /// <summary>Pages that were taken and not given back.</summary>
+        /// <summary>Pages that were taken and not returned.</summary>
         public long PagesInUse { get; private set; }
 
         public RecordPages.Page* Take()
@@ -200,7 +201,7 @@ namespace FastPoints.Nodes
             while (FreeSlab()) { }
         }
 
-        /// <summary>A part of <see cref="FreeAll"/>, which takes milliseconds: begun with this, it is to be ended.</summary>
+        /// <summary>A part of <see cref="FreeAll"/>, which takes milliseconds; repeat it until it returns false.</summary>
         /// <returns>Whether there was anything to free.</returns>
         public bool FreeSlab()
         {

@@ -16,8 +16,8 @@ namespace FastPoints.Nodes
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public byte* At(uint number) => Records + (long)number * Layout.StrideBytes;
 
-        /// <summary>Compares records independently of when they came: along the Morton curve, and at equal positions by their
-        /// attributes' bytes. 0 for equal records.</summary>
+        /// <summary>Compares records independently of their order of arrival: along the Morton curve, and at equal positions by
+        /// their attributes' bytes. 0 for equal records.</summary>
         int Compare(uint a, uint b)
         {
             byte* first = At(a), second = At(b);
@@ -95,7 +95,7 @@ namespace FastPoints.Nodes
         }
     }
 
-    /// <summary>Compares positions of any size along the Morton curve without making their codes. Coordinates must not be
+    /// <summary>Compares positions of any size along the Morton curve without computing codes. Coordinates must not be
     /// negative.</summary>
     internal static class MortonOrder
     {

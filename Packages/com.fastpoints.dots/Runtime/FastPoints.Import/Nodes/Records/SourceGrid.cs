@@ -24,7 +24,7 @@ namespace FastPoints.Nodes
     /// <summary>Maps one source's stored positions to positions on the cloud's grid. Blittable, for jobs.</summary>
     internal struct SourceGrid
     {
-        /// <summary>Positions farther out are left out, so that sums of positions and sides stay within a long.</summary>
+        /// <summary>Positions beyond it are left out, so that sums of positions and sides fit a long.</summary>
         public const long Limit = CommonGrid.Limit;
 
         /// <summary>Marks an invalid position: far outside <see cref="Limit"/>.</summary>
@@ -36,7 +36,7 @@ namespace FastPoints.Nodes
 
         /// <summary>Computes grid numbers of consecutive values of one axis: <see cref="InvalidPosition"/> for numbers that are
         /// not finite or too far out.</summary>
-        /// <param name="worstLoss">Raised to the largest distance, in steps, between a number and its place on the grid.</param>
+        /// <param name="worstLoss">Raised to the largest distance, in steps, between a number and its grid point.</param>
         public static unsafe void ToGrid(in SourceAxis axis, byte* stored, AttributeType type, int count, long* grid,
             ref double worstLoss)
         {
@@ -162,8 +162,7 @@ namespace FastPoints.Nodes
 
         public SourceGrid[] Sources;
 
-        /// <summary>The layout for the most that the sources' numbers can be on the grid: wide if they do not fit 32
-        /// bits.</summary>
+        /// <summary>The layout for the largest range of grid numbers: wide if it does not fit 32 bits.</summary>
         public RecordLayout Records;
 
         /// <param name="hasCubes">Whether the step is the same on all axes.</param>
@@ -236,7 +235,7 @@ namespace FastPoints.Nodes
         }
 
         /// <summary>Maps one source's numbers to a given grid: that of a stored cloud, to compare it with its source.</summary>
-        /// <exception cref="PointCloudException">The grid has no room for the source's scales and offsets.</exception>
+        /// <exception cref="PointCloudException">The source's scales and offsets do not fit the grid.</exception>
         public static SourceGrid OnGrid(SourceInfo info, CloudGrid grid)
         {
             SourceAxis On(int axis, string name) => AxisOf(info, axis, name, grid.Step[axis], grid.Origin[axis]);
@@ -259,7 +258,7 @@ namespace FastPoints.Nodes
             result.IsInteger = true;
             if (loss > step)
             {
-                // No number of steps makes the scale: each coordinate goes to the nearest one.
+                // The scale is no multiple of the step: each coordinate is rounded to the nearest one.
                 result.IsInteger = false;
                 loss = step / 2;
             }

@@ -7,10 +7,10 @@ using Unity.Mathematics;
 
 namespace FastPoints.Nodes
 {
-    /// <summary>The samples of one spacing, for the question whether another point is nearer to one of them.</summary>
-    /// <remarks>
-    /// Space is divided into tiles of 16 spacings, and a tile into cells of two spacings, so that whatever is nearer than the
-    /// spacing is in two by two by two cells. A cell's samples are in buckets of eight, which are compared at once:
+    /// <summary>The samples of one spacing, for queries whether another point is nearer to one of them.</summary>
+    /// <remarks> Space is divided into tiles of 16 spacings, and a tile into cells of two spacings, so that all samples
+    /// nearer than the spacing are in two by two by two cells. A cell's samples are in buckets of eight, which are
+    /// compared together:
     /// <code>
     /// bucket: eight times x, y of 16 bits | eight times z, 0 of 16 bits
     /// </code>
@@ -30,7 +30,7 @@ namespace FastPoints.Nodes
         const int Side = 8;
         const int CellsOfTile = Side * Side * Side;
 
-        // The tile's own cells with those around them.
+        // The tile's cells and those around them.
         const int LocalSide = Side + 2;
         const int LocalCells = LocalSide * LocalSide * LocalSide;
         const int FirstOfLocal = 1 + LocalSide + LocalSide * LocalSide;
@@ -42,8 +42,8 @@ namespace FastPoints.Nodes
 
         NativeList<uint> m_buckets;
 
-        // For each bucket: its number of samples, and the full bucket of the same cell, or 0. The first bucket is what empty
-        // cells have; its second number says whether any cell has two.
+        // For each bucket: its number of samples, and the full bucket of the same cell, or 0. Empty cells have the
+        // first bucket; its second number says whether any cell has two.
         NativeList<int> m_links;
         NativeList<int> m_pointOfLane;
 
@@ -200,7 +200,7 @@ namespace FastPoints.Nodes
             return IsNearPlain(dart);
         }
 
-        /// <summary>The same without intrinsics: Burst makes vectors of its inner loop on other processors.</summary>
+        /// <summary>The same without intrinsics: Burst vectorizes its inner loop on other processors.</summary>
         internal bool IsNearPlain(ulong dart)
         {
             int* at = (int*)m_local.GetUnsafePtr() + OwnOf(dart, out int ox, out int oy, out int oz);
@@ -279,7 +279,7 @@ namespace FastPoints.Nodes
             m_local.Dispose();
         }
 
-        /// <summary>Makes a bucket whose empty places are too far from all that is compared with it.</summary>
+        /// <summary>Creates a bucket whose empty entries are too far from all darts of the tile.</summary>
         int NewBucket(ulong dart)
         {
             int number = m_links.Length / 2;
@@ -311,7 +311,7 @@ namespace FastPoints.Nodes
             return FirstOfLocal + (x >> 1 & 7) + LocalSide * (y >> 1 & 7) + LocalSide * LocalSide * (z >> 1 & 7);
         }
 
-        // Burst judges each method by itself: what asks for its caller only is refused for other processors.
+        // Burst checks each method alone: an intrinsic guarded only by the caller is refused for other processors.
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         static v256 DistancesSq(uint* buckets, int number, v256 xy, v256 z)
         {

@@ -15,7 +15,7 @@ namespace FastPoints.Nodes
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         static int PointOf(long rank) => int.MaxValue - (int)(rank & int.MaxValue);
 
-        /// <summary>Takes the best candidate of each cell, without a branch that depends on the points.</summary>
+        /// <summary>Takes the best candidate of each cell, without branches on the points.</summary>
         void ChooseCells()
         {
             ref var range = ref Scratch.Ranges.ElementAt(m_state.Range);
@@ -81,7 +81,7 @@ namespace FastPoints.Nodes
             {
                 var part = Scratch.Ranges[m_state.Part];
                 int end = Spend(m_state.Candidate, part.OfferedCount, CostOfGather), darts = m_state.Darts;
-                // Room for all that may come.
+                // Capacity for all that may follow.
                 ReserveDarts(darts + end - m_state.Candidate);
                 long strip = FaceStrip;
                 ulong* dartList = Scratch.Darts.GetUnsafePtr();
@@ -196,7 +196,7 @@ namespace FastPoints.Nodes
             EndTile(points, darts);
         }
 
-        /// <summary>Offers what was taken, along the curve.</summary>
+        /// <summary>Offers the taken points along the curve.</summary>
         void EndTile(int* points, ulong* darts)
         {
             Grid.EndTile(m_state.Tile);
@@ -214,8 +214,8 @@ namespace FastPoints.Nodes
             m_state.Stage = Stage.Gather;
         }
 
-        /// <summary>Begins the next range whose points were no candidates of this spacing and will be of a wider one, or what
-        /// follows the last one.</summary>
+        /// <summary>Begins the next range whose points are candidates of a wider spacing but not of this one, or ends
+        /// after the last.</summary>
         void BeginBar(int number)
         {
             var ranges = Scratch.Ranges.GetUnsafePtr();
@@ -257,8 +257,8 @@ namespace FastPoints.Nodes
 
         static bool IsWithin(long apart, long near, long a, long b) => apart <= b + near && -apart <= a + near;
 
-        /// <summary>Bars those that are nearer than this spacing to one of its samples from the nodes above: otherwise these
-        /// had points too near to points of nodes below.</summary>
+        /// <summary>Bars points nearer than this spacing to one of its samples from the nodes above, whose points would
+        /// otherwise be too near to those below.</summary>
         void BarPoints()
         {
             var range = Scratch.Ranges[m_state.Range];
@@ -292,7 +292,7 @@ namespace FastPoints.Nodes
 
         public const int Classes = 4 * Octaves + 1;
 
-        /// <summary>And once more for points beside the faces of their chunk, which come last.</summary>
+        /// <summary>Twice as many: points beside the faces of their chunk come last.</summary>
         public const int ClassesWithFaces = 2 * Classes;
 
         /// <summary>The class of a record's hash: 0 is tried first and has 2^-16 of the points.</summary>

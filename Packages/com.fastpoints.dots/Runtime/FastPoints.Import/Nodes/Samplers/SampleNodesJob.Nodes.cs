@@ -5,7 +5,7 @@ using Stage = FastPoints.Nodes.SampleScratch.Stage;
 
 namespace FastPoints.Nodes
 {
-    /// <summary>What follows the choice: averages, and the nodes that ranges become.</summary>
+    /// <summary>After the choice: averages, and nodes for the ranges.</summary>
     internal unsafe partial struct SampleNodesJob
     {
         /// <summary>The range that a point belongs to, barred or not.</summary>
@@ -70,7 +70,7 @@ namespace FastPoints.Nodes
             sum.Sum += more.Sum;
         }
 
-        /// <summary>Counts what each range has in the end, and makes the nodes.</summary>
+        /// <summary>Counts the final points of each range and creates the nodes.</summary>
         void CountPoints()
         {
             var ranges = Scratch.Ranges.GetUnsafePtr();

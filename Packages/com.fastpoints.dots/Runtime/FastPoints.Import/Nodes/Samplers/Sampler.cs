@@ -19,8 +19,8 @@ namespace FastPoints.Nodes
     /// <summary>The size of nodes and how finely they are sampled. Blittable.</summary>
     internal struct NodeSizes
     {
-        /// <summary>Another number where the same points, settings and chunks give other nodes than before: killed builds are
-        /// not continued, and clouds not taken for one another.</summary>
+        /// <summary>Incremented when the same points, settings and chunks give other nodes than before: killed builds
+        /// are then not continued, and clouds count as different.</summary>
         public const int Rules = 2;
 
         /// <summary>log2 of the sampling cells along an edge of a node that is not a leaf; it has fewer if the node became too
@@ -33,8 +33,8 @@ namespace FastPoints.Nodes
         /// <summary>At most <see cref="StoreFormat.MaxPointsPerNode"/>.</summary>
         public int MaxPointsPerNode;
 
-        /// <summary>Whether a cube becomes a leaf: if its points are few, of which nodes above take about a fifth, or if a node
-        /// that samples it would take most of them, and its children a few each.</summary>
+        /// <summary>Whether a cube becomes a leaf: if it has few points, of which nodes above take about a fifth, or if
+        /// sampling would take most of them and leave a few for each child.</summary>
         /// <param name="points">The number of its points.</param>
         /// <param name="cells">The number of cells with points, at the finest size that a node may have.</param>
         public readonly bool IsLeaf(int points, int cells) => points <= MaxPointsPerNode &&
@@ -48,7 +48,7 @@ namespace FastPoints.Nodes
         };
     }
 
-    /// <summary>A node as a sampler makes it: an array of nodes by point says which points are its own. Blittable.</summary>
+    /// <summary>A node as created by a sampler; an array by point says which points are its own. Blittable.</summary>
     internal struct NodeDraft
     {
         /// <summary>All points of the node's cube are in this range of the sorted points.</summary>
@@ -63,7 +63,7 @@ namespace FastPoints.Nodes
         public byte CellLog2;
         public bool IsLeaf;
 
-        /// <summary>Whether it is what was left of a chunk's top: see <see cref="Store.NodeRecord.IsTop"/>.</summary>
+        /// <summary>Whether it is the remainder of a chunk's top: see <see cref="Store.NodeRecord.IsTop"/>.</summary>
         public bool IsTop;
     }
 
@@ -75,7 +75,7 @@ namespace FastPoints.Nodes
         public int First;
         public int End;
 
-        /// <summary>The top node's cube and cells, as the chunk's sampler made them.</summary>
+        /// <summary>The top node's cube and cells, from the chunk's sampler.</summary>
         public byte SideLog2;
         public byte CellLog2;
         public bool IsLeaf;

@@ -49,7 +49,7 @@ namespace FastPoints.Reading
                 p++;
         }
 
-        // There must be one.
+        // One must exist.
         public static byte* LineEnd(byte* p)
         {
             while (!IsLineEnd(*p))
@@ -199,7 +199,7 @@ namespace FastPoints.Reading
 
         public SegmentBlock[] TakeBlocks() => m_blocks.ToArray();
 
-        // Takes in the oldest segment, whose handle must be complete, and keeps all slots at work. False at the end.
+        // Takes the oldest segment, whose handle must be complete, and refills the slots. False at the end.
         public bool Next(out JobHandle handle)
         {
             if (!m_ring.IsEmpty)

@@ -26,20 +26,20 @@ namespace FastPoints.Reading
         /// <summary>Completes when the columns are filled.</summary>
         public JobHandle Decoded { get; protected set; }
 
-        // Slots that are ahead then keep no more workers busy.
+        // Slots further ahead then occupy no more workers.
         internal JobHandle Dependency { get; set; }
 
         /// <summary>Starts reading; the slot must be idle. Main thread only; returns at once.</summary>
         public abstract void Begin(BlockRange range);
 
         /// <summary>Requests <see cref="KeepState"/>, before the first range. False if the format has no state to continue from,
-        /// or any range costs only what it holds.</summary>
+        /// or the cost of a range depends only on its own points.</summary>
         public virtual bool TryKeepStates() => false;
 
         // After the last completed range, which must have been complete. The memory of a state in "reused" may be taken.
         internal virtual DecoderState KeepState(DecoderState reused) => throw new NotSupportedException();
 
-        // Directly after the range whose state was kept (null if none was): nothing is decoded twice. The caller owns the state.
+        // Directly after the range whose state was kept (null if none was): no point is decoded twice. The caller owns the state.
         internal virtual void Begin(BlockRange range, DecoderState from) => throw new NotSupportedException();
 
         /// <summary>Waits for the decoding if necessary (poll <c>Decoded.IsCompleted</c> to avoid that), and closes the
@@ -129,7 +129,7 @@ namespace FastPoints.Reading
 
         protected virtual void Cancel() { }
 
-        // What ends or frees besides what is owned. Also runs where the constructor failed half-way.
+        // Ends and frees what is not owned. Also called if the constructor failed half-way.
         protected virtual void DisposeMore() { }
 
         // The slot's read, if there is only one.
@@ -138,7 +138,7 @@ namespace FastPoints.Reading
         protected NativeFileRead OwnFile(long capacityBytes, Allocator allocator, int segments = 1) =>
             File = Own(new NativeFileRead(capacityBytes, allocator, segments));
 
-        // Freed with the slot, what came last first.
+        // Freed with the slot, in reverse order.
         protected T Own<T>(T memory) where T : IDisposable
         {
             m_owned.Add(memory);

@@ -25,7 +25,7 @@ namespace FastPoints.Reading
                 s_names.Add(name.ToLowerInvariant(), name);
         }
 
-        // Null if it is none of LAS's. Case, blanks, underscores and a prefix of the writer's do not count.
+        // Null if LAS has none of that name. Ignores case, blanks, underscores and writers' prefixes.
         public static string Of(string name)
         {
             var plain = new StringBuilder(name.Length);

@@ -8,8 +8,8 @@ using Unity.Jobs;
 
 namespace FastPoints.Reading
 {
-    /// <summary>Decompressors for the general compression that some formats put around their points. Before it opens a source, a
-    /// project may register its own if the framework has none, or a faster one.</summary>
+    /// <summary>Decompressors for general compression of points. Before it opens a source, a project may register one
+    /// that the framework lacks, or a faster one.</summary>
     /// <remarks>The framework decodes Brotli in .NET, in Unity's editor and in players of both scripting backends: Mono ships the
     /// native decoder since .NET Standard 2.1 (on Android since the fix of UUM-73753, in all 6000.x), IL2CPP links it in. If it
     /// is missing, a read fails and names <see cref="Brotli"/>. .NET Standard 2.1 has no zstandard decoder.</remarks>
@@ -26,8 +26,8 @@ namespace FastPoints.Reading
     {
         public abstract void Start();
 
-        // False if the stream is broken. Bytes of the input that were consumed do not come again; fewer are written than fit only
-        // if the stream has ended or is broken.
+        // False if the stream is broken. Consumed input is not passed again; the output is filled unless the stream has
+        // ended or is broken.
         public abstract bool Decode(ReadOnlySpan<byte> input, Span<byte> output, out int consumed, out int written);
 
         public abstract void Dispose();
@@ -125,7 +125,7 @@ namespace FastPoints.Reading
             }
             catch (Exception e)
             {
-                // An exception that left a job would end as a line in Unity's log, with points that were never decoded.
+                // An exception that left a job would only be logged by Unity, and the points never decoded.
                 slot.Failure = e;
                 state.IsBroken = true;
             }

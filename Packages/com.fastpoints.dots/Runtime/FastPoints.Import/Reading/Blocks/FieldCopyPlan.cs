@@ -87,11 +87,11 @@ namespace FastPoints.Reading
         ThreeOfTwo,
         ThreeOfFour,
         ThreeOfEight,
-        // Six columns in one pass: what most scenes want, and faster than two passes.
+        // Six columns in one pass: the usual request, and faster than two passes.
         PositionAndColor,
     }
 
-    // From a place in each record to one or several columns. Blittable: jobs carry arrays of these.
+    // From a field of each record to one or several columns. Blittable: jobs carry arrays of these.
     internal struct FieldCopy
     {
         public int RecordByte;
@@ -120,7 +120,7 @@ namespace FastPoints.Reading
         public int ByteOffset;
         public readonly int BitShift;
 
-        // 0 for a value with bytes of its own.
+        // 0 for a value of whole bytes.
         public readonly int BitWidth;
 
         // Value = stored * Scale + Offset; 1 and 0 unless the file says otherwise.
@@ -159,8 +159,8 @@ namespace FastPoints.Reading
 
         public PointField this[int index] => m_fields[index];
 
-        // Files give one name twice, and extra bytes the names of standard fields: columns are found by name, so a later one is
-        // numbered. Returns the field under its final name.
+        // Files repeat names, and extra bytes use those of standard fields: columns are found by name, so a later one
+        // is numbered. Returns the field under its final name.
         public PointField Add(PointField field)
         {
             string name = field.Name;

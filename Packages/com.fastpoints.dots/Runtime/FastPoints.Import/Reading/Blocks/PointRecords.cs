@@ -3,15 +3,15 @@ using Unity.Collections.LowLevel.Unsafe;
 
 namespace FastPoints.Reading
 {
-    // One tight strided loop for each copy of a plan; called by jobs and directly. Values in a record are not aligned, so they
-    // are loaded through pointers, which the machines Unity runs on allow. Several copies go over the same records in tiles, so
-    // that a record comes from memory once and from the L1 cache after.
+    // One tight strided loop for each copy of a plan; called by jobs and directly. Values in a record are not aligned,
+    // so they are loaded through pointers, which the machines Unity runs on allow. Several copies go over the same
+    // records in tiles, so that a record is read from memory once, then from the L1 cache.
     internal static unsafe class PointRecords
     {
         const int TileBytes = 16 << 10;
 
-        /// <summary>Moves values of a column to a place at or before the first of them.</summary>
-        /// <param name="from">Where they are now, ascending.</param>
+        /// <summary>Moves values of a column to consecutive rows at or before the first of them.</summary>
+        /// <param name="from">Their current rows, ascending.</param>
         public static void Gather(byte* columns, PointColumn column, int* from, int count, int to)
         {
             byte* values = columns + column.OffsetBytes;
@@ -314,7 +314,7 @@ namespace FastPoints.Reading
         }
     }
 
-    // Copies of a plan, in memory that stays where it is meanwhile.
+    // Copies of a plan, in pinned memory.
     internal readonly unsafe struct FieldCopies
     {
         public readonly FieldCopy* First;

@@ -30,7 +30,7 @@ namespace FastPoints.Reading
         public override void CloseFile() => File.Close();
     }
 
-    // Text of a point a line: lines all over it can be found by jumping, each as likely as any other.
+    // Text with a point on each line: a random offset leads to a random line.
     internal abstract class LineReader : SegmentReader, IPrefixSource
     {
         public const int MaxPrefixes = AsciiSegments.Count;
@@ -60,7 +60,7 @@ namespace FastPoints.Reading
             BlocksFound();
         }
 
-        // Earlier blocks have kept their numbers.
+        // Earlier blocks keep their numbers.
         private protected virtual void BlocksFound() { }
     }
 

@@ -28,7 +28,7 @@ namespace FastPoints.Reading
         public double Number;
     }
 
-    /// <summary>A comparison, whose result goes on a stack, or what becomes of results there. Blittable.</summary>
+    /// <summary>A comparison, which pushes its result on a stack, or an operation on results there. Blittable.</summary>
     internal struct FilterStep
     {
         public FilterOp Op;
@@ -64,14 +64,14 @@ namespace FastPoints.Reading
                 throw Bad("&&, || or the end", m_at);
         }
 
-        /// <summary>In the order in which they are taken; the last leaves one result.</summary>
+        /// <summary>In order of evaluation; the last leaves one result.</summary>
         public List<FilterStep> Steps { get; } = new List<FilterStep>();
 
         /// <summary>Names of the left and right operands of each step; null for numbers.</summary>
         public List<(string Left, string Right)> Names { get; } = new List<(string, string)>();
 
-        /// <exception cref="FormatException">It says what was wanted, and points at the place in a line below the
-        /// text.</exception>
+        /// <exception cref="FormatException">Its message says what was expected, and marks the column in a line below
+        /// the text.</exception>
         public static FilterExpression Parse(string text) => new FilterExpression(text);
 
         void Or(int depth)

@@ -3,8 +3,8 @@ using Unity.Collections;
 
 namespace FastPoints.Reading
 {
-    /// <summary>The points of another source that pass a filter. Its blocks are the other's, and hold at most as many points
-    /// as they say. Neither the source nor the filter belongs to it.</summary>
+    /// <summary>The points of another source that pass a filter. Its blocks are the other's; their counts are upper
+    /// bounds. It owns neither the source nor the filter.</summary>
     internal sealed class FilteredReader : PointReader
     {
         readonly PointFilter m_filter;

@@ -10,22 +10,21 @@ using Unity.Mathematics;
 
 namespace FastPoints.Reading
 {
-    /// <summary>Which points of a source to keep: those that satisfy all conditions here.</summary>
+    /// <summary>Selects the points of a source that satisfy all conditions.</summary>
     internal sealed class PointFilter : IDisposable
     {
         readonly List<FilterExpression> m_expressions = new List<FilterExpression>();
         readonly List<string> m_texts = new List<string>();
 
-        /// <summary>Every so manieth point in the source's order, from the first; 0 or 1 for all.</summary>
+        /// <summary>Every n-th point in the source's order, from the first; 0 or 1 for all.</summary>
         public long EveryNth;
 
-        /// <summary>In the horizontal coordinates of the source; null for all. Belongs to this.</summary>
+        /// <summary>In the horizontal coordinates of the source; null for all. Owned.</summary>
         public FilterPolygons Polygons;
 
         /// <summary>In the source's coordinates.</summary>
         public LocalClip[] Clips = Array.Empty<LocalClip>();
 
-        /// <summary>Whether all points are wanted.</summary>
         public bool IsEmpty => m_expressions.Count == 0 && EveryNth <= 1 && Polygons == null && Clips.Length == 0;
 
         /// <summary>Names of the attributes that it reads, beside the position.</summary>
@@ -44,7 +43,7 @@ namespace FastPoints.Reading
             }
         }
 
-        /// <summary>Another where other points are wanted.</summary>
+        /// <summary>Differs between filters that keep different points.</summary>
         public unsafe ulong Hash
         {
             get
@@ -144,7 +143,7 @@ namespace FastPoints.Reading
             };
         }
 
-        /// <summary>How many points the batch has left, when the scheduled jobs are complete.</summary>
+        /// <summary>The number of points left in the batch, when the scheduled jobs are complete.</summary>
         public NativeReference<DecodeResult> Result { get; }
 
         /// <param name="firstPoint">Number of the batch's first point in the source.</param>
@@ -291,7 +290,7 @@ namespace FastPoints.Reading
                     values[i] = values[i] * scale + offset;
         }
 
-        /// <summary>No number is equal to nothing and neither less nor greater.</summary>
+        /// <summary>NaN is not equal, less or greater.</summary>
         static void Compare(in FilterStep step, int points, double* left, double* right, byte* to)
         {
             if (step.Rounding > 0)
@@ -333,7 +332,7 @@ namespace FastPoints.Reading
             (Clips.Length == 0 || LocalClip.Keeps((LocalClip*)Clips.GetUnsafeReadOnlyPtr(), Clips.Length, position)) &&
             (FirstOfSlab.Length == 0 || IsInPolygons(position));
 
-        /// <summary>What rounding alone puts beside an edge counts as on it.</summary>
+        /// <summary>A point beside an edge by rounding alone counts as on it.</summary>
         bool IsInPolygons(double3 position)
         {
             double reach = (math.abs(position.x) + math.abs(position.y)) * 4.5e-16;

@@ -254,7 +254,7 @@ namespace FastPoints.Reading
         public long Points;
         public PointReader Reader;
 
-        // The same object in all that have the same.
+        // Tiles of one system share the object.
         public CloudCrs Crs;
 
         // It may hold a file's handle.
@@ -345,7 +345,7 @@ namespace FastPoints.Reading
             }
         }
 
-        /// <summary>One object for all tiles of a system; null beyond a number that no survey has.</summary>
+        /// <summary>One object for all tiles of a system; null if there are more systems than any survey has.</summary>
         public CloudCrs SharedCrs(SourceInfo tile)
         {
             int index = m_systems.FindIndex(s => s.Source.HasSameCodes(tile.Crs));

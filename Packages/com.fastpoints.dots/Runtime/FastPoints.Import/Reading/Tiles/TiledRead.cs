@@ -20,10 +20,10 @@ namespace FastPoints.Reading
         [ReadOnly] public NativeReference<DecodeResult> Decoded;
         [ReadOnly] public NativeArray<TileColumn> Columns;
 
-        // Points that input and output both have room for.
+        // Points that both input and output can hold.
         public int Capacity;
 
-        // Pieces write to disjoint places.
+        // Pieces write to disjoint rows.
         [NativeDisableParallelForRestriction] public NativeArray<byte> Output;
 
         public static int PieceCount(int points) => (points + PointsPerPiece - 1) / PointsPerPiece;

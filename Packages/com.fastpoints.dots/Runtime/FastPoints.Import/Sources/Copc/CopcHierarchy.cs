@@ -8,7 +8,7 @@ using Unity.Mathematics;
 
 namespace FastPoints.Sources
 {
-    // Upper levels first; each node is handed on once. Entries that the file cannot hold are left out with a warning. Time and
+    // Upper levels first; each node is added once. Entries that the file cannot hold are left out with a warning. Time and
     // memory are bounded by the file's size: a page is read once, and neither all pages nor all chunks take more bytes than it
     // has.
     sealed class CopcHierarchy

@@ -10,7 +10,7 @@ using Unity.Mathematics;
 
 namespace FastPoints.Sources
 {
-    // Upper levels first; each node is handed on once, with the points that its file can hold: missing pages and files are holes
+    // Upper levels first; each node is added once, with the points that its file can hold: missing pages and files are holes
     // with warnings. It takes some 50 bytes for a node, up to 120 if its file exists, and 32 for an entry of the page being read.
     // Measured: 220 MB with the most nodes without files, all in one page.
     sealed class EptHierarchy
@@ -133,7 +133,7 @@ namespace FastPoints.Sources
                 first = Math.Min(first, level);
                 last = Math.Max(last, level);
             }
-            // If it doubled as it grows, the set would exist twice for a while.
+            // Growing by doubling would hold the set twice for a while.
             m_nodes.EnsureCapacity(Math.Min(MaxNodes, m_nodes.Count + entries.Length));
             var step = new List<EptEntry>(StepNodes);
             for (int level = first; level <= last; level++)

@@ -16,7 +16,7 @@ namespace FastPoints.Sources
 
         static readonly string[] s_axes = { AttributeNames.X, AttributeNames.Y, AttributeNames.Z };
 
-        // The names of PDAL's dimensions, where the field's usual names are others.
+        // PDAL's dimension names that differ from the usual ones.
         static readonly Dictionary<string, string> s_columnNames = new Dictionary<string, string>
         {
             { "ScanAngleRank", AttributeNames.ScanAngle }, { "Infrared", AttributeNames.NearInfrared },

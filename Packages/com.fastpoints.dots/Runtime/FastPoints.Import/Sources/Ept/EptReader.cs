@@ -38,7 +38,7 @@ namespace FastPoints.Sources
             var index = EptIndex.Read(json);
             if (index.DataType != EptDataType.Laszip)
                 return new EptReader(index, null);
-            // Nodes have a scale and offset of their own, which count even if ept.json gives others.
+            // A node's own scale and offset count even if ept.json gives others.
             var like = new LasTemplate(AnyNode(index));
             var las = like.Las;
             if (like.Laz == null)

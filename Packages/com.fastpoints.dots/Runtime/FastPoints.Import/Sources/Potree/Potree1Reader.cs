@@ -8,14 +8,14 @@ using Unity.Mathematics;
 
 namespace FastPoints.Sources
 {
-    // Potree 1.4 to 1.8: cloud.js, a file a node (BIN, LAS or LAZ), and the hierarchy in cloud.js or in .hrc files.
-    // An .hrc file holds the levels below a node, breadth first, as far as hierarchyStepSize levels down, 5 bytes a node: child
-    // mask, points (u32). The first record repeats the node itself. What a node's file holds wins over that count: converters
-    // have written other ones.
-    // Positions are integers from the corner of the node's cell, in steps of cloud.js' scale; the cloud's grid starts at the
-    // corner of its bounding box. Corners of cells lie between grid places where the box is no whole number of steps: BIN corners
-    // are rounded up, since the converter truncated (a source on this grid comes back exactly, any other within a step); those of
-    // LAS and LAZ nodes to the nearest, since it rounded (the error is then at most half a step).
+    // Potree 1.4 to 1.8: cloud.js, a file a node (BIN, LAS or LAZ), and the hierarchy in cloud.js or in .hrc files. An
+    // .hrc file holds the levels below a node, breadth first, as far as hierarchyStepSize levels down, 5 bytes a node:
+    // child mask, points (u32). The first record repeats the node itself. A node's file wins over that count:
+    // converters have written wrong ones. Positions are integers from the corner of the node's cell, in steps of
+    // cloud.js' scale; the cloud's grid starts at the corner of its bounding box. Corners of cells lie between grid
+    // points if the box is no whole number of steps: BIN corners are rounded up, since the converter truncated (a
+    // source on this grid comes back exactly, any other within a step); those of LAS and LAZ nodes to the nearest,
+    // since it rounded (the error is then at most half a step).
     internal sealed class Potree1Reader : PotreeReader
     {
         const int RecordBytes = 5;
@@ -27,7 +27,7 @@ namespace FastPoints.Sources
         // For a LAS or LAZ node, which a slot reads whole.
         const long MaxLasBytes = 1 << 29;
 
-        // How far rounding may move corners above a grid place, in steps.
+        // How far rounding may move corners above a grid point, in steps.
         const double CornerTolerance = 1e-5;
 
         struct Parent
@@ -290,7 +290,7 @@ namespace FastPoints.Sources
             {
                 Info.FileBytes += node.Bytes;
                 points = m_layout != null ? node.Bytes / m_layout.RecordBytes : node.PointsOfLas;
-                // The converters wrote 0 for nodes that they had put on disk before.
+                // The converters wrote 0 for nodes that they had already flushed.
                 if (points != node.Claimed && node.Claimed > 0 || m_layout != null && node.Bytes % m_layout.RecordBytes != 0)
                     Warnings.Add("its file does not hold what the hierarchy says", name,
                         "wanted " + NumberText.Of(node.Claimed) + " points, got " + NumberText.Of(points) + (m_layout == null ? ""
@@ -353,7 +353,7 @@ namespace FastPoints.Sources
             return list;
         }
 
-        // The length of an unknown attribute is what the root's records have besides the others.
+        // The length of an unknown attribute is the rest of the root's records.
         static void MeasureUnknown(Potree1Index index, Potree1Files files, List<(string Name, long Points)> listed)
         {
             long bytes = RandomAccessFile.LengthOf(files.PathOf(0, default)), points = 0;

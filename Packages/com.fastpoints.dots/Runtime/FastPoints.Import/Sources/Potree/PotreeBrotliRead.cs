@@ -136,7 +136,7 @@ namespace FastPoints.Sources
         }
     }
 
-    // With all of its points or none, since the values of one point are spread over the whole stream.
+    // All points or none, since the values of a point are spread over the whole stream.
     [BurstCompile]
     struct CheckPotreeTileJob : IJob
     {

@@ -9,8 +9,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Sources
 {
-    // Moves positions of a slice to the cloud's grid and sorts them along the Morton curve, so that neighbours share a block. A
-    // node of several slices becomes several runs along the curve.
+    // Moves positions of a slice to the cloud's grid and sorts them along the Morton curve, so that neighbours share a
+    // block. A node of several slices becomes several stretches along the curve.
     [BurstCompile]
     internal unsafe struct OrderNodeJob : IJob
     {
@@ -39,7 +39,7 @@ namespace FastPoints.Sources
         // Out: X, Y, Z of each point from the corner, 32 or 64 bits each.
         public NativeArray<byte> Offsets;
 
-        // Out: the point at each place along the curve.
+        // Out: the point of each rank along the curve.
         public NativeArray<uint> PointOfRank;
         public NativeReference<PackState> State;
         public NativeArray<ulong> Keys;
@@ -88,7 +88,7 @@ namespace FastPoints.Sources
         }
 
         // False if a position has no packed number.
-        bool Store(long* places, long corner, int axis, int first, int count)
+        bool Store(long* positions, long corner, int axis, int first, int count)
         {
             long any = 0;
             if (IsWide)
@@ -96,23 +96,23 @@ namespace FastPoints.Sources
                 var wide = (ulong*)Offsets.GetUnsafePtr() + (long)axis * Capacity + first;
                 for (int i = 0; i < count; i++)
                 {
-                    places[i] -= corner;
-                    any |= places[i];
-                    wide[i] = (ulong)places[i];
+                    positions[i] -= corner;
+                    any |= positions[i];
+                    wide[i] = (ulong)positions[i];
                 }
                 return any >= 0;
             }
             var narrow = (uint*)Offsets.GetUnsafePtr() + (long)axis * Capacity + first;
             for (int i = 0; i < count; i++)
             {
-                places[i] -= corner;
-                any |= places[i];
-                narrow[i] = (uint)places[i];
+                positions[i] -= corner;
+                any |= positions[i];
+                narrow[i] = (uint)positions[i];
             }
             return (ulong)any <= uint.MaxValue;
         }
 
-        // A position outside its cube goes with those at its side.
+        // A position outside its cube is clamped to its side.
         static uint Cell(long position, long cube, int bits) =>
             (uint)(math.clamp(position - cube, 0, (1L << bits) - 1) >> math.max(0, bits - KeyBits));
     }
@@ -152,7 +152,7 @@ namespace FastPoints.Sources
         public int FirstBlock;
         public int Capacity;
 
-        // Room for the longest that the planes can be.
+        // Capacity for the longest planes.
         public NativeArray<byte> Packed;
 
         public NativeArray<long> LengthOfPlane;

@@ -54,7 +54,7 @@ namespace FastPoints.Sources
         public override void Update(double budgetMs)
         {
             m_coroutine.Tick(budgetMs);
-            // The octree's reader is handed over, or waits for that.
+            // The octree's reader is passed on, or waits for that.
             if (!m_coroutine.IsDone || m_reader == null || m_reader.Tree != null)
                 return;
             m_reader.Dispose();
@@ -151,7 +151,7 @@ namespace FastPoints.Sources
     {
         const int MaxSlots = 8;
 
-        // Coroutine, after FindTop. Whole nodes until there are as many points as wanted; who gets the batch owns it.
+        // Coroutine, after FindTop. Whole nodes until there are as many points as wanted; the receiver owns the batch.
         public static IEnumerator<JobStep> Read(PointReader reader, string[] attributes, int wanted, Action<PointBatch> read)
         {
             var blocks = new List<int>();

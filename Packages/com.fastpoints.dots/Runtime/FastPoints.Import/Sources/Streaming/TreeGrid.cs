@@ -45,7 +45,7 @@ namespace FastPoints.Sources
             Spacing = tree.Spacing;
             Bounds = info.HasBoundsClaimed && info.BoundsClaimed.IsFinite ? info.BoundsClaimed : cube;
 
-            // Floats get steps that 31 bits of the cube have room for.
+            // Floats get steps such that the cube fits 31 bits.
             double3 a = (cube.Min - info.Transform.Offset) / info.Transform.Scale;
             double3 b = (cube.Max - info.Transform.Offset) / info.Transform.Scale;
             var statistics = new SampleStatistics
@@ -76,7 +76,7 @@ namespace FastPoints.Sources
         {
             double3 size = SizeOf(key.w), min = MinOf(key), max = min + size;
             double3 low = math.max(min, Bounds.Min), high = math.min(max, Bounds.Max);
-            // A claim that leaves nothing of the node is ignored.
+            // Claimed bounds outside the node are ignored.
             bool isEmpty = math.any(low > high);
             var origin = Grid.ToGeo(Root.Corner);
             HierarchyGrid.Box((isEmpty ? min : low) - Grid.Step - origin, (isEmpty ? max : high) + Grid.Step - origin, out center,

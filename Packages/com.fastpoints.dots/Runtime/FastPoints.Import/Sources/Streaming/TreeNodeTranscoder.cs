@@ -34,7 +34,7 @@ namespace FastPoints.Sources
         TranscoderChain m_chain;
         int m_pointsInChain;
 
-        // planes: those that it makes, which the source still owns; planesOfPage: of a node in the source's pages.
+        // planes: the packed ones, which the source owns; planesOfPage: of a node in the source's pages.
         public TreeNodeTranscoder(PointReader reader, TreeGrid grid, TreePlanes planes, int planesOfPage)
         {
             m_reader = reader;
@@ -227,8 +227,8 @@ namespace FastPoints.Sources
         }
     }
 
-    // Transcoders whose nodes are decoded one after the other, while the next is read: as many chains as workers leave frames'
-    // own jobs their turn, however many nodes are begun.
+    // Transcoders whose nodes are decoded one after the other, while the next is read: the number of chains leaves
+    // workers for frames' own jobs, however many nodes are begun.
     sealed class TranscoderChain
     {
         public JobHandle End;

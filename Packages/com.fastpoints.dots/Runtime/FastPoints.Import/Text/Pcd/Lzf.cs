@@ -6,12 +6,12 @@ using Unity.Jobs;
 
 namespace FastPoints.Text
 {
-    // LZF as liblzf writes it: runs of up to 32 bytes as they are, and copies of up to 264 bytes from at most WindowBytes back.
+    // LZF as liblzf writes it: literals of up to 32 bytes, and copies of up to 264 bytes from at most WindowBytes back.
     static unsafe class Lzf
     {
         public const int WindowBytes = 8192;
 
-        // At most, of one step: what it writes, and takes of the input.
+        // The most bytes that one step writes, and reads.
         public const int MaxWritten = 264;
         public const int MaxTaken = 33;
 
@@ -62,7 +62,7 @@ namespace FastPoints.Text
         public bool IsBroken;
     }
 
-    // Decodes a piece of a stream and keeps only its checkpoints: the place, and the window before it.
+    // Decodes a piece of a stream and keeps only its checkpoints: the offset, and the window before it.
     [BurstCompile]
     unsafe struct WalkLzfJob : IJob
     {

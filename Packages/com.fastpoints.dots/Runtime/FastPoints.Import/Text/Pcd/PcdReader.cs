@@ -87,7 +87,7 @@ namespace FastPoints.Text
                 if (count > MaxValues || (values += (int)count) > MaxValues)
                     throw Bad("COUNT", "at most " + MaxValues + " values a point", "more");
                 var type = TypeOf(types[i], sizes[i]);
-                // Text has its digits whatever the field's type: as 32 bits, places far from 0 would lose half a metre.
+                // Text has its digits whatever the field's type: as 32 bits, coordinates far from 0 would lose half a metre.
                 if (type == AttributeType.Float32 && Data == "ascii" && (names[i] == "x" || names[i] == "y" || names[i] == "z"))
                     type = AttributeType.Float64;
                 Fields.Add(new PcdField { Name = names[i], Type = type, Count = (int)count });

@@ -12,8 +12,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Text
 {
-    // The ten lines before the points of each scan: columns, rows, the scanner's place and axes, and the matrix that takes its
-    // points to the world, row by row, the shift last.
+    // The ten lines before the points of each scan: columns, rows, the scanner's position and axes, and the matrix from
+    // its coordinates to the world, row by row, the translation last.
     struct PtxScanHeader
     {
         public const int MaxBytes = 4096;
@@ -72,9 +72,9 @@ namespace FastPoints.Text
         }
     }
 
-    // PTX (Leica): scans in text, one after the other, each with a header of ten lines and a place a line, row by row of its
-    // grid. All scans are one cloud in the world's coordinates; PointSourceId is the scan's number, from 1. Places where the
-    // scanner had no return count among a block's points, and are left out when it is decoded.
+    // PTX (Leica): scans in text, one after the other, each with a header of ten lines and a grid point a line, row by
+    // row. All scans are one cloud in the world's coordinates; PointSourceId is the scan's number, from 1. Grid points
+    // without a return count among a block's points, and are left out when it is decoded.
     internal sealed class PtxReader : SegmentReader
     {
         const int MaxBlockBytes = 256 << 10;

@@ -114,7 +114,7 @@ namespace FastPoints.Text
                         if (!AsciiNumber.TrySkip(ref p))
                             return XyzError.NoNumber;
                         break;
-                    case XyzStepKind.Place:
+                    case XyzStepKind.Coordinate:
                         if (!AsciiNumber.TryDecimal(ref p, out var number))
                             return XyzError.NoNumber;
                         if (!ToGridPosition(number, step->Decimals, out long position, out bool isWhole))
@@ -199,10 +199,10 @@ namespace FastPoints.Text
     enum XyzStepKind : byte
     {
         Skip,
-        // A number that is not wanted.
+        // A number that is not requested.
         Check,
         // A coordinate, as a whole number of 10^-Decimals.
-        Place,
+        Coordinate,
         Integer,
         Float32,
         Float64,
@@ -216,10 +216,10 @@ namespace FastPoints.Text
         public int Bytes;
         public int Decimals;
 
-        // A line without the value, or with text in its place, is not a point.
+        // A line without the value, or with text instead, is not a point.
         public bool IsPosition;
 
-        // Coordinates are always read, so that the same lines are points whatever is wanted.
+        // Coordinates are always read, so that the same lines are points for any request.
         public bool IsStored;
 
         public int ColumnOffsetBytes;

@@ -89,7 +89,7 @@ namespace FastPoints.Text
                 info.Fact("header lines", NumberText.Of(m_sniff.HeaderLines));
         }
 
-        // The digits that the sample has, limited to what a coordinate on the grid has room for.
+        // The digits that the sample has, limited to those that a coordinate on the grid can hold.
         static int DecimalsOf(XyzColumn column)
         {
             int decimals = Math.Max(column.Decimals, Math.Min(column.DecimalsPrinted, DefaultDecimals));
@@ -155,7 +155,7 @@ namespace FastPoints.Text
                     step.IsStored = column >= 0;
                     step.ColumnOffsetBytes = column >= 0 ? batch.Column(column).OffsetBytes : 0;
                     step.Decimals = axis >= 0 ? m_decimals[axis] : 0;
-                    step.Kind = axis >= 0 ? XyzStepKind.Place
+                    step.Kind = axis >= 0 ? XyzStepKind.Coordinate
                         : step.Type == AttributeType.Float32 ? XyzStepKind.Float32
                         : step.Type == AttributeType.Float64 ? XyzStepKind.Float64 : XyzStepKind.Integer;
                 }

@@ -127,8 +127,8 @@ namespace FastPoints.Text
             return seen > 0;
         }
 
-        // Three or more values separated by blanks, none with more than one comma, none with one at an end. A line without commas
-        // does not speak against it.
+        // Three or more values separated by blanks, none with more than one comma, none with one at an end. Lines
+        // without commas are allowed.
         static bool AreDecimalCommas(byte[] bytes, int first, int end)
         {
             int values = 0;

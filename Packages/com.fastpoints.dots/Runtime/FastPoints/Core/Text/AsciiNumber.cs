@@ -6,7 +6,7 @@ namespace FastPoints
     /// <summary>Parses the numbers of a text file. HPC#. Every result is the nearest value of its type (ties to even), as the
     /// usual parsers give.</summary>
     /// <remarks>The text must end in a byte up to 0x20 (a blank or a line end) that may be read: callers put one behind their
-    /// buffer. A number ends there too; anything else behind it makes the text invalid. Accepted besides digits, point and
+    /// buffer. A number ends there; anything else after it makes the text invalid. Accepted besides digits, point and
     /// exponent: nan and inf as C libraries write them (inf, infinity, nan, nan(...), 1.#INF, 1.#IND, 1.#QNAN; any case, any
     /// sign). Hexadecimal is not accepted. On failure the pointer stays at the number's start.</remarks>
     internal static unsafe class AsciiNumber
@@ -279,7 +279,7 @@ namespace FastPoints
             return true;
         }
 
-        /// <summary>Reads inf, nan and their relatives, up to the next blank.</summary>
+        /// <summary>Reads inf, nan and their variants, up to the next blank.</summary>
         static Kind Word(ref byte* text, byte* p)
         {
             var kind = Kind.None;

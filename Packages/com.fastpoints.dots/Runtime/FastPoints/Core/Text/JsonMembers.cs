@@ -4,7 +4,7 @@ using Unity.Mathematics;
 
 namespace FastPoints
 {
-    // Members of a JSON object, each as what it must be; else a failure names the file and the member.
+    // Typed members of a JSON object; a failure names the file and the member.
     internal sealed class JsonMembers
     {
         readonly Dictionary<string, object> m_members;

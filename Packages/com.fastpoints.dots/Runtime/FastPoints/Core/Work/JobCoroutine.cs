@@ -95,12 +95,12 @@ namespace FastPoints
     /// complete jobs in flight and free memory.</summary>
     public sealed class JobCoroutine
     {
-        // How long a tick looks whether a job that it began has ended, and after how many looks in vain, one after another, the
+        // How long a tick spins until a job that it began has ended, and after how many failed spins, one after another, the
         // ticks between two of them no longer double.
         const double SpinMs = 1;
         const int MaxFailedSpins = 4;
 
-        // A tick with more is no part of a smooth frame, but an editor's without focus: it waits for jobs all along.
+        // A tick with a larger budget belongs to an editor without focus, not to a smooth frame: it waits for jobs throughout.
         const double MaxFrameMs = 16;
 
         static readonly Func<double> s_nowMs = () => Stopwatch.GetTimestamp() * (1000.0 / Stopwatch.Frequency);
@@ -124,7 +124,7 @@ namespace FastPoints
         public bool IsDone { get; private set; }
         internal int FailedSpins { get; private set; }
 
-        // Without worker threads only who waits runs jobs: it is run here and now. Main thread.
+        // Without worker threads jobs only run when awaited: it is run at once. Main thread.
         internal static bool HasEnded(JobHandle job)
         {
             if (JobsUtility.JobWorkerCount == 0)
@@ -133,7 +133,7 @@ namespace FastPoints
         }
 
         /// <summary>Runs steps until the budget is used up or a job is still running. For a job that a step of this tick began
-        /// it waits a moment as long as that has not been in vain: many short jobs in a row would else take a tick each.
+        /// it spins for a moment, unless earlier spins failed: otherwise many short jobs in a row would take a tick each.
         /// Returns whether the work is done.</summary>
         public bool Tick(double budgetMs)
         {

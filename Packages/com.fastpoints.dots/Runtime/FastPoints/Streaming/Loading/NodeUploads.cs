@@ -144,14 +144,14 @@ namespace FastPoints.Streaming
 
     internal enum UploadCheck : byte
     {
-        // It was just made in memory.
+        // It was just transcoded in memory.
         None,
-        // Its hash was right before. No bytes of a file may lead outside of it, whatever became of the file.
+        // Its hash was right before. Even if the file has changed since, its bytes must not lead outside of it.
         Shape,
         Hash,
     }
 
-    // Copies planes into the pool unchanged, and reports of each whether it is what was written and can be drawn.
+    // Copies planes into the pool unchanged, and reports whether each is intact and can be drawn.
     [BurstCompile]
     internal unsafe struct UploadPlanesJob : IJobFor
     {
