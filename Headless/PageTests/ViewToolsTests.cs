@@ -150,7 +150,8 @@ public sealed class ViewToolsTests : BrowserTests
         await Click("#view-top");
         var box = await Canvas();
         double perUnit = box.Height / (1.04 * 40);
-        await m_page.Mouse.MoveAsync((float)(box.X + box.Width / 2 + 15 * perUnit), (float)(box.Y + box.Height / 2 - 20 * perUnit));
+        await m_page.Mouse.MoveAsync((float)(box.X + box.Width / 2 + 15 * perUnit),
+            (float)(box.Y + box.Height / 2 - 20 * perUnit));
         await m_page.WaitForFunctionAsync("() => document.getElementById('view-under').textContent !== ''");
         Assert.That(await Text("#view-under"), Is.EqualTo("x 500,030.25  y 5,400,040  z 112"));
         await m_page.Mouse.MoveAsync(1, 1);
@@ -189,7 +190,8 @@ public sealed class ViewToolsTests : BrowserTests
         long exported = info.RootElement.GetProperty("points").GetInt64();
         long shown = await m_page.EvaluateAsync<long>("""
             async box => {
-              const data = JSON.parse(document.getElementById("view-data").textContent), set = await unpackSet(data, data.sets.at(-1));
+              const data = JSON.parse(document.getElementById("view-data").textContent);
+              const set = await unpackSet(data, data.sets.at(-1));
               let inside = 0;
               for (let i = 0; i < set.count; i++)
                 inside += pointOf(data, set, i).geo.every((v, k) => v >= box[k] && v <= box[3 + k]) ? 1 : 0;
@@ -326,7 +328,8 @@ public sealed class ViewToolsTests : BrowserTests
         await Open(report);
         using var shown = JsonDocument.Parse(await m_page.EvaluateAsync<string>("""
             async () => {
-              const data = JSON.parse(document.getElementById("view-data").textContent), set = await unpackSet(data, data.sets.at(-1));
+              const data = JSON.parse(document.getElementById("view-data").textContent);
+              const set = await unpackSet(data, data.sets.at(-1));
               const stored = (c, k, i) => c.kind === "constant" ? Number(c.value.split(" ")[0]) : set.columns[k][i];
               return JSON.stringify({ columns: data.columns.map(c => c.name), points: [...Array(set.count).keys()].map(i => ({
                 texts: pointOf(data, set, i).texts,

@@ -7,7 +7,7 @@ public sealed class Legend(ColorMode mode, DisplayRanges ranges, Camera camera, 
 {
     const int MinWidthPx = 320, MinHeightPx = 180, MaxRows = 8;
 
-    /// <summary>Of 256: what is behind a panel shines through so that nothing is hidden whole, and never as bright as letters.</summary>
+    /// <summary>Of 256: what is behind a panel shines through, and never as bright as letters.</summary>
     const int PanelOpacity = 190;
 
     /// <summary>Seen at a flatter angle than this sine, an arrow is a dot.</summary>

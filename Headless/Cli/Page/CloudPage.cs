@@ -30,7 +30,8 @@ sealed class CloudPage
     public byte[] ToBytes()
     {
         var distribution = new CloudDistribution(View, UpAxis, Manifest.Points, Manifest.BoundsGeo);
-        var page = new ReportPage(Name, Facts.Kind + " · " + UnitOf(Info.Crs.Units) + " · made by FastPoints " + Version + " on " + Today);
+        var page = new ReportPage(Name, Facts.Kind + " · " + UnitOf(Info.Crs.Units) + " · made by FastPoints " + Version
+            + " on " + Today);
         page.Tiles(distribution.Tiles().Concat([("coordinates", Info.Crs.Summary ?? "unknown"),
             ("size", Human.Bytes(Info.FileBytes)), ("as an octree", Human.Bytes(Convert.Result.BytesOnDisk))]));
         CloudDistribution.Write(page, Odd(distribution).ToList());
@@ -38,7 +39,8 @@ sealed class CloudPage
         byte[] preview = Preview.ToPng(isPlain: false);
         int others = pictures.Sum(p => p.Length) + 4 * preview.Length / 3 + 200_000;
         string json = View.ToJson(Math.Max(MaxBytes - others, MaxBytes / 8), out int shown);
-        page.View(json, preview, Name + ": " + Human.Count(shown) + " of its points", "Waves of the preview", Note(shown), View.Unit);
+        page.View(json, preview, Name + ": " + Human.Count(shown) + " of its points", "Waves of the preview", Note(shown),
+            View.Unit);
         page.Heading("Facts");
         page.Html("<div class=\"row two\"><div>");
         page.Facts(Facts.Lines());

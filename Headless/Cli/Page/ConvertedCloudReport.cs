@@ -41,7 +41,9 @@ sealed class ConvertedCloudReport
         CloudDistribution.Write(page, distribution.Odd(cloud.CrsName, cloud.Attributes).ToList());
         string json = view.ToJson(ViewBytes, out int shown);
         page.View(json, Png.Encode(drawn.ToImage(false)), name + ": " + Human.Count(shown) + " of its points", "",
-            Human.Count(shown) + " of " + Human.Count(cloud.Points, "point") + ", those of the upper levels, with all attributes.", view.Unit);
+            Human.Count(shown) + " of " + Human.Count(cloud.Points, "point")
+            + ", those of the upper levels, with all attributes.",
+            view.Unit);
         page.Heading("Facts");
         page.Html("<div class=\"row two\"><div>");
         page.Facts(report.m_facts.Lines());

@@ -55,7 +55,8 @@ sealed class ViewColumn
     }
 
     static double ScaleOf(string name, ViewValues values) =>
-        name == AttributeNames.ScanAngle && values.Type == AttributeType.Int16 && values.Scale == 1 ? ScanAngleStep : values.Scale;
+        name == AttributeNames.ScanAngle && values.Type == AttributeType.Int16 && values.Scale == 1 ? ScanAngleStep
+            : values.Scale;
 
     static IEnumerable<double> Shown(string name, ViewPoints points)
     {

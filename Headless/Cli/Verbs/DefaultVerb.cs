@@ -272,10 +272,7 @@ public sealed class DefaultVerb : Verb
             run.Out.WriteLine("  octree   " + convert.Describe());
             run.Out.Flush();
             run.Progress.Group = "picture";
-            // Drawn as in a game, to compare the GPU's picture with.
-            FlightCloud.SetSize(picture, cloudPath);
-            var drawn = picture.ColorAttribute != null ? DrawStep.RunStored(cloudPath, picture, GpuPoints, run)
-                : StreamedPictureStep.Run([cloudPath], picture, GpuPoints, run);
+            var drawn = DrawOctree(cloudPath, picture, run);
             OutputFile.Write(picturePath, Png.Encode(drawn.ToImage(look.IsPlain)));
             run.Out.WriteLine("  picture  " + drawn.Describe());
             foreach (string assumption in drawn.Assumptions)
@@ -283,7 +280,7 @@ public sealed class DefaultVerb : Verb
             // Before the GPU: a software one keeps its memory to the end.
             run.Progress.Group = PageGroup;
             var view = ViewCloud.Take(() => PointReaders.Open(files, source),
-                string.Join(' ', files.Select(CloudPage.Quoted)), picture, preview.Camera, run);
+                target.IsKept ? string.Join(' ', files.Select(CloudPage.Quoted)) : "", picture, preview.Camera, run);
             run.Progress.Group = "gpu";
             var gpu = HeadlessGraphics.IsAvailable && picture.ColorAttribute == null
                 ? DrawStep.RunOnGpu([cloudPath], picture, GpuPoints, run) : null;
@@ -322,6 +319,14 @@ public sealed class DefaultVerb : Verb
                 Picture = drawn,
                 Gpu = gpu,
             };
+        }
+
+        /// <summary>As in a game, to compare the GPU's picture with.</summary>
+        static DrawStep DrawOctree(string cloud, PictureOptions options, CliRun run)
+        {
+            FlightCloud.SetSize(options, cloud);
+            return options.ColorAttribute != null ? DrawStep.RunStored(cloud, options, GpuPoints, run)
+                : StreamedPictureStep.Run([cloud], options, GpuPoints, run);
         }
 
         static string NameOf(string file) => Directory.Exists(file) || SourceFolder.IsIndex(Path.GetFileName(file))

@@ -144,7 +144,8 @@ public sealed class ExportTests : ScratchTests
         string target = Scratch["told." + extension];
         string[] losses = Losses(Export("told." + extension, m_demo, "--crs", "EPSG:2229", "--force"));
         var info = CliCall.Of("info", target, "--json", "-", "--quiet").Json;
-        Assert.That((info.GetProperty("crsEpsg").GetInt32(), info.GetProperty("crsWkt").GetString()), Is.EqualTo((2229, (string)null)));
+        Assert.That((info.GetProperty("crsEpsg").GetInt32(), info.GetProperty("crsWkt").GetString()),
+            Is.EqualTo((2229, (string)null)));
         Assert.That(info.GetProperty("crsMetresPerUnit").GetDouble(), Is.EqualTo(1200.0 / 3937).Within(1e-9));
         Assert.That(losses, Has.Some.Contains("as WKT"));
         if (extension == "las")
@@ -184,8 +185,8 @@ public sealed class ExportTests : ScratchTests
             File.Copy(m_demo, Scratch[copy]);
         foreach (string line in lines.Where(l => l != "./fastpoints scan.las" && !l.Contains(" fly ")))
         {
-            var call = CliCall.Of([.. line.Split(' ').Skip(1).Select(word => word.IndexOfAny(['.', '/']) >= 0 && !word.Contains(',')
-                ? Scratch[word] : word), "--force"]);
+            var call = CliCall.Of([.. line.Split(' ').Skip(1).Select(word =>
+                word.IndexOfAny(['.', '/']) >= 0 && !word.Contains(',') ? Scratch[word] : word), "--force"]);
             Assert.That((call.Status, call.Error.Contains("warning")), Is.EqualTo((0, false)), line + ": " + call.Error);
         }
         Assert.That(Scan(Scratch["part.laz"]).GetProperty("points").GetInt64(), Is.GreaterThan(0));

@@ -30,7 +30,8 @@ public sealed class LegendTests
     {
         var image = Draw(low, high);
         int top = Height - Row - 2 * Row - Dot;
-        bool[] inked = [.. Enumerable.Range(Row, Width / 2).Select(x => Enumerable.Range(top, 7 * Dot).Any(y => image[x, y] == s_ink))];
+        bool[] inked = [.. Enumerable.Range(Row, Width / 2).Select(x =>
+            Enumerable.Range(top, 7 * Dot).Any(y => image[x, y] == s_ink))];
         int first = Array.IndexOf(inked, true), last = Array.LastIndexOf(inked, true), gap = 0, widest = 0;
         for (int x = first; x <= last; x++)
         {

@@ -361,7 +361,8 @@ namespace FastPoints.Export
             foreach (var vlr in las.Vlrs.Records)
             {
                 long length = vlr.DataOffset + vlr.DataBytes - vlr.Offset;
-                if (vlr.DescribesStorage || las.Info.IsCrsOverridden && vlr.IsCrs || !keepsExtraBytes && vlr.Is(LasVlr.SpecificationUser, LasVlr.ExtraBytesRecord))
+                if (vlr.DescribesStorage || las.Info.IsCrsOverridden && vlr.IsCrs ||
+                    !keepsExtraBytes && vlr.Is(LasVlr.SpecificationUser, LasVlr.ExtraBytesRecord))
                     continue;
                 if (vlr.IsExtended)
                 {
@@ -479,7 +480,7 @@ namespace FastPoints.Export
         {
             if (crs.Wkt == null && (crs.GeoKeys != null || crs.Epsg != 0) && m_header.PointFormat >= LasPointFormat.FirstExtended)
                 Losses.Add(new Loss("the coordinate system as WKT, which point format " + m_header.PointFormat + " wants", m_path,
-                    "it is known by GeoTIFF keys or codes alone: they are written as keys, and readers that go by the letter see none"));
+                    "it is known by keys or a code alone, which are written as keys: readers that go by the letter see none"));
         }
     }
 

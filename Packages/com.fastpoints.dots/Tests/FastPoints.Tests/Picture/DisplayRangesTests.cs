@@ -135,7 +135,8 @@ namespace FastPoints.Tests.Picture
             var random = new Unity.Mathematics.Random(3);
             var ball = new double3[4000];
             for (int i = 0; i < ball.Length; i++)
-                ball[i] = math.normalize(random.NextDouble3(new double3(-1, -1, -1), new double3(1, 1, 1))) + new double3(x, 0, 0);
+                ball[i] = math.normalize(random.NextDouble3(new double3(-1, -1, -1), new double3(1, 1, 1)))
+                    + new double3(x, 0, 0);
             Assert.That(UpGuess.Of(ball, out string reason), Is.EqualTo(up));
             Assert.That(reason, Does.Contain("no plane").And.Contains(kind));
             Assert.That(UpGuess.Of(new double3[0], out _), Is.EqualTo(UpAxis.Z));
