@@ -12,7 +12,7 @@ public sealed class LegendTests
 
     static readonly CloudCrs s_projected = new() { Epsg = 32632 };
 
-    static RgbaImage Draw(double low, double high, ViewDirection view = ViewDirection.Top, CloudCrs crs = default,
+    static RgbaImage Draw(double low, double high, ViewDirection view = ViewDirection.Top, CloudCrs crs = null,
         uint background = 0)
     {
         var options = new PictureOptions { WidthPx = Width, HeightPx = Height, View = view };
@@ -22,7 +22,7 @@ public sealed class LegendTests
         var image = new RgbaImage(Width, Height);
         for (int i = 0; i < Width * Height; i++)
             image[i % Width, i / Width] = background;
-        return new Legend(ColorMode.Elevation, ranges, camera, options, crs).DrawOn(image);
+        return new Legend(ColorMode.Elevation, ranges, camera, options, crs ?? new CloudCrs()).DrawOn(image);
     }
 
     [TestCase(-0.05636, 0.05686), TestCase(0, 1), TestCase(-123456.789, 123456.789), TestCase(1e-7, 2e-7)]
@@ -56,7 +56,7 @@ public sealed class LegendTests
     [TestCase(ViewDirection.Front, true, false), TestCase(ViewDirection.Top, false, false)]
     public void North_OfProjectedSystems_IsShownWhereItIsSeen(ViewDirection view, bool isProjected, bool isShown)
     {
-        var image = Draw(0, 100, view, isProjected ? s_projected : default);
+        var image = Draw(0, 100, view, isProjected ? s_projected : null);
         int inked = 0;
         for (int y = Height - 8 * Row; y < Height - 3 * Row; y++)
             for (int x = Width - 5 * Row; x < Width; x++)
