@@ -3,7 +3,7 @@ namespace FastPoints.HostTests.Editor;
 public sealed class BackgroundWorkTests : EditorFixture
 {
     [TearDown]
-    public void Rest()
+    public void Restore()
     {
         (EditorApplication.isPlaying, EditorApplication.isFocused, Application.isBatchMode) = (false, true, false);
         FastPointsSettings.instance.InPlayMode = InPlayMode.OneWorker;

@@ -426,7 +426,7 @@ public sealed class EditorImportsTests : EditorFixture
         var entity = cloud.Entity;
         Assert.That(cloud.TryGetSpace(out var space), Is.True);
 
-        EditorProject.Rest(world);
+        EditorProject.AwaitIdle(world);
         m_project.UpdateToTheEnd();
 
         NodeSource Shown() => stream.Clouds[world.EntityManager.GetComponentData<StreamedPointCloud>(entity).Number].Source;
@@ -437,7 +437,7 @@ public sealed class EditorImportsTests : EditorFixture
         Assert.That(origin, Is.EqualTo(space.OriginGeo));
         Assert.That(asset.HasOrigin && asset.Origin.Equals(origin), Is.True);
 
-        EditorProject.Rest(world);
+        EditorProject.AwaitIdle(world);
         CloudCatalog.Delete(m_project.Paths.Absolute(asset.ProjectPath));
         EditorImports.Refresh("Assets/scan.pointcloud");
         EditorProject.Frames(world, () => Shown() is TreeSource);
@@ -455,12 +455,12 @@ public sealed class EditorImportsTests : EditorFixture
             EditModeFrames.Update();
             return EditorApplication.s_queuedUpdates - before;
         }
-        EditorProject.Rest(world);
+        EditorProject.AwaitIdle(world);
         var asset = m_project.Imports.CreateAsset(m_project.Scratch.Demo("scan.las", 5000), "Assets");
         var cloud = PointCloudDrops.Show(asset, null, null);
         world.Update();
         Assert.That(Asked(), Is.EqualTo(1));
-        EditorProject.Rest(world);
+        EditorProject.AwaitIdle(world);
         Assert.That(world.EntityManager.HasComponent<StreamedPointCloud>(cloud.Entity), Is.True);
         EditorApplication.isPlaying = true;
         UnityEngine.Object.DestroyImmediate(cloud.gameObject);
@@ -480,7 +480,7 @@ public sealed class EditorImportsTests : EditorFixture
         world.EntityManager.AddComponentData(entity, asset.File());
         asset.Paths.WriteTo(world.EntityManager.AddBuffer<PointCloudPath>(entity));
         EditorProject.Frames(world, () => world.EntityManager.HasComponent<StreamedPointCloud>(entity));
-        EditorProject.Rest(world);
+        EditorProject.AwaitIdle(world);
         m_project.UpdateToTheEnd();
         EditorProject.Frames(world, () => group.Stream.Clouds[
             world.EntityManager.GetComponentData<StreamedPointCloud>(entity).Number].Source is FolderSource);
@@ -496,7 +496,7 @@ public sealed class EditorImportsTests : EditorFixture
         var group = world.GetExistingSystemManaged<PointCloudSystemGroup>();
         var cloud = PointCloudDrops.Show(asset, null, null);
         EditorProject.Frames(world, () => world.EntityManager.HasComponent<StreamedPointCloud>(cloud.Entity));
-        EditorProject.Rest(world);
+        EditorProject.AwaitIdle(world);
         Assert.That(group.NeedsFrame, Is.False);
         int looks = 0;
         for (var watch = Stopwatch.StartNew(); watch.Elapsed.TotalSeconds < 2.5;)

@@ -50,18 +50,18 @@ sealed class EditorProject : IDisposable
     {
         string data = Paths.Absolute("PointClouds/" + name + ".fastpoints"), asset = "Assets/" + name + ".pointcloud";
         Imports.CreateAsset(Scratch.Demo(name + ".las", 1000), "Assets");
-        Rest();
+        AwaitIdle();
         Directory.Move(data, Scratch["old"]);
         Scratch.Demo(name + ".las", 3000);
         Imports.Convert(asset);
-        Rest();
+        AwaitIdle();
         Directory.Delete(data, true);
         Directory.Move(Scratch["old"], data);
         AssetDatabase.ImportAsset(asset, ImportAssetOptions.ForceUpdate);
     }
 
-    /// <summary>Nobody looks at the data any more: they may be moved as if they had never been here.</summary>
-    void Rest()
+    /// <summary>Afterwards nothing reads the data, which can then be moved.</summary>
+    void AwaitIdle()
     {
         UpdateToTheEnd();
         ImportProject.Updates(() => Imports.Update(DateTime.UtcNow),
@@ -83,16 +83,16 @@ sealed class EditorProject : IDisposable
         Assert.That(isDone(), Is.True, "nothing came of it before the editor came to rest");
     }
 
-    public static void Rest(World world)
+    public static void AwaitIdle(World world)
     {
-        bool rests = false;
+        bool isIdle = false;
         ImportProject.Updates(() =>
         {
             EditModeFrames.Update();
-            rests = !EditorApplication.TakeUpdate();
-            if (!rests)
+            isIdle = !EditorApplication.TakeUpdate();
+            if (!isIdle)
                 world.Update();
-        }, () => rests);
+        }, () => isIdle);
     }
 
     /// <summary>As the inspector's Apply: null for what importers begin with.</summary>

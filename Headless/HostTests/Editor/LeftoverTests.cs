@@ -3,14 +3,14 @@ namespace FastPoints.HostTests.Editor;
 public sealed class LeftoverTests : EditorFixture
 {
     [SetUp]
-    public void AskNobody()
+    public void DisablePrompts()
     {
         EditorUtility.s_agrees = false;
         EditorUtility.s_dialogs.Clear();
     }
 
     [TearDown]
-    public void Rest() => (FastPointsSettings.instance.GitIgnore, EditorUtility.s_agrees, Application.isBatchMode,
+    public void Restore() => (FastPointsSettings.instance.GitIgnore, EditorUtility.s_agrees, Application.isBatchMode,
         EditorApplication.isPlaying) = (true, false, false, false);
 
     [Test]

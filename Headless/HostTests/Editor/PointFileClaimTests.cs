@@ -3,7 +3,7 @@ namespace FastPoints.HostTests.Editor;
 public sealed class PointFileClaimTests : EditorFixture
 {
     [SetUp]
-    public void AskNobody()
+    public void DisablePrompts()
     {
         EditorUtility.s_agrees = false;
         EditorUtility.s_dialogs.Clear();

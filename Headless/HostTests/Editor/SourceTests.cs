@@ -3,7 +3,7 @@ namespace FastPoints.HostTests.Editor;
 public sealed class SourceTests : EditorFixture
 {
     [TearDown]
-    public void Rest()
+    public void Restore()
     {
         (EditorUtility.s_file, EditorUtility.s_folder, EditorUtility.s_agrees) = ("", "", false);
         (GUILayout.Pressed, Event.current) = (null, null);

@@ -17,16 +17,16 @@ namespace FastPoints.Editor
         const int MaxListed = 10;
 
         readonly EditorImports m_imports;
-        PoolTask<CloudList> m_looking;
+        PoolTask<CloudList> m_search;
         CancellationTokenSource m_cancel;
         bool m_hasWarned;
 
         public MissingClouds(EditorImports imports) => m_imports = imports;
 
-        internal bool IsSearching => m_looking != null || SessionState.GetString(CheckedKey, "") == "";
+        internal bool IsSearching => m_search != null || SessionState.GetString(CheckedKey, "") == "";
 
         /// <summary>Assets were imported: perhaps by a pull.</summary>
-        public void Take(string[] imported)
+        public void OnImported(string[] imported)
         {
             if (Array.Exists(imported, asset => asset.EndsWith(CloudHandle.Extension, StringComparison.OrdinalIgnoreCase) &&
                 m_imports.Assets.All.ContainsKey(asset) && HasOtherData(asset)))
@@ -54,21 +54,21 @@ namespace FastPoints.Editor
             // A question would interrupt play mode.
             if (EditorApplication.isPlayingOrWillChangePlaymode)
                 return;
-            if (m_looking == null)
+            if (m_search == null)
             {
                 if (!IsSearching || m_imports.IsCreating || Application.isBatchMode)
                     return;
                 SessionState.SetString(CheckedKey, "yes");
                 m_cancel = new CancellationTokenSource();
-                m_looking = CloudList.Begin(m_imports, false, m_cancel.Token);
+                m_search = CloudList.Begin(m_imports, false, m_cancel.Token);
             }
-            else if (m_looking.IsDone)
+            else if (m_search.IsDone)
             {
-                var looked = m_looking;
-                m_looking = null;
+                var search = m_search;
+                m_search = null;
                 try
                 {
-                    Prompt(looked.Take());
+                    Prompt(search.Take());
                 }
                 catch (PointCloudException e)
                 {
@@ -80,10 +80,10 @@ namespace FastPoints.Editor
         /// <summary>Before a reload of scripts: the search is repeated afterwards, so nothing is awaited.</summary>
         public void Dispose()
         {
-            if (m_looking == null)
+            if (m_search == null)
                 return;
             m_cancel.Cancel();
-            m_looking = null;
+            m_search = null;
             SessionState.EraseString(CheckedKey);
         }
 

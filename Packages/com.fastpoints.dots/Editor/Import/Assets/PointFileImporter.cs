@@ -35,7 +35,7 @@ namespace FastPoints.Editor
                 return;
             PointCloudImports.Current.Leftovers.Take(deletedAssets);
             PointCloudImports.Current.Assets.Update(importedAssets, deletedAssets, movedFromAssetPaths, movedAssets);
-            PointCloudImports.Current.Missing.Take(importedAssets);
+            PointCloudImports.Current.Missing.OnImported(importedAssets);
             var ours = new List<string>();
             var unclaimed = new List<string>();
             foreach (string path in importedAssets)

@@ -139,8 +139,9 @@ namespace FastPoints.Entities
                     opened.WorldShift = Group.Shift;
                 }
             }
-            bool isElsewhere = file.HasOrigin && !(opened.As.HasOrigin && opened.As.OriginGeo.Equals(file.OriginGeo));
-            (opened.As.HasOrigin, opened.As.OriginGeo) = (file.HasOrigin, file.OriginGeo);
+            bool isElsewhere = file.HasOrigin &&
+                !(opened.AppliedFile.HasOrigin && opened.AppliedFile.OriginGeo.Equals(file.OriginGeo));
+            (opened.AppliedFile.HasOrigin, opened.AppliedFile.OriginGeo) = (file.HasOrigin, file.OriginGeo);
             if (!isElsewhere && local.Equals(default) || !EntityManager.HasComponent<PointCloudSpace>(entity))
                 return;
             var space = EntityManager.GetComponentData<PointCloudSpace>(entity);

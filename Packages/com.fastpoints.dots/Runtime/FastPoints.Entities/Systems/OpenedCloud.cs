@@ -18,7 +18,7 @@ namespace FastPoints.Entities
         /// <param name="paths">What the entity's <see cref="PointCloudPath"/> has.</param>
         public OpenedCloud(in PointCloudFile file, ReadOnlySpan<byte> paths)
         {
-            As = file;
+            AppliedFile = file;
             m_paths = paths.ToArray();
             var parsed = PointCloudPaths.Of(paths);
             string path = Path = parsed.FullPath;
@@ -27,7 +27,7 @@ namespace FastPoints.Entities
         }
 
         /// <summary>The component's values that are applied: users and live baking change them.</summary>
-        public PointCloudFile As;
+        public PointCloudFile AppliedFile;
 
         public string Path { get; }
 
@@ -62,7 +62,7 @@ namespace FastPoints.Entities
 
         /// <summary>Whether it was opened by an equal file, except for its position.</summary>
         public bool Matches(in PointCloudFile file, ReadOnlySpan<byte> paths) =>
-            As.OpensSameAs(file) && paths.SequenceEqual(m_paths);
+            AppliedFile.OpensSameAs(file) && paths.SequenceEqual(m_paths);
 
         public void Refresh() => m_feed?.Refresh();
 

@@ -91,7 +91,7 @@ namespace FastPoints.Build
                     while (scan.MoveNext())
                     {
                         yield return scan.Current;
-                        StepFirst();
+                        StepFirstGeneration();
                     }
                 }
                 var found = journal.Statistics[source];
@@ -112,7 +112,7 @@ namespace FastPoints.Build
 
         /// <summary>If reading takes long, the first generation is built meanwhile; not in its second half, since
         /// chunks follow soon.</summary>
-        void StepFirst()
+        void StepFirstGeneration()
         {
             if (m_first == null && m_generations.IsFirstDue && 2 * m_scatter.PointsDone <= m_build.Points)
                 m_first = new CoroutineStack(m_generations.WriteFirst());

@@ -173,7 +173,7 @@ namespace FastPoints.Ply
             if (anomalies.Misfits > 0 && !m_hasReportedMisfits)
             {
                 m_hasReportedMisfits = true;
-                Info.Warn(anomalies.FirstUnfitOffset, "a value that its property's integer type cannot hold: the nearest " +
+                Info.Warn(anomalies.FirstMisfitOffset, "a value that its property's integer type cannot hold: the nearest " +
                     "that it can was taken, without fraction (" + anomalies.Misfits +
                     " in this block; later blocks are not counted)");
             }

@@ -93,7 +93,7 @@ namespace FastPoints.Ply
                         if (!fits || !isExact)
                         {
                             if (anomalies.Misfits++ == 0)
-                                anomalies.FirstUnfitOffset = Range.Offset + (text - input);
+                                anomalies.FirstMisfitOffset = Range.Offset + (text - input);
                         }
                     }
                     continue;
@@ -187,7 +187,7 @@ namespace FastPoints.Ply
     struct PlyAnomalies
     {
         public int Misfits;
-        public long FirstUnfitOffset;
+        public long FirstMisfitOffset;
 
         public int LinesWithExtraValues;
         public long FirstExtraOffset;

@@ -218,7 +218,7 @@ namespace FastPoints.Build
             }
             catch (PointCloudException)
             {
-                // This is the same as if it could not be deleted.
+                // An unfinished build that cannot be deleted stays.
             }
         }
 

@@ -116,7 +116,7 @@ namespace FastPoints.Build
             }
             catch (Exception e) when (FileFailures.IsFileFailure(e))
             {
-                // This is the same as if it could not be read.
+                // IsHeld treats an unreachable file as held, too.
             }
             return true;
         }

@@ -181,7 +181,7 @@ namespace FastPoints.Nodes
             };
             for (long done = 0; done < job.Cost; done += job.CostPerSlice)
                 inputDeps = job.Schedule(inputDeps);
-            // Slices end at pages and buckets: the rest.
+            // Slices may end early, at pages and buckets: the last one has no limit.
             job.CostPerSlice = int.MaxValue;
             return job.Schedule(inputDeps);
         }
@@ -240,7 +240,7 @@ namespace FastPoints.Nodes
             job.CostPerSlice = WriteNodesJob.CostOfSlice;
             for (long done = 0; done < job.Cost; done += job.CostPerSlice)
                 inputDeps = job.Schedule(inputDeps);
-            // Slices end at planes: the rest.
+            // Slices may end early, at planes: the last one has no limit.
             job.CostPerSlice = int.MaxValue;
             return m_workspace.Last = job.Schedule(inputDeps);
         }

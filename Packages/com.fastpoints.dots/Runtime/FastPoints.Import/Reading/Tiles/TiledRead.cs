@@ -81,14 +81,14 @@ namespace FastPoints.Reading
         {
             ulong* bits = stackalloc ulong[BatchLength];
             long factor = column.Factor, shift = column.Shift;
-            bool isPlace = column.Kind == TileColumnKind.Position;
-            long max = isPlace ? CommonGrid.Limit / math.max(1, math.abs(factor)) : long.MaxValue;
+            bool isPosition = column.Kind == TileColumnKind.Position;
+            long max = isPosition ? CommonGrid.Limit / math.max(1, math.abs(factor)) : long.MaxValue;
             bool isUnsigned64 = column.From.Type == AttributeType.UInt64;
             for (; first < end; first += BatchLength)
             {
                 int length = math.min(BatchLength, end - first);
                 ColumnValues.ToBits(from, column.From.Type, first, length, bits);
-                if (isPlace)
+                if (isPosition)
                 {
                     for (int i = 0; i < length; i++)
                     {
