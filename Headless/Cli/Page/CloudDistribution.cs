@@ -43,7 +43,7 @@ sealed class CloudDistribution(ViewCloud view, UpAxis upAxis, long points, Bound
     {
         var sample = view.Points;
         yield return BarChart.Histogram("Elevation", sample.Positions[upAxis.Index()].Select(v => upAxis.IsNegative() ? -v : v),
-            view.Unit == "m" ? "m" : "in units of the file");
+            view.Unit == "units" ? "in units of the file" : view.Unit);
         foreach (string name in new[] { AttributeNames.Intensity, AttributeNames.Classification, AttributeNames.ReturnNumber,
             AttributeNames.GpsTime })
         {

@@ -86,7 +86,7 @@
     const length = ten * [5, 2, 1].find(s => s * ten <= most), wide = length * perLength, x = w - 14, y = h - 14;
     const text = endText(length, length) + " " + data.unit + (camera.isFlat ? "" : " in the middle");
     const panel = Math.max(wide, 7 * text.length) + 16;
-    return `<rect class="panel" x="${w - panel - 6}" y="${h - 42}" width="${panel}" height="36" rx="5"/>`
+    return `<rect class="plate" x="${w - panel - 6}" y="${h - 42}" width="${panel}" height="36" rx="5"/>`
       + `<path class="scale" d="M${x - wide} ${y - 6}v6h${wide}v-6"/><text class="label" x="${x}" y="${y - 12}">${text}</text>`;
   }
 
@@ -96,7 +96,7 @@
     if (seen < 0.1) return "";
     const long = 18 * Math.min(1, seen / 0.4) / seen, cx = w - 30, cy = h - 84, [nx, ny] = [x * long, y * long];
     const [ax, ay] = [-ny * 0.45, nx * 0.45];
-    return `<rect class="panel" x="${w - 54}" y="${h - 112}" width="48" height="66" rx="5"/>`
+    return `<rect class="plate" x="${w - 54}" y="${h - 112}" width="48" height="66" rx="5"/>`
       + `<path class="north" d="M${cx + nx} ${cy + ny}L${cx - nx + ax} ${cy - ny + ay}L${cx - nx * 0.5} ${cy - ny * 0.5}Z"/>`
       + `<path class="north back" d="M${cx + nx} ${cy + ny}L${cx - nx - ax} ${cy - ny - ay}L${cx - nx * 0.5} ${cy - ny * 0.5}Z"/>`
       + `<text class="label middle" x="${cx}" y="${h - 51}">N</text>`;

@@ -116,8 +116,8 @@ public sealed class ConvertedCloudFacts
         yield return ("checksum", m_cloud.Checksum.ToString("x16", CultureInfo.InvariantCulture));
         yield return ("whole", IsWhole ? "yes" : "no, it is being built");
         foreach (var source in m_cloud.Sources)
-            yield return ("source", source.Name + ", " + Human.Count(source.FileBytes) + " bytes, " + Human.Count(source.Points)
-                + " points" + (source.Crs?.Name is { } crs ? ", " + crs : ""));
+            yield return ("source", source.Name + ", " + Human.Count(source.FileBytes) + " bytes, "
+                + Human.Count(source.Points, "point") + (source.Crs?.Name is { } crs ? ", " + crs : ""));
         foreach (var fact in m_source.Facts)
             yield return (fact.Key, fact.Value);
     }

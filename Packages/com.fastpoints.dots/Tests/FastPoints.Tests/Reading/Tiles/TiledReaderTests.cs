@@ -226,7 +226,7 @@ namespace FastPoints.Tests.Reading
             using var reader = PointReaders.Open(new[] { a, b, c });
             Assert.That(reader.Info.Crs.Epsg, Is.EqualTo(25832));
             Assert.That(reader.Info.Warnings.Select(w => w.Text), Has.Some.Contains("coordinate systems differ"));
-            Assert.That(reader.Info.Warnings.Select(w => w.Text), Has.Some.Contains("1 files name no coordinate system"));
+            Assert.That(reader.Info.Warnings.Select(w => w.Text), Has.Some.Contains("1 file names no coordinate system"));
         }
 
         /// <summary>Ranges in any order, from files whose blocks must be found and others, more of them than stay open.</summary>
