@@ -369,7 +369,7 @@ public sealed class ViewToolsTests : BrowserTests
     {
         using var reader = PointReaders.Open(cloud);
         string[] columns = [.. s_axes, .. reader.Info.Schema.Select(a => a.Name).Except(s_axes)];
-        reader.Info.SampledToo = columns;
+        reader.Info.AlsoSampled = columns;
         if (!reader.BlocksAreKnown)
             JobCoroutine.RunToEnd(reader.FindBlocks());
         using var sampler = new PreviewSampler(reader, 100_000, 1);
