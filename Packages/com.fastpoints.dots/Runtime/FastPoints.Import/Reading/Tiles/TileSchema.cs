@@ -374,9 +374,11 @@ namespace FastPoints.Reading
             m_info.HasBoundsClaimed = m_hasBounds && !m_info.BoundsClaimed.IsEmpty;
             if (m_otherCrs > 0)
                 m_info.Warn(-1, "coordinate systems differ: " + m_info.Crs.Summary + " was taken (of " + m_pathOfCrs + "), " +
-                    (m_otherCrs == 1 ? "1 file has another" : m_otherCrs + " files have others") + " (" + m_pathOfOtherCrs + "): points are not moved between them");
+                    (m_otherCrs == 1 ? "1 file has another" : m_otherCrs + " files have others") + " (" +
+                    m_pathOfOtherCrs + "): points are not moved between them");
             if (m_pathOfCrs != null && m_withoutCrs > 0)
-                m_info.Warn(-1, (m_withoutCrs == 1 ? "1 file names" : m_withoutCrs + " files name") + " no coordinate system: that of " + m_pathOfCrs + " was taken");
+                m_info.Warn(-1, (m_withoutCrs == 1 ? "1 file names" : m_withoutCrs + " files name") +
+                    " no coordinate system: that of " + m_pathOfCrs + " was taken");
         }
 
         static bool IsSame(CoordinateSystem a, CoordinateSystem b)

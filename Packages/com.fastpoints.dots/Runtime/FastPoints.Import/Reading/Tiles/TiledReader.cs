@@ -346,7 +346,8 @@ namespace FastPoints.Reading
                 }
             }
             if (otherFiles.Count > 0)
-                Info.Warn(-1, (otherFiles.Count == 1 ? "1 file in it is" : otherFiles.Count + " files in it are") + " no point cloud: " + otherFiles[0] +
+                Info.Warn(-1, (otherFiles.Count == 1 ? "1 file in it is" : otherFiles.Count + " files in it are") +
+                    " no point cloud: " + otherFiles[0] +
                     (otherFiles.Count > 1 ? " and others" : ""));
             if (m_tiles.Count == 0)
                 throw new PointCloudException(FailureCode.Unsupported, Info.Path, -1, "the folder has no point cloud that can " +
