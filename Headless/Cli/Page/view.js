@@ -169,9 +169,11 @@
     $("view-clip").setAttribute("aria-pressed", !!box);
     $("view-box").hidden = !box;
     if (box) {
-      const geo = (place, k) => (data.origin[k] + place * data.size[k]).toFixed(data.clipDecimals);
-      boxInputs.forEach((input, i) => { input.value = geo(i < 3 ? box.low[i] : box.high[i - 3], i % 3); });
-      const line = [...box.low.map(geo), ...box.high.map(geo)].join();
+      // Rounded outwards: no point of the box is outside what the line names.
+      const steps = 10 ** data.clipDecimals, geo = (place, k) => (data.origin[k] + place * data.size[k]) * steps;
+      const ends = [...box.low.map((v, k) => Math.floor(geo(v, k) + 1e-6)), ...box.high.map((v, k) => Math.ceil(geo(v, k) - 1e-6))];
+      boxInputs.forEach((input, i) => { input.value = (ends[i] / steps).toFixed(data.clipDecimals); });
+      const line = boxInputs.map(input => input.value).join();
       $("view-box-line").textContent = "fastpoints export " + (data.source || "FILE") + " --clip " + line + " -o part.laz";
     }
     drawStrip();
