@@ -122,8 +122,9 @@ public sealed class DrawStep
     }
 
     public string? DescribeError() => Error is not { } error ? null
-        : "PSNR " + Human.Value(error.Psnr) + " dB, SSIM " + Human.Value(error.Ssim) + ", FLIP " + Human.Value(Flip!.Mean)
-            + " (" + Human.Value(Math.Round(FlipMap.DefaultPixelsPerDegree)) + " pixels per degree), uncovered " + Human.Value(100 * error.Uncovered) + "%";
+        : "PSNR " + Human.Value(error.Psnr) + " dB, SSIM " + Human.Value(error.Ssim)
+            + ", FLIP " + Human.Value(Flip!.Mean) + " (" + Math.Round(FlipMap.DefaultPixelsPerDegree) + " pixels per degree)"
+            + ", uncovered " + Human.Value(100 * error.Uncovered) + "%";
 
     /// <summary>The keys of <c>picture</c> except <c>seconds</c>, into an open object.</summary>
     public void WriteKeys(Utf8JsonWriter json)
