@@ -22,17 +22,23 @@ static class OutputNames
                 + ", got the name " + path);
     }
 
-    public static void RefuseNoPicture(string path)
+    public static void RefuseNoPicture(string path, string option = "--output")
     {
-        RefuseUnwritable(path);
+        RefuseUnwritable(path, option);
         if (Path.GetExtension(path) is { Length: > 0 } ending && !HasEnding(path, ".png"))
-            throw new UsageException("--output: a picture is a PNG file, NAME.png; " + ending + " is another kind: " + path);
+            throw new UsageException(option + ": a picture is a PNG file, NAME.png; " + ending + " is another kind: " + path);
     }
 
-    static void RefuseUnwritable(string path)
+    public static void RefuseSame(string option, string path, string output)
+    {
+        if (Real(path).Equals(Real(output), s_ofPaths))
+            throw new UsageException(option + " and --output name the same file: " + path);
+    }
+
+    static void RefuseUnwritable(string path, string option = "--output")
     {
         if (StandardStreams.IsOutput(path))
-            throw new UsageException("--output: standard output takes points (export, demo-cloud) and summaries only, got "
+            throw new UsageException(option + ": standard output takes points (export, demo-cloud) and summaries only, got "
                 + path);
         RefuseLink(path);
     }

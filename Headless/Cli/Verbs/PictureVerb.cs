@@ -18,7 +18,14 @@ public sealed class PictureVerb : Verb
     readonly Option<string?> m_against = new("--against")
     {
         HelpName = "Q.png",
-        Description = "Another picture of the same size: say how far the new one is from it (PSNR, SSIM, uncovered pixels).",
+        Description = "Another picture of the same size: say how far the new one is from it "
+            + "(PSNR, SSIM, FLIP, uncovered pixels).",
+    };
+    readonly Option<string?> m_flipMap = new("--flip-map")
+    {
+        HelpName = "F.png",
+        Description = "With --against: a picture of where an eye sees the difference, by FLIP (67 pixels per degree); "
+            + "black for none, light for the largest.",
     };
     readonly Option<bool> m_gpu = new("--gpu")
     {
@@ -34,6 +41,7 @@ public sealed class PictureVerb : Verb
         m_picture = new PictureSettings(Command, canFilter: true);
         Command.Add(m_budget);
         Command.Add(m_against);
+        Command.Add(m_flipMap);
         Command.Add(m_gpu);
         m_source = new SourceSettings(Command);
     }
@@ -53,11 +61,13 @@ public sealed class PictureVerb : Verb
     {
         var clouds = parsed.GetRequiredValue(m_clouds);
         string output = parsed.GetRequiredValue(m_output);
-        string? against = parsed.GetValue(m_against);
+        string? against = parsed.GetValue(m_against), flipMap = parsed.GetValue(m_flipMap);
         var options = m_picture.Read(parsed);
         long budget = parsed.GetValue(m_budget) ?? 0;
         OutputNames.RefuseNoPicture(output);
-        clouds = run.Begin(against != null ? clouds.Append(against) : clouds, output)[..clouds.Length];
+        if (flipMap != null)
+            RefuseMap(flipMap, output, against);
+        clouds = run.Begin(against != null ? clouds.Append(against) : clouds, Outputs(output, flipMap))[..clouds.Length];
         var reference = against != null ? Png.Read(against) : null;
         if (reference != null && (reference.Width != options.WidthPx || reference.Height != options.HeightPx))
             throw PointCloudException.Wanted(FailureCode.BadInput, against, -1, "size",
@@ -79,18 +89,29 @@ public sealed class PictureVerb : Verb
             WarnEmpty(output, clouds, m_source.Read(parsed), options, run);
         var image = result.ToImage(m_picture.IsPlain(parsed));
         if (reference != null)
-            result.Error = ImageError.Compare(image, reference, options.Background);
+            result.Compare(image, reference, options.Background);
         run.WriteKeys = result.WriteKeys;
         OutputFile.Write(output, Png.Encode(image));
+        if (flipMap != null)
+            OutputFile.Write(flipMap, Png.Encode(result.Flip!.ToImage()));
 
         run.Out.WriteLine(output + ": " + result.Describe());
         foreach (string assumption in result.Assumptions)
             run.Out.WriteLine("  " + assumption);
-        if (result.Error is { } error)
-            run.Out.WriteLine("  against " + against + ": PSNR " + Human.Value(error.Psnr)
-                + " dB, SSIM " + Human.Value(error.Ssim) + ", uncovered " + Human.Value(100 * error.Uncovered) + "%");
+        if (result.DescribeError() is { } error)
+            run.Out.WriteLine("  against " + against + ": " + error);
         StageTable.Of(run.Progress).Write(run.Out, "  ");
     }
+
+    static void RefuseMap(string flipMap, string output, string? against)
+    {
+        if (against == null)
+            throw new UsageException("--flip-map wants --against");
+        OutputNames.RefuseNoPicture(flipMap, "--flip-map");
+        OutputNames.RefuseSame("--flip-map", flipMap, output);
+    }
+
+    static string[] Outputs(string output, string? flipMap) => flipMap != null ? [output, flipMap] : [output];
 
     static bool IsForStream(PictureOptions options) => options.SizeInWorld?.Mode == PointSizeMode.Adaptive || options.IsFiltered;
 

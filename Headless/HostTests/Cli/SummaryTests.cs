@@ -1,3 +1,5 @@
+using FastPoints.Evaluation;
+
 namespace FastPoints.HostTests.Cli;
 
 public sealed class SummaryTests : ScratchTests
@@ -169,7 +171,20 @@ public sealed class SummaryTests : ScratchTests
         HasPictureKeys(json);
         Assert.That(json.GetProperty("psnr").ValueKind, Is.EqualTo(JsonValueKind.Null), "infinite");
         Assert.That(json.GetProperty("ssim").GetDouble(), Is.EqualTo(1).Within(1e-9));
+        Assert.That(json.GetProperty("flip").GetDouble(), Is.Zero);
         Assert.That(json.GetProperty("uncovered").GetDouble(), Is.Zero);
+    }
+
+    [Test]
+    public void Picture_WithAFlipMap_WritesWhereItDiffers()
+    {
+        string near = Scratch["near.png"], far = Scratch["far.png"], map = Scratch["map.png"];
+        HasPictureKeys(Summary("picture", "picture", m_demo, "-o", near, "--size", "160x90", "--view", "iso"));
+        var json = Summary("picture", "picture", m_demo, "-o", far, "--size", "160x90", "--view", "top", "--against", near,
+            "--flip-map", map);
+        var flip = FlipMap.Of(Png.Read(far), Png.Read(near));
+        Assert.That(json.GetProperty("flip").GetDouble(), Is.EqualTo(flip.Mean).Within(1e-9).And.GreaterThan(0.01));
+        Assert.That(Png.Read(map).Rgba, Is.EqualTo(flip.ToImage().Rgba));
     }
 
     [Test]

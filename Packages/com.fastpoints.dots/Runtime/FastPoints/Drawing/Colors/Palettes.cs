@@ -111,6 +111,18 @@ namespace FastPoints.Drawing
             return Pack(ToByte(red), ToByte(green), ToByte(blue));
         }
 
+        // Magma (Smith and van der Walt, 2015): as even, from black to light yellow. As Viridis', at most 5 of 255 off.
+        public static uint Magma(double share)
+        {
+            double red = Polynomial(share, -0.00213649, 0.25166054, 8.35371728, -27.66873309, 52.17613981, -50.76852537,
+                18.65570507);
+            double green = Polynomial(share, -0.00074966, 0.67752324, -3.57771951, 14.26473078, -27.94360607, 29.04658282,
+                -11.48977352);
+            double blue = Polynomial(share, -0.00538613, 2.49402660, 0.31446790, -13.64921319, 12.94416944, 4.23415299,
+                -5.60196151);
+            return Pack(ToByte(red), ToByte(green), ToByte(blue));
+        }
+
         static double Polynomial(double x, params double[] coefficients)
         {
             double sum = 0;

@@ -1,0 +1,80 @@
+using System;
+using FastPoints.Drawing;
+using FastPoints.Picture;
+using Unity.Collections;
+using Unity.Jobs;
+
+namespace FastPoints.Evaluation
+{
+    /// <summary>The difference that an eye sees between two pictures shown in turn, pixel by pixel: 0 for none, 1 for the largest
+    /// (Andersson, Nilsson, Akenine-Moller, Oskarsson, Astrom, Fairchild, "FLIP: a difference evaluator for alternating images",
+    /// 2020, for low dynamic range). Alpha is not looked at.</summary>
+    internal sealed class FlipMap
+    {
+        /// <summary>The paper's viewer: 0.7 m from a screen of 0.7 m and 3840 pixels across, 67.02 pixels per degree.</summary>
+        public const double DefaultPixelsPerDegree = 0.7 * (3840 / 0.7) * (Math.PI / 180);
+
+        public readonly int Width;
+        public readonly int Height;
+
+        /// <summary>Row by row from the top.</summary>
+        public readonly float[] Errors;
+
+        /// <summary>Over all pixels.</summary>
+        public readonly double Mean;
+
+        FlipMap(int width, int height, float[] errors, double mean)
+        {
+            (Width, Height, Errors, Mean) = (width, height, errors, mean);
+        }
+
+        /// <summary>Main thread.</summary>
+        public static FlipMap Of(RgbaImage picture, RgbaImage reference, double pixelsPerDegree = DefaultPixelsPerDegree)
+        {
+            if (picture.Width != reference.Width || picture.Height != reference.Height)
+                throw new ArgumentException("pictures of " + picture.Width + "x" + picture.Height + " and " +
+                    reference.Width + "x" + reference.Height + " pixels have no common error");
+            using var filters = new FlipFilters(pixelsPerDegree, Allocator.Persistent);
+            using var pixels = new NativeArray<byte>(picture.Rgba, Allocator.Persistent);
+            using var pixelsOfReference = new NativeArray<byte>(reference.Rgba, Allocator.Persistent);
+            using var linear = LinearOfByte();
+            int tiles = CompareTilesJob.TileCount(picture.Width, picture.Height);
+            using var errors = new NativeArray<float>(picture.Width * picture.Height, Allocator.Persistent,
+                NativeArrayOptions.UninitializedMemory);
+            using var sums = new NativeArray<double>(tiles, Allocator.Persistent);
+            new CompareTilesJob
+            {
+                Picture = pixels.Reinterpret<uint>(1),
+                ReferencePicture = pixelsOfReference.Reinterpret<uint>(1),
+                Width = picture.Width,
+                Height = picture.Height,
+                LinearOfByte = linear,
+                Filters = filters,
+                Errors = errors,
+                SumOfTile = sums,
+            }.ScheduleParallel(tiles, 1, default).Complete();
+            double sum = 0;
+            for (int tile = 0; tile < tiles; tile++)
+                sum += sums[tile];
+            return new FlipMap(picture.Width, picture.Height, errors.ToArray(), sum / errors.Length);
+        }
+
+        /// <summary>In the colours of magma: black for no difference, light yellow for the largest.</summary>
+        public RgbaImage ToImage()
+        {
+            var image = new RgbaImage(Width, Height);
+            for (int i = 0; i < Errors.Length; i++)
+                image[i % Width, i / Width] = Palettes.Magma(Math.Floor(Errors[i] * 255 + 0.5) / 255);
+            return image;
+        }
+
+        // IEC 61966-2-1.
+        static NativeArray<float> LinearOfByte()
+        {
+            var linear = new NativeArray<float>(256, Allocator.Persistent, NativeArrayOptions.UninitializedMemory);
+            for (int i = 0; i < linear.Length; i++)
+                linear[i] = (float)(i <= 10 ? i / 255.0 / 12.92 : Math.Pow((i / 255.0 + 0.055) / 1.055, 2.4));
+            return linear;
+        }
+    }
+}
