@@ -50,7 +50,7 @@ set "broken=yes"
 call :require_sdk
 if errorlevel 1 exit /b 1
 if not exist "%out%\" mkdir "%out%"
-set "why=first start: compiles the package and the command line, once, in about a minute"
+set "why=first start: compiles the package and the command line, once, in half a minute"
 if exist "%out%\built" set "why=the sources have changed, some 30 s"
 echo building fastpoints (%why%); what it says goes to %out%\build.log 1>&2
 del /q "%out%\begun" 2>nul
