@@ -70,11 +70,11 @@ public sealed unsafe class WorldTests
         var entity = entities.CreateEntity(ComponentType.ReadWrite<Health>());
         using var query = entities.CreateEntityQuery(ComponentType.ReadWrite<Health>());
         var handle = entities.GetComponentTypeHandle<Health>(false);
-        var job = new HarmAll { Health = handle }.ScheduleParallel(query, default);
+        var job = new DamageAllJob { Health = handle }.ScheduleParallel(query, default);
         Assert.That(() => entities.GetComponentData<Health>(entity),
-            Throws.InvalidOperationException.With.Message.Contains("HarmAll"));
+            Throws.InvalidOperationException.With.Message.Contains("DamageAllJob"));
         Assert.That(() => entities.CreateEntity(ComponentType.ReadWrite<Health>()),
-            Throws.InvalidOperationException.With.Message.Contains("HarmAll"));
+            Throws.InvalidOperationException.With.Message.Contains("DamageAllJob"));
         job.Complete();
         Assert.That(entities.GetComponentData<Health>(entity).Value, Is.EqualTo(1));
         handle = entities.GetComponentTypeHandle<Health>(false);
