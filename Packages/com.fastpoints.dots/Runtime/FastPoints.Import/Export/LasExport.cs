@@ -2,7 +2,6 @@ using System;
 using System.Collections.Generic;
 using System.Text;
 using FastPoints.Las;
-using FastPoints.Laz;
 using FastPoints.Reading;
 using Unity.Mathematics;
 
@@ -481,45 +480,6 @@ namespace FastPoints.Export
             if (crs.Wkt == null && (crs.GeoKeys != null || crs.Epsg != 0) && m_header.PointFormat >= LasPointFormat.FirstExtended)
                 Losses.Add(new Loss("the coordinate system as WKT, which point format " + m_header.PointFormat + " wants", m_path,
                     "it is known by keys or a code alone, which are written as keys: readers that go by the letter see none"));
-        }
-    }
-
-    /// <summary>LAZ as LASzip writes it: chunks of one size, pointwise for point formats 0 to 5, layered above, and their
-    /// table.</summary>
-    internal class LazExport : LasExport
-    {
-        readonly LazChunkForm m_form;
-        readonly List<int> m_bytesOfChunk = new List<int>();
-
-        /// <param name="nodePoints">The most points of a chunk, if each has a number of its own; 0 if all have the
-        /// same.</param>
-        public LazExport(PointReader reader, string[] chosen, long maxPoints, int nodePoints = 0)
-            : base(reader, chosen, maxPoints)
-        {
-            if (ExtraBytes > LazFormat.MaxExtraBytes)
-                throw PointCloudException.Wanted(FailureCode.Unsupported, reader.Info.Path, -1, "extra bytes of a point in LAZ",
-                    "at most " + NumberText.Of(LazFormat.MaxExtraBytes), ExtraBytes);
-            m_form = LazChunkForm.Of(Header.PointFormat, RecordBytes, nodePoints);
-            BufferPoints = m_form.ChunkPoints;
-            Header.IsCompressed = true;
-            AddVlr(LazItems.Vlr(m_form.Items, m_form.IsLayered ? LazCompressor.LayeredChunked : LazCompressor.PointwiseChunked,
-                nodePoints > 0 ? LazFormat.VariableChunkPoints : (uint)BufferPoints));
-        }
-
-        public override LazChunkWriter CreateWriter() => new LazChunkWriter(m_form);
-
-        public override void Written(int bytes, int points) => m_bytesOfChunk.Add(bytes);
-
-        public override byte[] Trailer() => LazChunkTable.ToBytes(m_bytesOfChunk);
-
-        /// <summary>Behind the head of LAS stands where the table is.</summary>
-        public override byte[] Head(string path, in ExportState written, long chunksEnd, long pointsEnd)
-        {
-            var las = base.Head(path, written, chunksEnd, pointsEnd);
-            int at = las.Length;
-            System.Array.Resize(ref las, at + LazChunkTable.TableOffsetBytes);
-            LasHeader.Put(las, at, LazChunkTable.TableOffsetBytes, (ulong)chunksEnd);
-            return las;
         }
     }
 }
