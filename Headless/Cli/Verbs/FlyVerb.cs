@@ -42,6 +42,12 @@ public sealed class FlyVerb : Verb
         "Memory of what is resident (default: 256 MiB). A hard limit.", 256, "MIB");
     readonly Option<long> m_upload = Counts.Of("--upload",
         "Copied into it in one frame at most (default: 4096 KiB).", 4096, "KIB");
+    readonly Option<double> m_fade = new("--fade")
+    {
+        HelpName = "SECONDS",
+        Description = "How long a node takes to appear or to leave, point by point (default: 0.2; 0: at once).",
+        DefaultValueFactory = _ => StreamSettings.DefaultFadeSeconds,
+    };
     readonly PictureSettings m_picture;
 
     public FlyVerb() : base(new Command("fly", "Stream clouds along a camera path, 60 frames a second: what each frame "
@@ -57,6 +63,7 @@ public sealed class FlyVerb : Verb
         Command.Add(m_budget);
         Command.Add(m_pool);
         Command.Add(m_upload);
+        Command.Add(m_fade);
         m_picture = new PictureSettings(Command, canFilter: true);
     }
 
@@ -96,6 +103,8 @@ public sealed class FlyVerb : Verb
         using var stream = new StreamContext(shaders?.CreatePool(pool, bank) ?? new MemoryNodePool(pool, bank));
         stream.Settings.Selection.PointBudget = parsed.GetValue(m_budget);
         stream.Settings.UploadBytesPerFrame = upload;
+        stream.Settings.FadeSeconds = (float)parsed.GetValue(m_fade);
+        stream.FrameSeconds = (float)FrameSeconds;
         stream.SetClipBoxes(options.ClipBoxes);
         using var picture = shaders != null
             ? new GpuFlightRenderer(shaders, stream, options)

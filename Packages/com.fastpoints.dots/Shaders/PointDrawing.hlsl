@@ -57,7 +57,7 @@ float3 FastPointsStepsFromAnchor(GpuNode node, FastPointsBlock block, uint index
     uint packedZ = packedY + FastPointsWordsOf(block, 1u);
     uint widthX = FastPointsWidthOf(block, 0u), widthY = FastPointsWidthOf(block, 1u), widthZ = FastPointsWidthOf(block, 2u);
     float3 steps;
-    if (node.IsWide != 0u)
+    if ((node.Bits & 1u) != 0u)
     {
         uint4 minimaXY = _FastPointsBank.Load4((block.Descriptor + 2u) * 4u);
         uint2 minimumZ = _FastPointsBank.Load2((block.Descriptor + 6u) * 4u);
@@ -167,9 +167,12 @@ FastPointsPoint FastPointsLoadPoint(uint instance, uint index)
     GpuNode node = FastPointsGpuNodeAt(_FastPointsNodesAt + number * 96u);
     GpuCloud cloud = FastPointsGpuCloudAt(_FastPointsCloudsAt + node.Cloud * 112u);
     uint blockIndex = instance - node.FirstInstance;
-    FastPointsBlock block = FastPointsOpenBlock(node.PositionWord, node.IsWide != 0u ? 8u : 5u, blockIndex);
+    FastPointsBlock block = FastPointsOpenBlock(node.PositionWord, (node.Bits & 1u) != 0u ? 8u : 5u, blockIndex);
     FastPointsPoint loaded;
     loaded.IsThere = index < FastPointsCountOf(block);
+#if defined(FASTPOINTS_FILTERED)
+    loaded.IsThere = loaded.IsThere && !FastPointsIsFaded(node, blockIndex * FASTPOINTS_POINTS_PER_BLOCK + index);
+#endif
     loaded.PositionClip = float4(0.0, 0.0, 0.0, -1.0);
     loaded.Color = float3(0.0, 0.0, 0.0);
     loaded.SizePx = 0.0;

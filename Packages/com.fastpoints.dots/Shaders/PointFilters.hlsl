@@ -1,10 +1,11 @@
-// Points that are not drawn: clipped away, or of a class that is hidden.
+// Points that are not drawn: clipped away, of a class that is hidden, or of a node that appears or leaves.
 #ifndef FASTPOINTS_POINT_FILTERS_INCLUDED
 #define FASTPOINTS_POINT_FILTERS_INCLUDED
 
 #include "PointBlocks.hlsl"
 #include "Generated/GpuClipBox.hlsl"
 #include "Generated/GpuCloud.hlsl"
+#include "Generated/GpuNode.hlsl"
 
 #if defined(FASTPOINTS_CLIPPED)
 uint _FastPointsClipBoxCount;
@@ -29,6 +30,15 @@ bool FastPointsIsLeftByClips(float3 seen)
 #endif
 
 #if defined(FASTPOINTS_FILTERED)
+// FastPoints.Drawing.PointFade.
+// index: of the point in its node.
+bool FastPointsIsFaded(GpuNode node, uint index)
+{
+    uint hash = (index + (node.Bits >> 16) * 0x9E3779B9u) * 0x85EBCA6Bu;
+    hash = (hash ^ hash >> 13) * 0xC2B2AE35u;
+    return (hash ^ hash >> 16) >> 24 > (node.Bits >> 8 & 0xFFu);
+}
+
 bool FastPointsIsHidden(GpuCloud cloud, uint classWord, uint blockIndex, uint index)
 {
     bool isHidden = false;

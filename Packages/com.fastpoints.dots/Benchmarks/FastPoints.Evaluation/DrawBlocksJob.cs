@@ -60,15 +60,15 @@ namespace FastPoints.Evaluation
                 for (int p = 1; p < PlaneCount; p++)
                     for (int c = 0; c < planes[p].Shape.ColumnCount; c++, column++)
                         UnpackColumn(planes[p], block, c, Columns[column], values, batch + Targets[column].OffsetBytes);
-                if (Clips.Length > 0 || !HiddenClasses.IsEmpty)
-                    Hide(batch, count);
+                if (Clips.Length > 0 || !HiddenClasses.IsEmpty || (node.FadeBits & PointFade.AllBits) != PointFade.AllBits)
+                    Hide(batch, count, node.FadeBits, (uint)(block * PlaneShape.MaxPointsPerBlock));
                 if (SizeNodes.Length > 0)
                     FindGaps(node, batch, count, gaps);
                 Drawing.Draw(batch, 0, count, picture);
             }
         }
 
-        void Hide(byte* batch, int count)
+        void Hide(byte* batch, int count, uint fadeBits, uint firstIndex)
         {
             var x = (double*)(batch + Drawing.Positions.X.OffsetBytes);
             var y = (double*)(batch + Drawing.Positions.Y.OffsetBytes);
@@ -77,7 +77,8 @@ namespace FastPoints.Evaluation
             for (int i = 0; i < count; i++)
             {
                 bool isLeft = LocalClip.MayKeep(clips, Clips.Length, new double3(x[i], y[i], z[i]), 0) &&
-                    (HiddenClasses.IsEmpty || !HiddenClasses.Has(batch[Classes.OffsetBytes + i]));
+                    (HiddenClasses.IsEmpty || !HiddenClasses.Has(batch[Classes.OffsetBytes + i])) &&
+                    PointFade.IsDrawn(fadeBits, firstIndex + (uint)i);
                 x[i] = isLeft ? x[i] : double.NaN;
             }
         }
@@ -117,6 +118,7 @@ namespace FastPoints.Evaluation
     {
         public Grid3 Corner;
         public int BlockCount;
+        public uint FadeBits;
         public int SizeNode;
         public double3 CubeCorner;
         public double3 CubesPerStep;

@@ -120,6 +120,7 @@ namespace FastPoints.Evaluation
                 {
                     Corner = address.Corner,
                     BlockCount = blocks,
+                    FadeBits = PointFade.BitsOf(drawn),
                     SizeNode = sizes.Nodes.Length > 0 ? sizes.NodeOfDrawn[i] : 0,
                     CubeCorner = cubes.CornerAt(inCube, address.Level) / step,
                     CubesPerStep = step / cubes.SizeAt(address.Level),

@@ -186,7 +186,7 @@ namespace FastPoints.Rendering
 
         void DrawBanks(CommandBuffer commands, in PointStyle style, bool isStereo, int pass = 0)
         {
-            var material = m_materials.For(style, List.ClipBoxes.Length > 0, List.HidesClasses, isStereo);
+            var material = m_materials.For(style, List.ClipBoxes.Length > 0, List.FiltersPoints, isStereo);
             var topology = style.Shape == PointShape.Pixel ? MeshTopology.Points : MeshTopology.Triangles;
             for (int i = 0; i < List.Draws.Length; i++)
             {

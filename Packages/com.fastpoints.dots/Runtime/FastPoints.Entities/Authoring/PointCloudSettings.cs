@@ -1,5 +1,6 @@
 using FastPoints.Drawing;
 using FastPoints.Rendering;
+using FastPoints.Streaming;
 using Unity.Entities;
 using Unity.Mathematics;
 using UnityEngine;
@@ -32,6 +33,10 @@ namespace FastPoints.Entities
         [Range(0, 64)]
         [Tooltip("Nodes smaller than this on the screen, in pixels, are left out.")]
         public float SmallestNodePx = 1;
+
+        [Range(0, 1)]
+        [Tooltip("How long detail takes to appear or to leave, point by point. 0 for at once.")]
+        public float FadeSeconds = StreamSettings.DefaultFadeSeconds;
 
         public PointShape Shape = PointShape.Square;
 
@@ -69,6 +74,7 @@ namespace FastPoints.Entities
             PoolBytes = (long)MemoryMebibytes << 20,
             UploadBytesPerFrame = UploadMebibytesPerFrame << 20,
             SmallestNodePx = SmallestNodePx,
+            FadeSeconds = FadeSeconds,
         };
 
         OwnedEntity m_entity;

@@ -17,5 +17,9 @@ namespace FastPoints.Entities
 
         /// <summary>Smallest size of a node on the screen, in pixels.</summary>
         public float SmallestNodePx;
+
+        /// <summary>How long a node takes to appear or to leave, point by point; 0 for at once, as pictures for a comparison
+        /// want it.</summary>
+        public float FadeSeconds;
     }
 }

@@ -42,6 +42,7 @@ namespace FastPoints.Entities
                 PoolBytes = Group.Stream.Pool.LimitBytes,
                 UploadBytesPerFrame = settings.UploadBytesPerFrame,
                 SmallestNodePx = settings.Selection.SmallestNodePx,
+                FadeSeconds = settings.FadeSeconds,
             };
             using var budgets = m_budgets.ToComponentDataArray<PointCloudBudget>(Allocator.Temp);
             Apply(budgets[0]);
@@ -53,6 +54,7 @@ namespace FastPoints.Entities
             settings.Selection.PointBudget = budget.Points;
             settings.Selection.SmallestNodePx = budget.SmallestNodePx;
             settings.UploadBytesPerFrame = budget.UploadBytesPerFrame;
+            settings.FadeSeconds = budget.FadeSeconds;
             Group.Stream.Pool.LimitBytes = budget.PoolBytes;
         }
 

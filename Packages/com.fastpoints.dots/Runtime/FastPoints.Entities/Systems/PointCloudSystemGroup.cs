@@ -56,6 +56,7 @@ namespace FastPoints.Entities
         readonly List<Entity> m_toDestroy = new List<Entity>();
         EntityQuery m_files;
         bool m_cannotDraw;
+        double m_lastSeconds;
         FrameStats m_stats;
 
         /// <summary>Null until <see cref="Begin"/>, or until there is a <see cref="PointCloudFile"/>: from then on, clouds are
@@ -153,11 +154,12 @@ namespace FastPoints.Entities
                 return;
             }
             m_stats = default;
+            CountSeconds();
             base.OnUpdate();
             m_lastViews.Clear();
             m_lastViews.AddRange(m_views.AsArray());
             m_views.Clear();
-            bool isBusy = m_stats.ReadsInFlight > 0 || m_stats.RequestedNodes > 0 || m_stats.UploadedNodes > 0 ||
+            bool isBusy = m_stats.FadingNodes > 0 || m_stats.ReadsInFlight > 0 || m_stats.RequestedNodes > 0 || m_stats.UploadedNodes > 0 ||
                 Stream.Uploads.IsInFlight || Stream.IsRemovingAny || Stream.IsReadingHierarchy;
             m_idleFrames = isBusy ? 0 : m_idleFrames + 1;
         }
@@ -215,6 +217,15 @@ namespace FastPoints.Entities
             UnsafeUtility.MemCmp(next.GetUnsafeReadOnlyPtr(), m_lastViews.GetUnsafePtr(),
                 (long)next.Length * sizeof(StreamView)) != 0);
 
+        /// <summary>By the clock: a game's time stands still in edit mode and when it is paused. Recorders say what a frame takes in
+        /// the film.</summary>
+        void CountSeconds()
+        {
+            double now = Time.realtimeSinceStartupAsDouble;
+            Stream.FrameSeconds = Time.captureDeltaTime > 0 ? Time.captureDeltaTime : (float)(now - m_lastSeconds);
+            m_lastSeconds = now;
+        }
+
         /// <summary>Two worlds of clients may have the same clouds: one of them shows them.</summary>
         bool CanBegin => !m_cannotDraw && !m_files.IsEmpty && PointScene.Current == null &&
             (ObjectWorld == null || !ObjectWorld.IsCreated || ObjectWorld == World);
@@ -238,6 +249,7 @@ namespace FastPoints.Entities
                 return false;
             }
             Begin(new GraphicsNodePool(resources.CopyPages, DefaultPoolBytes));
+            Stream.Settings.FadeSeconds = StreamSettings.DefaultFadeSeconds;
             Scene = new PointScene(resources.Points, resources.Compose, Stream, resources.Raster);
             PointScene.Current = Scene;
             return true;

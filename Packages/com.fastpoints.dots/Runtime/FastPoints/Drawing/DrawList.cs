@@ -38,8 +38,8 @@ namespace FastPoints.Drawing
 
         internal NativeArray<GpuClipBox> ClipBoxes => m_clipBoxes.AsArray();
 
-        /// <summary>Whether any cloud hides points by their class.</summary>
-        public bool HidesClasses { get; private set; }
+        // Whether points of listed nodes are left out: of hidden classes, or because a node appears or leaves.
+        internal bool FiltersPoints { get; private set; }
 
         // Adaptive sizes are looked up in these; empty if there are none.
         internal NativeArray<GpuSizeNode> SizeNodes => m_sizes.Nodes;
@@ -67,7 +67,7 @@ namespace FastPoints.Drawing
             m_listed.Clear();
             m_clouds.Clear();
             m_clipBoxes.Clear();
-            HidesClasses = false;
+            FiltersPoints = stream.IsFading;
             foreach (var box in stream.ClipBoxes)
                 m_clipBoxes.Add(new GpuClipBox(box, view.EyeWorld));
             for (int c = 0; c < stream.Clouds.Count; c++)
@@ -94,7 +94,7 @@ namespace FastPoints.Drawing
                     PlaneCount = cloud.Source.Planes.Length,
                 };
                 m_listed.Add(listed);
-                HidesClasses |= !listed.Look.HiddenClasses.IsEmpty;
+                FiltersPoints |= !listed.Look.HiddenClasses.IsEmpty;
                 m_clouds.Add(listed.Describe(cloud.Source.Layout, cloud.Source.Planes[listed.Look.Plane],
                     cloud.Source.Planes[listed.Look.ClassPlane]));
             }

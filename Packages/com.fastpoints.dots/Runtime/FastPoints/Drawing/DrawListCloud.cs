@@ -20,9 +20,11 @@ namespace FastPoints.Drawing
         public readonly bool IntersectsFrustum(double3 center, double3 half) =>
             View.IntersectsFrustum(center, half) || (HasBothEyes && RightView.IntersectsFrustum(center, half));
 
-        // Without its first instance, tint and place in the size tree. The planes begin at the bank's first word.
-        public readonly GpuNode ToGpu(int cloud, int page, int node, uint firstWord)
+        // Without its first instance and place in the size tree. The planes begin at the bank's first word.
+        public readonly GpuNode ToGpu(in DrawnNode drawn)
         {
+            int page = drawn.Page, node = drawn.Node;
+            uint firstWord = (uint)drawn.Range.FirstPage * (NodePool.PageBytes / sizeof(uint));
             var from = Pages + page;
             var address = from->Addresses[node];
             var planes = from->Planes + (long)node * PlaneCount;
@@ -41,8 +43,9 @@ namespace FastPoints.Drawing
                 PositionWord = firstWord,
                 ColorWord = WordOf(planes, Look.Plane, firstWord),
                 ClassWord = WordOf(planes, Look.ClassPlane, firstWord),
-                Cloud = (uint)cloud,
-                IsWide = address.IsWide ? 1u : 0u,
+                Cloud = (uint)drawn.Cloud,
+                Bits = (address.IsWide ? 1u : 0u) | PointFade.BitsOf(drawn),
+                Tint = drawn.Tint,
                 AnchorInCube = (float3)((anchorGrid * Step - cubeCorner) / cubeSize),
                 CubesPerStep = (float3)(Step / cubeSize),
             };

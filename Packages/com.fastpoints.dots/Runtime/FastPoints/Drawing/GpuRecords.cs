@@ -20,7 +20,9 @@ namespace FastPoints.Drawing
         public float AnchorValue; // In palette entries, if points are coloured by position.
         public uint FirstInstance; // Of the node's first block; the others follow.
         public uint Cloud;
-        public uint IsWide; // 1 if positions are 64-bit columns.
+
+        // Bit 0: positions are 64-bit columns; bits 8-15 and 16-31: fade and seed, see PointFade.
+        public uint Bits;
 
         // Multiplies the points' colours: sRGB, with red, green, blue from the lowest byte.
         public uint Tint;

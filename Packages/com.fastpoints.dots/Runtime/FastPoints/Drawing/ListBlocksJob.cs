@@ -77,12 +77,10 @@ namespace FastPoints.Drawing
                 var drawn = Drawn[Seen[i]];
                 var cloud = clouds + drawn.Cloud;
                 int blocks = cloud->Pages[drawn.Page].Nodes[drawn.Node].BlockCount;
-                uint firstWord = (uint)drawn.Range.FirstPage * (NodePool.PageBytes / sizeof(uint));
-                var node = cloud->ToGpu(drawn.Cloud, drawn.Page, drawn.Node, firstWord);
+                var node = cloud->ToGpu(drawn);
                 int instance = InstanceOfBank[drawn.Range.Bank];
                 InstanceOfBank[drawn.Range.Bank] = instance + blocks;
                 node.FirstInstance = (uint)instance;
-                node.Tint = drawn.Tint;
                 node.SizeNode = SizeNodeOfDrawn.Length > 0 ? (uint)SizeNodeOfDrawn[Seen[i]] : 0;
                 var nodeOfInstance = NodeOfInstance.GetUnsafePtr();
                 for (int block = 0; block < blocks; block++)

@@ -143,7 +143,9 @@ namespace FastPoints.Streaming
                 if (selected[i].Cloud != cloud)
                     continue;
                 count++;
-                shown += m_stream.DrawnOfSelected[i] != StreamContext.NotShown && !HasFailed(selected[i]) ? 1 : 0;
+                int drawn = m_stream.DrawnOfSelected[i];
+                bool isShown = drawn >= 0 ? m_stream.Drawn[drawn].Fade == 1 : drawn == StreamContext.NotDrawn;
+                shown += isShown && !HasFailed(selected[i]) ? 1 : 0;
             }
             foreach (var missing in m_stream.Selector.Missing)
                 if (missing.Cloud == cloud)

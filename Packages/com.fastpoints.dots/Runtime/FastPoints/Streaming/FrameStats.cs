@@ -20,13 +20,16 @@ namespace FastPoints.Streaming
         public int DrawnNodes;
         public long DrawnPoints;
 
+        /// <summary>Drawn nodes that appear or leave: some of their points are drawn.</summary>
+        public int FadingNodes;
+
         /// <summary>Nodes that have memory, including those in flight, and the pool's bytes.</summary>
         public int CachedNodes;
         public long PoolBytes;
         public long HierarchyBytes;
         public int ReadsInFlight;
 
-        /// <summary>Whether all selected nodes are drawn and nothing is missing or in flight.</summary>
+        /// <summary>Whether all selected nodes are drawn and nothing is missing, in flight or fading.</summary>
         public bool IsSettled;
 
         /// <summary>Main-thread time of each step.</summary>

@@ -60,6 +60,7 @@ namespace FastPoints.Streaming
         internal static void Touch(StreamContext stream) => new TouchNodesJob
         {
             Clouds = stream.CloudPages,
+            Drawn = stream.Drawn.AsArray().GetSubArray(0, stream.Settings.FadeSeconds > 0 ? stream.Drawn.Length : 0),
             Selected = stream.Selector.Selected,
             Prefetched = stream.Selector.Prefetched,
             Pinned = stream.Cache.Pinned,
@@ -96,19 +97,24 @@ namespace FastPoints.Streaming
                 Clouds = stream.CloudPages,
                 Selected = stream.Selector.Selected,
                 Slots = stream.Cache.Slots,
+                Frame = stream.Selector.Frame,
+                FadeStep = stream.Settings.FadeSeconds > 0 ? stream.FrameSeconds / stream.Settings.FadeSeconds : 1,
+                PointBudget = stream.Settings.Selection.PointBudget,
                 Drawn = stream.Drawn,
+                LastDrawn = stream.LastDrawn,
                 DrawnOfSelected = stream.DrawnOfSelected,
                 Totals = stream.DrawnTotals,
             }.Run();
             var totals = stream.DrawnTotals.Value;
             stats.DrawnNodes = stream.Drawn.Length;
             stats.DrawnPoints = totals.Points;
+            stats.FadingNodes = totals.FadingNodes;
             stats.CachedNodes = stream.Cache.Count;
             stats.PoolBytes = stream.Pool.AllocatedBytes;
             stats.HierarchyBytes = stream.HierarchyBytes;
             stats.ReadsInFlight = stream.Reads.InFlightCount;
-            stats.IsSettled = totals.IsAll && stats.ReadsInFlight == 0 && !stream.Uploads.IsInFlight && !stream.IsRemovingAny &&
-                stream.Selector.Missing.Length == 0;
+            stats.IsSettled = totals.IsAll && totals.FadingNodes == 0 && stats.ReadsInFlight == 0 &&
+                !stream.Uploads.IsInFlight && !stream.IsRemovingAny && stream.Selector.Missing.Length == 0;
             stats.ListMs = MsSince(start);
         }
 

@@ -53,6 +53,15 @@ namespace FastPoints.Streaming
         /// <summary>The node, or one above it, is not loaded yet.</summary>
         public const int NotShown = -2;
 
+        /// <summary>Seconds from the last frame to this one, as the caller counts them: nodes appear and leave at this pace.</summary>
+        public float FrameSeconds { get; set; }
+
+        /// <summary>Whether the last frame listed nodes of which some points are drawn.</summary>
+        internal bool IsFading => DrawnTotals.Value.FadingNodes > 0;
+
+        // Scratch of the list.
+        internal NativeList<DrawnNode> LastDrawn { get; } = new NativeList<DrawnNode>(Allocator.Persistent);
+
         public bool IsDisposed { get; private set; }
 
         /// <summary>Whether a removed cloud still has reads or uploads in flight.</summary>
@@ -140,6 +149,7 @@ namespace FastPoints.Streaming
             Motion.Dispose();
             ClipBoxes.Dispose();
             Drawn.Dispose();
+            LastDrawn.Dispose();
             DrawnOfSelected.Dispose();
             DrawnTotals.Dispose();
         }

@@ -33,6 +33,13 @@ namespace FastPoints.Streaming
         /// <summary>Points that are read ahead, as a share of the budget.</summary>
         public float PrefetchShare = 0.25f;
 
+        // Of scenes.
+        internal const float DefaultFadeSeconds = 0.2f;
+
+        /// <summary>How long a node takes to appear or to leave, point by point; 0 for at once. The pace is that of
+        /// <see cref="StreamContext.FrameSeconds"/>.</summary>
+        public float FadeSeconds;
+
         /// <summary>Bytes of hierarchy pages that are kept even if they have been out of view for a while.</summary>
         public long HierarchyBytes = 256L << 20;
     }

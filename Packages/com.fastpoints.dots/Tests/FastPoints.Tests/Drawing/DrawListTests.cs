@@ -67,7 +67,7 @@ namespace FastPoints.Tests.Drawing
                 {
                     var node = list.Nodes[(int)list.NodeOfInstance[i]];
                     int block = i - (int)node.FirstInstance;
-                    var shape = new PlaneShape(3, node.IsWide != 0 ? 7 : 0);
+                    var shape = new PlaneShape(3, (node.Bits & 1) != 0 ? 7 : 0);
                     var plane = new PlaneView(bank + node.PositionWord * 4L, shape, block + 1);
                     for (int point = 0; point < plane.PointsOf(block); point++)
                         positions.Add(PositionOf(stream, list, eyeWorld, node, axis => (long)plane.ValueAt(block, axis, point)));
@@ -151,7 +151,7 @@ namespace FastPoints.Tests.Drawing
             var eye = new double3(8e6, 0, 0) + (double3)positions[17] * 0.001 + new double3(0.003, 0.002, -0.001);
             Settle(stream, EverythingFrom(eye));
             using var list = List(stream, EverythingFrom(eye));
-            Assert.That(list.Nodes.ToArray().Any(n => n.IsWide != 0));
+            Assert.That(list.Nodes.ToArray().Any(n => (n.Bits & 1) != 0));
             CheckPositions(stream, list, eye, 9000, 4e9 / (1L << 52));
         }
 

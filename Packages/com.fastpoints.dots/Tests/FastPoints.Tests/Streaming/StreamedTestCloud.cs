@@ -145,7 +145,10 @@ namespace FastPoints.Tests.Streaming
                 Clouds = stream.CloudPages,
                 Selected = selector.Selected,
                 Slots = stream.Cache.Slots,
+                Frame = stream.Selector.Frame,
+                FadeStep = 1,
                 Drawn = stream.Drawn,
+                LastDrawn = stream.LastDrawn,
                 DrawnOfSelected = stream.DrawnOfSelected,
                 Totals = stream.DrawnTotals,
             }.Run();

@@ -126,6 +126,9 @@ namespace FastPoints.Store
         /// <summary>Frame of the last selection that saw it and chose its parent.</summary>
         public uint VisitedFrame;
 
+        /// <summary>Frame of the first selection of all those without a gap that saw it, the last one included.</summary>
+        public uint InViewSinceFrame;
+
         /// <summary>Its slot in the cache, or <see cref="NoSlot"/>.</summary>
         public int Slot;
 

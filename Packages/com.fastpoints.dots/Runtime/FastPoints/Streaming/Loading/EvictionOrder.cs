@@ -86,6 +86,11 @@ namespace FastPoints.Streaming
         // Frame of the last selection or prefetch that wanted it, and its rank there: 0 is the most needed.
         public uint UsedFrame;
         public int Rank;
+
+        // The last frame that listed it to be drawn, its index there, and the share of its points that was drawn.
+        public uint DrawnFrame;
+        public int DrawnIndex;
+        public float Fade;
         public bool IsHidden; // Not drawn even if it is loaded.
         public bool IsPinned; // Kept as long as there is any memory for it.
 

@@ -3,17 +3,23 @@ using Unity.Burst;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
 using Unity.Jobs;
+using Unity.Mathematics;
 
 namespace FastPoints.Streaming
 {
     // They run on the main thread, between steps that need their results at once: a job that is scheduled and awaited costs more
     // than all of one of them.
 
-    // Orders the cache by what a frame has chosen: prefetched nodes go before selected ones, and those before pinned ones.
+    // Orders the cache by what a frame has chosen: prefetched nodes go before those that leave the picture point by point, those
+    // before selected ones, and these before pinned ones.
     [BurstCompile]
     internal struct TouchNodesJob : IJob
     {
+        // No prefetched node is needed more.
+        const int LeavingRank = NodeReadQueue.FirstPrefetchRank - 1;
+
         [ReadOnly] public NativeArray<CloudPages> Clouds;
+        [ReadOnly] public NativeArray<DrawnNode> Drawn; // By the last frame; empty if nothing fades.
         [ReadOnly] public NativeArray<SelectedNode> Selected;
         [ReadOnly] public NativeArray<SelectedNode> Prefetched;
         [ReadOnly] public NativeArray<int> Pinned;
@@ -23,6 +29,9 @@ namespace FastPoints.Streaming
         public void Execute()
         {
             Touch(Prefetched, NodeReadQueue.FirstPrefetchRank);
+            for (int i = Drawn.Length - 1; i >= 0; i--)
+                if (Order.Slots[Drawn[i].Slot].DrawnFrame == Frame - 1 && Clouds[Drawn[i].Cloud].IsLeaving(Drawn, i, Frame))
+                    Order.Touch(Drawn[i].Slot, Frame, LeavingRank);
             Touch(Selected, 0);
             for (int i = 0; i < Pinned.Length; i++)
                 Order.Touch(Pinned[i], Frame, -1);
@@ -63,22 +72,38 @@ namespace FastPoints.Streaming
         }
     }
 
-    // Lists complete nodes whose ancestors are complete. A hole or a hidden node hides only itself.
+    // Lists complete nodes whose ancestors are complete. A hole or a hidden node hides only itself. A node fades in: it begins
+    // with none of its points, unless it has just come into view. What was drawn and is no longer selected fades out, as far as
+    // the budget of points goes.
     [BurstCompile]
     internal unsafe struct ListDrawnJob : IJob
     {
         [ReadOnly] public NativeArray<CloudPages> Clouds;
         [ReadOnly] public NativeArray<SelectedNode> Selected;
-        [ReadOnly] public NativeArray<CachedNode> Slots;
+        public NativeArray<CachedNode> Slots;
+        public uint Frame;
+        public float FadeStep; // The change of a frame; 1 if nothing fades.
+        public long PointBudget;
         public NativeList<DrawnNode> Drawn;
+        public NativeList<DrawnNode> LastDrawn; // Scratch.
         public NativeList<int> DrawnOfSelected;
         public NativeReference<DrawnTotals> Totals;
 
         public void Execute()
         {
+            LastDrawn.Clear();
+            if (FadeStep < 1)
+                LastDrawn.AddRange(Drawn.AsArray());
             Drawn.Clear();
             DrawnOfSelected.Clear();
             var totals = new DrawnTotals { IsAll = true };
+            ListSelected(ref totals);
+            ListLeaving(ref totals);
+            Totals.Value = totals;
+        }
+
+        void ListSelected(ref DrawnTotals totals)
+        {
             for (int i = 0; i < Selected.Length; i++)
             {
                 var node = Selected[i];
@@ -95,25 +120,55 @@ namespace FastPoints.Streaming
                     continue;
                 }
                 DrawnOfSelected.Add(Drawn.Length);
-                Drawn.Add(new DrawnNode
-                {
-                    Cloud = node.Cloud,
-                    Page = node.Page,
-                    Node = node.Node,
-                    Parent = parent,
-                    Slot = slot,
-                    Range = Slots[slot].Range,
-                    Tint = Slots[slot].Tint,
-                });
-                totals.Points += page->Nodes[node.Node].PointCount;
+                float fade = FadeStep >= 1 ? 1
+                    : Slots[slot].DrawnFrame == Frame - 1 ? math.min(1, Slots[slot].Fade + FadeStep)
+                    : page->States[node.Node].InViewSinceFrame != Frame || node.Parent < 0 ? 0
+                    : parent >= 0 ? Drawn[parent].Fade : 1;
+                Add(new DrawnNode { Cloud = node.Cloud, Page = node.Page, Node = node.Node, Parent = parent, Slot = slot }, fade,
+                    ref totals);
             }
-            Totals.Value = totals;
+        }
+
+        void ListLeaving(ref DrawnTotals totals)
+        {
+            for (int i = 0; i < LastDrawn.Length; i++)
+            {
+                var node = LastDrawn[i];
+                var cached = Slots[node.Slot];
+                float fade = cached.Fade - FadeStep;
+                if (cached.DrawnFrame != Frame - 1 || cached.Phase != CachePhase.Resident || cached.IsHidden || fade <= 0 ||
+                    !Clouds[node.Cloud].IsLeaving(LastDrawn.AsArray(), i, Frame))
+                    continue;
+                if (totals.Points + (long)(fade * Clouds[node.Cloud].PointsOf(node)) > PointBudget)
+                    continue;
+                if (node.Parent >= 0)
+                {
+                    var parent = Slots[LastDrawn[node.Parent].Slot];
+                    node.Parent = parent.DrawnFrame == Frame ? parent.DrawnIndex : StreamContext.NotDrawn;
+                }
+                Add(node, fade, ref totals);
+            }
+        }
+
+        void Add(DrawnNode node, float fade, ref DrawnTotals totals)
+        {
+            var cached = (CachedNode*)Slots.GetUnsafePtr() + node.Slot;
+            cached->DrawnFrame = Frame;
+            cached->DrawnIndex = Drawn.Length;
+            cached->Fade = fade;
+            node.Range = cached->Range;
+            node.Tint = cached->Tint;
+            node.Fade = fade;
+            Drawn.Add(node);
+            totals.Points += (long)(fade * Clouds[node.Cloud].PointsOf(node));
+            totals.FadingNodes += fade < 1 ? 1 : 0;
         }
     }
 
     internal struct DrawnTotals
     {
         public long Points;
+        public int FadingNodes;
         public bool IsAll;
     }
 
@@ -123,6 +178,21 @@ namespace FastPoints.Streaming
         [NativeDisableUnsafePtrRestriction] public HierarchyPage* Pages;
 
         public readonly NodeState StateOf(SelectedNode node) => Pages[node.Page].States[node.Node];
+
+        public readonly long PointsOf(in DrawnNode node) => Pages[node.Page].Nodes[node.Node].PointCount;
+
+        // Whether a node that the last frame drew is not selected, but still in view as far as is known.
+        public readonly bool IsLeaving(NativeArray<DrawnNode> drawn, int index, uint frame)
+        {
+            var node = drawn[index];
+            if (Pages == null || Pages[node.Page].States[node.Node].SelectedFrame == frame)
+                return false;
+            if (node.Parent < 0)
+                return true;
+            var parent = drawn[node.Parent];
+            return Pages[parent.Page].States[parent.Node].SelectedFrame != frame ||
+                Pages[node.Page].States[node.Node].VisitedFrame == frame;
+        }
     }
 
     /// <summary>A node to draw: it and all nodes above it are complete.</summary>
@@ -140,6 +210,9 @@ namespace FastPoints.Streaming
 
         /// <summary>See <see cref="CachedNode.Tint"/>.</summary>
         public uint Tint;
+
+        /// <summary>The share of its points that is drawn: 1 unless the node appears or leaves.</summary>
+        public float Fade;
 
         /// <summary>Its planes, one after the other in the order of <see cref="NodeSource.Planes"/>.</summary>
         public PoolRange Range;

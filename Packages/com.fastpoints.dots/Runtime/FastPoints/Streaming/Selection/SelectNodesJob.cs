@@ -116,7 +116,11 @@ namespace FastPoints.Streaming
             if (Frame - state->SelectedFrame <= 1)
                 screenErrorPx *= Settings.Hysteresis;
             if (!IsPrefetch)
+            {
+                if (Frame - state->VisitedFrame > 1)
+                    state->InViewSinceFrame = Frame;
                 state->VisitedFrame = Frame;
+            }
             if (screenErrorPx >= Settings.MinScreenErrorPx)
                 Heap.Push(new SelectionCandidate
                 {
