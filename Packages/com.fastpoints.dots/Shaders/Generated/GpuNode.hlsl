@@ -14,7 +14,7 @@ struct GpuNode
     float AnchorValue;   // 44, 4
     uint FirstInstance;  // 48, 4
     uint Cloud;          // 52, 4
-    uint IsWide;         // 56, 4
+    uint Bits;           // 56, 4
     uint Tint;           // 60, 4
     float3 AnchorInCube; // 64, 12
     uint SizeNode;       // 76, 4
@@ -34,7 +34,7 @@ GpuNode FastPointsGpuNodeAt(uint at)
     loaded.AnchorValue = asfloat(_FastPointsLists.Load(at + 44u));
     loaded.FirstInstance = _FastPointsLists.Load(at + 48u);
     loaded.Cloud = _FastPointsLists.Load(at + 52u);
-    loaded.IsWide = _FastPointsLists.Load(at + 56u);
+    loaded.Bits = _FastPointsLists.Load(at + 56u);
     loaded.Tint = _FastPointsLists.Load(at + 60u);
     loaded.AnchorInCube = asfloat(_FastPointsLists.Load3(at + 64u));
     loaded.SizeNode = _FastPointsLists.Load(at + 76u);
