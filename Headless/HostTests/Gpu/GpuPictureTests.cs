@@ -243,6 +243,27 @@ public sealed class GpuPictureTests : GraphicsFixture
         Assert.That(Enumerable.Range(0, 320 * 180).Select(i => some[i % 320, i / 320]).Distinct(), Is.SubsetOf(wanted));
     }
 
+    [TestCase("1", false)]
+    [TestCase("1", false, false)]
+    [TestCase("3", false)]
+    [TestCase("adaptive", true)]
+    public void Draw_NodesFading_MatchesTheSoftwareRasterizer(string size, bool isRound, bool canCompute = true)
+    {
+        var options = Options(0, isRound);
+        Assert.That(options.TrySetStyle("size", size, out string error), Is.True, error);
+        using var streams = new TwinStreams(m_demo, options, Points, canCompute: canCompute);
+        var camera = streams.Plan.Camera;
+        int Covered(RgbaImage image) => Enumerable.Range(0, 320 * 180).Count(i => image[i % 320, i / 320] != options.Background);
+        int all = Covered(streams.Draw(camera).Gpu);
+        streams.BeginFade(camera, Points / 8, 0.4f);
+        Compare(streams, camera, "fading-" + size + (canCompute ? "" : "-primitives"));
+        if (size == "adaptive")
+            return;
+        int some = Covered(streams.Draw(camera).Gpu), whole = Covered(streams.Draw(camera).Gpu);
+        Assert.That(some, Is.InRange(all / 2, all - 50));
+        Assert.That(whole, Is.EqualTo(all));
+    }
+
     /// <summary>A camera 1 cm from a point whose coordinates are millions of metres, with points near and far in view.</summary>
     [Test]
     public void Draw_CameraBesideAPoint_MatchesTheSoftwareRasterizer()

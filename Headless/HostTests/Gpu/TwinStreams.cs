@@ -14,6 +14,7 @@ sealed class TwinStreams : IDisposable
     readonly FlightRenderer m_cpuPicture;
     readonly FlightRenderer m_gpuPicture;
     readonly PictureOptions m_options;
+    bool m_isFading;
 
     public TwinStreams(string cloud, PictureOptions options, long budget, Func<CloudPlacement, CloudPlacement> place = null,
         bool canCompute = true)
@@ -26,10 +27,10 @@ sealed class TwinStreams : IDisposable
         m_gpuPicture = new GpuFlightRenderer(shaders, m_gpu, options, canCompute);
         foreach (var stream in new[] { m_cpu, m_gpu })
         {
-            stream.Settings.Selection.PointBudget = budget;
             stream.Settings.Selection.MinScreenErrorPx = 0;
             stream.Settings.Selection.SmallestNodePx = 0;
         }
+        SetBudget(budget);
         Add(cloud, options, place);
     }
 
@@ -60,6 +61,26 @@ sealed class TwinStreams : IDisposable
     {
         m_cpu.SetClipBoxes(m_options.ClipBoxes);
         m_gpu.SetClipBoxes(m_options.ClipBoxes);
+    }
+
+    /// <summary>From now on, of what lies beyond a smaller budget a share of the points is drawn, and more with each picture.</summary>
+    public void BeginFade(PictureCamera camera, long budget, float share)
+    {
+        Draw(camera);
+        SetBudget(budget);
+        Draw(camera);
+        m_isFading = true;
+        foreach (var stream in new[] { m_cpu, m_gpu })
+            (stream.Settings.FadeSeconds, stream.FrameSeconds) = (1, share);
+        SetBudget(long.MaxValue);
+        Draw(camera);
+        Assert.That(m_cpu.IsFading && m_gpu.IsFading);
+    }
+
+    void SetBudget(long budget)
+    {
+        foreach (var stream in new[] { m_cpu, m_gpu })
+            stream.Settings.Selection.PointBudget = budget;
     }
 
     public (RgbaImage Cpu, RgbaImage Gpu) Draw(PictureCamera camera)
@@ -95,7 +116,7 @@ sealed class TwinStreams : IDisposable
         {
             var stats = FrameStep.Run(stream, views);
             picture.EndFrame();
-            if (stats.IsSettled)
+            if (stats.IsSettled || m_isFading)
                 return;
             Thread.Yield();
         }

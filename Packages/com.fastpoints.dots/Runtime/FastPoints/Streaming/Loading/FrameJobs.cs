@@ -144,7 +144,9 @@ namespace FastPoints.Streaming
                 if (node.Parent >= 0)
                 {
                     var parent = Slots[LastDrawn[node.Parent].Slot];
-                    node.Parent = parent.DrawnFrame == Frame ? parent.DrawnIndex : StreamContext.NotDrawn;
+                    if (parent.DrawnFrame != Frame)
+                        continue;
+                    node.Parent = parent.DrawnIndex;
                 }
                 Add(node, fade, ref totals);
             }
@@ -181,18 +183,19 @@ namespace FastPoints.Streaming
 
         public readonly long PointsOf(in DrawnNode node) => Pages[node.Page].Nodes[node.Node].PointCount;
 
-        // Whether a node that the last frame drew is not selected, but still in view as far as is known.
+        // Whether a node that the last frame drew is not selected any more, but in view: the selection says so of children of what
+        // it chose.
         public readonly bool IsLeaving(NativeArray<DrawnNode> drawn, int index, uint frame)
         {
-            var node = drawn[index];
-            if (Pages == null || Pages[node.Page].States[node.Node].SelectedFrame == frame)
+            if (Pages == null || StateOf(drawn[index]).SelectedFrame == frame)
                 return false;
-            if (node.Parent < 0)
-                return true;
-            var parent = drawn[node.Parent];
-            return Pages[parent.Page].States[parent.Node].SelectedFrame != frame ||
-                Pages[node.Page].States[node.Node].VisitedFrame == frame;
+            int above = drawn[index].Parent;
+            for (; above >= 0 && StateOf(drawn[above]).SelectedFrame != frame; above = drawn[index].Parent)
+                index = above;
+            return above < 0 || StateOf(drawn[index]).VisitedFrame == frame;
         }
+
+        readonly NodeState StateOf(in DrawnNode node) => Pages[node.Page].States[node.Node];
     }
 
     /// <summary>A node to draw: it and all nodes above it are complete.</summary>
