@@ -63,7 +63,8 @@ sealed class TwinStreams : IDisposable
         m_gpu.SetClipBoxes(m_options.ClipBoxes);
     }
 
-    /// <summary>From now on, of what lies beyond a smaller budget a share of the points is drawn, and more with each picture.</summary>
+    /// <summary>From now on, of what lies beyond a smaller budget a share of the points is drawn, and more with each
+    /// picture.</summary>
     public void BeginFade(PictureCamera camera, long budget, float share)
     {
         Draw(camera);

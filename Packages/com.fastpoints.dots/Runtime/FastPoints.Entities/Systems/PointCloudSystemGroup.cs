@@ -159,8 +159,8 @@ namespace FastPoints.Entities
             m_lastViews.Clear();
             m_lastViews.AddRange(m_views.AsArray());
             m_views.Clear();
-            bool isBusy = m_stats.FadingNodes > 0 || m_stats.ReadsInFlight > 0 || m_stats.RequestedNodes > 0 || m_stats.UploadedNodes > 0 ||
-                Stream.Uploads.IsInFlight || Stream.IsRemovingAny || Stream.IsReadingHierarchy;
+            bool isBusy = m_stats.ReadsInFlight > 0 || m_stats.RequestedNodes > 0 || m_stats.UploadedNodes > 0 ||
+                m_stats.FadingNodes > 0 || Stream.Uploads.IsInFlight || Stream.IsRemovingAny || Stream.IsReadingHierarchy;
             m_idleFrames = isBusy ? 0 : m_idleFrames + 1;
         }
 
@@ -217,8 +217,8 @@ namespace FastPoints.Entities
             UnsafeUtility.MemCmp(next.GetUnsafeReadOnlyPtr(), m_lastViews.GetUnsafePtr(),
                 (long)next.Length * sizeof(StreamView)) != 0);
 
-        /// <summary>By the clock: a game's time stands still in edit mode and when it is paused. Recorders say what a frame takes in
-        /// the film.</summary>
+        /// <summary>By the clock: a game's time stands still in edit mode and when it is paused. Recorders say what a frame takes
+        /// in the film.</summary>
         void CountSeconds()
         {
             double now = Time.realtimeSinceStartupAsDouble;

@@ -53,7 +53,8 @@ namespace FastPoints.Streaming
         /// <summary>The node, or one above it, is not loaded yet.</summary>
         public const int NotShown = -2;
 
-        /// <summary>Seconds from the last frame to this one, as the caller counts them: nodes appear and leave at this pace.</summary>
+        /// <summary>Seconds from the last frame to this one, as the caller counts them: nodes appear and leave at this
+        /// pace.</summary>
         public float FrameSeconds { get; set; }
 
         /// <summary>Whether the last frame listed nodes of which some points are drawn.</summary>

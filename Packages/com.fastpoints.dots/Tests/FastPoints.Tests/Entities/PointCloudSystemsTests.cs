@@ -9,6 +9,7 @@ using Unity.Collections.LowLevel.Unsafe;
 using Unity.Entities;
 using Unity.Mathematics;
 using Unity.Transforms;
+using UnityEngine;
 using Camera = FastPoints.Picture.Camera;
 
 namespace FastPoints.Tests.Entities
@@ -96,6 +97,27 @@ namespace FastPoints.Tests.Entities
         {
             using var query = new EntityQueryBuilder(Allocator.Temp).WithAll<T>().Build(Entities);
             return query.ToEntityArray(Allocator.Temp);
+        }
+
+        [Test]
+        public void Update_Frames_TakeTheClocksTimeOrAFilms()
+        {
+            Begin();
+            Add();
+            Frame(StreamedTestCloud.Overview());
+            Thread.Sleep(20);
+            Frame(StreamedTestCloud.Overview());
+            Assert.That(m_group.Stream.FrameSeconds, Is.GreaterThan(0.019f));
+            Time.captureDeltaTime = 1 / 24f;
+            try
+            {
+                Frame(StreamedTestCloud.Overview());
+                Assert.That(m_group.Stream.FrameSeconds, Is.EqualTo(1 / 24f));
+            }
+            finally
+            {
+                Time.captureDeltaTime = 0;
+            }
         }
 
         [Test]

@@ -183,8 +183,8 @@ namespace FastPoints.Streaming
 
         public readonly long PointsOf(in DrawnNode node) => Pages[node.Page].Nodes[node.Node].PointCount;
 
-        // Whether a node that the last frame drew is not selected any more, but in view: the selection says so of children of what
-        // it chose.
+        // Whether a node that the last frame drew is not selected any more, but in view: the selection says so of children of
+        // what it chose.
         public readonly bool IsLeaving(NativeArray<DrawnNode> drawn, int index, uint frame)
         {
             if (Pages == null || StateOf(drawn[index]).SelectedFrame == frame)
