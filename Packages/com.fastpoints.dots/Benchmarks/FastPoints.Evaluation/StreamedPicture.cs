@@ -22,7 +22,7 @@ namespace FastPoints.Evaluation
         public StreamedPicture(PictureOptions options)
         {
             m_options = options;
-            m_canvas = new PictureCanvas(options.WidthPx, options.HeightPx, Allocator.Persistent);
+            m_canvas = new PictureCanvas(options.WidthPx, options.HeightPx, Allocator.Persistent, options.SamplesPerEdge);
         }
 
         /// <param name="blocks">The blocks, which this picture owns.</param>
@@ -59,19 +59,16 @@ namespace FastPoints.Evaluation
         RgbaImage Draw(List<DrawnBlocks> blocksOfCloud, in Camera camera)
         {
             m_canvas.Clear();
-            m_canvas.UseSize(math.max(PointSizing.MinPx, m_options.PointSizePx));
-            var drawn = DrawAll(blocksOfCloud, camera);
             if (m_options.IsAutoSize && !IsAdaptive)
-            {
-                m_canvas.ScheduleChooseSizes(1, drawn).Complete();
-                m_canvas.Clear();
-                drawn = DrawAll(blocksOfCloud, camera);
-            }
+                ChooseSizes(blocksOfCloud, camera);
+            else
+                m_canvas.UseSize(math.max(PointSizing.MinPx, m_options.PointSizePx));
+            var drawn = DrawAll(blocksOfCloud, camera, m_canvas);
             if (m_options.BlendedPoints)
             {
                 drawn.Complete();
                 m_canvas.BeginBlending();
-                drawn = DrawAll(blocksOfCloud, camera);
+                drawn = DrawAll(blocksOfCloud, camera, m_canvas);
             }
             var projection = new PointDrawing
             {
@@ -93,12 +90,19 @@ namespace FastPoints.Evaluation
             m_sizes.Dispose();
         }
 
-        JobHandle DrawAll(List<DrawnBlocks> blocksOfCloud, in Camera camera)
+        void ChooseSizes(List<DrawnBlocks> blocksOfCloud, in Camera camera)
+        {
+            using var canvas = new PictureCanvas(m_options.WidthPx, m_options.HeightPx, Allocator.Persistent);
+            canvas.ScheduleChooseSizes(1, DrawAll(blocksOfCloud, camera, canvas)).Complete();
+            m_canvas.UseSizesOf(canvas);
+        }
+
+        JobHandle DrawAll(List<DrawnBlocks> blocksOfCloud, in Camera camera, PictureCanvas canvas)
         {
             var drawn = default(JobHandle);
             for (int cloud = 0; cloud < m_clouds.Count; cloud++)
                 drawn = JobHandle.CombineDependencies(drawn,
-                    m_clouds[cloud].ScheduleDraw(blocksOfCloud[cloud], camera, m_canvas));
+                    m_clouds[cloud].ScheduleDraw(blocksOfCloud[cloud], camera, canvas));
             return drawn;
         }
     }
