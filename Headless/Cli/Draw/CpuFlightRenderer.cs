@@ -6,5 +6,13 @@ public sealed class CpuFlightRenderer(StreamContext stream, PictureOptions optio
 
     internal override void Add(int cloud, PicturePlan plan) => m_picture.Add(new StreamedBlocks(stream, cloud, plan), plan.Mode);
     public override RgbaImage Draw(in Camera camera) => m_picture.Draw(camera);
+
+    public override double MeasurePopping(in Camera camera, RgbaImage picture, bool isCut)
+    {
+        double popping = isCut ? double.NaN : FlipMap.Of(picture, m_picture.DrawKept(camera)).Mean;
+        m_picture.Keep();
+        return popping;
+    }
+
     public override void Dispose() => m_picture.Dispose();
 }

@@ -12,7 +12,6 @@ public sealed class DrawStep
     public required IReadOnlyList<string> Assumptions { get; init; }
     public string Device { get; init; } = "cpu, " + Threads.InUse + (Threads.InUse == 1 ? " thread" : " threads");
     internal ImageError? Error { get; private set; }
-    internal FlipMap? Flip { get; private set; }
 
     /// <param name="budget">Points to draw at most; 0 for all.</param>
     public static DrawStep Run(PointReader reader, PictureOptions options, long budget, CliRun run)
@@ -115,15 +114,12 @@ public sealed class DrawStep
     public string Describe() => Human.Count(Points, "point")
         + (Nodes is { } nodes ? " of " + Human.Count(nodes, "node") : "") + " in " + Human.Seconds(Seconds);
 
-    public void Compare(RgbaImage image, RgbaImage reference, uint background)
-    {
+    public void Compare(RgbaImage image, RgbaImage reference, uint background) =>
         Error = ImageError.Compare(image, reference, background);
-        Flip = FlipMap.Of(image, reference);
-    }
 
     public string? DescribeError() => Error is not { } error ? null
         : "PSNR " + Human.Value(error.Psnr) + " dB, SSIM " + Human.Value(error.Ssim)
-            + ", FLIP " + Human.Value(Flip!.Mean) + " (" + Math.Round(FlipMap.DefaultPixelsPerDegree) + " pixels per degree)"
+            + ", FLIP " + Human.Value(error.Flip) + " (" + Math.Round(FlipMap.DefaultPixelsPerDegree) + " pixels per degree)"
             + ", uncovered " + Human.Value(100 * error.Uncovered) + "%";
 
     /// <summary>The keys of <c>picture</c> except <c>seconds</c>, into an open object.</summary>
@@ -139,7 +135,7 @@ public sealed class DrawStep
             return;
         json.WriteReal("psnr", error.Psnr);
         json.WriteReal("ssim", error.Ssim);
-        json.WriteReal("flip", Flip!.Mean);
+        json.WriteReal("flip", error.Flip);
         json.WriteReal("uncovered", error.Uncovered);
     }
 }

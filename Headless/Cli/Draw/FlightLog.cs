@@ -1,5 +1,18 @@
 namespace FastPoints.Cli.Draw;
 
+public readonly record struct FlightFrame
+{
+    public required FrameStats Stats { get; init; }
+    public required double MainThreadMs { get; init; }
+    public required double FrameMs { get; init; }
+    public required long GarbageBytes { get; init; }
+    public required double AtSeconds { get; init; }
+    public required bool IsCut { get; init; }
+
+    /// <summary>See <see cref="FlightRenderer.MeasurePopping"/>; NaN where it was not measured.</summary>
+    public required double Popping { get; init; }
+}
+
 public sealed class FlightLog
 {
     const double FullFraction = 0.95;
@@ -9,13 +22,10 @@ public sealed class FlightLog
 
     const int FramesToWarmUp = 60;
 
-    readonly record struct Frame(FrameStats Stats, double MainThreadMs, double FrameMs, long GarbageBytes,
-        double AtSeconds, bool IsCut);
-
-    readonly List<Frame> m_frames;
+    readonly List<FlightFrame> m_frames;
 
     // The list itself makes no garbage between frames.
-    public FlightLog(int frames) => m_frames = new List<Frame>(Frames = frames);
+    public FlightLog(int frames) => m_frames = new List<FlightFrame>(Frames = frames);
 
     /// <summary>Frames of the whole flight; <see cref="Count"/> of them are done.</summary>
     public int Frames { get; }
@@ -39,9 +49,24 @@ public sealed class FlightLog
 
     public IEnumerable<(double, double)> MainThreadByFrame => m_frames.Select((f, i) => ((double)i, f.MainThreadMs));
 
-    public void Add(in FrameStats stats, double mainThreadMs, double frameMs, long garbageBytes,
-        double atSeconds, bool isCut) =>
-        m_frames.Add(new Frame(stats, mainThreadMs, frameMs, garbageBytes, atSeconds, isCut));
+    /// <summary>Without the frames where it was not measured.</summary>
+    public IEnumerable<(double Frame, double Flip)> PoppingByFrame =>
+        m_frames.Select((f, i) => ((double)i, f.Popping)).Where(p => !double.IsNaN(p.Popping));
+
+    /// <summary>Null if it was measured in no frame.</summary>
+    public Popping? Popping => Draw.Popping.Of(PoppingByFrame);
+
+    /// <summary>But for the frames until, at first and after a cut, nearly all that was selected is drawn.</summary>
+    public Popping? PoppingWhenLoaded
+    {
+        get
+        {
+            var loading = Cuts().Select(c => (c.Frame, End: c.FramesToFull < 0 ? Count : c.Frame + c.FramesToFull)).ToList();
+            return Draw.Popping.Of(PoppingByFrame.Where(p => !loading.Exists(l => p.Frame >= l.Frame && p.Frame <= l.End)));
+        }
+    }
+
+    public void Add(in FlightFrame frame) => m_frames.Add(frame);
 
     /// <summary>Seconds until nearly all that was selected was drawn; NaN if never.</summary>
     public double SecondsToFull =>
@@ -64,7 +89,7 @@ public sealed class FlightLog
     int FirstFull(int from) => m_frames.FindIndex(from, f => f.Stats.SelectedPoints > 0
         && f.Stats.DrawnPoints >= FullFraction * f.Stats.SelectedPoints && f.Stats.MissingPages == 0);
 
-    double[] Percentiles(Func<Frame, double> of)
+    double[] Percentiles(Func<FlightFrame, double> of)
     {
         var sorted = m_frames.Select(of).Order().ToArray();
         return [sorted[sorted.Length / 2], sorted[Math.Min(sorted.Length - 1, sorted.Length * 99 / 100)], sorted[^1]];
@@ -74,7 +99,7 @@ public sealed class FlightLog
     {
         var text = new StringBuilder("frame,cut,selectedNodes,selectedPoints,requestedNodes,requestedBytes,readBytes,"
             + "uploadedNodes,uploadedBytes,evictedNodes,drawnNodes,drawnPoints,cachedNodes,poolBytes,hierarchyBytes,"
-            + "readsUnderWay,receiveMs,selectMs,uploadMs,requestMs,listMs,mainThreadMs,frameMs,garbageBytes\n");
+            + "readsUnderWay,receiveMs,selectMs,uploadMs,requestMs,listMs,mainThreadMs,frameMs,garbageBytes,popping\n");
         for (int i = 0; i < m_frames.Count; i++)
         {
             var f = m_frames[i];
@@ -91,8 +116,35 @@ public sealed class FlightLog
                     $"{s.SelectMs:0.000},{s.UploadMs:0.000},{s.RequestMs:0.000},"))
                 .Append(string.Create(CultureInfo.InvariantCulture,
                     $"{s.ListMs:0.000},{f.MainThreadMs:0.000},{f.FrameMs:0.000},"))
-                .Append(string.Create(CultureInfo.InvariantCulture, $"{f.GarbageBytes}\n"));
+                .Append(string.Create(CultureInfo.InvariantCulture, $"{f.GarbageBytes},"))
+                .Append(double.IsNaN(f.Popping) ? "\n"
+                    : string.Create(CultureInfo.InvariantCulture, $"{f.Popping:0.000000}\n"));
         }
         return text.ToString();
+    }
+}
+
+/// <summary>See <see cref="FlightRenderer.MeasurePopping"/>.</summary>
+public sealed record Popping(double Mean, double Max, int FrameOfMax)
+{
+    public static Popping? Of(IEnumerable<(double Frame, double Flip)> frames)
+    {
+        var all = frames.ToList();
+        if (all.Count == 0)
+            return null;
+        var max = all.MaxBy(f => f.Flip);
+        return new Popping(all.Average(f => f.Flip), max.Flip, (int)max.Frame);
+    }
+
+    public override string ToString() =>
+        $"FLIP {Human.Value(Mean)} on average, at most {Human.Value(Max)}, in frame {FrameOfMax}";
+
+    public void WriteKey(Utf8JsonWriter json, string name)
+    {
+        json.WriteStartObject(name);
+        json.WriteReal("mean", Mean);
+        json.WriteReal("max", Max);
+        json.WriteInteger("frameOfMax", FrameOfMax);
+        json.WriteEndObject();
     }
 }

@@ -60,7 +60,8 @@ public static class StreamedPictureStep
 
     static FrameStats RunUntilSettled(StreamContext stream, in Camera camera, PictureOptions options, CliRun run)
     {
-        using var views = new NativeArray<StreamView>([camera.ToStreamView(options.WidthPx, options.HeightPx)],
+        using var views = new NativeArray<StreamView>([camera.ToStreamView(
+            options.WidthPx * options.SamplesPerEdge, options.HeightPx * options.SamplesPerEdge)],
             Allocator.Persistent);
         for (int quiet = 0; ;)
         {

@@ -37,6 +37,8 @@ static class FlightPage
         page.Charts([Chart("Points drawn", "points", log.Of(s => s.DrawnPoints)),
             Chart("Main thread", "milliseconds", log.MainThreadByFrame), Chart("Read", "MB", log.Of(s => s.ReadBytes / 1e6)),
             Chart("Copied to the pool", "MB", log.Of(s => s.UploadedBytes / 1e6))]);
+        if (log.Popping != null)
+            page.Charts([Chart("Popping: what the level of detail changes in each frame", "FLIP", log.PoppingByFrame)]);
         page.Facts([("machine", Machine.Describe()),
             ("memory", "at most " + Human.Bytes(PeakMemory.ResidentBytes) + " resident")]);
         return page.ToBytes();

@@ -72,10 +72,19 @@ public static class ErrorReport
             w => w.Error.Cells.Variation, w => w.Error.Cells.VariationByChance)),
         ("bias", Chart(step, "Largest deviation of a region's share", "relative", true,
             w => w.Error.Cells.Bias, w => w.Error.Cells.BiasByChance)),
-        ("psnr", Chart(step, "Three views against all points: PSNR", "dB", false, w => w.Error.Picture.Psnr)),
-        ("ssim", Chart(step, "Three views against all points: SSIM", "SSIM", false, w => w.Error.Picture.Ssim)),
-        ("pixels", Chart(step, "Three views: bare pixels", "share", false, w => w.Error.Picture.Uncovered)),
+        ("flip", PictureChart(step, "Three views against all points: FLIP", "FLIP", e => e.Flip)),
+        ("psnr", PictureChart(step, "Three views against all points: PSNR", "dB", e => e.Psnr)),
+        ("ssim", PictureChart(step, "Three views against all points: SSIM", "SSIM", e => e.Ssim)),
+        ("pixels", PictureChart(step, "Three views: bare pixels", "share", e => e.Uncovered)),
     ];
+
+    static LineChart PictureChart(ErrorStep step, string title, string unit, Func<ImageError, double> error)
+    {
+        var chart = Chart(step, title, unit, false, w => error(w.Error.Picture));
+        double[] seconds = [.. step.Curves.SelectMany(c => c.Waves).Select(w => w.Wave.Seconds)];
+        chart.Add(ErrorStep.FloorName, [(seconds.Min(), error(step.Floor)), (seconds.Max(), error(step.Floor))], isDashed: true);
+        return chart;
+    }
 
     static LineChart Chart(ErrorStep step, string title, string unit, bool isLog, Func<ErrorWave, double> error,
         Func<ErrorWave, double>? byChance = null)
@@ -106,8 +115,10 @@ public static class ErrorReport
             + "at least a thousandth of the points) from that of all; beside it what chance would exceed in one sample of "
             + "two.");
         yield return ("views", "Top, front and iso, half the size of the picture, the same camera and colours for all, "
-            + "sizes of points as each sample asks for; PSNR of the mean squared error, mean SSIM, mean share of the "
-            + "pixels left bare; against all points, and against a full scan's sample of as many points.");
+            + "sizes of points as each sample asks for; PSNR of the mean squared error, mean SSIM, mean FLIP (what an eye "
+            + "sees of the difference, at 67 pixels per degree), mean share of the pixels left bare; against all points with 4 "
+            + "times 4 samples a pixel, averaged in linear light, and against a full scan's sample of as many points. All points "
+            + "with one sample a pixel are the floor: no sample can be expected to be better.");
     }
 
     static string LookedUp(ErrorStep step)

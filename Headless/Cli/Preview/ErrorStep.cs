@@ -2,7 +2,7 @@ namespace FastPoints.Cli.Preview;
 
 public sealed class ErrorStep
 {
-    public const string OursName = "ours, in waves", ScanName = "full scan";
+    public const string OursName = "ours, in waves", ScanName = "full scan", FloorName = "all points, one sample a pixel";
     static readonly (double Share, string Name)[] s_shares = [(1 / 15.0, "1/15"), (1 / 5.0, "1/5"), (1 / 2.0, "1/2"), (1, "all")];
     const int TimesDecoded = 5;
 
@@ -17,6 +17,7 @@ public sealed class ErrorStep
     public List<ErrorCurve> Curves { get; } = [];
     public long PointsInCloud => m_comparison.PointCount;
     public RgbaImage[] FullViews => m_comparison.FullViews;
+    internal ImageError Floor => m_comparison.Floor;
     public string? Page { get; set; }
     public ErrorCurve? Ours => Curves.FirstOrDefault(c => c.Name == OursName);
     public ErrorWave? Last => Ours?.Waves.LastOrDefault();
@@ -135,9 +136,11 @@ public sealed class ErrorStep
         yield return ("biasByChance", error.Cells.BiasByChance);
         yield return ("psnrFull", error.Picture.Psnr);
         yield return ("ssimFull", error.Picture.Ssim);
+        yield return ("flipFull", error.Picture.Flip);
         yield return ("uncoveredFull", error.Picture.Uncovered);
         yield return ("psnr", error.PictureAtSameCount?.Psnr ?? double.NaN);
         yield return ("ssim", error.PictureAtSameCount?.Ssim ?? double.NaN);
+        yield return ("flip", error.PictureAtSameCount?.Flip ?? double.NaN);
         yield return ("uncovered", error.PictureAtSameCount?.Uncovered ?? double.NaN);
         yield return ("lookedUp", error.LookedUp);
         yield return ("found", error.Found);
@@ -154,13 +157,24 @@ public sealed class ErrorStep
                 lines.Add(curve.Name.Replace(",", "") + ","
                     + string.Join(',', Values(wave).Select(v => v.Value.ToString("R", CultureInfo.InvariantCulture))));
             }
+        if (lines.Count > 0)
+            lines.Add(FloorName.Replace(",", "") + "," + string.Join(',', lines[0].Split(',').Skip(1).Select(key => key switch
+            {
+                "points" => PointsInCloud,
+                "psnrFull" => Floor.Psnr,
+                "ssimFull" => Floor.Ssim,
+                "flipFull" => Floor.Flip,
+                "uncoveredFull" => Floor.Uncovered,
+                _ => double.NaN,
+            }).Select(v => v.ToString("R", CultureInfo.InvariantCulture))));
         return string.Join('\n', lines) + "\n";
     }
 
     public TextTable ToTable()
     {
         var table = new TextTable("sample", "points", "seconds", "RMS", "95 %", "99 %", "bare /64", "/128", "/256", "/512",
-            "variation (chance)", "bias (chance)", "PSNR dB", "SSIM", "bare pixels", "same N: SSIM", "bare pixels");
+            "variation (chance)", "bias (chance)", "PSNR dB", "SSIM", "FLIP", "bare pixels",
+            "same N: SSIM", "FLIP", "bare pixels");
         foreach (var curve in Curves)
             foreach (var wave in curve.Waves)
             {
@@ -171,10 +185,13 @@ public sealed class ErrorStep
                     Percent(error.Cells.Uncovered512),
                     Short(error.Cells.Variation) + " (" + Short(error.Cells.VariationByChance) + ")",
                     Short(error.Cells.Bias) + " (" + Short(error.Cells.BiasByChance) + ")",
-                    Short(error.Picture.Psnr, "0.0"), Short(error.Picture.Ssim), Percent(error.Picture.Uncovered),
-                    error.PictureAtSameCount is { } same ? Short(same.Ssim) : "",
+                    Short(error.Picture.Psnr, "0.0"), Short(error.Picture.Ssim), Short(error.Picture.Flip, "0.0000"),
+                    Percent(error.Picture.Uncovered), error.PictureAtSameCount is { } same ? Short(same.Ssim) : "",
+                    error.PictureAtSameCount is { } seen ? Short(seen.Flip, "0.0000") : "",
                     error.PictureAtSameCount is { } too ? Percent(too.Uncovered) : "");
             }
+        table.Add(FloorName, Human.Count(PointsInCloud), "", "", "", "", "", "", "", "", "", "", Short(Floor.Psnr, "0.0"),
+            Short(Floor.Ssim), Short(Floor.Flip, "0.0000"), Percent(Floor.Uncovered), "", "", "");
         return table;
     }
 
@@ -190,6 +207,12 @@ public sealed class ErrorStep
         json.WriteStartObject("error");
         if (Last is { } last)
             WriteValues(json, last);
+        json.WriteStartObject("floor");
+        json.WriteReal("psnr", Floor.Psnr);
+        json.WriteReal("ssim", Floor.Ssim);
+        json.WriteReal("flip", Floor.Flip);
+        json.WriteReal("uncovered", Floor.Uncovered);
+        json.WriteEndObject();
         json.WriteStartArray("curves");
         foreach (var curve in Curves)
         {

@@ -48,6 +48,11 @@ public sealed class FlyVerb : Verb
         Description = "How long a node takes to appear or to leave, point by point (default: 0.2; 0: at once).",
         DefaultValueFactory = _ => StreamSettings.DefaultFadeSeconds,
     };
+    readonly Option<bool> m_popping = new("--popping")
+    {
+        Description = "Measure popping, in software: each frame's picture against what the frame before drew, seen from the "
+            + "same camera, as FLIP. Frames then take longer, so that reads have more time.",
+    };
     readonly PictureSettings m_picture;
 
     public FlyVerb() : base(new Command("fly", "Stream clouds along a camera path, 60 frames a second: what each frame "
@@ -64,6 +69,7 @@ public sealed class FlyVerb : Verb
         Command.Add(m_pool);
         Command.Add(m_upload);
         Command.Add(m_fade);
+        Command.Add(m_popping);
         m_picture = new PictureSettings(Command, canFilter: true);
     }
 
@@ -93,6 +99,8 @@ public sealed class FlyVerb : Verb
             throw new UsageException("--every: wanted 1 to " + MaxFramesPerPicture);
         if (parsed.GetValue(m_cpu) && parsed.GetValue(m_gpu))
             throw new UsageException("--cpu or --gpu, not both");
+        if (parsed.GetValue(m_popping) && parsed.GetValue(m_gpu))
+            throw new UsageException("--popping or --gpu, not both");
         string? folder = output == null || FlightOutput.IsFile(output) ? null : output;
         if (folder != null)
             OutputFile.MakeFolder(folder);
@@ -108,7 +116,7 @@ public sealed class FlyVerb : Verb
         stream.SetClipBoxes(options.ClipBoxes);
         using var picture = shaders != null
             ? new GpuFlightRenderer(shaders, stream, options)
-            : (FlightRenderer)new CpuFlightRenderer(stream, options);
+            : (FlightRenderer)new CpuFlightRenderer(stream, options) { MeasuresPopping = parsed.GetValue(m_popping) };
         var bounds = BoundsGeo.Empty;
         foreach (string cloud in clouds)
         {
@@ -173,19 +181,29 @@ public sealed class FlyVerb : Verb
             double mainThreadMs = Stopwatch.GetElapsedTime(start).TotalMilliseconds;
             garbage = GC.GetAllocatedBytesForCurrentThread() - garbage;
             JobHandle.ScheduleBatchedJobs();
-            if (pictures != null && ((frame + 1) % pictures.Every == 0 || frame == frames - 1))
-            {
+            bool isShown = pictures != null && (frame + 1) % pictures.Every == 0, isCut = frame == 0 || path.IsCut(frame);
+            double popping = double.NaN;
+            if (isShown || picture.MeasuresPopping || (pictures != null && frame == frames - 1))
                 last = picture.Draw(camera);
-                if ((frame + 1) % pictures.Every == 0)
-                    pictures.Add(last);
-            }
+            if (isShown)
+                pictures!.Add(last!);
+            if (picture.MeasuresPopping)
+                popping = picture.MeasurePopping(camera, last!, isCut);
             picture.EndFrame();
             // A frame at 60 Hz: without anything to draw, it waits for the screen.
             double rest = FrameSeconds - Stopwatch.GetElapsedTime(start).TotalSeconds;
             if (rest > 0)
                 Thread.Sleep(TimeSpan.FromSeconds(rest));
-            log.Add(stats, mainThreadMs, Stopwatch.GetElapsedTime(start).TotalMilliseconds, garbage, run.Seconds - begin,
-                frame == 0 || path.IsCut(frame));
+            log.Add(new FlightFrame
+            {
+                Stats = stats,
+                MainThreadMs = mainThreadMs,
+                FrameMs = Stopwatch.GetElapsedTime(start).TotalMilliseconds,
+                GarbageBytes = garbage,
+                AtSeconds = run.Seconds - begin,
+                IsCut = isCut,
+                Popping = popping,
+            });
             run.Progress.Report((frame + 1.0) / frames, stats.DrawnPoints, 0);
         }
         run.Progress.End();
@@ -208,6 +226,8 @@ public sealed class FlyVerb : Verb
                 + (toFull < 0 ? "never 95 % drawn" : $"95 % drawn after {toFull} frames; "
                 + $"its {Human.Bytes(bytes)} need {(bytes + uploadBytes - 1) / uploadBytes}"));
         run.Out.WriteLine($"ended in {Ms(disposeMs)} ms");
+        if (log.Popping is { } popping)
+            run.Out.WriteLine("popping: " + popping + (log.PoppingWhenLoaded is { } loaded ? "; once loaded, " + loaded : ""));
         foreach (string warning in run.Warnings)
             run.Out.WriteLine("  " + warning);
     }
@@ -250,6 +270,8 @@ public sealed class FlyVerb : Verb
         }
         json.WriteEndArray();
         json.WriteReal("disposeMs", disposeMs);
+        log.Popping?.WriteKey(json, "popping");
+        log.PoppingWhenLoaded?.WriteKey(json, "poppingWhenLoaded");
         if (pictures?.Kept is not { } kept)
             return;
         json.WriteString("animation", kept);

@@ -27,6 +27,9 @@ public sealed class PictureVerb : Verb
         Description = "With --against: a picture of where an eye sees the difference, by FLIP (67 pixels per degree); "
             + "black for none, light for the largest.",
     };
+    readonly Option<long> m_samples = Counts.Of("--samples",
+        "Draw so many samples along each edge of a pixel and average their light (default: 1, at most 4): with 4, smooth, "
+        + "to compare others --against.", 1);
     readonly Option<bool> m_gpu = new("--gpu")
     {
         Description = "Stream a converted cloud to a graphics card and draw it there, by Vulkan; Mesa's lavapipe will do.",
@@ -42,6 +45,7 @@ public sealed class PictureVerb : Verb
         Command.Add(m_budget);
         Command.Add(m_against);
         Command.Add(m_flipMap);
+        Command.Add(m_samples);
         Command.Add(m_gpu);
         m_source = new SourceSettings(Command);
     }
@@ -63,6 +67,11 @@ public sealed class PictureVerb : Verb
         string output = parsed.GetRequiredValue(m_output);
         string? against = parsed.GetValue(m_against), flipMap = parsed.GetValue(m_flipMap);
         var options = m_picture.Read(parsed);
+        options.SamplesPerEdge = Counts.ToInt(parsed.GetValue(m_samples));
+        if (options.SamplesPerEdge > PictureCanvas.MaxSamplesPerEdge)
+            throw new UsageException("--samples: wanted 1 to " + PictureCanvas.MaxSamplesPerEdge);
+        if (options.SamplesPerEdge > 1 && parsed.GetValue(m_gpu))
+            throw new UsageException("--samples or --gpu, not both");
         long budget = parsed.GetValue(m_budget) ?? 0;
         OutputNames.RefuseNoPicture(output);
         if (flipMap != null)
@@ -93,7 +102,7 @@ public sealed class PictureVerb : Verb
         run.WriteKeys = result.WriteKeys;
         OutputFile.Write(output, Png.Encode(image));
         if (flipMap != null)
-            OutputFile.Write(flipMap, Png.Encode(result.Flip!.ToImage()));
+            OutputFile.Write(flipMap, Png.Encode(FlipMap.Of(image, reference!).ToImage()));
 
         run.Out.WriteLine(output + ": " + result.Describe());
         foreach (string assumption in result.Assumptions)

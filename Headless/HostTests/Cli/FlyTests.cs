@@ -12,6 +12,10 @@ public sealed class FlyTests : ScratchTests
     [OneTimeSetUp]
     public void MakeCloud() => m_cloud = Scratch.Converted(points: Points);
 
+    // South of the middle of the demo cloud, which it looks at.
+    static string Way(int frame, double north, string cut = "") => System.FormattableString.Invariant(
+        $"{frame} 441000 {5612020 + north} 160 441000 5612020 125{cut}\n");
+
     [Test]
     public void Fly_TwoClouds_WritesPicturesFramesAndTheKeys()
     {
@@ -40,6 +44,32 @@ public sealed class FlyTests : ScratchTests
         if (AnimatedWebp.CanWrite)
             Assert.That(Path.GetExtension(animations[0]), Is.EqualTo(".webp"));
     }
+
+    [Test]
+    public void Fly_Popping_IsNoneWhileTheSameNodesAreDrawn()
+    {
+        // The camera moves a little over a small cloud that is whole after the first frames; then it is cut.
+        string folder = Scratch["popping"], path = Scratch["slow.txt"];
+        File.WriteAllText(path, Way(0, -90) + Way(40, -88) + Way(41, 90, " cut") + Way(45, 90));
+        var call = CliCall.Of("fly", m_cloud, "--popping", "--path", path, "--upload", "64",
+            "--size", "64x36", "-o", folder, "--json", "-");
+        Assert.That(call.Status, Is.EqualTo(ExitStatus.Done), call.Error);
+        var popping = File.ReadLines(Path.Combine(folder, "frames.csv")).Skip(1).Select(line => line.Split(',')[^1]).ToList();
+        Assert.That(Enumerable.Range(0, popping.Count).Where(i => popping[i] == ""), Is.EqualTo(new[] { 0, 41 }), "cuts");
+        var flips = popping.Select(p => p == "" ? 0 : double.Parse(p, CultureInfo.InvariantCulture)).ToList();
+        Assert.That(flips.Max(), Is.GreaterThan(0.01), "nodes arrive");
+        Assert.That(flips.Skip(30).Take(11), Is.All.Zero, "nothing but the camera changes");
+        var json = call.Json.GetProperty("popping");
+        Assert.That(json.GetProperty("max").GetDouble(), Is.EqualTo(flips.Max()).Within(1e-6));
+        Assert.That(json.GetProperty("frameOfMax").GetInt32(), Is.EqualTo(flips.IndexOf(flips.Max())));
+        Assert.That(json.GetProperty("mean").GetDouble(), Is.EqualTo(flips.Sum() / 44).Within(1e-6));
+        Assert.That(call.Json.GetProperty("poppingWhenLoaded").GetProperty("max").GetDouble(), Is.LessThan(flips.Max()));
+        Assert.That(File.ReadAllText(Path.Combine(folder, "report.html")), Does.Contain("Popping"));
+    }
+
+    [Test]
+    public void Fly_PoppingOnAGpu_IsWrongUsage() =>
+        Assert.That(CliCall.Of("fly", m_cloud, "--popping", "--gpu").Status, Is.EqualTo(ExitStatus.Usage));
 
     /// <summary>The safety checks of the test build remember each job, in all frames alike. What the first ones make beyond
     /// that grows the pools: 143 kB here, 31 kB without the checks.</summary>
@@ -72,11 +102,12 @@ public sealed class FlyTests : ScratchTests
         string[] outputs = [Scratch["short"], Scratch["short.png"], Scratch["single-%04d.png"]];
         // It stands still until all is loaded: a flight shows what is there by then.
         string still = Scratch["still.txt"];
-        File.WriteAllText(still, "0 -50 -50 30 0 0 0\n400 -50 -50 30 0 0 0\n");
+        File.WriteAllText(still, Way(0, -90) + Way(400, -90));
         foreach (string output in outputs)
             Assert.That(CliCall.Of("fly", m_cloud, "--path", still, "--every", "1000", "--size", "32x18", "-o", output).Status,
                 Is.EqualTo(ExitStatus.Done), output);
         byte[] last = Png.Read(Path.Combine(outputs[0], "last.png")).Rgba;
+        Assert.That(last.Distinct().Count(), Is.GreaterThan(10), "the picture is empty");
         Assert.That(Png.Read(outputs[1]).Rgba, Is.EqualTo(last));
         Assert.That(Png.Read(Scratch["single-0000.png"]).Rgba, Is.EqualTo(last));
     }

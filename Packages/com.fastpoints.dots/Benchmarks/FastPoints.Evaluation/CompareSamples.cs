@@ -52,7 +52,13 @@ namespace FastPoints.Evaluation
         public int WidthPx { get; }
         public int HeightPx { get; }
         public BoundsGeo Bounds => m_grid.Bounds;
+
+        /// <summary>Of all points, smooth: <see cref="PictureCanvas.MaxSamplesPerEdge"/> samples along a pixel's edge.</summary>
         public RgbaImage[] FullViews { get; private set; }
+
+        /// <summary>What no sample can be better than: all points as samples are drawn, with one sample a pixel.</summary>
+        internal ImageError Floor { get; private set; }
+
         public long PointCount => m_pointCount;
 
         public IEnumerator<JobStep> Prepare(StageProgress progress)
@@ -110,7 +116,8 @@ namespace FastPoints.Evaluation
             yield return JobStep.Of(pass.ChooseSizes(sample.Points, m_pointCount));
             yield return JobStep.Of(pass.Run(progress));
             yield return JobStep.Of(pass.Resolve(sample.Points, m_options.Background));
-            FullViews = pass.Images;
+            FullViews = pass.SmoothImages;
+            Floor = SampleError.Mean(pass.Images, FullViews, m_options.Background);
         }
 
         /// <summary>Coroutine: measures a sample, which must be a part of the source; fills

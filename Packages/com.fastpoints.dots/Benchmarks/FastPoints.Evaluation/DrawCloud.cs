@@ -48,7 +48,8 @@ namespace FastPoints.Evaluation
             bool drawSample = sample.IsWhole || m_budget > 0 && m_budget < m_reader.PointCount;
 
             progress?.Begin("draw");
-            using (m_canvas = new PictureCanvas(m_options.WidthPx, m_options.HeightPx, Allocator.Persistent))
+            using (m_canvas = new PictureCanvas(m_options.WidthPx, m_options.HeightPx, Allocator.Persistent,
+                m_options.SamplesPerEdge))
             {
                 long points = drawSample ? sample.Count : m_reader.PointCount;
                 yield return JobStep.Of(SamplePicture.ChooseSize(m_canvas, sample.Points, Plan, points));

@@ -13,12 +13,16 @@ namespace FastPoints.Evaluation
         /// <summary>Mean structural similarity of the luma: 1 for equal pictures.</summary>
         public double Ssim;
 
+        /// <summary>See <see cref="FlipMap"/>: 0 for equal pictures.</summary>
+        public double Flip;
+
         /// <summary>The share of the pixels that the reference covers (those not of the background colour) that the picture
         /// leaves uncovered; 0 if the reference covers none.</summary>
         public double Uncovered;
 
         const int Window = 8;
 
+        /// <summary>Main thread.</summary>
         public static ImageError Compare(RgbaImage picture, RgbaImage reference, uint background)
         {
             if (picture.Width != reference.Width || picture.Height != reference.Height)
@@ -28,6 +32,7 @@ namespace FastPoints.Evaluation
             {
                 Psnr = PsnrOf(picture.Rgba, reference.Rgba),
                 Ssim = SsimOf(picture, reference),
+                Flip = FlipMap.Of(picture, reference).Mean,
                 Uncovered = UncoveredOf(picture, reference, background),
             };
         }

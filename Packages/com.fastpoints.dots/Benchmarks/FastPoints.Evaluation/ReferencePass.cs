@@ -15,6 +15,7 @@ namespace FastPoints.Evaluation
         readonly PointSchema m_wanted;
         readonly ErrorGrid m_grid;
         readonly PicturePlan[] m_plans;
+        // By view: with one sample a pixel, then with several.
         readonly PictureCanvas[] m_canvases;
         readonly CellOccupancy m_cloud;
         readonly CellOccupancy[] m_cellsOfSlot;
@@ -28,17 +29,24 @@ namespace FastPoints.Evaluation
             m_plans = plans;
             m_cloud = cloud;
             m_cellsOfSlot = new CellOccupancy[SourceScan.SlotsFor(reader, m_wanted)];
-            m_canvases = new PictureCanvas[plans.Length];
-            for (int view = 0; view < plans.Length; view++)
-                m_canvases[view] = new PictureCanvas(widthPx, heightPx, Allocator.Persistent);
+            m_canvases = new PictureCanvas[2 * plans.Length];
+            for (int i = 0; i < m_canvases.Length; i++)
+                m_canvases[i] = new PictureCanvas(widthPx, heightPx, Allocator.Persistent,
+                    i < plans.Length ? 1 : PictureCanvas.MaxSamplesPerEdge);
         }
 
+        /// <summary>With a picture's one sample a pixel.</summary>
         public RgbaImage[] Images { get; private set; }
+
+        public RgbaImage[] SmoothImages { get; private set; }
 
         public IEnumerator<JobStep> ChooseSizes(PointBatch sample, long pointsInSource)
         {
             for (int view = 0; view < m_plans.Length; view++)
+            {
                 yield return JobStep.Of(SamplePicture.ChooseSize(m_canvases[view], sample, m_plans[view], pointsInSource));
+                m_canvases[m_plans.Length + view].UseSizesOf(m_canvases[view]);
+            }
         }
 
         public IEnumerator<JobStep> Run(StageProgress progress)
@@ -68,13 +76,14 @@ namespace FastPoints.Evaluation
 
         public IEnumerator<JobStep> Resolve(PointBatch sample, uint background)
         {
-            var images = new RgbaImage[m_plans.Length];
-            for (int view = 0; view < m_plans.Length; view++)
+            var images = new RgbaImage[m_canvases.Length];
+            for (int i = 0; i < images.Length; i++)
             {
-                yield return JobStep.Of(SamplePicture.Resolve(m_canvases[view], sample, m_plans[view], background));
-                images[view] = m_canvases[view].ToImage();
+                yield return JobStep.Of(SamplePicture.Resolve(m_canvases[i], sample, m_plans[i % m_plans.Length], background));
+                images[i] = m_canvases[i].ToImage();
             }
-            Images = images;
+            Images = images[..m_plans.Length];
+            SmoothImages = images[m_plans.Length..];
         }
 
         public JobHandle Schedule(BlockRead read, int slot, JobHandle decoded)
@@ -90,15 +99,15 @@ namespace FastPoints.Evaluation
                 CellsOf128th = m_cellsOfSlot[slot].CellsOf128th,
                 PointsOfBlock = m_cellsOfSlot[slot].PointsOfBlock,
             }.Schedule(decoded);
-            for (int view = 0; view < m_plans.Length; view++)
+            for (int i = 0; i < m_canvases.Length; i++)
                 done = JobHandle.CombineDependencies(done, new DrawBlockJob
                 {
                     Block = read.Points.Bytes,
                     Result = read.Result,
-                    Palettes = m_canvases[view].Palettes,
-                    SizeOfTile = m_canvases[view].SizeOfTile,
-                    Drawing = m_plans[view].DrawingOf(read.Points, m_canvases[view]),
-                    Pixels = m_canvases[view].Pixels,
+                    Palettes = m_canvases[i].Palettes,
+                    SizeOfTile = m_canvases[i].SizeOfTile,
+                    Drawing = m_plans[i % m_plans.Length].DrawingOf(read.Points, m_canvases[i]),
+                    Pixels = m_canvases[i].Pixels,
                 }.ScheduleParallel(RasterizePointsJob.PieceCount(read.Range.Count), 1, decoded));
             return done;
         }

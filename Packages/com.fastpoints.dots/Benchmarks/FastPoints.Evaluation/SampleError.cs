@@ -23,8 +23,8 @@ namespace FastPoints.Evaluation
         public int LookedUp;
         public int Found;
 
-        /// <summary>One error for several pictures: their squared errors averaged for the PSNR, the mean for SSIM, the mean share
-        /// of the pixels left uncovered.</summary>
+        /// <summary>One error for several pictures: their squared errors averaged for the PSNR, the mean of SSIM, of FLIP and
+        /// of the share of pixels left uncovered.</summary>
         internal static ImageError Mean(RgbaImage[] pictures, RgbaImage[] references, uint background)
         {
             var mean = new ImageError();
@@ -34,6 +34,7 @@ namespace FastPoints.Evaluation
                 var error = ImageError.Compare(pictures[i], references[i], background);
                 squares += Math.Pow(10, -error.Psnr / 10) / pictures.Length;
                 mean.Ssim += error.Ssim / pictures.Length;
+                mean.Flip += error.Flip / pictures.Length;
                 mean.Uncovered += error.Uncovered / pictures.Length;
             }
             mean.Psnr = squares == 0 ? double.PositiveInfinity : -10 * Math.Log10(squares);

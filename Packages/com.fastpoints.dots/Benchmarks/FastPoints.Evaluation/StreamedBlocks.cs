@@ -21,8 +21,6 @@ namespace FastPoints.Evaluation
         readonly PointBatch m_block;
         readonly PointColumn m_classes;
         NativeList<LocalClip> m_clips;
-        NativeList<NodeBlocks> m_nodes;
-        NativeList<PlaneView> m_planes;
         NativeArray<StoredColumn> m_columns;
         NativeArray<PointColumn> m_targets;
 
@@ -64,8 +62,6 @@ namespace FastPoints.Evaluation
                 m_classes = m_block.Column(m_block.Schema.IndexOf(AttributeNames.Classification));
             }
             m_clips = new NativeList<LocalClip>(Allocator.Persistent);
-            m_nodes = new NativeList<NodeBlocks>(Allocator.Persistent);
-            m_planes = new NativeList<PlaneView>(Allocator.Persistent);
         }
 
         public StreamContext Stream => m_stream;
@@ -89,24 +85,13 @@ namespace FastPoints.Evaluation
             return drawing;
         }
 
-        /// <summary>Draws what the last frame listed. The stream must not run before the job is complete.</summary>
-        internal JobHandle ScheduleDraw(in Camera camera, PictureCanvas canvas, SizeTree sizes, JobHandle inputDeps)
+        /// <summary>Takes the nodes of this cloud that the last frame listed.</summary>
+        internal void Collect(SizeTree sizes, DrawnBlocks to)
         {
             var cloud = m_stream.Clouds[m_cloud];
             var cubes = cloud.Source.Cubes;
             var step = cloud.Source.Grid.Step;
-            var drawing = DrawingFor(camera, canvas);
-            if (sizes.Nodes.Length > 0)
-            {
-                drawing.IsWorldSize = true;
-                drawing.LargestPx = drawing.Size.MaxPx;
-            }
-            int planes = cloud.Source.Planes.Length;
-            m_nodes.Clear();
-            m_planes.Clear();
-            m_clips.Clear();
-            foreach (var box in m_stream.ClipBoxes)
-                m_clips.Add(InSteps(new LocalClip(box, cloud.Placement), step));
+            to.Clear(sizes.Nodes);
             for (int i = 0; i < m_stream.Drawn.Length; i++)
             {
                 var drawn = m_stream.Drawn[i];
@@ -116,7 +101,7 @@ namespace FastPoints.Evaluation
                 var inCube = cubes.PointIn(cloud.Pages + drawn.Page, drawn.Node);
                 byte* at = m_pool.AddressOf(drawn.Range);
                 int blocks = cloud.Pages[drawn.Page].Nodes[drawn.Node].BlockCount;
-                m_nodes.Add(new NodeBlocks
+                to.Nodes.Add(new NodeBlocks
                 {
                     Corner = address.Corner,
                     BlockCount = blocks,
@@ -125,39 +110,52 @@ namespace FastPoints.Evaluation
                     CubeCorner = cubes.CornerAt(inCube, address.Level) / step,
                     CubesPerStep = step / cubes.SizeAt(address.Level),
                 });
-                for (int p = 0; p < planes; p++)
+                for (int p = 0; p < cloud.Source.Planes.Length; p++)
                 {
-                    m_planes.Add(new PlaneView(at, cloud.ShapeOf(drawn.Page, drawn.Node, p), blocks));
-                    at += cloud.RangeOf(drawn.Page, drawn.Node, p).LengthBytes;
+                    long bytes = cloud.RangeOf(drawn.Page, drawn.Node, p).LengthBytes;
+                    to.Add(new PlaneView(at, cloud.ShapeOf(drawn.Page, drawn.Node, p), blocks), bytes);
+                    at += bytes;
                 }
             }
+        }
+
+        internal JobHandle ScheduleDraw(DrawnBlocks drawn, in Camera camera, PictureCanvas canvas)
+        {
+            var cloud = m_stream.Clouds[m_cloud];
+            var drawing = DrawingFor(camera, canvas);
+            if (drawn.SizeNodes.Length > 0)
+            {
+                drawing.IsWorldSize = true;
+                drawing.LargestPx = drawing.Size.MaxPx;
+            }
+            m_clips.Clear();
+            foreach (var box in m_stream.ClipBoxes)
+                m_clips.Add(InSteps(new LocalClip(box, cloud.Placement), cloud.Source.Grid.Step));
             return new DrawBlocksJob
             {
-                Nodes = m_nodes.AsArray(),
-                Planes = m_planes.AsArray(),
-                PlaneCount = planes,
+                Nodes = drawn.Nodes.AsArray(),
+                Planes = drawn.Planes.AsArray(),
+                PlaneCount = cloud.Source.Planes.Length,
                 Columns = m_columns,
                 Targets = m_targets,
                 Palettes = canvas.Palettes,
                 SizeOfTile = canvas.SizeOfTile,
-                SizeNodes = sizes.Nodes,
+                SizeNodes = drawn.SizeNodes,
                 Clips = m_clips.AsArray(),
                 Classes = m_classes,
                 HiddenClasses = HiddenClasses,
                 Drawing = drawing,
                 Pixels = canvas.Pixels,
                 Sums = canvas.Sums,
-            }.ScheduleParallel(m_nodes.Length, 1, inputDeps);
+            }.ScheduleParallel(drawn.Nodes.Length, 1, default);
         }
 
         public void Dispose()
         {
-            if (!m_nodes.IsCreated)
+            if (!m_clips.IsCreated)
                 return;
             m_block.Dispose();
-            m_nodes.Dispose();
             m_clips.Dispose();
-            m_planes.Dispose();
             m_columns.Dispose();
             m_targets.Dispose();
         }

@@ -12,6 +12,8 @@ namespace FastPoints.Evaluation
     internal sealed class StreamedPicture : IDisposable
     {
         readonly List<StreamedBlocks> m_clouds = new List<StreamedBlocks>();
+        readonly List<DrawnBlocks> m_drawnOfCloud = new List<DrawnBlocks>();
+        readonly List<DrawnBlocks> m_keptOfCloud = new List<DrawnBlocks>();
         readonly PictureOptions m_options;
         readonly PictureCanvas m_canvas;
         readonly SizeTree m_sizes = new SizeTree();
@@ -20,36 +22,53 @@ namespace FastPoints.Evaluation
         public StreamedPicture(PictureOptions options)
         {
             m_options = options;
-            m_canvas = new PictureCanvas(options.WidthPx, options.HeightPx, Allocator.Persistent);
+            m_canvas = new PictureCanvas(options.WidthPx, options.HeightPx, Allocator.Persistent, options.SamplesPerEdge);
         }
 
         /// <param name="blocks">The blocks, which this picture owns.</param>
         public void Add(StreamedBlocks blocks, ColorMode mode)
         {
             m_clouds.Add(blocks);
+            m_drawnOfCloud.Add(new DrawnBlocks());
+            m_keptOfCloud.Add(new DrawnBlocks());
             m_edlStrength = math.max(m_edlStrength, m_options.EdlFor(mode));
         }
 
+        bool IsAdaptive => m_options.SizeInWorld?.Mode == PointSizeMode.Adaptive;
+
+        /// <summary>Draws what the last frame listed.</summary>
         public RgbaImage Draw(in Camera camera)
         {
-            m_canvas.Clear();
-            bool isAdaptive = m_options.SizeInWorld?.Mode == PointSizeMode.Adaptive;
-            bool isAuto = m_options.IsAutoSize && !isAdaptive;
-            if (isAdaptive && m_clouds.Count > 0)
+            if (IsAdaptive && m_clouds.Count > 0)
                 m_sizes.Build(m_clouds[0].Stream);
-            m_canvas.UseSize(math.max(PointSizing.MinPx, m_options.PointSizePx));
-            var drawn = DrawAll(camera, default);
-            if (isAuto)
-            {
-                m_canvas.ScheduleChooseSizes(1, drawn).Complete();
-                m_canvas.Clear();
-                drawn = DrawAll(camera, default);
-            }
+            for (int cloud = 0; cloud < m_clouds.Count; cloud++)
+                m_clouds[cloud].Collect(m_sizes, m_drawnOfCloud[cloud]);
+            return Draw(m_drawnOfCloud, camera);
+        }
+
+        /// <summary>Keeps what the last picture shows, for pictures after the stream's next frames.</summary>
+        public void Keep()
+        {
+            for (int cloud = 0; cloud < m_clouds.Count; cloud++)
+                m_keptOfCloud[cloud].Keep(m_drawnOfCloud[cloud]);
+        }
+
+        /// <summary>Draws what was kept last: these nodes with the point sizes that they had.</summary>
+        public RgbaImage DrawKept(in Camera camera) => Draw(m_keptOfCloud, camera);
+
+        RgbaImage Draw(List<DrawnBlocks> blocksOfCloud, in Camera camera)
+        {
+            m_canvas.Clear();
+            if (m_options.IsAutoSize && !IsAdaptive)
+                ChooseSizes(blocksOfCloud, camera);
+            else
+                m_canvas.UseSize(math.max(PointSizing.MinPx, m_options.PointSizePx));
+            var drawn = DrawAll(blocksOfCloud, camera, m_canvas);
             if (m_options.BlendedPoints)
             {
                 drawn.Complete();
                 m_canvas.BeginBlending();
-                drawn = DrawAll(camera, default);
+                drawn = DrawAll(blocksOfCloud, camera, m_canvas);
             }
             var projection = new PointDrawing
             {
@@ -63,15 +82,28 @@ namespace FastPoints.Evaluation
         {
             foreach (var cloud in m_clouds)
                 cloud.Dispose();
+            foreach (var blocks in m_drawnOfCloud)
+                blocks.Dispose();
+            foreach (var blocks in m_keptOfCloud)
+                blocks.Dispose();
             m_canvas.Dispose();
             m_sizes.Dispose();
         }
 
-        JobHandle DrawAll(in Camera camera, JobHandle inputDeps)
+        void ChooseSizes(List<DrawnBlocks> blocksOfCloud, in Camera camera)
         {
-            foreach (var cloud in m_clouds)
-                inputDeps = JobHandle.CombineDependencies(inputDeps, cloud.ScheduleDraw(camera, m_canvas, m_sizes, default));
-            return inputDeps;
+            using var canvas = new PictureCanvas(m_options.WidthPx, m_options.HeightPx, Allocator.Persistent);
+            canvas.ScheduleChooseSizes(1, DrawAll(blocksOfCloud, camera, canvas)).Complete();
+            m_canvas.UseSizesOf(canvas);
+        }
+
+        JobHandle DrawAll(List<DrawnBlocks> blocksOfCloud, in Camera camera, PictureCanvas canvas)
+        {
+            var drawn = default(JobHandle);
+            for (int cloud = 0; cloud < m_clouds.Count; cloud++)
+                drawn = JobHandle.CombineDependencies(drawn,
+                    m_clouds[cloud].ScheduleDraw(blocksOfCloud[cloud], camera, canvas));
+            return drawn;
         }
     }
 }

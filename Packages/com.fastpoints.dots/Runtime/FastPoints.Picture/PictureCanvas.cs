@@ -7,7 +7,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Picture
 {
-    // A picture while it is drawn: 12 bytes a pixel of native memory. Main thread.
+    // A picture while it is drawn: 12 bytes a sample of native memory. Main thread. With several samples along a pixel's edge all
+    // is drawn as if samples were pixels, but with points as large in the picture, and ToImage averages the samples' light.
     internal sealed class PictureCanvas : IDisposable
     {
         // Both edges, and no more than 2^27 pixels in all (1.6 GB).
@@ -22,8 +23,11 @@ namespace FastPoints.Picture
         NativeReference<float> m_typicalSizePx;
         bool m_isBlending;
 
-        public PictureCanvas(int widthPx, int heightPx, Allocator allocator)
+        public PictureCanvas(int widthPx, int heightPx, Allocator allocator, int samplesPerEdge = 1)
         {
+            SamplesPerEdge = samplesPerEdge;
+            widthPx *= samplesPerEdge;
+            heightPx *= samplesPerEdge;
             if (widthPx < 1 || heightPx < 1 || widthPx > MaxEdgePx || heightPx > MaxEdgePx ||
                 (long)widthPx * heightPx > MaxPixels)
                 throw new ArgumentOutOfRangeException(nameof(widthPx), widthPx + "x" + heightPx,
@@ -40,8 +44,13 @@ namespace FastPoints.Picture
             Clear();
         }
 
+        // In samples, as all that is drawn.
         public int WidthPx { get; }
         public int HeightPx { get; }
+
+        public const int MaxSamplesPerEdge = 4;
+
+        public int SamplesPerEdge { get; }
 
         // Depth and colour: see PointDrawing.
         public NativeArray<ulong> Pixels => m_pixels;
@@ -60,13 +69,25 @@ namespace FastPoints.Picture
         // Largest point size of a tile.
         public float LargestPx { get; private set; }
 
-        // 1 to PointDrawing.MaxSizePx. No drawing may be in flight.
+        // 1 to PointDrawing.MaxSizePx, of pixels. No drawing may be in flight.
         public void UseSize(float sizePx)
         {
+            sizePx *= SamplesPerEdge;
             for (int i = 0; i < m_sizeOfTile.Length; i++)
                 m_sizeOfTile[i] = sizePx;
             m_typicalSizePx.Value = sizePx;
             LargestPx = sizePx;
+        }
+
+        // Those of a picture of as many pixels with one sample each: a tile's size is the same in the world.
+        public void UseSizesOf(PictureCanvas canvas)
+        {
+            int across = PointSizing.TilesAlong(WidthPx), acrossOther = PointSizing.TilesAlong(canvas.WidthPx);
+            for (int i = 0; i < m_sizeOfTile.Length; i++)
+                m_sizeOfTile[i] = SamplesPerEdge * canvas.m_sizeOfTile[
+                    i / across / SamplesPerEdge * acrossOther + i % across / SamplesPerEdge];
+            m_typicalSizePx.Value = canvas.TypicalSizePx;
+            LargestPx = SamplesPerEdge * canvas.LargestPx;
         }
 
         // No drawing may be in flight.
@@ -135,8 +156,23 @@ namespace FastPoints.Picture
 
         public RgbaImage ToImage()
         {
-            var image = new RgbaImage(WidthPx, HeightPx);
-            m_colors.Reinterpret<byte>(sizeof(uint)).CopyTo(image.Rgba);
+            var image = new RgbaImage(WidthPx / SamplesPerEdge, HeightPx / SamplesPerEdge);
+            if (SamplesPerEdge == 1)
+            {
+                m_colors.Reinterpret<byte>(sizeof(uint)).CopyTo(image.Rgba);
+                return image;
+            }
+            using var light = Drawing.Palettes.CreateLight(Allocator.TempJob);
+            using var means = new NativeArray<uint>(image.Rgba.Length / sizeof(uint), Allocator.TempJob);
+            new AverageSamplesJob
+            {
+                Samples = m_colors,
+                SamplesPerEdge = SamplesPerEdge,
+                LightOfByte = light,
+                WidthPx = image.Width,
+                Means = means,
+            }.ScheduleParallel(image.Height, 16, default).Complete();
+            means.Reinterpret<byte>(sizeof(uint)).CopyTo(image.Rgba);
             return image;
         }
 
@@ -152,6 +188,40 @@ namespace FastPoints.Picture
             m_typicalSizePx.Dispose();
             m_palettes.Dispose();
         }
+    }
+
+    // The mean light of each pixel's samples, of which sRGB is no linear measure; that of their alpha as it is. Index i is row i.
+    [BurstCompile]
+    internal struct AverageSamplesJob : IJobFor
+    {
+        [ReadOnly] public NativeArray<uint> Samples;
+        public int SamplesPerEdge;
+        [ReadOnly] public NativeArray<float> LightOfByte;
+        public int WidthPx;
+        [NativeDisableParallelForRestriction, WriteOnly] public NativeArray<uint> Means;
+
+        public void Execute(int index)
+        {
+            for (int x = 0; x < WidthPx; x++)
+            {
+                var light = float3.zero;
+                uint alpha = 0;
+                for (int y = 0; y < SamplesPerEdge; y++)
+                    for (int i = 0; i < SamplesPerEdge; i++)
+                    {
+                        uint sample = Samples[(index * SamplesPerEdge + y) * WidthPx * SamplesPerEdge + x * SamplesPerEdge + i];
+                        light += new float3(LightOfByte[(int)(sample & 255)], LightOfByte[(int)(sample >> 8 & 255)],
+                            LightOfByte[(int)(sample >> 16 & 255)]);
+                        alpha += sample >> 24;
+                    }
+                int count = SamplesPerEdge * SamplesPerEdge;
+                light /= count;
+                Means[index * WidthPx + x] = Drawing.Palettes.Pack(Encoded(light.x), Encoded(light.y), Encoded(light.z),
+                    (byte)((alpha + count / 2) / count));
+            }
+        }
+
+        static byte Encoded(float light) => (byte)(Drawing.Palettes.EncodedOf(light) * 255 + 0.5);
     }
 
     // Draws a range of a batch's points; index i is its i-th piece of PointsPerPiece points.

@@ -17,6 +17,9 @@ namespace FastPoints.Picture
         public int WidthPx = 1280;
         public int HeightPx = 720;
 
+        // Along a pixel's edge: see PictureCanvas.
+        internal int SamplesPerEdge = 1;
+
         /// <summary>Used if <see cref="Camera"/> is null.</summary>
         public ViewDirection View = ViewDirection.Auto;
 

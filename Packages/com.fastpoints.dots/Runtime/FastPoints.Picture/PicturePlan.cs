@@ -58,11 +58,12 @@ namespace FastPoints.Picture
         public PointDrawing DrawingOf(PointBatch batch, PictureCanvas canvas)
         {
             var world = m_options.SizeInWorld.GetValueOrDefault();
+            world.MaxPx *= canvas.SamplesPerEdge;
             bool isWorldSize = world.Mode == PointSizeMode.World;
             return new PointDrawing
             {
                 Positions = PositionColumns.Of(batch),
-                Projection = new PointProjection(Camera, m_transform, m_options.WidthPx, m_options.HeightPx),
+                Projection = new PointProjection(Camera, m_transform, canvas.WidthPx, canvas.HeightPx),
                 Colors = ColorMapping.For(Mode, m_ranges, batch, m_transform, Gradient),
                 LargestPx = isWorldSize ? world.MaxPx : canvas.LargestPx,
                 IsWorldSize = isWorldSize,

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using Unity.Collections;
 using Unity.Jobs;
 
 namespace FastPoints.Picture
@@ -36,6 +37,14 @@ namespace FastPoints.Picture
             canvas.UseSize(plan.SizePx);
             if (!plan.UsesAutoSize || points.Count == 0)
                 yield break;
+            if (canvas.SamplesPerEdge > 1)
+            {
+                using var coarse = new PictureCanvas(canvas.WidthPx / canvas.SamplesPerEdge,
+                    canvas.HeightPx / canvas.SamplesPerEdge, Allocator.Persistent);
+                yield return JobStep.Of(ChooseSize(coarse, points, plan, pointsToDraw));
+                canvas.UseSizesOf(coarse);
+                yield break;
+            }
             yield return JobStep.Of(Draw(canvas, points, plan, null,
                 drawn => canvas.ScheduleChooseSizes(pointsToDraw / (double)points.Count, drawn)));
             plan.SizePx = canvas.TypicalSizePx;

@@ -37,7 +37,7 @@ namespace FastPoints.Evaluation
             using var filters = new FlipFilters(pixelsPerDegree, Allocator.Persistent);
             using var pixels = new NativeArray<byte>(picture.Rgba, Allocator.Persistent);
             using var pixelsOfReference = new NativeArray<byte>(reference.Rgba, Allocator.Persistent);
-            using var linear = LinearOfByte();
+            using var linear = Palettes.CreateLight(Allocator.Persistent);
             int tiles = CompareTilesJob.TileCount(picture.Width, picture.Height);
             using var errors = new NativeArray<float>(picture.Width * picture.Height, Allocator.Persistent,
                 NativeArrayOptions.UninitializedMemory);
@@ -66,15 +66,6 @@ namespace FastPoints.Evaluation
             for (int i = 0; i < Errors.Length; i++)
                 image[i % Width, i / Width] = Palettes.Magma(Math.Floor(Errors[i] * 255 + 0.5) / 255);
             return image;
-        }
-
-        // IEC 61966-2-1.
-        static NativeArray<float> LinearOfByte()
-        {
-            var linear = new NativeArray<float>(256, Allocator.Persistent, NativeArrayOptions.UninitializedMemory);
-            for (int i = 0; i < linear.Length; i++)
-                linear[i] = (float)(i <= 10 ? i / 255.0 / 12.92 : Math.Pow((i / 255.0 + 0.055) / 1.055, 2.4));
-            return linear;
         }
     }
 }

@@ -86,5 +86,27 @@ namespace FastPoints.Tests.Evaluation
                     differ += got[x, y] != wanted[x, y] ? 1 : 0;
             Assert.That(differ, Is.LessThan(0.002 * got.Width * got.Height));
         }
+
+        [Test]
+        public void DrawKept_OtherNodesSince_IsWhatWasDrawn()
+        {
+            var near = StreamedTestCloud.Near(40, 60, 0.8);
+            var options = Options(near);
+            (options.PointSizePx, options.SizeInWorld) = (0, PointSize.Adaptive());
+            // Too small for both views: what the first one needs leaves the pool.
+            using var stream = StreamedTestCloud.Stream(256 << 10, 64 << 10);
+            var source = m_cloud.Open();
+            int cloud = stream.Add(source, StreamedTestCloud.Geo(source));
+            var plan = new PicturePlan(options, new DisplayRanges { Color = ColorDepth.Bits16 },
+                source.Grid.FromCorner(source.Root.Corner));
+            using var picture = new StreamedPicture(options);
+            picture.Add(new StreamedBlocks(stream, cloud, plan), ColorMode.Rgb);
+            StreamedTestCloud.Rest(stream, near);
+            var wanted = picture.Draw(near);
+            picture.Keep();
+            StreamedTestCloud.Rest(stream, StreamedTestCloud.Near(140, 140, 3.9));
+            Assert.That(picture.Draw(near).Rgba, Is.Not.EqualTo(wanted.Rgba), "other nodes are drawn");
+            Assert.That(picture.DrawKept(near).Rgba, Is.EqualTo(wanted.Rgba));
+        }
     }
 }

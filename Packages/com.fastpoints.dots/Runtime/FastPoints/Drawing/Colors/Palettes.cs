@@ -81,12 +81,24 @@ namespace FastPoints.Drawing
         public static uint Pack(byte red, byte green, byte blue, byte alpha = 255) =>
             red | (uint)green << 8 | (uint)blue << 16 | (uint)alpha << 24;
 
-        // Linear in light, then encoded as sRGB (IEC 61966-2-1).
+        // Linear in light, then encoded.
         public static uint Gray(double light)
         {
-            double encoded = light <= 0.0031308 ? 12.92 * light : 1.055 * Math.Pow(light, 1 / 2.4) - 0.055;
-            byte value = ToByte(encoded);
+            byte value = ToByte(EncodedOf(light));
             return Pack(value, value, value);
+        }
+
+        // sRGB (IEC 61966-2-1), both from 0 to 1.
+        public static double EncodedOf(double light) =>
+            light <= 0.0031308 ? 12.92 * light : 1.055 * Math.Pow(light, 1 / 2.4) - 0.055;
+
+        // Indexed by encoded byte.
+        public static NativeArray<float> CreateLight(Allocator allocator)
+        {
+            var light = new NativeArray<float>(256, allocator, NativeArrayOptions.UninitializedMemory);
+            for (int i = 0; i < light.Length; i++)
+                light[i] = (float)(i <= 10 ? i / 255.0 / 12.92 : Math.Pow((i / 255.0 + 0.055) / 1.055, 2.4));
+            return light;
         }
 
         // Viridis (Smith and van der Walt, 2015): even steps of lightness and hue in CAM02-UCS. Polynomials of degree six over
