@@ -21,6 +21,9 @@ public sealed class SamplerReport(PointReader reader, string folder, ConvertSett
 
     List<View> m_views = [];
 
+    public int WidthPx { get; init; } = 1280;
+    public int HeightPx { get; init; } = 720;
+
     public void Write()
     {
         OutputFile.MakeFolder(folder);
@@ -33,7 +36,12 @@ public sealed class SamplerReport(PointReader reader, string folder, ConvertSett
     /// <summary>As a game draws: sizes by the distance between points.</summary>
     List<View> DrawReferences(string cloud)
     {
-        var standard = new DrawCloud(reader, new PictureOptions { View = ViewDirection.Iso }, PointsToFrame);
+        var standard = new DrawCloud(reader, new PictureOptions
+        {
+            WidthPx = WidthPx,
+            HeightPx = HeightPx,
+            View = ViewDirection.Iso,
+        }, PointsToFrame);
         run.RunSteps(standard.Run(run.Progress));
         var (whole, close) = (standard.Plan.Camera, standard.Plan.Camera);
         var center = standard.Ranges.Robust.Center;
@@ -43,7 +51,14 @@ public sealed class SamplerReport(PointReader reader, string folder, ConvertSett
 
     View DrawReference(string cloud, string name, Picture.Camera camera, ColorMode mode)
     {
-        PictureOptions Options() => new() { Camera = camera, Color = mode, SizeInWorld = PointSize.Adaptive() };
+        PictureOptions Options() => new()
+        {
+            WidthPx = WidthPx,
+            HeightPx = HeightPx,
+            Camera = camera,
+            Color = mode,
+            SizeInWorld = PointSize.Adaptive(),
+        };
         var smooth = Options();
         smooth.SamplesPerEdge = PictureCanvas.MaxSamplesPerEdge;
         var reference = StreamedPictureStep.Run([cloud], smooth, AllPoints, run).Image;

@@ -118,7 +118,7 @@ public static class ErrorReport
             + "sizes of points as each sample asks for; PSNR of the mean squared error, mean SSIM, mean FLIP (what an eye "
             + "sees of the difference, at 67 pixels per degree), mean share of the pixels left bare; against all points with 4 "
             + "times 4 samples a pixel, averaged in linear light, and against a full scan's sample of as many points. All points "
-            + "with one sample a pixel are the floor: no sample can be expected to be better.");
+            + "with one sample a pixel are the floor: what is left is the picture's coarseness, not the sample's.");
     }
 
     static string LookedUp(ErrorStep step)

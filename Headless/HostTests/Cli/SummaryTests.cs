@@ -1,3 +1,6 @@
+using FastPoints.Cli;
+using FastPoints.Cli.Convert;
+using FastPoints.Cli.Settings;
 using FastPoints.Evaluation;
 
 namespace FastPoints.HostTests.Cli;
@@ -124,12 +127,14 @@ public sealed class SummaryTests : ScratchTests
         HasPreviewKeys(json);
         var error = json.GetProperty("error");
         foreach (string key in new[]
-            { "psnr", "ssim", "uncovered", "rms", "hausdorff95", "hausdorff99", "uncoveredCells64", "uncoveredCells128",
+            { "psnr", "ssim", "flip", "uncovered", "flipFull", "rms", "hausdorff95", "hausdorff99", "uncoveredCells64", "uncoveredCells128",
                 "uncoveredCells256", "shareVariation", "bias", "biasByChance" })
             HasKey(error, key, JsonValueKind.Number, JsonValueKind.Null);
         Assert.That(error.GetProperty("rms").GetDouble(), Is.Zero, "the sample is the whole");
         Assert.That(error.GetProperty("uncoveredCells256").GetDouble(), Is.Zero);
         Assert.That(error.GetProperty("found").GetInt32(), Is.EqualTo(3000));
+        Assert.That(error.GetProperty("flipFull").GetDouble(),
+            Is.EqualTo(error.GetProperty("floor").GetProperty("flip").GetDouble()).And.GreaterThan(0), "the sample is the whole");
         foreach (var curve in error.GetProperty("curves").EnumerateArray())
         {
             Assert.That(curve.GetProperty("waves").GetArrayLength(), Is.GreaterThan(0), curve.GetProperty("name").GetString());
@@ -140,7 +145,48 @@ public sealed class SummaryTests : ScratchTests
         Assert.That(File.ReadAllText(Path.Combine(folder, "report.html")), Does.Contain("<svg").And.Contain("data:image/png"));
         string[] table = File.ReadAllLines(Path.Combine(folder, "errors.csv"));
         Assert.That(table.Select(l => l.Split(',').Length), Is.All.EqualTo(table[0].Split(',').Length));
+        Assert.That(table[^1], Does.StartWith("all points one sample a pixel,3000,"));
         Assert.That(File.Exists(Path.Combine(folder, "rms.svg")), Is.True);
+    }
+
+    [Test]
+    public void SamplerReport_SmallCloud_HasFlipAndItsFloor()
+    {
+        string folder = Scratch["samplers"];
+        using (var reader = PointReaders.Open(m_demo))
+            new SamplerReport(reader, folder, new ConvertSettings(),
+                new CliRun(TextWriter.Null, TextWriter.Null, new RunSettings { IsQuiet = true }, default))
+            {
+                WidthPx = 64,
+                HeightPx = 36,
+            }.Write();
+        var rows = File.ReadAllLines(Path.Combine(folder, "pictures.csv"))
+            .Select(line => line.Split('"')[^1].Trim(',').Split(',')).ToList();
+        int flip = Array.IndexOf(rows[0], "flip") - rows[0].Length;
+        double[] flips = rows.Skip(1).Select(r => double.Parse(r[^-flip], CultureInfo.InvariantCulture)).ToArray();
+        // Two views: a floor, then six settings under five budgets that all points fit in.
+        Assert.That(flips, Has.Length.EqualTo(2 + 6 * 2 * 5).And.All.InRange(0.0001, 0.6));
+        Assert.That(flips[2], Is.EqualTo(flips[0]), "all points, by the sampler that the reference is drawn from");
+        Assert.That(File.ReadAllText(Path.Combine(folder, "report.html")), Does.Contain("FLIP").And.Contain("one sample a pixel"));
+    }
+
+    [Test]
+    public void Picture_SeveralSamples_IsTheMeanOfALargerPicture()
+    {
+        string smooth = Scratch["smooth.png"], large = Scratch["large.png"];
+        string[] view = ["picture", m_demo, "--view", "top", "--plain"];
+        HasPictureKeys(Summary("picture", [.. view, "-o", smooth, "--size", "80x45", "--samples", "4", "--style", "size=1"]));
+        HasPictureKeys(Summary("picture", [.. view, "-o", large, "--size", "320x180", "--style", "size=4"]));
+        var (mean, of) = (Png.Read(smooth), Png.Read(large));
+        Assert.That(mean.Width, Is.EqualTo(80));
+        for (int y = 0; y < 45; y++)
+            for (int x = 0; x < 80; x++)
+            {
+                double light = 0;
+                for (int i = 0; i < 16; i++)
+                    light += Math.Pow((of[4 * x + i % 4, 4 * y + i / 4] >> 8 & 255) / 255.0, 2.2) / 16;
+                Assert.That(mean[x, y] >> 8 & 255, Is.EqualTo(255 * Math.Pow(light, 1 / 2.2)).Within(8), $"{x}, {y}");
+            }
     }
 
     static void HasPreviewKeys(JsonElement json)

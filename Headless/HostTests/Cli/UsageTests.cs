@@ -113,6 +113,8 @@ public sealed class UsageTests
 
     [TestCase("info", "x.las", "--threads", "0")]
     [TestCase("preview", "x.las", "-o", "x.png", "--points", "0")]
+    [TestCase("picture", "x.las", "-o", "x.png", "--samples", "5")]
+    [TestCase("picture", "x.las", "-o", "x.png", "--samples", "2", "--gpu")]
     [TestCase("picture", "x.las", "-o", "x.png", "--size", "big")]
     [TestCase("picture", "x.las", "-o", "x.png", "--size", "1x99999999")]
     [TestCase("picture", "x.las", "-o", "x.png", "--eye", "1,2,3")]

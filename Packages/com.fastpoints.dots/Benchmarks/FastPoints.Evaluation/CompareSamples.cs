@@ -56,7 +56,7 @@ namespace FastPoints.Evaluation
         /// <summary>Of all points, smooth: <see cref="PictureCanvas.MaxSamplesPerEdge"/> samples along a pixel's edge.</summary>
         public RgbaImage[] FullViews { get; private set; }
 
-        /// <summary>What no sample can be better than: all points as samples are drawn, with one sample a pixel.</summary>
+        /// <summary>All points as samples are drawn, with one sample a pixel: the error of the pixels alone.</summary>
         internal ImageError Floor { get; private set; }
 
         public long PointCount => m_pointCount;

@@ -34,10 +34,25 @@ namespace Unity.Burst.Intrinsics
             [MethodImpl(Inline)] public static v256 mm256_loadu_si256(void* ptr) => new v256(Net.LoadVector256((uint*)ptr));
             [MethodImpl(Inline)] public static v256 mm256_set1_epi32(int a) => new v256(Vector256.Create((uint)a));
             [MethodImpl(Inline)] public static void mm256_storeu_si256(void* ptr, v256 v) => Net.Store((uint*)ptr, v.Bits);
+            [MethodImpl(Inline)]
+            public static v256 mm256_loadu_ps(void* ptr) => new v256(Net.LoadVector256((float*)ptr).AsUInt32());
+            [MethodImpl(Inline)] public static v256 mm256_set1_ps(float a) => new v256(Vector256.Create(a).AsUInt32());
+            [MethodImpl(Inline)] public static void mm256_storeu_ps(void* ptr, v256 a) => Net.Store((uint*)ptr, a.Bits);
+            [MethodImpl(Inline)]
+            public static v256 mm256_add_ps(v256 a, v256 b) =>
+                new v256(Net.Add(a.Bits.AsSingle(), b.Bits.AsSingle()).AsUInt32());
+            [MethodImpl(Inline)]
+            public static v256 mm256_mul_ps(v256 a, v256 b) =>
+                new v256(Net.Multiply(a.Bits.AsSingle(), b.Bits.AsSingle()).AsUInt32());
 #else
             public static v256 mm256_loadu_si256(void* ptr) => throw new System.PlatformNotSupportedException();
             public static v256 mm256_set1_epi32(int a) => throw new System.PlatformNotSupportedException();
             public static void mm256_storeu_si256(void* ptr, v256 v) => throw new System.PlatformNotSupportedException();
+            public static v256 mm256_loadu_ps(void* ptr) => throw new System.PlatformNotSupportedException();
+            public static v256 mm256_set1_ps(float a) => throw new System.PlatformNotSupportedException();
+            public static void mm256_storeu_ps(void* ptr, v256 a) => throw new System.PlatformNotSupportedException();
+            public static v256 mm256_add_ps(v256 a, v256 b) => throw new System.PlatformNotSupportedException();
+            public static v256 mm256_mul_ps(v256 a, v256 b) => throw new System.PlatformNotSupportedException();
 #endif
         }
 

@@ -59,11 +59,27 @@ namespace FastPoints.Tests.Evaluation
             Assert.That(error.Cells.PointsOfCloud, Is.EqualTo(error.Cells.PointsOfSample));
             Assert.That(error.Cells.Uncovered256, Is.Zero);
             Assert.That(error.Cells.Bias, Is.Zero);
-            Assert.That(error.Picture.Psnr, Is.EqualTo(double.PositiveInfinity));
-            Assert.That(error.Picture.Ssim, Is.EqualTo(1).Within(1e-12));
-            Assert.That(error.Picture.Uncovered, Is.Zero);
             Assert.That(error.LookedUp, Is.EqualTo(CompareSamples.LookedUpPerSample));
             Assert.That(error.Found, Is.EqualTo(error.LookedUp));
+        }
+
+        [Test]
+        public void Compare_TheFullCloudAndAPart_IsAtAndAboveTheFloor()
+        {
+            var cloud = Positions(20_000, 1);
+            using var reader = Reader(cloud);
+            using var comparison = new CompareSamples(reader, new PictureOptions(), 160, 90);
+            JobCoroutine.RunToEnd(comparison.Prepare(null));
+            ImageError PictureOf(double3[] points)
+            {
+                using var batch = TestBatches.OfPositions(points);
+                var error = new SampleError();
+                JobCoroutine.RunToEnd(comparison.Measure(batch, batch.Count, reader.Info.Transform, null, error));
+                return error.Picture;
+            }
+            Assert.That(PictureOf(Scrambled(cloud)), Is.EqualTo(comparison.Floor));
+            Assert.That(comparison.Floor.Flip, Is.InRange(0.001, 0.1), "the reference is smooth");
+            Assert.That(PictureOf(Scrambled(cloud).Take(4000).ToArray()).Flip, Is.GreaterThan(2 * comparison.Floor.Flip));
         }
 
         [Test]

@@ -24,6 +24,7 @@ namespace FastPoints.Tests.Evaluation
             var error = ImageError.Compare(image, image, 0xFF204060);
             Assert.That(error.Psnr, Is.EqualTo(double.PositiveInfinity));
             Assert.That(error.Ssim, Is.EqualTo(1).Within(1e-9));
+            Assert.That(error.Flip, Is.Zero);
             Assert.That(error.Uncovered, Is.EqualTo(0));
         }
 

@@ -5,6 +5,7 @@ using FastPoints.Store;
 using FastPoints.Streaming;
 using FastPoints.Tests.Streaming;
 using NUnit.Framework;
+using Unity.Collections;
 using Unity.Mathematics;
 
 namespace FastPoints.Tests.Evaluation
@@ -27,15 +28,18 @@ namespace FastPoints.Tests.Evaluation
             PointSizePx = 2,
         };
 
-        RgbaImage DrawStreamed(Camera camera, CloudPlacement? placement)
+        RgbaImage DrawStreamed(Camera camera, CloudPlacement? placement) => DrawStreamed(Options(camera), placement);
+
+        RgbaImage DrawStreamed(PictureOptions options, CloudPlacement? placement)
         {
+            var camera = options.Camera.Value;
             using var stream = StreamedTestCloud.Stream();
             var source = m_cloud.Open();
             int cloud = stream.Add(source, placement ?? StreamedTestCloud.Geo(source));
             StreamedTestCloud.Settle(stream, camera);
             var ranges = new DisplayRanges { Color = ColorDepth.Bits16 };
-            var plan = new PicturePlan(Options(camera), ranges, source.Grid.FromCorner(source.Root.Corner));
-            using var picture = new StreamedPicture(Options(camera));
+            var plan = new PicturePlan(options, ranges, source.Grid.FromCorner(source.Root.Corner));
+            using var picture = new StreamedPicture(options);
             picture.Add(new StreamedBlocks(stream, cloud, plan), ColorMode.Rgb);
             return picture.Draw(camera);
         }
@@ -85,6 +89,35 @@ namespace FastPoints.Tests.Evaluation
                 for (int x = 0; x < got.Width; x++)
                     differ += got[x, y] != wanted[x, y] ? 1 : 0;
             Assert.That(differ, Is.LessThan(0.002 * got.Width * got.Height));
+        }
+
+        [Test]
+        public void Draw_SeveralSamplesAPixel_HasAdaptivePointsAsLarge()
+        {
+            var camera = StreamedTestCloud.Near(100, 100, 0.8);
+            double one = Covered(DrawAdaptive(camera, 1)), four = Covered(DrawAdaptive(camera, 4));
+            Assert.That(one, Is.InRange(0.02, 0.5));
+            Assert.That(four, Is.EqualTo(one).Within(0.02 * one));
+        }
+
+        RgbaImage DrawAdaptive(Camera camera, int samplesPerEdge)
+        {
+            var options = Options(camera);
+            // Near points are cut to the largest size.
+            var size = PointSize.Adaptive(0.5f);
+            size.MaxPx = 4;
+            (options.PointSizePx, options.SizeInWorld, options.SamplesPerEdge) = (0, size, samplesPerEdge);
+            return DrawStreamed(options, null);
+        }
+
+        // Of light: with several samples a pixel may be covered in part.
+        static double Covered(RgbaImage image)
+        {
+            using var light = Palettes.CreateLight(Allocator.Persistent);
+            double sum = 0;
+            for (int i = 1; i < image.Rgba.Length; i += 4)
+                sum += light[image.Rgba[i]];
+            return sum / (image.Rgba.Length / 4);
         }
 
         [Test]

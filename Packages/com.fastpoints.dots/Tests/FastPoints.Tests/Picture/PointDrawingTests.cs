@@ -39,6 +39,52 @@ namespace FastPoints.Tests.Picture
             return canvas.ToImage();
         }
 
+        // Squares whose edges lie on those of pixels.
+        [TestCase(2), TestCase(4)]
+        public void Draw_SeveralSamplesAPixel_HasPointsAsLarge(int samplesPerEdge)
+        {
+            using var batch = TestBatches.OfColoredPositions(new[] { new double3(2, 2, 1), new double3(3, 1, 2) },
+                new[] { Green, Red });
+            using var canvas = new PictureCanvas(4, 4, Allocator.Persistent, samplesPerEdge);
+            canvas.UseSize(2);
+            var drawing = DrawingOf(batch, FromAbove(4), PositionTransform.Identity, 4 * samplesPerEdge, canvas.LargestPx);
+            var drawn = canvas.ScheduleDraw(batch, 0, batch.Count, drawing, default);
+            canvas.ScheduleResolve(drawing, 0, 0, drawn).Complete();
+            Assert.That(canvas.ToImage().Rgba, Is.EqualTo(Draw(batch, FromAbove(4), 4, 4, 2).Rgba));
+        }
+
+        [Test]
+        public void ToImage_SeveralSamplesAPixel_IsTheirMeanLight()
+        {
+            using var canvas = new PictureCanvas(2, 1, Allocator.Persistent, 2);
+            // Row by row: the left pixel is half white, of the right one a quarter is red.
+            uint[] samples = { 0xFFFFFF, 0xFFFFFF, 0xFF, 0, 0, 0, 0, 0 };
+            var pixels = canvas.Pixels;
+            for (int i = 0; i < samples.Length; i++)
+                pixels[i] = samples[i];
+            var projection = new PointProjection(FromAbove(4), PositionTransform.Identity, canvas.WidthPx, canvas.HeightPx);
+            canvas.ScheduleResolve(new PointDrawing { Projection = projection }, 0, 0, default).Complete();
+            var image = canvas.ToImage();
+            Assert.That(image[0, 0], Is.EqualTo(0xFFBCBCBC), "half the light is 188 of 255 in sRGB");
+            Assert.That(image[1, 0], Is.EqualTo(0xFF000089), "a quarter is 137");
+        }
+
+        [Test]
+        public void UseSizesOf_ASmallPicture_AreLargerForEachTile()
+        {
+            using var small = new PictureCanvas(20, 12, Allocator.Persistent);
+            using var canvas = new PictureCanvas(20, 12, Allocator.Persistent, 4);
+            var sizes = small.SizeOfTile;
+            for (int i = 0; i < sizes.Length; i++)
+                sizes[i] = i + 1;
+            canvas.UseSizesOf(small);
+            // 3 x 2 tiles of 8 pixels; 10 x 6 of 8 samples, of which 4 x 4 lie in one of the others.
+            Assert.That(canvas.SizeOfTile.Length, Is.EqualTo(60));
+            Assert.That(canvas.SizeOfTile[3 * 10 + 3], Is.EqualTo(4));
+            Assert.That(canvas.SizeOfTile[3 * 10 + 4], Is.EqualTo(8));
+            Assert.That(canvas.SizeOfTile[4 * 10 + 9], Is.EqualTo(24));
+        }
+
         static int Covered(RgbaImage image)
         {
             int covered = 0;
