@@ -40,8 +40,8 @@ namespace FastPoints.Drawing
             var link = new SizeTreeLink { Gap = GapOf(i), IsDrawn = true };
             if (drawn.Parent < 0)
                 return AddRoot(link);
-            if (drawn.Fade < 1)
-                link.Gap = FadedGap(Links[NodeOfDrawn[drawn.Parent]].Gap, link.Gap, drawn.Fade);
+            if (drawn.Fade < Drawn[drawn.Parent].Fade)
+                link.Gap = FadedGap(Links[NodeOfDrawn[drawn.Parent]].Gap, link.Gap, drawn.Fade / Drawn[drawn.Parent].Fade);
             var above = Drawn[drawn.Parent];
             var cloud = (SizeTreeCloud*)Clouds.GetUnsafeReadOnlyPtr() + drawn.Cloud;
             int level = cloud->Pages[drawn.Page].Addresses[drawn.Node].Level;
@@ -113,9 +113,10 @@ namespace FastPoints.Drawing
             return GapOf(cloud->Pages[drawn.Page].Nodes[drawn.Node], *cloud);
         }
 
-        // With the fade, points for each area of a surface rise from the parent's number to the node's own.
-        static float FadedGap(float gapAbove, float gap, float fade) => gap <= 0 || gapAbove <= 0 ? gap
-            : 1 / math.sqrt(math.lerp(1 / (gapAbove * gapAbove), 1 / (gap * gap), fade));
+        // Points for each area of a surface rise from the parent's number to the node's own with the node's share of what is drawn
+        // of the parent: so much of the surface is covered as of the parent, whatever fades.
+        static float FadedGap(float gapAbove, float gap, float share) => gap <= 0 || gapAbove <= 0 ? gap
+            : 1 / math.sqrt(math.lerp(1 / (gapAbove * gapAbove), 1 / (gap * gap), share));
 
         // A node with others below it has one point in each cell. The last node at its place has all remaining points, most
         // often on a surface or a line; its gap is the larger of what the box's largest face and longest edge give.

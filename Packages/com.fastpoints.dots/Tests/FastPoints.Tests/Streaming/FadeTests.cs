@@ -180,7 +180,7 @@ namespace FastPoints.Tests.Streaming
             SettleFew();
             m_stream.Settings.Selection.PointBudget = 2_000_000;
             using var sizes = new SizeTree();
-            int checkedNodes = 0;
+            int checkedNodes = 0, between = 0;
             for (int frame = 0; frame <= 8; frame++)
             {
                 Frame();
@@ -192,12 +192,16 @@ namespace FastPoints.Tests.Streaming
                     if (node.Parent < 0 || stored.ChildCount + stored.ChunkCount == 0)
                         continue;
                     float above = sizes.Nodes[sizes.NodeOfDrawn[node.Parent]].Gap, own = stored.Spacing;
-                    double wanted = 1 / math.sqrt((1 - node.Fade) / ((double)above * above) + node.Fade / ((double)own * own));
+                    float fadeAbove = m_stream.Drawn[node.Parent].Fade;
+                    double share = node.Fade >= fadeAbove ? 1 : node.Fade / (double)fadeAbove;
+                    double wanted = 1 / math.sqrt((1 - share) / ((double)above * above) + share / ((double)own * own));
+                    between += share > 0 && share < 1 ? 1 : 0;
                     Assert.That(sizes.Nodes[sizes.NodeOfDrawn[i]].Gap, Is.EqualTo(wanted).Within(1e-5).Percent);
                     checkedNodes++;
                 }
             }
             Assert.That(checkedNodes, Is.GreaterThan(50));
+            Assert.That(between, Is.GreaterThan(10));
         }
 
         [Test]
