@@ -45,7 +45,7 @@ public sealed class FlyVerb : Verb
     readonly Option<double> m_fade = new("--fade")
     {
         HelpName = "SECONDS",
-        Description = "How long a node takes to appear or to leave, point by point (default: 0.2; 0: at once).",
+        Description = "How long a node takes to appear or to leave, point by point (default: 0.25; 0: at once).",
         DefaultValueFactory = _ => StreamSettings.DefaultFadeSeconds,
     };
     readonly Option<bool> m_popping = new("--popping")

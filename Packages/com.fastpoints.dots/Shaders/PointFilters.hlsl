@@ -34,9 +34,9 @@ bool FastPointsIsLeftByClips(float3 seen)
 // index: of the point in its node.
 bool FastPointsIsFaded(GpuNode node, uint index)
 {
-    uint hash = (index + (node.Bits >> 16) * 0x9E3779B9u) * 0x85EBCA6Bu;
+    uint hash = (index + (node.Bits >> 14) * 0x9E3779B9u) * 0x85EBCA6Bu;
     hash = (hash ^ hash >> 13) * 0xC2B2AE35u;
-    return (hash ^ hash >> 16) >> 24 > (node.Bits >> 8 & 0xFFu);
+    return (hash ^ hash >> 16) >> 20 >= (node.Bits >> 1 & 0x1FFFu);
 }
 
 bool FastPointsIsHidden(GpuCloud cloud, uint classWord, uint blockIndex, uint index)

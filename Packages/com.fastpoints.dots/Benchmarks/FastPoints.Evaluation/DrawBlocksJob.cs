@@ -60,7 +60,7 @@ namespace FastPoints.Evaluation
                 for (int p = 1; p < PlaneCount; p++)
                     for (int c = 0; c < planes[p].Shape.ColumnCount; c++, column++)
                         UnpackColumn(planes[p], block, c, Columns[column], values, batch + Targets[column].OffsetBytes);
-                if (Clips.Length > 0 || !HiddenClasses.IsEmpty || (node.FadeBits & PointFade.AllBits) != PointFade.AllBits)
+                if (Clips.Length > 0 || !HiddenClasses.IsEmpty || !PointFade.HasAll(node.FadeBits))
                     Hide(batch, count, node.FadeBits, (uint)(block * PlaneShape.MaxPointsPerBlock));
                 if (SizeNodes.Length > 0)
                     FindGaps(node, batch, count, gaps);

@@ -40,8 +40,9 @@ namespace FastPoints.Drawing
             var link = new SizeTreeLink { Gap = GapOf(i), IsDrawn = true };
             if (drawn.Parent < 0)
                 return AddRoot(link);
-            if (drawn.Fade < Drawn[drawn.Parent].Fade)
-                link.Gap = FadedGap(Links[NodeOfDrawn[drawn.Parent]].Gap, link.Gap, drawn.Fade / Drawn[drawn.Parent].Fade);
+            float share = drawn.PointShare / Drawn[drawn.Parent].PointShare;
+            if (share < 1)
+                link.Gap = FadedGap(Links[NodeOfDrawn[drawn.Parent]].Gap, link.Gap, share);
             var above = Drawn[drawn.Parent];
             var cloud = (SizeTreeCloud*)Clouds.GetUnsafeReadOnlyPtr() + drawn.Cloud;
             int level = cloud->Pages[drawn.Page].Addresses[drawn.Node].Level;

@@ -21,7 +21,7 @@ namespace FastPoints.Drawing
         public uint FirstInstance; // Of the node's first block; the others follow.
         public uint Cloud;
 
-        // Bit 0: positions are 64-bit columns; bits 8-15 and 16-31: fade and seed, see PointFade.
+        // Bit 0: positions are 64-bit columns; bits 1-13 and 14-31: threshold and seed of PointFade.
         public uint Bits;
 
         // Multiplies the points' colours: sRGB, with red, green, blue from the lowest byte.

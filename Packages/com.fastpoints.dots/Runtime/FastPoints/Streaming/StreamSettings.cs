@@ -34,7 +34,7 @@ namespace FastPoints.Streaming
         public float PrefetchShare = 0.25f;
 
         // Of scenes.
-        internal const float DefaultFadeSeconds = 0.2f;
+        internal const float DefaultFadeSeconds = 0.25f;
 
         /// <summary>How long a node takes to appear or to leave, point by point; 0 for at once. The pace is that of
         /// <see cref="StreamContext.FrameSeconds"/>.</summary>

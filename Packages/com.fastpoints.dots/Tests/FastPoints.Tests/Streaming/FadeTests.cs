@@ -38,6 +38,9 @@ namespace FastPoints.Tests.Streaming
 
         DrawnNode[] Drawn => m_stream.Drawn.AsArray().ToArray();
 
+        // How far a node has appeared, in time.
+        static float FadeOf(DrawnNode node) => math.round(math.pow(node.PointShare, 1 / 3f) * 1e5f) / 1e5f;
+
         static (int, int, int) Of(DrawnNode node) => (node.Cloud, node.Page, node.Node);
 
         FrameStats Frame() => StreamedTestCloud.Frame(m_stream, Here);
@@ -54,7 +57,7 @@ namespace FastPoints.Tests.Streaming
         public void Run_NodesArrive_AppearWithinFadeSeconds()
         {
             FrameStats stats;
-            var last = Drawn.ToDictionary(Of, n => n.Fade);
+            var last = Drawn.ToDictionary(Of, FadeOf);
             int begun = 0;
             do
             {
@@ -62,15 +65,15 @@ namespace FastPoints.Tests.Streaming
                 foreach (var node in Drawn)
                 {
                     float wanted = last.TryGetValue(Of(node), out float before) ? math.min(1, before + Step) : 0;
-                    Assert.That(node.Fade, Is.EqualTo(wanted));
+                    Assert.That(FadeOf(node), Is.EqualTo(wanted));
                     begun += wanted == 0 ? 1 : 0;
                 }
-                last = Drawn.ToDictionary(Of, n => n.Fade);
-                Assert.That(stats.FadingNodes, Is.EqualTo(Drawn.Count(n => n.Fade < 1)));
+                last = Drawn.ToDictionary(Of, FadeOf);
+                Assert.That(stats.FadingNodes, Is.EqualTo(Drawn.Count(n => n.PointShare < 1)));
             }
             while (!stats.IsSettled);
             Assert.That(begun, Is.EqualTo(Drawn.Length).And.GreaterThan(20));
-            Assert.That(Drawn, Has.All.Matches<DrawnNode>(n => n.Fade == 1));
+            Assert.That(Drawn, Has.All.Matches<DrawnNode>(n => n.PointShare == 1));
             Assert.That(stats.DrawnPoints, Is.EqualTo(stats.SelectedPoints));
         }
 
@@ -96,9 +99,9 @@ namespace FastPoints.Tests.Streaming
             {
                 var stats = Frame();
                 Assert.That(Drawn.Select(Of), Is.EquivalentTo(all));
-                var leaving = Drawn.Where(n => n.Fade < 1).ToArray();
+                var leaving = Drawn.Where(n => n.PointShare < 1).ToArray();
                 Assert.That(leaving, Has.Length.EqualTo(all.Length - stats.SelectedNodes).And.Length.GreaterThan(20));
-                Assert.That(leaving, Has.All.Matches<DrawnNode>(n => n.Fade == 1 - frame * Step));
+                Assert.That(leaving, Has.All.Matches<DrawnNode>(n => FadeOf(n) == 1 - frame * Step));
                 Assert.That(Drawn.Where((n, i) => n.Parent >= i), Is.Empty);
                 Assert.That(stats.IsSettled, Is.False);
             }
@@ -115,7 +118,7 @@ namespace FastPoints.Tests.Streaming
                 Frame();
             m_stream.Settings.Selection.MinScreenErrorPx = StreamedTestCloud.Selection.MinScreenErrorPx;
             Frame();
-            Assert.That(Drawn.Min(n => n.Fade), Is.EqualTo(1 - 3 * Step));
+            Assert.That(Drawn.Min(FadeOf), Is.EqualTo(1 - 3 * Step));
         }
 
         [Test]
@@ -191,10 +194,10 @@ namespace FastPoints.Tests.Streaming
                     var stored = m_stream.Clouds[0].Pages[node.Page].Nodes[node.Node];
                     if (node.Parent < 0 || stored.ChildCount + stored.ChunkCount == 0)
                         continue;
-                    float above = sizes.Nodes[sizes.NodeOfDrawn[node.Parent]].Gap, own = stored.Spacing;
-                    float fadeAbove = m_stream.Drawn[node.Parent].Fade;
-                    double share = node.Fade >= fadeAbove ? 1 : node.Fade / (double)fadeAbove;
-                    double wanted = 1 / math.sqrt((1 - share) / ((double)above * above) + share / ((double)own * own));
+                    float gapAbove = sizes.Nodes[sizes.NodeOfDrawn[node.Parent]].Gap, own = stored.Spacing;
+                    float above = m_stream.Drawn[node.Parent].PointShare;
+                    double share = node.PointShare >= above ? 1 : node.PointShare / (double)above;
+                    double wanted = 1 / math.sqrt((1 - share) / ((double)gapAbove * gapAbove) + share / ((double)own * own));
                     between += share > 0 && share < 1 ? 1 : 0;
                     Assert.That(sizes.Nodes[sizes.NodeOfDrawn[i]].Gap, Is.EqualTo(wanted).Within(1e-5).Percent);
                     checkedNodes++;
@@ -207,8 +210,8 @@ namespace FastPoints.Tests.Streaming
         [Test]
         public void IsDrawn_ShareOfPoints_IsTheFade([Values(0.1f, 0.25f, 0.5f, 0.9f, 1)] float fade, [Values(0, 77)] int number)
         {
-            uint bits = PointFade.BitsOf(new DrawnNode { Cloud = 1, Page = 3, Node = number, Fade = fade });
-            uint before = PointFade.BitsOf(new DrawnNode { Cloud = 1, Page = 3, Node = number, Fade = fade - 0.05f });
+            uint bits = PointFade.BitsOf(new DrawnNode { Cloud = 1, Page = 3, Node = number, PointShare = fade });
+            uint before = PointFade.BitsOf(new DrawnNode { Cloud = 1, Page = 3, Node = number, PointShare = fade - 0.05f });
             int drawn = 0, inHalf = 0;
             for (uint i = 0; i < 10_000; i++)
             {
@@ -217,9 +220,9 @@ namespace FastPoints.Tests.Streaming
                 inHalf += isDrawn && i % 2 == 0 ? 1 : 0;
                 Assert.That(isDrawn || !PointFade.IsDrawn(before, i), "a point that is drawn stays");
             }
-            // A threshold is rounded to a 255th; five standard deviations of so many points.
-            Assert.That(drawn / 10_000.0, Is.EqualTo(fade).Within(1 / 255.0 + 5 * Math.Sqrt(fade * (1 - fade) / 10_000)));
-            Assert.That(inHalf / 5000.0, Is.EqualTo(fade).Within(1 / 255.0 + 5 * Math.Sqrt(fade * (1 - fade) / 5000)));
+            // A threshold is rounded to a 4096th; five standard deviations of so many points.
+            Assert.That(drawn / 10_000.0, Is.EqualTo(fade).Within(1 / 4096.0 + 5 * Math.Sqrt(fade * (1 - fade) / 10_000)));
+            Assert.That(inHalf / 5000.0, Is.EqualTo(fade).Within(1 / 4096.0 + 5 * Math.Sqrt(fade * (1 - fade) / 5000)));
         }
     }
 }

@@ -87,7 +87,7 @@ namespace FastPoints.Streaming
         public uint UsedFrame;
         public int Rank;
 
-        // The last frame that listed it to be drawn, its index there, and the share of its points that was drawn.
+        // The last frame that listed it to be drawn, its index there, and how far it has appeared then: 0 to 1, in time.
         public uint DrawnFrame;
         public int DrawnIndex;
         public float Fade;
