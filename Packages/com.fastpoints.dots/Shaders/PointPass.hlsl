@@ -4,6 +4,10 @@
 
 #include "PointDrawing.hlsl"
 
+#if defined(FASTPOINTS_PROGRESSIVE)
+#define FASTPOINTS_LAYERED
+#endif
+
 #if defined(FASTPOINTS_PARABOLOIDS) || defined(FASTPOINTS_BLENDING)
 #define FASTPOINTS_DISCS
 
@@ -53,6 +57,9 @@ struct FastPointsVaryings
     // The radius in whole pixels, and the depth in world units.
     nointerpolation float2 RadiusAndDepth : TEXCOORD2;
 #endif
+#if defined(FASTPOINTS_PROGRESSIVE)
+    nointerpolation uint Number : TEXCOORD4;
+#endif
 #if defined(FASTPOINTS_STEREO)
     uint Slice : SV_RenderTargetArrayIndex;
 #endif
@@ -94,6 +101,9 @@ FastPointsVaryings FastPointsVertex(uint vertex : SV_VertexID, uint instance : S
 #if defined(FASTPOINTS_LAYERED)
     varyings.RadiusAndDepth = float2(max(1.0, floor(drawn.SizePx * 0.5 + 0.5)), drawn.Depth);
 #endif
+#if defined(FASTPOINTS_PROGRESSIVE)
+    varyings.Number = drawn.Number;
+#endif
 #if defined(FASTPOINTS_STEREO)
     varyings.Slice = FastPointsEyeOf(instance);
 #endif
@@ -112,6 +122,10 @@ struct FastPointsTargets
 #if defined(FASTPOINTS_LAYERED)
     // In world units, and the device's.
     float2 Depth : SV_Target1;
+#endif
+#if defined(FASTPOINTS_PROGRESSIVE)
+    // Of the point, plus one: 0 is none.
+    uint Number : SV_Target2;
 #endif
 #if defined(FASTPOINTS_PARABOLOIDS)
     float DeviceDepth : SV_Depth;
@@ -144,6 +158,9 @@ FastPointsTargets FastPointsFragment(FastPointsVaryings varyings)
 #if defined(FASTPOINTS_LAYERED)
     targets.Color.w = varyings.RadiusAndDepth.x / 255.0;
     targets.Depth = float2(varyings.RadiusAndDepth.y + behind, deviceDepth);
+#endif
+#if defined(FASTPOINTS_PROGRESSIVE)
+    targets.Number = varyings.Number + 1u;
 #endif
     return targets;
 }

@@ -51,11 +51,12 @@ namespace FastPoints.Rendering
         }
 
         // The stream's pool is in graphics memory; the scene does not dispose it.
-        public PointScene(Shader points, Shader compose, StreamContext stream, ComputeShader raster = null)
+        public PointScene(Shader points, Shader compose, StreamContext stream, ComputeShader raster = null,
+            ComputeShader progressive = null)
         {
             Stream = stream;
             m_pool = (GraphicsNodePool)stream.Pool;
-            m_materials = new PointMaterials(points, compose, raster);
+            m_materials = new PointMaterials(points, compose, raster, progressive);
             m_nextViews = new NativeList<StreamView>(Allocator.Persistent);
         }
 

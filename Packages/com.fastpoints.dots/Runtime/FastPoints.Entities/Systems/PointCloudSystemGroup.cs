@@ -238,7 +238,7 @@ namespace FastPoints.Entities
                 return false;
             }
             Begin(new GraphicsNodePool(resources.CopyPages, DefaultPoolBytes));
-            Scene = new PointScene(resources.Points, resources.Compose, Stream, resources.Raster);
+            Scene = new PointScene(resources.Points, resources.Compose, Stream, resources.Raster, resources.Progressive);
             PointScene.Current = Scene;
             return true;
         }

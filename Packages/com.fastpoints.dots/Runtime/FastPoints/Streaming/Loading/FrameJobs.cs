@@ -102,6 +102,7 @@ namespace FastPoints.Streaming
                     Node = node.Node,
                     Parent = parent,
                     Slot = slot,
+                    Version = Slots[slot].Version,
                     Range = Slots[slot].Range,
                     Tint = Slots[slot].Tint,
                 });
@@ -137,6 +138,9 @@ namespace FastPoints.Streaming
 
         /// <summary>Its slot in the <see cref="NodeCache"/>.</summary>
         public int Slot;
+
+        /// <summary>See <see cref="CachedNode.Version"/>.</summary>
+        public int Version;
 
         /// <summary>See <see cref="CachedNode.Tint"/>.</summary>
         public uint Tint;
