@@ -79,4 +79,104 @@ public sealed class ProgressiveTests : GraphicsFixture
         TestContext.Out.WriteLine(points + size + ": " + string.Join(" ", covered.Select(s => s.ToString("P1"))));
         Assert.That(covered[2], Is.GreaterThanOrEqualTo(0.9));
     }
+
+    static PictureCamera Along(ProgressiveStream stream, int frame)
+    {
+        var camera = Near(stream);
+        var center = stream.Ranges.Robust.Center;
+        double angle = frame * 0.02, sin = math.sin(angle), cos = math.cos(angle);
+        var from = (camera.EyeGeo - center) * (1 - frame * 0.01);
+        return PictureCamera.Perspective(center + new double3(cos * from.x - sin * from.y, sin * from.x + cos * from.y, from.z),
+            center, new double3(0, 0, 1), 60);
+    }
+
+    [TestCase("square", "1", true)]
+    [TestCase("square", "1", false)]
+    [TestCase("round", "3", true)]
+    public void Draw_InMotionAtHalf_DiffersLessThanAsManyPointsByLevel(string points, string size, bool canCompute)
+    {
+        using var stream = Stream(points, size, canCompute);
+        using var half = Stream(points, size, canCompute);
+        double progressive = 0, byLevel = 0;
+        const int frames = 24;
+        for (int frame = 0; frame < frames; frame++)
+        {
+            var camera = Along(stream, frame);
+            stream.Settle(camera);
+            stream.PointsPerFrame = (int)(stream.Drawn / 2);
+            half.Stream.Settings.Selection.PointBudget = stream.Drawn / 2;
+            half.Settle(camera);
+            var whole = stream.Whole(camera);
+            progressive += FlipMap.Of(stream.Frame(camera), whole).Mean / frames;
+            byLevel += FlipMap.Of(half.Whole(camera), whole).Mean / frames;
+        }
+        TestContext.Out.WriteLine($"{points}{size}{canCompute}: FLIP {progressive:0.0000}, by level {byLevel:0.0000}");
+        Assert.That(progressive, Is.LessThan(byLevel));
+    }
+
+    static void ExpectNothingElse(ProgressiveStream stream, PictureCamera camera)
+    {
+        stream.Settle(camera);
+        var whole = stream.Whole(camera);
+        var picture = stream.Frame(camera);
+        int covered = 0;
+        for (int i = 0; i < whole.Width * whole.Height; i++)
+        {
+            int x = i % whole.Width, y = i / whole.Width;
+            covered += picture[x, y] != stream.Options.Background ? 1 : 0;
+            Assert.That(picture[x, y] == stream.Options.Background || whole[x, y] != stream.Options.Background, $"{x}, {y}");
+        }
+        Assert.That(covered, Is.GreaterThan(100));
+    }
+
+    [TestCase("square", "1")]
+    [TestCase("round", "3")]
+    public void Draw_MovedClippedOrReplaced_LeavesNothingBehind(string points, string size)
+    {
+        using var stream = Stream(points, size);
+        var camera = Near(stream);
+        stream.Settle(camera);
+        stream.PointsPerFrame = Points / 8;
+        for (int frame = 0; frame < 3; frame++)
+            stream.Frame(camera);
+        var placement = stream.Stream.Clouds[0].Placement;
+        placement.OriginWorld += new double3(2, 3, 1) * 0.01 * stream.Ranges.Robust.Size;
+        stream.Stream.Clouds[0].Placement = placement;
+        ExpectNothingElse(stream, camera);
+        var bounds = stream.Ranges.Robust;
+        stream.Options.ClipBoxes.Add(new ClipBox(bounds.Min, bounds.Center, true));
+        stream.Stream.SetClipBoxes(stream.Options.ClipBoxes);
+        ExpectNothingElse(stream, camera);
+        stream.Stream.Remove(0);
+        stream.Add(m_demo);
+        ExpectNothingElse(stream, camera);
+        for (int frame = 0; frame < 130; frame++)
+            stream.Frame(camera);
+        Assert.That(stream.Differs(stream.Frame(camera), stream.Whole(camera)), Is.LessThanOrEqualTo(0.001));
+    }
+
+    [Test]
+    public void Draw_CameraInsideTheCloud_ReachesTheWholePicture()
+    {
+        using var stream = Stream("square", "1");
+        var center = stream.Ranges.Robust.Center;
+        var camera = PictureCamera.Perspective(center, center + new double3(1, 0.5, -0.1), new double3(0, 0, 1), 90);
+        stream.Settle(camera);
+        stream.PointsPerFrame = (int)(stream.Drawn / 5);
+        for (int frame = 0; frame < 130; frame++)
+            stream.Frame(camera);
+        Assert.That(stream.Frame(camera).Rgba, Is.EqualTo(stream.Whole(camera).Rgba));
+    }
+
+    [TestCase(2, 1)]
+    [TestCase(100, 7)]
+    public void Draw_OneNode_ReachesTheWholePicture(int points, int perFrame)
+    {
+        using var stream = new ProgressiveStream(m_scratch.Converted($"of{points}.fastpoints", points), Options("square", "1"), Points);
+        stream.Settle(stream.Overview);
+        stream.PointsPerFrame = perFrame;
+        for (int frame = 0; frame < 130; frame++)
+            stream.Frame(stream.Overview);
+        Assert.That(stream.Frame(stream.Overview).Rgba, Is.EqualTo(stream.Whole(stream.Overview).Rgba));
+    }
 }

@@ -54,6 +54,7 @@ struct FastPointsPoint
     float Depth;
 #if defined(FASTPOINTS_PROGRESSIVE)
     uint Number;
+    bool WasVisible;
 #endif
 };
 
@@ -169,7 +170,7 @@ FastPointsPoint FastPointsLoadPoint(uint instance, uint index)
     instance >>= 1;
 #endif
 #if defined(FASTPOINTS_PROGRESSIVE)
-    FastPointsChoose(instance, index);
+    bool wasVisible = FastPointsChoose(instance, index);
 #else
     instance += _FastPointsFirstInstance;
 #endif
@@ -186,6 +187,7 @@ FastPointsPoint FastPointsLoadPoint(uint instance, uint index)
     loaded.Depth = 0.0;
 #if defined(FASTPOINTS_PROGRESSIVE)
     loaded.Number = instance * FASTPOINTS_POINTS_PER_BLOCK + index;
+    loaded.WasVisible = wasVisible;
 #endif
     if (loaded.IsThere)
     {

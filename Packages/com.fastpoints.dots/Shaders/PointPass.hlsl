@@ -91,6 +91,11 @@ FastPointsVaryings FastPointsVertex(uint vertex : SV_VertexID, uint instance : S
     FastPointsPoint drawn = FastPointsLoadPoint(instance, vertex);
     varyings.PointSize = 1.0;
 #endif
+#if defined(FASTPOINTS_PROGRESSIVE)
+    varyings.Number = drawn.Number;
+    // Of points at one depth, those that are visible stay: a picture at rest does not flicker. Others lie behind by 2^-22.
+    drawn.PositionClip.z *= drawn.WasVisible ? 1.0 : 1.0 - 1.0 / 4194304.0;
+#endif
 #if defined(FASTPOINTS_DISCS)
     varyings.Corner = corner;
 #endif
@@ -100,9 +105,6 @@ FastPointsVaryings FastPointsVertex(uint vertex : SV_VertexID, uint instance : S
 #endif
 #if defined(FASTPOINTS_LAYERED)
     varyings.RadiusAndDepth = float2(max(1.0, floor(drawn.SizePx * 0.5 + 0.5)), drawn.Depth);
-#endif
-#if defined(FASTPOINTS_PROGRESSIVE)
-    varyings.Number = drawn.Number;
 #endif
 #if defined(FASTPOINTS_STEREO)
     varyings.Slice = FastPointsEyeOf(instance);

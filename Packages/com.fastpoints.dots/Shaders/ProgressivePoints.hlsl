@@ -27,16 +27,18 @@ uint FastPointsSeedOf(uint block)
 }
 
 // From a number of 128 points that the draw has threads for, and one of these, to a block and an index in it, which is 128
-// where there is no point left. Blocks lie along a Morton curve inside: reversed bits spread what is tried first evenly.
-void FastPointsChoose(inout uint block, inout uint index)
+// where there is no point left. Whether that point was visible in the last picture; else it is one of the block's share: points
+// lie along a Morton curve in it, so that reversed bits spread what is tried first evenly.
+bool FastPointsChoose(inout uint block, inout uint index)
 {
     uint4 bank = _FastPointsChosen.Load4(FASTPOINTS_CHOSEN_HEADER_BYTES + _FastPointsBankNumber * FASTPOINTS_CHOSEN_BANK_BYTES);
     uint2 phaseAndShare = _FastPointsChosen.Load2(0u);
     uint number = block * FASTPOINTS_POINTS_PER_BLOCK + index;
     uint visible = (bank.z + FASTPOINTS_POINTS_PER_BLOCK - 1u) / FASTPOINTS_POINTS_PER_BLOCK * FASTPOINTS_POINTS_PER_BLOCK;
+    bool wasVisible = number < bank.z;
     block = bank.x;
     index = FASTPOINTS_POINTS_PER_BLOCK;
-    if (number < bank.z)
+    if (wasVisible)
     {
         uint chosen = _FastPointsChosen.Load(_FastPointsVisibleAt + (bank.w + number) * 4u);
         block = chosen / FASTPOINTS_POINTS_PER_BLOCK;
@@ -47,6 +49,7 @@ void FastPointsChoose(inout uint block, inout uint index)
         block += (number - visible) / phaseAndShare.y;
         index = reversebits(phaseAndShare.x + (number - visible) % phaseAndShare.y) >> 25 ^ FastPointsSeedOf(block);
     }
+    return wasVisible;
 }
 
 #endif
