@@ -35,6 +35,7 @@ namespace FastPoints.Rendering
         {
             public Camera Camera;
             public PointRenderer Renderer;
+            public PointRenderer RightEye; // Where eyes are drawn in turn and each keeps the points that it saw; null elsewhere.
             public int LastFrame;
             public int AnnouncedFrame;
             public double3? AnnouncedPosition; // Null if a script has set the matrices, independent of the transform.
@@ -114,6 +115,7 @@ namespace FastPoints.Rendering
                 if (m_cameras[i].Camera != null && m_frame - m_cameras[i].LastFrame < FramesToForget)
                     continue;
                 m_cameras[i].Renderer.Dispose();
+                m_cameras[i].RightEye?.Dispose();
                 m_cameras.RemoveAt(i);
             }
         }
@@ -224,7 +226,7 @@ namespace FastPoints.Rendering
         PointRenderer Prepare(Camera camera, in CameraTarget target, out RenderView view)
         {
             RecordedPictures++;
-            var renderer = CameraOf(camera).Renderer;
+            var renderer = RendererOf(camera, target);
             for (int cloud = 0; cloud < m_looks.Count; cloud++)
                 renderer.List.SetLook(cloud, m_looks[cloud]);
             var seen = CameraViews.StreamViewOf(camera, target.Eye, target.HeightPx);
@@ -244,11 +246,26 @@ namespace FastPoints.Rendering
             if (Current == this)
                 Current = null;
             foreach (var seen in m_cameras)
+            {
                 seen.Renderer.Dispose();
+                seen.RightEye?.Dispose();
+            }
             m_cameras.Clear();
             m_materials.Dispose();
             m_sizes.Dispose();
             m_nextViews.Dispose();
+        }
+
+        PointRenderer RendererOf(Camera camera, in CameraTarget target)
+        {
+            var seen = CameraOf(camera);
+            if (!Style.IsProgressive || target.HasBothEyes || !camera.stereoEnabled)
+                return seen.Renderer;
+            var left = EyeMatrices.Of(camera, Camera.StereoscopicEye.Left).PositionWorld;
+            var right = EyeMatrices.Of(camera, Camera.StereoscopicEye.Right).PositionWorld;
+            if (math.distancesq(target.Eye.PositionWorld, left) <= math.distancesq(target.Eye.PositionWorld, right))
+                return seen.Renderer;
+            return seen.RightEye ??= new PointRenderer(m_materials, m_pool, m_sizes);
         }
 
         SceneCamera CameraOf(Camera camera)
