@@ -1,3 +1,4 @@
+using NUnit.Framework.Constraints;
 using UnityEngine.XR;
 
 namespace FastPoints.HostTests.Gpu;
@@ -121,6 +122,37 @@ public sealed class ProgressivePassTests : PipelineFixture
         UnityEngine.Object.DestroyImmediate(headset.gameObject);
         single.Release();
     }
+
+    /// <summary>Where the card has time for more, a frame draws more, up to all.</summary>
+    [TestCase(1, true)]
+    [TestCase(0, false)]
+    public void Render_WithATimeForFrames_DrawsWhatTheCardHasTimeFor(double gpuMs, bool isWhole)
+    {
+        using var reference = Show(nameof(UrpHost), "pixels");
+        var target = StereoPassTests.Target(1);
+        var camera = CameraAt(StereoPassTests.At(0), StereoPassTests.ProjectionOf(0), target);
+        var whole = Render(camera);
+        SetPointsPerFrame(PointsPerFrame);
+        var style = Scene.Style;
+        style.GpuFrameMs = 10;
+        Scene.Style = style;
+        for (int frame = 0; frame < 200; frame++)
+        {
+            RenderOnce(camera);
+            FrameTimingManager.EndFrame(gpuMs);
+            UpdateWorld();
+        }
+        // Nothing is carried over to a camera that was not there.
+        UnityEngine.Object.DestroyImmediate(camera.gameObject);
+        camera = CameraAt(StereoPassTests.At(0), StereoPassTests.ProjectionOf(0), target);
+        RenderOnce(camera);
+        Assert.That(Differ(Picture(target), whole), isWhole ? Is.Zero : (IResolveConstraint)Is.GreaterThan(0.1));
+        UnityEngine.Object.DestroyImmediate(camera.gameObject);
+        target.Release();
+    }
+
+    [TearDown]
+    public void StopTiming() => FrameTimingManager.EndFrame(null);
 
     [TearDown]
     public void TakeHeadsetOff() => XRSettings.eyeTextureDesc = default;

@@ -179,4 +179,38 @@ public sealed class ProgressiveTests : GraphicsFixture
             stream.Frame(stream.Overview);
         Assert.That(stream.Frame(stream.Overview).Rgba, Is.EqualTo(stream.Whole(stream.Overview).Rgba));
     }
+
+    [Test]
+    public void Draw_TurnedOff_KeepsNoBuffer()
+    {
+        using var stream = Stream("square", "1");
+        var camera = Near(stream);
+        stream.Settle(camera);
+        long Used()
+        {
+            stream.Frame(camera);
+            for (int frame = 0; frame < 4; frame++)
+                HeadlessGraphics.EndFrame();
+            HeadlessGraphics.WaitForIdle();
+            return HeadlessGraphics.UsedBytes;
+        }
+        long off = Used();
+        stream.PointsPerFrame = Points / 4;
+        long on = Used();
+        stream.PointsPerFrame = 0;
+        TestContext.Out.WriteLine($"{off} bytes off, {on} on: {(on - off) / (320.0 * 180):0.0} a pixel, {stream.Drawn} points");
+        Assert.That(on, Is.GreaterThan(off));
+        Assert.That(Used(), Is.EqualTo(off));
+    }
+
+    [Test]
+    public void Draw_Splats_AreDrawnWhole()
+    {
+        using var stream = Stream("splat", "4");
+        var camera = Near(stream);
+        stream.Settle(camera);
+        var whole = stream.Whole(camera);
+        stream.PointsPerFrame = Points / 8;
+        Assert.That(stream.Frame(camera).Rgba, Is.EqualTo(whole.Rgba));
+    }
 }

@@ -28,8 +28,10 @@ namespace FastPoints.Rendering
         readonly SizeTree m_sizes = new SizeTree();
         readonly List<CloudLook> m_looks = new List<CloudLook>();
         readonly List<SceneCamera> m_cameras = new List<SceneCamera>();
+        readonly FramePace m_pace = new FramePace();
         NativeList<StreamView> m_nextViews;
         int m_frame;
+        int m_pointsPerFrame;
 
         sealed class SceneCamera
         {
@@ -66,6 +68,17 @@ namespace FastPoints.Rendering
 
         public StreamContext Stream { get; }
         public PointStyle Style { get; set; } = PointStyle.Default;
+
+        // With as many points in a frame as meet its time.
+        PointStyle PacedStyle
+        {
+            get
+            {
+                var style = Style;
+                style.PointsPerFrame = style.IsProgressive && m_pointsPerFrame > 0 ? m_pointsPerFrame : style.PointsPerFrame;
+                return style;
+            }
+        }
 
         // Views of the recently announced cameras: one for each size and mask of a camera.
         public NativeArray<StreamView> NextViews
@@ -108,6 +121,10 @@ namespace FastPoints.Rendering
         public void BeginFrame()
         {
             m_frame++;
+            long listed = 0;
+            foreach (var seen in m_cameras)
+                listed = math.max(listed, seen.Renderer.List.Points);
+            m_pointsPerFrame = m_pace.Next(Style, listed);
             for (int i = m_cameras.Count - 1; i >= 0; i--)
             {
                 if (m_frame - m_cameras[i].AnnouncedFrame > FramesToKeep)
@@ -203,7 +220,7 @@ namespace FastPoints.Rendering
                 return;
             }
             var right = CameraViews.RenderViewOf(target, target.RightEye);
-            right.Style = Style;
+            right.Style = view.Style;
             var offset = target.RightEye.PositionWorld - target.Eye.PositionWorld;
             right.EyeOffset = new Vector3((float)offset.x, (float)offset.y, (float)offset.z);
             renderer.RecordBothEyes(commands, view, right, pipelineDoublesInstances);
@@ -231,11 +248,11 @@ namespace FastPoints.Rendering
                 renderer.List.SetLook(cloud, m_looks[cloud]);
             var seen = CameraViews.StreamViewOf(camera, target.Eye, target.HeightPx);
             view = CameraViews.RenderViewOf(target, target.Eye);
-            view.Style = Style;
+            view.Style = PacedStyle;
             if (target.HasBothEyes)
-                renderer.Prepare(Stream, seen, CameraViews.StreamViewOf(camera, target.RightEye, target.HeightPx), Style);
+                renderer.Prepare(Stream, seen, CameraViews.StreamViewOf(camera, target.RightEye, target.HeightPx), view.Style);
             else
-                renderer.Prepare(Stream, seen, Style);
+                renderer.Prepare(Stream, seen, view.Style);
             return renderer;
         }
 

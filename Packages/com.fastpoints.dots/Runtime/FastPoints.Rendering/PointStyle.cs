@@ -22,6 +22,10 @@ namespace FastPoints.Rendering
         /// in every frame, as splats always are.</summary>
         public int PointsPerFrame;
 
+        /// <summary>Milliseconds that the GPU may take for a frame: <see cref="PointsPerFrame"/> then is where the number begins
+        /// that meets them, in players with Frame Timing Stats (Project Settings, Player). 0 leaves it as it is.</summary>
+        public float GpuFrameMs;
+
         internal readonly bool IsProgressive => PointsPerFrame > 0 && !IsBlended;
 
         // Into a layer of their own first.
