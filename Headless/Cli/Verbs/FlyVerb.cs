@@ -42,6 +42,8 @@ public sealed class FlyVerb : Verb
         "Memory of what is resident (default: 256 MiB). A hard limit.", 256, "MIB");
     readonly Option<long> m_upload = Counts.Of("--upload",
         "Copied into it in one frame at most (default: 4096 KiB).", 4096, "KIB");
+    readonly Option<long> m_pointsPerFrame = Counts.Of("--points-per-frame",
+        "With --gpu: a picture of more points is drawn over several, the visible points in each; with --every 1 as in a game.", 0);
     readonly PictureSettings m_picture;
 
     public FlyVerb() : base(new Command("fly", "Stream clouds along a camera path, 60 frames a second: what each frame "
@@ -57,6 +59,7 @@ public sealed class FlyVerb : Verb
         Command.Add(m_budget);
         Command.Add(m_pool);
         Command.Add(m_upload);
+        Command.Add(m_pointsPerFrame);
         m_picture = new PictureSettings(Command, canFilter: true);
     }
 
@@ -99,6 +102,9 @@ public sealed class FlyVerb : Verb
         stream.SetClipBoxes(options.ClipBoxes);
         using var picture = shaders != null
             ? new GpuFlightRenderer(shaders, stream, options)
+            {
+                PointsPerFrame = Counts.ToInt(parsed.GetValue(m_pointsPerFrame)),
+            }
             : (FlightRenderer)new CpuFlightRenderer(stream, options);
         var bounds = BoundsGeo.Empty;
         foreach (string cloud in clouds)

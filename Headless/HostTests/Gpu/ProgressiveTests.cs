@@ -68,16 +68,21 @@ public sealed class ProgressiveTests : GraphicsFixture
     public void Draw_AfterACutAtAQuarter_CoversNineTenthsInThreeFrames(string points, string size)
     {
         using var stream = Stream(points, size);
+        Assert.That(CoveredAfterACut(stream), Is.GreaterThanOrEqualTo(0.9));
+    }
+
+    static double CoveredAfterACut(ProgressiveStream stream)
+    {
         var camera = Near(stream);
-        stream.PointsPerFrame = Points / 4;
         stream.Settle(stream.Overview);
+        stream.PointsPerFrame = (int)(stream.Drawn / 4);
         stream.Frame(stream.Overview);
         stream.Settle(camera);
         var whole = stream.Whole(camera);
         stream.PointsPerFrame = (int)(stream.Drawn / 4);
         var covered = Enumerable.Range(0, 3).Select(_ => stream.Covers(stream.Frame(camera), whole)).ToArray();
-        TestContext.Out.WriteLine(points + size + ": " + string.Join(" ", covered.Select(s => s.ToString("P1"))));
-        Assert.That(covered[2], Is.GreaterThanOrEqualTo(0.9));
+        TestContext.Out.WriteLine("covered after a cut: " + string.Join(" ", covered.Select(s => s.ToString("P1"))));
+        return covered[2];
     }
 
     static PictureCamera Along(ProgressiveStream stream, int frame)
@@ -97,6 +102,12 @@ public sealed class ProgressiveTests : GraphicsFixture
     {
         using var stream = Stream(points, size, canCompute);
         using var half = Stream(points, size, canCompute);
+        var (progressive, byLevel) = FlipInMotion(stream, half);
+        Assert.That(progressive, Is.LessThan(byLevel));
+    }
+
+    static (double Progressive, double ByLevel) FlipInMotion(ProgressiveStream stream, ProgressiveStream half)
+    {
         double progressive = 0, byLevel = 0;
         const int frames = 24;
         for (int frame = 0; frame < frames; frame++)
@@ -110,7 +121,33 @@ public sealed class ProgressiveTests : GraphicsFixture
             progressive += FlipMap.Of(stream.Frame(camera), whole).Mean / frames;
             byLevel += FlipMap.Of(half.Whole(camera), whole).Mean / frames;
         }
-        TestContext.Out.WriteLine($"{points}{size}{canCompute}: FLIP {progressive:0.0000}, by level {byLevel:0.0000}");
+        TestContext.Out.WriteLine($"in motion: FLIP {progressive:0.0000}, by level {byLevel:0.0000}");
+        return (progressive, byLevel);
+    }
+
+    [Category("Long")]
+    [TestCase("data/lion.laz", "square", "1")]
+    [TestCase("data/lion.laz", "round", "3")]
+    [TestCase("data/ca13_d.laz", "square", "1")]
+    [TestCase("data/ca13_d.laz", "round", "3")]
+    public void Draw_RealScans_AreWholeAtRestAndNearerInMotion(string data, string points, string size)
+    {
+        string file = TestData.PathOrIgnore(data), cloud = m_scratch[Path.GetFileNameWithoutExtension(data) + ".fastpoints"];
+        if (!Directory.Exists(cloud))
+            Assert.That(CliCall.Of("convert", file, "-o", cloud, "--quiet").Status, Is.EqualTo(ExitStatus.Done));
+        var options = Options(points, size);
+        options.Color = ColorMode.Auto;
+        (options.WidthPx, options.HeightPx) = (640, 360);
+        using var stream = new ProgressiveStream(cloud, options, 1_000_000);
+        using var half = new ProgressiveStream(cloud, options, 500_000);
+        Assert.That(CoveredAfterACut(stream), Is.GreaterThanOrEqualTo(0.9));
+        var whole = stream.Whole(Near(stream));
+        for (int frame = 0; frame < 130; frame++)
+            stream.Frame(Near(stream));
+        double differs = stream.Differs(stream.Frame(Near(stream)), whole);
+        TestContext.Out.WriteLine($"at rest {differs:0.00000} differ, of {stream.Drawn} points");
+        Assert.That(differs, Is.LessThanOrEqualTo(size == "1" ? 0 : 0.001));
+        var (progressive, byLevel) = FlipInMotion(stream, half);
         Assert.That(progressive, Is.LessThan(byLevel));
     }
 
