@@ -43,7 +43,7 @@ public sealed class FlyVerb : Verb
     readonly Option<long> m_upload = Counts.Of("--upload",
         "Copied into it in one frame at most (default: 4096 KiB).", 4096, "KIB");
     readonly Option<long> m_pointsPerFrame = Counts.Of("--points-per-frame",
-        "With --gpu: a picture of more points is drawn over several, the visible points in each; with --every 1 as in a game.", 0);
+        "With --gpu: pictures of more points take several, each with the visible points; --every 1 for as in a game.", 0);
     readonly PictureSettings m_picture;
 
     public FlyVerb() : base(new Command("fly", "Stream clouds along a camera path, 60 frames a second: what each frame "

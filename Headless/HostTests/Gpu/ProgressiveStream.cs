@@ -34,6 +34,21 @@ sealed class ProgressiveStream : IDisposable
         set => m_progressive.PointsPerFrame = value;
     }
 
+    /// <summary>How many points the last progressive frame began with.</summary>
+    public long Carried
+    {
+        get
+        {
+            object Field(object of, string name) => of.GetType().GetField(name, System.Reflection.BindingFlags.Instance |
+                System.Reflection.BindingFlags.NonPublic).GetValue(of);
+            var renderer = (PointRenderer)Field(m_progressive, "m_renderer");
+            var points = ((ProgressivePictures)Field(renderer, "m_progressive")).PointsOf(TargetEye.Whole);
+            var chosen = new uint[4 + 8 * renderer.List.Draws.Length];
+            ((GrowingBuffer)Field(points, "m_chosen")).Buffer.GetData(chosen, 0, 0, chosen.Length);
+            return Enumerable.Range(0, renderer.List.Draws.Length).Sum(bank => (long)chosen[4 + 8 * bank + 2]);
+        }
+    }
+
     public void Add(string cloud)
     {
         var (plan, ranges, number) = FlightCloud.Add(cloud, Stream, Options, default);

@@ -23,7 +23,8 @@ public sealed class ProgressiveTests : GraphicsFixture
     static PictureOptions Options(string points, string size)
     {
         var options = new PictureOptions { WidthPx = 320, HeightPx = 180, Color = ColorMode.Rgb, EdlStrength = 0 };
-        Assert.That(options.TrySetStyle("size", size, out string error) && options.TrySetStyle("points", points, out error), error);
+        Assert.That(options.TrySetStyle("size", size, out string error) && options.TrySetStyle("points", points, out error),
+            error);
         return options;
     }
 
@@ -132,7 +133,8 @@ public sealed class ProgressiveTests : GraphicsFixture
     [TestCase("data/ca13_d.laz", "round", "3")]
     public void Draw_RealScans_AreWholeAtRestAndNearerInMotion(string data, string points, string size)
     {
-        string file = TestData.PathOrIgnore(data), cloud = m_scratch[Path.GetFileNameWithoutExtension(data) + ".fastpoints"];
+        string file = TestData.PathOrIgnore(data);
+        string cloud = m_scratch[Path.GetFileNameWithoutExtension(data) + ".fastpoints"];
         if (!Directory.Exists(cloud))
             Assert.That(CliCall.Of("convert", file, "-o", cloud, "--quiet").Status, Is.EqualTo(ExitStatus.Done));
         var options = Options(points, size);
@@ -149,6 +151,17 @@ public sealed class ProgressiveTests : GraphicsFixture
         Assert.That(differs, Is.LessThanOrEqualTo(size == "1" ? 0 : 0.001));
         var (progressive, byLevel) = FlipInMotion(stream, half);
         Assert.That(progressive, Is.LessThan(byLevel));
+        double Ms(Func<PictureCamera, RgbaImage> draw)
+        {
+            var watch = System.Diagnostics.Stopwatch.StartNew();
+            for (int frame = 0; frame < 10; frame++)
+                draw(Near(stream));
+            return watch.Elapsed.TotalMilliseconds / 10;
+        }
+        stream.Settle(Near(stream));
+        stream.PointsPerFrame = (int)(stream.Drawn / 4);
+        stream.Frame(Near(stream));
+        TestContext.Out.WriteLine($"ms a frame: all points {Ms(stream.Whole):0}, a quarter {Ms(stream.Frame):0}");
     }
 
     static void ExpectNothingElse(ProgressiveStream stream, PictureCamera camera)
@@ -209,7 +222,8 @@ public sealed class ProgressiveTests : GraphicsFixture
     [TestCase(100, 7)]
     public void Draw_OneNode_ReachesTheWholePicture(int points, int perFrame)
     {
-        using var stream = new ProgressiveStream(m_scratch.Converted($"of{points}.fastpoints", points), Options("square", "1"), Points);
+        string cloud = m_scratch.Converted($"of{points}.fastpoints", points);
+        using var stream = new ProgressiveStream(cloud, Options("square", "1"), Points);
         stream.Settle(stream.Overview);
         stream.PointsPerFrame = perFrame;
         for (int frame = 0; frame < 130; frame++)
@@ -240,14 +254,48 @@ public sealed class ProgressiveTests : GraphicsFixture
         Assert.That(Used(), Is.EqualTo(off));
     }
 
-    [Test]
-    public void Draw_Splats_AreDrawnWhole()
+    /// <summary>Also on a device whose vertex shaders have buffers enough for all other pictures.</summary>
+    [TestCase("splat", "4", null, "splats")]
+    [TestCase("round", "4", 2, "buffers")]
+    public void Draw_NotPossible_DrawsAllPointsWithOneWarning(string points, string size, int? vertexBuffers, string why)
     {
-        using var stream = Stream("splat", "4");
+        var logged = new List<string>();
+        var sink = Debug.s_sink;
+        (HeadlessGraphics.VertexBuffers, ProgressivePictures.HasWarned) = (vertexBuffers, false);
+        try
+        {
+            using var stream = Stream(points, size);
+            var camera = Near(stream);
+            stream.Settle(camera);
+            var whole = stream.Whole(camera);
+            stream.PointsPerFrame = Points / 8;
+            Debug.s_sink = (type, text) => logged.Add(text);
+            for (int frame = 0; frame < 3; frame++)
+                Assert.That(stream.Frame(camera).Rgba, Is.EqualTo(whole.Rgba));
+            Assert.That(logged, Has.Exactly(1).Contains(why).And.Count.EqualTo(1));
+        }
+        finally
+        {
+            (Debug.s_sink, HeadlessGraphics.VertexBuffers) = (sink, null);
+        }
+    }
+
+    /// <summary>Two clouds in one place: each pixel has two points at its depth.</summary>
+    [Test]
+    public void Draw_DuplicatePoints_CarriesOneAPixel()
+    {
+        using var stream = Stream("square", "1");
+        stream.Add(m_demo);
+        stream.Stream.Settings.Selection.PointBudget = 2 * Points;
         var camera = Near(stream);
         stream.Settle(camera);
-        var whole = stream.Whole(camera);
-        stream.PointsPerFrame = Points / 8;
-        Assert.That(stream.Frame(camera).Rgba, Is.EqualTo(whole.Rgba));
+        stream.PointsPerFrame = Points / 2;
+        RgbaImage picture = null;
+        for (int frame = 0; frame < 20; frame++)
+            picture = stream.Frame(camera);
+        int covered = Enumerable.Range(0, picture.Width * picture.Height)
+            .Count(i => picture[i % picture.Width, i / picture.Width] != stream.Options.Background);
+        stream.Frame(camera);
+        Assert.That(stream.Carried, Is.EqualTo(covered));
     }
 }

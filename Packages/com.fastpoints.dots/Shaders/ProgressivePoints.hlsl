@@ -21,7 +21,8 @@ uint _FastPointsBankNumber;
 // Of a block as long as it is in memory, so that blocks do not all try the same places first.
 uint FastPointsSeedOf(uint block)
 {
-    GpuNode node = FastPointsGpuNodeAt(_FastPointsNodesAt + _FastPointsLists.Load(_FastPointsNodeOfInstanceAt + block * 4u) * 96u);
+    uint number = _FastPointsLists.Load(_FastPointsNodeOfInstanceAt + block * 4u);
+    GpuNode node = FastPointsGpuNodeAt(_FastPointsNodesAt + number * 96u);
     uint seed = (node.PositionWord + block - node.FirstInstance) * 0x9E3779B1u;
     return seed >> 25;
 }

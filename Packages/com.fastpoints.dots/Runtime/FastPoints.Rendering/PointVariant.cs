@@ -29,8 +29,8 @@ namespace FastPoints.Rendering
         public PointVariant(in PointStyle style, bool isClipped, bool isFiltered, bool isStereo)
         {
             m_shape = (int)(style.IsBlended ? PointShape.Disc : style.Shape);
-            m_options = (style.IsAdaptive ? 1 : 0) | (style.IsLayered && !style.IsProgressive ? 2 : 0) | (isClipped ? 4 : 0) | (isFiltered ? 8 : 0) |
-                (isStereo && !style.IsLayered ? 16 : 0) | (style.IsProgressive ? 32 : 0);
+            m_options = (style.IsAdaptive ? 1 : 0) | (style.IsLayered && !style.IsProgressive ? 2 : 0) | (isClipped ? 4 : 0) |
+                (isFiltered ? 8 : 0) | (isStereo && !style.IsLayered ? 16 : 0) | (style.IsProgressive ? 32 : 0);
         }
 
         internal int Number => m_shape + Shapes * m_options;

@@ -9,7 +9,7 @@ namespace FastPoints.Rendering
     {
         const int BuffersPerVertex = 3;
 
-        static bool s_hasWarned;
+        internal static bool HasWarned { get; set; }
 
         readonly ComputeShader m_shader;
         readonly bool m_canRun;
@@ -35,10 +35,10 @@ namespace FastPoints.Rendering
             }
             if (m_canRun && style.IsProgressive)
                 return true;
-            if (!s_hasWarned)
+            if (!HasWarned)
                 Debug.LogWarning("Point clouds are drawn whole in every frame, PointsPerFrame has no effect: " +
                     (m_canRun ? "splats need all points" : "compute shaders or buffers of vertex shaders are missing"));
-            s_hasWarned = true;
+            HasWarned = true;
             return false;
         }
 

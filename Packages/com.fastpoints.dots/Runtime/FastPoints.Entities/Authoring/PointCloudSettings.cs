@@ -60,8 +60,8 @@ namespace FastPoints.Entities
         public float MillionPointsPerFrame;
 
         [Range(0, 100)]
-        [Tooltip("Milliseconds that the GPU may take for a frame: the number above is where it begins. 0: it stays. Takes Frame " +
-            "Timing Stats of the player settings.")]
+        [Tooltip("Milliseconds that the GPU may take for a frame: the number above is where it begins. 0: it stays. Takes " +
+            "Frame Timing Stats of the player settings.")]
         public float GpuMilliseconds;
 
         /// <summary>How points look.</summary>

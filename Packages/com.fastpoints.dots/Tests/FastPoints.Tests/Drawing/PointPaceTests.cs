@@ -6,7 +6,7 @@ using Unity.Mathematics;
 
 namespace FastPoints.Tests.Drawing
 {
-    /// <summary>A GPU that takes a time for what is not points and one for each point, and is measured four frames late.</summary>
+    /// <summary>A GPU that takes a time for other work and one for each point, and is measured four frames late.</summary>
     public class PointPaceTests
     {
         const float TargetMs = 10;

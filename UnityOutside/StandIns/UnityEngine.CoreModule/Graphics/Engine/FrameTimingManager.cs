@@ -25,7 +25,7 @@ public static class FrameTimingManager
     static readonly List<double> s_gpuMs = new List<double>();
     static int s_captured;
 
-    /// <summary>A frame has ended that took the device so long; 0 if it could not measure it. Null turns the measuring off.</summary>
+    /// <summary>A frame has ended that took the device so long; 0 was not measured. Null turns measuring off.</summary>
     internal static void EndFrame(double? gpuMs)
     {
         if (gpuMs is { } ms)
