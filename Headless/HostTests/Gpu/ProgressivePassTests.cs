@@ -6,7 +6,7 @@ namespace FastPoints.HostTests.Gpu;
 /// <summary>Progressive pictures of the pipelines: of cameras, and of a headset's eyes.</summary>
 public sealed class ProgressivePassTests : PipelineFixture
 {
-    const int Frames = 60, PointsPerFrame = 5_000;
+    const int Frames = 20, PointsPerFrame = 5_000;
 
     protected override bool HasRaster => true;
 
@@ -38,7 +38,6 @@ public sealed class ProgressivePassTests : PipelineFixture
         return differ / (double)covered;
     }
 
-    /// <summary>Two cameras in turn, one of them an eye of a headset's size away: each has its own points.</summary>
     [TestCase(nameof(BuiltInHost), "pixels")]
     [TestCase(nameof(BuiltInHost), "discs")]
     [TestCase(nameof(UrpHost), "pixels")]

@@ -82,6 +82,13 @@ sealed class ProgressiveStream : IDisposable
     public double Differs(RgbaImage picture, RgbaImage whole) =>
         ImageError.ShareThatDiffers(picture, whole, Options.Background, out _);
 
+    public double DiffersAtRest(PictureCamera camera, int frames = 40)
+    {
+        for (int frame = 0; frame < frames; frame++)
+            Frame(camera);
+        return Differs(Frame(camera), Whole(camera));
+    }
+
     public double Covers(RgbaImage picture, RgbaImage whole) =>
         1 - ImageError.Compare(picture, whole, Options.Background).Uncovered;
 

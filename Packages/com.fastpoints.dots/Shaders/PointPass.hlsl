@@ -126,7 +126,6 @@ struct FastPointsTargets
     float2 Depth : SV_Target1;
 #endif
 #if defined(FASTPOINTS_PROGRESSIVE)
-    // Of the point, plus one: 0 is none.
     uint Number : SV_Target2;
 #endif
 #if defined(FASTPOINTS_PARABOLOIDS)
@@ -162,7 +161,7 @@ FastPointsTargets FastPointsFragment(FastPointsVaryings varyings)
     targets.Depth = float2(varyings.RadiusAndDepth.y + behind, deviceDepth);
 #endif
 #if defined(FASTPOINTS_PROGRESSIVE)
-    targets.Number = varyings.Number + 1u;
+    targets.Number = varyings.Number;
 #endif
     return targets;
 }

@@ -34,8 +34,9 @@ uint _FastPointsListedPoints;
 // Of a block's draw; 0: it is dispatched.
 uint _FastPointsVerticesPerBlock;
 
-// By pixel of a layer: the number of its point, plus one.
+// By pixel of a layer: the number of its point, where the colour's alpha says that there is one.
 Texture2D<uint> _FastPointsLayerNumbers;
+Texture2D<float4> _FastPointsLayerColor;
 
 uint FastPointsThread(uint3 group, uint3 thread)
 {
@@ -173,8 +174,9 @@ void FastPointsMarkPixels(uint3 thread : SV_DispatchThreadID)
 [numthreads(FASTPOINTS_CLEAR_THREADS, 1, 1)]
 void FastPointsMarkTexels(uint3 thread : SV_DispatchThreadID)
 {
-    if (thread.x < uint(_FastPointsScreenPx.x))
-        FastPointsMark(_FastPointsLayerNumbers.Load(int3(thread.xy, 0)) - 1u);
+    int3 texel = int3(thread.xy, 0);
+    if (thread.x < uint(_FastPointsScreenPx.x) && _FastPointsLayerColor.Load(texel).w > 0.0)
+        FastPointsMark(_FastPointsLayerNumbers.Load(texel));
 }
 
 #endif

@@ -30,11 +30,11 @@ namespace FastPoints.Rendering
             commands.ClearRenderTarget(true, true, UnityEngine.Color.clear);
         }
 
-        // The visible points' numbers are read, and no longer drawn into.
+        // What is read is no longer drawn into.
         public void EndNumbers(CommandBuffer commands, in RenderView view, VisiblePoints chosen)
         {
-            commands.SetRenderTarget(ShaderNames.LayerColor, ShaderNames.LayerDevice);
-            chosen.MarkTexels(commands, view, ShaderNames.LayerNumbers);
+            commands.SetRenderTarget(ShaderNames.LayerDepth, ShaderNames.LayerDevice);
+            chosen.MarkTexels(commands, view);
             commands.ReleaseTemporaryRT(ShaderNames.LayerNumbers);
         }
 

@@ -106,10 +106,11 @@ namespace FastPoints.Rendering
             Mark(commands, view, m_kernels[3]);
         }
 
-        public void MarkTexels(CommandBuffer commands, in RenderView view, RenderTargetIdentifier numbers)
+        public void MarkTexels(CommandBuffer commands, in RenderView view)
         {
             commands.SetComputeVectorParam(m_shader, ShaderNames.ScreenPx, new Vector4(view.WidthPx, view.HeightPx, 0, 0));
-            commands.SetComputeTextureParam(m_shader, m_kernels[4], ShaderNames.LayerNumbers, numbers);
+            commands.SetComputeTextureParam(m_shader, m_kernels[4], ShaderNames.LayerNumbers, ShaderNames.LayerNumbers);
+            commands.SetComputeTextureParam(m_shader, m_kernels[4], ShaderNames.LayerColor, ShaderNames.LayerColor);
             Mark(commands, view, m_kernels[4]);
         }
 
