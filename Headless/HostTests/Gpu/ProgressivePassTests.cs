@@ -6,7 +6,7 @@ namespace FastPoints.HostTests.Gpu;
 /// <summary>Progressive pictures of the pipelines: of cameras, and of a headset's eyes.</summary>
 public sealed class ProgressivePassTests : PipelineFixture
 {
-    const int Frames = 20, PointsPerFrame = 5_000;
+    const int Frames = 60, PointsPerFrame = 8_000;
 
     protected override bool HasRaster => true;
 

@@ -51,6 +51,9 @@ public sealed class ProgressiveTests : GraphicsFixture
         stream.PointsPerFrame = Points / 8;
         Assert.That(stream.Differs(stream.Frame(camera), stream.Whole(camera)), Is.GreaterThan(0.05), "drawn whole at once");
         Assert.That(stream.DiffersAtRest(camera), Is.LessThanOrEqualTo(maxShare));
+        var last = stream.Frame(camera);
+        for (int frame = 0; frame < 8; frame++)
+            Assert.That(stream.Frame(camera).Rgba, Is.EqualTo(last.Rgba), "it flickers");
     }
 
     [TestCase("square", "1")]
