@@ -23,11 +23,15 @@ public sealed class GpuFlightRenderer : FlightRenderer
         : base(options)
     {
         m_stream = stream;
-        m_materials = new PointMaterials(shaders.Points, shaders.Compose, canCompute ? shaders.Raster : null);
+        m_materials = new PointMaterials(shaders.Points, shaders.Compose, canCompute ? shaders.Raster : null,
+            shaders.Progressive);
         m_renderer = new PointRenderer(m_materials, (GraphicsNodePool)stream.Pool, m_sizes);
         m_target = new RenderTexture(options.WidthPx, options.HeightPx, GraphicsFormat.R8G8B8A8_UNorm, GraphicsFormat.D32_SFloat);
         m_target.Create();
     }
+
+    /// <summary>See <see cref="PointStyle.PointsPerFrame"/>.</summary>
+    public int PointsPerFrame { get; set; }
 
     internal override void Add(int cloud, PicturePlan plan)
     {
@@ -40,6 +44,7 @@ public sealed class GpuFlightRenderer : FlightRenderer
         int width = Options.WidthPx, height = Options.HeightPx;
         var view = RenderViews.Of(camera, width, height, camera.IsOrthographic ? MaxCloudDepth(camera) : 0);
         view.Style = StyleOf(Options, m_edlStrength);
+        view.Style.PointsPerFrame = PointsPerFrame;
         view.Color = m_target;
         view.Depth = m_target;
         m_renderer.Prepare(m_stream, camera.ToStreamView(width, height), view.Style);

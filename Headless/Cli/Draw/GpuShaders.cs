@@ -14,6 +14,7 @@ public sealed class GpuShaders
         Points = HeadlessShaders.Load(Path.Combine(folder, "Points.shader"));
         Compose = HeadlessShaders.Load(Path.Combine(folder, "Compose.shader"));
         Raster = HeadlessShaders.LoadCompute(Path.Combine(folder, "RasterPoints.compute"));
+        Progressive = HeadlessShaders.LoadCompute(Path.Combine(folder, "ProgressiveRaster.compute"));
         CopyPages = HeadlessShaders.LoadCompute(Path.Combine(folder, "CopyPages.compute"));
     }
 
@@ -21,6 +22,7 @@ public sealed class GpuShaders
     public Shader Compose { get; }
     public ComputeShader CopyPages { get; }
     public ComputeShader Raster { get; }
+    public ComputeShader Progressive { get; }
 
     public NodePool CreatePool(long limitBytes, int bankBytes) => new GraphicsNodePool(CopyPages, limitBytes, bankBytes);
 

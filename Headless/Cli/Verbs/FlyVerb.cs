@@ -53,6 +53,8 @@ public sealed class FlyVerb : Verb
         Description = "Measure popping, in software: each frame's picture against what the frame before drew, seen from the "
             + "same camera, as FLIP. Frames then take longer, so that reads have more time.",
     };
+    readonly Option<long> m_pointsPerFrame = Counts.Of("--points-per-frame",
+        "With --gpu: pictures of more points take several, each with the visible points; --every 1 for as in a game.", 0);
     readonly PictureSettings m_picture;
 
     public FlyVerb() : base(new Command("fly", "Stream clouds along a camera path, 60 frames a second: what each frame "
@@ -70,6 +72,7 @@ public sealed class FlyVerb : Verb
         Command.Add(m_upload);
         Command.Add(m_fade);
         Command.Add(m_popping);
+        Command.Add(m_pointsPerFrame);
         m_picture = new PictureSettings(Command, canFilter: true);
     }
 
@@ -116,6 +119,9 @@ public sealed class FlyVerb : Verb
         stream.SetClipBoxes(options.ClipBoxes);
         using var picture = shaders != null
             ? new GpuFlightRenderer(shaders, stream, options)
+            {
+                PointsPerFrame = Counts.ToInt(parsed.GetValue(m_pointsPerFrame)),
+            }
             : (FlightRenderer)new CpuFlightRenderer(stream, options) { MeasuresPopping = parsed.GetValue(m_popping) };
         var bounds = BoundsGeo.Empty;
         foreach (string cloud in clouds)

@@ -48,7 +48,7 @@ public abstract class PipelineFixture : GraphicsFixture
         Group.Stream.Settings.Selection.SmallestNodePx = 0;
         Group.Stream.Settings.Selection.MinScreenErrorPx = 0;
         PointScene.Current = Scene = new PointScene(shaders.Points, shaders.Compose, Group.Stream,
-            HasRaster ? shaders.Raster : null)
+            HasRaster ? shaders.Raster : null, shaders.Progressive)
         {
             Style = new PointStyle { Shape = PointShape.Disc, Size = PointSize.Pixels(3) },
         };

@@ -8,20 +8,20 @@ public sealed class StereoPassTests : PipelineFixture
 {
     static readonly double3 s_eye = new(-60, -45, 40), s_target = new(0, 0, 0), s_up = new(0, 0, 1);
 
-    static PictureCamera At(int eye)
+    internal static PictureCamera At(int eye)
     {
         var middle = PictureCamera.Perspective(s_eye, s_target, s_up, 60);
         return PictureCamera.Perspective(s_eye + middle.Right * (eye == 0 ? -3.5 : 3.5), s_target, s_up, 60);
     }
 
-    static Matrix4x4 ProjectionOf(int eye)
+    internal static Matrix4x4 ProjectionOf(int eye)
     {
         var projection = Matrix4x4.Perspective(60, (float)WidthPx / HeightPx, 0.1f, 10_000);
         projection.m02 = eye == 0 ? -0.2f : 0.2f;
         return projection;
     }
 
-    static RenderTexture Target(int slices)
+    internal static RenderTexture Target(int slices)
     {
         var description = new RenderTextureDescriptor(WidthPx, HeightPx, GraphicsFormat.R8G8B8A8_UNorm, GraphicsFormat.D32_SFloat)
         {
@@ -39,7 +39,7 @@ public sealed class StereoPassTests : PipelineFixture
         return PictureCamera.Perspective(position, position + new double3(0, 64, 0), s_up, 60);
     }
 
-    static Camera Headset(RenderTexture target, Func<int, PictureCamera> at)
+    internal static Camera Headset(RenderTexture target, Func<int, PictureCamera> at)
     {
         var camera = CameraAt(PictureCamera.Perspective(s_eye, s_target, s_up, 60), ProjectionOf(0), target);
         camera.stereoEnabled = true;

@@ -5,6 +5,9 @@
 
 #include "PointBlocks.hlsl"
 #include "PointFilters.hlsl"
+#if defined(FASTPOINTS_PROGRESSIVE)
+#include "ProgressivePoints.hlsl"
+#endif
 #include "PointSizes.hlsl"
 #include "PointValues.hlsl"
 #include "Generated/GpuNode.hlsl"
@@ -49,6 +52,10 @@ struct FastPointsPoint
 
     // Along the view's direction, in world units.
     float Depth;
+#if defined(FASTPOINTS_PROGRESSIVE)
+    uint Number;
+    bool WasVisible;
+#endif
 };
 
 float3 FastPointsStepsFromAnchor(GpuNode node, FastPointsBlock block, uint index)
@@ -162,7 +169,11 @@ FastPointsPoint FastPointsLoadPoint(uint instance, uint index)
 #if defined(FASTPOINTS_STEREO)
     instance >>= 1;
 #endif
+#if defined(FASTPOINTS_PROGRESSIVE)
+    bool wasVisible = FastPointsChoose(instance, index);
+#else
     instance += _FastPointsFirstInstance;
+#endif
     uint number = _FastPointsLists.Load(_FastPointsNodeOfInstanceAt + instance * 4u);
     GpuNode node = FastPointsGpuNodeAt(_FastPointsNodesAt + number * 96u);
     GpuCloud cloud = FastPointsGpuCloudAt(_FastPointsCloudsAt + node.Cloud * 112u);
@@ -177,6 +188,10 @@ FastPointsPoint FastPointsLoadPoint(uint instance, uint index)
     loaded.Color = float3(0.0, 0.0, 0.0);
     loaded.SizePx = 0.0;
     loaded.Depth = 0.0;
+#if defined(FASTPOINTS_PROGRESSIVE)
+    loaded.Number = instance * FASTPOINTS_POINTS_PER_BLOCK + index;
+    loaded.WasVisible = wasVisible;
+#endif
     if (loaded.IsThere)
     {
         float3 steps = FastPointsStepsFromAnchor(node, block, index);

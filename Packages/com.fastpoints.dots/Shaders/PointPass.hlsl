@@ -4,6 +4,10 @@
 
 #include "PointDrawing.hlsl"
 
+#if defined(FASTPOINTS_PROGRESSIVE)
+#define FASTPOINTS_LAYERED
+#endif
+
 #if defined(FASTPOINTS_PARABOLOIDS) || defined(FASTPOINTS_BLENDING)
 #define FASTPOINTS_DISCS
 
@@ -53,6 +57,9 @@ struct FastPointsVaryings
     // The radius in whole pixels, and the depth in world units.
     nointerpolation float2 RadiusAndDepth : TEXCOORD2;
 #endif
+#if defined(FASTPOINTS_PROGRESSIVE)
+    nointerpolation uint Number : TEXCOORD4;
+#endif
 #if defined(FASTPOINTS_STEREO)
     uint Slice : SV_RenderTargetArrayIndex;
 #endif
@@ -84,6 +91,11 @@ FastPointsVaryings FastPointsVertex(uint vertex : SV_VertexID, uint instance : S
     FastPointsPoint drawn = FastPointsLoadPoint(instance, vertex);
     varyings.PointSize = 1.0;
 #endif
+#if defined(FASTPOINTS_PROGRESSIVE)
+    varyings.Number = drawn.Number;
+    // Of points at one depth, those that are visible stay: a picture at rest does not flicker. Others lie behind by 2^-22.
+    drawn.PositionClip.z *= drawn.WasVisible ? 1.0 : 1.0 - 1.0 / 4194304.0;
+#endif
 #if defined(FASTPOINTS_DISCS)
     varyings.Corner = corner;
 #endif
@@ -112,6 +124,9 @@ struct FastPointsTargets
 #if defined(FASTPOINTS_LAYERED)
     // In world units, and the device's.
     float2 Depth : SV_Target1;
+#endif
+#if defined(FASTPOINTS_PROGRESSIVE)
+    uint Number : SV_Target2;
 #endif
 #if defined(FASTPOINTS_PARABOLOIDS)
     float DeviceDepth : SV_Depth;
@@ -144,6 +159,9 @@ FastPointsTargets FastPointsFragment(FastPointsVaryings varyings)
 #if defined(FASTPOINTS_LAYERED)
     targets.Color.w = varyings.RadiusAndDepth.x / 255.0;
     targets.Depth = float2(varyings.RadiusAndDepth.y + behind, deviceDepth);
+#endif
+#if defined(FASTPOINTS_PROGRESSIVE)
+    targets.Number = varyings.Number;
 #endif
     return targets;
 }

@@ -16,7 +16,7 @@ Shader "Hidden/FastPoints/Points"
             #pragma fragment FastPointsFragment
             #pragma multi_compile_local _ FASTPOINTS_SQUARES FASTPOINTS_DISCS FASTPOINTS_PARABOLOIDS
             #pragma multi_compile_local _ FASTPOINTS_ADAPTIVE
-            #pragma multi_compile_local _ FASTPOINTS_LAYERED FASTPOINTS_STEREO
+            #pragma multi_compile_local _ FASTPOINTS_LAYERED FASTPOINTS_STEREO FASTPOINTS_PROGRESSIVE
             #pragma multi_compile_local _ FASTPOINTS_CLIPPED
             #pragma multi_compile_local _ FASTPOINTS_FILTERED
             #include "Packages/com.fastpoints.dots/Shaders/PointPass.hlsl"

@@ -11,24 +11,29 @@ namespace FastPoints.Rendering
     // primitives wherever CanDraw allows it.
     sealed class ComputeRaster : IDisposable
     {
-        const int BytesPerPixel = 8, ClearThreads = 64;
-        const int MaxGroups = 65535; // Along one axis of a dispatch.
+        const int ClearThreads = 64;
+
+        // Depth and colour; of progressive pictures also the number of a visible point.
+        const int BytesPerPixel = 8, MaxBytesPerPixel = 12;
 
         static readonly string[] s_kernels =
             { ShaderNames.RasterDepthKernel, ShaderNames.RasterColorKernel, ShaderNames.ClearPixelsKernel };
 
         readonly ComputeShader m_shader;
         readonly int[] m_kernels;
+        readonly int m_numberKernel;
 
+        // shader: RasterPoints.compute, or ProgressiveRaster.compute.
         public ComputeRaster(ComputeShader shader)
         {
             m_shader = shader;
             m_kernels = Array.ConvertAll(s_kernels, shader.FindKernel);
+            m_numberKernel = shader.HasKernel(ShaderNames.RasterNumberKernel)
+                ? shader.FindKernel(ShaderNames.RasterNumberKernel) : -1;
         }
 
         // Whether the device has what the kernels need. False for no shader.
-        public static bool CanRun(ComputeShader shader) => shader != null &&
-            Array.TrueForAll(s_kernels, kernel => shader.HasKernel(kernel) && shader.IsSupported(shader.FindKernel(kernel)));
+        public static bool CanRun(ComputeShader shader) => VisiblePoints.CanRun(shader, s_kernels);
 
         // Depth and colour of each pixel of the largest picture.
         public GraphicsBuffer Pixels { get; private set; }
@@ -38,7 +43,7 @@ namespace FastPoints.Rendering
         public static bool CanDraw(in RenderView view)
         {
             var depth = (Vector3)view.ViewProjection.GetRow(2);
-            long bytes = (long)view.WidthPx * view.HeightPx * BytesPerPixel;
+            long bytes = (long)view.WidthPx * view.HeightPx * (view.Style.IsProgressive ? MaxBytesPerPixel : BytesPerPixel);
             return SystemInfo.graphicsUVStartsAtTop &&
                 bytes > 0 && bytes <= Math.Min(NodePool.LargestBankBytes, SystemInfo.maxGraphicsBufferSize) &&
                 Vector3.Cross(depth, view.Forward).magnitude <= 1e-5f * Math.Max(depth.magnitude, float.Epsilon);
@@ -52,9 +57,11 @@ namespace FastPoints.Rendering
             return new Vector4(Vector3.Dot(z, view.Forward), z.w, Vector3.Dot(w, view.Forward), w.w);
         }
 
-        public void Record(CommandBuffer commands, in RenderView view, DrawList list, ListBuffer lists, GraphicsNodePool pool)
+        // chosen: which points a progressive picture draws, marked afterwards; null for all.
+        public void Record(CommandBuffer commands, in RenderView view, DrawList list, ListBuffer lists, GraphicsNodePool pool,
+            VisiblePoints chosen)
         {
-            EnsurePixels(view);
+            EnsurePixels(view, chosen != null ? MaxBytesPerPixel : BytesPerPixel);
             commands.SetComputeVectorParam(m_shader, ShaderNames.ScreenPx, new Vector4(view.WidthPx, view.HeightPx, 0, 0));
             commands.SetComputeVectorParam(m_shader, ShaderNames.Forward, view.Forward);
             commands.SetComputeVectorParam(m_shader, ShaderNames.EyeOffset, view.EyeOffset);
@@ -64,14 +71,22 @@ namespace FastPoints.Rendering
             int clear = m_kernels[2];
             commands.SetComputeBufferParam(m_shader, clear, ShaderNames.PixelsOut, Pixels);
             commands.DispatchCompute(m_shader, clear, (view.WidthPx + ClearThreads - 1) / ClearThreads, view.HeightPx, 1);
-            for (int pass = 0; pass < 2; pass++)
+            for (int pass = 0; pass < (chosen != null ? 3 : 2); pass++)
             {
-                int kernel = m_kernels[pass];
+                int kernel = pass < 2 ? m_kernels[pass] : m_numberKernel;
                 commands.SetComputeBufferParam(m_shader, kernel, ShaderNames.PixelsOut, Pixels);
                 lists.Set(commands, m_shader, kernel);
+                chosen?.Set(commands, kernel);
                 for (int i = 0; i < list.Draws.Length; i++)
-                    Dispatch(commands, kernel, list.Draws[i], pool);
+                {
+                    commands.SetComputeBufferParam(m_shader, kernel, ShaderNames.Bank, pool.BufferOf(list.Draws[i].Bank));
+                    if (chosen != null)
+                        DispatchChosen(commands, kernel, i, chosen);
+                    else
+                        Dispatch(commands, kernel, list.Draws[i]);
+                }
             }
+            chosen?.MarkPixels(commands, view, Pixels);
         }
 
         public void Dispose()
@@ -80,19 +95,27 @@ namespace FastPoints.Rendering
             Pixels = null;
         }
 
-        void Dispatch(CommandBuffer commands, int kernel, in BankDraw draw, GraphicsNodePool pool)
+        void DispatchChosen(CommandBuffer commands, int kernel, int bank, VisiblePoints chosen)
         {
-            int across = math.min(draw.InstanceCount, MaxGroups);
-            commands.SetComputeBufferParam(m_shader, kernel, ShaderNames.Bank, pool.BufferOf(draw.Bank));
+            commands.SetComputeIntParam(m_shader, ShaderNames.BankNumber, bank);
+            commands.SetComputeIntParam(m_shader, ShaderNames.InstanceCount, int.MaxValue);
+            commands.SetComputeIntParam(m_shader, ShaderNames.GroupsPerRow, VisiblePoints.MaxGroups);
+            commands.DispatchCompute(m_shader, kernel, chosen.Arguments,
+                (uint)(bank * VisiblePoints.NumbersPerDraw * sizeof(uint)));
+        }
+
+        void Dispatch(CommandBuffer commands, int kernel, in BankDraw draw)
+        {
+            int across = math.min(draw.InstanceCount, VisiblePoints.MaxGroups);
             commands.SetComputeIntParam(m_shader, ShaderNames.FirstInstance, draw.FirstInstance);
             commands.SetComputeIntParam(m_shader, ShaderNames.InstanceCount, draw.InstanceCount);
             commands.SetComputeIntParam(m_shader, ShaderNames.GroupsPerRow, across);
             commands.DispatchCompute(m_shader, kernel, across, (draw.InstanceCount + across - 1) / across, 1);
         }
 
-        void EnsurePixels(in RenderView view)
+        void EnsurePixels(in RenderView view, int bytesPerPixel)
         {
-            int words = view.WidthPx * view.HeightPx * (BytesPerPixel / sizeof(uint));
+            int words = view.WidthPx * view.HeightPx * (bytesPerPixel / sizeof(uint));
             // One camera may be drawn at two sizes, in turn.
             if (Pixels != null && Pixels.count >= words)
                 return;

@@ -12,7 +12,7 @@ namespace FastPoints.Rendering
     {
         readonly GrowingBuffer m_buffer = new GrowingBuffer(GraphicsBuffer.Target.Raw, sizeof(uint));
         NativeArray<uint> m_colors = Palettes.CreateAll(Allocator.Persistent);
-        int m_endByte, m_nodesAt, m_cloudsAt, m_nodeOfInstanceAt, m_sizeNodesAt, m_clipBoxesAt;
+        int m_endByte, m_nodesAt, m_cloudsAt, m_nodeOfInstanceAt, m_sizeNodesAt, m_clipBoxesAt, m_lastOfNodeAt;
 
         public void Write(CommandBuffer commands, DrawList list)
         {
@@ -22,6 +22,7 @@ namespace FastPoints.Rendering
             m_nodeOfInstanceAt = Reserve(list.NodeOfInstance);
             m_sizeNodesAt = Reserve(list.SizeNodes);
             m_clipBoxesAt = Reserve(list.ClipBoxes);
+            m_lastOfNodeAt = Reserve(list.LastInstanceOfNode);
             if (m_buffer.Reserve(m_endByte))
                 m_buffer.Write(commands, m_colors);
             m_buffer.Write(commands, list.Nodes, m_nodesAt);
@@ -29,6 +30,7 @@ namespace FastPoints.Rendering
             m_buffer.Write(commands, list.NodeOfInstance, m_nodeOfInstanceAt);
             m_buffer.Write(commands, list.SizeNodes, m_sizeNodesAt);
             m_buffer.Write(commands, list.ClipBoxes, m_clipBoxesAt);
+            m_buffer.Write(commands, list.LastInstanceOfNode, m_lastOfNodeAt);
         }
 
         public void Set(MaterialPropertyBlock properties)
@@ -48,6 +50,7 @@ namespace FastPoints.Rendering
             commands.SetComputeIntParam(shader, ShaderNames.CloudsAt, m_cloudsAt);
             commands.SetComputeIntParam(shader, ShaderNames.NodeOfInstanceAt, m_nodeOfInstanceAt);
             commands.SetComputeIntParam(shader, ShaderNames.ClipBoxesAt, m_clipBoxesAt);
+            commands.SetComputeIntParam(shader, ShaderNames.LastOfNodeAt, m_lastOfNodeAt);
         }
 
         public void Dispose()

@@ -13,6 +13,7 @@ namespace FastPoints.Rendering
         public Shader Compose;
         public ComputeShader CopyPages;
         public ComputeShader Raster;
+        public ComputeShader Progressive;
 
         public static PointCloudResources Load() => Resources.Load<PointCloudResources>(Path);
     }

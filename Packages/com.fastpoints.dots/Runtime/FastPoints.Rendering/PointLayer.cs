@@ -16,14 +16,26 @@ namespace FastPoints.Rendering
 
         readonly MaterialPropertyBlock m_properties = new MaterialPropertyBlock();
         readonly RenderTargetIdentifier[] m_targets = { ShaderNames.LayerColor, ShaderNames.LayerDepth };
+        readonly RenderTargetIdentifier[] m_numberedTargets =
+            { ShaderNames.LayerColor, ShaderNames.LayerDepth, ShaderNames.LayerNumbers };
 
         public void Begin(CommandBuffer commands, in RenderView view)
         {
             commands.GetTemporaryRT(ShaderNames.LayerColor, Describe(view, GraphicsFormat.R8G8B8A8_UNorm, GraphicsFormat.None));
             commands.GetTemporaryRT(ShaderNames.LayerDepth, Describe(view, GraphicsFormat.R32G32_SFloat, GraphicsFormat.None));
             commands.GetTemporaryRT(ShaderNames.LayerDevice, Describe(view, GraphicsFormat.None, GraphicsFormat.D32_SFloat));
-            commands.SetRenderTarget(m_targets, ShaderNames.LayerDevice);
+            if (view.Style.IsProgressive)
+                commands.GetTemporaryRT(ShaderNames.LayerNumbers, Describe(view, GraphicsFormat.R32_UInt, GraphicsFormat.None));
+            commands.SetRenderTarget(view.Style.IsProgressive ? m_numberedTargets : m_targets, ShaderNames.LayerDevice);
             commands.ClearRenderTarget(true, true, UnityEngine.Color.clear);
+        }
+
+        // What is read is no longer drawn into.
+        public void EndNumbers(CommandBuffer commands, in RenderView view, VisiblePoints chosen)
+        {
+            commands.SetRenderTarget(ShaderNames.LayerDepth, ShaderNames.LayerDevice);
+            chosen.MarkTexels(commands, view);
+            commands.ReleaseTemporaryRT(ShaderNames.LayerNumbers);
         }
 
         // The second drawing of the same points, which adds them up.

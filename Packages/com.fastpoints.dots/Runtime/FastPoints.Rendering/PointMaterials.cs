@@ -18,12 +18,15 @@ namespace FastPoints.Rendering
         Material m_composingSums;
         GraphicsBuffer m_squareIndices;
 
-        public PointMaterials(Shader points, Shader compose, ComputeShader raster = null) =>
-            (m_points, m_compose, Raster) = (points, compose, raster);
+        /// <param name="progressive">ProgressiveRaster.compute: without it, all points are drawn in every frame.</param>
+        public PointMaterials(Shader points, Shader compose, ComputeShader raster = null, ComputeShader progressive = null) =>
+            (m_points, m_compose, Raster, Progressive) = (points, compose, raster, progressive);
 
         internal const int IndicesOfSquare = 6;
 
         internal ComputeShader Raster { get; }
+
+        internal ComputeShader Progressive { get; }
 
         // Two triangles of four vertices for each point of a block, so that the GPU computes shared vertices once.
         internal GraphicsBuffer SquareIndices

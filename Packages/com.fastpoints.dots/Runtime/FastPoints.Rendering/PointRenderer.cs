@@ -22,6 +22,7 @@ namespace FastPoints.Rendering
             GraphicsBuffer.IndirectDrawIndexedArgs.size);
         readonly PointLayer m_layer = new PointLayer();
         readonly ComputeRaster m_raster;
+        readonly ProgressivePictures m_progressive;
         NativeList<GraphicsBuffer.IndirectDrawIndexedArgs> m_drawArguments;
 
         /// <summary>Cameras' renderers may share all of these, which others dispose.</summary>
@@ -31,6 +32,7 @@ namespace FastPoints.Rendering
             m_pool = pool;
             m_materials = materials;
             m_raster = ComputeRaster.CanRun(materials.Raster) ? new ComputeRaster(materials.Raster) : null;
+            m_progressive = new ProgressivePictures(materials.Progressive);
             m_drawArguments = new NativeList<GraphicsBuffer.IndirectDrawIndexedArgs>(Allocator.Persistent);
         }
 
@@ -41,6 +43,7 @@ namespace FastPoints.Rendering
         public void Prepare(StreamContext stream, in StreamView view, in PointStyle style)
         {
             m_pool.BeginPicture();
+            List.IsProgressive = m_progressive.Begin(style);
             List.Build(stream, view, style.IsAdaptive);
         }
 
@@ -48,6 +51,7 @@ namespace FastPoints.Rendering
         public void Prepare(StreamContext stream, in StreamView left, in StreamView right, in PointStyle style)
         {
             m_pool.BeginPicture();
+            List.IsProgressive = m_progressive.Begin(style);
             List.Build(stream, left, style.IsAdaptive, right);
         }
 
@@ -63,21 +67,23 @@ namespace FastPoints.Rendering
 
         // Uploads, and points that a layer or a compute shader collects: each makes a GPU that draws in tiles store and load
         // all of a target that is set.
-        internal void RecordBefore(CommandBuffer commands, in RenderView view)
+        internal void RecordBefore(CommandBuffer commands, RenderView view)
         {
             if (List.Draws.Length == 0)
                 return;
+            Settle(ref view);
             WriteBuffers(commands, view.Style, 1);
             RecordLayer(commands, view);
         }
 
         // Into whatever target is set, after RecordBefore.
-        internal void RecordInto(CommandBuffer commands, in RenderView view)
+        internal void RecordInto(CommandBuffer commands, RenderView view)
         {
             if (List.Draws.Length == 0)
                 return;
+            Settle(ref view);
             if (UsesCompute(view))
-                m_layer.Compose(commands, view, m_materials.ComposePixels, m_raster);
+                m_layer.Compose(commands, view, m_materials.ComposePixels, RasterFor(view));
             else if (view.Style.IsLayered)
                 m_layer.End(commands, view, view.Style.IsBlended ? m_materials.ComposeSums : m_materials.ComposeLayer);
             else
@@ -95,21 +101,23 @@ namespace FastPoints.Rendering
         {
             if (List.Draws.Length == 0)
                 return;
+            var both = left;
+            Settle(ref both);
             // In instanced single-pass rendering the engine multiplies the instances of plain draws.
             bool isInstanced = !SystemInfo.supportsMultiview;
             if (isInstanced && pipelineDoublesInstances)
                 commands.SetInstanceMultiplier(1);
             bool isSinglePass = isInstanced && SystemInfo.supportsRenderTargetArrayIndexFromVertexShader &&
-                !left.Style.IsLayered && !UsesCompute(left);
-            WriteBuffers(commands, left.Style, isSinglePass ? 2 : 1);
+                !both.Style.IsLayered && !UsesCompute(both);
+            WriteBuffers(commands, both.Style, isSinglePass ? 2 : 1);
             if (isSinglePass)
             {
                 PointLayer.SetTarget(commands, left);
-                Set(left);
+                Set(both);
                 m_properties.SetMatrix(ShaderNames.RightViewProjection, right.ViewProjection);
                 m_properties.SetVector(ShaderNames.RightForward, right.Forward);
                 m_properties.SetVector(ShaderNames.RightEyeOffset, right.EyeOffset);
-                DrawBanks(commands, left.Style, true);
+                DrawBanks(commands, both.Style, true);
             }
             else
             {
@@ -123,6 +131,7 @@ namespace FastPoints.Rendering
         void RecordSlice(CommandBuffer commands, RenderView view, TargetEye eye)
         {
             view.Eye = eye;
+            Settle(ref view);
             RecordLayer(commands, view);
             PointLayer.SetTarget(commands, view);
             RecordInto(commands, view);
@@ -131,18 +140,26 @@ namespace FastPoints.Rendering
         bool UsesCompute(in RenderView view) =>
             view.Style.Shape == PointShape.Pixel && m_raster != null && ComputeRaster.CanDraw(view);
 
+        ComputeRaster RasterFor(in RenderView view) => view.Style.IsProgressive ? m_progressive.Raster : m_raster;
+
+        // A picture whose points fit a frame is drawn at once.
+        void Settle(ref RenderView view) => m_progressive.Settle(ref view.Style, List);
+
         void RecordLayer(CommandBuffer commands, in RenderView view)
         {
-            if (UsesCompute(view))
-            {
-                m_raster.Record(commands, view, List, m_lists, m_pool);
-                return;
-            }
-            if (!view.Style.IsLayered)
+            bool usesCompute = UsesCompute(view);
+            var chosen = view.Style.IsProgressive ? m_progressive.PointsOf(view.Eye) : null;
+            chosen?.Choose(commands, view, List, m_lists, usesCompute ? 0 : VerticesPerBlock(view.Style.Shape));
+            if (usesCompute)
+                RasterFor(view).Record(commands, view, List, m_lists, m_pool, chosen);
+            if (usesCompute || !view.Style.IsLayered)
                 return;
             Set(view);
+            chosen?.Set(m_properties);
             m_layer.Begin(commands, view);
-            DrawBanks(commands, view.Style, false);
+            DrawBanks(commands, view.Style, false, chosen: chosen);
+            if (chosen != null)
+                m_layer.EndNumbers(commands, view, chosen);
             if (!view.Style.IsBlended)
                 return;
             m_layer.BeginBlending(commands, view);
@@ -157,6 +174,7 @@ namespace FastPoints.Rendering
             m_lists.Dispose();
             m_arguments.Dispose();
             m_raster?.Dispose();
+            m_progressive.Dispose();
             m_drawArguments.Dispose();
         }
 
@@ -184,38 +202,40 @@ namespace FastPoints.Rendering
             Vector3.Dot(view.ViewProjection.GetRow(2), view.Forward), Vector3.Dot(view.ViewProjection.GetRow(3), view.Forward),
             1 / view.ScalePx, SystemInfo.graphicsUVStartsAtTop ? 0 : 1);
 
-        void DrawBanks(CommandBuffer commands, in PointStyle style, bool isStereo, int pass = 0)
+        void DrawBanks(CommandBuffer commands, in PointStyle style, bool isStereo, int pass = 0,
+            VisiblePoints chosen = null)
         {
             var material = m_materials.For(style, List.ClipBoxes.Length > 0, List.FiltersPoints, isStereo);
             var topology = style.Shape == PointShape.Pixel ? MeshTopology.Points : MeshTopology.Triangles;
+            var arguments = chosen != null ? chosen.Arguments : m_arguments.Buffer;
             for (int i = 0; i < List.Draws.Length; i++)
             {
                 var draw = List.Draws[i];
                 int at = i * GraphicsBuffer.IndirectDrawIndexedArgs.size;
                 m_properties.SetBuffer(ShaderNames.Bank, m_pool.BufferOf(draw.Bank));
                 m_properties.SetInteger(ShaderNames.FirstInstance, draw.FirstInstance);
+                m_properties.SetInteger(ShaderNames.BankNumber, i);
                 if (style.Shape == PointShape.Square)
                     commands.DrawProceduralIndirect(m_materials.SquareIndices, Matrix4x4.identity, material, pass, topology,
-                        m_arguments.Buffer, at, m_properties);
+                        arguments, at, m_properties);
                 else
-                    commands.DrawProceduralIndirect(Matrix4x4.identity, material, pass, topology, m_arguments.Buffer, at,
+                    commands.DrawProceduralIndirect(Matrix4x4.identity, material, pass, topology, arguments, at,
                         m_properties);
             }
         }
 
-        // Vertices or indices of a point: squares have four vertices, other shapes a triangle around them.
-        static int VerticesOf(PointShape shape) =>
-            shape == PointShape.Pixel ? 1 : shape == PointShape.Square ? PointMaterials.IndicesOfSquare : 3;
+        // Vertices, or indices: squares have four vertices, other shapes a triangle around them.
+        static int VerticesPerBlock(PointShape shape) => PlaneShape.MaxPointsPerBlock *
+            (shape == PointShape.Pixel ? 1 : shape == PointShape.Square ? PointMaterials.IndicesOfSquare : 3);
 
         void WriteBuffers(CommandBuffer commands, in PointStyle style, int eyes)
         {
-            int vertices = PlaneShape.MaxPointsPerBlock * VerticesOf(style.Shape);
             m_drawArguments.Clear();
             // Draws without indices read the first four numbers: the others and all starts are 0.
             for (int i = 0; i < List.Draws.Length; i++)
                 m_drawArguments.Add(new GraphicsBuffer.IndirectDrawIndexedArgs
                 {
-                    indexCountPerInstance = (uint)vertices,
+                    indexCountPerInstance = (uint)VerticesPerBlock(style.Shape),
                     instanceCount = (uint)(List.Draws[i].InstanceCount * eyes),
                 });
             m_arguments.Reserve((long)m_drawArguments.Length * GraphicsBuffer.IndirectDrawIndexedArgs.size);

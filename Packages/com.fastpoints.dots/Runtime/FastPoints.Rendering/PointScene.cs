@@ -28,13 +28,16 @@ namespace FastPoints.Rendering
         readonly SizeTree m_sizes = new SizeTree();
         readonly List<CloudLook> m_looks = new List<CloudLook>();
         readonly List<SceneCamera> m_cameras = new List<SceneCamera>();
+        readonly FramePace m_pace = new FramePace();
         NativeList<StreamView> m_nextViews;
         int m_frame;
+        int m_pointsPerFrame;
 
         sealed class SceneCamera
         {
             public Camera Camera;
             public PointRenderer Renderer;
+            public PointRenderer RightEye; // Where eyes are drawn in turn and each keeps the points that it saw; null elsewhere.
             public int LastFrame;
             public int AnnouncedFrame;
             public double3? AnnouncedPosition; // Null if a script has set the matrices, independent of the transform.
@@ -51,11 +54,12 @@ namespace FastPoints.Rendering
         }
 
         // The stream's pool is in graphics memory; the scene does not dispose it.
-        public PointScene(Shader points, Shader compose, StreamContext stream, ComputeShader raster = null)
+        public PointScene(Shader points, Shader compose, StreamContext stream, ComputeShader raster = null,
+            ComputeShader progressive = null)
         {
             Stream = stream;
             m_pool = (GraphicsNodePool)stream.Pool;
-            m_materials = new PointMaterials(points, compose, raster);
+            m_materials = new PointMaterials(points, compose, raster, progressive);
             m_nextViews = new NativeList<StreamView>(Allocator.Persistent);
         }
 
@@ -64,6 +68,17 @@ namespace FastPoints.Rendering
 
         public StreamContext Stream { get; }
         public PointStyle Style { get; set; } = PointStyle.Default;
+
+        // With as many points in a frame as meet its time.
+        PointStyle PacedStyle
+        {
+            get
+            {
+                var style = Style;
+                style.PointsPerFrame = style.IsProgressive && m_pointsPerFrame > 0 ? m_pointsPerFrame : style.PointsPerFrame;
+                return style;
+            }
+        }
 
         // Views of the recently announced cameras: one for each size and mask of a camera.
         public NativeArray<StreamView> NextViews
@@ -106,6 +121,10 @@ namespace FastPoints.Rendering
         public void BeginFrame()
         {
             m_frame++;
+            long listed = 0;
+            foreach (var seen in m_cameras)
+                listed = math.max(listed, seen.Renderer.List.Points);
+            m_pointsPerFrame = m_pace.Next(Style, listed);
             for (int i = m_cameras.Count - 1; i >= 0; i--)
             {
                 if (m_frame - m_cameras[i].AnnouncedFrame > FramesToKeep)
@@ -113,6 +132,7 @@ namespace FastPoints.Rendering
                 if (m_cameras[i].Camera != null && m_frame - m_cameras[i].LastFrame < FramesToForget)
                     continue;
                 m_cameras[i].Renderer.Dispose();
+                m_cameras[i].RightEye?.Dispose();
                 m_cameras.RemoveAt(i);
             }
         }
@@ -200,7 +220,7 @@ namespace FastPoints.Rendering
                 return;
             }
             var right = CameraViews.RenderViewOf(target, target.RightEye);
-            right.Style = Style;
+            right.Style = view.Style;
             var offset = target.RightEye.PositionWorld - target.Eye.PositionWorld;
             right.EyeOffset = new Vector3((float)offset.x, (float)offset.y, (float)offset.z);
             renderer.RecordBothEyes(commands, view, right, pipelineDoublesInstances);
@@ -223,16 +243,16 @@ namespace FastPoints.Rendering
         PointRenderer Prepare(Camera camera, in CameraTarget target, out RenderView view)
         {
             RecordedPictures++;
-            var renderer = CameraOf(camera).Renderer;
+            var renderer = RendererOf(camera, target);
             for (int cloud = 0; cloud < m_looks.Count; cloud++)
                 renderer.List.SetLook(cloud, m_looks[cloud]);
             var seen = CameraViews.StreamViewOf(camera, target.Eye, target.HeightPx);
             view = CameraViews.RenderViewOf(target, target.Eye);
-            view.Style = Style;
+            view.Style = PacedStyle;
             if (target.HasBothEyes)
-                renderer.Prepare(Stream, seen, CameraViews.StreamViewOf(camera, target.RightEye, target.HeightPx), Style);
+                renderer.Prepare(Stream, seen, CameraViews.StreamViewOf(camera, target.RightEye, target.HeightPx), view.Style);
             else
-                renderer.Prepare(Stream, seen, Style);
+                renderer.Prepare(Stream, seen, view.Style);
             return renderer;
         }
 
@@ -243,11 +263,26 @@ namespace FastPoints.Rendering
             if (Current == this)
                 Current = null;
             foreach (var seen in m_cameras)
+            {
                 seen.Renderer.Dispose();
+                seen.RightEye?.Dispose();
+            }
             m_cameras.Clear();
             m_materials.Dispose();
             m_sizes.Dispose();
             m_nextViews.Dispose();
+        }
+
+        PointRenderer RendererOf(Camera camera, in CameraTarget target)
+        {
+            var seen = CameraOf(camera);
+            if (!Style.IsProgressive || target.HasBothEyes || !camera.stereoEnabled)
+                return seen.Renderer;
+            var left = EyeMatrices.Of(camera, Camera.StereoscopicEye.Left).PositionWorld;
+            var right = EyeMatrices.Of(camera, Camera.StereoscopicEye.Right).PositionWorld;
+            if (math.distancesq(target.Eye.PositionWorld, left) <= math.distancesq(target.Eye.PositionWorld, right))
+                return seen.Renderer;
+            return seen.RightEye ??= new PointRenderer(m_materials, m_pool, m_sizes);
         }
 
         SceneCamera CameraOf(Camera camera)

@@ -17,8 +17,19 @@ namespace FastPoints.Rendering
         /// <summary>Fills a pixel without a point, most of whose neighbours have one. It uses the same layer.</summary>
         public bool FillsHoles;
 
+        /// <summary>A picture of more points is drawn over several frames: each draws those that were visible in the last one,
+        /// then as many others as fit, until the picture is that of all points. Of each camera, and each eye. 0 draws all points
+        /// in every frame, as splats always are.</summary>
+        public int PointsPerFrame;
+
+        /// <summary>Milliseconds that the GPU may take for a frame: <see cref="PointsPerFrame"/> then is where the number begins
+        /// that meets them, in players with Frame Timing Stats (Project Settings, Player). 0 leaves it as it is.</summary>
+        public float GpuFrameMs;
+
+        internal readonly bool IsProgressive => PointsPerFrame > 0 && !IsBlended;
+
         // Into a layer of their own first.
-        internal readonly bool IsLayered => EdlStrength > 0 || FillsHoles || IsBlended;
+        internal readonly bool IsLayered => EdlStrength > 0 || FillsHoles || IsBlended || IsProgressive;
 
         // A second time to be summed.
         internal readonly bool IsBlended => Shape == PointShape.Splat;

@@ -4,8 +4,15 @@ namespace FastPoints.Rendering
 {
     static class ShaderNames
     {
+        public static readonly int ArgumentsOut = Shader.PropertyToID("_FastPointsArgumentsOut");
         public static readonly int Bank = Shader.PropertyToID("_FastPointsBank");
+        public static readonly int BankCount = Shader.PropertyToID("_FastPointsBankCount");
+        public static readonly int BankNumber = Shader.PropertyToID("_FastPointsBankNumber");
         public static readonly int BankOut = Shader.PropertyToID("_FastPointsBankOut");
+        public static readonly int Capacity = Shader.PropertyToID("_FastPointsCapacity");
+        public static readonly int Carries = Shader.PropertyToID("_FastPointsCarries");
+        public static readonly int Chosen = Shader.PropertyToID("_FastPointsChosen");
+        public static readonly int ChosenOut = Shader.PropertyToID("_FastPointsChosenOut");
         public static readonly int ClipBoxCount = Shader.PropertyToID("_FastPointsClipBoxCount");
         public static readonly int ClipBoxesAt = Shader.PropertyToID("_FastPointsClipBoxesAt");
         public static readonly int CloudsAt = Shader.PropertyToID("_FastPointsCloudsAt");
@@ -21,16 +28,22 @@ namespace FastPoints.Rendering
         public static readonly int GroupsPerRow = Shader.PropertyToID("_FastPointsGroupsPerRow");
         public static readonly int InstanceCount = Shader.PropertyToID("_FastPointsInstanceCount");
         public static readonly int IsLinear = Shader.PropertyToID("_FastPointsIsLinear");
+        public static readonly int LastOfNodeAt = Shader.PropertyToID("_FastPointsLastOfNodeAt");
         public static readonly int LayerColor = Shader.PropertyToID("_FastPointsLayerColor");
         public static readonly int LayerDepth = Shader.PropertyToID("_FastPointsLayerDepth");
         public static readonly int LayerDevice = Shader.PropertyToID("_FastPointsLayerDevice");
+        public static readonly int LayerNumbers = Shader.PropertyToID("_FastPointsLayerNumbers");
         public static readonly int LayerSums = Shader.PropertyToID("_FastPointsLayerSums");
+        public static readonly int ListedPoints = Shader.PropertyToID("_FastPointsListedPoints");
         public static readonly int Lists = Shader.PropertyToID("_FastPointsLists");
+        public static readonly int Masks = Shader.PropertyToID("_FastPointsMasks");
+        public static readonly int MasksOut = Shader.PropertyToID("_FastPointsMasksOut");
         public static readonly int NodeOfInstanceAt = Shader.PropertyToID("_FastPointsNodeOfInstanceAt");
         public static readonly int NodesAt = Shader.PropertyToID("_FastPointsNodesAt");
         public static readonly int Pages = Shader.PropertyToID("_FastPointsPages");
         public static readonly int Pixels = Shader.PropertyToID("_FastPointsPixels");
         public static readonly int PixelsOut = Shader.PropertyToID("_FastPointsPixelsOut");
+        public static readonly int PointsPerFrame = Shader.PropertyToID("_FastPointsPointsPerFrame");
         public static readonly int RightEyeOffset = Shader.PropertyToID("_FastPointsRightEyeOffset");
         public static readonly int RightForward = Shader.PropertyToID("_FastPointsRightForward");
         public static readonly int RightViewProjection = Shader.PropertyToID("_FastPointsRightViewProjection");
@@ -40,18 +53,27 @@ namespace FastPoints.Rendering
         public static readonly int SizeLimitsPx = Shader.PropertyToID("_FastPointsSizeLimitsPx");
         public static readonly int SizeNodesAt = Shader.PropertyToID("_FastPointsSizeNodesAt");
         public static readonly int Staging = Shader.PropertyToID("_FastPointsStaging");
+        public static readonly int VerticesPerBlock = Shader.PropertyToID("_FastPointsVerticesPerBlock");
         public static readonly int ViewProjection = Shader.PropertyToID("_FastPointsViewProjection");
+        public static readonly int VisibleAt = Shader.PropertyToID("_FastPointsVisibleAt");
 
         public const string CopyPagesKernel = "FastPointsCopyPages";
         public const string ClearPixelsKernel = "FastPointsClearPixels";
         public const string RasterDepthKernel = "FastPointsRasterDepth";
         public const string RasterColorKernel = "FastPointsRasterColor";
+        public const string RasterNumberKernel = "FastPointsRasterNumber";
+        public const string CountVisibleKernel = "FastPointsCountVisible";
+        public const string PlanFrameKernel = "FastPointsPlanFrame";
+        public const string ListVisibleKernel = "FastPointsListVisible";
+        public const string MarkPixelsKernel = "FastPointsMarkPixels";
+        public const string MarkTexelsKernel = "FastPointsMarkTexels";
         public const string AdaptiveKeyword = "FASTPOINTS_ADAPTIVE";
         public const string BlendedKeyword = "FASTPOINTS_BLENDED";
         public const string ClippedKeyword = "FASTPOINTS_CLIPPED";
         public const string FilteredKeyword = "FASTPOINTS_FILTERED";
         public const string FromPixelsKeyword = "FASTPOINTS_FROM_PIXELS";
         public const string LayeredKeyword = "FASTPOINTS_LAYERED";
+        public const string ProgressiveKeyword = "FASTPOINTS_PROGRESSIVE";
         public const string StereoKeyword = "FASTPOINTS_STEREO";
         public const string SquaresKeyword = "FASTPOINTS_SQUARES";
         public const string DiscsKeyword = "FASTPOINTS_DISCS";

@@ -59,6 +59,16 @@ namespace FastPoints.Entities
         [Tooltip("Fills single pixels that points leave open in a surface.")]
         public bool FillHoles;
 
+        [Range(0, 100)]
+        [Tooltip("A picture of more points, in millions, is drawn over several frames, the visible points in each. 0: all at " +
+            "once, as splats always are.")]
+        public float MillionPointsPerFrame;
+
+        [Range(0, 100)]
+        [Tooltip("Milliseconds that the GPU may take for a frame: the number above is where it begins. 0: it stays. Takes " +
+            "Frame Timing Stats of the player settings.")]
+        public float GpuMilliseconds;
+
         /// <summary>How points look.</summary>
         public PointStyle Style => new PointStyle
         {
@@ -66,6 +76,8 @@ namespace FastPoints.Entities
             Size = new PointSize { Mode = SizeMode, Value = Size, MinPx = 1, MaxPx = MaxSizePx },
             EdlStrength = EyeDomeLighting,
             FillsHoles = FillHoles,
+            PointsPerFrame = (int)math.round(MillionPointsPerFrame * 1e6),
+            GpuFrameMs = GpuMilliseconds,
         };
 
         internal PointCloudBudget Budget => new PointCloudBudget

@@ -250,7 +250,7 @@ namespace FastPoints.Entities
             }
             Begin(new GraphicsNodePool(resources.CopyPages, DefaultPoolBytes));
             Stream.Settings.FadeSeconds = StreamSettings.DefaultFadeSeconds;
-            Scene = new PointScene(resources.Points, resources.Compose, Stream, resources.Raster);
+            Scene = new PointScene(resources.Points, resources.Compose, Stream, resources.Raster, resources.Progressive);
             PointScene.Current = Scene;
             return true;
         }

@@ -20,6 +20,8 @@ namespace FastPoints.Drawing
         NativeList<int> m_instanceOfBank = new NativeList<int>(Allocator.Persistent);
         NativeList<int> m_seen = new NativeList<int>(1024, Allocator.Persistent);
         NativeReference<long> m_points = new NativeReference<long>(Allocator.Persistent);
+        NativeList<uint> m_lastInstanceOfNode = new NativeList<uint>(Allocator.Persistent);
+        NativeList<ListedSlot> m_ofSlot = new NativeList<ListedSlot>(Allocator.Persistent);
 
         /// <param name="sizes">The tree of all cameras; this list does not dispose it.</param>
         public DrawList(SizeTree sizes) => m_sizes = sizes;
@@ -43,6 +45,15 @@ namespace FastPoints.Drawing
 
         // Adaptive sizes are looked up in these; empty if there are none.
         internal NativeArray<GpuSizeNode> SizeNodes => m_sizes.Nodes;
+
+        // Whether lists say where their nodes were in the one before.
+        internal bool IsProgressive { get; set; }
+
+        // How many such lists there were.
+        internal int Picture { get; private set; }
+
+        // Indexed as Nodes: the node's first block in the list before, or ListedSlot.None.
+        internal NativeArray<uint> LastInstanceOfNode => m_lastInstanceOfNode.AsArray();
 
         /// <summary>Points of the nodes that the camera sees.</summary>
         public long Points => m_points.Value;
@@ -98,6 +109,8 @@ namespace FastPoints.Drawing
                 m_clouds.Add(listed.Describe(cloud.Source.Layout, cloud.Source.Planes[listed.Look.Plane],
                     cloud.Source.Planes[listed.Look.ClassPlane]));
             }
+            if (IsProgressive)
+                Picture++;
             new ListBlocksJob
             {
                 Drawn = stream.Drawn.AsArray(),
@@ -109,6 +122,9 @@ namespace FastPoints.Drawing
                 InstanceOfBank = m_instanceOfBank,
                 Seen = m_seen,
                 Points = m_points,
+                Picture = IsProgressive ? Picture : 0,
+                LastInstanceOfNode = m_lastInstanceOfNode,
+                OfSlot = m_ofSlot,
             }.Run();
         }
 
@@ -125,6 +141,8 @@ namespace FastPoints.Drawing
             m_instanceOfBank.Dispose();
             m_seen.Dispose();
             m_points.Dispose();
+            m_lastInstanceOfNode.Dispose();
+            m_ofSlot.Dispose();
         }
     }
 }

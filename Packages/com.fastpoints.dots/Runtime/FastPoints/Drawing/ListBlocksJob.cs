@@ -25,12 +25,18 @@ namespace FastPoints.Drawing
         public NativeList<int> Seen;
         public NativeReference<long> Points;
 
+        // Where nodes were in the list before this one; not asked for if Picture is 0, and 1 is the first.
+        public int Picture;
+        public NativeList<uint> LastInstanceOfNode;
+        public NativeList<ListedSlot> OfSlot;
+
         public void Execute()
         {
             Nodes.Clear();
             Draws.Clear();
             Seen.Clear();
             InstanceOfBank.Clear();
+            LastInstanceOfNode.Clear();
             Points.Value = 0;
             int instances = CountBlocks();
             NodeOfInstance.ResizeUninitialized(instances);
@@ -86,8 +92,32 @@ namespace FastPoints.Drawing
                 for (int block = 0; block < blocks; block++)
                     nodeOfInstance[instance + block] = (uint)Nodes.Length;
                 Nodes.Add(node);
+                if (Picture > 0)
+                    LastInstanceOfNode.Add(Remember(drawn, node.FirstInstance));
             }
         }
+
+        // Where the node's blocks began in the last list; from the next one on, where they begin in this one.
+        uint Remember(in DrawnNode drawn, uint instance)
+        {
+            if (OfSlot.Length <= drawn.Slot)
+                OfSlot.Resize(drawn.Slot + 1, NativeArrayOptions.ClearMemory);
+            ref var listed = ref OfSlot.ElementAt(drawn.Slot);
+            bool wasListed = listed.Version == drawn.Version && listed.Picture == Picture - 1 && Picture > 1;
+            uint last = wasListed ? listed.FirstInstance : ListedSlot.None;
+            listed = new ListedSlot { Version = drawn.Version, Picture = Picture, FirstInstance = instance };
+            return last;
+        }
+    }
+
+    // The node that a slot of the cache had in a list.
+    internal struct ListedSlot
+    {
+        public const uint None = 0xFFFFFFFF;
+
+        public int Version;
+        public int Picture;
+        public uint FirstInstance;
     }
 
     internal struct BankDraw

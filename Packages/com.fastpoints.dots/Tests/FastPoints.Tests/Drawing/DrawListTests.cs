@@ -43,6 +43,36 @@ namespace FastPoints.Tests.Drawing
             return list;
         }
 
+        [Test]
+        public void Build_Progressive_FindsNodesInTheListBefore()
+        {
+            using var cloud = new StreamedTestCloud();
+            using var stream = Open(cloud, double3x3.identity, 0);
+            var view = StreamView.Everything(1000);
+            Settle(stream, view);
+            using var list = List(stream, view);
+            Assert.That(list.LastInstanceOfNode.Length, Is.Zero, "nobody asked");
+            list.IsProgressive = true;
+            list.Build(stream, view);
+            Assert.That(list.LastInstanceOfNode, Is.All.EqualTo(ListedSlot.None));
+            var before = list.Nodes.ToArray();
+            // One node has another tenant, the others are in another order.
+            var drawn = stream.Drawn.AsArray();
+            (drawn[0], drawn[drawn.Length - 1]) = (drawn[drawn.Length - 1], drawn[0]);
+            var replaced = drawn[1];
+            replaced.Version++;
+            drawn[1] = replaced;
+            list.Build(stream, view);
+            for (int node = 0; node < list.Nodes.Length; node++)
+            {
+                var same = list.Nodes[node];
+                uint last = before.Single(b => b.PositionWord == same.PositionWord && b.AnchorView.Equals(same.AnchorView))
+                    .FirstInstance;
+                Assert.That(list.LastInstanceOfNode[node], Is.EqualTo(node == 1 ? ListedSlot.None : last));
+            }
+            Assert.That(list.Nodes.ToArray().Select(n => n.FirstInstance), Is.Not.EqualTo(before.Select(b => b.FirstInstance)));
+        }
+
         static StreamView EverythingFrom(double3 eyeWorld)
         {
             var view = StreamView.Everything(1000);

@@ -158,6 +158,7 @@ namespace FastPoints.Streaming
             cached->DrawnFrame = Frame;
             cached->DrawnIndex = Drawn.Length;
             cached->Fade = fade;
+            node.Version = cached->Version;
             node.Range = cached->Range;
             node.Tint = cached->Tint;
             node.PointShare = ShareOf(fade);
@@ -213,6 +214,9 @@ namespace FastPoints.Streaming
 
         /// <summary>Its slot in the <see cref="NodeCache"/>.</summary>
         public int Slot;
+
+        /// <summary>See <see cref="CachedNode.Version"/>.</summary>
+        public int Version;
 
         /// <summary>See <see cref="CachedNode.Tint"/>.</summary>
         public uint Tint;
