@@ -23,6 +23,7 @@ public sealed class SelfStartTests : GraphicsFixture
         resources.Points = shaders.Points;
         resources.Compose = shaders.Compose;
         resources.Raster = shaders.Raster;
+        resources.Progressive = shaders.Progressive;
         resources.CopyPages = shaders.CopyPages;
         Resources.Assets[PointCloudResources.Path] = resources;
         BuiltInPass.Begin();
@@ -62,26 +63,90 @@ public sealed class SelfStartTests : GraphicsFixture
         }
     }
 
-    [Test]
-    public void PointCloud_InFrontOfACamera_IsDrawn()
+    // 60 m above the cloud's middle.
+    static Camera MakeCamera(out RenderTexture target)
     {
-        string path = m_scratch.Converted(points: 20_000);
-        var target = new RenderTexture(160, 90, GraphicsFormat.R8G8B8A8_UNorm, GraphicsFormat.D32_SFloat);
+        target = new RenderTexture(160, 90, GraphicsFormat.R8G8B8A8_UNorm, GraphicsFormat.D32_SFloat);
         target.Create();
         var camera = new GameObject("camera").AddComponent<Camera>();
         camera.targetTexture = target;
         camera.projectionMatrix = Matrix4x4.Perspective(60, 16 / 9f, 0.1f, 1000);
-        // 60 m above the cloud's middle, looking down: Unity's -Z is the camera's forward in a view matrix.
+        LookDown(camera, 60);
+        return camera;
+    }
+
+    static void LookDown(Camera camera, float height)
+    {
         var above = Matrix4x4.identity;
-        above.SetColumn(3, new Vector4(0, 60, 0, 1));
+        above.SetColumn(3, new Vector4(0, height, 0, 1));
         SceneLoop.Place(camera.transform, above);
+        // Unity's -Z is the camera's forward in a view matrix.
         var view = Matrix4x4.zero;
         view.SetRow(0, new Vector4(1, 0, 0, 0));
         view.SetRow(1, new Vector4(0, 0, 1, 0));
-        view.SetRow(2, new Vector4(0, 1, 0, -60));
+        view.SetRow(2, new Vector4(0, 1, 0, -height));
         view.SetRow(3, new Vector4(0, 0, 0, 1));
         camera.worldToCameraMatrix = view;
+    }
 
+    static uint[] Pixels(RenderTexture target)
+    {
+        var request = AsyncGPUReadback.Request(target);
+        request.WaitForCompletion();
+        return request.GetData<uint>().ToArray();
+    }
+
+    // In edit mode nobody draws what nobody asks for.
+    [Test]
+    public void NeedsFrame_CameraOfAProgressivePictureMoved_IsTrueUntilAllPointsWereTried()
+    {
+        var camera = MakeCamera(out var target);
+        var settings = new GameObject("settings").AddComponent<PointCloudSettings>();
+        settings.Shape = PointShape.Pixel;
+        settings.FadeSeconds = 0;
+        var cloud = new GameObject("scan").AddComponent<FastPoints.Entities.PointCloud>();
+        cloud.Path = m_scratch.Converted(points: 20_000);
+        var group = m_world.GetExistingSystemManaged<PointCloudSystemGroup>();
+        int frames = 0;
+        void Frame()
+        {
+            frames++;
+            SceneLoop.Update();
+            camera.Render();
+            m_world.Update();
+            HeadlessGraphics.EndFrame();
+        }
+        uint[] Rest(float height)
+        {
+            LookDown(camera, height);
+            frames = 0;
+            ImportProject.Updates(Frame, () => group.Stats.DrawnPoints > 0 && !group.NeedsFrame);
+            camera.Render();
+            return Pixels(target);
+        }
+        var whole = Rest(50);
+        Rest(60);
+        settings.MillionPointsPerFrame = 0.0002f;
+        Rest(61);
+        camera.Render();
+        LookDown(camera, 50);
+        Frame();
+        Frame();
+        Assert.That(Pixels(target).Count(p => (p & 0xFFFFFF) != 0), Is.LessThan(whole.Count(p => (p & 0xFFFFFF) != 0)));
+        Assert.That(group.NeedsFrame, Is.True);
+        Assert.That(Rest(50), Is.EqualTo(whole));
+        Assert.That(frames, Is.GreaterThan(100));
+        Object.DestroyImmediate(cloud.gameObject);
+        Object.DestroyImmediate(settings.gameObject);
+        Object.DestroyImmediate(camera.gameObject);
+        target.Release();
+    }
+
+    [Test]
+    public void PointCloud_InFrontOfACamera_IsDrawn()
+    {
+        string path = m_scratch.Converted(points: 20_000);
+        var camera = MakeCamera(out var target);
         var settings = new GameObject("settings").AddComponent<PointCloudSettings>();
         settings.MillionPoints = 0.005f;
         settings.MemoryMebibytes = 64;
@@ -101,9 +166,7 @@ public sealed class SelfStartTests : GraphicsFixture
         Assert.That(group.Stream.Pool.LimitBytes, Is.EqualTo(64 << 20));
         Assert.That((group.Scene.Style.Shape, group.Scene.Style.Size.Value), Is.EqualTo((PointShape.Disc, 5f)));
         camera.Render();
-        var request = AsyncGPUReadback.Request(target);
-        request.WaitForCompletion();
-        var pixels = request.GetData<uint>().ToArray();
+        var pixels = Pixels(target);
         Assert.That(pixels.Count(p => (p & 0xFFFFFF) != 0), Is.GreaterThan(1000));
         Assert.That(pixels.Distinct().Count(), Is.GreaterThan(100), "the scan's own colours");
 

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using FastPoints.Rendering;
+using FastPoints.Store;
 using FastPoints.Streaming;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
@@ -38,6 +39,9 @@ namespace FastPoints.Entities
         /// <summary>The group is idle after this many frames without reads and uploads: a dropped node is requested
         /// again within them.</summary>
         const int FramesToIdle = 40;
+
+        /// <summary>A progressive picture has tried each point after as many frames as a block has points.</summary>
+        const int FramesToComplete = PlaneShape.MaxPointsPerBlock;
 
         /// <summary>Bytes of graphics memory without a <see cref="PointCloudBudget"/>; changes apply from the next frame on. An
         /// editor sets it from the project's settings.</summary>
@@ -109,7 +113,8 @@ namespace FastPoints.Entities
                 if (Stream == null)
                     return CanBegin;
                 // Polling a folder needs frames until it ends.
-                return m_idleFrames < FramesToIdle || IsOpening || Scene != null && HasMoved(Scene.NextViews);
+                return m_idleFrames < FramesToIdle + (IsProgressive ? FramesToComplete : 0) || IsOpening ||
+                    Scene != null && HasMoved(Scene.NextViews);
             }
         }
 
@@ -156,12 +161,13 @@ namespace FastPoints.Entities
             m_stats = default;
             CountSeconds();
             base.OnUpdate();
+            bool isBusy = m_stats.ReadsInFlight > 0 || m_stats.RequestedNodes > 0 || m_stats.UploadedNodes > 0 ||
+                m_stats.FadingNodes > 0 || Stream.Uploads.IsInFlight || Stream.IsRemovingAny || Stream.IsReadingHierarchy ||
+                IsProgressive && HasMoved(m_views.AsArray());
+            m_idleFrames = isBusy ? 0 : m_idleFrames + 1;
             m_lastViews.Clear();
             m_lastViews.AddRange(m_views.AsArray());
             m_views.Clear();
-            bool isBusy = m_stats.ReadsInFlight > 0 || m_stats.RequestedNodes > 0 || m_stats.UploadedNodes > 0 ||
-                m_stats.FadingNodes > 0 || Stream.Uploads.IsInFlight || Stream.IsRemovingAny || Stream.IsReadingHierarchy;
-            m_idleFrames = isBusy ? 0 : m_idleFrames + 1;
         }
 
         protected override void OnDestroy()
@@ -212,6 +218,8 @@ namespace FastPoints.Entities
         }
 
         internal void ReuseViews() => m_views.AddRange(m_lastViews.AsArray());
+
+        bool IsProgressive => Scene != null && Scene.Style.IsProgressive;
 
         unsafe bool HasMoved(NativeArray<StreamView> next) => next.Length > 0 && (next.Length != m_lastViews.Length ||
             UnsafeUtility.MemCmp(next.GetUnsafeReadOnlyPtr(), m_lastViews.GetUnsafePtr(),
