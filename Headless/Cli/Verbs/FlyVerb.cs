@@ -123,17 +123,7 @@ public sealed class FlyVerb : Verb
                 PointsPerFrame = Counts.ToInt(parsed.GetValue(m_pointsPerFrame)),
             }
             : (FlightRenderer)new CpuFlightRenderer(stream, options) { MeasuresPopping = parsed.GetValue(m_popping) };
-        var bounds = BoundsGeo.Empty;
-        foreach (string cloud in clouds)
-        {
-            var (plan, ranges, number) = FlightCloud.Add(cloud, stream, options, run.Cancellation);
-            picture.Add(number, plan);
-            if (!ranges.Robust.IsEmpty)
-                bounds = bounds.IsEmpty ? ranges.Robust
-                    : new BoundsGeo(math.min(bounds.Min, ranges.Robust.Min), math.max(bounds.Max, ranges.Robust.Max));
-        }
-        if (bounds.IsEmpty)
-            throw new PointCloudException(FailureCode.BadInput, clouds[0], -1, "no points to fly over");
+        var bounds = AddClouds(clouds, stream, picture, run.Cancellation);
         options.UpAxis.Directions(out _, out _, out var up);
         var path = parsed.GetValue(m_path) is { } file ? CameraPath.Read(file, up, options.FovDegrees)
             : CameraPath.Around(bounds, options.UpAxis, asked > 0 ? asked : DefaultFrames, options.FovDegrees);
@@ -165,6 +155,21 @@ public sealed class FlyVerb : Verb
             run.Out.WriteLine(kept + ": " + Human.Count(frames / every) + " pictures, " + Human.Bytes(pictures.Bytes));
         run.WarnOfFailures(stream);
         Describe(run, log, stream.Settings.UploadBytesPerFrame, disposeMs);
+    }
+
+    static BoundsGeo AddClouds(string[] clouds, StreamContext stream, FlightRenderer picture, CancellationToken cancellation)
+    {
+        var bounds = BoundsGeo.Empty;
+        foreach (string cloud in clouds)
+        {
+            var (plan, ranges, number) = FlightCloud.Add(cloud, stream, picture.Options, cancellation);
+            picture.Add(number, plan);
+            if (!ranges.Robust.IsEmpty)
+                bounds = bounds.IsEmpty ? ranges.Robust
+                    : new BoundsGeo(math.min(bounds.Min, ranges.Robust.Min), math.max(bounds.Max, ranges.Robust.Max));
+        }
+        return !bounds.IsEmpty ? bounds
+            : throw new PointCloudException(FailureCode.BadInput, clouds[0], -1, "no points to fly over");
     }
 
     static RgbaImage? Fly(StreamContext stream, CameraPath path, FlightRenderer picture, FlightOutput? pictures,

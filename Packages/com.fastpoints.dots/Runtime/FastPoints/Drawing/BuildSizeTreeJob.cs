@@ -114,8 +114,8 @@ namespace FastPoints.Drawing
             return GapOf(cloud->Pages[drawn.Page].Nodes[drawn.Node], *cloud);
         }
 
-        // Points for each area of a surface rise from the parent's number to the node's own with the node's share of what is drawn
-        // of the parent: so much of the surface is covered as of the parent, whatever fades.
+        // Points for each area of a surface rise from the parent's number to the node's own with the node's share of what is
+        // drawn of the parent: so much of the surface is covered as of the parent, whatever fades.
         static float FadedGap(float gapAbove, float gap, float share) => gap <= 0 || gapAbove <= 0 ? gap
             : 1 / math.sqrt(math.lerp(1 / (gapAbove * gapAbove), 1 / (gap * gap), share));
 
