@@ -121,7 +121,8 @@ public sealed class SamplerReport(PointReader reader, string folder, ConvertSett
 
     void WritePictures(List<Built> built)
     {
-        var csv = new StringBuilder("setting,buildSeconds,bytesPerPoint,view,budget,points,drawSeconds,psnr,ssim,flip,uncovered\n");
+        var csv = new StringBuilder("setting,buildSeconds,bytesPerPoint,view,budget,points,drawSeconds,psnr,ssim,flip,"
+            + "uncovered\n");
         void Write(string setting, string seconds, string bytes, Drawn p) =>
             csv.Append('"').Append(setting).Append("\",").AppendJoin(',', seconds, bytes, p.View, p.Budget, p.Points,
                 Number(p.Seconds), Number(p.Error.Psnr), Number(p.Error.Ssim), Number(p.Error.Flip),

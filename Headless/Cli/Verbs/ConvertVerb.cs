@@ -19,8 +19,8 @@ public sealed class ConvertVerb : Verb
     {
         HelpName = "NAME",
         Description = "Which points stand for the others: random, one a cell by chance; poisson, evenly "
-            + "spaced; average, as poisson with colour and intensity averaged besides (default: random).",
-        DefaultValueFactory = _ => "random",
+            + "spaced; average, as poisson with colour and intensity averaged besides (default: poisson).",
+        DefaultValueFactory = _ => "poisson",
     };
     readonly Option<string?> m_memory = new("--memory")
     {

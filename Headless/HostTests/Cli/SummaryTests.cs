@@ -127,8 +127,8 @@ public sealed class SummaryTests : ScratchTests
         HasPreviewKeys(json);
         var error = json.GetProperty("error");
         foreach (string key in new[]
-            { "psnr", "ssim", "flip", "uncovered", "flipFull", "rms", "hausdorff95", "hausdorff99", "uncoveredCells64", "uncoveredCells128",
-                "uncoveredCells256", "shareVariation", "bias", "biasByChance" })
+            { "psnr", "ssim", "flip", "uncovered", "flipFull", "rms", "hausdorff95", "hausdorff99", "uncoveredCells64",
+                "uncoveredCells128", "uncoveredCells256", "shareVariation", "bias", "biasByChance" })
             HasKey(error, key, JsonValueKind.Number, JsonValueKind.Null);
         Assert.That(error.GetProperty("rms").GetDouble(), Is.Zero, "the sample is the whole");
         Assert.That(error.GetProperty("uncoveredCells256").GetDouble(), Is.Zero);
@@ -167,7 +167,8 @@ public sealed class SummaryTests : ScratchTests
         // Two views: a floor, then six settings under five budgets that all points fit in.
         Assert.That(flips, Has.Length.EqualTo(2 + 6 * 2 * 5).And.All.InRange(0.0001, 0.6));
         Assert.That(flips[2], Is.EqualTo(flips[0]), "all points, by the sampler that the reference is drawn from");
-        Assert.That(File.ReadAllText(Path.Combine(folder, "report.html")), Does.Contain("FLIP").And.Contain("one sample a pixel"));
+        Assert.That(File.ReadAllText(Path.Combine(folder, "report.html")),
+            Does.Contain("FLIP").And.Contain("one sample a pixel"));
     }
 
     [Test]

@@ -103,66 +103,83 @@ namespace FastPoints.Evaluation
         // around: the row shifted by as many pixels; at: its first plane, of which each is wide.
         void FilterAlongX(float** around, int at, int wide, float* to, int columns)
         {
-            var colors = (float*)Filters.Colors.GetUnsafeReadOnlyPtr();
             for (int plane = 0; plane < Gaussian; plane++)
-                Filter(around, at + math.min(plane, ColorPlanes - 1) * wide, colors + plane, Filters.ColorRadius, 1,
-                    to + plane * columns, columns);
-            var features = (float*)Filters.Features.GetUnsafeReadOnlyPtr();
-            Filter(around, at, features, Filters.FeatureRadius, 1, to + Gaussian * columns, columns);
-            Filter(around, at, features + 1, Filters.FeatureRadius, -1, to + Slope * columns, columns);
-            Filter(around, at, features + 2, Filters.FeatureRadius, 1, to + Curve * columns, columns);
+                Filter(around, at + math.min(plane, ColorPlanes - 1) * wide, Color(plane), to + plane * columns, columns);
+            Filter(around, at, Feature(0), to + Gaussian * columns, columns);
+            Filter(around, at, Feature(1), to + Slope * columns, columns);
+            Filter(around, at, Feature(2), to + Curve * columns, columns);
         }
 
         // around: the rows above and below; at: their first plane.
         void FilterAlongY(float** around, int at, float* to, int columns)
         {
-            var colors = (float*)Filters.Colors.GetUnsafeReadOnlyPtr();
             for (int plane = 0; plane < Gaussian; plane++)
-                Filter(around, at + plane * columns, colors + plane, Filters.ColorRadius, 1, to + plane * columns, columns);
-            var features = (float*)Filters.Features.GetUnsafeReadOnlyPtr();
-            int radius = Filters.FeatureRadius;
-            Filter(around, at + Slope * columns, features, radius, 1, to + SlopeX * columns, columns);
-            Filter(around, at + Gaussian * columns, features + 1, radius, -1, to + SlopeY * columns, columns);
-            Filter(around, at + Curve * columns, features, radius, 1, to + CurveX * columns, columns);
-            Filter(around, at + Gaussian * columns, features + 2, radius, 1, to + CurveY * columns, columns);
+                Filter(around, at + plane * columns, Color(plane), to + plane * columns, columns);
+            Filter(around, at + Slope * columns, Feature(0), to + SlopeX * columns, columns);
+            Filter(around, at + Gaussian * columns, Feature(1), to + SlopeY * columns, columns);
+            Filter(around, at + Curve * columns, Feature(0), to + CurveX * columns, columns);
+            Filter(around, at + Gaussian * columns, Feature(2), to + CurveY * columns, columns);
         }
 
-        // sign: 1 for an even filter, -1 for an odd one.
-        static void Filter(float** around, int at, float* weights, int radius, float sign, float* to, int count)
+        Taps Color(int column) => new Taps
+        {
+            Weights = (float*)Filters.Colors.GetUnsafeReadOnlyPtr() + column,
+            Radius = Filters.ColorRadius,
+            Sign = 1,
+        };
+
+        // Which derivative.
+        Taps Feature(int column) => new Taps
+        {
+            Weights = (float*)Filters.Features.GetUnsafeReadOnlyPtr() + column,
+            Radius = Filters.FeatureRadius,
+            Sign = column == 1 ? -1 : 1,
+        };
+
+        struct Taps
+        {
+            public float* Weights;
+            public int Radius;
+            public float Sign; // 1 if the filter is even, -1 if it is odd.
+
+            public readonly float Middle => Sign > 0 ? Weights[0] : 0;
+        }
+
+        static void Filter(float** around, int at, in Taps taps, float* to, int count)
         {
             int first = 0;
             if (X86.Avx2.IsAvx2Supported)
             {
-                var signs = X86.Avx.mm256_set1_ps(sign);
-                var middle = X86.Avx.mm256_set1_ps(sign > 0 ? weights[0] : 0);
+                var sign = X86.Avx.mm256_set1_ps(taps.Sign);
+                var middle = X86.Avx.mm256_set1_ps(taps.Middle);
                 for (; first + Lanes <= count; first += Lanes)
                 {
                     var sum = X86.Avx.mm256_mul_ps(middle, X86.Avx.mm256_loadu_ps(around[0] + at + first));
-                    for (int tap = 1; tap <= radius; tap++)
+                    for (int tap = 1; tap <= taps.Radius; tap++)
                     {
-                        var after = X86.Avx.mm256_mul_ps(signs, X86.Avx.mm256_loadu_ps(around[tap] + at + first));
+                        var after = X86.Avx.mm256_mul_ps(sign, X86.Avx.mm256_loadu_ps(around[tap] + at + first));
                         var both = X86.Avx.mm256_add_ps(X86.Avx.mm256_loadu_ps(around[-tap] + at + first), after);
-                        var weight = X86.Avx.mm256_set1_ps(weights[tap * FlipFilters.Stride]);
+                        var weight = X86.Avx.mm256_set1_ps(taps.Weights[tap * FlipFilters.Stride]);
                         sum = X86.Avx.mm256_add_ps(sum, X86.Avx.mm256_mul_ps(weight, both));
                     }
                     X86.Avx.mm256_storeu_ps(to + first, sum);
                 }
             }
-            FilterPlain(around, at + first, weights, radius, sign, to + first, count - first);
+            FilterPlain(around, at + first, taps, to + first, count - first);
         }
 
         /// <summary>The same, to the bit: Burst vectorizes it.</summary>
-        static void FilterPlain(float** around, int at, float* weights, int radius, float sign, float* to, int count)
+        static void FilterPlain(float** around, int at, in Taps taps, float* to, int count)
         {
             for (int x = 0; x < count; x++)
-                to[x] = (sign > 0 ? weights[0] : 0) * around[0][at + x];
-            for (int tap = 1; tap <= radius; tap++)
+                to[x] = taps.Middle * around[0][at + x];
+            for (int tap = 1; tap <= taps.Radius; tap++)
             {
                 float* before = around[-tap] + at;
                 float* after = around[tap] + at;
-                float weight = weights[tap * FlipFilters.Stride];
+                float weight = taps.Weights[tap * FlipFilters.Stride];
                 for (int x = 0; x < count; x++)
-                    to[x] += weight * (before[x] + sign * after[x]);
+                    to[x] += weight * (before[x] + taps.Sign * after[x]);
             }
         }
 

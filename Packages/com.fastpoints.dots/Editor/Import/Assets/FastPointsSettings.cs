@@ -16,7 +16,7 @@ namespace FastPoints.Editor
     {
         const string FileName = "ProjectSettings/FastPoints.asset";
 
-        public Sampler Sampler = Sampler.Random;
+        public Sampler Sampler = Sampler.Poisson;
 
         /// <summary>Where converted clouds are kept: relative to the project, or an absolute path. Clouds elsewhere stay there
         /// and are found where their handles say.</summary>

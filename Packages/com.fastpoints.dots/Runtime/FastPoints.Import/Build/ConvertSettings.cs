@@ -10,7 +10,7 @@ namespace FastPoints.Build
         /// <summary>Names of the attributes to keep; null for all. The position is always kept.</summary>
         public string[] Attributes;
 
-        public Sampler Sampler;
+        public Sampler Sampler = Sampler.Poisson;
 
         /// <summary>log2 of the number of sampling cells along a node's edge, 4 to 8: the spacing is the node's edge divided by
         /// it; 0 for the default of <see cref="NodeSizes"/>.</summary>
