@@ -61,7 +61,8 @@ public sealed class ProgressiveTests : GraphicsFixture
     public void Draw_AfterACutAtAQuarter_CoversNineTenthsInThreeFrames(string points, string size)
     {
         using var stream = Stream(points, size);
-        Assert.That(CoveredAfterACut(stream), Is.GreaterThanOrEqualTo(0.9));
+        // 94 % and 98 %; 90 % of pixels if blocks were drawn from one end to the other.
+        Assert.That(CoveredAfterACut(stream), Is.GreaterThanOrEqualTo(0.92));
     }
 
     static double CoveredAfterACut(ProgressiveStream stream)
