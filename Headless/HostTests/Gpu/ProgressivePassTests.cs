@@ -10,6 +10,9 @@ public sealed class ProgressivePassTests : PipelineFixture
 
     protected override bool HasRaster => true;
 
+    [SetUp]
+    public void Play() => SceneLoop.IsPlaying = true;
+
     StreamContext Show(string pipeline, string style)
     {
         Scene.Style = StereoPassTests.StyleOf(style);
@@ -150,9 +153,27 @@ public sealed class ProgressivePassTests : PipelineFixture
         target.Release();
     }
 
-    [TearDown]
-    public void StopTiming() => FrameTimingManager.EndFrame(null);
+    /// <summary>Its views are not drawn again before something changes.</summary>
+    [Test]
+    public void Render_InEditMode_IsWholeAtOnce()
+    {
+        using var reference = Show(nameof(UrpHost), "discs");
+        var target = StereoPassTests.Target(1);
+        var camera = CameraAt(StereoPassTests.At(0), StereoPassTests.ProjectionOf(0), target);
+        var whole = Render(camera);
+        SetPointsPerFrame(PointsPerFrame);
+        SceneLoop.IsPlaying = false;
+        RenderOnce(camera);
+        Assert.That(Picture(target).Rgba, Is.EqualTo(whole.Rgba));
+        UnityEngine.Object.DestroyImmediate(camera.gameObject);
+        target.Release();
+    }
 
     [TearDown]
-    public void TakeHeadsetOff() => XRSettings.eyeTextureDesc = default;
+    public void Stop()
+    {
+        SceneLoop.IsPlaying = false;
+        FrameTimingManager.EndFrame(null);
+        XRSettings.eyeTextureDesc = default;
+    }
 }

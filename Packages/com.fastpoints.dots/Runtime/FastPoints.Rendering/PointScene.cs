@@ -69,13 +69,14 @@ namespace FastPoints.Rendering
         public StreamContext Stream { get; }
         public PointStyle Style { get; set; } = PointStyle.Default;
 
-        // With as many points in a frame as meet its time.
+        // With as many points in a frame as meet its time; with all in edit mode, where no other frame may follow.
         PointStyle PacedStyle
         {
             get
             {
                 var style = Style;
-                style.PointsPerFrame = style.IsProgressive && m_pointsPerFrame > 0 ? m_pointsPerFrame : style.PointsPerFrame;
+                style.PointsPerFrame = !Application.isPlaying ? 0
+                    : style.IsProgressive && m_pointsPerFrame > 0 ? m_pointsPerFrame : style.PointsPerFrame;
                 return style;
             }
         }
@@ -276,7 +277,13 @@ namespace FastPoints.Rendering
         PointRenderer RendererOf(Camera camera, in CameraTarget target)
         {
             var seen = CameraOf(camera);
-            if (!Style.IsProgressive || target.HasBothEyes || !camera.stereoEnabled)
+            bool isProgressive = PacedStyle.IsProgressive;
+            if (!isProgressive)
+            {
+                seen.RightEye?.Dispose();
+                seen.RightEye = null;
+            }
+            if (!isProgressive || target.HasBothEyes || !camera.stereoEnabled)
                 return seen.Renderer;
             var left = EyeMatrices.Of(camera, Camera.StereoscopicEye.Left).PositionWorld;
             var right = EyeMatrices.Of(camera, Camera.StereoscopicEye.Right).PositionWorld;

@@ -3,19 +3,17 @@ using Unity.Mathematics;
 namespace FastPoints.Drawing
 {
     // How many points a frame may draw so that the GPU takes a given time. Measured times come late, are noisy, have spikes and
-    // a part that no points cause, so the number changes by less than the error asks for, and only once its effect is seen.
+    // a part that no points cause, so the number changes by less than the error asks for, and seldom.
     internal unsafe struct PointPace
     {
-        public const int LatencyFrames = 4; // Of Unity's FrameTimingManager.
         public const int MinPoints = 10_000;
-        const int Window = 9; // Of times whose median counts: spikes of four frames pass unnoticed.
+        const int Window = 9; // Of times whose median counts: four frames from before a change, or spikes, do not move it.
         const float DeadBand = 0.04f; // Errors of this share of the time are left alone.
         const float Damping = 0.6f; // Exponent of a step: any time that grows slower than the points' third power comes to rest.
         const float MaxStep = 1.5f;
 
         fixed float m_times[Window]; // In order.
         int m_count;
-        int m_late;
 
         public PointPace(int points) : this() => Points = points;
 
@@ -24,11 +22,6 @@ namespace FastPoints.Drawing
         // A frame's time. With more than maxPoints a frame would draw no more.
         public void Add(float gpuMs, float targetMs, int maxPoints)
         {
-            if (m_late > 0)
-            {
-                m_late--;
-                return;
-            }
             int at = m_count++;
             for (; at > 0 && m_times[at - 1] > gpuMs; at--)
                 m_times[at] = m_times[at - 1];
@@ -41,7 +34,6 @@ namespace FastPoints.Drawing
                 return;
             float step = math.clamp(math.pow(wanted, Damping), 1 / MaxStep, MaxStep);
             Points = (int)math.clamp((double)Points * step, MinPoints, math.max(MinPoints, maxPoints));
-            m_late = LatencyFrames;
         }
     }
 }

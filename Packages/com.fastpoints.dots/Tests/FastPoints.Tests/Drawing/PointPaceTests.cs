@@ -10,6 +10,7 @@ namespace FastPoints.Tests.Drawing
     public class PointPaceTests
     {
         const float TargetMs = 10;
+        const int LatencyFrames = 4; // Of Unity's FrameTimingManager.
         const int Settled = 240; // Frames after a change: four seconds at 60 Hz.
 
         sealed class SimulatedCard
@@ -29,7 +30,7 @@ namespace FastPoints.Tests.Drawing
             public void Draw()
             {
                 m_inFlight.Enqueue(Pace.Points);
-                if (m_inFlight.Count <= PointPace.LatencyFrames)
+                if (m_inFlight.Count <= LatencyFrames)
                     return;
                 double normal = math.sqrt(-2 * math.log(m_random.NextDouble(1e-9, 1))) *
                     math.cos(2 * math.PI_DBL * m_random.NextDouble());
