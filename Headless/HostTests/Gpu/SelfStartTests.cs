@@ -32,6 +32,7 @@ public sealed class SelfStartTests : GraphicsFixture
     [TearDown]
     public void EndWorld()
     {
+        SceneLoop.IsPlaying = false;
         BuiltInPass.End();
         HeadlessGraphics.WaitForIdle();
         m_world.Dispose();
@@ -96,10 +97,11 @@ public sealed class SelfStartTests : GraphicsFixture
         return request.GetData<uint>().ToArray();
     }
 
-    // In edit mode nobody draws what nobody asks for.
+    // In paused play mode nobody draws what nobody asks for.
     [Test]
     public void NeedsFrame_CameraOfAProgressivePictureMoved_IsTrueUntilAllPointsWereTried()
     {
+        SceneLoop.IsPlaying = true;
         var camera = MakeCamera(out var target);
         var settings = new GameObject("settings").AddComponent<PointCloudSettings>();
         settings.Shape = PointShape.Pixel;

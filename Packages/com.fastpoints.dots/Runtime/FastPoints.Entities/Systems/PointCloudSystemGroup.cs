@@ -105,7 +105,7 @@ namespace FastPoints.Entities
         public NativeList<StreamView> Views => m_views;
 
         /// <summary>Whether another frame would change something: clouds are being opened, nodes are in flight, or a camera has
-        /// moved. In edit mode, frames only come on request.</summary>
+        /// moved. In edit mode and when paused, frames only come on request.</summary>
         public bool NeedsFrame
         {
             get
@@ -219,7 +219,7 @@ namespace FastPoints.Entities
 
         internal void ReuseViews() => m_views.AddRange(m_lastViews.AsArray());
 
-        bool IsProgressive => Scene != null && Scene.Style.IsProgressive;
+        bool IsProgressive => Scene != null && Scene.Style.IsProgressive && Application.isPlaying;
 
         unsafe bool HasMoved(NativeArray<StreamView> next) => next.Length > 0 && (next.Length != m_lastViews.Length ||
             UnsafeUtility.MemCmp(next.GetUnsafeReadOnlyPtr(), m_lastViews.GetUnsafePtr(),
