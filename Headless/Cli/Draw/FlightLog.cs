@@ -54,15 +54,15 @@ public sealed class FlightLog
         m_frames.Select((f, i) => ((double)i, f.Popping)).Where(p => !double.IsNaN(p.Popping));
 
     /// <summary>Null if it was measured in no frame.</summary>
-    public Popping? Popping => Draw.Popping.Of(PoppingByFrame);
+    public PoppingSummary? Popping => PoppingSummary.Of(PoppingByFrame);
 
     /// <summary>But for the frames until, at first and after a cut, nearly all that was selected is drawn.</summary>
-    public Popping? PoppingWhenLoaded
+    public PoppingSummary? PoppingWhenLoaded
     {
         get
         {
             var loading = Cuts().Select(c => (c.Frame, End: c.FramesToFull < 0 ? Count : c.Frame + c.FramesToFull)).ToList();
-            return Draw.Popping.Of(PoppingByFrame.Where(p => !loading.Exists(l => p.Frame >= l.Frame && p.Frame <= l.End)));
+            return PoppingSummary.Of(PoppingByFrame.Where(p => !loading.Exists(l => p.Frame >= l.Frame && p.Frame <= l.End)));
         }
     }
 
@@ -125,15 +125,15 @@ public sealed class FlightLog
 }
 
 /// <summary>See <see cref="FlightRenderer.MeasurePopping"/>.</summary>
-public sealed record Popping(double Mean, double Max, int FrameOfMax)
+public sealed record PoppingSummary(double Mean, double Max, int FrameOfMax)
 {
-    public static Popping? Of(IEnumerable<(double Frame, double Flip)> frames)
+    public static PoppingSummary? Of(IEnumerable<(double Frame, double Flip)> frames)
     {
         var all = frames.ToList();
         if (all.Count == 0)
             return null;
         var max = all.MaxBy(f => f.Flip);
-        return new Popping(all.Average(f => f.Flip), max.Flip, (int)max.Frame);
+        return new PoppingSummary(all.Average(f => f.Flip), max.Flip, (int)max.Frame);
     }
 
     public override string ToString() =>

@@ -82,7 +82,9 @@ public static class ErrorReport
     {
         var chart = Chart(step, title, unit, false, w => error(w.Error.Picture));
         double[] seconds = [.. step.Curves.SelectMany(c => c.Waves).Select(w => w.Wave.Seconds)];
-        chart.Add(ErrorStep.FloorName, [(seconds.Min(), error(step.Floor)), (seconds.Max(), error(step.Floor))], isDashed: true);
+        if (seconds.Length > 0)
+            chart.Add(ErrorStep.FloorName, [(seconds.Min(), error(step.Floor)), (seconds.Max(), error(step.Floor))],
+                isDashed: true);
         return chart;
     }
 

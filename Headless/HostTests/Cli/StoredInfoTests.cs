@@ -43,7 +43,7 @@ public sealed class StoredInfoTests : ScratchTests
         Assert.That(planes.Select(p => p.Name), Does.Contain("position").And.Contain("color"));
         Assert.That(planes.Sum(p => p.Value.GetInt64()), Is.InRange(1, cloud.GetProperty("bytesOnDisk").GetInt64()));
         Assert.That(cloud.GetProperty("sources")[0].GetProperty("name").GetString(), Is.EqualTo(Path.GetFileName(m_demo)));
-        Assert.That(cloud.GetProperty("sampler").GetString(), Is.EqualTo("random"));
+        Assert.That(cloud.GetProperty("sampler").GetString(), Is.EqualTo("poisson"));
     }
 
     [Test]
@@ -135,7 +135,7 @@ public sealed class StoredInfoTests : ScratchTests
         Assert.That(info.GetProperty("isWhole").GetBoolean(), Is.True);
         string page = File.ReadAllText(Scratch["stored/report.html"]);
         foreach (string text in new[] { "20,000", "32632", "spacing", "Classification", "bytes a point",
-            "random", "demo.las", "yes" })
+            "poisson", "demo.las", "yes" })
             Assert.That(page, Does.Contain(text));
         Assert.That(Png.Read(Scratch["stored/picture.png"]).Rgba.Distinct().Count(), Is.GreaterThan(10));
         Assert.That(CliCall.Of(m_cloud, "-o", Scratch["stored"]).Status, Is.Zero, "the same report again");
