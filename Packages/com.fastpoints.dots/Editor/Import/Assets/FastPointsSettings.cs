@@ -62,6 +62,10 @@ namespace FastPoints.Editor
         /// before assets are imported, and a reference would then be null.</summary>
         public string[] AlwaysInPlayers = new string[0];
 
+        /// <summary>Whether the shaders of pictures over several frames (<see cref="Rendering.PointStyle.PointsPerFrame"/>) are
+        /// built into players.</summary>
+        public bool ProgressiveInPlayers = true;
+
         /// <summary><see cref="Place"/> as stored, for code that must not load the settings.</summary>
         /// <param name="project">The project's folder.</param>
         public static ProjectPaths ReadPaths(string project)

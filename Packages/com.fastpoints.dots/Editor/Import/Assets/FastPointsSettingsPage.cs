@@ -57,6 +57,8 @@ namespace FastPoints.Editor
                 "What is dropped together and larger stays where it is, and gets handles."), settings.CopiedMiB, 0, 2048);
             settings.PlayerMiB = EditorGUILayout.IntSlider(new GUIContent("Warn of clouds in players from (MiB)",
                 "Builds whose point clouds are larger together say so. 0: never."), settings.PlayerMiB, 0, 65536);
+            settings.ProgressiveInPlayers = EditorGUILayout.Toggle(new GUIContent("Several frames in players",
+                "The shaders for it. Without, players draw all points at once."), settings.ProgressiveInPlayers);
             settings.AlwaysInPlayers = CloudFields(new GUIContent("Always in players",
                 "Clouds that only code names. An empty field takes one more."), settings.AlwaysInPlayers);
         }
