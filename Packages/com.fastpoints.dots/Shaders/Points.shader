@@ -16,7 +16,7 @@ Shader "Hidden/FastPoints/Points"
             #pragma fragment FastPointsFragment
             #pragma multi_compile_local _ FASTPOINTS_SQUARES FASTPOINTS_DISCS FASTPOINTS_PARABOLOIDS
             #pragma multi_compile_local _ FASTPOINTS_ADAPTIVE
-            #pragma multi_compile_local _ FASTPOINTS_LAYERED FASTPOINTS_STEREO FASTPOINTS_PROGRESSIVE
+            #pragma multi_compile_local _ FASTPOINTS_LAYERED FASTPOINTS_STEREO
             #pragma multi_compile_local _ FASTPOINTS_CLIPPED
             #pragma multi_compile_local _ FASTPOINTS_FILTERED
             #include "Packages/com.fastpoints.dots/Shaders/PointPass.hlsl"
@@ -40,6 +40,28 @@ Shader "Hidden/FastPoints/Points"
             #pragma multi_compile_local _ FASTPOINTS_CLIPPED
             #pragma multi_compile_local _ FASTPOINTS_FILTERED
             #define FASTPOINTS_BLENDING
+            #include "Packages/com.fastpoints.dots/Shaders/PointPass.hlsl"
+            ENDHLSL
+        }
+
+        // Into a layer, with the number of the point that each pixel shows. Without clip boxes, or hidden classes, these cost a
+        // comparison.
+        Pass
+        {
+            Name "Progressive"
+            ZWrite On
+            ZTest LEqual
+            Cull Off
+
+            HLSLPROGRAM
+            #pragma target 4.5
+            #pragma vertex FastPointsVertex
+            #pragma fragment FastPointsFragment
+            #pragma multi_compile_local _ FASTPOINTS_SQUARES FASTPOINTS_DISCS FASTPOINTS_PARABOLOIDS
+            #pragma multi_compile_local _ FASTPOINTS_ADAPTIVE
+            #define FASTPOINTS_PROGRESSIVE
+            #define FASTPOINTS_CLIPPED
+            #define FASTPOINTS_FILTERED
             #include "Packages/com.fastpoints.dots/Shaders/PointPass.hlsl"
             ENDHLSL
         }

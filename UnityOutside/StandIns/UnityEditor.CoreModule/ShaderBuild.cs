@@ -1,5 +1,4 @@
 using UnityEditor.Rendering;
-using UnityEngine.Rendering;
 
 namespace UnityEditor.Rendering
 {
@@ -8,10 +7,7 @@ namespace UnityEditor.Rendering
         public string passName { get; internal set; }
     }
 
-    public struct ShaderCompilerData
-    {
-        public ShaderKeywordSet shaderKeywordSet;
-    }
+    public struct ShaderCompilerData { }
 }
 
 namespace UnityEditor.Build

@@ -3,7 +3,6 @@ using FastPoints.Rendering;
 using UnityEditor.Build;
 using UnityEditor.Rendering;
 using UnityEngine;
-using UnityEngine.Rendering;
 
 namespace FastPoints.Editor
 {
@@ -11,16 +10,15 @@ namespace FastPoints.Editor
     /// as where compute shaders are missing.</summary>
     internal sealed class PlayerShaders : IPreprocessShaders, IPreprocessComputeShaders
     {
+        const string ProgressivePass = "Progressive"; // Of Points.shader.
+
         public int callbackOrder => 0;
 
         public void OnProcessShader(Shader shader, ShaderSnippetData snippet, IList<ShaderCompilerData> data)
         {
-            if (FastPointsSettings.instance.ProgressiveInPlayers || shader != PointCloudResources.Load().Points)
-                return;
-            var keyword = new LocalKeyword(shader, ShaderNames.ProgressiveKeyword);
-            for (int i = data.Count - 1; i >= 0; i--)
-                if (data[i].shaderKeywordSet.IsEnabled(keyword))
-                    data.RemoveAt(i);
+            if (!FastPointsSettings.instance.ProgressiveInPlayers && snippet.passName == ProgressivePass &&
+                shader == PointCloudResources.Load().Points)
+                data.Clear();
         }
 
         public void OnProcessComputeShader(ComputeShader shader, string kernelName, IList<ShaderCompilerData> data)

@@ -12,7 +12,7 @@ namespace FastPoints.Rendering
     /// command buffer. One indirect draw for each bank of the pool; an instance is a block. Main thread, no garbage.</summary>
     public sealed class PointRenderer : IDisposable
     {
-        const int BlendingPass = 1; // Of Points.shader.
+        const int BlendingPass = 1, ProgressivePass = 2; // Of Points.shader.
 
         readonly GraphicsNodePool m_pool;
         readonly PointMaterials m_materials;
@@ -157,7 +157,7 @@ namespace FastPoints.Rendering
             Set(view);
             chosen?.Set(m_properties);
             m_layer.Begin(commands, view);
-            DrawBanks(commands, view.Style, false, chosen: chosen);
+            DrawBanks(commands, view.Style, false, chosen != null ? ProgressivePass : 0, chosen);
             if (chosen != null)
                 m_layer.EndNumbers(commands, view, chosen);
             if (!view.Style.IsBlended)

@@ -5,7 +5,7 @@ namespace FastPoints.Rendering
     // A variant of Points.shader: the keywords that a draw needs.
     internal readonly struct PointVariant
     {
-        internal const int Count = Shapes << 6; // Range of Number; no draw needs all of them.
+        internal const int Count = Shapes << 5; // Range of Number; no draw needs all of them.
 
         const int Shapes = 1 + (int)PointShape.Paraboloid;
 
@@ -18,19 +18,21 @@ namespace FastPoints.Rendering
         static readonly string[] s_options =
         {
             ShaderNames.AdaptiveKeyword, ShaderNames.LayeredKeyword, ShaderNames.ClippedKeyword, ShaderNames.FilteredKeyword,
-            ShaderNames.StereoKeyword, ShaderNames.ProgressiveKeyword,
+            ShaderNames.StereoKeyword,
         };
 
         readonly int m_shape;
         readonly int m_options; // Each bit is an index in s_options.
 
-        // Splats are drawn as discs, into a layer; styles with a layer draw both eyes one after the other. Progressive
-        // pictures have a layer of their own.
+        // Splats are drawn as discs, into a layer; styles with a layer draw both eyes one after the other. A progressive picture's
+        // pass has shapes and adaptive sizes alone.
         public PointVariant(in PointStyle style, bool isClipped, bool isFiltered, bool isStereo)
         {
             m_shape = (int)(style.IsBlended ? PointShape.Disc : style.Shape);
-            m_options = (style.IsAdaptive ? 1 : 0) | (style.IsLayered && !style.IsProgressive ? 2 : 0) | (isClipped ? 4 : 0) |
-                (isFiltered ? 8 : 0) | (isStereo && !style.IsLayered ? 16 : 0) | (style.IsProgressive ? 32 : 0);
+            m_options = style.IsAdaptive ? 1 : 0;
+            if (!style.IsProgressive)
+                m_options |= (style.IsLayered ? 2 : 0) | (isClipped ? 4 : 0) | (isFiltered ? 8 : 0) |
+                    (isStereo && !style.IsLayered ? 16 : 0);
         }
 
         internal int Number => m_shape + Shapes * m_options;

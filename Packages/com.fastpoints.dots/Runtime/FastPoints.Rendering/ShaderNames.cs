@@ -73,7 +73,6 @@ namespace FastPoints.Rendering
         public const string FilteredKeyword = "FASTPOINTS_FILTERED";
         public const string FromPixelsKeyword = "FASTPOINTS_FROM_PIXELS";
         public const string LayeredKeyword = "FASTPOINTS_LAYERED";
-        public const string ProgressiveKeyword = "FASTPOINTS_PROGRESSIVE";
         public const string StereoKeyword = "FASTPOINTS_STEREO";
         public const string SquaresKeyword = "FASTPOINTS_SQUARES";
         public const string DiscsKeyword = "FASTPOINTS_DISCS";
