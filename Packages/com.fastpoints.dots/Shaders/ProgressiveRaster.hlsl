@@ -9,13 +9,14 @@
 
 #define FASTPOINTS_NONE 0xFFFFFFFFu
 
-// RWByteAddressBuffer of _FastPointsChosen; what follows a bank's four numbers is how many of its points are listed.
+// RWByteAddressBuffer of _FastPointsChosen. Behind phase and share: whether the picture before the last one counts, too. Behind
+// a bank's four numbers: how many of its points are listed, and how many were visible in the picture before the last one alone.
 RWByteAddressBuffer _FastPointsChosenOut;
 
 // Five numbers a bank: a dispatch's groups, or a draw's vertices and instances.
 RWStructuredBuffer<uint> _FastPointsArgumentsOut;
 
-// A bit a point, 16 bytes a block: of the last picture, by its blocks, and of this one.
+// A bit a point: of the last picture, by its blocks, and of this one. 32 bytes a block, half of the picture before it.
 ByteAddressBuffer _FastPointsMasks;
 RWByteAddressBuffer _FastPointsMasksOut;
 
@@ -63,16 +64,20 @@ uint FastPointsBankOf(uint block)
     return FastPointsBankAt(low);
 }
 
-// The points of a block that were visible in the last picture.
-uint4 FastPointsCarried(uint block)
+// The points of a block that were visible in the last picture, those that were only in the one before it: where several points
+// share a pixel, another may show in each picture.
+void FastPointsCarried(uint block, out uint4 visible, out uint4 wasVisible)
 {
     uint node = _FastPointsLists.Load(_FastPointsNodeOfInstanceAt + block * 4u);
     uint last = _FastPointsLists.Load(_FastPointsLastOfNodeAt + node * 4u);
     uint first = FastPointsGpuNodeAt(_FastPointsNodesAt + node * 96u).FirstInstance;
-    uint4 mask = uint4(0u, 0u, 0u, 0u);
+    visible = uint4(0u, 0u, 0u, 0u);
+    wasVisible = visible;
     if (_FastPointsCarries != 0u && last != FASTPOINTS_NONE)
-        mask = _FastPointsMasks.Load4((last + block - first) * 16u);
-    return mask;
+    {
+        visible = _FastPointsMasks.Load4((last + block - first) * 32u);
+        wasVisible = _FastPointsMasks.Load4((last + block - first) * 32u + 16u) & ~visible;
+    }
 }
 
 uint FastPointsCountOf(uint4 mask)
@@ -86,20 +91,32 @@ void FastPointsCountVisible(uint3 group : SV_GroupID, uint3 thread : SV_GroupThr
     uint block = FastPointsThread(group, thread);
     if (block < _FastPointsInstanceCount)
     {
-        _FastPointsMasksOut.Store4(block * 16u, uint4(0u, 0u, 0u, 0u));
-        uint count = FastPointsCountOf(FastPointsCarried(block));
-        if (count != 0u)
-            _FastPointsChosenOut.InterlockedAdd(FastPointsBankOf(block) + 8u, count);
+        uint4 visible, wasVisible;
+        FastPointsCarried(block, visible, wasVisible);
+        _FastPointsMasksOut.Store4(block * 32u, uint4(0u, 0u, 0u, 0u));
+        _FastPointsMasksOut.Store4(block * 32u + 16u, visible);
+        uint2 counts = uint2(FastPointsCountOf(visible), FastPointsCountOf(wasVisible));
+        if (counts.x != 0u)
+            _FastPointsChosenOut.InterlockedAdd(FastPointsBankOf(block) + 8u, counts.x);
+        if (counts.y != 0u)
+            _FastPointsChosenOut.InterlockedAdd(FastPointsBankOf(block) + 20u, counts.y);
     }
 }
 
 [numthreads(1, 1, 1)]
 void FastPointsPlanFrame()
 {
-    uint visible = 0u, bank;
+    uint visible = 0u, all = 0u, bank;
+    for (bank = 0u; bank < _FastPointsBankCount; bank++)
+        all += _FastPointsChosenOut.Load(FastPointsBankAt(bank) + 8u) + _FastPointsChosenOut.Load(FastPointsBankAt(bank) + 20u);
+    // A quarter is left for others.
+    uint hasBoth = all <= min(_FastPointsCapacity, _FastPointsPointsPerFrame - _FastPointsPointsPerFrame / 4u) ? 1u : 0u;
+    _FastPointsChosenOut.Store(8u, hasBoth);
     for (bank = 0u; bank < _FastPointsBankCount; bank++)
     {
-        uint count = min(_FastPointsChosenOut.Load(FastPointsBankAt(bank) + 8u), _FastPointsCapacity - visible);
+        uint count = _FastPointsChosenOut.Load(FastPointsBankAt(bank) + 8u)
+            + hasBoth * _FastPointsChosenOut.Load(FastPointsBankAt(bank) + 20u);
+        count = min(count, _FastPointsCapacity - visible);
         _FastPointsChosenOut.Store2(FastPointsBankAt(bank) + 8u, uint2(count, visible));
         visible += count;
     }
@@ -129,7 +146,10 @@ void FastPointsListVisible(uint3 group : SV_GroupID, uint3 thread : SV_GroupThre
     uint block = FastPointsThread(group, thread);
     if (block < _FastPointsInstanceCount)
     {
-        uint4 mask = FastPointsCarried(block);
+        uint4 mask, wasVisible;
+        FastPointsCarried(block, mask, wasVisible);
+        if (_FastPointsChosenOut.Load(8u) != 0u)
+            mask |= wasVisible;
         uint count = FastPointsCountOf(mask), bank = FastPointsBankOf(block), at = 0u;
         if (count != 0u)
             _FastPointsChosenOut.InterlockedAdd(bank + 16u, count, at);
@@ -161,7 +181,7 @@ void FastPointsRasterNumber(uint3 group : SV_GroupID, uint3 thread : SV_GroupThr
 void FastPointsMark(uint number)
 {
     if (number != FASTPOINTS_NONE)
-        _FastPointsMasksOut.InterlockedOr(number / 32u * 4u, 1u << (number & 31u));
+        _FastPointsMasksOut.InterlockedOr(number / 128u * 32u + (number & 127u) / 32u * 4u, 1u << (number & 31u));
 }
 
 [numthreads(FASTPOINTS_CLEAR_THREADS, 1, 1)]

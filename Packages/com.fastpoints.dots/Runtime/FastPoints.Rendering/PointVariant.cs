@@ -24,7 +24,7 @@ namespace FastPoints.Rendering
         readonly int m_shape;
         readonly int m_options; // Each bit is an index in s_options.
 
-        // Splats are drawn as discs, into a layer; styles with a layer draw both eyes one after the other. A progressive picture's
+        // Splats are drawn as discs, into a layer; styles with a layer draw both eyes one after the other. Progressive pictures'
         // pass has shapes and adaptive sizes alone.
         public PointVariant(in PointStyle style, bool isClipped, bool isFiltered, bool isStereo)
         {

@@ -19,7 +19,7 @@ namespace FastPoints.Rendering
 
         // Of the buffer of chosen points: ProgressivePoints.hlsl.
         const int HeaderBytes = 16, BankBytes = 32;
-        const int BlockBytes = PlaneShape.MaxPointsPerBlock / 8;
+        const int BlockBytes = 2 * PlaneShape.MaxPointsPerBlock / 8;
         const int Threads = 64;
 
         static readonly string[] s_kernels =
