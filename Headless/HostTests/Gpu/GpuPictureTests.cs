@@ -25,7 +25,7 @@ public sealed class GpuPictureTests : GraphicsFixture
         string folder = m_scratch[name + ".fastpoints"];
         if (Directory.Exists(folder))
             return folder;
-        var call = CliCall.Of("convert", file, "-o", folder, "--quiet");
+        var call = CliCall.Of("convert", file, "-o", folder, "--sampler", "random", "--quiet");
         Assert.That(call.Status, Is.EqualTo(ExitStatus.Done), call.Error);
         return folder;
     }
@@ -132,7 +132,7 @@ public sealed class GpuPictureTests : GraphicsFixture
         var options = Options(0, isRound, ColorMode.Elevation);
         options.EdlStrength = 0.4f;
         Assert.That(options.TrySetStyle("size", size, out string error), Is.True, error);
-        using var streams = new TwinStreams(m_demo, options, Points, canCompute: canCompute);
+        using var streams = new TwinStreams(m_demo, options, Points / 2, canCompute: canCompute);
         Compare(streams, streams.Plan.Camera, "edl-" + size);
         var center = streams.Ranges.Robust.Center;
         Compare(streams, PictureCamera.Orthographic(center, center + new double3(0.3, 0.4, -1), new double3(0, 1, 0),
