@@ -229,8 +229,9 @@ namespace FastPoints.Entities
         /// in the film.</summary>
         void CountSeconds()
         {
-            double now = Time.realtimeSinceStartupAsDouble;
-            Stream.FrameSeconds = Time.captureDeltaTime > 0 ? Time.captureDeltaTime : (float)(now - m_lastSeconds);
+            double now = UnityEngine.Time.realtimeSinceStartupAsDouble;
+            float recorded = UnityEngine.Time.captureDeltaTime;
+            Stream.FrameSeconds = recorded > 0 ? recorded : (float)(now - m_lastSeconds);
             m_lastSeconds = now;
         }
 
