@@ -13,10 +13,6 @@ public abstract class ComponentSystemBase
     }
 
     public World World { get; private set; }
-
-    /// <summary>In a system, the name of the engine's class finds this.</summary>
-    [Obsolete("Time has been deprecated as duplicate. Use SystemAPI.Time or World.Time instead", true)]
-    public object Time => throw new NotSupportedException();
     public EntityManager EntityManager => Made.EntityManager;
 
     internal World Made =>
