@@ -104,10 +104,14 @@ namespace FastPoints.Tests.Entities
         {
             Begin();
             Add();
+            double before = Time.realtimeSinceStartupAsDouble;
             Frame(StreamedTestCloud.Overview());
-            Thread.Sleep(20);
+            double between = Time.realtimeSinceStartupAsDouble, later = between;
+            while (later == between)
+                later = Time.realtimeSinceStartupAsDouble;
             Frame(StreamedTestCloud.Overview());
-            Assert.That(m_group.Stream.FrameSeconds, Is.GreaterThan(0.019f));
+            float seconds = m_group.Stream.FrameSeconds;
+            Assert.That(seconds, Is.InRange((float)(later - between), (float)(Time.realtimeSinceStartupAsDouble - before)));
             Time.captureDeltaTime = 1 / 24f;
             try
             {
