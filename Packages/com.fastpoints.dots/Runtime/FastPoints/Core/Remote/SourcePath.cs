@@ -1,0 +1,62 @@
+using System;
+using System.IO;
+
+namespace FastPoints
+{
+    // Paths of this machine's files and addresses (http, https) alike. What is written behind an address's question mark, such as
+    // a signature, goes with its siblings.
+    internal static class SourcePath
+    {
+        public static bool IsRemote(string path) => path != null &&
+            (path.StartsWith("https://", StringComparison.OrdinalIgnoreCase) ||
+             path.StartsWith("http://", StringComparison.OrdinalIgnoreCase));
+
+        public static string Full(string path) => IsRemote(path) ? path : Path.GetFullPath(path);
+
+        public static string Combine(string folder, string name)
+        {
+            if (!IsRemote(folder))
+                return Path.Combine(folder, name);
+            Split(folder, out string address, out string query);
+            return address.TrimEnd('/') + "/" + Uri.EscapeDataString(name).Replace("%2F", "/") + query;
+        }
+
+        // Of a file or a folder.
+        public static string FolderOf(string path)
+        {
+            if (!IsRemote(path))
+                return Path.GetDirectoryName(path);
+            Split(path, out string address, out string query);
+            address = address.TrimEnd('/');
+            int slash = address.LastIndexOf('/');
+            return slash > address.IndexOf("//", StringComparison.Ordinal) + 1 ? address.Substring(0, slash) + query : null;
+        }
+
+        public static string NameOf(string path)
+        {
+            if (!IsRemote(path))
+                return Path.GetFileName(path);
+            Split(path, out string address, out _);
+            address = address.TrimEnd('/');
+            return Uri.UnescapeDataString(address.Substring(address.LastIndexOf('/') + 1));
+        }
+
+        // For messages and keys: signatures and tokens are never shown or stored.
+        public static string WithoutQuery(string path)
+        {
+            if (!IsRemote(path))
+                return path;
+            Split(path, out string address, out _);
+            return address;
+        }
+
+        static void Split(string path, out string address, out string query)
+        {
+            int at = path.IndexOfAny(s_ends);
+            address = at < 0 ? path : path.Substring(0, at);
+            query = at < 0 ? "" : path.Substring(at);
+        }
+
+        static readonly char[] s_ends = { '?', '#' };
+    }
+}
