@@ -13,7 +13,10 @@ namespace FastPoints.HostTests.Remote
         public string Target { get; private set; }
 
         // Of the file that is asked for.
-        public string Name => Uri.UnescapeDataString(Target.Split('?')[0].TrimStart('/'));
+        public string Name => Uri.UnescapeDataString(Regex.Replace(Target.Split('?')[0], "^/(redirected/)*", ""));
+
+        // That it was answered with.
+        public Fault Fault { get; set; }
 
         public string Header(string name) => m_headers.GetValueOrDefault(name);
 

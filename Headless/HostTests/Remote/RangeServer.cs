@@ -1,4 +1,3 @@
-using System.Buffers;
 using System.IO.Pipelines;
 using System.Net;
 using Microsoft.AspNetCore.Builder;
@@ -38,6 +37,9 @@ namespace FastPoints.HostTests.Remote
 
         // Before each answer.
         public int LatencyMs { get; set; }
+
+        // Which fault a request meets; null: none.
+        public Func<RangeRequest, Fault> Plan { get; set; }
 
         // Since the server began, or ResetCounts.
         public IReadOnlyList<RangeRequest> Requests
@@ -86,6 +88,7 @@ namespace FastPoints.HostTests.Remote
                 RangeRequest request;
                 while ((request = await RangeRequest.Read(connection.Transport.Input, m_ends.Token)) != null)
                 {
+                    request.Fault = Plan?.Invoke(request) ?? Fault.None;
                     lock (m_requests)
                         m_requests.Add(request);
                     if (LatencyMs > 0)
@@ -109,36 +112,59 @@ namespace FastPoints.HostTests.Remote
         async Task<bool> Answer(ConnectionContext connection, RangeRequest request)
         {
             RangeAnswer answer = RangeAnswer.Of(m_folder, request);
+            Faults.Into(answer, request.Fault, request);
             PipeWriter output = connection.Transport.Output;
             await output.WriteAsync(Encoding.ASCII.GetBytes(answer.Head()), m_ends.Token);
-            if (request.Method != "HEAD")
+            if (request.Method != "HEAD" && answer.RawHead == null)
                 await WriteBody(output, answer);
-            return true;
+            switch (answer.End)
+            {
+                case AnswerEnd.Reset: connection.Abort(); return false;
+                case AnswerEnd.Close: return false;
+                case AnswerEnd.Stall: await connection.Transport.Input.ReadAsync(m_ends.Token); return false;
+                case AnswerEnd.EndlessHead: await WriteHeadForever(output); return false;
+                default: return true;
+            }
+        }
+
+        async Task WriteHeadForever(PipeWriter output)
+        {
+            byte[] line = Encoding.ASCII.GetBytes("X-More: " + new string('x', 1000) + "\r\n");
+            while (!(await output.WriteAsync(line, m_ends.Token)).IsCompleted)
+                await Task.Delay(1, m_ends.Token);
         }
 
         async Task WriteBody(PipeWriter output, RangeAnswer answer)
         {
-            byte[] buffer = ArrayPool<byte>.Shared.Rent(64 << 10);
-            try
+            using FileStream file = answer.Body == null && answer.Path != null ? File.OpenRead(answer.Path) : null;
+            byte[] buffer = new byte[answer.ByteDelayMs > 0 ? 1 : (int)Math.Clamp(answer.Bytes, 1, 64 << 10)];
+            long end = answer.SentBytes >= 0 ? answer.SentBytes : answer.Bytes;
+            for (long at = 0; at < end; at += buffer.Length)
             {
-                using FileStream file = answer.Path == null ? null : File.OpenRead(answer.Path);
-                for (long left = answer.Bytes; left > 0;)
-                {
-                    int part = (int)Math.Min(left, buffer.Length);
-                    if (file == null)
-                        buffer.AsSpan(0, part).Clear();
-                    else
-                        RandomAccess.Read(file.SafeFileHandle, buffer.AsSpan(0, part), answer.From + answer.Bytes - left);
-                    left -= part;
-                    Interlocked.Add(ref m_bytes, part);
-                    if ((await output.WriteAsync(buffer.AsMemory(0, part), m_ends.Token)).IsCompleted)
-                        throw new IOException();
-                }
+                Memory<byte> part = buffer.AsMemory(0, (int)Math.Min(end - at, buffer.Length));
+                Fill(answer, file, at, part.Span);
+                if (answer.ByteDelayMs > 0)
+                    await Task.Delay(answer.ByteDelayMs, m_ends.Token);
+                if (answer.IsChunked)
+                    await output.WriteAsync(Encoding.ASCII.GetBytes(part.Length.ToString("x") + "\r\n"), m_ends.Token);
+                Interlocked.Add(ref m_bytes, part.Length);
+                if ((await output.WriteAsync(part, m_ends.Token)).IsCompleted)
+                    throw new IOException();
+                if (answer.IsChunked)
+                    await output.WriteAsync("\r\n"u8.ToArray(), m_ends.Token);
             }
-            finally
-            {
-                ArrayPool<byte>.Shared.Return(buffer);
-            }
+            if (answer.IsChunked && answer.SentBytes < 0)
+                await output.WriteAsync("0\r\n\r\n"u8.ToArray(), m_ends.Token);
+        }
+
+        // Zeros behind the file's end.
+        static void Fill(RangeAnswer answer, FileStream file, long at, Span<byte> into)
+        {
+            into.Clear();
+            if (file != null)
+                RandomAccess.Read(file.SafeFileHandle, into, answer.From + at);
+            else if (answer.Body != null && at < answer.Body.Length)
+                answer.Body.AsSpan((int)at, (int)Math.Min(into.Length, answer.Body.Length - at)).CopyTo(into);
         }
     }
 }
