@@ -70,6 +70,8 @@ namespace FastPoints
         ReadFailed,
         WriteFailed,
         DiskFull,
+        /// <summary>A server's file is another one than when it was opened.</summary>
+        Changed,
         /// <summary>An unexpected failure: a fault of this package, or of what it runs on.</summary>
         Unexpected,
     }

@@ -1,72 +1,271 @@
 using System;
+using System.Collections.Generic;
+using System.Diagnostics;
+using System.Text;
 using System.Threading;
+using System.Threading.Tasks;
 using Unity.IO.LowLevel.Unsafe;
 
 namespace FastPoints
 {
-    // One file of a web server, as it was when it was opened: what comes from another version of it is refused.
-    internal sealed unsafe class RemoteFile
+    // One file of a web server, as it was when it was opened: what comes from another version of it is refused. Its first bytes
+    // come with opening it.
+    internal sealed class RemoteFile : IRangeSource
     {
-        RemoteFile(string address, long length)
+        const int HeadBytes = 64 << 10;
+
+        // The one that was opened last, by address.
+        static readonly Dictionary<string, RemoteFile> s_opened = new Dictionary<string, RemoteFile>();
+
+        readonly RemoteTarget m_target;
+        readonly RemoteIdentity m_identity;
+        readonly RangeQueue m_queue;
+        readonly RangeKey m_key;
+        readonly byte[] m_head;
+        long m_confirmed = Stopwatch.GetTimestamp();
+
+        RemoteFile(string address, RemoteTarget target, RemoteIdentity identity, byte[] head)
         {
             Address = address;
-            Length = length;
+            m_target = target;
+            m_identity = identity;
+            m_head = head;
+            m_queue = RangeQueue.Of(target.Host);
+            m_key = RangeKey.Of(RemoteKey.Of(address) + "\n" + identity);
         }
 
         public string Address { get; }
-        public long Length { get; }
 
-        // Asks the server once for a file that is open already. Waits: never on an editor's or a player's main thread.
-        public static RemoteFile Open(string address) => throw new NotImplementedException();
+        // For messages: signatures are left out.
+        public string Name => m_target.Address;
 
-        // The one that was opened last, or null.
-        public static RemoteFile Find(string address) => throw new NotImplementedException();
+        public long Length => m_identity.Length;
 
-        // Into memory of the read's own, which the caller disposes. Any thread.
-        public RemoteRead Begin(long offset, long bytes, int rank = 0) => throw new NotImplementedException();
+        // Another value, another version of the file.
+        public string Identity => m_identity.ToString();
 
-        // Into the commands' buffers, which live until the read is done or cancelled. The commands themselves may go.
-        public RemoteRead Begin(ReadCommand* commands, int count, int rank = 0) => throw new NotImplementedException();
+        // Seconds that an answer takes to begin; 0 if none was seen yet.
+        public double RoundTrip => m_queue.RoundTrip;
 
-        // Waits, like Open. Throws what the read fails with.
-        public void Read(long offset, Span<byte> into) => throw new NotImplementedException();
-    }
+        // Ranges no farther apart are brought sooner by one request than by two.
+        public int GapBytes => m_queue.GapBytes;
 
-    // Since the process began, or Reset.
-    internal static class RemoteStatistics
-    {
-        static long s_requests, s_bytesFetched, s_bytesUnused, s_cacheHits, s_waits;
-
-        public static long Requests => Interlocked.Read(ref s_requests);
-        public static long BytesFetched => Interlocked.Read(ref s_bytesFetched);
-
-        // Fetched beside what was asked for: gaps between ranges, and what was cancelled on its way.
-        public static long BytesUnused => Interlocked.Read(ref s_bytesUnused);
-
-        // Ranges that the disk's cache had.
-        public static long CacheHits => Interlocked.Read(ref s_cacheHits);
-
-        // Reads that waited for bytes that nobody had fetched ahead: a fault, unless it was on a pool thread.
-        public static long Waits => Interlocked.Read(ref s_waits);
-
-        internal static void AddRequest(long bytes, long unused)
+        // Asks the server whether it still has that version, unless it said so a moment ago; without any answer, what the cache
+        // has of it is good enough. Waits: on pool threads and in the command line alone.
+        public static RemoteFile Open(string address)
         {
-            Interlocked.Increment(ref s_requests);
-            Interlocked.Add(ref s_bytesFetched, bytes);
-            Interlocked.Add(ref s_bytesUnused, unused);
+            var opened = Find(address);
+            if (opened != null && opened.IsConfirmed)
+                return opened;
+            return Task.Run(() => OpenNow(address, opened)).GetAwaiter().GetResult();
         }
 
-        internal static void AddCacheHit() => Interlocked.Increment(ref s_cacheHits);
-
-        internal static void AddWait() => Interlocked.Increment(ref s_waits);
-
-        public static void Reset()
+        // The one that was opened last, or null.
+        public static RemoteFile Find(string address)
         {
-            Interlocked.Exchange(ref s_requests, 0);
-            Interlocked.Exchange(ref s_bytesFetched, 0);
-            Interlocked.Exchange(ref s_bytesUnused, 0);
-            Interlocked.Exchange(ref s_cacheHits, 0);
-            Interlocked.Exchange(ref s_waits, 0);
+            lock (s_opened)
+                return s_opened.TryGetValue(address, out var file) ? file : null;
+        }
+
+        // Into memory of the read's own, which the caller disposes. Any thread.
+        public RemoteRead Begin(long offset, long bytes, int rank = 0) => Begin(new RemoteRead(this, offset, bytes, rank));
+
+        // Into the commands' buffers, which live until the read is done or cancelled. The commands themselves may go.
+        public unsafe RemoteRead Begin(ReadCommand* commands, int count, int rank = 0) =>
+            Begin(new RemoteRead(this, commands, count, rank));
+
+        // Waits, like Open. Throws what the read fails with.
+        public unsafe void Read(long offset, Span<byte> into)
+        {
+            if (into.Length == 0 || TryReadHead(offset, into))
+                return;
+            fixed (byte* first = into)
+            {
+                var command = new ReadCommand { Buffer = first, Offset = offset, Size = into.Length };
+                using var read = Begin(&command, 1, int.MinValue);
+                read.Await();
+            }
+        }
+
+        async Task IRangeSource.Fetch(long offset, long count, byte[] into, Func<int, bool> arrived)
+        {
+            int got = 0;
+            bool isWanted = true;
+            bool Arrived(int bytes) => isWanted = arrived(bytes);
+            await Retry(m_target, false, async () =>
+            {
+                if (got >= count || !isWanted)
+                    return true;
+                int before = got;
+                using var exchange = await RangeExchange.Begin(m_target, offset + got, count - got, m_identity, null)
+                    .ConfigureAwait(false);
+                m_queue.Measure(exchange.SecondsToHeaders);
+                if (exchange.Count < count - before)
+                    throw new RemoteFault(FailureCode.Truncated, Name, offset + before, "wanted " +
+                        NumberText.Of(count - before) + " bytes, got the file's end after " + NumberText.Of(exchange.Count));
+                await exchange.Read(into, before, all => Arrived(got = before + all)).ConfigureAwait(false);
+                Interlocked.Exchange(ref m_confirmed, Stopwatch.GetTimestamp());
+                return true;
+            }).ConfigureAwait(false);
+            RangeCache.Current?.Add(m_key, offset, new ReadOnlySpan<byte>(into, 0, got));
+        }
+
+        bool IsConfirmed => (Stopwatch.GetTimestamp() - Interlocked.Read(ref m_confirmed)) * 1000.0 / Stopwatch.Frequency <
+            RemoteSettings.Current.ConfirmedMs;
+
+        RemoteRead Begin(RemoteRead read)
+        {
+            for (int part = 0; part < read.PartCount; part++)
+            {
+                var command = read.PartAt(part);
+                if (command.Offset >= 0 && command.Size >= 0 && command.Offset <= Length - command.Size)
+                    continue;
+                read.Fail(PointCloudException.Wanted(FailureCode.Truncated, Name, Math.Max(0, command.Offset), "bytes",
+                    command.Size, Math.Max(0, Length - command.Offset) + " before the end of the file"));
+            }
+            if (!read.IsDone)
+                Task.Run(() => FindNear(read));
+            return read;
+        }
+
+        // What is on this machine is taken from there; the rest is asked for.
+        void FindNear(RemoteRead read)
+        {
+            try
+            {
+                var missing = new List<int>();
+                var cache = RangeCache.Current;
+                for (int part = 0; part < read.PartCount && !read.IsDone; part++)
+                {
+                    var command = read.PartAt(part);
+                    var bytes = new byte[command.Size];
+                    if (TryReadHead(command.Offset, bytes) || TryReadCache(cache, command.Offset, bytes))
+                        read.Take(part, 0, bytes);
+                    else if (command.Size > 0)
+                        missing.Add(part);
+                }
+                if (missing.Count > 0)
+                    m_queue.Add(read, missing);
+            }
+            catch (Exception e)
+            {
+                read.Fail(PointCloudException.Of(Name, e));
+            }
+        }
+
+        bool TryReadCache(RangeCache cache, long offset, byte[] into)
+        {
+            bool has = cache != null && cache.TryRead(m_key, offset, into);
+            if (has)
+                RemoteStatistics.AddCacheHit();
+            return has;
+        }
+
+        bool TryReadHead(long offset, Span<byte> into)
+        {
+            if (m_head == null || offset < 0 || offset + into.Length > m_head.Length)
+                return false;
+            m_head.AsSpan((int)offset, into.Length).CopyTo(into);
+            return true;
+        }
+
+        static async Task<RemoteFile> OpenNow(string address, RemoteFile opened)
+        {
+            var target = opened?.m_target ?? new RemoteTarget(address);
+            var cache = RangeCache.Current;
+            string key = RemoteKey.Of(address);
+            var known = opened?.m_identity ?? FindIdentity(cache, key);
+            byte[] head = opened?.m_head;
+            RemoteIdentity identity;
+            try
+            {
+                (identity, head) = await Retry(target, known != null, () => ReadHead(target, known, head)).ConfigureAwait(false);
+            }
+            catch (RemoteFault e) when (e.IsUnreachable && known != null)
+            {
+                identity = known;
+            }
+            lock (s_opened)
+            {
+                if (opened != null && opened.m_identity.Fits(identity))
+                {
+                    Interlocked.Exchange(ref opened.m_confirmed, Stopwatch.GetTimestamp());
+                    return opened;
+                }
+                opened = s_opened[address] = new RemoteFile(address, target, identity, head);
+            }
+            if (cache != null && head != null && known?.ToString() != identity.ToString())
+            {
+                cache.Add(opened.m_key, 0, head);
+                cache.Add(RangeKey.Of(key), 0, Encoding.UTF8.GetBytes(identity.ToString()));
+            }
+            return opened;
+        }
+
+        static async Task<(RemoteIdentity, byte[])> ReadHead(RemoteTarget target, RemoteIdentity known, byte[] knownHead)
+        {
+            using var exchange = await RangeExchange.Begin(target, 0, HeadBytes, null, known).ConfigureAwait(false);
+            RangeQueue.Of(target.Host).Measure(exchange.SecondsToHeaders);
+            if (exchange.IsNotModified)
+                return (known, knownHead);
+            var head = new byte[exchange.Count];
+            await exchange.Read(head, 0, all => true).ConfigureAwait(false);
+            RemoteStatistics.AddFetched(head.Length, 0);
+            return (exchange.Identity, head);
+        }
+
+        static RemoteIdentity FindIdentity(RangeCache cache, string key)
+        {
+            byte[] text = cache?.Find(RangeKey.Of(key));
+            return text == null ? null : RemoteIdentity.Parse(Encoding.UTF8.GetString(text));
+        }
+
+        // Tries again what may succeed then. isSpare: there is something else if the server is not there at all.
+        static async Task<T> Retry<T>(RemoteTarget target, bool isSpare, Func<Task<T>> attempt)
+        {
+            var settings = RemoteSettings.Current;
+            bool isSigned = false;
+            for (int tries = 1; ; tries++)
+            {
+                int delay;
+                try
+                {
+                    return await attempt().ConfigureAwait(false);
+                }
+                catch (RemoteFault e)
+                {
+                    bool wasRedirected = target.Resolved != null;
+                    target.Resolved = null;
+                    if (e.IsDenied && !isSigned && (wasRedirected || RemoteAccess.Sign != null))
+                    {
+                        isSigned = true;
+                        target.Signed(true);
+                        continue;
+                    }
+                    if (isSpare && e.IsUnreachable)
+                        throw;
+                    if (!e.CanRetry || tries >= settings.MaxTries)
+                        throw e.ToFailure();
+                    int backOff = settings.RetryMs << (tries - 1);
+                    delay = Math.Max(e.RetryAfterMs, backOff / 2 + Jitter(backOff / 2));
+                }
+                await Task.Delay(delay).ConfigureAwait(false);
+            }
+        }
+
+        static int Jitter(int max)
+        {
+            lock (s_opened)
+                return s_random.Next(max + 1);
+        }
+
+        static readonly System.Random s_random = new System.Random();
+
+        // Forgets what was opened: for tests.
+        internal static void Forget()
+        {
+            lock (s_opened)
+                s_opened.Clear();
         }
     }
 }

@@ -1,44 +1,56 @@
 using System;
+using System.Threading;
+using System.Threading.Tasks;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
 using Unity.IO.LowLevel.Unsafe;
 
 namespace FastPoints
 {
-    // Some bytes of a remote file, on their way to memory. Any thread may ask whether they have come; nothing waits. After Cancel
-    // no more is written: its memory may be freed at once.
+    internal interface IRangeSource
+    {
+        // For messages.
+        string Name { get; }
+
+        // Fills the buffer from its start. arrived is called with the number of bytes so far, and returns whether more are wanted.
+        Task Fetch(long offset, long count, byte[] into, Func<int, bool> arrived);
+    }
+
+    // Some bytes of a remote file, on their way to memory. Any thread may ask whether they have come; nothing waits but Await. After
+    // Cancel no more is written: its memory may be freed at once.
     internal sealed unsafe class RemoteRead : IDisposable
     {
         readonly object m_lock = new object();
         readonly ReadCommand[] m_parts;
         byte* m_owned;
-        int m_waitingParts;
+        long m_missing;
         bool m_isCancelled;
         volatile bool m_isDone;
         PointCloudException m_failure;
 
         // Into memory of the caller, which lives until the read is done or cancelled.
-        internal RemoteRead(RemoteFile file, ReadCommand* parts, int count, int rank)
+        internal RemoteRead(IRangeSource file, ReadCommand* parts, int count, int rank)
         {
             File = file;
             Rank = rank;
             m_parts = new ReadCommand[count];
             for (int i = 0; i < count; i++)
-                m_parts[i] = parts[i];
-            m_waitingParts = count;
+                m_missing += (m_parts[i] = parts[i]).Size;
+            m_isDone = m_missing == 0;
         }
 
         // Into memory of its own.
-        internal RemoteRead(RemoteFile file, long offset, long bytes, int rank)
+        internal RemoteRead(IRangeSource file, long offset, long bytes, int rank)
         {
             File = file;
             Rank = rank;
             m_owned = (byte*)UnsafeUtility.Malloc(Math.Max(1, bytes), 16, Allocator.Persistent);
             m_parts = new[] { new ReadCommand { Buffer = m_owned, Offset = offset, Size = bytes } };
-            m_waitingParts = 1;
+            m_missing = bytes;
+            m_isDone = bytes == 0;
         }
 
-        public RemoteFile File { get; }
+        public IRangeSource File { get; }
 
         // What has the lowest rank is fetched first.
         public int Rank { get; }
@@ -55,14 +67,26 @@ namespace FastPoints
         // Of a read into memory of its own, once it is done: until Dispose.
         public byte* Data => m_owned;
 
-        internal ReadOnlySpan<ReadCommand> Parts => m_parts;
+        internal int PartCount => m_parts.Length;
+
+        internal ReadCommand PartAt(int part) => m_parts[part];
+
+        // On pool threads and in the command line alone. Throws the failure.
+        public void Await()
+        {
+            lock (m_lock)
+                while (!m_isDone)
+                    Monitor.Wait(m_lock);
+            if (m_failure != null)
+                throw m_failure;
+        }
 
         public void Cancel()
         {
             lock (m_lock)
             {
-                m_isCancelled = true;
-                m_isDone = true;
+                m_isCancelled |= !m_isDone;
+                End();
             }
         }
 
@@ -74,15 +98,17 @@ namespace FastPoints
             m_owned = null;
         }
 
-        // Takes one whole part. On the thread that has fetched it.
-        internal void Take(int part, ReadOnlySpan<byte> bytes)
+        // Takes bytes of a part, from an offset in it on; none may come twice. On the thread that has fetched them.
+        internal void Take(int part, long at, ReadOnlySpan<byte> bytes)
         {
             lock (m_lock)
             {
                 if (m_isDone)
                     return;
-                bytes.CopyTo(new Span<byte>(m_parts[part].Buffer, checked((int)m_parts[part].Size)));
-                m_isDone = --m_waitingParts == 0;
+                bytes.CopyTo(new Span<byte>((byte*)m_parts[part].Buffer + at, bytes.Length));
+                m_missing -= bytes.Length;
+                if (m_missing == 0)
+                    End();
             }
         }
 
@@ -93,8 +119,14 @@ namespace FastPoints
                 if (m_isDone)
                     return;
                 m_failure = failure;
-                m_isDone = true;
+                End();
             }
+        }
+
+        void End()
+        {
+            m_isDone = true;
+            Monitor.PulseAll(m_lock);
         }
     }
 }

@@ -1,9 +1,10 @@
+using System;
 using System.Runtime.CompilerServices;
 using Unity.Collections.LowLevel.Unsafe;
 
-namespace FastPoints.Store
+namespace FastPoints
 {
-    // Guards each byte range of a stored cloud: XXH64 with seed 0, as its published specification defines it. It detects
+    // Guards each byte range of a stored cloud, and of a cache: XXH64 with seed 0, as its published specification defines it. It detects
     // damage, not tampering.
     internal static unsafe class ContentHash
     {
@@ -12,6 +13,12 @@ namespace FastPoints.Store
         const ulong P3 = 0x165667B19E3779F9UL;
         const ulong P4 = 0x85EBCA77C2B2AE63UL;
         const ulong P5 = 0x27D4EB2F165667C5UL;
+
+        public static ulong Of(ReadOnlySpan<byte> bytes)
+        {
+            fixed (byte* first = bytes)
+                return Of(first, bytes.Length);
+        }
 
         public static ulong Of(void* bytes, long count)
         {

@@ -1,0 +1,299 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Runtime.InteropServices;
+using System.Text;
+using System.Threading;
+
+namespace FastPoints
+{
+    // Ranges of remote files on this disk, by their file's address and version. They are appended to segments, each of one
+    // process alone, and checked before use: a process may be killed at any moment, and several may share the folder. The
+    // segments that were used longest ago are deleted when there are too many bytes. Any thread; it waits for the disk.
+    internal sealed class RangeCache
+    {
+        const string Extension = ".ranges";
+        const long MaxSegmentBytes = 32 << 20;
+        const int MinSegments = 8;
+
+        static readonly object s_lock = new object();
+        static RangeCache s_current;
+
+        readonly object m_lock = new object();
+        readonly long m_maxBytes;
+        readonly Dictionary<RangeKey, List<Entry>> m_entries = new Dictionary<RangeKey, List<Entry>>();
+        readonly List<CacheSegment> m_segments = new List<CacheSegment>();
+        CacheSegment m_written;
+        bool m_isReadOnly;
+
+        struct Entry
+        {
+            public CacheSegment Segment;
+            public long Position;
+            public long Offset;
+            public int Length;
+        }
+
+        RangeCache(string folder, long maxBytes)
+        {
+            Folder = folder;
+            m_maxBytes = maxBytes;
+            Scan();
+        }
+
+        // Null if there is to be none.
+        public static RangeCache Current
+        {
+            get
+            {
+                if (RemoteAccess.CacheBytes <= 0)
+                    return null;
+                string folder = RemoteAccess.CacheFolder ?? DefaultFolder;
+                lock (s_lock)
+                {
+                    if (s_current?.Folder != folder || s_current.m_maxBytes != RemoteAccess.CacheBytes)
+                    {
+                        s_current?.Close();
+                        s_current = new RangeCache(folder, RemoteAccess.CacheBytes);
+                    }
+                    return s_current;
+                }
+            }
+        }
+
+        static string DefaultFolder
+        {
+            get
+            {
+                string data = Environment.GetFolderPath(Environment.SpecialFolder.LocalApplicationData);
+                return Path.Combine(data.Length > 0 ? data : Path.GetTempPath(), "FastPoints", "remote");
+            }
+        }
+
+        public string Folder { get; }
+
+        public long Bytes
+        {
+            get
+            {
+                lock (m_lock)
+                    return Sum();
+            }
+        }
+
+        public int Count
+        {
+            get
+            {
+                lock (m_lock)
+                {
+                    int count = 0;
+                    foreach (var entries in m_entries.Values)
+                        count += entries.Count;
+                    return count;
+                }
+            }
+        }
+
+        // Whether it has all of them, undamaged; into may be written either way.
+        public bool TryRead(RangeKey key, long offset, Span<byte> into)
+        {
+            lock (m_lock)
+            {
+                if (!m_entries.TryGetValue(key, out var entries))
+                    return false;
+                while (into.Length > 0)
+                {
+                    int at = LastAt(entries, offset);
+                    if (at < 0 || entries[at].Offset + entries[at].Length <= offset)
+                        return false;
+                    var entry = entries[at];
+                    int from = (int)(offset - entry.Offset), count = Math.Min(into.Length, entry.Length - from);
+                    if (!entry.Segment.TryRead(entry.Position, from, into.Slice(0, count)))
+                    {
+                        entries.RemoveAt(at);
+                        return false;
+                    }
+                    into = into.Slice(count);
+                    offset += count;
+                }
+                return true;
+            }
+        }
+
+        public byte[] Find(RangeKey key)
+        {
+            lock (m_lock)
+            {
+                if (!m_entries.TryGetValue(key, out var entries))
+                    return null;
+                var bytes = new byte[entries[entries.Count - 1].Length];
+                return TryRead(key, entries[entries.Count - 1].Offset, bytes) ? bytes : null;
+            }
+        }
+
+        public void Add(RangeKey key, long offset, ReadOnlySpan<byte> bytes)
+        {
+            lock (m_lock)
+            {
+                if (m_isReadOnly || bytes.Length == 0 || bytes.Length > m_maxBytes / MinSegments)
+                    return;
+                try
+                {
+                    if (m_written != null && m_written.Bytes + bytes.Length > Math.Min(MaxSegmentBytes, m_maxBytes / MinSegments))
+                        m_written = null;
+                    if (m_written == null)
+                    {
+                        Directory.CreateDirectory(Folder);
+                        Scan();
+                        m_written = CacheSegment.Create(Folder, Extension);
+                        m_segments.Add(m_written);
+                    }
+                    long position = m_written.Append(key, offset, bytes);
+                    Insert(key, new Entry { Segment = m_written, Position = position, Offset = offset, Length = bytes.Length });
+                    Shrink();
+                }
+                catch (Exception e) when (e is IOException || e is UnauthorizedAccessException)
+                {
+                    // The disk is full, or not ours: what was written is read all the same.
+                    m_isReadOnly = true;
+                }
+            }
+        }
+
+        // Deletes what no process has open; on Windows others' segments may stay.
+        public void Clear()
+        {
+            lock (m_lock)
+            {
+                Scan();
+                for (int i = m_segments.Count - 1; i >= 0; i--)
+                    Delete(i);
+            }
+        }
+
+        void Close()
+        {
+            lock (m_lock)
+                foreach (var segment in m_segments)
+                    segment.Close();
+        }
+
+        // Finds the segments that others have written, and forgets those that they have deleted.
+        void Scan()
+        {
+            var known = new HashSet<string>();
+            foreach (var segment in m_segments)
+                known.Add(segment.Path);
+            string[] paths;
+            try
+            {
+                paths = Directory.GetFiles(Folder, "*" + Extension);
+            }
+            catch (Exception e) when (e is IOException || e is UnauthorizedAccessException)
+            {
+                return;
+            }
+            for (int i = m_segments.Count - 1; i >= 0; i--)
+                if (Array.IndexOf(paths, m_segments[i].Path) < 0)
+                    Forget(i);
+            foreach (string path in paths)
+            {
+                if (known.Contains(path) || !CacheSegment.TryOpen(path, out var segment))
+                    continue;
+                m_segments.Add(segment);
+                segment.Scan((key, position, offset, length) =>
+                    Insert(key, new Entry { Segment = segment, Position = position, Offset = offset, Length = length }));
+            }
+        }
+
+        void Insert(RangeKey key, in Entry entry)
+        {
+            if (!m_entries.TryGetValue(key, out var entries))
+                m_entries.Add(key, entries = new List<Entry>());
+            entries.Insert(LastAt(entries, entry.Offset) + 1, entry);
+        }
+
+        // The last one that begins at or before an offset; -1 for none.
+        static int LastAt(List<Entry> entries, long offset)
+        {
+            int low = 0, high = entries.Count;
+            while (low < high)
+            {
+                int middle = (low + high) / 2;
+                if (entries[middle].Offset <= offset)
+                    low = middle + 1;
+                else
+                    high = middle;
+            }
+            return low - 1;
+        }
+
+        void Shrink()
+        {
+            while (Sum() > m_maxBytes && m_segments.Count > 1)
+            {
+                int oldest = -1;
+                for (int i = 0; i < m_segments.Count; i++)
+                    if (m_segments[i] != m_written && (oldest < 0 || m_segments[i].Used < m_segments[oldest].Used))
+                        oldest = i;
+                Delete(oldest);
+            }
+        }
+
+        void Delete(int index)
+        {
+            var segment = m_segments[index];
+            Forget(index);
+            try
+            {
+                File.Delete(segment.Path);
+            }
+            catch (Exception e) when (e is IOException || e is UnauthorizedAccessException)
+            {
+                // Another process has it open: the next one that looks deletes it.
+            }
+        }
+
+        void Forget(int index)
+        {
+            var segment = m_segments[index];
+            segment.Close();
+            m_segments.RemoveAt(index);
+            if (segment == m_written)
+                m_written = null;
+            var empty = new List<RangeKey>();
+            foreach (var pair in m_entries)
+                if (pair.Value.RemoveAll(e => e.Segment == segment) > 0 && pair.Value.Count == 0)
+                    empty.Add(pair.Key);
+            foreach (var key in empty)
+                m_entries.Remove(key);
+        }
+
+        long Sum()
+        {
+            long sum = 0;
+            foreach (var segment in m_segments)
+                sum += segment.Bytes;
+            return sum;
+        }
+    }
+
+    // The hash of an address and a version.
+    internal readonly struct RangeKey : IEquatable<RangeKey>
+    {
+        public readonly ulong A;
+        public readonly ulong B;
+
+        public RangeKey(ulong a, ulong b) => (A, B) = (a, b);
+
+        public static RangeKey Of(string text) => new RangeKey(ContentHash.Of(Encoding.UTF8.GetBytes("A" + text)),
+            ContentHash.Of(Encoding.UTF8.GetBytes("B" + text)));
+
+        public bool Equals(RangeKey other) => A == other.A && B == other.B;
+
+        public override bool Equals(object obj) => obj is RangeKey other && Equals(other);
+
+        public override int GetHashCode() => A.GetHashCode();
+    }
+}

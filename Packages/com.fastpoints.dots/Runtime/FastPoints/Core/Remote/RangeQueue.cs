@@ -1,0 +1,257 @@
+using System;
+using System.Buffers;
+using System.Collections.Generic;
+using System.Diagnostics;
+using System.Threading.Tasks;
+
+namespace FastPoints
+{
+    // What is wanted of one server, and the few requests that are under way. Ranges wait here until a connection is free, so that
+    // what is wanted most goes first and what nobody wants any more is never asked for.
+    internal sealed class RangeQueue
+    {
+        // Larger ranges are cut, so that connections share them and what is urgent waits for no long one.
+        const int MaxRequestBytes = 1 << 20;
+
+        // A gap that costs less than a request's own headers.
+        const int MinGapBytes = 2 << 10;
+
+        const int MaxGapBytes = 512 << 10;
+
+        // The rest of an answer that nobody wants is read on if that takes less than a new connection.
+        const int DrainBytes = 64 << 10;
+
+        static readonly Dictionary<string, RangeQueue> s_queues = new Dictionary<string, RangeQueue>();
+
+        readonly object m_lock = new object();
+        readonly List<Wanted> m_wanted = new List<Wanted>();
+        int m_inFlight;
+        long m_bytesInFlight;
+        long m_begun;
+        double m_roundTrip;
+        double m_bytesPerSecond;
+        double m_bytesPerConnection;
+
+        struct Wanted
+        {
+            public RemoteRead Read;
+            public int Part;
+
+            // In the part.
+            public long At;
+            public long Offset;
+            public long Bytes;
+            public long Number;
+
+            public readonly long End => Offset + Bytes;
+
+            public readonly bool IsBefore(in Wanted other) =>
+                Read.Rank != other.Read.Rank ? Read.Rank < other.Read.Rank : Number < other.Number;
+        }
+
+        public static RangeQueue Of(string host)
+        {
+            lock (s_queues)
+            {
+                if (!s_queues.TryGetValue(host, out var queue))
+                    s_queues.Add(host, queue = new RangeQueue());
+                return queue;
+            }
+        }
+
+        // Seconds from a request to its answer, the shortest lately; 0 before the first one.
+        public double RoundTrip
+        {
+            get
+            {
+                lock (m_lock)
+                    return m_roundTrip;
+            }
+        }
+
+        // Bytes that a connection could have brought in the time of a round trip.
+        public int GapBytes
+        {
+            get
+            {
+                lock (m_lock)
+                    return Gap();
+            }
+        }
+
+        public void Add(RemoteRead read, List<int> parts)
+        {
+            lock (m_lock)
+            {
+                foreach (int part in parts)
+                {
+                    var command = read.PartAt(part);
+                    for (long at = 0; at < command.Size; at += MaxRequestBytes)
+                        m_wanted.Add(new Wanted
+                        {
+                            Read = read,
+                            Part = part,
+                            At = at,
+                            Offset = command.Offset + at,
+                            Bytes = Math.Min(MaxRequestBytes, command.Size - at),
+                            Number = ++m_begun,
+                        });
+                }
+                BeginRequests();
+            }
+        }
+
+        // Of what was asked for outside the queue, too.
+        public void Measure(double secondsToHeaders)
+        {
+            lock (m_lock)
+                m_roundTrip = m_roundTrip == 0 ? secondsToHeaders
+                    : Math.Min(secondsToHeaders, m_roundTrip + 0.1 * (secondsToHeaders - m_roundTrip));
+        }
+
+        void BeginRequests()
+        {
+            while (m_inFlight < RemoteSettings.Current.MaxConnections && TryTakeBatch(out var batch))
+            {
+                m_inFlight++;
+                m_bytesInFlight += batch.Bytes;
+                Task.Run(() => Fetch(batch));
+            }
+        }
+
+        int Gap() => (int)Math.Max(MinGapBytes, Math.Min(MaxGapBytes, m_roundTrip * m_bytesPerConnection));
+
+        // The first of those that wait, and neighbours of it: rising, none twice.
+        bool TryTakeBatch(out Batch batch)
+        {
+            batch = null;
+            m_wanted.RemoveAll(w => w.Read.IsDone);
+            if (m_wanted.Count == 0)
+                return false;
+            var first = m_wanted[0];
+            foreach (var wanted in m_wanted)
+                if (wanted.IsBefore(first))
+                    first = wanted;
+            // While the line is not full, bytes in gaps cost nothing, and a request less is a round trip less.
+            bool isFull = m_bytesInFlight > m_roundTrip * m_bytesPerSecond;
+            int gap = isFull ? MinGapBytes : Gap();
+            var near = m_wanted.FindAll(w => w.Read.File == first.Read.File && w.End > first.Offset - MaxRequestBytes &&
+                w.Offset < first.End + MaxRequestBytes);
+            near.Sort((a, b) => a.Offset != b.Offset ? a.Offset.CompareTo(b.Offset) : a.Number.CompareTo(b.Number));
+            int from = near.FindIndex(w => w.Number == first.Number), to = from;
+            long begin = first.Offset, end = first.End;
+            for (bool hasGrown = true; hasGrown;)
+            {
+                hasGrown = false;
+                if (to + 1 < near.Count && Joins(near[to + 1].Offset - end, near[to + 1].End - begin, gap))
+                {
+                    end = Math.Max(end, near[++to].End);
+                    hasGrown = true;
+                }
+                if (from > 0 && Joins(begin - near[from - 1].End, end - near[from - 1].Offset, gap))
+                {
+                    begin = Math.Min(begin, near[--from].Offset);
+                    hasGrown = true;
+                }
+            }
+            batch = new Batch(near.GetRange(from, to - from + 1), begin, end);
+            var taken = new HashSet<long>();
+            foreach (var wanted in batch.Wanted)
+                taken.Add(wanted.Number);
+            m_wanted.RemoveAll(w => taken.Contains(w.Number));
+            return true;
+        }
+
+        static bool Joins(long gapBytes, long allBytes, int maxGap) => gapBytes <= maxGap && allBytes <= MaxRequestBytes;
+
+        async Task Fetch(Batch batch)
+        {
+            var buffer = ArrayPool<byte>.Shared.Rent(batch.Bytes);
+            long began = Stopwatch.GetTimestamp();
+            try
+            {
+                await batch.File.Fetch(batch.Begin, batch.Bytes, buffer, bytes => batch.Take(buffer, bytes)).ConfigureAwait(false);
+            }
+            catch (Exception e)
+            {
+                batch.Fail(PointCloudException.Of(batch.File.Name, e));
+            }
+            finally
+            {
+                ArrayPool<byte>.Shared.Return(buffer);
+                RemoteStatistics.AddFetched(batch.Arrived, batch.Arrived - batch.Used);
+                lock (m_lock)
+                {
+                    MeasureBytes(batch.Arrived, Stopwatch.GetTimestamp() - began);
+                    m_inFlight--;
+                    m_bytesInFlight -= batch.Bytes;
+                    BeginRequests();
+                }
+            }
+        }
+
+        void MeasureBytes(long bytes, long ticks)
+        {
+            double seconds = ticks / (double)Stopwatch.Frequency - m_roundTrip;
+            if (bytes < 16 << 10 || seconds <= 0)
+                return;
+            double rate = bytes / seconds;
+            m_bytesPerConnection += (m_bytesPerConnection == 0 ? 1 : 0.2) * (rate - m_bytesPerConnection);
+            double all = m_bytesPerConnection * m_inFlight;
+            m_bytesPerSecond = Math.Max(all, 0.95 * m_bytesPerSecond);
+        }
+
+        // One request's.
+        sealed class Batch
+        {
+            readonly bool[] m_isTaken;
+
+            // By offset.
+            public Batch(List<Wanted> wanted, long begin, long end)
+            {
+                Wanted = wanted;
+                Begin = begin;
+                Bytes = (int)(end - begin);
+                m_isTaken = new bool[wanted.Count];
+            }
+
+            public List<Wanted> Wanted { get; }
+            public long Begin { get; }
+            public int Bytes { get; }
+            public int Arrived { get; private set; }
+            public long Used { get; private set; }
+
+            public IRangeSource File => Wanted[0].Read.File;
+
+            // Gives reads their bytes as these come; returns whether more are wanted.
+            public bool Take(byte[] buffer, int bytes)
+            {
+                Arrived = bytes;
+                bool isWanted = false;
+                for (int i = 0; i < m_isTaken.Length; i++)
+                {
+                    var wanted = Wanted[i];
+                    if (m_isTaken[i] || (m_isTaken[i] = wanted.Read.IsDone))
+                        continue;
+                    if (wanted.End - Begin > bytes)
+                    {
+                        isWanted = true;
+                        continue;
+                    }
+                    m_isTaken[i] = true;
+                    Used += wanted.Bytes;
+                    wanted.Read.Take(wanted.Part, wanted.At,
+                        new ReadOnlySpan<byte>(buffer, (int)(wanted.Offset - Begin), (int)wanted.Bytes));
+                }
+                return isWanted || Bytes - bytes <= DrainBytes;
+            }
+
+            public void Fail(PointCloudException failure)
+            {
+                for (int i = 0; i < m_isTaken.Length; i++)
+                    if (!m_isTaken[i])
+                        Wanted[i].Read.Fail(failure);
+            }
+        }
+    }
+}
