@@ -41,6 +41,9 @@ sealed class RangeServer : IDisposable
     // Which fault a request meets; null: none.
     public Func<RangeRequest, Fault> Plan { get; set; }
 
+    // Another server, which has the files; null: this one has them.
+    public string RedirectsTo { get; set; }
+
     // Since the server began, or ResetCounts.
     public IReadOnlyList<RangeRequest> Requests
     {
@@ -113,6 +116,8 @@ sealed class RangeServer : IDisposable
     {
         RangeAnswer answer = RangeAnswer.Of(m_folder, request);
         Faults.Into(answer, request.Fault, request);
+        if (RedirectsTo != null)
+            answer.Redirect(RedirectsTo + request.Target);
         PipeWriter output = connection.Transport.Output;
         await output.WriteAsync(Encoding.ASCII.GetBytes(answer.Head()), m_ends.Token);
         if (request.Method != "HEAD" && answer.RawHead == null)
