@@ -137,9 +137,6 @@ namespace FastPoints
             }
         }
 
-        // Who opens it next asks the server.
-        void Doubt() => Interlocked.Exchange(ref m_confirmed, long.MinValue / 2);
-
         bool IsConfirmed => (Stopwatch.GetTimestamp() - Interlocked.Read(ref m_confirmed)) * 1000.0 / Stopwatch.Frequency <
             RemoteSettings.Current.ConfirmedMs;
 
