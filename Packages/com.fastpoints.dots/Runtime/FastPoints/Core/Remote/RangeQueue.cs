@@ -18,6 +18,12 @@ namespace FastPoints
 
         const int MaxGapBytes = 512 << 10;
 
+        // Of a request: bytes that nobody asked for.
+        const int MaxUnusedShare = 8;
+
+        // Before anything was measured.
+        const double FirstBytesPerConnection = 1 << 20;
+
         // The rest of an answer that nobody wants is read on if that takes less than a new connection.
         const int DrainBytes = 64 << 10;
 
@@ -119,7 +125,8 @@ namespace FastPoints
             }
         }
 
-        int Gap() => (int)Math.Max(MinGapBytes, Math.Min(MaxGapBytes, m_roundTrip * m_bytesPerConnection));
+        int Gap() => (int)Math.Max(MinGapBytes, Math.Min(MaxGapBytes, m_roundTrip *
+            (m_bytesPerConnection > 0 ? m_bytesPerConnection : FirstBytesPerConnection)));
 
         // The first of those that wait, and neighbours of it: rising, none twice.
         bool TryTakeBatch(out Batch batch)
@@ -139,17 +146,19 @@ namespace FastPoints
                 w.Offset < first.End + MaxRequestBytes);
             near.Sort((a, b) => a.Offset != b.Offset ? a.Offset.CompareTo(b.Offset) : a.Number.CompareTo(b.Number));
             int from = near.FindIndex(w => w.Number == first.Number), to = from;
-            long begin = first.Offset, end = first.End;
+            long begin = first.Offset, end = first.End, used = first.Bytes;
             for (bool hasGrown = true; hasGrown;)
             {
                 hasGrown = false;
-                if (to + 1 < near.Count && Joins(near[to + 1].Offset - end, near[to + 1].End - begin, gap))
+                if (to + 1 < near.Count && Joins(near[to + 1].Offset - end, near[to + 1].End - begin, used + near[to + 1].Bytes, gap))
                 {
+                    used += near[to + 1].Bytes;
                     end = Math.Max(end, near[++to].End);
                     hasGrown = true;
                 }
-                if (from > 0 && Joins(begin - near[from - 1].End, end - near[from - 1].Offset, gap))
+                if (from > 0 && Joins(begin - near[from - 1].End, end - near[from - 1].Offset, used + near[from - 1].Bytes, gap))
                 {
+                    used += near[from - 1].Bytes;
                     begin = Math.Min(begin, near[--from].Offset);
                     hasGrown = true;
                 }
@@ -162,7 +171,8 @@ namespace FastPoints
             return true;
         }
 
-        static bool Joins(long gapBytes, long allBytes, int maxGap) => gapBytes <= maxGap && allBytes <= MaxRequestBytes;
+        static bool Joins(long gapBytes, long allBytes, long usedBytes, int maxGap) => allBytes <= MaxRequestBytes &&
+            (gapBytes <= MinGapBytes || gapBytes <= maxGap && allBytes - usedBytes <= allBytes / MaxUnusedShare);
 
         async Task Fetch(Batch batch)
         {
