@@ -160,7 +160,7 @@ namespace FastPoints
             }
         }
 
-        bool TryReadCache(RangeCache cache, long offset, byte[] into)
+        bool TryReadCache(RangeCache cache, long offset, Span<byte> into)
         {
             bool has = cache != null && cache.TryRead(m_key, offset, into);
             if (has)
