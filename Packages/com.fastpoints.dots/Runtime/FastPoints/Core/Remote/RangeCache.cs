@@ -1,9 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.IO;
-using System.Runtime.InteropServices;
 using System.Text;
-using System.Threading;
 
 namespace FastPoints
 {
@@ -15,6 +13,7 @@ namespace FastPoints
         const string Extension = ".ranges";
         const long MaxSegmentBytes = 32 << 20;
         const int MinSegments = 8;
+        const int MaxOverlaps = 8;
 
         // Each is an open file.
         const int MaxSegments = 160;
@@ -108,7 +107,11 @@ namespace FastPoints
                 while (into.Length > 0)
                 {
                     int at = LastAt(entries, offset);
-                    if (at < 0 || entries[at].Offset + entries[at].Length <= offset)
+                    // A shorter one may lie in a longer one.
+                    for (int last = at; at >= 0 && entries[at].Offset + entries[at].Length <= offset; at--)
+                        if (last - at == MaxOverlaps)
+                            return false;
+                    if (at < 0)
                         return false;
                     var entry = entries[at];
                     int from = (int)(offset - entry.Offset), count = Math.Min(into.Length, entry.Length - from);
