@@ -74,7 +74,7 @@ sealed class NginxTests : RemoteFixture
     public void Reads_OfAServerThatRefusesMany_ComeAllTheSame()
     {
         byte[] bytes = Make("a.las", 8_000_000);
-        Begin("limit_req_zone $server_name zone=all:1m rate=20r/s; limit_req zone=all burst=1 nodelay; limit_req_status 429;");
+        Begin("limit_req_zone $host zone=all:1m rate=20r/s; limit_req zone=all burst=1 nodelay; limit_req_status 429;");
         RemoteSettings.Current.RetryMs = 100;
         var file = RemoteFile.Open($"http://127.0.0.1:{m_nginx.Port}/a.las");
 

@@ -109,7 +109,7 @@ sealed class RemoteCacheTests : RemoteFixture
     [TestCase(3)]
     public void Process_KilledWhileItFillsTheCache_LeavesWhatIsWhole(int kills) => Kill(kills);
 
-    [Test, Category("Long"), Explicit("Long: starts 20 processes")]
+    [Test, Category("Long")]
     public void Process_Killed20Times_LeavesWhatIsWhole() => Kill(20);
 
     void Kill(int kills)
