@@ -15,6 +15,9 @@ namespace FastPoints
         const int MinSegments = 8;
         const int MaxOverlaps = 8;
 
+        // Each is an open file.
+        const int MaxSegments = 160;
+
         static readonly object s_lock = new object();
         static RangeCache s_current;
 
@@ -143,7 +146,7 @@ namespace FastPoints
                     return;
                 try
                 {
-                    if (m_written != null && m_written.Bytes + bytes.Length > Math.Min(MaxSegmentBytes, m_maxBytes / MinSegments))
+                    if (m_written != null && !HasRoom(bytes.Length))
                         m_written = null;
                     if (m_written == null)
                     {
@@ -151,9 +154,9 @@ namespace FastPoints
                         Scan();
                         m_written = CacheSegment.Create(Folder, Extension);
                         m_segments.Add(m_written);
+                        Gather();
                     }
-                    long position = m_written.Append(key, offset, bytes);
-                    Insert(key, new Entry { Segment = m_written, Position = position, Offset = offset, Length = bytes.Length });
+                    Append(key, offset, bytes);
                     Shrink();
                 }
                 catch (Exception e) when (e is IOException || e is UnauthorizedAccessException)
@@ -161,6 +164,37 @@ namespace FastPoints
                     // The disk is full, or not ours: what was written is read all the same.
                     m_isReadOnly = true;
                 }
+            }
+        }
+
+        bool HasRoom(long bytes) => m_written.Bytes + bytes <= Math.Min(MaxSegmentBytes, m_maxBytes / MinSegments);
+
+        void Append(RangeKey key, long offset, ReadOnlySpan<byte> bytes)
+        {
+            long position = m_written.Append(key, offset, bytes);
+            Insert(key, new Entry { Segment = m_written, Position = position, Offset = offset, Length = bytes.Length });
+        }
+
+        // Short runs leave short segments: of too many, those used longest ago go into the one that is written.
+        void Gather()
+        {
+            if (m_segments.Count <= MaxSegments)
+                return;
+            var byUse = m_segments.FindAll(s => s != m_written);
+            byUse.Sort((a, b) => a.Used.CompareTo(b.Used));
+            foreach (var segment in byUse)
+            {
+                if (m_segments.Count <= MaxSegments / 2)
+                    return;
+                if (!HasRoom(segment.Bytes))
+                    continue;
+                segment.Scan((key, position, offset, length) =>
+                {
+                    var bytes = new byte[length];
+                    if (segment.TryRead(position, 0, bytes))
+                        Append(key, offset, bytes);
+                });
+                Delete(m_segments.IndexOf(segment));
             }
         }
 

@@ -98,8 +98,7 @@ namespace FastPoints
                 if (got >= count || !isWanted)
                     return true;
                 int before = got;
-                using var exchange = await RangeExchange.Begin(m_target, offset + got, count - got, m_identity, null)
-                    .ConfigureAwait(false);
+                using var exchange = await Begin(offset + got, count - got).ConfigureAwait(false);
                 m_queue.Measure(exchange.SecondsToHeaders);
                 if (exchange.Count < count - before)
                     throw new RemoteFault(FailureCode.Truncated, Name, offset + before, "wanted " +
@@ -111,6 +110,22 @@ namespace FastPoints
             RangeCache.Current?.Add(m_key, offset, new ReadOnlySpan<byte>(into, 0, got));
         }
 
+        async Task<RangeExchange> Begin(long offset, long count)
+        {
+            try
+            {
+                return await RangeExchange.Begin(m_target, offset, count, m_identity).ConfigureAwait(false);
+            }
+            catch (RemoteFault e) when (e.IsChanged)
+            {
+                Doubt();
+                throw;
+            }
+        }
+
+        // Who opens it next asks the server.
+        void Doubt() => Interlocked.Exchange(ref m_confirmed, long.MinValue / 2);
+
         bool IsConfirmed => (Stopwatch.GetTimestamp() - Interlocked.Read(ref m_confirmed)) * 1000.0 / Stopwatch.Frequency <
             RemoteSettings.Current.ConfirmedMs;
 
@@ -121,6 +136,7 @@ namespace FastPoints
                 var command = read.PartAt(part);
                 if (command.Offset >= 0 && command.Size >= 0 && command.Offset <= Length - command.Size)
                     continue;
+                Doubt();
                 read.Fail(PointCloudException.Wanted(FailureCode.Truncated, Name, Math.Max(0, command.Offset), "bytes",
                     command.Size, Math.Max(0, Length - command.Offset) + " before the end of the file"));
             }
@@ -209,16 +225,20 @@ namespace FastPoints
             return opened;
         }
 
+        // Of a version that is known one byte tells whether it is the server's still, and how long the file is. An answer by
+        // If-None-Match would not: a length that was told wrong once would stay so.
         static async Task<(RemoteIdentity, byte[])> ReadHead(RemoteTarget target, RemoteIdentity known, byte[] knownHead)
         {
-            using var exchange = await RangeExchange.Begin(target, 0, HeadBytes, null, known).ConfigureAwait(false);
+            bool isCheck = known != null && known.Length > HeadBytes;
+            using var exchange = await RangeExchange.Begin(target, 0, isCheck ? 1 : HeadBytes, null).ConfigureAwait(false);
             RangeQueue.Of(target.Host).Measure(exchange.SecondsToHeaders);
-            if (exchange.IsNotModified)
-                return (known, knownHead);
             var head = new byte[exchange.Count];
             await exchange.Read(head, 0, all => true).ConfigureAwait(false);
             RemoteStatistics.AddFetched(head.Length, 0);
-            return (exchange.Identity, head);
+            if (!isCheck)
+                return (exchange.Identity, head);
+            return known.Fits(exchange.Identity) ? (known, knownHead)
+                : await ReadHead(target, null, null).ConfigureAwait(false);
         }
 
         static RemoteIdentity FindIdentity(RangeCache cache, string key)
