@@ -25,14 +25,23 @@ namespace FastPoints
         readonly byte[] m_head;
         long m_confirmed = Stopwatch.GetTimestamp();
 
-        RemoteFile(string address, RemoteTarget target, RemoteIdentity identity, byte[] head)
+        RemoteFile(string address, RemoteTarget target, RemoteIdentity identity, RangeKey key, byte[] head)
         {
             Address = address;
             m_target = target;
             m_identity = identity;
             m_head = head;
             m_queue = RangeQueue.Of(target.Host);
-            m_key = RangeKey.Of(RemoteKey.Of(address) + "\n" + identity);
+            m_key = key;
+        }
+
+        // A file that another describes, so that nothing is asked before its first range: its length, and a text that is another
+        // for other content. Any thread; it does not wait.
+        public static RemoteFile Of(string address, long length, string version)
+        {
+            var identity = new RemoteIdentity(length, null, null);
+            return new RemoteFile(address, new RemoteTarget(address), identity, RangeKey.Of(RemoteKey.Of(address) + "\n" + version),
+                null);
         }
 
         public string Address { get; }
@@ -67,6 +76,12 @@ namespace FastPoints
             lock (s_opened)
                 return s_opened.TryGetValue(address, out var file) ? file : null;
         }
+
+        // The next Open asks the server.
+        public void Doubt() => Interlocked.Exchange(ref m_confirmed, long.MinValue / 2);
+
+        // What came of it was wrong: it is asked for again.
+        public void DropCached() => RangeCache.Current?.Drop(m_key);
 
         // Into memory of the read's own, which the caller disposes. Any thread.
         public RemoteRead Begin(long offset, long bytes, int rank = 0) => Begin(new RemoteRead(this, offset, bytes, rank));
@@ -122,9 +137,6 @@ namespace FastPoints
                 throw;
             }
         }
-
-        // Who opens it next asks the server.
-        void Doubt() => Interlocked.Exchange(ref m_confirmed, long.MinValue / 2);
 
         bool IsConfirmed => (Stopwatch.GetTimestamp() - Interlocked.Read(ref m_confirmed)) * 1000.0 / Stopwatch.Frequency <
             RemoteSettings.Current.ConfirmedMs;
@@ -215,7 +227,8 @@ namespace FastPoints
                     Interlocked.Exchange(ref opened.m_confirmed, Stopwatch.GetTimestamp());
                     return opened;
                 }
-                opened = s_opened[address] = new RemoteFile(address, target, identity, head);
+                opened = s_opened[address] =
+                    new RemoteFile(address, target, identity, RangeKey.Of(key + "\n" + identity), head);
             }
             if (cache != null && head != null && known?.ToString() != identity.ToString())
             {
