@@ -22,7 +22,7 @@ namespace FastPoints
             : base(Line(path, byteOffset, what), inner)
         {
             Code = code;
-            Path = path;
+            Path = SourcePath.WithoutQuery(path);
             ByteOffset = byteOffset;
             What = what;
         }
@@ -50,8 +50,8 @@ namespace FastPoints
         public bool IsBadInput =>
             Code == FailureCode.BadInput || Code == FailureCode.Truncated || Code == FailureCode.Unsupported;
 
-        static string Line(string path, long byteOffset, string what) =>
-            byteOffset < 0 ? path + ": " + what : path + ": at byte " + NumberText.Of(byteOffset) + ": " + what;
+        static string Line(string path, long byteOffset, string what) => SourcePath.WithoutQuery(path) +
+            (byteOffset < 0 ? ": " : ": at byte " + NumberText.Of(byteOffset) + ": ") + what;
     }
 
     /// <summary>What kind of failure a <see cref="PointCloudException"/> reports.</summary>

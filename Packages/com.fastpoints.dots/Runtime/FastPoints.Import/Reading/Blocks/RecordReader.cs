@@ -79,6 +79,20 @@ namespace FastPoints.Reading
 
         public sealed override long BytesOfRange(BlockRange range) => (long)range.Count * m_recordBytes;
 
+        internal sealed override void ListPieces(BlockRange range, List<FilePiece> pieces) => pieces.Add(PieceOf(
+            new StridedRange { First = FirstPointOfBlock(range.Block) + range.First, Step = 1, Count = range.Count }));
+
+        internal FilePiece PieceOf(in StridedRange range) => new FilePiece
+        {
+            Path = m_file.Path,
+            OffsetBytes = Records.OffsetOf(range.First),
+            LengthBytes = StridedRead.BytesOf(range, m_recordBytes),
+        };
+
+        // Fetches strided ranges ahead, each by itself; null for a local file.
+        internal ReadAhead AheadOf(NativeArray<StridedRange> ranges) =>
+            IsRemote ? new ReadAhead(0, ranges.Length, (n, pieces) => pieces.Add(PieceOf(ranges[n]))) : null;
+
         public sealed override BlockRead CreateRead(PointSchema wanted, int capacity, Allocator allocator) =>
             new RecordRead(this, Records, wanted, capacity, allocator);
 
@@ -99,6 +113,7 @@ namespace FastPoints.Reading
             var reads = new StridedRead[Slots];
             var ring = new SlotRing(Slots);
             var behind = default(JobHandle);
+            ReadAhead ahead = null;
             try
             {
                 int index = 0, longest = 1;
@@ -112,6 +127,7 @@ namespace FastPoints.Reading
                 }
                 if (count == 0)
                     behind = then(default);
+                ahead = AheadOf(strided);
                 for (int next = 0; next < count || !ring.IsEmpty;)
                 {
                     if (next == count || ring.IsFull)
@@ -120,10 +136,13 @@ namespace FastPoints.Reading
                         reads[ring.End()].Complete();
                         continue;
                     }
+                    while (ahead != null && !ahead.IsNear)
+                        yield return default;
                     int slot = ring.Begin();
                     reads[slot] ??= CreateStridedRead(target, RangesPerRequest,
                         Math.Max(BytesPerRequest, longest * m_recordBytes), Allocator.Persistent);
-                    next += reads[slot].Begin(strided, next, RangesPerRequest, 0);
+                    reads[slot].Fetched = ahead?.Take();
+                    next += reads[slot].Begin(strided, next, IsRemote ? 1 : RangesPerRequest, 0);
                     behind = JobHandle.CombineDependencies(behind, reads[slot].Decoded);
                     if (next == count)
                         behind = then(behind);
@@ -136,6 +155,7 @@ namespace FastPoints.Reading
             finally
             {
                 behind.Complete();
+                ahead?.Dispose();
                 foreach (var read in reads)
                     read?.Dispose();
                 strided.Dispose();

@@ -12,7 +12,7 @@ namespace FastPoints
     // come with opening it.
     internal sealed class RemoteFile : IRangeSource
     {
-        const int HeadBytes = 64 << 10;
+        public const int HeadBytes = 64 << 10;
 
         // The one that was opened last, by address.
         static readonly Dictionary<string, RemoteFile> s_opened = new Dictionary<string, RemoteFile>();
