@@ -238,7 +238,8 @@ namespace FastPoints.Reading
             return oldest;
         }
 
-        public static IEnumerator<JobStep> Run(int slots, int things, Func<int, int, JobHandle> begin, Action<int> end)
+        public static IEnumerator<JobStep> Run(int slots, int things, Func<int, int, JobHandle> begin, Action<int> end,
+            ReadAhead ahead = null)
         {
             var ring = new SlotRing(slots);
             var handles = new JobHandle[slots];
@@ -246,6 +247,8 @@ namespace FastPoints.Reading
             {
                 if (next < things && !ring.IsFull)
                 {
+                    while (ahead != null && !ahead.IsNear)
+                        yield return default;
                     int slot = ring.Begin();
                     handles[slot] = begin(slot, next++);
                     continue;

@@ -19,7 +19,7 @@ namespace FastPoints.Sampling
         /// <summary>Of a remote source each block costs a request: as many, if each has its share of a large sample.</summary>
         public const int RemoteBlocks = 160;
 
-        /// <summary>What each block of a remote source gives to one wave; 0 for a source at hand.</summary>
+        /// <summary>What each block of a large remote source gives, once; 0 for others.</summary>
         readonly int m_pointsPerBlock;
 
         /// <summary>The next block in the order.</summary>
@@ -35,7 +35,7 @@ namespace FastPoints.Sampling
         public PrefixPlan(PointReader reader, int wanted, uint seed)
         {
             m_reader = reader;
-            m_pointsPerBlock = reader.IsRemote ? Math.Max(MinPoints, (wanted + RemoteBlocks - 1) / RemoteBlocks) : 0;
+            m_pointsPerBlock = reader.TakesFewRanges ? Math.Max(MinPoints, (wanted + RemoteBlocks - 1) / RemoteBlocks) : 0;
             m_order = new SampleOrder(Math.Max(1, reader.BlockCount), seed);
             if (reader.Tree == null)
                 return;

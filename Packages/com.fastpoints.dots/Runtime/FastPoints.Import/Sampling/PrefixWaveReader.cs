@@ -37,7 +37,7 @@ namespace FastPoints.Sampling
         /// <summary>Coroutine: finds as many as the wave is spread over, and more if these have too few points.</summary>
         IEnumerator<JobStep> FindPrefixes(int wanted)
         {
-            int max = Reader.IsRemote ? PrefixPlan.RemoteBlocks : LineReader.MaxPrefixes;
+            int max = Reader.TakesFewRanges ? PrefixPlan.RemoteBlocks : LineReader.MaxPrefixes;
             for (long count = wanted / PrefixPlan.MinPoints + 1L; ; count *= 2)
             {
                 yield return JobStep.Of(((LineReader)Reader).FindPrefixes((int)Math.Min(count, max)));

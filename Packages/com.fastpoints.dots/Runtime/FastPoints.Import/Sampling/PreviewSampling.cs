@@ -32,10 +32,7 @@ namespace FastPoints.Sampling
         /// belongs to the wave only until the work's next step.</summary>
         public event Action<PreviewSample, SampleWave> WaveReady;
 
-        /// <summary>A pass over a remote file would fetch all of it: only small ones get one.</summary>
-        const long MaxRemotePassBytes = 16 << 20;
-
-        bool IsQuick => m_options.Quick || m_reader.IsRemote && m_reader.Info.FileBytes > MaxRemotePassBytes;
+        bool IsQuick => m_options.Quick || m_reader.TakesFewRanges;
 
         public PreviewSample Sample { get; private set; }
 

@@ -17,8 +17,8 @@ namespace FastPoints.Sampling
         /// as long to begin as any others.</summary>
         const int MaxRangesPerRequest = 1536, MinRangesPerRequest = 16;
 
-        /// <summary>What is fetched waits elsewhere.</summary>
-        const int RemoteSlots = 8;
+        /// <summary>Of a remote file: what is fetched waits elsewhere.</summary>
+        const int RemoteSlots = 8, RangesPerFetch = 128;
 
         /// <summary>Ranges in one slice of planning them: about 2 ms of managed code.</summary>
         const int RangesPerSlice = 1 << 14;
@@ -48,7 +48,7 @@ namespace FastPoints.Sampling
         long m_waveEnded;
 
         public RangeWaveReader(PointReader reader, int wanted, uint seed)
-            : this(reader, wanted, seed, reader.IsRemote ? RangePlan.OfRemote(reader.PointCount, wanted, seed)
+            : this(reader, wanted, seed, reader.TakesFewRanges ? RangePlan.OfRemote(reader.PointCount, wanted, seed)
                 : new RangePlan(reader.PointCount, wanted, reader.Info.RecordBytes, seed)) { }
 
         RangeWaveReader(PointReader reader, int wanted, uint seed, RangePlan plan)
@@ -165,10 +165,11 @@ namespace FastPoints.Sampling
         IEnumerator<JobStep> BeginReads()
         {
             var ranges = m_ranges.AsArray();
-            using var ahead = ((RecordReader)Reader).AheadOf(ranges);
-            int max = ahead != null ? 1
-                : m_pace.RangesPerRequest(ranges.Length, m_reads.Length, MinRangesPerRequest, MaxRangesPerRequest);
-            int slotBytes = Math.Max(SlotBytes, m_plan.MaxSegmentPoints * Reader.Info.RecordBytes);
+            int max = !Reader.IsRemote
+                ? m_pace.RangesPerRequest(ranges.Length, m_reads.Length, MinRangesPerRequest, MaxRangesPerRequest)
+                : Reader.TakesFewRanges ? 1 : RangesPerFetch;
+            int slotBytes = Math.Max(SlotBytes, m_plan.MaxSegmentPoints * Reader.Info.RecordBytes * (Reader.IsRemote ? max : 1));
+            using var ahead = ((RecordReader)Reader).AheadOf(ranges, max);
             m_waveBegun = m_waveEnded = ReadClock.Now;
             m_segments = 0;
             for (int next = 0; next < ranges.Length;)

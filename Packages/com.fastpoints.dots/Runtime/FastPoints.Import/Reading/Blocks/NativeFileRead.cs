@@ -60,16 +60,37 @@ namespace FastPoints.Reading
             }
         }
 
-        // Coroutine, for remote files alone: fetches what is read next.
-        public IEnumerator<JobStep> Fetch(SourceHandle file, long offset, long bytes) =>
-            Fetch(FetchedBytes.Of(file.Path, offset, bytes));
-
-        public IEnumerator<JobStep> Fetch(FetchedBytes fetched)
+        // Whether what is read next is here: of a local file always; of a remote one it is fetched from the first call on.
+        public bool IsFetched(string path, long offset, long bytes)
         {
-            Fetched = fetched;
-            while (!fetched.IsDone)
-                yield return default;
+            if (!SourcePath.IsRemote(path))
+                return true;
+            m_commands[0] = new ReadCommand { Offset = offset, Size = bytes };
+            return AreFetched(path, 1);
         }
+
+        // The same of several segments, which are set.
+        public bool AreFetched(string path, int commands)
+        {
+            if (!SourcePath.IsRemote(path))
+                return true;
+            if (m_fetched == null)
+            {
+                var pieces = new List<FilePiece>();
+                for (int i = 0; i < commands; i++)
+                    pieces.Add(new FilePiece
+                    {
+                        Path = path,
+                        OffsetBytes = m_commands[i].Offset,
+                        LengthBytes = m_commands[i].Size,
+                    });
+                m_fetched = new FetchedBytes(pieces, 0);
+            }
+            return m_fetched.IsDone;
+        }
+
+        // Of a whole remote file.
+        public long FetchedLength(string path) => m_fetched?.Bytes ?? (RemoteFile.Find(path) ?? RemoteFile.Open(path)).Length;
 
         public JobHandle Begin(SourceHandle file, long offset, int bytes)
         {
@@ -96,10 +117,10 @@ namespace FastPoints.Reading
         {
             m_path = path;
             m_commands[0] = new ReadCommand { Buffer = m_buffer.GetUnsafePtr(), Offset = offset, Size = bytes };
+            if (SourcePath.IsRemote(path))
+                return CopyFetched(bytes > 0 ? 1 : 0);
             if (bytes <= 0)
                 return default;
-            if (SourcePath.IsRemote(path))
-                return CopyFetched(1);
             m_handle = FileReads.BeginOneShot(path, (ReadCommand*)m_commands.GetUnsafePtr(), 1);
             m_isReading = true;
             return m_handle.JobHandle;

@@ -10,11 +10,18 @@ namespace FastPoints
     // Pieces of remote files, on their way or here. Whoever disposes it has completed the jobs that copy from it.
     internal sealed unsafe class FetchedBytes : IDisposable
     {
+        // A node of an octree of many files mostly comes with opening it.
+        const int WholeHeadBytes = 1 << 20;
+
+        const long MaxWholeBytes = 1L << 28;
+
         sealed class Fetch
         {
             public FilePiece Piece;
             public PoolTask<RemoteFile> Opening;
+            public RemoteFile File;
             public RemoteRead Read;
+            public bool IsWhole;
         }
 
         readonly List<Fetch> m_fetches = new List<Fetch>();
@@ -26,12 +33,13 @@ namespace FastPoints
             m_rank = rank;
             foreach (var piece in pieces)
             {
-                var fetch = new Fetch { Piece = piece };
+                var fetch = new Fetch { Piece = piece, IsWhole = piece.LengthBytes < 0, File = RemoteFile.Find(piece.Path) };
                 m_fetches.Add(fetch);
-                if (RemoteFile.Find(piece.Path) is RemoteFile file)
-                    Begin(fetch, file);
+                if (fetch.File != null)
+                    Begin(fetch);
                 else
-                    fetch.Opening = PoolTask.Begin(SourcePath.WithoutQuery(piece.Path), () => RemoteFile.Open(piece.Path));
+                    fetch.Opening = PoolTask.Begin(SourcePath.WithoutQuery(piece.Path), () => RemoteFile.Open(piece.Path,
+                        piece.LengthBytes < 0 ? WholeHeadBytes : RemoteFile.HeadBytes));
             }
         }
 
@@ -71,11 +79,12 @@ namespace FastPoints
             {
                 if (!fetch.Opening.IsDone)
                     return false;
-                var opened = fetch.Opening;
+                var opening = fetch.Opening;
                 fetch.Opening = null;
                 try
                 {
-                    Begin(fetch, opened.Take());
+                    fetch.File = opening.Take();
+                    Begin(fetch);
                 }
                 catch (PointCloudException failure)
                 {
@@ -84,19 +93,24 @@ namespace FastPoints
             }
             if (fetch.Read == null)
                 return true;
-            if (fetch.Read.IsDone)
-                Failure ??= fetch.Read.Failure;
-            return fetch.Read.IsDone;
+            if (!fetch.Read.IsDone)
+                return false;
+            if (fetch.IsWhole)
+                fetch.File.DropHead();
+            Failure ??= fetch.Read.Failure;
+            return true;
         }
 
-        void Begin(Fetch fetch, RemoteFile file)
+        void Begin(Fetch fetch)
         {
-            if (fetch.Piece.LengthBytes < 0)
-                fetch.Piece.LengthBytes = file.Length - fetch.Piece.OffsetBytes;
+            long left = fetch.File.Length - fetch.Piece.OffsetBytes;
             // What lies behind the file's end is the reader's business.
-            fetch.Piece.LengthBytes = Math.Min(fetch.Piece.LengthBytes, file.Length - fetch.Piece.OffsetBytes);
-            if (fetch.Piece.LengthBytes > 0)
-                fetch.Read = file.Begin(fetch.Piece.OffsetBytes, fetch.Piece.LengthBytes, m_rank);
+            fetch.Piece.LengthBytes = fetch.IsWhole ? left : Math.Min(fetch.Piece.LengthBytes, left);
+            if (fetch.IsWhole && left > MaxWholeBytes)
+                Failure ??= PointCloudException.Wanted(FailureCode.Unsupported, fetch.Piece.Path, -1,
+                    "bytes of a file that is read whole", "at most " + NumberText.Of(MaxWholeBytes), NumberText.Of(left));
+            else if (fetch.Piece.LengthBytes > 0)
+                fetch.Read = fetch.File.Begin(fetch.Piece.OffsetBytes, fetch.Piece.LengthBytes, m_rank);
         }
 
         // Schedules jobs that copy what a command wants. False, without any, if not all of it is here.

@@ -21,7 +21,7 @@ namespace FastPoints
         readonly RemoteIdentity m_identity;
         readonly RangeQueue m_queue;
         readonly RangeKey m_key;
-        readonly byte[] m_head;
+        volatile byte[] m_head;
         long m_confirmed = Stopwatch.GetTimestamp();
 
         RemoteFile(string address, RemoteTarget target, RemoteIdentity identity, byte[] head)
@@ -52,12 +52,13 @@ namespace FastPoints
 
         // Asks the server whether it still has that version, unless it said so a moment ago; without any answer, what the cache
         // has of it is good enough. Waits: on pool threads and in the command line alone.
-        public static RemoteFile Open(string address)
+        // headBytes: of a file that is new, so many come with that.
+        public static RemoteFile Open(string address, int headBytes = HeadBytes)
         {
             var opened = Find(address);
             if (opened != null && opened.IsConfirmed)
                 return opened;
-            return Task.Run(() => OpenNow(address, opened)).GetAwaiter().GetResult();
+            return Task.Run(() => OpenNow(address, opened, headBytes)).GetAwaiter().GetResult();
         }
 
         // The one that was opened last, or null.
@@ -66,6 +67,9 @@ namespace FastPoints
             lock (s_opened)
                 return s_opened.TryGetValue(address, out var file) ? file : null;
         }
+
+        // Frees what came with opening it.
+        public void DropHead() => m_head = null;
 
         // Into memory of the read's own, which the caller disposes. Any thread.
         public RemoteRead Begin(long offset, long bytes, int rank = 0) => Begin(new RemoteRead(this, offset, bytes, rank));
@@ -163,13 +167,14 @@ namespace FastPoints
 
         bool TryReadHead(long offset, Span<byte> into)
         {
-            if (m_head == null || offset < 0 || offset + into.Length > m_head.Length)
+            byte[] head = m_head;
+            if (head == null || offset < 0 || offset + into.Length > head.Length)
                 return false;
-            m_head.AsSpan((int)offset, into.Length).CopyTo(into);
+            head.AsSpan((int)offset, into.Length).CopyTo(into);
             return true;
         }
 
-        static async Task<RemoteFile> OpenNow(string address, RemoteFile opened)
+        static async Task<RemoteFile> OpenNow(string address, RemoteFile opened, int headBytes)
         {
             var target = opened?.m_target ?? new RemoteTarget(address);
             var cache = RangeCache.Current;
@@ -179,7 +184,7 @@ namespace FastPoints
             RemoteIdentity identity;
             try
             {
-                (identity, head) = await Retry(target, known != null, () => ReadHead(target, known, head)).ConfigureAwait(false);
+                (identity, head) = await Retry(target, known != null, () => ReadHead(target, known, head, headBytes)).ConfigureAwait(false);
             }
             catch (RemoteFault e) when (e.IsUnreachable && known != null)
             {
@@ -202,9 +207,10 @@ namespace FastPoints
             return opened;
         }
 
-        static async Task<(RemoteIdentity, byte[])> ReadHead(RemoteTarget target, RemoteIdentity known, byte[] knownHead)
+        static async Task<(RemoteIdentity, byte[])> ReadHead(RemoteTarget target, RemoteIdentity known, byte[] knownHead,
+            int headBytes)
         {
-            using var exchange = await RangeExchange.Begin(target, 0, HeadBytes, null, known).ConfigureAwait(false);
+            using var exchange = await RangeExchange.Begin(target, 0, headBytes, null, known).ConfigureAwait(false);
             RangeQueue.Of(target.Host).Measure(exchange.SecondsToHeaders);
             if (exchange.IsNotModified)
                 return (known, knownHead);
