@@ -19,7 +19,7 @@ namespace FastPoints
         public string What { get; }
 
         public PointCloudException(FailureCode code, string path, long byteOffset, string what, Exception inner = null)
-            : base(Line(path, byteOffset, what), inner)
+            : base(Line(SourcePath.WithoutQuery(path), byteOffset, what), inner)
         {
             Code = code;
             Path = SourcePath.WithoutQuery(path);
@@ -50,8 +50,8 @@ namespace FastPoints
         public bool IsBadInput =>
             Code == FailureCode.BadInput || Code == FailureCode.Truncated || Code == FailureCode.Unsupported;
 
-        static string Line(string path, long byteOffset, string what) => SourcePath.WithoutQuery(path) +
-            (byteOffset < 0 ? ": " : ": at byte " + NumberText.Of(byteOffset) + ": ") + what;
+        static string Line(string path, long byteOffset, string what) =>
+            byteOffset < 0 ? path + ": " + what : path + ": at byte " + NumberText.Of(byteOffset) + ": " + what;
     }
 
     /// <summary>What kind of failure a <see cref="PointCloudException"/> reports.</summary>

@@ -161,6 +161,12 @@ namespace FastPoints
             }
         }
 
+        public void Drop(RangeKey key)
+        {
+            lock (m_lock)
+                m_entries.Remove(key);
+        }
+
         // Deletes what no process has open; on Windows others' segments may stay.
         public void Clear()
         {

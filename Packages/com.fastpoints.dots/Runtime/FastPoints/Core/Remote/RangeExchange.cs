@@ -1,4 +1,5 @@
 using System;
+using System.Buffers;
 using System.Collections.Generic;
 using System.Diagnostics;
 using System.Globalization;
@@ -14,6 +15,8 @@ namespace FastPoints
     // checked before a byte is taken.
     internal sealed class RangeExchange : IDisposable
     {
+        const int PieceBytes = 64 << 10;
+
         static readonly object s_lock = new object();
         static HttpClient s_client;
 
@@ -34,22 +37,18 @@ namespace FastPoints
 
         public RemoteIdentity Identity { get; private set; }
 
-        // The known version is still the server's; there are no bytes.
-        public bool IsNotModified { get; private set; }
-
         // Bytes that will come: fewer than were asked for only at the file's end.
         public long Count { get; private set; }
 
         public double SecondsToHeaders { get; private set; }
 
-        // expected: null if this is what the range is to say. known: answered by IsNotModified if it is the version.
-        public static async Task<RangeExchange> Begin(RemoteTarget target, long offset, long count, RemoteIdentity expected,
-            RemoteIdentity known)
+        // expected: null if this is what the range is to say.
+        public static async Task<RangeExchange> Begin(RemoteTarget target, long offset, long count, RemoteIdentity expected)
         {
             var exchange = new RangeExchange(target.Address, offset, count);
             try
             {
-                await exchange.Send(target, known).ConfigureAwait(false);
+                await exchange.Send(target).ConfigureAwait(false);
                 exchange.CheckHeaders(expected);
                 return exchange;
             }
@@ -60,31 +59,35 @@ namespace FastPoints
             }
         }
 
-        // Fills the span's array from an index on, up to Count bytes; got is called with all bytes so far, and returns whether
-        // more are wanted. Returns the number of bytes.
+        // Fills the array from an index on, up to Count bytes; got is called with all bytes so far, and returns whether more are
+        // wanted. Returns the number of bytes.
         public async Task<int> Read(byte[] into, int at, Func<int, bool> got)
         {
             var settings = RemoteSettings.Current;
             var watch = Stopwatch.StartNew();
+            // A read that was given up may still write: into what nobody else uses, for it is returned after whole reads alone.
+            byte[] piece = ArrayPool<byte>.Shared.Rent((int)Math.Min(Count, PieceBytes));
             int all = 0;
             try
             {
                 using var body = await Limit(m_response.Content.ReadAsStreamAsync(), settings.StallMs).ConfigureAwait(false);
                 while (all < Count)
                 {
-                    int read = await Limit(body.ReadAsync(into, at + all, (int)Math.Min(Count - all, 64 << 10)), settings.StallMs)
+                    int read = await Limit(body.ReadAsync(piece, 0, (int)Math.Min(Count - all, piece.Length)), settings.StallMs)
                         .ConfigureAwait(false);
                     if (read == 0)
                         throw Fault(all, "the answer is too short: wanted " + NumberText.Of(Count) + " bytes, got " +
                             NumberText.Of(all));
+                    Buffer.BlockCopy(piece, 0, into, at + all, read);
                     all += read;
                     if (!got(all))
-                        return all;
+                        break;
                     long ms = watch.ElapsedMilliseconds;
                     if (ms > settings.StallMs && all < Count && all * 1000L / ms < settings.MinBytesPerSecond)
                         throw Fault(all, "the server is too slow: got " + NumberText.Of(all) + " of " + NumberText.Of(Count) +
                             " bytes in " + NumberText.Of(ms / 1000) + " s");
                 }
+                ArrayPool<byte>.Shared.Return(piece);
                 return all;
             }
             catch (Exception e) when (IsConnectionFailure(e))
@@ -95,7 +98,7 @@ namespace FastPoints
 
         public void Dispose() => m_response?.Dispose();
 
-        async Task Send(RemoteTarget target, RemoteIdentity known)
+        async Task Send(RemoteTarget target)
         {
             var watch = Stopwatch.StartNew();
             var uri = target.Resolved ?? target.Signed(false);
@@ -105,7 +108,7 @@ namespace FastPoints
                 m_response?.Dispose();
                 try
                 {
-                    using var request = Request(target, uri, known);
+                    using var request = Request(target, uri);
                     RemoteStatistics.AddRequest();
                     m_response = await Limit(Client().SendAsync(request, HttpCompletionOption.ResponseHeadersRead),
                         RemoteSettings.Current.StallMs).ConfigureAwait(false);
@@ -134,15 +137,13 @@ namespace FastPoints
             SecondsToHeaders = watch.Elapsed.TotalSeconds;
         }
 
-        HttpRequestMessage Request(RemoteTarget target, Uri uri, RemoteIdentity known)
+        HttpRequestMessage Request(RemoteTarget target, Uri uri)
         {
             var request = new HttpRequestMessage(HttpMethod.Get, uri);
             string last = (m_offset + m_count - 1).ToString(CultureInfo.InvariantCulture);
             request.Headers.TryAddWithoutValidation("Range", "bytes=" + NumberText.Of(m_offset) + "-" + last);
             // A compressed answer has other bytes at the range's offsets.
             request.Headers.TryAddWithoutValidation("Accept-Encoding", "identity");
-            if (known != null && known.Tag.Length > 0)
-                request.Headers.TryAddWithoutValidation("If-None-Match", known.Tag);
             if (RemoteAccess.AddHeaders == null || !target.IsOrigin(uri))
                 return request;
             var headers = new Dictionary<string, string>();
@@ -155,11 +156,6 @@ namespace FastPoints
         void CheckHeaders(RemoteIdentity expected)
         {
             int status = (int)m_response.StatusCode;
-            if (status == 304)
-            {
-                IsNotModified = true;
-                return;
-            }
             if (status != 206 && status != 200)
                 throw StatusFault(status);
             foreach (string encoding in m_response.Content.Headers.ContentEncoding)
@@ -170,7 +166,10 @@ namespace FastPoints
             if (expected != null && !expected.Fits(Identity))
                 throw new RemoteFault(FailureCode.Changed, m_address, m_offset, "the file has changed on the server since it " +
                     "was opened: wanted " + NumberText.Of(expected.Length) + " bytes " + expected.Tag + ", got " +
-                    NumberText.Of(length) + " bytes " + Identity.Tag);
+                    NumberText.Of(length) + " bytes " + Identity.Tag)
+                {
+                    IsChanged = true,
+                };
             Count = Math.Min(m_count, length - m_offset);
             long? announced = m_response.Content.Headers.ContentLength;
             if (announced != null && announced != Count)
@@ -372,6 +371,9 @@ namespace FastPoints
 
         // Another signature may help.
         public bool IsDenied { get; set; }
+
+        // Of another version than what was opened.
+        public bool IsChanged { get; set; }
 
         // No answer came at all.
         public bool IsUnreachable { get; set; }

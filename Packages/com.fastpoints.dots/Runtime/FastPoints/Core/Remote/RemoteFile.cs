@@ -24,14 +24,23 @@ namespace FastPoints
         volatile byte[] m_head;
         long m_confirmed = Stopwatch.GetTimestamp();
 
-        RemoteFile(string address, RemoteTarget target, RemoteIdentity identity, byte[] head)
+        RemoteFile(string address, RemoteTarget target, RemoteIdentity identity, RangeKey key, byte[] head)
         {
             Address = address;
             m_target = target;
             m_identity = identity;
             m_head = head;
             m_queue = RangeQueue.Of(target.Host);
-            m_key = RangeKey.Of(RemoteKey.Of(address) + "\n" + identity);
+            m_key = key;
+        }
+
+        // A file that another describes, so that nothing is asked before its first range: its length, and a text that is another
+        // for other content. Any thread; it does not wait.
+        public static RemoteFile Of(string address, long length, string version)
+        {
+            var identity = new RemoteIdentity(length, null, null);
+            return new RemoteFile(address, new RemoteTarget(address), identity, RangeKey.Of(RemoteKey.Of(address) + "\n" + version),
+                null);
         }
 
         public string Address { get; }
@@ -51,8 +60,8 @@ namespace FastPoints
         public int GapBytes => m_queue.GapBytes;
 
         // Asks the server whether it still has that version, unless it said so a moment ago; without any answer, what the cache
-        // has of it is good enough. Waits: on pool threads and in the command line alone.
-        // headBytes: of a file that is new, so many come with that.
+        // has of it is good enough. Waits: on pool threads and in the command line alone. headBytes: so many of a new file come
+        // with it.
         public static RemoteFile Open(string address, int headBytes = HeadBytes)
         {
             var opened = Find(address);
@@ -70,6 +79,12 @@ namespace FastPoints
 
         // Frees what came with opening it.
         public void DropHead() => m_head = null;
+
+        // The next Open asks the server.
+        public void Doubt() => Interlocked.Exchange(ref m_confirmed, long.MinValue / 2);
+
+        // What came of it was wrong: it is asked for again.
+        public void DropCached() => RangeCache.Current?.Drop(m_key);
 
         // Into memory of the read's own, which the caller disposes. Any thread.
         public RemoteRead Begin(long offset, long bytes, int rank = 0) => Begin(new RemoteRead(this, offset, bytes, rank));
@@ -101,8 +116,7 @@ namespace FastPoints
                 if (got >= count || !isWanted)
                     return true;
                 int before = got;
-                using var exchange = await RangeExchange.Begin(m_target, offset + got, count - got, m_identity, null)
-                    .ConfigureAwait(false);
+                using var exchange = await Begin(offset + got, count - got).ConfigureAwait(false);
                 m_queue.Measure(exchange.SecondsToHeaders);
                 if (exchange.Count < count - before)
                     throw new RemoteFault(FailureCode.Truncated, Name, offset + before, "wanted " +
@@ -112,6 +126,19 @@ namespace FastPoints
                 return true;
             }).ConfigureAwait(false);
             RangeCache.Current?.Add(m_key, offset, new ReadOnlySpan<byte>(into, 0, got));
+        }
+
+        async Task<RangeExchange> Begin(long offset, long count)
+        {
+            try
+            {
+                return await RangeExchange.Begin(m_target, offset, count, m_identity).ConfigureAwait(false);
+            }
+            catch (RemoteFault e) when (e.IsChanged)
+            {
+                Doubt();
+                throw;
+            }
         }
 
         bool IsConfirmed => (Stopwatch.GetTimestamp() - Interlocked.Read(ref m_confirmed)) * 1000.0 / Stopwatch.Frequency <
@@ -124,6 +151,7 @@ namespace FastPoints
                 var command = read.PartAt(part);
                 if (command.Offset >= 0 && command.Size >= 0 && command.Offset <= Length - command.Size)
                     continue;
+                Doubt();
                 read.Fail(PointCloudException.Wanted(FailureCode.Truncated, Name, Math.Max(0, command.Offset), "bytes",
                     command.Size, Math.Max(0, Length - command.Offset) + " before the end of the file"));
             }
@@ -184,7 +212,8 @@ namespace FastPoints
             RemoteIdentity identity;
             try
             {
-                (identity, head) = await Retry(target, known != null, () => ReadHead(target, known, head, headBytes)).ConfigureAwait(false);
+                (identity, head) = await Retry(target, known != null, () => ReadHead(target, known, head, headBytes))
+                    .ConfigureAwait(false);
             }
             catch (RemoteFault e) when (e.IsUnreachable && known != null)
             {
@@ -197,7 +226,8 @@ namespace FastPoints
                     Interlocked.Exchange(ref opened.m_confirmed, Stopwatch.GetTimestamp());
                     return opened;
                 }
-                opened = s_opened[address] = new RemoteFile(address, target, identity, head);
+                opened = s_opened[address] =
+                    new RemoteFile(address, target, identity, RangeKey.Of(key + "\n" + identity), head);
             }
             if (cache != null && head != null && known?.ToString() != identity.ToString())
             {
@@ -207,17 +237,21 @@ namespace FastPoints
             return opened;
         }
 
+        // Of a version that is known one byte tells whether it is the server's still, and how long the file is. An answer by
+        // If-None-Match would not: a length that was told wrong once would stay so.
         static async Task<(RemoteIdentity, byte[])> ReadHead(RemoteTarget target, RemoteIdentity known, byte[] knownHead,
             int headBytes)
         {
-            using var exchange = await RangeExchange.Begin(target, 0, headBytes, null, known).ConfigureAwait(false);
+            bool isCheck = known != null && known.Length > HeadBytes;
+            using var exchange = await RangeExchange.Begin(target, 0, isCheck ? 1 : headBytes, null).ConfigureAwait(false);
             RangeQueue.Of(target.Host).Measure(exchange.SecondsToHeaders);
-            if (exchange.IsNotModified)
-                return (known, knownHead);
             var head = new byte[exchange.Count];
             await exchange.Read(head, 0, all => true).ConfigureAwait(false);
             RemoteStatistics.AddFetched(head.Length, 0);
-            return (exchange.Identity, head);
+            if (!isCheck)
+                return (exchange.Identity, head);
+            return known.Fits(exchange.Identity) ? (known, knownHead)
+                : await ReadHead(target, null, null, headBytes).ConfigureAwait(false);
         }
 
         static RemoteIdentity FindIdentity(RangeCache cache, string key)

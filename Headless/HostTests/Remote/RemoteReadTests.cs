@@ -1,0 +1,170 @@
+using Unity.IO.LowLevel.Unsafe;
+
+namespace FastPoints.HostTests.Remote;
+
+sealed class RemoteReadTests : RemoteFixture
+{
+    [SetUp]
+    public void WithoutCache() => RemoteAccess.CacheBytes = 0;
+
+    static void Await(params RemoteRead[] reads)
+    {
+        foreach (RemoteRead read in reads)
+            read.Await();
+    }
+
+    [Test]
+    public unsafe void Reads_ManyAtOnce_UseSixConnectionsAndGetTheirBytes()
+    {
+        byte[] bytes = Make("a.bin", 8_000_000);
+        Server.LatencyMs = 20;
+        var file = RemoteFile.Open(Server.Of("a.bin"));
+        RemoteRead[] reads = Enumerable.Range(0, 60).Select(i => file.Begin(100_000 * i + 70_000, 10_000, i)).ToArray();
+
+        Await(reads);
+
+        for (int i = 0; i < reads.Length; i++)
+        {
+            Assert.That(new ReadOnlySpan<byte>(reads[i].Data, 10_000).SequenceEqual(bytes.AsSpan(100_000 * i + 70_000, 10_000)));
+            reads[i].Dispose();
+        }
+        Assert.That(Server.PeakConnections, Is.InRange(2, 6));
+    }
+
+    [Test]
+    public void Reads_OfLowerRank_GoFirst()
+    {
+        Make("a.bin", 8_000_000);
+        Server.LatencyMs = 30;
+        var file = RemoteFile.Open(Server.Of("a.bin"));
+        Server.ResetCounts();
+        var random = new System.Random(1);
+        int[] ranks = Enumerable.Range(0, 40).OrderBy(_ => random.Next()).ToArray();
+        // Too far apart for one request.
+        RemoteRead[] reads = ranks.Select(rank => file.Begin(600_000L * (rank % 13) + 65_536 + 150_000 * (rank / 13), 100, rank)).ToArray();
+
+        Await(reads);
+
+        int[] firsts = Server.Requests.Select(r => ranks.Single(rank =>
+            r.Header("Range").StartsWith($"bytes={600_000L * (rank % 13) + 65_536 + 150_000 * (rank / 13)}-"))).ToArray();
+        // Six may be under way before all are known.
+        Assert.That(firsts.Skip(6).Zip(firsts.Skip(7)).Count(pair => pair.First > pair.Second + 6), Is.Zero,
+            string.Join(" ", firsts));
+        foreach (RemoteRead read in reads)
+            read.Dispose();
+    }
+
+    [Test]
+    public unsafe void Reads_Cancelled_NeverWrite()
+    {
+        Make("a.bin", 4_000_000);
+        var file = RemoteFile.Open(Server.Of("a.bin"));
+        var random = new System.Random(1);
+        for (int round = 0; round < 60; round++)
+        {
+            const int Bytes = 200_000;
+            byte* memory = (byte*)UnsafeUtility.Malloc(Bytes, 16, Allocator.Persistent);
+            var command = new ReadCommand { Buffer = memory, Offset = random.Next(4_000_000 - Bytes), Size = Bytes };
+            var read = file.Begin(&command, 1);
+            Thread.Sleep(random.Next(4));
+            read.Cancel();
+            new Span<byte>(memory, Bytes).Fill(0xCC);
+            Thread.Sleep(10);
+            bool isUntouched = new Span<byte>(memory, Bytes).IndexOfAnyExcept((byte)0xCC) < 0;
+            UnsafeUtility.Free(memory, Allocator.Persistent);
+            Assert.That(isUntouched, $"round {round}");
+        }
+    }
+
+    [Test]
+    public void Reads_CancelledBeforeTheyWereAsked_AreNotAsked()
+    {
+        Make("a.bin", 4_000_000);
+        Server.LatencyMs = 100;
+        var file = RemoteFile.Open(Server.Of("a.bin"));
+        Server.ResetCounts();
+        RemoteRead[] reads = Enumerable.Range(0, 30).Select(i => file.Begin(100_000 * i + 70_000, 100, i)).ToArray();
+        Thread.Sleep(50);
+        foreach (RemoteRead read in reads)
+            read.Dispose();
+        using RemoteRead last = file.Begin(3_900_000, 100);
+        Await(last);
+
+        Assert.That(Server.Requests, Has.Count.LessThanOrEqualTo(7));
+    }
+
+    [Test]
+    public void Reads_OfNeighbours_AreFewRequests()
+    {
+        Make("a.bin", 4_000_000);
+        Server.LatencyMs = 30;
+        var file = RemoteFile.Open(Server.Of("a.bin"));
+        Server.ResetCounts();
+        RemoteRead[] reads = Enumerable.Range(0, 100).Select(i => file.Begin(100_000 + 10_000 * i, 9_900, i)).ToArray();
+
+        Await(reads);
+
+        Assert.That(Server.Requests, Has.Count.LessThanOrEqualTo(12));
+        foreach (RemoteRead read in reads)
+            read.Dispose();
+    }
+
+    [Test]
+    public void Sign_WhereTheServerRefuses_IsAskedAgain()
+    {
+        byte[] bytes = Make("a.bin", 300_000);
+        var asked = new List<bool>();
+        RemoteAccess.Sign = (uri, wasRefused) =>
+        {
+            lock (asked)
+                asked.Add(wasRefused);
+            return new Uri(uri.GetLeftPart(UriPartial.Path) + (wasRefused ? "?sig=new-secret" : "?sig=old-secret"));
+        };
+        try
+        {
+            var file = RemoteFile.Open(Server.Of("a.bin"));
+            Server.Plan = request => request.Target.EndsWith("new-secret") ? Fault.None : Fault.Refused403;
+            Assert.That(Read(file, 200_000, 1000), Is.EqualTo(bytes[200_000..201_000]));
+            Assert.That(asked, Is.EqualTo(new[] { false, true }));
+
+            Server.Plan = _ => Fault.Refused403;
+            Exception failure = Try(() => Read(file, 210_000, 1000));
+            AssertOneLine(failure, Server.Of("a.bin"));
+            Assert.That(((PointCloudException)failure).Code, Is.EqualTo(FailureCode.AccessDenied));
+        }
+        finally
+        {
+            RemoteAccess.Sign = null;
+        }
+    }
+
+    [Test]
+    public void Headers_OfTheUser_AreNotSentToWhereARedirectLeads()
+    {
+        Make("a.bin", 300_000);
+        using var other = new RangeServer(Scratch["served"]);
+        RemoteAccess.AddHeaders = (_, headers) => headers["Authorization"] = "Bearer secret";
+        try
+        {
+            Server.RedirectsTo = other.Address;
+            Read(RemoteFile.Open(Server.Of("a.bin")), 100_000, 1000);
+
+            Assert.That(Server.Requests.Select(r => r.Header("Authorization")), Is.All.EqualTo("Bearer secret"));
+            Assert.That(other.Requests.Select(r => r.Header("Authorization")), Is.All.Null);
+            Assert.That(other.Requests, Is.Not.Empty);
+        }
+        finally
+        {
+            RemoteAccess.AddHeaders = null;
+        }
+    }
+
+    [Test]
+    public void Open_OfHttpBeyondThisMachine_IsRefusedUnlessAllowed()
+    {
+        Exception failure = Try(() => RemoteFile.Open("http://nowhere.invalid/a.bin" + Secret));
+
+        AssertOneLine(failure, "http://nowhere.invalid/a.bin");
+        Assert.That(((PointCloudException)failure).Code, Is.EqualTo(FailureCode.AccessDenied));
+    }
+}
