@@ -102,11 +102,4 @@ namespace FastPoints.Streaming
 
         public abstract void Dispose();
     }
-
-    internal struct FilePiece
-    {
-        public string Path;
-        public long OffsetBytes;
-        public long LengthBytes;
-    }
 }
