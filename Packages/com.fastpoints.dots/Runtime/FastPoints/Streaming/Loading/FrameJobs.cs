@@ -135,11 +135,9 @@ namespace FastPoints.Streaming
             {
                 var node = LastDrawn[i];
                 var cached = Slots[node.Slot];
-                float fade = cached.Fade - FadeStep, share = ShareOf(fade);
+                float fade = cached.Fade - FadeStep;
                 if (cached.DrawnFrame != Frame - 1 || cached.Phase != CachePhase.Resident || cached.IsHidden || fade <= 0 ||
                     !Clouds[node.Cloud].IsLeaving(LastDrawn.AsArray(), i, Frame))
-                    continue;
-                if (totals.Points + (long)(share * Clouds[node.Cloud].PointsOf(node)) > PointBudget)
                     continue;
                 if (node.Parent >= 0)
                 {
@@ -148,6 +146,8 @@ namespace FastPoints.Streaming
                         continue;
                     node.Parent = parent.DrawnIndex;
                 }
+                if (totals.Points + (long)(ShareOf(fade, node.Parent) * Clouds[node.Cloud].PointsOf(node)) > PointBudget)
+                    continue;
                 Add(node, fade, ref totals);
             }
         }
@@ -161,14 +161,15 @@ namespace FastPoints.Streaming
             node.Version = cached->Version;
             node.Range = cached->Range;
             node.Tint = cached->Tint;
-            node.PointShare = ShareOf(fade);
+            node.PointShare = ShareOf(fade, node.Parent);
             Drawn.Add(node);
             totals.Points += (long)(node.PointShare * Clouds[node.Cloud].PointsOf(node));
             totals.FadingNodes += fade < 1 ? 1 : 0;
         }
 
-        // Many points lie in a pixel: the first cover it, the last hide one another. Slow at first, what is covered grows evenly.
-        static float ShareOf(float fade) => fade * fade * fade;
+        // Where nothing is, few points cover much: slow at first. Detail comes fast at first, since what the camera nears changes
+        // more pixels the later it comes; never more of it than of what it is the detail of.
+        float ShareOf(float fade, int parent) => parent < 0 ? fade * fade : (2 - fade) * fade * Drawn[parent].PointShare;
     }
 
     internal struct DrawnTotals
