@@ -95,7 +95,7 @@ namespace FastPoints.Laz
     sealed unsafe class LazBlockRead : SlotRead
     {
         // About 4 ms of decoding on one core.
-        const int SlicePoints = 16384;
+        const int PointsPerSlice = 16384;
 
         const int MaxTileBytes = 64 << 10;
 
@@ -274,11 +274,11 @@ namespace FastPoints.Laz
 
         static JobHandle Schedule(DecodeLazJob decode, JobHandle dependency)
         {
-            for (int first = 0; first < decode.Total; first += SlicePoints)
+            for (int first = 0; first < decode.Total; first += PointsPerSlice)
             {
                 decode.IsFirst = first == 0;
                 decode.First = first;
-                decode.Count = Math.Min(SlicePoints, decode.Total - first);
+                decode.Count = Math.Min(PointsPerSlice, decode.Total - first);
                 dependency = decode.Schedule(dependency);
             }
             return dependency;

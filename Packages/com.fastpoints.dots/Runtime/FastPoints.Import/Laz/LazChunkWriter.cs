@@ -43,7 +43,7 @@ namespace FastPoints.Laz
             };
             var done = default(JobHandle);
             long all = m_form.IsLayered ? (long)m_form.Layers.Length * (points + points / 16 + 2) : points;
-            int slice = m_form.IsLayered ? EncodeLazJob.LayerPoints : EncodeLazJob.SlicePoints;
+            int slice = m_form.IsLayered ? EncodeLazJob.LayerPointsPerSlice : EncodeLazJob.PointsPerSlice;
             for (long first = 0; first < all; first += slice)
             {
                 job.First = (int)first;
@@ -104,8 +104,8 @@ namespace FastPoints.Laz
     [BurstCompile]
     internal unsafe struct EncodeLazJob : IJob
     {
-        // Points of a slice, and points of layers: 2 to 3 ms on one core.
-        public const int SlicePoints = 4096, LayerPoints = 32768;
+        // Of pointwise chunks; of layered ones, points times layers: 2 to 3 ms on one core.
+        public const int PointsPerSlice = 4096, LayerPointsPerSlice = 32768;
 
         [ReadOnly] public NativeArray<byte> Records;
         [ReadOnly] public NativeArray<LazLayer> Layers;

@@ -29,7 +29,7 @@ namespace FastPoints.Laz
     sealed unsafe class LazFileDecoding : IDisposable
     {
         // About 4 ms of decoding on one core.
-        const int SlicePoints = 16384;
+        const int PointsPerSlice = 16384;
 
         const int MaxTileBytes = 64 << 10;
 
@@ -88,9 +88,9 @@ namespace FastPoints.Laz
                 Skip = first,
             };
             long total = first + count;
-            for (; decode.First < total; decode.First += SlicePoints)
+            for (; decode.First < total; decode.First += PointsPerSlice)
             {
-                decode.Count = (int)Math.Min(SlicePoints, total - decode.First);
+                decode.Count = (int)Math.Min(PointsPerSlice, total - decode.First);
                 inputDeps = decode.Schedule(inputDeps);
             }
             return inputDeps;

@@ -10,7 +10,7 @@ namespace FastPoints.Laz
     // do not: they are decoded, and the next begins where one ends.
     sealed class LazWalk
     {
-        const int SlicePoints = 16384;
+        const int PointsPerSlice = 16384;
         const int HeadersPerRead = 64;
 
         const long MaxCheckpointBytes = 64 << 20;
@@ -184,7 +184,7 @@ namespace FastPoints.Laz
                     yield return stream.BeginRead();
                 stream.EndRead();
                 long untilCheckpoint = m_checkpointPoints - stream.Point % m_checkpointPoints;
-                yield return stream.Decode((int)Math.Min(Math.Min(SlicePoints, untilCheckpoint), points - stream.Point));
+                yield return stream.Decode((int)Math.Min(Math.Min(PointsPerSlice, untilCheckpoint), points - stream.Point));
                 stream.EndDecode();
                 bool isAtCheckpoint = isLong && stream.Point > 0 && stream.Point % m_checkpointPoints == 0 &&
                     stream.Point < points;

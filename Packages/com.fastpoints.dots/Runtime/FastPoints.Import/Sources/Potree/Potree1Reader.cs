@@ -90,7 +90,7 @@ namespace FastPoints.Sources
                     throw PointCloudException.Wanted(FailureCode.Unsupported, json.Path, -1, "steps of the bounding box",
                         "less than 2^31", math.cmax(index.Cube.Size / index.Scale));
             }
-            return Opened(new Potree1Reader(index, files, layout, like, listed));
+            return WithFirstLevel(new Potree1Reader(index, files, layout, like, listed));
         }
 
         public override bool HasFixedStride => m_layout != null;
