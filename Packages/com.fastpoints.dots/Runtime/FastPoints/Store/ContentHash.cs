@@ -3,7 +3,7 @@ using Unity.Collections.LowLevel.Unsafe;
 
 namespace FastPoints.Store
 {
-    // Guards each byte range of a stored cloud: XXH64 with seed 0, as its published specification defines it. It detects
+    // Guards each byte range of a converted cloud: XXH64 with seed 0, as its published specification defines it. It detects
     // damage, not tampering.
     internal static unsafe class ContentHash
     {
