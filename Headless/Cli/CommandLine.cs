@@ -159,7 +159,7 @@ public static class CommandLine
             if (common.UseThreads(parsed) is { } note)
                 run.Warn(note);
             if (json != null)
-                OutputNames.RefuseOther("--json", "a summary", json);
+                OutputNames.RefuseOtherKind("--json", "a summary", json);
             verb.Run(parsed, run);
             // An exception in a job is only logged: fail here, since the result may be wrong.
             LoggedExceptions.ThrowFirst();

@@ -36,7 +36,7 @@ public sealed class ConvertedCloudFacts
         m_planes.AddRange(folder.Layout.Planes.Select((plane, i) => (plane.Name, bytesOfPlane[i])));
     }
 
-    public PointCounts Account => PointCounts.Of(new SourceInfo { HasPointsClaimed = false }, m_cloud.Points);
+    public PointCounts PointCounts => PointCounts.Of(new SourceInfo { HasPointsClaimed = false }, m_cloud.Points);
 
     bool IsWhole => !m_cloud.IsBuilding;
 

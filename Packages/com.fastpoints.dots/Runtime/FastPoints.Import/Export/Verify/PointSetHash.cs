@@ -12,8 +12,8 @@ using Unity.Jobs;
 namespace FastPoints.Export
 {
     /// <summary>Sums two independent 64-bit hashes over all points of a source, as a converted cloud would have them: 128
-    /// bits that do not depend on the order. Two different multisets of points have equal sums with a probability of about 2^-128, unless
-    /// they are deliberately constructed against these hashes.</summary>
+    /// bits that do not depend on the order. Two different multisets of points have equal sums with a probability of about
+    /// 2^-128, unless they are deliberately constructed against these hashes.</summary>
     internal sealed class PointSetHash : IBlockConsumer, IDisposable
     {
         readonly PointSchema m_attributes;
