@@ -36,7 +36,7 @@ public static class CommandLine
         if (FindUsageError(parsed, verbs) is { } misread)
             return ReportUsageError(error, asked, misread);
         var chosen = verbs.FirstOrDefault(v => v.Command == asked);
-        if (chosen == null || !chosen.IsAsked(parsed))
+        if (chosen == null || !chosen.IsInvoked(parsed))
             return parsed.Invoke(new InvocationConfiguration
             {
                 Output = output,

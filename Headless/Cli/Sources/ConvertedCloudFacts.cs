@@ -27,11 +27,11 @@ public sealed class ConvertedCloudFacts
         StoredFacts.AddTo(m_source, folder);
         m_bytes = Directory.GetFiles(folder.FolderPath, "*", SearchOption.AllDirectories).Sum(f => new FileInfo(f).Length);
         var bytesOfPlane = new long[folder.Layout.Planes.Count];
-        Take(folder.Upper, bytesOfPlane);
+        Add(folder.Upper, bytesOfPlane);
         for (int chunk = 0; chunk < folder.Chunks.Length; chunk++)
         {
             using var table = folder.LoadTable(chunk);
-            Take(table, bytesOfPlane);
+            Add(table, bytesOfPlane);
         }
         m_planes.AddRange(folder.Layout.Planes.Select((plane, i) => (plane.Name, bytesOfPlane[i])));
     }
@@ -40,7 +40,7 @@ public sealed class ConvertedCloudFacts
 
     bool IsWhole => !m_cloud.IsBuilding;
 
-    void Take(NodeTable table, long[] bytesOfPlane)
+    void Add(NodeTable table, long[] bytesOfPlane)
     {
         for (int i = 0; i < table.Nodes.Length; i++)
         {

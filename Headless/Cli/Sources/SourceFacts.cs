@@ -81,7 +81,7 @@ public sealed class SourceFacts(PointReader reader)
     {
         if (Spread == null)
             yield break;
-        foreach (var line in BoundsLines("99.9 % lie in", Spread.NearlyAll))
+        foreach (var line in BoundsLines("99.9 % lie in", Spread.RobustBounds))
             yield return line;
         string per = " points/" + Spread.Unit + "²";
         yield return ("density", Spread.Quartiles is not [var low, var median, var high] ? "no area, seen from above"

@@ -65,7 +65,7 @@ public sealed class InfoVerb : Verb
         if (scan)
         {
             using var sample = new SpreadSample(reader);
-            var summarise = new SummariseCloud(reader) { BlockCompleted = sample.Take };
+            var summarise = new SummariseCloud(reader) { BlockCompleted = sample.Add };
             run.RunSteps(summarise.Run(run.Progress));
             facts.Found = summarise.Summary;
             facts.Spread = Spread.Of(reader, sample, run);

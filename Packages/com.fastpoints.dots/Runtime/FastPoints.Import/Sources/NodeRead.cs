@@ -39,7 +39,7 @@ namespace FastPoints.Sources
         protected sealed override void Warn(DecodeResult result)
         {
             if (result.Error != 0 && result.Points < Range.Count)
-                Reader.EndNode(Range.Block, Reader.Block(Range.Block).FirstInNode + Range.First + result.Points);
+                Reader.MarkEndOfNode(Range.Block, Reader.Block(Range.Block).FirstInNode + Range.First + result.Points);
             Report(result);
         }
     }
@@ -53,15 +53,15 @@ namespace FastPoints.Sources
         readonly LazFileDecoder m_decoder;
 
         // isPotree: offsets are rounded, and the points of nodes are counted by their files.
-        public LasNodeRead(NodeReader reader, LasTemplate like, bool isPotree, PointSchema wanted, int capacity,
+        public LasNodeRead(NodeReader reader, LasTemplate template, bool isPotree, PointSchema wanted, int capacity,
             Allocator allocator)
             : base(reader, wanted, capacity, allocator)
         {
-            m_template = like;
+            m_template = template;
             m_isPotree = isPotree;
             try
             {
-                m_decoder = Own(new LazFileDecoder(like, Points, isPotree, allocator));
+                m_decoder = Own(new LazFileDecoder(template, Points, isPotree, allocator));
             }
             catch (ArgumentException)
             {

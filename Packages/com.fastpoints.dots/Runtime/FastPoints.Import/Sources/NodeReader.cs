@@ -77,7 +77,7 @@ namespace FastPoints.Sources
             read.Begin(FileOfBlock(block, out _), offset, bytes);
 
         // Later blocks are not tried once a node has given its last point: each would decode the node from its start.
-        internal void EndNode(int block, long point) =>
+        internal void MarkEndOfNode(int block, long point) =>
             m_endOfNode[NodeOf(block).Key] = Math.Min(point, EndOfNode(block));
 
         internal long EndOfNode(int block) =>
