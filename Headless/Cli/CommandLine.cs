@@ -36,7 +36,7 @@ public static class CommandLine
         if (FindUsageError(parsed, verbs) is { } misread)
             return ReportUsageError(error, asked, misread);
         var chosen = verbs.FirstOrDefault(v => v.Command == asked);
-        if (chosen == null || !chosen.IsAsked(parsed))
+        if (chosen == null || !chosen.IsInvoked(parsed))
             return parsed.Invoke(new InvocationConfiguration
             {
                 Output = output,
@@ -161,7 +161,7 @@ public static class CommandLine
             if (common.UseThreads(parsed) is { } note)
                 run.Warn(note);
             if (json != null)
-                OutputNames.RefuseOther("--json", "a summary", json);
+                OutputNames.RefuseOtherKind("--json", "a summary", json);
             verb.Run(parsed, run);
             // An exception in a job is only logged: fail here, since the result may be wrong.
             LoggedExceptions.ThrowFirst();

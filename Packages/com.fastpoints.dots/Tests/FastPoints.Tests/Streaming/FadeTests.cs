@@ -54,7 +54,7 @@ namespace FastPoints.Tests.Streaming
         }
 
         [Test]
-        public void Run_NodesArrive_AppearWithinFadeSeconds()
+        public void Run_NodesArrive_FadeInWithinFadeSeconds()
         {
             FrameStats stats;
             var last = Drawn.ToDictionary(Of, FadeOf);
@@ -110,7 +110,7 @@ namespace FastPoints.Tests.Streaming
         }
 
         [Test]
-        public void Run_NodesNoLongerSelected_LeaveByAndBy()
+        public void Run_NodesNoLongerSelected_FadeOut()
         {
             StreamedTestCloud.Settle(m_stream, Here);
             var all = Drawn.Select(Of).ToArray();
@@ -119,9 +119,9 @@ namespace FastPoints.Tests.Streaming
             {
                 var stats = Frame();
                 Assert.That(Drawn.Select(Of), Is.EquivalentTo(all));
-                var leaving = Drawn.Where(n => n.PointShare < 1).ToArray();
-                Assert.That(leaving, Has.Length.EqualTo(all.Length - stats.SelectedNodes).And.Length.GreaterThan(20));
-                Assert.That(leaving, Has.All.Matches<DrawnNode>(n => FadeOf(n) == 1 - frame * Step));
+                var fadingOut = Drawn.Where(n => n.PointShare < 1).ToArray();
+                Assert.That(fadingOut, Has.Length.EqualTo(all.Length - stats.SelectedNodes).And.Length.GreaterThan(20));
+                Assert.That(fadingOut, Has.All.Matches<DrawnNode>(n => FadeOf(n) == 1 - frame * Step));
                 Assert.That(Drawn.Where((n, i) => n.Parent >= i), Is.Empty);
                 Assert.That(stats.IsSettled, Is.False);
             }
@@ -130,7 +130,7 @@ namespace FastPoints.Tests.Streaming
         }
 
         [Test]
-        public void Run_LeavingNodesAreSelectedAgain_TurnBackWhereTheyAre()
+        public void Run_NodesSelectedAgainWhileFadingOut_FadeInFromThere()
         {
             StreamedTestCloud.Settle(m_stream, Here);
             m_stream.Settings.Selection.MinScreenErrorPx = 20;
@@ -142,7 +142,7 @@ namespace FastPoints.Tests.Streaming
         }
 
         [Test]
-        public void Run_LeavingNodesDoNotFitTheBudget_GoAtOnce()
+        public void Run_FadingOutNodesExceedTheBudget_AreNotDrawn()
         {
             StreamedTestCloud.Settle(m_stream, Here);
             m_stream.Settings.Selection.PointBudget = 4000;
@@ -152,7 +152,7 @@ namespace FastPoints.Tests.Streaming
         }
 
         [Test]
-        public void Run_LeavingNodesMemoryIsNeeded_TheyGo()
+        public void Run_MemoryOfFadingOutNodesIsNeeded_EvictsThem()
         {
             StreamedTestCloud.Settle(m_stream, Here);
             m_stream.Settings.Selection.MinScreenErrorPx = 20;
@@ -170,7 +170,7 @@ namespace FastPoints.Tests.Streaming
         }
 
         [Test]
-        public void Run_CloudRemovedWhileItFades_NothingOfItStays()
+        public void Run_CloudRemovedWhileItFades_IsNotDrawn()
         {
             SettleFew();
             m_stream.Settings.Selection.PointBudget = 2_000_000;
@@ -185,7 +185,7 @@ namespace FastPoints.Tests.Streaming
 
         [TestCase(0)]
         [TestCase(0.1f)]
-        public void Run_FadeNoLongerThanAFrame_IsNone(float seconds)
+        public void Run_FadeNoLongerThanAFrame_DrawsNodesWhole(float seconds)
         {
             m_stream.Settings.FadeSeconds = seconds;
             FrameStats stats;
@@ -198,7 +198,7 @@ namespace FastPoints.Tests.Streaming
         }
 
         [Test]
-        public unsafe void Gap_NodesFade_GoesFromTheParentsToTheirOwn()
+        public unsafe void Gap_NodeFadesIn_GoesFromItsParentsToItsOwn()
         {
             SettleFew();
             m_stream.Settings.Selection.PointBudget = 2_000_000;
@@ -228,7 +228,7 @@ namespace FastPoints.Tests.Streaming
         }
 
         [Test]
-        public void IsDrawn_ShareOfPoints_IsTheFade([Values(0.1f, 0.25f, 0.5f, 0.9f, 1)] float fade, [Values(0, 77)] int number)
+        public void IsDrawn_ManyPoints_KeepsTheShare([Values(0.1f, 0.25f, 0.5f, 0.9f, 1)] float fade, [Values(0, 77)] int number)
         {
             uint bits = PointFade.BitsOf(new DrawnNode { Cloud = 1, Page = 3, Node = number, PointShare = fade });
             uint before = PointFade.BitsOf(new DrawnNode { Cloud = 1, Page = 3, Node = number, PointShare = fade - 0.05f });
