@@ -36,7 +36,7 @@ public static class CommandLine
         if (FindUsageError(parsed, verbs) is { } misread)
             return ReportUsageError(error, asked, misread);
         var chosen = verbs.FirstOrDefault(v => v.Command == asked);
-        if (chosen == null || !chosen.IsAsked(parsed))
+        if (chosen == null || !chosen.IsInvoked(parsed))
             return parsed.Invoke(new InvocationConfiguration
             {
                 Output = output,
@@ -47,7 +47,7 @@ public static class CommandLine
         var run = new CliRun(output, error, common.Read(parsed), cancellation)
         {
             Discard = discard,
-            Line = "./fastpoints " + string.Join(" ", args.Select(Quoted)),
+            Line = "./fastpoints " + string.Join(" ", args.Select(SourcePath.WithoutQuery).Select(Quoted)),
         };
         return Run(chosen, parsed, common, run, error, errorIsTerminal);
     }
@@ -55,7 +55,8 @@ public static class CommandLine
     static List<Verb> AllVerbs() =>
     [
         new DefaultVerb(), new InfoVerb(), new PreviewVerb(), new ConvertVerb(), new VerifyVerb(),
-        new ExportVerb(), new PictureVerb(), new FlyVerb(), new DemoCloudVerb(), new BenchVerb(), new CompletionVerb(),
+        new ExportVerb(), new PictureVerb(), new FlyVerb(), new DemoCloudVerb(), new BenchVerb(), new CacheVerb(),
+        new CompletionVerb(),
     ];
 
     static int ReportUsageError(TextWriter error, Command command, string what)
@@ -156,10 +157,11 @@ public static class CommandLine
         Failure? failure;
         try
         {
+            RemoteAccess.AllowsHttp = run.Settings.AllowsHttp;
             if (common.UseThreads(parsed) is { } note)
                 run.Warn(note);
             if (json != null)
-                OutputNames.RefuseOther("--json", "a summary", json);
+                OutputNames.RefuseOtherKind("--json", "a summary", json);
             verb.Run(parsed, run);
             // An exception in a job is only logged: fail here, since the result may be wrong.
             LoggedExceptions.ThrowFirst();

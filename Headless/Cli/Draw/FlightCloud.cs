@@ -16,7 +16,8 @@ sealed record FlightCloud(PicturePlan Plan, DisplayRanges Ranges, int Number)
     /// any: no point is read for them.</param>
     internal static FlightCloud Add(string path, StreamContext stream, PictureOptions options, CancellationToken cancellation,
         bool plansByManifest = false) =>
-        CloudFolder.IsCloud(path) || !Path.Exists(path) ? AddFolder(path, stream, options, plansByManifest, cancellation)
+        CloudFolder.IsCloud(path) || !SourcePath.IsRemote(path) && !Path.Exists(path)
+            ? AddFolder(path, stream, options, plansByManifest, cancellation)
             : AddSource(PointReaders.Open(path), stream, options, cancellation);
 
     internal static FlightCloud AddSource(PointReader reader, StreamContext stream, PictureOptions options,

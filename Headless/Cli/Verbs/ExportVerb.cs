@@ -80,7 +80,7 @@ public sealed class ExportVerb : Verb
         var clouds = parsed.GetRequiredValue(m_clouds);
         string output = parsed.GetRequiredValue(m_output);
         string file = run.Standard.FileOf(output);
-        OutputNames.RefuseNoExport(file);
+        OutputNames.RequireExportName(file);
         var settings = new ExportSettings
         {
             Level = parsed.GetValue(m_level) is { } level ? Counts.ToInt(level) : -1,
@@ -104,7 +104,7 @@ public sealed class ExportVerb : Verb
             .. (parsed.GetValue(m_cut) ?? []).Select(box => PictureSettings.Box("--cut", box, true)),
         ];
         if (settings.Attributes?.FirstOrDefault(a => !reader.Info.Schema.Has(a)) is { } unknown)
-            throw new UsageException("--attributes: " + reader.Info.Path + " has no " + unknown + "; it has "
+            throw new UsageException("--attributes: " + SourcePath.WithoutQuery(reader.Info.Path) + " has no " + unknown + "; it has "
                 + string.Join(", ", reader.Info.Schema.Select(a => a.Name)));
         using var filter = m_filter.Read(parsed, reader);
         if (filter?.EveryNth > 1 && CopcExport.IsNamed(file))
@@ -120,19 +120,19 @@ public sealed class ExportVerb : Verb
         run.Points.Add(reader.Info, isWhole ? result!.PointsRead : reader.PointCount);
         if (result!.Points == 0 && reader.PointCount > 0)
             run.WarnEmpty(output, "left", reader.PointCount, reader.Info.BoundsClaimed, settings.Clips);
-        Say(result!, output, run);
+        WriteResult(result!, output, run);
     }
 
     static ClipBox Local(ClipBox box, PointReader reader)
     {
         var bounds = reader.Info.BoundsClaimed;
         if (!reader.Info.HasBoundsClaimed || !bounds.IsFinite)
-            throw new UsageException("--clip-local: " + reader.Info.Path + " does not say where it begins: wanted --clip");
+            throw new UsageException("--clip-local: " + SourcePath.WithoutQuery(reader.Info.Path) + " does not say where it begins: wanted --clip");
         box.CenterWorld += bounds.Min;
         return box;
     }
 
-    static void Say(ExportResult result, string output, CliRun run)
+    static void WriteResult(ExportResult result, string output, CliRun run)
     {
         foreach (string warning in result.Warnings)
             run.Warn(output + ": " + warning);

@@ -137,6 +137,9 @@ namespace FastPoints.Build
 
     internal static class BuildIdentity
     {
+        static string VersionOf(string path) => SourcePath.IsRemote(path) ? RemoteFile.Find(path)?.Identity
+            : File.Exists(path) ? NumberText.Of(File.GetLastWriteTimeUtc(path).Ticks) : "0";
+
         /// <summary>Hashes everything that the stored bytes and the temporary files depend on.</summary>
         public static unsafe ulong Of(BuildContext build)
         {
@@ -147,9 +150,8 @@ namespace FastPoints.Build
             foreach (var reader in build.Readers)
             {
                 string path = reader.Info.Path;
-                text.Append(Path.GetFullPath(path)).Append('|').Append(reader.Info.FileBytes).Append('|')
-                    .Append(reader.PointCount)
-                    .Append('|').Append(File.Exists(path) ? File.GetLastWriteTimeUtc(path).Ticks : 0);
+                text.Append(SourcePath.WithoutQuery(SourcePath.Full(path))).Append('|').Append(reader.Info.FileBytes).Append('|')
+                    .Append(reader.PointCount).Append('|').Append(VersionOf(path));
                 if (reader.FilterHash != 0)
                     text.Append('|').Append(reader.FilterHash);
                 text.Append('\n');
@@ -157,7 +159,7 @@ namespace FastPoints.Build
             foreach (var attribute in build.Attributes)
                 text.Append(attribute).Append('\n');
             text.Append(plan.PointsPerChunk).Append('|').Append(plan.PointsPerPartition).Append('|').Append(plan.IsStored)
-                .Append('|').Append(StoreFormat.Version).Append('|').Append(NodeSizes.Rules)
+                .Append('|').Append(StoreFormat.Version).Append('|').Append(NodeSizes.SamplingVersion)
                 .Append('|').Append(build.Records.StrideBytes).Append('|').Append(map.Chunks.Length).Append('|').Append(map.Cube)
                 .Append('|').Append(settings.Sampler).Append('|').Append(settings.CellsLog2)
                 .Append('|').Append(settings.MaxPointsPerLeaf);

@@ -52,8 +52,7 @@ namespace FastPoints.Reading
             InFlightLimit limit, int chains, StageProgress progress)
         {
             using var slots = new ReadSlots(ranges.Reader, wanted, ranges.Longest, limit, chains);
-            yield return JobStep.Of(slots.Run(consumer, ranges.First, ranges.End,
-                (read, n) => read.Begin(ranges.RangeOf(n)), progress));
+            yield return JobStep.Of(slots.Run(consumer, ranges, (read, n) => read.Begin(ranges.RangeOf(n)), progress));
             yield return JobStep.Of(slots.Free());
         }
     }
@@ -109,7 +108,7 @@ namespace FastPoints.Reading
         readonly List<BlockRead> m_reads = new List<BlockRead>();
         readonly List<JobHandle> m_consumed = new List<JobHandle>();
         readonly Queue<int> m_inFlight = new Queue<int>();
-        readonly Stack<int> m_spare = new Stack<int>();
+        readonly Stack<int> m_idle = new Stack<int>();
         bool m_keepsStates;
 
         // longest: the most points of a read; chains: the most reads whose jobs run side by side, 0 for all in flight.
@@ -128,9 +127,11 @@ namespace FastPoints.Reading
             return m_keepsStates = m_reads[0].TryKeepStates();
         }
 
-        public IEnumerator<JobStep> Run(IBlockConsumer consumer, int first, int end, Action<BlockRead, int> begin,
+        public IEnumerator<JobStep> Run(IBlockConsumer consumer, ScanRanges ranges, Action<BlockRead, int> begin,
             StageProgress progress)
         {
+            int first = ranges.First, end = ranges.End;
+            using var ahead = m_reader.AheadOf(first, end, ranges.RangeOf);
             long pointsDone = 0, bytesDone = 0;
             var throttle = consumer as IThrottledConsumer;
             var newest = default(JobHandle);
@@ -143,7 +144,7 @@ namespace FastPoints.Reading
                     yield return m_consumed[done];
                     m_limit.Resume(next < end && newest.IsCompleted);
                     m_inFlight.Dequeue();
-                    m_spare.Push(done);
+                    m_idle.Push(done);
                     m_consumed[done].Complete();
                     var read = m_reads[done];
                     read.Complete();
@@ -153,17 +154,18 @@ namespace FastPoints.Reading
                     progress?.Report((next - first - m_inFlight.Count) / (double)(end - first), pointsDone, bytesDone);
                     continue;
                 }
-                while (throttle != null && !throttle.IsReady)
+                while (throttle != null && !throttle.IsReady || ahead != null && !ahead.IsNear)
                     yield return default;
-                if (m_spare.Count == 0)
+                if (m_idle.Count == 0)
                 {
                     Add();
                     // Lets the coroutine check its budget.
                     yield return default;
                 }
-                int slot = m_spare.Pop();
+                int slot = m_idle.Pop();
                 if (m_last.Length > 0)
                     m_reads[slot].Dependency = m_last[next % m_last.Length];
+                m_reads[slot].Fetched = ahead?.Take();
                 begin(m_reads[slot], next);
                 m_consumed[slot] = newest = consumer.Schedule(m_reads[slot], slot, m_reads[slot].Decoded);
                 if (m_last.Length > 0)
@@ -183,7 +185,7 @@ namespace FastPoints.Reading
                 m_reads[m_reads.Count - 1].Dispose();
                 yield return default;
             }
-            m_spare.Clear();
+            m_idle.Clear();
         }
 
         public void Dispose()
@@ -199,7 +201,7 @@ namespace FastPoints.Reading
         void Add()
         {
             var read = m_reader.CreateRead(m_wanted, m_longest, Allocator.Persistent);
-            m_spare.Push(m_reads.Count);
+            m_idle.Push(m_reads.Count);
             m_reads.Add(read);
             m_consumed.Add(default);
             if (m_keepsStates)
@@ -236,7 +238,8 @@ namespace FastPoints.Reading
             return oldest;
         }
 
-        public static IEnumerator<JobStep> Run(int slots, int things, Func<int, int, JobHandle> begin, Action<int> end)
+        public static IEnumerator<JobStep> Run(int slots, int things, Func<int, int, JobHandle> begin, Action<int> end,
+            ReadAhead ahead = null)
         {
             var ring = new SlotRing(slots);
             var handles = new JobHandle[slots];
@@ -244,6 +247,8 @@ namespace FastPoints.Reading
             {
                 if (next < things && !ring.IsFull)
                 {
+                    while (ahead != null && !ahead.IsNear)
+                        yield return default;
                     int slot = ring.Begin();
                     handles[slot] = begin(slot, next++);
                     continue;

@@ -18,17 +18,20 @@ namespace FastPoints.Sources
         const int MaxBlockPoints = 1 << 20;
         const int MaxBlockBytes = 32 << 20;
 
+        // Of a compressed remote node before it is here.
+        const int GuessedBytesPerPoint = 8;
+
         readonly EptHierarchy m_hierarchy;
         readonly int m_blockPoints;
 
-        // A LAZ file like those of the nodes, if they are LAZ; otherwise null.
+        // A LAZ file template those of the nodes, if they are LAZ; otherwise null.
         readonly LasTemplate m_template;
 
-        EptReader(EptIndex index, LasTemplate like) : base(index.Info, index.Cube, index.Spacing)
+        EptReader(EptIndex index, LasTemplate template) : base(index.Info, index.Cube, index.Spacing)
         {
             Index = index;
-            m_template = like;
-            int pointBytes = Math.Max(Info.Schema.BytesPerPoint, like?.Las.Header.RecordBytes ?? index.RecordBytes);
+            m_template = template;
+            int pointBytes = Math.Max(Info.Schema.BytesPerPoint, template?.Las.Header.RecordBytes ?? index.RecordBytes);
             m_blockPoints = Math.Max(1, Math.Min(MaxBlockPoints, MaxBlockBytes / pointBytes));
             m_hierarchy = new EptHierarchy(this);
         }
@@ -39,9 +42,9 @@ namespace FastPoints.Sources
             if (index.DataType != EptDataType.Laszip)
                 return new EptReader(index, null);
             // A node's own scale and offset count even if ept.json gives others.
-            var like = new LasTemplate(AnyNode(index));
-            var las = like.Las;
-            if (like.Laz == null)
+            var template = new LasTemplate(AnyNode(index));
+            var las = template.Las;
+            if (template.Laz == null)
                 throw PointCloudException.Wanted(FailureCode.BadInput, las.Info.Path, LasHeader.At.PointFormat,
                     "a node of an EPT of data type laszip", "LAZ", "LAS");
             index.Info.Schema = las.Info.Schema;
@@ -50,16 +53,16 @@ namespace FastPoints.Sources
             index.Info.GpsTime = las.Info.GpsTime;
             if (!index.Info.Crs.IsKnown)
                 index.Info.Crs = las.Info.Crs;
-            like.Laz.AddFacts(index.Info);
-            return new EptReader(index, like);
+            template.Laz.AddFacts(index.Info);
+            return new EptReader(index, template);
         }
 
         // The root's file, or another one if it is missing.
         static string AnyNode(EptIndex index)
         {
-            string folder = Path.Combine(index.Folder, DataFolder);
-            string root = Path.Combine(folder, "0-0-0-0.laz");
-            if (File.Exists(root) || !Directory.Exists(folder))
+            string folder = SourcePath.Combine(index.Folder, DataFolder);
+            string root = SourcePath.Combine(folder, "0-0-0-0.laz");
+            if (SourcePath.IsRemote(root) || File.Exists(root) || !Directory.Exists(folder))
                 return root;
             foreach (string path in Directory.EnumerateFiles(folder, "*.laz"))
                 return path;
@@ -72,8 +75,10 @@ namespace FastPoints.Sources
 
         internal override string NameOf(int level, int3 cell) => EptEntry.NameOf(level, cell);
 
-        public string PathOf(int level, int3 cell) => Path.Combine(Index.Folder, DataFolder, EptEntry.NameOf(level, cell)
-            + (HasFixedStride ? ".bin" : Index.DataType == EptDataType.Laszip ? ".laz" : ".zst"));
+        public string PathOf(int level, int3 cell) => SourcePath.Combine(SourcePath.Combine(Index.Folder, DataFolder),
+            EptEntry.NameOf(level, cell) + (HasFixedStride ? ".bin" : Index.DataType == EptDataType.Laszip ? ".laz" : ".zst"));
+
+        private protected override int BytesPerPoint => HasFixedStride ? Index.RecordBytes : 0;
 
         public override string FileOfBlock(int block, out long byteOffset)
         {
@@ -83,14 +88,16 @@ namespace FastPoints.Sources
         }
 
         public void Add(EptEntry entry, long points, long fileBytes) =>
-            AddNode(new SourceNode { Level = entry.Level, Cell = entry.Cell }, points, m_blockPoints, 0, fileBytes, 0);
+            AddNode(new SourceNode { Level = entry.Level, Cell = entry.Cell }, points, m_blockPoints, 0, fileBytes, BytesPerPoint);
 
         public override long BytesOfRange(BlockRange range)
         {
+            if (HasFixedStride)
+                return (long)range.Count * Index.RecordBytes;
             var block = Block(range.Block);
-            double share = HasFixedStride ? range.Count : Index.DataType == EptDataType.Laszip ? block.NodePoints
-                : block.FirstInNode + range.First + range.Count;
-            return (long)(block.Bytes * Math.Min(1, share / block.NodePoints));
+            long bytes = block.Bytes < 0 ? block.NodePoints * GuessedBytesPerPoint : block.Bytes;
+            double share = Index.DataType == EptDataType.Laszip ? block.NodePoints : block.FirstInNode + range.First + range.Count;
+            return (long)(bytes * Math.Min(1, share / block.NodePoints));
         }
 
         public override IEnumerator<JobStep> FindBelow(int4 node, int levels) => m_hierarchy.Read(node, Math.Max(1, levels));

@@ -53,7 +53,7 @@ namespace FastPoints.Sources
     sealed class EptRecordRead : NodeRead
     {
         // About a millisecond of copying.
-        const int SlicePoints = 1 << 16;
+        const int PointsPerSlice = 1 << 16;
 
         // Less than a millisecond of decompression.
         const int TileBytes = 256 << 10;
@@ -91,23 +91,23 @@ namespace FastPoints.Sources
         {
             if (m_decompressor != null)
                 return Decompress(range, block);
-            var decoded = BeginRead(range.Block, (block.FirstInNode + range.First) * m_recordBytes, range.Count * m_recordBytes);
-            for (int first = 0; first < range.Count; first += SlicePoints)
-                decoded = Decode(File.Buffer, first, first, Math.Min(SlicePoints, range.Count - first)).Schedule(decoded);
+            var decoded = BeginRead(range);
+            for (int first = 0; first < range.Count; first += PointsPerSlice)
+                decoded = Decode(File.Buffer, first, first, Math.Min(PointsPerSlice, range.Count - first)).Schedule(decoded);
             return decoded;
         }
 
         JobHandle Decompress(BlockRange range, in NodeBlock block)
         {
             long begin = block.FirstInNode + range.First, end = begin + range.Count;
-            var decoded = BeginRead(range.Block, 0, (int)block.Bytes);
+            var decoded = BeginRead(range);
             for (long first = 0; first < end; first += m_tilePoints)
             {
                 int count = (int)Math.Min(m_tilePoints, end - first);
                 decoded = new DecompressJob
                 {
                     Input = File.Buffer,
-                    InputBytes = (int)block.Bytes,
+                    InputBytes = BytesRead,
                     Output = m_tile,
                     Wanted = count * m_recordBytes,
                     IsFirst = first == 0,

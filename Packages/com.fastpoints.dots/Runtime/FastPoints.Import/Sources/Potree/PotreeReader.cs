@@ -33,6 +33,8 @@ namespace FastPoints.Sources
         // Null for nodes that are LAS or LAZ files.
         internal abstract PotreeLayout Layout { get; }
 
+        private protected sealed override int BytesPerPoint => HasFixedStride ? Layout.RecordBytes : 0;
+
         // Grid steps from a block's corner to the cloud's.
         internal abstract int3 ShiftOf(int block);
 
@@ -50,8 +52,8 @@ namespace FastPoints.Sources
 
         private protected UnreadPages Pages { get; } = new UnreadPages(MaxLevels + 1);
 
-        // A reader that knows the first level of its tree.
-        private protected static T Opened<T>(T reader) where T : PotreeReader
+        // The reader, once it has read the first level of its tree.
+        private protected static T WithFirstLevel<T>(T reader) where T : PotreeReader
         {
             try
             {

@@ -12,7 +12,7 @@ namespace FastPoints.Sources
     sealed class PotreeRecordRead : NodeRead
     {
         // About a millisecond of decoding.
-        const int SlicePoints = 1 << 17;
+        const int PointsPerSlice = 1 << 17;
 
         readonly PotreeReader m_reader;
         readonly PotreeSpecialColumns m_special;
@@ -30,7 +30,7 @@ namespace FastPoints.Sources
         protected override JobHandle Schedule(BlockRange range, in NodeBlock block)
         {
             int recordBytes = m_reader.Layout.RecordBytes;
-            var decoded = BeginRead(range.Block, block.Offset + (long)range.First * recordBytes, range.Count * recordBytes);
+            var decoded = BeginRead(range);
             var decode = new DecodePotreeJob
             {
                 Records = File.Buffer,
@@ -41,10 +41,10 @@ namespace FastPoints.Sources
                 RecordBytes = recordBytes,
                 Shift = m_reader.ShiftOf(range.Block),
             };
-            for (int first = 0; first < range.Count; first += SlicePoints)
+            for (int first = 0; first < range.Count; first += PointsPerSlice)
             {
                 decode.First = first;
-                decode.Count = Math.Min(SlicePoints, range.Count - first);
+                decode.Count = Math.Min(PointsPerSlice, range.Count - first);
                 decoded = decode.Schedule(decoded);
             }
             return decoded;

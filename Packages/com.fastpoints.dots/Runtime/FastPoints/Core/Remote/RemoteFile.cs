@@ -1,4 +1,5 @@
 using System;
+using System.Buffers;
 using System.Collections.Generic;
 using System.Diagnostics;
 using System.Text;
@@ -12,7 +13,7 @@ namespace FastPoints
     // come with opening it.
     internal sealed class RemoteFile : IRangeSource
     {
-        const int HeadBytes = 64 << 10;
+        public const int HeadBytes = 64 << 10;
 
         // The one that was opened last, by address.
         static readonly Dictionary<string, RemoteFile> s_opened = new Dictionary<string, RemoteFile>();
@@ -21,7 +22,7 @@ namespace FastPoints
         readonly RemoteIdentity m_identity;
         readonly RangeQueue m_queue;
         readonly RangeKey m_key;
-        readonly byte[] m_head;
+        volatile byte[] m_head;
         long m_confirmed = Stopwatch.GetTimestamp();
 
         RemoteFile(string address, RemoteTarget target, RemoteIdentity identity, RangeKey key, byte[] head)
@@ -60,13 +61,14 @@ namespace FastPoints
         public int GapBytes => m_queue.GapBytes;
 
         // Asks the server whether it still has that version, unless it said so a moment ago; without any answer, what the cache
-        // has of it is good enough. Waits: on pool threads and in the command line alone.
-        public static RemoteFile Open(string address)
+        // has of it is good enough. Waits: on pool threads and in the command line alone. headBytes: so many of a new file come
+        // with it.
+        public static RemoteFile Open(string address, int headBytes = HeadBytes)
         {
             var opened = Find(address);
             if (opened != null && opened.IsConfirmed)
                 return opened;
-            return Task.Run(() => OpenNow(address, opened)).GetAwaiter().GetResult();
+            return Task.Run(() => OpenNow(address, opened, headBytes)).GetAwaiter().GetResult();
         }
 
         // The one that was opened last, or null.
@@ -75,6 +77,9 @@ namespace FastPoints
             lock (s_opened)
                 return s_opened.TryGetValue(address, out var file) ? file : null;
         }
+
+        // Frees what came with opening it.
+        public void DropHead() => m_head = null;
 
         // The next Open asks the server.
         public void Doubt() => Interlocked.Exchange(ref m_confirmed, long.MinValue / 2);
@@ -161,17 +166,23 @@ namespace FastPoints
         {
             try
             {
-                var missing = new List<int>();
+                var missing = new List<RangePiece>();
                 var cache = RangeCache.Current;
-                for (int part = 0; part < read.PartCount && !read.IsDone; part++)
+                var bytes = ArrayPool<byte>.Shared.Rent(RangeQueue.MaxRequestBytes);
+                for (int part = 0; part < read.PartCount; part++)
                 {
                     var command = read.PartAt(part);
-                    var bytes = new byte[command.Size];
-                    if (TryReadHead(command.Offset, bytes) || TryReadCache(cache, command.Offset, bytes))
-                        read.Take(part, 0, bytes);
-                    else if (command.Size > 0)
-                        missing.Add(part);
+                    for (long at = 0; at < command.Size && !read.IsDone; at += RangeQueue.MaxRequestBytes)
+                    {
+                        int count = (int)Math.Min(RangeQueue.MaxRequestBytes, command.Size - at);
+                        var piece = bytes.AsSpan(0, count);
+                        if (TryReadHead(command.Offset + at, piece) || TryReadCache(cache, command.Offset + at, piece))
+                            read.Take(part, at, piece);
+                        else
+                            missing.Add(new RangePiece(part, at, count));
+                    }
                 }
+                ArrayPool<byte>.Shared.Return(bytes);
                 if (missing.Count > 0)
                     m_queue.Add(read, missing);
             }
@@ -181,7 +192,7 @@ namespace FastPoints
             }
         }
 
-        bool TryReadCache(RangeCache cache, long offset, byte[] into)
+        bool TryReadCache(RangeCache cache, long offset, Span<byte> into)
         {
             bool has = cache != null && cache.TryRead(m_key, offset, into);
             if (has)
@@ -191,13 +202,14 @@ namespace FastPoints
 
         bool TryReadHead(long offset, Span<byte> into)
         {
-            if (m_head == null || offset < 0 || offset + into.Length > m_head.Length)
+            byte[] head = m_head;
+            if (head == null || offset < 0 || offset + into.Length > head.Length)
                 return false;
-            m_head.AsSpan((int)offset, into.Length).CopyTo(into);
+            head.AsSpan((int)offset, into.Length).CopyTo(into);
             return true;
         }
 
-        static async Task<RemoteFile> OpenNow(string address, RemoteFile opened)
+        static async Task<RemoteFile> OpenNow(string address, RemoteFile opened, int headBytes)
         {
             var target = opened?.m_target ?? new RemoteTarget(address);
             var cache = RangeCache.Current;
@@ -207,7 +219,8 @@ namespace FastPoints
             RemoteIdentity identity;
             try
             {
-                (identity, head) = await Retry(target, known != null, () => ReadHead(target, known, head)).ConfigureAwait(false);
+                (identity, head) = await Retry(target, known != null, () => ReadHead(target, known, head, headBytes))
+                    .ConfigureAwait(false);
             }
             catch (RemoteFault e) when (e.IsUnreachable && known != null)
             {
@@ -233,10 +246,11 @@ namespace FastPoints
 
         // Of a version that is known one byte tells whether it is the server's still, and how long the file is. An answer by
         // If-None-Match would not: a length that was told wrong once would stay so.
-        static async Task<(RemoteIdentity, byte[])> ReadHead(RemoteTarget target, RemoteIdentity known, byte[] knownHead)
+        static async Task<(RemoteIdentity, byte[])> ReadHead(RemoteTarget target, RemoteIdentity known, byte[] knownHead,
+            int headBytes)
         {
             bool isCheck = known != null && known.Length > HeadBytes;
-            using var exchange = await RangeExchange.Begin(target, 0, isCheck ? 1 : HeadBytes, null).ConfigureAwait(false);
+            using var exchange = await RangeExchange.Begin(target, 0, isCheck ? 1 : headBytes, null).ConfigureAwait(false);
             RangeQueue.Of(target.Host).Measure(exchange.SecondsToHeaders);
             var head = new byte[exchange.Count];
             await exchange.Read(head, 0, all => true).ConfigureAwait(false);
@@ -244,7 +258,7 @@ namespace FastPoints
             if (!isCheck)
                 return (exchange.Identity, head);
             return known.Fits(exchange.Identity) ? (known, knownHead)
-                : await ReadHead(target, null, null).ConfigureAwait(false);
+                : await ReadHead(target, null, null, headBytes).ConfigureAwait(false);
         }
 
         static RemoteIdentity FindIdentity(RangeCache cache, string key)
