@@ -55,8 +55,8 @@ public static class CommandLine
     static List<Verb> AllVerbs() =>
     [
         new DefaultVerb(), new InfoVerb(), new PreviewVerb(), new ConvertVerb(), new VerifyVerb(),
-        new ExportVerb(), new PictureVerb(), new FlyVerb(), new DemoCloudVerb(), new BenchVerb(), new CacheVerb(),
-        new CompletionVerb(),
+        new ExportVerb(), new PictureVerb(), new FlyVerb(), new DemoCloudVerb(), new BenchVerb(), new PublishVerb(),
+        new CacheVerb(), new CompletionVerb(),
     ];
 
     static int ReportUsageError(TextWriter error, Command command, string what)
