@@ -47,7 +47,7 @@ namespace FastPoints.Sampling
             {
                 yield return JobStep.Of(TakePrefixes(progress));
                 if (!m_options.Quick && Sample.IsOfPrefix)
-                    Drop();
+                    DisposeSample();
             }
             if (Sample == null || !m_options.Quick && !Sample.IsWhole)
             {
@@ -168,13 +168,13 @@ namespace FastPoints.Sampling
             yield return JobStep.Of(m_reader.FindBlocks());
         }
 
-        void Drop()
+        void DisposeSample()
         {
             Sample?.Dispose();
             Sample = null;
         }
 
-        public void Dispose() => Drop();
+        public void Dispose() => DisposeSample();
     }
 
     /// <summary>Options of a <see cref="PreviewSampling"/>.</summary>

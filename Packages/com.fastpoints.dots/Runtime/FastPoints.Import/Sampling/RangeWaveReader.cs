@@ -60,7 +60,7 @@ namespace FastPoints.Sampling
         {
             if (m_reads == null)
             {
-                yield return JobStep.Of(Try());
+                yield return JobStep.Of(ChoosePlan());
                 Allocate(slots < 1 ? m_pace.Slots : slots);
             }
             int end = m_plan.RangesFor(wanted);
@@ -82,7 +82,7 @@ namespace FastPoints.Sampling
 
         /// <summary>Coroutine: reads the first ranges of the usual plan, and changes to the other one if that is
         /// slow.</summary>
-        IEnumerator<JobStep> Try()
+        IEnumerator<JobStep> ChoosePlan()
         {
             m_gapBytes = m_pace.GapBytes(0);
             if (m_plan.RangeCount < ReadPace.TrialReads || m_plan.EntryCount >= Reader.PointCount)
