@@ -102,7 +102,7 @@ public sealed class DefaultVerb : Verb
             {
                 string[] cloud = clouds[i];
                 string folder = folders[i];
-                all.Take(run, () =>
+                all.Run(run, () =>
                 {
                     if (cloud is [var only] && CloudFolder.IsCloud(only))
                     {
