@@ -38,8 +38,8 @@ public sealed class CliRun(TextWriter output, TextWriter error, RunSettings sett
     /// <returns>The inputs, with a file in place of standard input.</returns>
     public string[] Begin(IEnumerable<string> inputs, params IEnumerable<string> outputs)
     {
-        int first = Inputs.Count;
-        Inputs.AddRange(inputs);
+        string[] named = inputs.ToArray();
+        Inputs.AddRange(named.Select(SourcePath.WithoutQuery));
         foreach (string path in settings.Json is null or "-" ? outputs : outputs.Append(settings.Json))
         {
             if (StandardStreams.IsOutput(path))
@@ -52,7 +52,7 @@ public sealed class CliRun(TextWriter output, TextWriter error, RunSettings sett
             OutputNames.RefuseInputs(path, Inputs);
             OutputNames.RefuseForeign(path, settings.IsForced);
         }
-        return Inputs.Skip(first).Select(i => StandardStreams.IsInput(i) ? Standard.Receive(this) : i).ToArray();
+        return named.Select(i => StandardStreams.IsInput(i) ? Standard.Receive(this) : i).ToArray();
     }
 
     /// <summary>Runs work on this thread until it is done, or cancelled.</summary>

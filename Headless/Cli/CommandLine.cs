@@ -47,7 +47,7 @@ public static class CommandLine
         var run = new CliRun(output, error, common.Read(parsed), cancellation)
         {
             Discard = discard,
-            Line = "./fastpoints " + string.Join(" ", args.Select(Quoted)),
+            Line = "./fastpoints " + string.Join(" ", args.Select(SourcePath.WithoutQuery).Select(Quoted)),
         };
         return Run(chosen, parsed, common, run, error, errorIsTerminal);
     }
@@ -55,7 +55,8 @@ public static class CommandLine
     static List<Verb> AllVerbs() =>
     [
         new DefaultVerb(), new InfoVerb(), new PreviewVerb(), new ConvertVerb(), new VerifyVerb(),
-        new ExportVerb(), new PictureVerb(), new FlyVerb(), new DemoCloudVerb(), new BenchVerb(), new CompletionVerb(),
+        new ExportVerb(), new PictureVerb(), new FlyVerb(), new DemoCloudVerb(), new BenchVerb(), new CacheVerb(),
+        new CompletionVerb(),
     ];
 
     static int ReportUsageError(TextWriter error, Command command, string what)
@@ -156,6 +157,7 @@ public static class CommandLine
         Failure? failure;
         try
         {
+            RemoteAccess.AllowsHttp = run.Settings.AllowsHttp;
             if (common.UseThreads(parsed) is { } note)
                 run.Warn(note);
             if (json != null)

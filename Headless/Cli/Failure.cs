@@ -35,8 +35,8 @@ public sealed class Failure
             case PointCloudException p:
                 bool isAbsent = p.Code is FailureCode.NotFound or FailureCode.AccessDenied;
                 bool isMissingPart = p.Code == FailureCode.NotFound && inputs.Any(i => FolderOf(i) is { } folder
-                    && p.Path.StartsWith(Path.TrimEndingDirectorySeparator(folder) + Path.DirectorySeparatorChar,
-                        StringComparison.Ordinal));
+                    && p.Path.StartsWith(Path.TrimEndingDirectorySeparator(folder)
+                        + (SourcePath.IsRemote(folder) ? '/' : Path.DirectorySeparatorChar), StringComparison.Ordinal));
                 bool isInput = p.IsBadInput || isMissingPart || (isAbsent && inputs.Contains(p.Path));
                 return new Failure
                 {
@@ -63,5 +63,5 @@ public sealed class Failure
     }
 
     static string? FolderOf(string input) => Directory.Exists(input) ? input
-        : Path.GetFileName(input) is "ept.json" or "metadata.json" or "cloud.js" ? Path.GetDirectoryName(input) : null;
+        : SourcePath.NameOf(input) is "ept.json" or "metadata.json" or "cloud.js" ? SourcePath.FolderOf(input) : null;
 }

@@ -137,7 +137,7 @@ public sealed class SamplerReport(PointReader reader, string folder, ConvertSett
 
     void WritePage(List<Built> built)
     {
-        var page = new ReportPage("Samplers: " + Path.GetFileName(reader.Info.Path));
+        var page = new ReportPage("Samplers: " + SourcePath.NameOf(reader.Info.Path));
         page.Paragraph("Built by each sampler and with several spacings (a node's edge by the number given); drawn "
             + "under budgets of points with adaptive sizes, against a picture of all points with 4 times 4 samples a pixel, "
             + "averaged in linear light. FLIP is what an eye sees of the difference, at 67 pixels per degree. All points with "

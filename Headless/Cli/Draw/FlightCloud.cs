@@ -13,7 +13,7 @@ sealed record FlightCloud(PicturePlan Plan, DisplayRanges Ranges, int Number)
     const int PointsToPlanWith = DrawStored.PointsToPlanWith, PxOfDegrees = 3;
 
     internal static FlightCloud Add(string path, StreamContext stream, PictureOptions options, CancellationToken cancellation) =>
-        CloudFolder.IsCloud(path) || !Path.Exists(path) ? AddFolder(path, stream, options, cancellation)
+        CloudFolder.IsCloud(path) || !SourcePath.IsRemote(path) && !Path.Exists(path) ? AddFolder(path, stream, options, cancellation)
             : AddSource(PointReaders.Open(path), stream, options, cancellation);
 
     internal static FlightCloud AddSource(PointReader reader, StreamContext stream, PictureOptions options,

@@ -72,6 +72,12 @@ public sealed class FlightLog
     public double SecondsToFull =>
         FirstFull(0) is var full and >= 0 ? m_frames[full].AtSeconds - m_frames[0].AtSeconds : double.NaN;
 
+    /// <summary>From the command's start, with the time to open the clouds.</summary>
+    public double SecondsTo95 => BeginSeconds + (FirstFull(0) is var full and >= 0 ? m_frames[full].AtSeconds : double.NaN);
+
+    /// <summary>When the first frame began.</summary>
+    public double BeginSeconds { get; set; }
+
     /// <summary>For each cut: frames until nearly all that was selected was drawn (-1 if never), and the bytes that
     /// were copied until then.</summary>
     public IEnumerable<(int Frame, int FramesToFull, long Bytes)> Cuts()

@@ -9,7 +9,7 @@ public sealed class InputResults(IEnumerable<string> inputs)
         public Failure? Failure;
     }
 
-    readonly List<Entry> m_all = inputs.Select(i => new Entry(i)).ToList();
+    readonly List<Entry> m_all = inputs.Select(i => new Entry(SourcePath.WithoutQuery(i))).ToList();
     int m_taken;
 
     public void Take(CliRun run, Func<(Action<Utf8JsonWriter> WriteKeys, PointCounts Points)> work)

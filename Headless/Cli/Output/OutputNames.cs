@@ -71,7 +71,7 @@ static class OutputNames
     {
         RefuseLink(output);
         string written = Real(output);
-        foreach (string input in inputs)
+        foreach (string input in inputs.Where(i => !SourcePath.IsRemote(i)))
         {
             string read = Real(input);
             bool isInside = written.StartsWith(read + Path.DirectorySeparatorChar, s_ofPaths) && IsCloud(written);
@@ -151,11 +151,11 @@ static class OutputNames
         : [new() { Name = reader.Info.Path, FileBytes = reader.Info.FileBytes, HeadHash = reader.Info.HeadHash }];
 
     // Octrees count their bytes while they are read.
-    static bool IsSame(CloudManifest.Source a, CloudManifest.Source b) => Path.GetFileName(a.Name) == Path.GetFileName(b.Name)
-        && (a.FileBytes == b.FileBytes || SourceFolder.IsIndex(Path.GetFileName(b.Name)))
+    static bool IsSame(CloudManifest.Source a, CloudManifest.Source b) => SourcePath.NameOf(a.Name) == SourcePath.NameOf(b.Name)
+        && (a.FileBytes == b.FileBytes || SourceFolder.IsIndex(SourcePath.NameOf(b.Name)))
         && (a.HeadHash == b.HeadHash || a.HeadHash == 0);
 
-    static string Said(List<CloudManifest.Source> sources) => Path.GetFileName(sources[0].Name)
+    static string Said(List<CloudManifest.Source> sources) => SourcePath.NameOf(sources[0].Name)
         + (sources[0].FileBytes > 0 ? " (" + Human.Count(sources[0].FileBytes) + " bytes)" : "")
         + (sources.Count > 1 ? " and " + (sources.Count - 1) + " more" : "");
 
@@ -180,7 +180,7 @@ static class OutputNames
     public static unsafe long MarkOf(PointReader reader)
     {
         string text = string.Join('\n', SourcesOf(reader)
-            .Select(s => $"{Path.GetFileName(s.Name)}|{s.FileBytes}|{s.HeadHash:x}"));
+            .Select(s => $"{SourcePath.NameOf(s.Name)}|{s.FileBytes}|{s.HeadHash:x}"));
         fixed (char* first = text)
             return (long)(ContentHash.Of(first, text.Length * sizeof(char)) % MarkTicks);
     }

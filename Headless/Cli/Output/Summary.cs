@@ -26,6 +26,8 @@ public static class Summary
             json.WriteEndArray();
             run.WriteKeys?.Invoke(json);
             run.Points.WriteKeys(json);
+            if (run.Inputs.Any(SourcePath.IsRemote))
+                WriteRemote(json);
             json.WriteNumber("seconds", Math.Round(run.Seconds, 6));
             json.WriteStartArray("stages");
             foreach (var stage in run.Progress.Finished)
@@ -47,6 +49,14 @@ public static class Summary
             });
         else
             OutputFile.Write(destination, bytes);
+    }
+
+    static void WriteRemote(Utf8JsonWriter json)
+    {
+        json.WriteInteger("requests", RemoteStatistics.Requests);
+        json.WriteInteger("bytesFetched", RemoteStatistics.BytesFetched);
+        json.WriteInteger("bytesUnused", RemoteStatistics.BytesUnused);
+        json.WriteInteger("cacheHits", RemoteStatistics.CacheHits);
     }
 
     public static void WriteFile(string path, Action<Utf8JsonWriter> keys) => OutputFile.Write(path, ToBytes(keys));

@@ -17,7 +17,7 @@ static class FlightPage
             .Select(i => path.CameraAt(i * FramesPerCamera)).ToList();
         var view = ViewCloud.OfFlight(clouds, options, cameras, FramesPerCamera, run);
         run.Progress.End();
-        string name = string.Join(", ", clouds.Select(c => Path.GetFileName(Path.TrimEndingDirectorySeparator(c))));
+        string name = string.Join(", ", clouds.Select(c => SourcePath.NameOf(Path.TrimEndingDirectorySeparator(c))));
         var page = new ReportPage("Flight over " + name, "Made by FastPoints " + CloudPage.Version + " on " + CloudPage.Today);
         page.Tiles(
         [

@@ -18,7 +18,7 @@ public static class ErrorReport
             OutputFile.Write(Path.Combine(folder, "full-" + s_viewNames[view] + ".png"), png);
             pictures.Add((png, "all " + Human.Count(step.PointsInCloud, "point") + ", " + s_viewNames[view]));
         }
-        string cloud = Path.GetFileName(Path.TrimEndingDirectorySeparator(info.Path));
+        string cloud = SourcePath.NameOf(Path.TrimEndingDirectorySeparator(info.Path));
         var page = new ReportPage("Preview of " + cloud + ": error against time");
         page.Facts([
             ("cloud", cloud + ", " + info.Format + ", " + Human.Count(step.PointsInCloud, "point") + ", "

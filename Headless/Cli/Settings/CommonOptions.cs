@@ -1,7 +1,8 @@
 namespace FastPoints.Cli.Settings;
 
 /// <param name="Json">Where the summary goes: a file, - or null.</param>
-public sealed record RunSettings(string? Json = null, bool IsQuiet = false, bool IsForced = false, bool IsStrict = false);
+public sealed record RunSettings(string? Json = null, bool IsQuiet = false, bool IsForced = false, bool IsStrict = false,
+    bool AllowsHttp = false);
 
 public sealed class CommonOptions
 {
@@ -26,6 +27,11 @@ public sealed class CommonOptions
         Description = "End with 4 where a source has fewer points than it claims, anything is odd about it, or no point "
             + "comes out.",
     };
+    readonly Option<bool> m_allowHttp = new("--allow-http")
+    {
+        Description = "Read from http:// too, which anybody on the way can see and change. This machine's own servers need no "
+            + "permission.",
+    };
 
     public CommonOptions(Command root)
     {
@@ -36,10 +42,10 @@ public sealed class CommonOptions
         }
     }
 
-    public IReadOnlyList<Option> All => [m_json, m_threads, m_quiet, m_force, m_strict];
+    public IReadOnlyList<Option> All => [m_json, m_threads, m_quiet, m_force, m_strict, m_allowHttp];
 
     public RunSettings Read(ParseResult parsed) => new(parsed.GetValue(m_json), parsed.GetValue(m_quiet),
-        parsed.GetValue(m_force), parsed.GetValue(m_strict));
+        parsed.GetValue(m_force), parsed.GetValue(m_strict), parsed.GetValue(m_allowHttp));
 
     /// <returns>A note about the number of threads; null if it is as requested.</returns>
     public string? UseThreads(ParseResult parsed) => Threads.Use(parsed.GetValue(m_threads));

@@ -25,11 +25,14 @@ public sealed class ConvertedCloudFacts
         using var folder = CloudFolder.Open(path);
         m_cloud = folder.Manifest;
         StoredFacts.AddTo(m_source, folder);
-        m_bytes = Directory.GetFiles(folder.FolderPath, "*", SearchOption.AllDirectories).Sum(f => new FileInfo(f).Length);
+        m_bytes = SourcePath.IsRemote(path)
+            ? m_cloud.HierarchyBytes + m_cloud.UpperBytes + folder.Chunks.Sum(chunk => chunk.FileBytes)
+            : Directory.GetFiles(folder.FolderPath, "*", SearchOption.AllDirectories).Sum(f => new FileInfo(f).Length);
         var bytesOfPlane = new long[folder.Layout.Planes.Count];
         Take(folder.Upper, bytesOfPlane);
         for (int chunk = 0; chunk < folder.Chunks.Length; chunk++)
         {
+            folder.FetchTablesFrom(chunk);
             using var table = folder.LoadTable(chunk);
             Take(table, bytesOfPlane);
         }

@@ -6,8 +6,10 @@ public static class Hints
     public static string For(PointCloudException failure)
     {
         string path = failure.Path ?? "";
+        if (SourcePath.IsRemote(path))
+            return "";
         if (path.Contains("://", StringComparison.Ordinal))
-            return "; an address is not read: download the file, and name that";
+            return "; an address begins with https:// or http://: download the file, and name that";
         if (failure.Code == FailureCode.Truncated && failure.Message.EndsWith("(an empty file, a pipe or a device)",
             StringComparison.Ordinal))
             return "; a cloud is read in any order: what comes from a pipe is read as -";

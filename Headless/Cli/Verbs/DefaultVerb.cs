@@ -82,7 +82,7 @@ public sealed class DefaultVerb : Verb
         bool keeps = files.Length > 0 || parsed.GetValue(m_keep);
         for (int i = 0; i < clouds.Length; i++)
             Report.Refuse(folders[i], clouds[i][0], run.Settings.IsForced);
-        string command = string.Join(' ', parsed.Tokens.Select(t => CloudPage.Quoted(t.Value)).Prepend("fastpoints"));
+        string command = string.Join(' ', parsed.Tokens.Select(t => CloudPage.Quoted(SourcePath.WithoutQuery(t.Value))).Prepend("fastpoints"));
         var all = new InputResults(clouds.Select(c => c[0]));
         run.WriteKeys = all.WriteKeys;
         var pages = new List<string>();
@@ -172,7 +172,7 @@ public sealed class DefaultVerb : Verb
             if (force || !File.Exists(summary))
                 return;
             string? other = SummaryInput(summary);
-            if (other != Path.GetFullPath(file))
+            if (other != NameIn(file))
                 throw new UsageException(folder + " has the report on " + (other ?? "something else")
                     + ": --output names another folder, --force writes over it");
         }
@@ -195,18 +195,20 @@ public sealed class DefaultVerb : Verb
             OutputFile.MakeFolder(folder);
             if (IsFinished(folder, file))
                 return;
-            Summary.WriteFile(Path.Combine(folder, SummaryName), json => json.WriteString("input", Path.GetFullPath(file)));
+            Summary.WriteFile(Path.Combine(folder, SummaryName), json => json.WriteString("input", NameIn(file)));
         }
 
+        static string NameIn(string file) => SourcePath.WithoutQuery(SourcePath.Full(file));
+
         static bool IsFinished(string folder, string file) => File.Exists(Path.Combine(folder, PageName))
-            && SummaryInput(Path.Combine(folder, SummaryName)) == Path.GetFullPath(file);
+            && SummaryInput(Path.Combine(folder, SummaryName)) == NameIn(file);
 
         /// <summary>Deletes a stopped report, except what existed before, an octree to resume and the
         /// name of its source.</summary>
         public static void Clear(string folder, string file, HashSet<string> before)
         {
             string summary = Path.Combine(folder, SummaryName);
-            if (IsFinished(folder, file) || !File.Exists(summary) || SummaryInput(summary) != Path.GetFullPath(file))
+            if (IsFinished(folder, file) || !File.Exists(summary) || SummaryInput(summary) != NameIn(file))
                 return;
             string cloud = Path.Combine(folder, CloudName.Of(file) + StoreFormat.FolderExtension);
             string[] made = ["preview.png", "picture.png", "gpu.png", "demo.las"];
@@ -235,7 +237,7 @@ public sealed class DefaultVerb : Verb
         public static void WriteSummary(string folder, string file, Action<Utf8JsonWriter> writeKeys, PointCounts account) =>
             Summary.WriteFile(Path.Combine(folder, SummaryName), json =>
             {
-                json.WriteString("input", Path.GetFullPath(file));
+                json.WriteString("input", NameIn(file));
                 writeKeys(json);
                 account.WriteKeys(json);
             });
@@ -292,7 +294,7 @@ public sealed class DefaultVerb : Verb
             run.Out.WriteLine();
             var page = new CloudPage
             {
-                Name = files.Length > 1 ? reader.Info.Path : NameOf(file),
+                Name = files.Length > 1 ? SourcePath.WithoutQuery(reader.Info.Path) : NameOf(file),
                 Command = command,
                 Facts = facts,
                 View = view,
@@ -329,8 +331,8 @@ public sealed class DefaultVerb : Verb
                 : StreamedPictureStep.Run([cloud], options, GpuPoints, run);
         }
 
-        static string NameOf(string file) => Directory.Exists(file) || SourceFolder.IsIndex(Path.GetFileName(file))
-            ? CloudName.Of(file) : Path.GetFileName(file);
+        static string NameOf(string file) => Directory.Exists(file) || SourceFolder.IsIndex(SourcePath.NameOf(file))
+            ? CloudName.Of(file) : SourcePath.NameOf(file);
 
         public void WriteKeys(Utf8JsonWriter json)
         {

@@ -181,7 +181,7 @@ public sealed class FlyVerb : Verb
         var view = views;
         RgbaImage? last = null;
         IoThreads.Prepare(2 * stream.Files.MaxOpenFiles);
-        double begin = run.Seconds;
+        double begin = log.BeginSeconds = run.Seconds;
         for (int frame = 0; frame < frames; frame++)
         {
             run.Cancellation.ThrowIfCancellationRequested();
@@ -236,6 +236,11 @@ public sealed class FlyVerb : Verb
             run.Out.WriteLine($"from frame {frame}: "
                 + (toFull < 0 ? "never 95 % drawn" : $"95 % drawn after {toFull} frames; "
                 + $"its {Human.Bytes(bytes)} need {(bytes + uploadBytes - 1) / uploadBytes}"));
+        if (run.Inputs.Any(SourcePath.IsRemote))
+            run.Out.WriteLine("95 % drawn " + (double.IsNaN(log.SecondsTo95) ? "never" : Ms(log.SecondsTo95) + " s after the start")
+                + "; " + Human.Count(RemoteStatistics.Requests, "request") + " for " + Human.Bytes(RemoteStatistics.BytesFetched)
+                + ", " + Human.Bytes(RemoteStatistics.BytesUnused) + " of it unused; "
+                + Human.Count(RemoteStatistics.CacheHits, "range") + " from this machine's cache");
         run.Out.WriteLine($"ended in {Ms(disposeMs)} ms");
         if (log.Popping is { } popping)
             run.Out.WriteLine("popping: " + popping + (log.PoppingWhenLoaded is { } loaded ? "; once loaded, " + loaded : ""));
@@ -270,6 +275,7 @@ public sealed class FlyVerb : Verb
         json.WriteInteger("bytesRead", log.BytesRead);
         json.WriteInteger("poolBytesPeak", log.PoolBytesPeak);
         json.WriteReal("secondsToFull", log.SecondsToFull);
+        json.WriteReal("secondsTo95", log.SecondsTo95);
         json.WriteStartArray("cuts");
         foreach (var (frame, toFull, bytes) in log.Cuts())
         {

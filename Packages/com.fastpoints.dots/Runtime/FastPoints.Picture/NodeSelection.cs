@@ -76,6 +76,8 @@ namespace FastPoints.Picture
                 do
                 {
                     foreach (var missing in m_selector.Missing)
+                        Folder.IsTableNear(missing.Page - 1);
+                    foreach (var missing in m_selector.Missing)
                         Build(missing.Page - 1, Load(missing.Page - 1));
                     m_selector.Begin();
                     m_selector.Add(0, (HierarchyPage*)m_pages.GetUnsafePtr(), CloudPlacement.Geo(Folder.Manifest.Grid,

@@ -41,8 +41,8 @@ namespace FastPoints.Entities
         /// <summary>Where an editor keeps converted clouds: absolute, or relative to the project.</summary>
         public static string Place { get; set; } = "PointClouds";
 
-        /// <summary>Path of the <c>.fastpoints</c> folder or of another point cloud: absolute, or below the application's
-        /// streaming assets.</summary>
+        /// <summary>Path of the <c>.fastpoints</c> folder or of another point cloud: absolute, below the application's streaming
+        /// assets, or an address of a web server (https).</summary>
         public string Path;
 
         /// <summary>The file or folder that a player streams directly if <see cref="Path"/> does not exist: absolute, or below
@@ -87,7 +87,7 @@ namespace FastPoints.Entities
         /// <summary>The folder's absolute path.</summary>
         public readonly string FullPath => Application.isEditor && !string.IsNullOrEmpty(ProjectPath)
             ? InProject(ProjectPath)
-            : System.IO.Path.Combine(Application.streamingAssetsPath, Path ?? "");
+            : InAssets(Path ?? "");
 
         /// <summary>Absolute paths of what the cloud is made of; empty if unknown.</summary>
         public readonly string[] FullSources()
@@ -95,11 +95,16 @@ namespace FastPoints.Entities
             if (Application.isEditor && !string.IsNullOrEmpty(ProjectPath))
                 return ProjectSources == null ? new string[0] : Array.ConvertAll(ProjectSources, InProject);
             return string.IsNullOrEmpty(PlayerSource) ? new string[0]
-                : new[] { System.IO.Path.Combine(Application.streamingAssetsPath, PlayerSource) };
+                : new[] { InAssets(PlayerSource) };
         }
+
+        static string InAssets(string path) =>
+            SourcePath.IsRemote(path) ? path : System.IO.Path.Combine(Application.streamingAssetsPath, path);
 
         static string InProject(string path)
         {
+            if (SourcePath.IsRemote(path))
+                return path;
             if (path.StartsWith(InPlace, StringComparison.Ordinal))
                 path = System.IO.Path.Combine(Place, path.Substring(InPlace.Length));
             else if (path.StartsWith(OfAsset, StringComparison.Ordinal))

@@ -96,7 +96,7 @@ namespace FastPoints.Entities
             }
             catch (Exception e) when (e is ArgumentException || e is NotSupportedException || e is PathTooLongException)
             {
-                string path = PointCloudPaths.Of(paths).Path;
+                string path = SourcePath.WithoutQuery(PointCloudPaths.Of(paths).Path);
                 live.Error = path + ": " + e.Message;
                 Group.Stream.Report(new StreamFailure(path, -1, "cannot be opened: " + e.Message));
                 return false;

@@ -137,6 +137,9 @@ namespace FastPoints.Build
 
     internal static class BuildIdentity
     {
+        static string VersionOf(string path) => SourcePath.IsRemote(path) ? RemoteFile.Find(path)?.Identity
+            : File.Exists(path) ? NumberText.Of(File.GetLastWriteTimeUtc(path).Ticks) : "0";
+
         /// <summary>Hashes everything that the stored bytes and the temporary files depend on.</summary>
         public static unsafe ulong Of(BuildContext build)
         {
@@ -147,9 +150,8 @@ namespace FastPoints.Build
             foreach (var reader in build.Readers)
             {
                 string path = reader.Info.Path;
-                text.Append(Path.GetFullPath(path)).Append('|').Append(reader.Info.FileBytes).Append('|')
-                    .Append(reader.PointCount)
-                    .Append('|').Append(File.Exists(path) ? File.GetLastWriteTimeUtc(path).Ticks : 0);
+                text.Append(SourcePath.WithoutQuery(SourcePath.Full(path))).Append('|').Append(reader.Info.FileBytes).Append('|')
+                    .Append(reader.PointCount).Append('|').Append(VersionOf(path));
                 if (reader.FilterHash != 0)
                     text.Append('|').Append(reader.FilterHash);
                 text.Append('\n');

@@ -10,6 +10,8 @@ namespace FastPoints.Build
     {
         public const int UpperFile = -1;
 
+        const int TablesAhead = 16;
+
         protected CloudFolder Folder { get; }
         readonly Dictionary<int, NodeTable> m_tables = new Dictionary<int, NodeTable>();
         readonly Dictionary<int, List<int>> m_nodesOfFile = new Dictionary<int, List<int>>();
@@ -51,6 +53,7 @@ namespace FastPoints.Build
                 var (narrowness, file, index) = best;
                 if (index < 0)
                 {
+                    FetchSoon(next);
                     var roots = Load(file).Nodes;
                     for (int root = 0; root < roots.Length && roots[root].Parent < 0; root++)
                         next.Add((narrowness, file, root));
@@ -113,6 +116,19 @@ namespace FastPoints.Build
             foreach (var table in m_tables.Values)
                 table.Dispose();
             m_tables.Clear();
+        }
+
+        // The tables of the chunks that come next, if they are on a web server.
+        void FetchSoon(SortedSet<(float Narrowness, int File, int Node)> next)
+        {
+            int ahead = 0;
+            foreach (var soon in next)
+            {
+                if (ahead++ == TablesAhead)
+                    break;
+                if (soon.Node < 0)
+                    Folder.IsTableNear(soon.File);
+            }
         }
 
         protected NodeTable Load(int chunk)

@@ -131,7 +131,7 @@ namespace FastPoints.Build
 
         static void AddSource(CloudManifest.Source source, CloudManifest manifest)
         {
-            source.Name = Path.GetFileName(source.Name);
+            source.Name = SourcePath.NameOf(source.Name);
             manifest.Sources.Add(source);
         }
     }

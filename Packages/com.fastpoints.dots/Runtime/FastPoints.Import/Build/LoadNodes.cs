@@ -20,6 +20,9 @@ namespace FastPoints.Build
 
         const int PartsInFlight = 4;
 
+        // Those of a web server wait for it, not for a disk.
+        const int RemotePartsInFlight = 24;
+
         /// <summary>The schema of the batch: positions, and those of the wanted attributes that the cloud has.</summary>
         public static PointSchema SchemaFor(CloudFolder folder, params string[] wanted)
         {
@@ -54,9 +57,23 @@ namespace FastPoints.Build
         public static IEnumerator<JobStep> Run(CloudFolder folder, ChosenNodes selection, PointBatch batch,
             StageProgress progress, long maxBytes = MaxBytesPerRead)
         {
+            var fetched = new Queue<(FileLoad Load, int Part, StoreRead Read)>();
             var inFlight = new Queue<(FileLoad Load, int Part, StoreRead Read, JobHandle Decoded)>();
+            int max = folder.RemoteOf(0) != null ? RemotePartsInFlight : PartsInFlight;
             var loads = new List<FileLoad>();
             var decoded = default(JobHandle);
+
+            bool IsAnyDecoding()
+            {
+                while (fetched.Count > 0 && fetched.Peek().Read.IsNear)
+                {
+                    var (load, part, read) = fetched.Dequeue();
+                    decoded = load.Schedule(part, read.Bytes, JobHandle.CombineDependencies(decoded, read.Done));
+                    inFlight.Enqueue((load, part, read, decoded));
+                }
+                return inFlight.Count > 0;
+            }
+
             try
             {
                 int points = 0;
@@ -68,19 +85,23 @@ namespace FastPoints.Build
                     for (int part = 0; part < load.Parts.Count; part++)
                     {
                         StoreRead read = null;
-                        if (inFlight.Count == PartsInFlight)
+                        if (inFlight.Count + fetched.Count == max)
                         {
+                            while (!IsAnyDecoding())
+                                yield return default;
                             yield return inFlight.Peek().Decoded;
                             read = Complete(inFlight, selection, progress);
                         }
                         read ??= new StoreRead();
-                        read.Begin(selection.PathOf(file), load.Parts[part].FirstByte, load.Parts[part].ByteCount);
-                        decoded = load.Schedule(part, read.Bytes, JobHandle.CombineDependencies(decoded, read.Done));
-                        inFlight.Enqueue((load, part, read, decoded));
+                        load.Begin(part, read);
+                        fetched.Enqueue((load, part, read));
+                        IsAnyDecoding();
                     }
                 }
-                while (inFlight.Count > 0)
+                while (inFlight.Count + fetched.Count > 0)
                 {
+                    while (!IsAnyDecoding())
+                        yield return default;
                     yield return inFlight.Peek().Decoded;
                     Complete(inFlight, selection, progress).Dispose();
                 }
@@ -89,6 +110,8 @@ namespace FastPoints.Build
             finally
             {
                 decoded.Complete();
+                foreach (var left in fetched)
+                    left.Read.Dispose();
                 foreach (var left in inFlight)
                     left.Read.Dispose();
                 foreach (var load in loads)
@@ -127,6 +150,7 @@ namespace FastPoints.Build
         {
             readonly ChosenNodes m_selection;
             readonly int m_file;
+            readonly RemoteFile m_remote;
             readonly PointBatch m_batch;
 
             /// <summary>Index among the chosen nodes, in the order of their bytes.</summary>
@@ -144,6 +168,7 @@ namespace FastPoints.Build
             {
                 m_selection = selection;
                 m_file = file;
+                m_remote = folder.RemoteOf(file + 1);
                 m_batch = batch;
                 var planes = new List<int> { StoreLayout.PositionPlane };
                 var shapes = new List<PlaneShape>();
@@ -224,6 +249,23 @@ namespace FastPoints.Build
             public int Points { get; }
 
             public int EndPoint { get; }
+
+            public void Begin(int number, StoreRead read)
+            {
+                var part = Parts[number];
+                if (m_remote == null)
+                {
+                    read.Begin(m_selection.PathOf(m_file), part.FirstByte, part.ByteCount);
+                    return;
+                }
+                // What lies between the planes stays on the server.
+                var pieces = new List<PlaneRange>();
+                int planes = 1 + m_shapes.Length;
+                for (int i = part.FirstNode; i < part.FirstNode + part.NodeCount; i++)
+                    for (int p = 0; p < planes; p++)
+                        pieces.Add(m_ranges[m_nodes[i].FirstRange + p]);
+                read.Begin(m_remote, part.FirstByte, part.ByteCount, pieces);
+            }
 
             public JobHandle Schedule(int number, NativeArray<byte> bytes, JobHandle inputDeps)
             {

@@ -1,4 +1,3 @@
-using System.IO;
 using FastPoints.Reading;
 using FastPoints.Store;
 
@@ -26,10 +25,10 @@ namespace FastPoints.Build
 
         public static void AddTo(SourceInfo info, CloudFolder folder)
         {
-            string path = Path.Combine(folder.FolderPath, StoreFormat.FactsName);
-            if (!File.Exists(path))
+            string path = SourcePath.Combine(folder.FolderPath, StoreFormat.FactsName);
+            if (!StoreFile.TryReadText(path, out string text))
                 return;
-            var json = JsonMembers.Parse(StoreFile.ReadText(path), path);
+            var json = JsonMembers.Parse(text, path);
             info.OnlyInFacts = json.TextOrNull("tell");
             foreach (var fact in json.Objects("facts"))
                 info.Fact(fact.Text("name"), fact.Text("value"));

@@ -195,6 +195,7 @@ namespace FastPoints.E57
         protected override JobHandle Schedule(BlockRange range)
         {
             m_pages.Clear();
+            m_pages.Fetched = TakeFetched();
             var section = m_blocks.SectionOf(range.Block);
             if (section != m_section)
                 PlanSection(section);

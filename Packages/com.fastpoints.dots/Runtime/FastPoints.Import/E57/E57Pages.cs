@@ -204,10 +204,31 @@ namespace FastPoints.E57
             return true;
         }
 
+        public FetchedBytes Fetched { set => m_read.Fetched = value; }
+
+        // Whether Begin may be called.
+        public bool IsFetched
+        {
+            get
+            {
+                if (!m_file.Handle.IsRemote)
+                    return true;
+                SetCommands();
+                return m_read.AreFetched(m_file.Handle.Path, ExtentCount);
+            }
+        }
+
         public JobHandle Begin()
         {
             if (Pages == 0)
                 return default;
+            SetCommands();
+            var read = m_read.Begin(m_file.Handle, ExtentCount);
+            return CheckE57PagesJob.Schedule(m_file.Crc.Table, Buffer, m_isDamaged, Pages, read);
+        }
+
+        void SetCommands()
+        {
             byte* buffer = (byte*)Buffer.GetUnsafePtr();
             var commands = m_read.Commands;
             for (int i = 0; i < ExtentCount; i++)
@@ -217,8 +238,6 @@ namespace FastPoints.E57
                     Offset = m_extents[i].FirstPage * E57Pages.PageBytes,
                     Size = (long)m_extents[i].Pages * E57Pages.PageBytes,
                 };
-            var read = m_read.Begin(m_file.Handle, ExtentCount);
-            return CheckE57PagesJob.Schedule(m_file.Crc.Table, Buffer, m_isDamaged, Pages, read);
         }
 
         public void End() => m_read.End();

@@ -86,6 +86,23 @@ namespace FastPoints.E57
 
         public override IEnumerator<JobStep> FindBlocks() => m_blocks.Find();
 
+        // Of all fields.
+        internal override void ListPieces(BlockRange range, List<FilePiece> pieces)
+        {
+            var section = m_blocks.SectionOf(range.Block);
+            long first = (long)(range.Block - section.FirstBlock) * section.BlockPoints + range.First;
+            var firstPages = new long[E57Scan.MaxFields];
+            var endPages = new long[E57Scan.MaxFields];
+            int count = section.PagesOf(first, first + range.Count, null, firstPages, endPages);
+            for (int i = 0; i < count; i++)
+                pieces.Add(new FilePiece
+                {
+                    Path = Info.Path,
+                    OffsetBytes = firstPages[i] * E57Pages.PageBytes,
+                    LengthBytes = (endPages[i] - firstPages[i]) * E57Pages.PageBytes,
+                });
+        }
+
         public override BlockRead CreateRead(PointSchema wanted, int capacity, Allocator allocator) =>
             new E57BlockRead(this, m_blocks, wanted, capacity, allocator);
 

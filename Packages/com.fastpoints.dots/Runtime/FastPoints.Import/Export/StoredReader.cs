@@ -30,11 +30,12 @@ namespace FastPoints.Export
         {
             var folder = m_folder;
             m_tables.Add(folder.Upper);
-            m_paths.Add(Path.GetFullPath(folder.UpperPath));
+            m_paths.Add(SourcePath.Full(folder.UpperPath));
             for (int chunk = 0; chunk < folder.Chunks.Length; chunk++)
             {
+                folder.FetchTablesFrom(chunk);
                 m_tables.Add(folder.LoadTable(chunk));
-                m_paths.Add(Path.GetFullPath(folder.ChunkPath(chunk)));
+                m_paths.Add(SourcePath.Full(folder.ChunkPath(chunk)));
             }
             long first = 0;
             for (int file = 0; file < m_tables.Count; file++)
@@ -85,7 +86,7 @@ namespace FastPoints.Export
 
         public CloudManifest Manifest => m_folder.Manifest;
 
-        public string RecordsPath => Path.Combine(m_folder.FolderPath, StoreFormat.RecordsName);
+        public string RecordsPath => SourcePath.Combine(m_folder.FolderPath, StoreFormat.RecordsName);
 
         public override int BlockCount => m_blocks.Count;
 

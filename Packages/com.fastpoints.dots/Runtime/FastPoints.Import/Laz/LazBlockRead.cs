@@ -201,7 +201,8 @@ namespace FastPoints.Laz
             // Streams of layers are offsets in the input, which is the same for every range that continues another.
             long inputPoints = m_format.IsLayered && m_keepsStates ? block.FirstInChunk + block.Points : skip + range.Count;
             // Blocks may be found after the slot was made: pages of a hierarchy are read as they are wanted.
-            File.Reserve(Math.Min(block.EndOffset - start, m_blocks.MaxInputBytes(inputPoints)) + ExtraPadding);
+            File.Reserve((IsWholeChunk ? block.EndOffset - start
+                : Math.Min(block.EndOffset - start, m_blocks.MaxInputBytes(inputPoints))) + ExtraPadding);
             var decode = new DecodeLazJob
             {
                 Input = File.Buffer,
@@ -227,6 +228,9 @@ namespace FastPoints.Laz
             return Schedule(decode, JobHandle.CombineDependencies(read, m_copied));
         }
 
+        // A second request would cost more than the bytes saved.
+        bool IsWholeChunk => m_format.IsLayered && m_blocks.File.IsRemote;
+
         JobHandle Read(LazBlock block, long start, ref DecodeLazJob decode)
         {
             long bytes = block.EndOffset - start;
@@ -238,7 +242,7 @@ namespace FastPoints.Laz
                 return Read(start, Math.Min(bytes, max));
             }
             bool isWhole = block.IsToEnd && decode.InputPoints == block.FirstInChunk + block.Points;
-            if (bytes <= SmallChunkBytes || m_needsAllLayers && isWhole && bytes <= max)
+            if (bytes <= SmallChunkBytes || IsWholeChunk || m_needsAllLayers && isWhole && bytes <= max)
                 return Read(start, bytes);
 
             decode.HasAllLayers = false;

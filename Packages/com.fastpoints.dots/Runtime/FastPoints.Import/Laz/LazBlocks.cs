@@ -108,6 +108,18 @@ namespace FastPoints.Laz
             ? LazLayer.MaxInputBytes(Format.Layers, Format.RecordBytes, points)
             : PointwiseChunk.MaxInputBytes(Format.Items, Format.RecordBytes, points);
 
+        // What a range takes of a remote file: where a chunk's layers are is only known when it is here.
+        public FilePiece PieceOf(BlockRange range)
+        {
+            var block = this[range.Block];
+            var checkpoint = CheckpointOf(block);
+            long start = checkpoint?.FileOffset ?? Chunks[block.Chunk].Offset, bytes = block.EndOffset - start;
+            if (!Format.IsLayered)
+                bytes = Math.Min(bytes,
+                    MaxInputBytes(block.FirstInChunk - (checkpoint?.Point ?? 0) + range.First + range.Count));
+            return new FilePiece { Path = Info.Path, OffsetBytes = start, LengthBytes = bytes };
+        }
+
         public void WarnBroken(BlockRange range, DecodeResult result)
         {
             if (!m_reportedBlocks.Add(range.Block))

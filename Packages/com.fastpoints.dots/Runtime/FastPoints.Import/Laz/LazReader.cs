@@ -199,6 +199,8 @@ namespace FastPoints.Laz
             return Math.Min(chunk.Bytes, (long)(ofBlock * ((range.First + range.Count) / (double)Math.Max(1, block.Points))));
         }
 
+        internal override void ListPieces(BlockRange range, List<FilePiece> pieces) => pieces.Add(Blocks.PieceOf(range));
+
         public override BlockRead CreateRead(PointSchema wanted, int capacity, Allocator allocator) =>
             new LazBlockRead(this, Blocks, wanted, capacity, allocator);
 

@@ -180,6 +180,8 @@ namespace FastPoints.Laz
             int firstCheckpoint = m_checkpoints.Count;
             while (stream.Point < points && !stream.IsStopped)
             {
+                while (stream.NeedsInput && !stream.IsFetched)
+                    yield return default;
                 if (stream.NeedsInput)
                     yield return stream.BeginRead();
                 stream.EndRead();

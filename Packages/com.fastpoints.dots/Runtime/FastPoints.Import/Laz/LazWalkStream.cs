@@ -64,10 +64,15 @@ namespace FastPoints.Laz
             IsStopped = false;
         }
 
+        long NextWindowEnd => Math.Min(m_inputEnd, FileOffset + m_windowBytes);
+
+        // Whether BeginRead may be called.
+        public bool IsFetched => m_read.IsFetched(m_file.Path, FileOffset, NextWindowEnd - FileOffset);
+
         public JobHandle BeginRead()
         {
             m_windowStart = FileOffset;
-            m_windowEnd = Math.Min(m_inputEnd, FileOffset + m_windowBytes);
+            m_windowEnd = NextWindowEnd;
             return m_read.Begin(m_file, m_windowStart, (int)(m_windowEnd - m_windowStart));
         }
 

@@ -91,7 +91,7 @@ namespace FastPoints.Ply
     sealed class PlyRead : SlotRead
     {
         // The last line may extend this many bytes behind its block.
-        const int MaxLineBytes = 64 << 10;
+        public const int MaxLineBytes = 64 << 10;
 
         readonly PointReader m_reader;
         readonly PlyFile m_ply;

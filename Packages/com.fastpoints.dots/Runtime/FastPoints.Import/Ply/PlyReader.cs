@@ -159,6 +159,8 @@ namespace FastPoints.Ply
             m_ply.ForgetBroken();
         }
 
+        private protected override int BytesBehindBlock => PlyRead.MaxLineBytes;
+
         public override BlockRead CreateRead(PointSchema wanted, int capacity, Allocator allocator) =>
             new PlyRead(this, m_ply, Blocks, wanted, capacity, allocator);
 

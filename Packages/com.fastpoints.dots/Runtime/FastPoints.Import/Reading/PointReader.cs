@@ -60,6 +60,22 @@ namespace FastPoints.Reading
         /// <summary>Bytes of the file that reading a range takes (an estimate if the format does not say).</summary>
         public abstract long BytesOfRange(BlockRange range);
 
+        // Whether its bytes come from a web server: then they are fetched before a slot's Begin, which would wait otherwise.
+        internal virtual bool IsRemote => SourcePath.IsRemote(Info.Path);
+
+        // A smaller remote file is soon here, and read like one of this machine's.
+        const long MaxReadWhole = 16 << 20;
+
+        // Of a large remote file each range costs a request: samples then have few and long ones.
+        internal bool TakesFewRanges => IsRemote && Info.FileBytes > MaxReadWhole;
+
+        // Adds what reading a range takes of remote files; a piece of negative length is its whole file.
+        internal virtual void ListPieces(BlockRange range, List<FilePiece> pieces) { }
+
+        // The ranges from first to before end, fetched ahead; null for local files.
+        internal ReadAhead AheadOf(int first, int end, Func<int, BlockRange> rangeOf) =>
+            IsRemote ? new ReadAhead(first, end, (n, pieces) => ListPieces(rangeOf(n), pieces)) : null;
+
         /// <summary>Whether a range costs what it holds, wherever it lies in its block. Otherwise only prefixes are
         /// cheap.</summary>
         public virtual bool HasFixedStride => false;

@@ -32,19 +32,25 @@ namespace FastPoints.Reading
     }
 
     // A file whose header is being read: small managed reads at any offset, never beyond the file's real size. The stream is
-    // open between the first read and Dispose; a later read opens it again. AsyncReadManager reads the points instead.
+    // open between the first read and Dispose; a later read opens it again. AsyncReadManager reads the points instead. Remote
+    // files are read a window at a time, which waits: not on an editor's or a player's main thread.
     internal sealed class RandomAccessFile : IDisposable
     {
         const int StreamBufferBytes = 16 * 1024;
+        const int WindowBytes = 64 << 10;
 
         internal const long NoSuchFile = -1;
 
+        readonly RemoteFile m_remote;
         FileStream m_stream;
+        byte[] m_window = Array.Empty<byte>();
+        long m_windowOffset;
 
-        RandomAccessFile(string path, long length)
+        RandomAccessFile(string path, long length, RemoteFile remote = null)
         {
             Path = path;
             Length = length;
+            m_remote = remote;
         }
 
         public string Path { get; }
@@ -55,6 +61,8 @@ namespace FastPoints.Reading
         {
             if (string.IsNullOrEmpty(path))
                 throw new PointCloudException(FailureCode.NotFound, "(no path)", -1, "no file was named");
+            if (SourcePath.IsRemote(path))
+                return OfRemote(path);
             try
             {
                 if (Directory.Exists(path))
@@ -66,8 +74,7 @@ namespace FastPoints.Reading
                     throw new PointCloudException(FailureCode.NotFound, path, -1, "no such file");
                 long length = LengthOf(info);
                 if (length == 0)
-                    throw new PointCloudException(FailureCode.Truncated, path, -1,
-                        "wanted a point cloud, got 0 bytes (an empty file, a pipe or a device)");
+                    throw Empty(path, " (an empty file, a pipe or a device)");
                 var source = new RandomAccessFile(path, length);
                 source.Stream();
                 return source;
@@ -78,16 +85,39 @@ namespace FastPoints.Reading
             }
         }
 
+        static RandomAccessFile OfRemote(string address)
+        {
+            var remote = RemoteFile.Open(address);
+            return remote.Length > 0 ? new RandomAccessFile(address, remote.Length, remote) : throw Empty(address, "");
+        }
+
+        static PointCloudException Empty(string path, string kind) =>
+            new PointCloudException(FailureCode.Truncated, path, -1, "wanted a point cloud, got 0 bytes" + kind);
+
         internal static long LengthOf(string path)
         {
             if (path == null)
                 return NoSuchFile;
+            if (SourcePath.IsRemote(path))
+                return LengthOfRemote(path);
             try
             {
                 var file = new FileInfo(path);
                 return file.Exists ? LengthOf(file) : NoSuchFile;
             }
             catch (Exception e) when (FileFailures.IsFileFailure(e))
+            {
+                return NoSuchFile;
+            }
+        }
+
+        static long LengthOfRemote(string address)
+        {
+            try
+            {
+                return RemoteFile.Open(address).Length;
+            }
+            catch (PointCloudException e) when (e.Code == FailureCode.NotFound)
             {
                 return NoSuchFile;
             }
@@ -132,6 +162,11 @@ namespace FastPoints.Reading
 
         void ReadInto(byte[] bytes, long offset, int count)
         {
+            if (m_remote != null)
+            {
+                ReadRemote(offset, new Span<byte>(bytes, 0, count));
+                return;
+            }
             int got = 0;
             try
             {
@@ -153,10 +188,29 @@ namespace FastPoints.Reading
             }
         }
 
+        // The file's beginning came with opening it.
+        void ReadRemote(long offset, Span<byte> into)
+        {
+            if (into.Length > WindowBytes || offset + into.Length <= RemoteFile.HeadBytes)
+            {
+                m_remote.Read(offset, into);
+                return;
+            }
+            if (offset < m_windowOffset || offset + into.Length > m_windowOffset + m_window.Length)
+            {
+                // A table at the file's end is read from its end as well as from its start.
+                m_windowOffset = Math.Min(offset, Math.Max(0, Length - WindowBytes));
+                m_window = new byte[(int)Math.Min(WindowBytes, Length - m_windowOffset)];
+                m_remote.Read(m_windowOffset, m_window);
+            }
+            new ReadOnlySpan<byte>(m_window, (int)(offset - m_windowOffset), into.Length).CopyTo(into);
+        }
+
         public void Dispose()
         {
             m_stream?.Dispose();
             m_stream = null;
+            m_window = Array.Empty<byte>();
         }
 
         FileStream Stream() => m_stream ??= FileChanges.OpenToRead(Path, StreamBufferBytes);

@@ -59,10 +59,15 @@ namespace FastPoints.Reading
         /// the index in it.</summary>
         public static string Of(string path)
         {
-            string full = Path.GetFullPath(path).TrimEnd(Path.DirectorySeparatorChar, Path.AltDirectorySeparatorChar);
-            if (SourceFolder.IsIndex(Path.GetFileName(full)))
-                full = Path.GetDirectoryName(full) ?? full;
-            string name = Directory.Exists(full) ? Path.GetFileName(full) : Path.GetFileNameWithoutExtension(full);
+            bool isRemote = SourcePath.IsRemote(path);
+            string full = isRemote ? path
+                : Path.GetFullPath(path).TrimEnd(Path.DirectorySeparatorChar, Path.AltDirectorySeparatorChar);
+            bool isIndex = SourceFolder.IsIndex(SourcePath.NameOf(full));
+            if (isIndex)
+                full = SourcePath.FolderOf(full) ?? full;
+            string name = SourcePath.NameOf(full);
+            if (isRemote ? !isIndex : !Directory.Exists(full))
+                name = Path.GetFileNameWithoutExtension(name);
             return name.Length > 0 ? name : "cloud";
         }
     }

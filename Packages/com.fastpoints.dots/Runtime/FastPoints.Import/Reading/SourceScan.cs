@@ -52,8 +52,7 @@ namespace FastPoints.Reading
             InFlightLimit limit, int chains, StageProgress progress)
         {
             using var slots = new ReadSlots(ranges.Reader, wanted, ranges.Longest, limit, chains);
-            yield return JobStep.Of(slots.Run(consumer, ranges.First, ranges.End,
-                (read, n) => read.Begin(ranges.RangeOf(n)), progress));
+            yield return JobStep.Of(slots.Run(consumer, ranges, (read, n) => read.Begin(ranges.RangeOf(n)), progress));
             yield return JobStep.Of(slots.Free());
         }
     }
@@ -128,9 +127,11 @@ namespace FastPoints.Reading
             return m_keepsStates = m_reads[0].TryKeepStates();
         }
 
-        public IEnumerator<JobStep> Run(IBlockConsumer consumer, int first, int end, Action<BlockRead, int> begin,
+        public IEnumerator<JobStep> Run(IBlockConsumer consumer, ScanRanges ranges, Action<BlockRead, int> begin,
             StageProgress progress)
         {
+            int first = ranges.First, end = ranges.End;
+            using var ahead = m_reader.AheadOf(first, end, ranges.RangeOf);
             long pointsDone = 0, bytesDone = 0;
             var throttle = consumer as IThrottledConsumer;
             var newest = default(JobHandle);
@@ -153,7 +154,7 @@ namespace FastPoints.Reading
                     progress?.Report((next - first - m_inFlight.Count) / (double)(end - first), pointsDone, bytesDone);
                     continue;
                 }
-                while (throttle != null && !throttle.IsReady)
+                while (throttle != null && !throttle.IsReady || ahead != null && !ahead.IsNear)
                     yield return default;
                 if (m_spare.Count == 0)
                 {
@@ -164,6 +165,7 @@ namespace FastPoints.Reading
                 int slot = m_spare.Pop();
                 if (m_last.Length > 0)
                     m_reads[slot].Dependency = m_last[next % m_last.Length];
+                m_reads[slot].Fetched = ahead?.Take();
                 begin(m_reads[slot], next);
                 m_consumed[slot] = newest = consumer.Schedule(m_reads[slot], slot, m_reads[slot].Decoded);
                 if (m_last.Length > 0)
@@ -236,7 +238,8 @@ namespace FastPoints.Reading
             return oldest;
         }
 
-        public static IEnumerator<JobStep> Run(int slots, int things, Func<int, int, JobHandle> begin, Action<int> end)
+        public static IEnumerator<JobStep> Run(int slots, int things, Func<int, int, JobHandle> begin, Action<int> end,
+            ReadAhead ahead = null)
         {
             var ring = new SlotRing(slots);
             var handles = new JobHandle[slots];
@@ -244,6 +247,8 @@ namespace FastPoints.Reading
             {
                 if (next < things && !ring.IsFull)
                 {
+                    while (ahead != null && !ahead.IsNear)
+                        yield return default;
                     int slot = ring.Begin();
                     handles[slot] = begin(slot, next++);
                     continue;

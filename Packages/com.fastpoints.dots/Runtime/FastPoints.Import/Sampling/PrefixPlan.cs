@@ -16,15 +16,26 @@ namespace FastPoints.Sampling
         readonly PointReader m_reader;
         readonly SampleOrder m_order;
 
+        /// <summary>Of a remote source each block costs a request: as many, if each has its share of a large sample.</summary>
+        public const int RemoteBlocks = 160;
+
+        /// <summary>What each block of a large remote source gives, once; 0 for others.</summary>
+        readonly int m_pointsPerBlock;
+
+        /// <summary>The next block in the order.</summary>
+        int m_next;
+
         /// <summary>Points taken so far, for the few among millions of blocks that have any taken.</summary>
         readonly Dictionary<int, int> m_taken = new Dictionary<int, int>();
 
         /// <summary>Blocks of each level of the source's own octree, or null.</summary>
         readonly List<List<int>> m_levels;
 
-        public PrefixPlan(PointReader reader, uint seed)
+        /// <param name="wanted">Points of the last wave.</param>
+        public PrefixPlan(PointReader reader, int wanted, uint seed)
         {
             m_reader = reader;
+            m_pointsPerBlock = reader.TakesFewRanges ? Math.Max(MinPoints, (wanted + RemoteBlocks - 1) / RemoteBlocks) : 0;
             m_order = new SampleOrder(Math.Max(1, reader.BlockCount), seed);
             if (reader.Tree == null)
                 return;
@@ -46,6 +57,11 @@ namespace FastPoints.Sampling
         public List<Prefix> Next(int wanted)
         {
             var prefixes = new List<Prefix>();
+            if (m_levels == null && m_pointsPerBlock > 0)
+            {
+                TakeRemote(wanted, prefixes);
+                return prefixes;
+            }
             if (m_levels == null)
             {
                 Take(Choose(wanted), wanted, wanted, prefixes);
@@ -87,6 +103,23 @@ namespace FastPoints.Sampling
             }
         }
 
+        /// <summary>No block is read twice: each wave has other ones, spread over the source.</summary>
+        void TakeRemote(int wanted, List<Prefix> prefixes)
+        {
+            for (; Taken < wanted && m_next < Math.Max(m_order.Length, m_reader.BlockCount); m_next++)
+            {
+                int block = IsSpread ? m_next : m_order.StratumAt(m_next);
+                if (block < 0 || block >= m_reader.BlockCount)
+                    continue;
+                int count = Math.Min(Math.Min(m_pointsPerBlock, m_reader.PointsInBlock(block)), wanted - Taken);
+                prefixes.Add(new Prefix { Block = block, Count = count, FirstEntry = Taken });
+                Taken += count;
+            }
+        }
+
+        /// <summary>Blocks at random offsets are spread already.</summary>
+        bool IsSpread => m_reader is LineReader && !m_reader.BlocksAreKnown;
+
         long PointsOf(List<int> blocks)
         {
             long points = 0;
@@ -105,14 +138,12 @@ namespace FastPoints.Sampling
         {
             var blocks = new List<int>();
             long points = 0;
-            // Blocks at random offsets are spread already.
-            bool isSpread = m_reader is LineReader && !m_reader.BlocksAreKnown;
-            int count = isSpread ? m_reader.BlockCount : m_order.Length;
+            int count = IsSpread ? m_reader.BlockCount : m_order.Length;
             for (int index = 0; index < count; index++)
             {
                 if (blocks.Count > wanted / MinPoints && points >= wanted)
                     break;
-                int block = isSpread ? index : m_order.StratumAt(index);
+                int block = IsSpread ? index : m_order.StratumAt(index);
                 if (block < 0 || block >= m_reader.BlockCount)
                     continue;
                 blocks.Add(block);

@@ -31,16 +31,17 @@ namespace FastPoints.Sampling
             : base(reader, reader is LineReader && !reader.BlocksAreKnown ? wanted : (int)Math.Min(wanted, reader.PointCount),
                 reader.Tree == null ? "prefixes of blocks, in waves" : "levels of its octree, in waves")
         {
-            m_plan = new PrefixPlan(reader, seed);
+            m_plan = new PrefixPlan(reader, wanted, seed);
         }
 
         /// <summary>Coroutine: finds as many as the wave is spread over, and more if these have too few points.</summary>
         IEnumerator<JobStep> FindPrefixes(int wanted)
         {
+            int max = Reader.TakesFewRanges ? PrefixPlan.RemoteBlocks : LineReader.MaxPrefixes;
             for (long count = wanted / PrefixPlan.MinPoints + 1L; ; count *= 2)
             {
-                yield return JobStep.Of(((LineReader)Reader).FindPrefixes((int)Math.Min(count, LineReader.MaxPrefixes)));
-                if (Reader.PointCount >= wanted || count >= LineReader.MaxPrefixes)
+                yield return JobStep.Of(((LineReader)Reader).FindPrefixes((int)Math.Min(count, max)));
+                if (Reader.PointCount >= wanted || count >= max)
                     break;
             }
         }
@@ -59,10 +60,11 @@ namespace FastPoints.Sampling
             m_progress = progress;
             m_slots = new ReadSlots(Reader, Buffer.Points.Schema, longest,
                 LimitFor(Reader, Buffer.Points.Schema, slots, first), 0);
-            yield return JobStep.Of(m_slots.Run(this, 0, prefixes.Count, (read, n) =>
+            var ranges = prefixes.ConvertAll(prefix => new BlockRange(prefix.Block, prefix.First, prefix.Count));
+            yield return JobStep.Of(m_slots.Run(this, ScanRanges.Of(Reader, ranges, longest), (read, n) =>
             {
                 m_begun = prefixes[n];
-                read.Begin(new BlockRange(m_begun.Block, m_begun.First, m_begun.Count));
+                read.Begin(ranges[n]);
             }, null));
             // The next wave has prefixes of another length, and needs other slots.
             yield return JobStep.Of(m_slots.Free());

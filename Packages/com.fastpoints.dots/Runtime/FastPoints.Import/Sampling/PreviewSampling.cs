@@ -32,6 +32,8 @@ namespace FastPoints.Sampling
         /// belongs to the wave only until the work's next step.</summary>
         public event Action<PreviewSample, SampleWave> WaveReady;
 
+        bool IsQuick => m_options.Quick || m_reader.TakesFewRanges;
+
         public PreviewSample Sample { get; private set; }
 
         /// <summary>When each sample was ready, coarse to fine; the last one is <see cref="Sample"/>.</summary>
@@ -46,10 +48,10 @@ namespace FastPoints.Sampling
             if (m_reader is IPrefixSource { HasPrefixes: true } && !m_options.Exact)
             {
                 yield return JobStep.Of(TakePrefixes(progress));
-                if (!m_options.Quick && Sample.IsOfPrefix)
+                if (!IsQuick && Sample.IsOfPrefix)
                     Drop();
             }
-            if (Sample == null || !m_options.Quick && !Sample.IsWhole)
+            if (Sample == null || !IsQuick && !Sample.IsWhole)
             {
                 yield return JobStep.Of(FindBlocks(progress));
                 progress?.Begin("sample");
@@ -62,7 +64,7 @@ namespace FastPoints.Sampling
 
         (long Bytes, DateTime WrittenUtc) FileNow()
         {
-            var file = m_reader.Info.Path == null ? null : new FileInfo(m_reader.Info.Path);
+            var file = m_reader.Info.Path == null || m_reader.IsRemote ? null : new FileInfo(m_reader.Info.Path);
             return file != null && file.Exists ? (file.Length, file.LastWriteTimeUtc) : default;
         }
 
@@ -95,7 +97,7 @@ namespace FastPoints.Sampling
 
         IEnumerator<JobStep> TakeWaves(StageProgress progress)
         {
-            bool refines = !m_options.Quick && Refines(m_reader);
+            bool refines = !IsQuick && Refines(m_reader);
             int wanted = refines ? RefiningSampler.PointsBefore(m_reader, m_options.Points) : m_options.Points;
             if (Sample == null)
                 yield return JobStep.Of(Take(wanted, progress));
@@ -145,7 +147,7 @@ namespace FastPoints.Sampling
             if (m_reader is LineReader)
             {
                 Sample.Method = "lines of stretches all over the file";
-                if (m_options.Quick && estimate.StandardError > 0)
+                if (IsQuick && estimate.StandardError > 0)
                     m_reader.Info.Warn(0, "the lines were not counted: "
                         + estimate.Points.ToString("N0", CultureInfo.InvariantCulture)
                         + " is an estimate with a standard error of "
@@ -154,7 +156,7 @@ namespace FastPoints.Sampling
             if (!Sample.IsOfPrefix)
                 yield break;
             Sample.Method = "the file's beginning alone";
-            if (m_options.Quick)
+            if (IsQuick)
                 m_reader.Info.Warn(0, "where the points lie is not known before all are decoded: the sample is of the file's "
                     + "beginning alone, " + (100 * Sample.Share).ToString("0.##", CultureInfo.InvariantCulture)
                     + " % of the points, and shows nothing of the rest");

@@ -22,6 +22,9 @@ namespace FastPoints.Sampling
 
         const int MaxSpanPoints = 256;
 
+        /// <summary>At least, of a remote file if a sample is large: as many requests.</summary>
+        const int RemoteRanges = 320;
+
         readonly SampleStrata m_strata;
         readonly SampleStrata m_entries;
         readonly int m_spanPoints;
@@ -29,10 +32,20 @@ namespace FastPoints.Sampling
         public readonly SampleOrder Order;
 
         public RangePlan(long points, int wanted, int recordBytes, uint seed, int pointsPerRange = PointsPerDefaultRange)
+            : this(points, wanted, seed, pointsPerRange, Math.Max(pointsPerRange, Math.Min(MaxSpanPoints, SpanBytes
+                / Math.Max(1, recordBytes)) * Math.Max(1, pointsPerRange / PointsPerDefaultRange))) { }
+
+        /// <summary>For files of which each range costs a request: few, whose points follow each other.</summary>
+        public static RangePlan OfRemote(long points, int wanted, uint seed)
+        {
+            int pointsPerRange = Math.Max(PointsPerDefaultRange, wanted / RemoteRanges);
+            return new RangePlan(points, wanted, seed, pointsPerRange, pointsPerRange);
+        }
+
+        RangePlan(long points, int wanted, uint seed, int pointsPerRange, int spanPoints)
         {
             wanted = (int)Math.Min(points, Math.Max(0, wanted));
-            int times = Math.Max(1, pointsPerRange / PointsPerDefaultRange);
-            m_spanPoints = Math.Max(pointsPerRange, Math.Min(MaxSpanPoints, SpanBytes / Math.Max(1, recordBytes)) * times);
+            m_spanPoints = spanPoints;
             long ranges = Math.Min((wanted + pointsPerRange - 1L) / pointsPerRange, Math.Max(1, points / m_spanPoints));
             m_strata = new SampleStrata(points, (int)ranges, seed);
             // With all points, the longest stratum must fit at any rank.

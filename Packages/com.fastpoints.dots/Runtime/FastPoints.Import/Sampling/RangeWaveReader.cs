@@ -17,6 +17,9 @@ namespace FastPoints.Sampling
         /// as long to begin as any others.</summary>
         const int MaxRangesPerRequest = 1536, MinRangesPerRequest = 16;
 
+        /// <summary>Of a remote file: what is fetched waits elsewhere.</summary>
+        const int RemoteSlots = 8, RangesPerFetch = 128;
+
         /// <summary>Ranges in one slice of planning them: about 2 ms of managed code.</summary>
         const int RangesPerSlice = 1 << 14;
 
@@ -45,7 +48,8 @@ namespace FastPoints.Sampling
         long m_waveEnded;
 
         public RangeWaveReader(PointReader reader, int wanted, uint seed)
-            : this(reader, wanted, seed, new RangePlan(reader.PointCount, wanted, reader.Info.RecordBytes, seed)) { }
+            : this(reader, wanted, seed, reader.TakesFewRanges ? RangePlan.OfRemote(reader.PointCount, wanted, seed)
+                : new RangePlan(reader.PointCount, wanted, reader.Info.RecordBytes, seed)) { }
 
         RangeWaveReader(PointReader reader, int wanted, uint seed, RangePlan plan)
             : base(reader, plan.EntryCount,
@@ -61,7 +65,7 @@ namespace FastPoints.Sampling
             if (m_reads == null)
             {
                 yield return JobStep.Of(Try());
-                Allocate(slots < 1 ? m_pace.Slots : slots);
+                Allocate(slots > 0 ? slots : Reader.IsRemote ? RemoteSlots : m_pace.Slots);
             }
             int end = m_plan.RangesFor(wanted);
             if (end == m_endRank)
@@ -85,7 +89,7 @@ namespace FastPoints.Sampling
         IEnumerator<JobStep> Try()
         {
             m_gapBytes = m_pace.GapBytes(0);
-            if (m_plan.RangeCount < ReadPace.TrialReads || m_plan.EntryCount >= Reader.PointCount)
+            if (Reader.IsRemote || m_plan.RangeCount < ReadPace.TrialReads || m_plan.EntryCount >= Reader.PointCount)
                 yield break;
             m_reads = new StridedRead[ReadPace.TrialReads];
             m_ranges = new NativeList<StridedRange>(Allocator.Persistent);
@@ -161,8 +165,11 @@ namespace FastPoints.Sampling
         IEnumerator<JobStep> BeginReads()
         {
             var ranges = m_ranges.AsArray();
-            int max = m_pace.RangesPerRequest(ranges.Length, m_reads.Length, MinRangesPerRequest, MaxRangesPerRequest);
-            int slotBytes = Math.Max(SlotBytes, m_plan.MaxSegmentPoints * Reader.Info.RecordBytes);
+            int max = !Reader.IsRemote
+                ? m_pace.RangesPerRequest(ranges.Length, m_reads.Length, MinRangesPerRequest, MaxRangesPerRequest)
+                : Reader.TakesFewRanges ? 1 : RangesPerFetch;
+            int slotBytes = Math.Max(SlotBytes, m_plan.MaxSegmentPoints * Reader.Info.RecordBytes * (Reader.IsRemote ? max : 1));
+            using var ahead = ((RecordReader)Reader).AheadOf(ranges, max);
             m_waveBegun = m_waveEnded = ReadClock.Now;
             m_segments = 0;
             for (int next = 0; next < ranges.Length;)
@@ -173,9 +180,12 @@ namespace FastPoints.Sampling
                     EndRead();
                     continue;
                 }
+                while (ahead != null && !ahead.IsNear)
+                    yield return default;
                 int slot = m_ring.Begin();
                 var read = m_reads[slot] ??= ((RecordReader)Reader).CreateStridedRead(Buffer.Points, MaxRangesPerRequest,
                     slotBytes, Allocator.Persistent);
+                read.Fetched = ahead?.Take();
                 next += read.Begin(ranges, next, max, m_gapBytes);
                 Filling = JobHandle.CombineDependencies(Filling, read.Decoded);
                 JobHandle.ScheduleBatchedJobs();

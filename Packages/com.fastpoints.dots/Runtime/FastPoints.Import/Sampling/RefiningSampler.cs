@@ -106,7 +106,8 @@ namespace FastPoints.Sampling
                     for (var next = NextRanges(share); next.Count > 0; next = NextRanges(share))
                     {
                         var ranges = next;
-                        yield return JobStep.Of(m_slots.Run(this, 0, ranges.Count, (read, n) => Begin(read, ranges[n]), null));
+                        yield return JobStep.Of(m_slots.Run(this, ScanRanges.Of(m_reader, ranges, 0),
+                            (read, n) => Begin(read, ranges[n]), null));
                         while (!m_isLastWave && m_placeholders.AreTooMany)
                             yield return JobStep.Of(m_placeholders.Coarsen(m_buffer));
                     }
@@ -129,7 +130,8 @@ namespace FastPoints.Sampling
             m_buffer = new SampleBuffer(m_schema, m_reader.Info.Transform, m_strata.Count);
             m_slots = new ReadSlots(m_reader, m_schema, m_reader.MaxPointsPerBlock,
                 WaveReader.LimitFor(m_reader, m_schema, slots, SourceScan.SlotsFor(m_reader, m_schema)), 0);
-            bool canSlice = m_reader.BlockCount <= DepthPlan.MaxSlicedBlocks && m_slots.TryKeepStates();
+            // Of a remote block it is not known ahead what a slice needs.
+            bool canSlice = m_reader.BlockCount <= DepthPlan.MaxSlicedBlocks && !m_reader.IsRemote && m_slots.TryKeepStates();
             m_plan = new DepthPlan(m_reader, canSlice, m_seed);
             m_stateOfBlock = m_plan.IsSliced ? new DecoderState[m_reader.BlockCount] : null;
             m_placeholders = new PlaceholderPoints(m_schema, m_reader.Info.Transform, m_strata.Count, m_bounds);

@@ -21,12 +21,19 @@ namespace FastPoints.Sources
 
         protected abstract void Report(DecodeResult result);
 
+        // Of the last read.
+        protected int BytesRead { get; private set; }
+
         // padding: bytes after the data that jobs may read or write.
-        protected JobHandle BeginRead(int block, long offset, int bytes, int padding = 0)
+        protected JobHandle BeginRead(BlockRange range, int padding = 0)
         {
+            var piece = Reader.PieceOf(range);
+            if (piece.LengthBytes < 0)
+                piece.LengthBytes = File.FetchedLength(piece.Path);
+            BytesRead = (int)piece.LengthBytes;
             // The largest node is not known in advance: the buffer grows when one is found.
-            File.Reserve((long)bytes + padding);
-            return DependencyOf(Reader.BeginRead(File, block, offset, bytes));
+            File.Reserve(piece.LengthBytes + padding);
+            return DependencyOf(Reader.BeginRead(File, piece));
         }
 
         protected sealed override JobHandle Schedule(BlockRange range)
@@ -72,8 +79,8 @@ namespace FastPoints.Sources
 
         protected override JobHandle Schedule(BlockRange range, in NodeBlock block)
         {
-            var read = BeginRead(range.Block, 0, (int)block.Bytes, RangeCode.PaddingBytes);
-            return m_decoding.Schedule(File.Buffer, (int)block.Bytes, block.FirstInNode + range.First, range.Count, Result, read);
+            var read = BeginRead(range, RangeCode.PaddingBytes);
+            return m_decoding.Schedule(File.Buffer, BytesRead, block.FirstInNode + range.First, range.Count, Result, read);
         }
 
         protected override void Report(DecodeResult result)

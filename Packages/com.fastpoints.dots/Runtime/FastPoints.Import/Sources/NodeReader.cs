@@ -73,8 +73,26 @@ namespace FastPoints.Sources
 
         internal abstract string NameOf(int level, int3 cell);
 
-        internal virtual JobHandle BeginRead(NativeFileRead read, int block, long offset, int bytes) =>
-            read.Begin(FileOfBlock(block, out _), offset, bytes);
+        // Of a record in the file; 0 if a node is read whole.
+        private protected abstract int BytesPerPoint { get; }
+
+        // What a range is decoded from; of negative length for a whole remote file, however long it is.
+        internal FilePiece PieceOf(BlockRange range)
+        {
+            var block = Block(range.Block);
+            int bytesPerPoint = BytesPerPoint;
+            return new FilePiece
+            {
+                Path = FileOfBlock(range.Block, out _),
+                OffsetBytes = block.Offset + (long)range.First * bytesPerPoint,
+                LengthBytes = bytesPerPoint > 0 ? (long)range.Count * bytesPerPoint : block.Bytes,
+            };
+        }
+
+        internal sealed override void ListPieces(BlockRange range, List<FilePiece> pieces) => pieces.Add(PieceOf(range));
+
+        internal virtual JobHandle BeginRead(NativeFileRead read, in FilePiece piece) =>
+            read.Begin(piece.Path, piece.OffsetBytes, (int)piece.LengthBytes);
 
         // Later blocks are not tried once a node has given its last point: each would decode the node from its start.
         internal void EndNode(int block, long point) =>
@@ -102,6 +120,8 @@ namespace FastPoints.Sources
         public int Points;
         public long NodePoints;
         public long Offset;
+
+        // Negative for a remote file whose length only reading it tells.
         public long Bytes;
     }
 

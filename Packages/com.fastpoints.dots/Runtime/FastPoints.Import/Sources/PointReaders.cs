@@ -109,7 +109,7 @@ namespace FastPoints.Sources
             PointReader OpenTiles() =>
                 TiledReader.OpenFolder(path, options?.IsRecursive == true, tile => OpenComplete(tile, options));
 
-            if (!string.IsNullOrEmpty(path) && Directory.Exists(path))
+            if (!string.IsNullOrEmpty(path) && !SourcePath.IsRemote(path) && Directory.Exists(path))
             {
                 // Tiles may lie beside a metadata.json of another kind.
                 string index = SourceFolder.FindIndex(path);

@@ -11,7 +11,8 @@ namespace FastPoints
         /// <summary>What is odd and what was assumed instead: one line without the path.</summary>
         public readonly string Text;
 
-        public CloudWarning(string path, long byteOffset, string text) => (Path, ByteOffset, Text) = (path, byteOffset, text);
+        public CloudWarning(string path, long byteOffset, string text) => 
+            (Path, ByteOffset, Text) = (SourcePath.WithoutQuery(path), byteOffset, text);
 
         public override string ToString() =>
             ByteOffset < 0 ? Path + ": " + Text : Path + ": at byte " + NumberText.Of(ByteOffset) + ": " + Text;

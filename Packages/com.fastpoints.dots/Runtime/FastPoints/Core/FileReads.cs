@@ -19,4 +19,11 @@ namespace FastPoints
             return read;
         }
     }
+
+    internal struct FilePiece
+    {
+        public string Path;
+        public long OffsetBytes;
+        public long LengthBytes;
+    }
 }

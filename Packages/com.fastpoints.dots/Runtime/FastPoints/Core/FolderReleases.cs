@@ -58,7 +58,7 @@ namespace FastPoints
         {
             // Called often; it only has a cost while a folder is renamed.
             foreach (string released in s_released)
-                if (IsBelow(Below(folder), released))
+                if (!SourcePath.IsRemote(folder) && IsBelow(Below(folder), released))
                     return true;
             return false;
         }

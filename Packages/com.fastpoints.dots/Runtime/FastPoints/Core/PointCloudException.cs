@@ -19,10 +19,10 @@ namespace FastPoints
         public string What { get; }
 
         public PointCloudException(FailureCode code, string path, long byteOffset, string what, Exception inner = null)
-            : base(Line(path, byteOffset, what), inner)
+            : base(Line(SourcePath.WithoutQuery(path), byteOffset, what), inner)
         {
             Code = code;
-            Path = path;
+            Path = SourcePath.WithoutQuery(path);
             ByteOffset = byteOffset;
             What = what;
         }

@@ -44,6 +44,8 @@ namespace FastPoints.Picking
         // To await before the next call.
         public JobHandle Done { get; private set; }
 
+        public bool IsNear => m_planes.TrueForAll(plane => plane.Read.IsNear);
+
         NodeSource Source => m_cloud.Source;
 
         public unsafe void Begin(in PickHit hit)
@@ -61,14 +63,22 @@ namespace FastPoints.Picking
             foreach (var plane in m_planes)
             {
                 var range = m_cloud.RangeOf(hit.Page, hit.Node, plane.Number);
-                plane.Read.Begin(Source.PathOf(hit.Page), range.OffsetBytes, range.LengthBytes);
-                Schedule(plane, plane.Read.Bytes, range.Hash, plane.Read.Done);
+                var remote = Source.RemoteOf(hit.Page);
+                plane.Read.Begin(Source.PathOf(hit.Page), range.OffsetBytes, range.LengthBytes, remote);
+                if (remote == null)
+                    Schedule(plane, plane.Read.Bytes, range.Hash, plane.Read.Done);
             }
         }
 
-        // Reads the transcoded planes, if any. Call End after Done.
+        // Reads the transcoded or fetched planes, if any. Call End after Done.
         public void Continue()
         {
+            foreach (var plane in m_planes)
+                if (Source.RemoteOf(m_hit.Page) != null)
+                {
+                    plane.Read.Complete();
+                    Schedule(plane, plane.Read.Bytes, m_cloud.RangeOf(m_hit.Page, m_hit.Node, plane.Number).Hash, default);
+                }
             if (!m_isTranscoding)
                 return;
             m_isTranscoding = false;

@@ -31,6 +31,9 @@ namespace FastPoints.Picking
 
         NodeSource Source => m_cloud.Source;
 
+        // Whether what Done leads to may be used: what is on a web server comes by itself.
+        public bool IsNear => m_first.IsNear && m_classes.IsNear;
+
         // Bytes of the last read.
         public long Bytes { get; private set; }
 
@@ -51,7 +54,7 @@ namespace FastPoints.Picking
             if (Source.TranscodesNodes)
                 return;
             var table = Source.TableOf(m_candidate.Page);
-            m_first.Begin(table.Path, table.OffsetBytes, Bytes = table.LengthBytes);
+            m_first.Begin(table.Path, table.OffsetBytes, Bytes = table.LengthBytes, Source.RemoteOf(m_candidate.Page));
             Done = m_first.Done;
         }
 
@@ -62,6 +65,8 @@ namespace FastPoints.Picking
                 BuildPage();
             else if (m_transcoder != null)
                 SearchTranscoded();
+            else if (Source.RemoteOf(m_candidate.Page) != null)
+                SearchFetched();
         }
 
         public void EndPage()
@@ -153,8 +158,9 @@ namespace FastPoints.Picking
         void BeginReading()
         {
             string path = Source.PathOf(m_candidate.Page);
+            var remote = Source.RemoteOf(m_candidate.Page);
             var positions = m_cloud.RangeOf(m_candidate.Page, m_candidate.Node, StoreLayout.PositionPlane);
-            m_first.Begin(path, positions.OffsetBytes, positions.LengthBytes);
+            m_first.Begin(path, positions.OffsetBytes, positions.LengthBytes, remote);
             Bytes = positions.LengthBytes;
             var read = m_first.Done;
             m_job.Positions = m_job.Classes = m_first.Bytes;
@@ -162,13 +168,21 @@ namespace FastPoints.Picking
             if (!m_job.Hidden.IsEmpty)
             {
                 var classes = m_cloud.RangeOf(m_candidate.Page, m_candidate.Node, m_classPlane);
-                m_classes.Begin(path, classes.OffsetBytes, classes.LengthBytes);
+                m_classes.Begin(path, classes.OffsetBytes, classes.LengthBytes, remote);
                 Bytes += classes.LengthBytes;
                 read = JobHandle.CombineDependencies(read, m_classes.Done);
                 m_job.Classes = m_classes.Bytes;
                 m_job.ClassHash = classes.Hash;
             }
-            Done = m_job.Schedule(read);
+            Done = remote != null ? default : m_job.Schedule(read);
+        }
+
+        // Throws if not all has come.
+        void SearchFetched()
+        {
+            m_first.Complete();
+            m_classes.Complete();
+            Done = m_job.Schedule();
         }
 
         unsafe void BeginTranscoding()

@@ -73,6 +73,8 @@ namespace FastPoints.Picking
                     while (!ArePagesKnown())
                         yield return Source.Reading;
                     bool hasMore = Begin(clips);
+                    while (!IsNear)
+                        yield return default;
                     yield return PendingJobs();
                     if (hasMore)
                     {
@@ -85,6 +87,8 @@ namespace FastPoints.Picking
                 if (m_best.IsFound)
                 {
                     m_details.Begin(m_best);
+                    while (!m_details.IsNear)
+                        yield return default;
                     yield return m_details.Done;
                     m_details.Continue();
                     yield return m_details.Done;
@@ -152,10 +156,21 @@ namespace FastPoints.Picking
                     m_slots[i].BeginPage();
                 else
                     m_slots[i].BeginNode(m_space, clips, hidden, m_classPlane, m_best);
-                hasMore |= m_taken[i].IsPage;
+                hasMore |= m_taken[i].IsPage || Source.RemoteOf(m_taken[i].Page) != null;
                 m_result.BytesRead += m_slots[i].Bytes;
             }
             return hasMore;
+        }
+
+        bool IsNear
+        {
+            get
+            {
+                for (int i = 0; i < m_taken.Count; i++)
+                    if (!m_slots[i].IsNear)
+                        return false;
+                return true;
+            }
         }
 
         JobHandle PendingJobs()

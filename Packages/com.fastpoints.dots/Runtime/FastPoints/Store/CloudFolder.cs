@@ -10,12 +10,17 @@ namespace FastPoints.Store
     /// Everything is checked before it is used.</summary>
     public sealed unsafe class CloudFolder : IDisposable
     {
+        const int TablesAhead = 32;
+
         CloudFolder(string path, CloudManifest manifest)
         {
             FolderPath = path;
             Manifest = manifest;
             Layout = manifest.CreateLayout();
         }
+
+        readonly Dictionary<int, RemoteRead> m_fetched = new Dictionary<int, RemoteRead>(); // By chunk: tables.
+        RemoteFile[] m_remote; // By page; null on this machine's disk.
 
         public string FolderPath { get; }
         public CloudManifest Manifest { get; }
@@ -33,18 +38,33 @@ namespace FastPoints.Store
         /// <summary>Chunk records, in the order of the upper nodes that they are attached to.</summary>
         public NativeArray<ChunkRecord> Chunks { get; private set; }
 
-        public string UpperPath => Path.Combine(FolderPath, Manifest.UpperName);
+        public string UpperPath => SourcePath.Combine(FolderPath, Manifest.UpperName);
 
-        public string ChunkPath(int chunk) => Path.Combine(FolderPath, StoreFormat.ChunkPath(Chunks[chunk].Number));
+        public string ChunkPath(int chunk) => SourcePath.Combine(FolderPath, StoreFormat.ChunkPath(Chunks[chunk].Number));
 
-        /// <summary>Whether a path looks like a cloud's folder.</summary>
-        public static bool IsCloud(string path) => File.Exists(Path.Combine(Find(path), StoreFormat.ManifestName));
+        // upper.bin (0) or a chunk's file (from 1 on) on a web server; null on this machine's disk. The hierarchy has the hashes
+        // of all that is read of it, so that no request goes before the first range.
+        internal RemoteFile RemoteOf(int page)
+        {
+            if (m_remote == null)
+                return null;
+            return m_remote[page] ??= page == 0
+                ? RemoteFile.Of(UpperPath, Manifest.UpperBytes, VersionOf(Manifest.HierarchyHash))
+                : RemoteFile.Of(ChunkPath(page - 1), Chunks[page - 1].FileBytes, VersionOf(Chunks[page - 1].TableHash));
+        }
+
+        string VersionOf(ulong hash) => Manifest.CloudId.ToString("x16") + hash.ToString("x16");
+
+        /// <summary>Whether a path looks like a cloud's folder. Of an address the name alone says so.</summary>
+        public static bool IsCloud(string path) => SourcePath.IsRemote(path)
+            ? SourcePath.NameOf(path).EndsWith(StoreFormat.FolderExtension, StringComparison.OrdinalIgnoreCase)
+            : File.Exists(Path.Combine(Find(path), StoreFormat.ManifestName));
 
         /// <summary>Finds a cloud under its name, or, if that does not exist yet, its unfinished folder.</summary>
         public static string Find(string path)
         {
             string name = path.TrimEnd(Path.DirectorySeparatorChar, Path.AltDirectorySeparatorChar);
-            return Directory.Exists(path) ||
+            return SourcePath.IsRemote(path) || Directory.Exists(path) ||
                 !Directory.Exists(name + StoreFormat.PartSuffix) ? path : name + StoreFormat.PartSuffix;
         }
 
@@ -66,10 +86,24 @@ namespace FastPoints.Store
             }
         }
 
+        // The next Open asks a web server what it has by then.
+        internal static void Doubt(string path)
+        {
+            foreach (string name in new[] { StoreFormat.ManifestName, StoreFormat.HierarchyName })
+                if (SourcePath.IsRemote(path))
+                    RemoteFile.Find(SourcePath.Combine(path, name))?.Doubt();
+        }
+
         static CloudFolder OpenOnce(string path)
         {
-            string manifestPath = Path.Combine(path, StoreFormat.ManifestName);
+            string manifestPath = SourcePath.Combine(path, StoreFormat.ManifestName);
             var folder = Open(path, CloudManifest.FromJson(StoreFile.ReadText(manifestPath), manifestPath));
+            // What comes from elsewhere is hashed each time.
+            if (SourcePath.IsRemote(path))
+            {
+                folder.m_remote = new RemoteFile[1 + folder.Chunks.Length];
+                return folder;
+            }
             var files = new List<(string, int)> { (folder.UpperPath, folder.Upper.Nodes.Length) };
             for (int chunk = 0; chunk < folder.Chunks.Length; chunk++)
                 files.Add((folder.ChunkPath(chunk), folder.Chunks[chunk].NodeCount));
@@ -97,16 +131,55 @@ namespace FastPoints.Store
         public void Dispose()
         {
             Upper?.Dispose();
+            foreach (var fetched in m_fetched.Values)
+                fetched.Dispose();
+            m_fetched.Clear();
             if (Chunks.IsCreated)
                 Chunks.Dispose();
             Chunks = default;
         }
 
         /// <summary>The nodes of one chunk; the caller disposes the table.</summary>
-        public NodeTable LoadTable(int chunk) => LoadTable(ChunkPath(chunk), Chunks[chunk]);
+        public NodeTable LoadTable(int chunk)
+        {
+            if (m_remote == null)
+                return LoadTable(ChunkPath(chunk), Chunks[chunk]);
+            IsTableNear(chunk);
+            using var fetched = m_fetched[chunk];
+            m_fetched.Remove(chunk);
+            fetched.Await();
+            using var bytes = new NativeArray<byte>((int)fetched.Bytes, Allocator.Persistent);
+            UnsafeUtility.MemCpy(bytes.GetUnsafePtr(), fetched.Data, bytes.Length);
+            return TableOf(ChunkPath(chunk), Chunks[chunk], bytes);
+        }
+
+        // For callers that load all tables in this order.
+        internal void FetchTablesFrom(int chunk)
+        {
+            for (int c = chunk; m_remote != null && c < Math.Min(chunk + TablesAhead, Chunks.Length); c++)
+                IsTableNear(c);
+        }
+
+        // Whether LoadTable does not wait for a web server. Begins to fetch the table if not.
+        internal bool IsTableNear(int chunk)
+        {
+            if (m_remote == null)
+                return true;
+            if (!m_fetched.TryGetValue(chunk, out var fetched))
+                m_fetched.Add(chunk, fetched =
+                    RemoteOf(1 + chunk).Begin(Chunks[chunk].TableOffset, TableBytes(Chunks[chunk]), chunk));
+            return fetched.IsDone;
+        }
 
         // On any thread, even while the folder is disposed.
         internal NodeTable LoadTable(string path, in ChunkRecord record)
+        {
+            CheckHeader(path, record);
+            using var bytes = StoreFile.Read(path, record.TableOffset, TableBytes(record), Allocator.Persistent);
+            return TableOf(path, record, bytes);
+        }
+
+        void CheckHeader(string path, in ChunkRecord record)
         {
             var header = StoreFile.ReadHeader(path, StoreFormat.ChunkMagic);
             if (header.CloudId != Manifest.CloudId || header.Number != record.Number || header.NodeCount != record.NodeCount ||
@@ -114,52 +187,56 @@ namespace FastPoints.Store
                     header.PlaneCount != Layout.Planes.Count ||
                 header.TableOffset != record.TableOffset || header.TableHash != record.TableHash || header.ChunkCount != 0)
                 throw new PointCloudException(FailureCode.BadInput, path, 0, "is not the file that the hierarchy means");
-            using var bytes = StoreFile.Read(path, header.TableOffset, header.FileBytes - header.TableOffset,
-                Allocator.Persistent);
+        }
+
+        long TableBytes(in ChunkRecord record) =>
+            record.NodeCount * (NodeRecord.SizeBytes + (long)Layout.Planes.Count * PlaneRange.SizeBytes);
+
+        NodeTable TableOf(string path, in ChunkRecord record, NativeArray<byte> bytes)
+        {
             ulong hash = ContentHash.Of(bytes.GetUnsafeReadOnlyPtr(), bytes.Length);
-            if (hash != header.TableHash)
-                throw new PointCloudException(FailureCode.BadInput, path, header.TableOffset,
-                    "the node table is damaged: " + StoreFile.HashProblem(header.TableHash, hash));
-            var table = Take(bytes, header.NodeCount, header.PlaneCount);
-            string problem = table.FindProblem(record.Cube, header.TableOffset, Layout, true) ?? FindCountProblem(table,
-                header.PointCount);
+            if (hash != record.TableHash)
+                throw new PointCloudException(FailureCode.BadInput, path, record.TableOffset,
+                    "the node table is damaged: " + StoreFile.HashProblem(record.TableHash, hash));
+            var table = Take(bytes, record.NodeCount, Layout.Planes.Count);
+            string problem = table.FindProblem(record.Cube, record.TableOffset, Layout, true) ?? FindCountProblem(table,
+                record.PointCount);
             if (problem == null)
                 return table;
             table.Dispose();
-            throw new PointCloudException(FailureCode.BadInput, path, header.TableOffset, problem);
+            throw new PointCloudException(FailureCode.BadInput, path, record.TableOffset, problem);
         }
 
         void ReadHierarchy()
         {
-            string path = Path.Combine(FolderPath, Manifest.HierarchyName);
-            var header = StoreFile.ReadHeader(path, StoreFormat.HierarchyMagic);
+            string path = SourcePath.Combine(FolderPath, Manifest.HierarchyName);
+            using var bytes = StoreFile.ReadWhole(path, StoreFormat.HierarchyMagic, out var header);
             if (header.CloudId != Manifest.CloudId || header.PointCount != Manifest.Points ||
                 header.FileBytes != Manifest.HierarchyBytes ||
                 header.PlaneCount != Layout.Planes.Count || header.ChunkCount != Manifest.ChunkCount ||
                     header.TableOffset != FileHeader.SizeBytes)
                 throw new PointCloudException(FailureCode.BadInput, path, 0, "is not the file that " +
                     StoreFormat.ManifestName + " means");
-            long upperBytes = header.NodeCount == 0 ? 0 : StoreFile.ReadHeader(UpperPath, StoreFormat.UpperMagic).FileBytes;
+            // A request less: what is read of a remote file is hashed each time.
+            long upperBytes = SourcePath.IsRemote(path) ? Manifest.UpperBytes
+                : header.NodeCount == 0 ? 0 : StoreFile.ReadHeader(UpperPath, StoreFormat.UpperMagic).FileBytes;
             if (upperBytes != Manifest.UpperBytes)
                 throw PointCloudException.Wanted(FailureCode.BadInput, UpperPath, -1, "size", Manifest.UpperBytes, upperBytes);
-            using (var bytes = StoreFile.Read(path, 0, header.FileBytes, Allocator.Persistent))
-            {
-                var start = (byte*)bytes.GetUnsafeReadOnlyPtr();
-                ulong hash = ContentHash.Of(start, bytes.Length);
-                if (hash != Manifest.HierarchyHash)
-                    throw new PointCloudException(FailureCode.BadInput, path, 0,
-                        "is damaged: " + StoreFile.HashProblem(Manifest.HierarchyHash, hash));
-                hash = ContentHash.Of(start + FileHeader.SizeBytes, bytes.Length - FileHeader.SizeBytes);
-                if (hash != header.TableHash)
-                    throw new PointCloudException(FailureCode.BadInput, path, FileHeader.SizeBytes,
-                        "is damaged: " + StoreFile.HashProblem(header.TableHash, hash));
-                var table = bytes.GetSubArray(FileHeader.SizeBytes, bytes.Length - FileHeader.SizeBytes);
-                Upper = Take(table, header.NodeCount, header.PlaneCount);
-                int chunkBytes = header.ChunkCount * ChunkRecord.SizeBytes;
-                var chunks = new NativeArray<ChunkRecord>(header.ChunkCount, Allocator.Persistent);
-                UnsafeUtility.MemCpy(chunks.GetUnsafePtr(), start + bytes.Length - chunkBytes, chunkBytes);
-                Chunks = chunks;
-            }
+            var start = (byte*)bytes.GetUnsafeReadOnlyPtr();
+            ulong hash = ContentHash.Of(start, bytes.Length);
+            if (hash != Manifest.HierarchyHash)
+                throw new PointCloudException(FailureCode.BadInput, path, 0,
+                    "is damaged: " + StoreFile.HashProblem(Manifest.HierarchyHash, hash));
+            hash = ContentHash.Of(start + FileHeader.SizeBytes, bytes.Length - FileHeader.SizeBytes);
+            if (hash != header.TableHash)
+                throw new PointCloudException(FailureCode.BadInput, path, FileHeader.SizeBytes,
+                    "is damaged: " + StoreFile.HashProblem(header.TableHash, hash));
+            var table = bytes.GetSubArray(FileHeader.SizeBytes, bytes.Length - FileHeader.SizeBytes);
+            Upper = Take(table, header.NodeCount, header.PlaneCount);
+            int chunkBytes = header.ChunkCount * ChunkRecord.SizeBytes;
+            var chunks = new NativeArray<ChunkRecord>(header.ChunkCount, Allocator.Persistent);
+            UnsafeUtility.MemCpy(chunks.GetUnsafePtr(), start + bytes.Length - chunkBytes, chunkBytes);
+            Chunks = chunks;
             string problem = Upper.FindProblem(Manifest.Root, upperBytes, Layout, false) ?? FindChunkProblem();
             if (problem != null)
                 throw new PointCloudException(FailureCode.BadInput, path, -1, problem);

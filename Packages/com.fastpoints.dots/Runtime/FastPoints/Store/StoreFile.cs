@@ -10,28 +10,53 @@ namespace FastPoints.Store
     {
         const int MaxTextBytes = 16 << 20;
 
-        public static string ReadText(string path) =>
-            Reading(path, file =>
-            {
-                if (file.Length > MaxTextBytes)
-                    throw PointCloudException.Wanted(FailureCode.BadInput, path, -1, "size", "at most " + MaxTextBytes +
-                        " bytes", file.Length);
-                using var reader = new StreamReader(file);
-                return reader.ReadToEnd();
-            });
+        public static string ReadText(string path)
+        {
+            if (!SourcePath.IsRemote(path))
+                return Reading(path, file => ReadText(path, file));
+            using var bytes = Read(path, 0, Math.Min(SizeOf(path), MaxTextBytes + 1), Allocator.Persistent);
+            return ReadText(path, new UnmanagedMemoryStream((byte*)bytes.GetUnsafeReadOnlyPtr(), bytes.Length));
+        }
 
-        public static long SizeOf(string path) => Reading(path, file => file.Length);
+        // False if there is none.
+        public static bool TryReadText(string path, out string text)
+        {
+            text = null;
+            if (!SourcePath.IsRemote(path) && !File.Exists(path))
+                return false;
+            try
+            {
+                text = ReadText(path);
+                return true;
+            }
+            // Object storage says of what is missing that it is forbidden.
+            catch (PointCloudException e) when (e.Code == FailureCode.NotFound ||
+                SourcePath.IsRemote(path) && e.Code == FailureCode.AccessDenied)
+            {
+                return false;
+            }
+        }
+
+        static string ReadText(string path, Stream file)
+        {
+            if (file.Length > MaxTextBytes)
+                throw PointCloudException.Wanted(FailureCode.BadInput, path, -1, "size", "at most " + MaxTextBytes +
+                    " bytes", file.Length);
+            using var reader = new StreamReader(file);
+            return reader.ReadToEnd();
+        }
+
+        public static long SizeOf(string path) =>
+            SourcePath.IsRemote(path) ? RemoteFile.Open(path).Length : Reading(path, file => file.Length);
 
         // Exactly this many bytes, in memory that the caller disposes.
         public static NativeArray<byte> Read(string path, long offset, long count, Allocator allocator)
         {
+            if (SourcePath.IsRemote(path))
+                return Read(RemoteFile.Open(path), offset, count, allocator);
             return Reading(path, file =>
             {
-                if (offset < 0 || count < 0 || count > int.MaxValue || offset > file.Length - count)
-                {
-                    throw PointCloudException.Wanted(FailureCode.Truncated, path, Math.Max(0, offset), "bytes", count,
-                        Math.Max(0, file.Length - offset) + " before the end of the file");
-                }
+                CheckRange(path, file.Length, offset, count);
                 var bytes = new NativeArray<byte>((int)count, allocator, NativeArrayOptions.UninitializedMemory);
                 file.Position = offset;
                 var to = new Span<byte>(bytes.GetUnsafePtr(), bytes.Length);
@@ -49,11 +74,57 @@ namespace FastPoints.Store
             });
         }
 
+        // The same of a remote file, for pool threads.
+        public static NativeArray<byte> Read(RemoteFile file, long offset, long count, Allocator allocator)
+        {
+            CheckRange(file.Name, file.Length, offset, count);
+            var bytes = new NativeArray<byte>((int)count, allocator, NativeArrayOptions.UninitializedMemory);
+            try
+            {
+                file.Read(offset, new Span<byte>(bytes.GetUnsafePtr(), bytes.Length));
+                return bytes;
+            }
+            catch
+            {
+                bytes.Dispose();
+                throw;
+            }
+        }
+
+        static void CheckRange(string path, long fileBytes, long offset, long count)
+        {
+            if (offset < 0 || count < 0 || count > int.MaxValue || offset > fileBytes - count)
+                throw PointCloudException.Wanted(FailureCode.Truncated, path, Math.Max(0, offset), "bytes", count,
+                    Math.Max(0, fileBytes - offset) + " before the end of the file");
+        }
+
         public static FileHeader ReadHeader(string path, ulong magic)
         {
             using var bytes = Read(path, 0, FileHeader.SizeBytes, Allocator.Persistent);
+            return HeaderOf(path, bytes, magic, SizeOf(path));
+        }
+
+        // All of a file that has a header.
+        public static NativeArray<byte> ReadWhole(string path, ulong magic, out FileHeader header)
+        {
+            long size = SizeOf(path);
+            var bytes = Read(path, 0, Math.Max(FileHeader.SizeBytes, size), Allocator.Persistent);
+            try
+            {
+                header = HeaderOf(path, bytes, magic, size);
+                return bytes;
+            }
+            catch
+            {
+                bytes.Dispose();
+                throw;
+            }
+        }
+
+        static FileHeader HeaderOf(string path, NativeArray<byte> bytes, ulong magic, long fileBytes)
+        {
             var header = *(FileHeader*)bytes.GetUnsafeReadOnlyPtr();
-            string problem = FindProblem(header, magic, SizeOf(path));
+            string problem = FindProblem(header, magic, fileBytes);
             if (problem != null)
                 throw new PointCloudException(FailureCode.BadInput, path, 0, problem);
             return header;

@@ -48,7 +48,7 @@ namespace FastPoints.Streaming
         /// <summary>The cloud that is streamed.</summary>
         public CloudFolder Folder => m_folder;
 
-        public override string Path => m_folder.FolderPath;
+        public override string Path => SourcePath.WithoutQuery(m_folder.FolderPath);
         public override CloudCrs Crs => m_folder.Manifest.Crs;
         public override bool HasAllPoints => !m_folder.IsUnfinished;
         public override CloudGrid Grid => m_folder.Manifest.Grid;
@@ -76,7 +76,19 @@ namespace FastPoints.Streaming
 
         internal override void SetChecked(int page, int node, int plane) => m_folder.Checked?.Add(page, node, m_planes[plane]);
 
-        internal override void ForgetChecked(int page) => m_folder.Checked?.Forget(page);
+        internal override void Distrust(int page)
+        {
+            m_folder.Checked?.Forget(page);
+            RemoteOf(page)?.DropCached();
+            Doubt();
+        }
+
+        internal override RemoteFile RemoteOf(int page) => m_folder.RemoteOf(page);
+
+        internal override void Doubt() => Doubted?.Invoke();
+
+        // Set by whoever would open it again.
+        internal Action Doubted { get; set; }
 
         internal override FilePiece TableOf(int page)
         {
@@ -97,7 +109,7 @@ namespace FastPoints.Streaming
 
         public override IEnumerator<JobStep> OpenForPicking(Action<NodeSource> opened)
         {
-            string path = Path;
+            string path = m_folder.FolderPath;
             return PoolTask.Run<FolderSource>(path, () => OpenWhole(path), opened, unwanted => unwanted.Dispose());
         }
 

@@ -60,7 +60,14 @@ namespace FastPoints.Streaming
 
         internal virtual void SetChecked(int page, int node, int plane) { }
 
-        internal virtual void ForgetChecked(int page) { }
+        // What was read of a page's file was wrong: it is checked, or fetched, again.
+        internal virtual void Distrust(int page) { }
+
+        // The page's file if it is on a web server, or null.
+        internal virtual RemoteFile RemoteOf(int page) => null;
+
+        // A web server did not give what was wanted: the cloud may be another by now.
+        internal virtual void Doubt() { }
 
         /// <summary>For sources that make nodes: if a page cannot be built now, the source reads what is missing.</summary>
         public virtual bool CanBuild(int page) => true;
@@ -94,12 +101,5 @@ namespace FastPoints.Streaming
         public abstract IEnumerator<JobStep> OpenForPicking(Action<NodeSource> opened);
 
         public abstract void Dispose();
-    }
-
-    internal struct FilePiece
-    {
-        public string Path;
-        public long OffsetBytes;
-        public long LengthBytes;
     }
 }

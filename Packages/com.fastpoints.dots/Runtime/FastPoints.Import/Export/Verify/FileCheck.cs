@@ -14,6 +14,7 @@ namespace FastPoints.Export
         readonly NativeStoreLayout m_store;
 
         readonly bool m_isUpper;
+        readonly RemoteFile m_remote;
         readonly long m_fileBytes;
         readonly StoreRead m_read = new StoreRead();
         NativeArray<NodePart> m_parts;
@@ -31,6 +32,7 @@ namespace FastPoints.Export
             m_manifest = folder.Manifest;
             m_store = store;
             m_isUpper = chunk < 0;
+            m_remote = folder.RemoteOf(chunk < 0 ? 0 : 1 + chunk);
             Path = m_isUpper ? folder.UpperPath : folder.ChunkPath(chunk);
             m_fileBytes = m_isUpper ? m_manifest.UpperBytes : folder.Chunks[chunk].FileBytes;
             ListParts();
@@ -47,7 +49,9 @@ namespace FastPoints.Export
         /// <summary>Coroutine: begins the read and schedules all jobs; <see cref="Done"/> is theirs afterwards.</summary>
         public IEnumerator<JobStep> Begin()
         {
-            m_read.Begin(Path, 0, m_fileBytes);
+            m_read.Begin(Path, 0, m_fileBytes, m_remote);
+            while (!m_read.IsNear)
+                yield return default;
             var job = new VerifyNodesJob
             {
                 File = m_read.Bytes,

@@ -171,6 +171,9 @@ namespace FastPoints.Reading
         readonly ulong m_rowsEnd;
         readonly AsciiSlot[] m_slots;
         readonly List<SegmentBlock> m_blocks = new List<SegmentBlock>();
+
+        // Null for a local file.
+        readonly ReadAhead m_ahead;
         long m_offset;
         SlotRing m_ring;
         ulong m_rows;
@@ -191,6 +194,13 @@ namespace FastPoints.Reading
             m_slots = new AsciiSlot[(int)Math.Min(segments, maxJobs > 0 ? maxJobs : 2 * (JobsUtility.JobWorkerCount + 1))];
             long bytes = Math.Min(blockBytes, fileBytes);
             m_ring = new SlotRing(m_slots.Length);
+            if (reader.IsRemote)
+                m_ahead = new ReadAhead(0, (int)Math.Min(segments, int.MaxValue), (n, pieces) => pieces.Add(new FilePiece
+                {
+                    Path = file.Path,
+                    OffsetBytes = offset + (long)n * blockBytes,
+                    LengthBytes = blockBytes,
+                }));
             for (int i = 0; i < m_slots.Length; i++)
                 m_slots[i] = new AsciiSlot(bytes);
         }
@@ -199,7 +209,8 @@ namespace FastPoints.Reading
 
         public SegmentBlock[] TakeBlocks() => m_blocks.ToArray();
 
-        // Takes the oldest segment, whose handle must be complete, and refills the slots. False at the end.
+        // Takes the oldest segment, whose handle must be complete, and refills the slots. False at the end. The handle is the
+        // default one while nothing is here yet.
         public bool Next(out JobHandle handle)
         {
             if (!m_ring.IsEmpty)
@@ -207,10 +218,10 @@ namespace FastPoints.Reading
             handle = default;
             if (m_rows >= m_rowsEnd)
                 return false;
-            while (!m_ring.IsFull && m_offset < m_fileBytes)
+            while (!m_ring.IsFull && m_offset < m_fileBytes && (m_ahead == null || m_ahead.IsNear))
                 Start(m_slots[m_ring.Begin()]);
             if (m_ring.IsEmpty)
-                return false;
+                return m_offset < m_fileBytes;
             handle = m_slots[m_ring.Oldest].Counted;
             return true;
         }
@@ -218,7 +229,7 @@ namespace FastPoints.Reading
         void Start(AsciiSlot slot)
         {
             int bytes = (int)Math.Min(m_blockBytes, m_fileBytes - m_offset);
-            slot.Begin(m_file, m_offset, bytes);
+            slot.Begin(m_file, m_offset, bytes, m_ahead?.Take());
             m_offset += bytes;
         }
 
@@ -248,6 +259,7 @@ namespace FastPoints.Reading
 
         public void Dispose()
         {
+            m_ahead?.Dispose();
             foreach (var slot in m_slots)
                 slot.Dispose();
         }
@@ -263,8 +275,9 @@ namespace FastPoints.Reading
         public NativeFileRead Read { get; }
         public JobHandle Counted { get; private set; }
 
-        public JobHandle Begin(SourceHandle file, long offset, int bytes)
+        public JobHandle Begin(SourceHandle file, long offset, int bytes, FetchedBytes fetched)
         {
+            Read.Fetched = fetched;
             var read = Read.Begin(file, offset, bytes);
             return Counted = new CountAsciiRowsJob { Input = Read.Buffer, Bytes = bytes, Result = m_rows }.Schedule(read);
         }

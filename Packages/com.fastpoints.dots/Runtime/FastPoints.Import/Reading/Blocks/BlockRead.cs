@@ -29,6 +29,17 @@ namespace FastPoints.Reading
         // Slots further ahead then occupy no more workers.
         internal JobHandle Dependency { get; set; }
 
+        // What the range that begins next needs of remote files. The slot owns it from then on.
+        internal FetchedBytes Fetched { get; set; }
+
+        // Hands it over.
+        internal FetchedBytes TakeFetched()
+        {
+            var fetched = Fetched;
+            Fetched = null;
+            return fetched;
+        }
+
         /// <summary>Starts reading; the slot must be idle. Main thread only; returns at once.</summary>
         public abstract void Begin(BlockRange range);
 
@@ -164,6 +175,8 @@ namespace FastPoints.Reading
             Points.Count = 0;
             m_result.Value = default;
             Result = m_result;
+            if (File != null)
+                File.Fetched = TakeFetched();
             Decoded = range.Count == 0 ? default : Schedule(range);
             m_isBusy = true;
         }
@@ -186,6 +199,7 @@ namespace FastPoints.Reading
             if (m_isDisposed)
                 return;
             m_isDisposed = true;
+            Fetched?.Dispose();
             if (m_isBusy)
                 Cancel();
             m_isBusy = false;

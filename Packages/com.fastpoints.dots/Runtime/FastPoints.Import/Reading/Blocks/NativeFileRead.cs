@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
 using Unity.IO.LowLevel.Unsafe;
@@ -19,6 +20,9 @@ namespace FastPoints.Reading
         ReadHandle m_handle;
         string m_path;
         bool m_isReading;
+        FetchedBytes m_fetched;
+        JobHandle m_copied;
+        PointCloudException m_failure;
 
         public NativeFileRead(long capacityBytes, Allocator allocator, int segments = 1)
         {
@@ -46,6 +50,48 @@ namespace FastPoints.Reading
         public int Bytes => (int)m_commands[0].Size;
         public bool IsReading => m_isReading;
 
+        // What the next read of remote files needs. Freed when that has ended.
+        public FetchedBytes Fetched
+        {
+            set
+            {
+                m_fetched?.Dispose();
+                m_fetched = value;
+            }
+        }
+
+        // Whether what is read next is here: of a local file always; of a remote one it is fetched from the first call on.
+        public bool IsFetched(string path, long offset, long bytes)
+        {
+            if (!SourcePath.IsRemote(path))
+                return true;
+            m_commands[0] = new ReadCommand { Offset = offset, Size = bytes };
+            return AreFetched(path, 1);
+        }
+
+        // The same of several segments, which are set.
+        public bool AreFetched(string path, int commands)
+        {
+            if (!SourcePath.IsRemote(path))
+                return true;
+            if (m_fetched == null)
+            {
+                var pieces = new List<FilePiece>();
+                for (int i = 0; i < commands; i++)
+                    pieces.Add(new FilePiece
+                    {
+                        Path = path,
+                        OffsetBytes = m_commands[i].Offset,
+                        LengthBytes = m_commands[i].Size,
+                    });
+                m_fetched = new FetchedBytes(pieces, 0);
+            }
+            return m_fetched.IsDone;
+        }
+
+        // Of a whole remote file.
+        public long FetchedLength(string path) => m_fetched?.Bytes ?? (RemoteFile.Find(path) ?? RemoteFile.Open(path)).Length;
+
         public JobHandle Begin(SourceHandle file, long offset, int bytes)
         {
             m_commands[0] = new ReadCommand { Buffer = m_buffer.GetUnsafePtr(), Offset = offset, Size = bytes };
@@ -55,6 +101,8 @@ namespace FastPoints.Reading
         public JobHandle Begin(SourceHandle file, int commands)
         {
             m_path = file.Path;
+            if (file.IsRemote)
+                return CopyFetched(commands);
             m_handle = AsyncReadManager.Read(file.Open(), new ReadCommandArray
             {
                 ReadCommands = (ReadCommand*)m_commands.GetUnsafePtr(),
@@ -69,11 +117,38 @@ namespace FastPoints.Reading
         {
             m_path = path;
             m_commands[0] = new ReadCommand { Buffer = m_buffer.GetUnsafePtr(), Offset = offset, Size = bytes };
+            if (SourcePath.IsRemote(path))
+                return CopyFetched(bytes > 0 ? 1 : 0);
             if (bytes <= 0)
                 return default;
             m_handle = FileReads.BeginOneShot(path, (ReadCommand*)m_commands.GetUnsafePtr(), 1);
             m_isReading = true;
             return m_handle.JobHandle;
+        }
+
+        // What nobody has fetched is waited for.
+        JobHandle CopyFetched(int commands)
+        {
+            m_isReading = true;
+            m_failure = m_fetched?.Failure;
+            try
+            {
+                for (int i = 0; i < commands && m_failure == null; i++)
+                    if (m_fetched == null || !m_fetched.TryCopy(m_path, m_commands[i], ref m_copied))
+                        ReadNow(m_commands[i]);
+            }
+            catch (PointCloudException failure)
+            {
+                m_failure = failure;
+            }
+            return m_copied;
+        }
+
+        void ReadNow(ReadCommand command)
+        {
+            RemoteStatistics.AddWait();
+            var file = RemoteFile.Find(m_path) ?? RemoteFile.Open(m_path);
+            file.Read(command.Offset, new Span<byte>(command.Buffer, checked((int)command.Size)));
         }
 
         public void End()
@@ -91,6 +166,8 @@ namespace FastPoints.Reading
             if (!m_isReading)
                 return ReadStatus.Complete;
             m_isReading = false;
+            if (SourcePath.IsRemote(m_path))
+                return EndCopying();
             m_handle.JobHandle.Complete();
             var status = m_handle.Status;
             if (status != ReadStatus.Complete)
@@ -99,9 +176,19 @@ namespace FastPoints.Reading
             return status;
         }
 
+        ReadStatus EndCopying()
+        {
+            m_copied.Complete();
+            m_copied = default;
+            Fetched = null;
+            var failure = m_failure;
+            m_failure = null;
+            return failure == null ? ReadStatus.Complete : throw failure;
+        }
+
         public void Cancel()
         {
-            if (m_isReading)
+            if (m_isReading && !SourcePath.IsRemote(m_path))
                 m_handle.Cancel();
         }
 
@@ -110,7 +197,9 @@ namespace FastPoints.Reading
             if (!m_buffer.IsCreated)
                 return;
             Cancel();
+            m_failure = null;
             Close(out _);
+            Fetched = null;
             m_buffer.Dispose();
             m_commands.Dispose();
         }
@@ -125,6 +214,8 @@ namespace FastPoints.Reading
         public SourceHandle(string path) => Path = path;
 
         public string Path { get; }
+
+        public bool IsRemote => SourcePath.IsRemote(Path);
 
         public ref readonly FileHandle Open()
         {

@@ -79,6 +79,26 @@ namespace FastPoints.Reading
 
         public sealed override long BytesOfRange(BlockRange range) => (long)range.Count * m_recordBytes;
 
+        internal sealed override void ListPieces(BlockRange range, List<FilePiece> pieces) => pieces.Add(PieceOf(
+            new StridedRange { First = FirstPointOfBlock(range.Block) + range.First, Step = 1, Count = range.Count }));
+
+        internal FilePiece PieceOf(in StridedRange range) => new FilePiece
+        {
+            Path = m_file.Path,
+            OffsetBytes = Records.OffsetOf(range.First),
+            LengthBytes = StridedRead.BytesOf(range, m_recordBytes),
+        };
+
+        // Fetches strided ranges ahead, so many a read, with what lies between them; null for a local file.
+        internal ReadAhead AheadOf(NativeArray<StridedRange> ranges, int perRead) => !IsRemote ? null
+            : new ReadAhead(0, (ranges.Length + perRead - 1) / perRead, (read, pieces) =>
+            {
+                var piece = PieceOf(ranges[read * perRead]);
+                var last = PieceOf(ranges[Math.Min(ranges.Length, (read + 1) * perRead) - 1]);
+                piece.LengthBytes = last.OffsetBytes + last.LengthBytes - piece.OffsetBytes;
+                pieces.Add(piece);
+            });
+
         public sealed override BlockRead CreateRead(PointSchema wanted, int capacity, Allocator allocator) =>
             new RecordRead(this, Records, wanted, capacity, allocator);
 
@@ -94,11 +114,13 @@ namespace FastPoints.Reading
         public IEnumerator<JobStep> ReadRanges(IReadOnlyList<BlockRange> ranges, int first, int count, PointBatch target,
             Func<JobHandle, JobHandle> then)
         {
-            const int Slots = 8, RangesPerRequest = 256, BytesPerRequest = 2 << 20;
+            const int Slots = 8, BytesPerRequest = 2 << 20;
+            int rangesPerRequest = TakesFewRanges ? 1 : 256;
             var strided = new NativeArray<StridedRange>(count, Allocator.Persistent);
             var reads = new StridedRead[Slots];
             var ring = new SlotRing(Slots);
             var behind = default(JobHandle);
+            ReadAhead ahead = null;
             try
             {
                 int index = 0, longest = 1;
@@ -112,6 +134,7 @@ namespace FastPoints.Reading
                 }
                 if (count == 0)
                     behind = then(default);
+                ahead = AheadOf(strided, rangesPerRequest);
                 for (int next = 0; next < count || !ring.IsEmpty;)
                 {
                     if (next == count || ring.IsFull)
@@ -120,10 +143,14 @@ namespace FastPoints.Reading
                         reads[ring.End()].Complete();
                         continue;
                     }
+                    while (ahead != null && !ahead.IsNear)
+                        yield return default;
                     int slot = ring.Begin();
-                    reads[slot] ??= CreateStridedRead(target, RangesPerRequest,
-                        Math.Max(BytesPerRequest, longest * m_recordBytes), Allocator.Persistent);
-                    next += reads[slot].Begin(strided, next, RangesPerRequest, 0);
+                    reads[slot] ??= CreateStridedRead(target, rangesPerRequest,
+                        Math.Max(BytesPerRequest, longest * m_recordBytes * (IsRemote ? rangesPerRequest : 1)),
+                        Allocator.Persistent);
+                    reads[slot].Fetched = ahead?.Take();
+                    next += reads[slot].Begin(strided, next, rangesPerRequest, 0);
                     behind = JobHandle.CombineDependencies(behind, reads[slot].Decoded);
                     if (next == count)
                         behind = then(behind);
@@ -136,6 +163,7 @@ namespace FastPoints.Reading
             finally
             {
                 behind.Complete();
+                ahead?.Dispose();
                 foreach (var read in reads)
                     read?.Dispose();
                 strided.Dispose();

@@ -27,6 +27,16 @@ namespace FastPoints.Reading
 
         public override long BytesOfRange(BlockRange range) => range.Count == 0 ? 0 : Blocks[range.Block].Bytes;
 
+        // Where the last line may end.
+        private protected virtual int BytesBehindBlock => 0;
+
+        internal override void ListPieces(BlockRange range, List<FilePiece> pieces)
+        {
+            var block = Blocks[range.Block];
+            long bytes = (long)block.Bytes + BytesBehindBlock;
+            pieces.Add(new FilePiece { Path = File.Path, OffsetBytes = block.OffsetBytes, LengthBytes = bytes });
+        }
+
         public override void CloseFile() => File.Close();
     }
 

@@ -31,6 +31,9 @@ namespace FastPoints.Reading
         }
 
         public JobHandle Decoded { get; private set; }
+
+        public FetchedBytes Fetched { set => m_file.Fetched = value; }
+
         public int Segments { get; private set; }
         public long BytesRead { get; private set; }
 

@@ -41,6 +41,10 @@ namespace FastPoints.Reading
 
         public override long BytesOfRange(BlockRange range) => Unfiltered.BytesOfRange(range);
 
+        internal override bool IsRemote => Unfiltered.IsRemote;
+
+        internal override void ListPieces(BlockRange range, List<FilePiece> pieces) => Unfiltered.ListPieces(range, pieces);
+
         /// <returns>A slot whose batch also has the filter's attributes, after the requested ones.</returns>
         public override BlockRead CreateRead(PointSchema wanted, int capacity, Allocator allocator)
         {
@@ -71,9 +75,15 @@ namespace FastPoints.Reading
 
             public override void Begin(BlockRange range)
             {
-                m_inner.Dependency = Dependency;
+                PassOn();
                 m_inner.Begin(range);
                 Schedule(range);
+            }
+
+            void PassOn()
+            {
+                m_inner.Dependency = Dependency;
+                m_inner.Fetched = TakeFetched();
             }
 
             void Schedule(BlockRange range)
@@ -90,7 +100,7 @@ namespace FastPoints.Reading
 
             internal override void Begin(BlockRange range, DecoderState from)
             {
-                m_inner.Dependency = Dependency;
+                PassOn();
                 m_inner.Begin(range, from);
                 Schedule(range);
             }

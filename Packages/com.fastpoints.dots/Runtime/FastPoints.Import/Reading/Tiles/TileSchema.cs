@@ -181,7 +181,7 @@ namespace FastPoints.Reading
                 }
             }
             if (missing > 0)
-                m_missing.Add(name + " in " + missing + " (" + System.IO.Path.GetFileName(firstMissing.Path) +
+                m_missing.Add(name + " in " + missing + " (" + SourcePath.NameOf(firstMissing.Path) +
                     (missing > 1 ? ", ...)" : ")"));
             if (firstOther != null)
                 m_info.Warn(-1, name + ": its type differs from file to file (first in " + firstOther.Path + "): read as " +

@@ -144,6 +144,7 @@ namespace FastPoints.Reading
             if (tile != m_tile)
                 OpenTile(tile);
             m_inner.Dependency = Dependency;
+            m_inner.Fetched = TakeFetched();
             m_inner.Begin(new BlockRange(range.Block - tile.FirstBlock, range.First, range.Count));
             Result = m_inner.Result;
             return new FillTileColumnsJob

@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using System.IO;
 using FastPoints.Store;
 using Unity.Collections;
 
@@ -27,6 +26,7 @@ namespace FastPoints.Reading
         List<long> m_pointsOfBlock;
         int m_maxPointsPerBlock;
         bool m_hasFixedStride = true;
+        bool m_isRemote;
         long m_clock;
 
         TiledReader(string name, bool skipsUnreadable, Func<string, PointReader> openFile)
@@ -40,7 +40,8 @@ namespace FastPoints.Reading
         {
             if (paths.Count == 0)
                 throw new PointCloudException(FailureCode.NotFound, "(no path)", -1, "no file was named");
-            string name = paths.Count == 1 ? paths[0] : paths[0] + " and " + (paths.Count - 1) + " more";
+            string first = SourcePath.WithoutQuery(paths[0]);
+            string name = paths.Count == 1 ? first : first + " and " + (paths.Count - 1) + " more";
             return new TiledReader(name, false, openFile).OpenAll(paths);
         }
 
@@ -60,6 +61,15 @@ namespace FastPoints.Reading
         }
 
         public int TileCount => m_tiles.Count;
+
+        internal override bool IsRemote => m_isRemote;
+
+        internal override void ListPieces(BlockRange range, List<FilePiece> pieces)
+        {
+            var tile = TileOfBlock(range.Block);
+            if (tile.Reader != null && tile.Reader.IsRemote)
+                tile.Reader.ListPieces(new BlockRange(range.Block - tile.FirstBlock, range.First, range.Count), pieces);
+        }
 
         public override bool BlocksAreKnown => m_firstPointOfBlock != null;
         public override int BlockCount => BlockStarts().Length - 1;
@@ -281,8 +291,8 @@ namespace FastPoints.Reading
         static void Close(Tile tile)
         {
             tile.IsOpen = false;
-            // Finding this again would take another pass over the file.
-            if (!tile.IsKnown)
+            // Finding this again would take another pass over the file, or requests.
+            if (!tile.IsKnown || tile.Reader.IsRemote)
             {
                 tile.Reader.CloseFile();
                 return;
@@ -309,7 +319,7 @@ namespace FastPoints.Reading
                 catch (PointCloudException e) when (m_skipsUnreadable)
                 {
                     if (e.Code == FailureCode.Unsupported && e.ByteOffset == 0)
-                        otherFiles.Add(Path.GetFileName(path));
+                        otherFiles.Add(SourcePath.NameOf(path));
                     else
                         WarnLeftOut(path, e);
                     continue;
@@ -336,13 +346,16 @@ namespace FastPoints.Reading
                     m_hasFixedStride &= tile.HasFixedStride;
                     summary.Include(reader.Info);
                     if (m_tiles.Count <= MaxListed)
-                        Info.Fact(Path.GetFileName(path), summary.Describe(reader.Info));
+                        Info.Fact(SourcePath.NameOf(path), summary.Describe(reader.Info));
                     TakeWarnings(tile);
-                    tile.Reader = null;
+                    m_isRemote |= reader.IsRemote;
+                    if (!reader.IsRemote)
+                        tile.Reader = null;
                 }
                 finally
                 {
-                    reader.DisposeUnread();
+                    if (!reader.IsRemote)
+                        reader.DisposeUnread();
                 }
             }
             if (otherFiles.Count > 0)

@@ -73,12 +73,17 @@ namespace FastPoints.Sources
                 yield break;
             yield return JobStep.Of(m_hierarchy.Read(default, int.MaxValue));
             m_hierarchy.WarnUnreported();
+            yield return JobStep.Of(PoolTask.Run(Info.Path, Check, checkedAll => m_tree.IsWhole = checkedAll));
+        }
+
+        bool Check()
+        {
             if ((ulong)PointCount != Info.PointsClaimed)
                 Reconcile();
             Info.PointsReadable = PointCount;
             Blocks.CheckBounds();
             Blocks.Source.Dispose();
-            m_tree.IsWhole = true;
+            return true;
         }
 
         void Reconcile()

@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using System.IO;
 using FastPoints.Laz;
 using FastPoints.Reading;
 using Unity.Burst;
@@ -32,6 +31,10 @@ namespace FastPoints.Sources
         // Bytes from one byte of a zstandard frame: a block of 128 KiB takes 4.
         const long MaxZstandardRatio = 1 << 15;
 
+        // Of a remote node, whose file is not looked up.
+        const long MaxRemotePoints = 1 << 22;
+        const long UnknownBytes = -2;
+
         // Looked up together: adding them takes far less than a millisecond of the main thread.
         const int StepNodes = 256;
 
@@ -57,7 +60,7 @@ namespace FastPoints.Sources
             {
                 // If abandoned between two yields, this begins the page again; nodes that it had added are known by their keys.
                 string name = EptEntry.NameOf(page.Root.w, page.Root.xyz);
-                string path = Path.Combine(m_index.Folder, HierarchyFolder, name + ".json");
+                string path = SourcePath.Combine(SourcePath.Combine(m_index.Folder, HierarchyFolder), name + ".json");
                 using (var entries = new NativeList<EptEntry>(64, Allocator.Persistent))
                 {
                     yield return JobStep.Of(Parse(path, name, entries));
@@ -77,7 +80,7 @@ namespace FastPoints.Sources
             yield return JobStep.Of(PoolTask.Run(path, () => RandomAccessFile.LengthOf(path), found => length = found));
             string problem = null;
             if (length == RandomAccessFile.NoSuchFile)
-                problem = "there is no " + Path.GetFileName(path);
+                problem = "there is no " + SourcePath.NameOf(path);
             else if (length > MaxPageBytes)
                 problem = "it has " + NumberText.Of(length) + " bytes, wanted at most " + NumberText.Of(MaxPageBytes);
             if (problem != null)
@@ -91,7 +94,9 @@ namespace FastPoints.Sources
             JobHandle parsed = default;
             try
             {
-                yield return read.Begin(Path.GetFullPath(path), 0, (int)length);
+                while (!read.IsFetched(path, 0, length))
+                    yield return default;
+                yield return read.Begin(SourcePath.Full(path), 0, (int)length);
                 read.End();
                 var parse = new ParseEptPageJob
                 {
@@ -150,6 +155,13 @@ namespace FastPoints.Sources
 
         IEnumerator<JobStep> Add(List<EptEntry> step, string path)
         {
+            // To ask for each would take as many requests as to read all.
+            if (SourcePath.IsRemote(path))
+            {
+                foreach (var entry in step)
+                    Add(entry, UnknownBytes, path);
+                return NoWork();
+            }
             var files = new string[step.Count];
             for (int i = 0; i < files.Length; i++)
                 files[i] = step[i].Points > 0 ? m_reader.PathOf(step[i].Level, step[i].Cell) : null;
@@ -158,6 +170,11 @@ namespace FastPoints.Sources
                 for (int i = 0; i < lengths.Length; i++)
                     Add(step[i], lengths[i], path);
             });
+        }
+
+        static IEnumerator<JobStep> NoWork()
+        {
+            yield break;
         }
 
         void Add(EptEntry entry, long length, string path)
@@ -195,6 +212,11 @@ namespace FastPoints.Sources
                 return;
             }
             string path = m_reader.PathOf(entry.Level, entry.Cell);
+            if (bytes == UnknownBytes)
+            {
+                AddRemote(entry, path);
+                return;
+            }
             if (bytes <= 0)
             {
                 m_reader.Warnings.Add("its file is " + (bytes == 0 ? "empty" : "missing") + ": its points are left out",
@@ -212,6 +234,16 @@ namespace FastPoints.Sources
                 m_reader.Warnings.Add("its file holds more than the points that the hierarchy claims", entry.Name,
                     "wanted " + NumberText.Of(points * m_index.RecordBytes) + " bytes, got " + NumberText.Of(bytes), -1, path);
             m_reader.Add(entry, points, bytes);
+        }
+
+        // Its file may turn out to be shorter, or missing, when it is read.
+        void AddRemote(EptEntry entry, string path)
+        {
+            long points = Math.Min(entry.Points, MaxRemotePoints);
+            if (points < entry.Points)
+                m_reader.Warnings.Add("has too many points for a remote file", entry.Name, "wanted at most "
+                    + NumberText.Of(MaxRemotePoints) + ", got " + NumberText.Of(entry.Points), -1, path);
+            m_reader.Add(entry, points, UnknownBytes);
         }
 
         long MaxPoints(long bytes)

@@ -1,7 +1,6 @@
 using System;
 using System.Collections.Generic;
 using System.Globalization;
-using System.IO;
 using FastPoints.Reading;
 using Unity.Mathematics;
 
@@ -44,7 +43,7 @@ namespace FastPoints.Sources
             var index = new EptIndex
             {
                 Info = info,
-                Folder = Path.GetDirectoryName(Path.GetFullPath(json.Path)),
+                Folder = SourcePath.FolderOf(SourcePath.Full(json.Path)),
                 DataType = ReadDataType(json),
             };
             string hierarchy = json.Text("hierarchyType", "json");

@@ -18,6 +18,9 @@ namespace FastPoints.Sources
         const int MaxBlockPoints = 1 << 20;
         const int MaxBlockBytes = 32 << 20;
 
+        // Of a compressed remote node before it is here.
+        const int GuessedBytesPerPoint = 8;
+
         readonly EptHierarchy m_hierarchy;
         readonly int m_blockPoints;
 
@@ -57,9 +60,9 @@ namespace FastPoints.Sources
         // The root's file, or another one if it is missing.
         static string AnyNode(EptIndex index)
         {
-            string folder = Path.Combine(index.Folder, DataFolder);
-            string root = Path.Combine(folder, "0-0-0-0.laz");
-            if (File.Exists(root) || !Directory.Exists(folder))
+            string folder = SourcePath.Combine(index.Folder, DataFolder);
+            string root = SourcePath.Combine(folder, "0-0-0-0.laz");
+            if (SourcePath.IsRemote(root) || File.Exists(root) || !Directory.Exists(folder))
                 return root;
             foreach (string path in Directory.EnumerateFiles(folder, "*.laz"))
                 return path;
@@ -72,8 +75,10 @@ namespace FastPoints.Sources
 
         internal override string NameOf(int level, int3 cell) => EptEntry.NameOf(level, cell);
 
-        public string PathOf(int level, int3 cell) => Path.Combine(Index.Folder, DataFolder, EptEntry.NameOf(level, cell)
-            + (HasFixedStride ? ".bin" : Index.DataType == EptDataType.Laszip ? ".laz" : ".zst"));
+        public string PathOf(int level, int3 cell) => SourcePath.Combine(SourcePath.Combine(Index.Folder, DataFolder),
+            EptEntry.NameOf(level, cell) + (HasFixedStride ? ".bin" : Index.DataType == EptDataType.Laszip ? ".laz" : ".zst"));
+
+        private protected override int BytesPerPoint => HasFixedStride ? Index.RecordBytes : 0;
 
         public override string FileOfBlock(int block, out long byteOffset)
         {
@@ -83,14 +88,16 @@ namespace FastPoints.Sources
         }
 
         public void Add(EptEntry entry, long points, long fileBytes) =>
-            AddNode(new SourceNode { Level = entry.Level, Cell = entry.Cell }, points, m_blockPoints, 0, fileBytes, 0);
+            AddNode(new SourceNode { Level = entry.Level, Cell = entry.Cell }, points, m_blockPoints, 0, fileBytes, BytesPerPoint);
 
         public override long BytesOfRange(BlockRange range)
         {
+            if (HasFixedStride)
+                return (long)range.Count * Index.RecordBytes;
             var block = Block(range.Block);
-            double share = HasFixedStride ? range.Count : Index.DataType == EptDataType.Laszip ? block.NodePoints
-                : block.FirstInNode + range.First + range.Count;
-            return (long)(block.Bytes * Math.Min(1, share / block.NodePoints));
+            long bytes = block.Bytes < 0 ? block.NodePoints * GuessedBytesPerPoint : block.Bytes;
+            double share = Index.DataType == EptDataType.Laszip ? block.NodePoints : block.FirstInNode + range.First + range.Count;
+            return (long)(bytes * Math.Min(1, share / block.NodePoints));
         }
 
         public override IEnumerator<JobStep> FindBelow(int4 node, int levels) => m_hierarchy.Read(node, Math.Max(1, levels));

@@ -91,7 +91,7 @@ namespace FastPoints.Sources
         {
             if (m_decompressor != null)
                 return Decompress(range, block);
-            var decoded = BeginRead(range.Block, (block.FirstInNode + range.First) * m_recordBytes, range.Count * m_recordBytes);
+            var decoded = BeginRead(range);
             for (int first = 0; first < range.Count; first += SlicePoints)
                 decoded = Decode(File.Buffer, first, first, Math.Min(SlicePoints, range.Count - first)).Schedule(decoded);
             return decoded;
@@ -100,14 +100,14 @@ namespace FastPoints.Sources
         JobHandle Decompress(BlockRange range, in NodeBlock block)
         {
             long begin = block.FirstInNode + range.First, end = begin + range.Count;
-            var decoded = BeginRead(range.Block, 0, (int)block.Bytes);
+            var decoded = BeginRead(range);
             for (long first = 0; first < end; first += m_tilePoints)
             {
                 int count = (int)Math.Min(m_tilePoints, end - first);
                 decoded = new DecompressJob
                 {
                     Input = File.Buffer,
-                    InputBytes = (int)block.Bytes,
+                    InputBytes = BytesRead,
                     Output = m_tile,
                     Wanted = count * m_recordBytes,
                     IsFirst = first == 0,

@@ -27,7 +27,7 @@ namespace FastPoints.Sources
         // In the folder that cloud.js names, or else beside cloud.js or in a folder there, since clouds are moved and renamed.
         public static Potree1Files Find(Potree1Index index)
         {
-            string home = Path.GetDirectoryName(Path.GetFullPath(index.Info.Path)) ?? ".";
+            string home = SourcePath.FolderOf(SourcePath.Full(index.Info.Path)) ?? ".";
             string extension = index.NodeFormat == null ? ".bin" : index.NodeFormat == "LAS" ? ".las" : ".laz";
             bool isFlat = index.Hierarchy != null;
             foreach (string folder in new[] { Combine(home, index.OctreeFolder), Combine(home, "data"), home })
@@ -51,7 +51,7 @@ namespace FastPoints.Sources
         public string AnyNode()
         {
             string root = PathOf(0, default);
-            if (File.Exists(root))
+            if (SourcePath.IsRemote(root) || File.Exists(root))
                 return root;
             try
             {
@@ -70,15 +70,15 @@ namespace FastPoints.Sources
             string name = PotreeNames.NameOf(level, cell);
             string folder = m_folder;
             for (int at = 0; !m_isFlat && at + m_stepSize <= level; at += m_stepSize)
-                folder = Path.Combine(folder, name.Substring(1 + at, m_stepSize));
-            return Path.Combine(folder, name);
+                folder = SourcePath.Combine(folder, name.Substring(1 + at, m_stepSize));
+            return SourcePath.Combine(folder, name);
         }
 
         static bool TryAt(string folder, out string at)
         {
-            foreach (string candidate in new[] { Path.Combine(folder, "r"), folder })
+            foreach (string candidate in new[] { SourcePath.Combine(folder, "r"), folder })
                 foreach (string extension in s_extensions)
-                    if (File.Exists(Path.Combine(candidate, "r" + extension)))
+                    if (RandomAccessFile.LengthOf(SourcePath.Combine(candidate, "r" + extension)) != RandomAccessFile.NoSuchFile)
                     {
                         at = candidate;
                         return true;
@@ -90,6 +90,8 @@ namespace FastPoints.Sources
         // An octreeDir may be anything, even an address on the web, which is not a folder here.
         static string Combine(string home, string folder)
         {
+            if (SourcePath.IsRemote(home))
+                return SourcePath.Combine(home, folder);
             try
             {
                 return Path.GetFullPath(Path.Combine(home, folder));
@@ -100,8 +102,11 @@ namespace FastPoints.Sources
             }
         }
 
+        // A server does not list them.
         static string[] FoldersIn(string folder)
         {
+            if (SourcePath.IsRemote(folder))
+                return Array.Empty<string>();
             try
             {
                 var folders = Directory.GetDirectories(folder);

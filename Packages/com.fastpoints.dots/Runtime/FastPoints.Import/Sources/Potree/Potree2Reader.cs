@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using System.IO;
 using FastPoints.Reading;
 using Unity.Collections;
 using Unity.Jobs;
@@ -53,7 +52,7 @@ namespace FastPoints.Sources
             m_hierarchyBytes = hierarchyBytes;
             m_layout = index.Layout;
             IsBrotli = index.IsBrotli;
-            m_octree = new SourceHandle(Path.GetFullPath(SiblingOf(index.Info.Path, OctreeName)));
+            m_octree = new SourceHandle(SourcePath.Full(SiblingOf(index.Info.Path, OctreeName)));
             m_octreeBytes = octreeBytes;
             m_recordsLeft = hierarchyBytes / RecordBytes;
             m_records = new ByteReader(Array.Empty<byte>(), hierarchyPath, 0);
@@ -87,7 +86,7 @@ namespace FastPoints.Sources
         {
             if (!HasPoints)
                 throw new PointCloudException(FailureCode.NotFound, SiblingOf(Info.Path, OctreeName), -1,
-                    "no such file: the points that " + Path.GetFileName(Info.Path) + " tells of are not here");
+                    "no such file: the points that " + SourcePath.NameOf(Info.Path) + " tells of are not here");
             return IsBrotli
                 ? (BlockRead)new PotreeBrotliRead(this, wanted, capacity, allocator)
                 : new PotreeRecordRead(this, wanted, capacity, allocator);
@@ -99,8 +98,8 @@ namespace FastPoints.Sources
             return m_octree.Path;
         }
 
-        internal override JobHandle BeginRead(NativeFileRead read, int block, long offset, int bytes) =>
-            read.Begin(m_octree, offset, bytes);
+        internal override JobHandle BeginRead(NativeFileRead read, in FilePiece piece) =>
+            read.Begin(m_octree, piece.OffsetBytes, (int)piece.LengthBytes);
 
         internal override int3 ShiftOf(int block) => default;
 
@@ -276,6 +275,6 @@ namespace FastPoints.Sources
             return points == claimed ? null : detail + "room for " + NumberText.Of(points);
         }
 
-        static string SiblingOf(string index, string name) => Path.Combine(Path.GetDirectoryName(index) ?? "", name);
+        static string SiblingOf(string index, string name) => SourcePath.Combine(SourcePath.FolderOf(index) ?? "", name);
     }
 }

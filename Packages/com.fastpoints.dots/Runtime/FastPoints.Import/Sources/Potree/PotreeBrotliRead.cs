@@ -73,7 +73,7 @@ namespace FastPoints.Sources
 
         protected override JobHandle Schedule(BlockRange range, in NodeBlock block)
         {
-            var decoded = BeginRead(range.Block, block.Offset, (int)block.Bytes);
+            var decoded = BeginRead(range);
             bool isFirst = true;
             foreach (var part in m_parts)
             {
@@ -84,7 +84,7 @@ namespace FastPoints.Sources
                     decoded = new DecompressJob
                     {
                         Input = File.Buffer,
-                        InputBytes = (int)block.Bytes,
+                        InputBytes = BytesRead,
                         Output = m_tile,
                         Wanted = count * part.BytesPerPoint,
                         IsFirst = isFirst,

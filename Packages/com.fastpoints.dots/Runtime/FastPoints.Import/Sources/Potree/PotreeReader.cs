@@ -33,6 +33,8 @@ namespace FastPoints.Sources
         // Null for nodes that are LAS or LAZ files.
         internal abstract PotreeLayout Layout { get; }
 
+        private protected sealed override int BytesPerPoint => HasFixedStride ? Layout.RecordBytes : 0;
+
         // Grid steps from a block's corner to the cloud's.
         internal abstract int3 ShiftOf(int block);
 

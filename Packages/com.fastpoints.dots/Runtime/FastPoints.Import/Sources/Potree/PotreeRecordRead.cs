@@ -30,7 +30,7 @@ namespace FastPoints.Sources
         protected override JobHandle Schedule(BlockRange range, in NodeBlock block)
         {
             int recordBytes = m_reader.Layout.RecordBytes;
-            var decoded = BeginRead(range.Block, block.Offset + (long)range.First * recordBytes, range.Count * recordBytes);
+            var decoded = BeginRead(range);
             var decode = new DecodePotreeJob
             {
                 Records = File.Buffer,

@@ -123,6 +123,8 @@ namespace FastPoints.Text
                 {
                     long at = state.Value.Input;
                     int bytes = (int)Math.Min(StreamBytes - at, WalkLzfJob.SliceBytes);
+                    while (!read.IsFetched(File.Path, StreamOffset + at, bytes))
+                        yield return default;
                     walked = new WalkLzfJob
                     {
                         Input = read.Buffer,
@@ -198,6 +200,15 @@ namespace FastPoints.Text
                     plan.Add((i, FieldCopyPlan.Make(fields.ToArray(), columns.ToArray())));
             }
             return plan;
+        }
+
+        internal override void ListPieces(BlockRange range, List<FilePiece> pieces)
+        {
+            for (int field = 0; field < m_fields.Length; field++)
+            {
+                int bytes = SegmentOf(field, range.Block, out long offset).Bytes;
+                pieces.Add(new FilePiece { Path = File.Path, OffsetBytes = offset, LengthBytes = bytes });
+            }
         }
 
         public override void CloseFile() => File.Close();

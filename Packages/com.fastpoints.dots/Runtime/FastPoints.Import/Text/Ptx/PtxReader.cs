@@ -143,6 +143,8 @@ namespace FastPoints.Text
             while (offset < Info.FileBytes)
             {
                 int bytes = (int)Math.Min(PtxScanHeader.MaxBytes, Info.FileBytes - offset);
+                while (!read.IsFetched(File.Path, offset, bytes))
+                    yield return default;
                 yield return read.Begin(File, offset, bytes);
                 read.End();
                 if (!ReadHeader(read, bytes, offset))
@@ -171,6 +173,8 @@ namespace FastPoints.Text
                     continue;
                 var last = found[found.Length - 1];
                 bytes = (int)Math.Min(last.Bytes + MaxLineBytes, Info.FileBytes - last.OffsetBytes);
+                while (!read.IsFetched(File.Path, last.OffsetBytes, bytes))
+                    yield return default;
                 yield return read.Begin(File, last.OffsetBytes, bytes);
                 read.End();
                 offset = last.OffsetBytes + EndOfRows(read.Buffer, bytes, last);
@@ -215,6 +219,8 @@ namespace FastPoints.Text
             }
             return (int)(p - start);
         }
+
+        private protected override int BytesBehindBlock => MaxLineBytes;
 
         public override BlockRead CreateRead(PointSchema wanted, int capacity, Allocator allocator) =>
             new PtxRead(this, wanted, capacity, allocator);

@@ -131,6 +131,8 @@ namespace FastPoints.Text
                     NumberText.Of(scan.Points) + " lines");
         }
 
+        private protected override int BytesBehindBlock => MaxLineBytes;
+
         public override BlockRead CreateRead(PointSchema wanted, int capacity, Allocator allocator) =>
             new XyzRead(this, wanted, capacity, allocator);
 

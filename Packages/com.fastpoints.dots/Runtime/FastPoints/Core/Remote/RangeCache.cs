@@ -167,6 +167,12 @@ namespace FastPoints
             }
         }
 
+        public void Drop(RangeKey key)
+        {
+            lock (m_lock)
+                m_entries.Remove(key);
+        }
+
         bool HasRoom(long bytes) => m_written.Bytes + bytes <= Math.Min(MaxSegmentBytes, m_maxBytes / MinSegments);
 
         void Append(RangeKey key, long offset, ReadOnlySpan<byte> bytes)

@@ -12,7 +12,7 @@ namespace FastPoints
     // come with opening it.
     internal sealed class RemoteFile : IRangeSource
     {
-        const int HeadBytes = 64 << 10;
+        public const int HeadBytes = 64 << 10;
 
         // The one that was opened last, by address.
         static readonly Dictionary<string, RemoteFile> s_opened = new Dictionary<string, RemoteFile>();
@@ -21,17 +21,26 @@ namespace FastPoints
         readonly RemoteIdentity m_identity;
         readonly RangeQueue m_queue;
         readonly RangeKey m_key;
-        readonly byte[] m_head;
+        volatile byte[] m_head;
         long m_confirmed = Stopwatch.GetTimestamp();
 
-        RemoteFile(string address, RemoteTarget target, RemoteIdentity identity, byte[] head)
+        RemoteFile(string address, RemoteTarget target, RemoteIdentity identity, RangeKey key, byte[] head)
         {
             Address = address;
             m_target = target;
             m_identity = identity;
             m_head = head;
             m_queue = RangeQueue.Of(target.Host);
-            m_key = RangeKey.Of(RemoteKey.Of(address) + "\n" + identity);
+            m_key = key;
+        }
+
+        // A file that another describes, so that nothing is asked before its first range: its length, and a text that is another
+        // for other content. Any thread; it does not wait.
+        public static RemoteFile Of(string address, long length, string version)
+        {
+            var identity = new RemoteIdentity(length, null, null);
+            return new RemoteFile(address, new RemoteTarget(address), identity, RangeKey.Of(RemoteKey.Of(address) + "\n" + version),
+                null);
         }
 
         public string Address { get; }
@@ -51,13 +60,14 @@ namespace FastPoints
         public int GapBytes => m_queue.GapBytes;
 
         // Asks the server whether it still has that version, unless it said so a moment ago; without any answer, what the cache
-        // has of it is good enough. Waits: on pool threads and in the command line alone.
-        public static RemoteFile Open(string address)
+        // has of it is good enough. Waits: on pool threads and in the command line alone. headBytes: so many of a new file come
+        // with it.
+        public static RemoteFile Open(string address, int headBytes = HeadBytes)
         {
             var opened = Find(address);
             if (opened != null && opened.IsConfirmed)
                 return opened;
-            return Task.Run(() => OpenNow(address, opened)).GetAwaiter().GetResult();
+            return Task.Run(() => OpenNow(address, opened, headBytes)).GetAwaiter().GetResult();
         }
 
         // The one that was opened last, or null.
@@ -66,6 +76,15 @@ namespace FastPoints
             lock (s_opened)
                 return s_opened.TryGetValue(address, out var file) ? file : null;
         }
+
+        // Frees what came with opening it.
+        public void DropHead() => m_head = null;
+
+        // The next Open asks the server.
+        public void Doubt() => Interlocked.Exchange(ref m_confirmed, long.MinValue / 2);
+
+        // What came of it was wrong: it is asked for again.
+        public void DropCached() => RangeCache.Current?.Drop(m_key);
 
         // Into memory of the read's own, which the caller disposes. Any thread.
         public RemoteRead Begin(long offset, long bytes, int rank = 0) => Begin(new RemoteRead(this, offset, bytes, rank));
@@ -122,9 +141,6 @@ namespace FastPoints
             }
         }
 
-        // Who opens it next asks the server.
-        void Doubt() => Interlocked.Exchange(ref m_confirmed, long.MinValue / 2);
-
         bool IsConfirmed => (Stopwatch.GetTimestamp() - Interlocked.Read(ref m_confirmed)) * 1000.0 / Stopwatch.Frequency <
             RemoteSettings.Current.ConfirmedMs;
 
@@ -179,13 +195,14 @@ namespace FastPoints
 
         bool TryReadHead(long offset, Span<byte> into)
         {
-            if (m_head == null || offset < 0 || offset + into.Length > m_head.Length)
+            byte[] head = m_head;
+            if (head == null || offset < 0 || offset + into.Length > head.Length)
                 return false;
-            m_head.AsSpan((int)offset, into.Length).CopyTo(into);
+            head.AsSpan((int)offset, into.Length).CopyTo(into);
             return true;
         }
 
-        static async Task<RemoteFile> OpenNow(string address, RemoteFile opened)
+        static async Task<RemoteFile> OpenNow(string address, RemoteFile opened, int headBytes)
         {
             var target = opened?.m_target ?? new RemoteTarget(address);
             var cache = RangeCache.Current;
@@ -195,7 +212,8 @@ namespace FastPoints
             RemoteIdentity identity;
             try
             {
-                (identity, head) = await Retry(target, known != null, () => ReadHead(target, known, head)).ConfigureAwait(false);
+                (identity, head) = await Retry(target, known != null, () => ReadHead(target, known, head, headBytes))
+                    .ConfigureAwait(false);
             }
             catch (RemoteFault e) when (e.IsUnreachable && known != null)
             {
@@ -208,7 +226,8 @@ namespace FastPoints
                     Interlocked.Exchange(ref opened.m_confirmed, Stopwatch.GetTimestamp());
                     return opened;
                 }
-                opened = s_opened[address] = new RemoteFile(address, target, identity, head);
+                opened = s_opened[address] =
+                    new RemoteFile(address, target, identity, RangeKey.Of(key + "\n" + identity), head);
             }
             if (cache != null && head != null && known?.ToString() != identity.ToString())
             {
@@ -220,10 +239,11 @@ namespace FastPoints
 
         // Of a version that is known one byte tells whether it is the server's still, and how long the file is. An answer by
         // If-None-Match would not: a length that was told wrong once would stay so.
-        static async Task<(RemoteIdentity, byte[])> ReadHead(RemoteTarget target, RemoteIdentity known, byte[] knownHead)
+        static async Task<(RemoteIdentity, byte[])> ReadHead(RemoteTarget target, RemoteIdentity known, byte[] knownHead,
+            int headBytes)
         {
             bool isCheck = known != null && known.Length > HeadBytes;
-            using var exchange = await RangeExchange.Begin(target, 0, isCheck ? 1 : HeadBytes, null).ConfigureAwait(false);
+            using var exchange = await RangeExchange.Begin(target, 0, isCheck ? 1 : headBytes, null).ConfigureAwait(false);
             RangeQueue.Of(target.Host).Measure(exchange.SecondsToHeaders);
             var head = new byte[exchange.Count];
             await exchange.Read(head, 0, all => true).ConfigureAwait(false);
@@ -231,7 +251,7 @@ namespace FastPoints
             if (!isCheck)
                 return (exchange.Identity, head);
             return known.Fits(exchange.Identity) ? (known, knownHead)
-                : await ReadHead(target, null, null).ConfigureAwait(false);
+                : await ReadHead(target, null, null, headBytes).ConfigureAwait(false);
         }
 
         static RemoteIdentity FindIdentity(RangeCache cache, string key)

@@ -28,11 +28,12 @@ namespace FastPoints.Drawing
         // A state was found and still exists.
         public bool IsFound => m_generations.IsFound;
 
-        public override bool IsEnded => !m_generations.IsBuilding && IsIdle;
+        public override bool IsEnded => !m_generations.IsFollowing && IsIdle;
         internal override bool IsIdle => m_generations.IsIdle;
         public override bool IsBuildAborted => m_generations.IsDeleted;
 
-        public override NodeSource Take(params string[] planes) => new FolderSource(m_generations.Take(), planes);
+        public override NodeSource Take(params string[] planes) =>
+            new FolderSource(m_generations.Take(), planes) { Doubted = m_generations.Doubt };
 
         public void Skip() => m_generations.Take()?.Dispose();
 

@@ -14,16 +14,20 @@ namespace FastPoints.Store
         const int MissesUntilDeleted = 2;
 
         readonly string m_path;
+        CloudManifest m_known; // Of the generation that was kept last.
         PoolTask<Poll> m_polling;
         CloudFolder m_newest;
-        ulong m_cloudId;
         long m_lastPoll = Stopwatch.GetTimestamp();
         int m_misses;
         bool m_isRequested;
+        bool m_isDoubted;
 
         struct Poll
         {
             public bool Exists;
+
+            // It exists, but could not be opened.
+            public bool HasFailed;
 
             // Null if there is no newer one, or if it cannot be opened at this moment.
             public CloudFolder Newer;
@@ -53,6 +57,9 @@ namespace FastPoints.Store
         // No poll is requested or in flight, and no generation waits to be taken.
         public bool IsIdle => m_polling == null && m_newest == null && !m_isRequested;
 
+        // Looks again once a second.
+        public bool IsFollowing => IsBuilding || m_isDoubted;
+
         public CloudFolder Newest => m_newest;
 
         public CloudFolder Take()
@@ -65,6 +72,9 @@ namespace FastPoints.Store
         // Looks again with the next update, even at a finished cloud, which may have been rebuilt.
         public void Refresh() => m_isRequested = true;
 
+        // What a web server gave was not what the cloud said: looks, until it opens, whether there is another now.
+        public void Doubt() => m_isDoubted = SourcePath.IsRemote(m_path);
+
         // Called once a frame; it never waits. Throws where a look failed unexpectedly.
         public void Update()
         {
@@ -74,13 +84,14 @@ namespace FastPoints.Store
                 m_polling = null;
                 var seen = looked.Take();
                 m_misses = seen.Exists ? 0 : IsBuilding ? m_misses + 1 : MissesUntilDeleted;
+                m_isDoubted |= seen.HasFailed && SourcePath.IsRemote(m_path);
                 if (seen.Newer != null)
                     Keep(seen.Newer);
             }
-            if (m_polling != null || m_newest != null || !m_isRequested && !(IsBuilding && IsPollDue))
+            if (m_polling != null || m_newest != null || !m_isRequested && !(IsFollowing && IsPollDue))
                 return;
             m_lastPoll = Stopwatch.GetTimestamp();
-            m_isRequested = false;
+            m_isRequested = m_isDoubted = false;
             BeginPoll();
         }
 
@@ -90,10 +101,9 @@ namespace FastPoints.Store
         void BeginPoll()
         {
             string path = m_path;
-            ulong cloudId = m_cloudId;
-            long generation = Generation;
+            var known = m_known;
             bool wasBuilding = IsBuilding;
-            m_polling = PoolTask.Begin(path, () => PollFolder(path, cloudId, generation, wasBuilding));
+            m_polling = PoolTask.Begin(path, () => PollFolder(path, known, wasBuilding));
         }
 
         public void Dispose()
@@ -102,22 +112,24 @@ namespace FastPoints.Store
             m_polling = null;
             m_newest?.Dispose();
             m_newest = null;
-            IsBuilding = false;
+            IsBuilding = m_isDoubted = false;
         }
 
-        static Poll PollFolder(string path, ulong cloudId, long generation, bool wasBuilding)
+        static Poll PollFolder(string path, CloudManifest known, bool wasBuilding)
         {
             var look = new Poll { Exists = CloudFolder.IsCloud(path) };
             if (!look.Exists)
                 return look;
             CloudFolder folder = null;
+            CloudFolder.Doubt(path);
             try
             {
                 folder = CloudFolder.Open(path);
                 var manifest = folder.Manifest;
+                bool isOther = known == null || manifest.CloudId != known.CloudId;
                 // A finished cloud under its temporary name is about to be renamed: wait for that.
-                bool isNewer = manifest.IsBuilding ? manifest.Generation > generation || manifest.CloudId != cloudId
-                    : !folder.IsUnfinished && (wasBuilding || manifest.CloudId != cloudId);
+                bool isNewer = manifest.IsBuilding ? isOther || manifest.Generation > known.Generation
+                    : !folder.IsUnfinished && (wasBuilding || isOther || manifest.HierarchyHash != known.HierarchyHash);
                 if (isNewer)
                 {
                     look.Newer = folder;
@@ -127,6 +139,7 @@ namespace FastPoints.Store
             catch (PointCloudException)
             {
                 // The folder is between two generations, or gone: the next look decides.
+                look.HasFailed = true;
             }
             folder?.Dispose();
             return look;
@@ -136,7 +149,7 @@ namespace FastPoints.Store
         {
             m_newest = folder;
             IsFound = true;
-            m_cloudId = folder.Manifest.CloudId;
+            m_known = folder.Manifest;
             Generation = folder.Manifest.Generation;
             IsBuilding = folder.IsUnfinished;
         }

@@ -11,6 +11,8 @@ namespace FastPoints.Streaming
     // read in as few pieces as possible, or a node that is transcoded. Main thread; where there are workers, only Await waits.
     internal sealed unsafe class NodeFetch : IDisposable
     {
+        const int TableRank = -1; // Before all nodes, of which no table knows yet.
+
         readonly StreamState m_state;
         NativeArray<byte> m_bytes;
         NativeList<ReadCommand> m_commands = new NativeList<ReadCommand>(64, Allocator.Persistent);
@@ -23,6 +25,7 @@ namespace FastPoints.Streaming
         NativeReference<HierarchyPage> m_built = new NativeReference<HierarchyPage>(Allocator.Persistent);
         NativeReference<TableProblem> m_problem = new NativeReference<TableProblem>(Allocator.Persistent);
         ReadHandle m_read;
+        RemoteRead m_remote; // In place of the former where the file is on a web server.
         JobHandle m_building;
         NodeTranscoder m_transcoder;
         long m_readBytes;
@@ -40,6 +43,9 @@ namespace FastPoints.Streaming
         public int FirstWaiting { get; set; }
         public bool IsBeingCopied { get; set; }
 
+        // Of the last read of a remote file.
+        public PointCloudException Failure { get; private set; }
+
         public NativeArray<FetchedNode> Nodes => m_nodes.AsArray();
 
         public void BeginTable(long number, StreamedCloud cloud, int page)
@@ -52,7 +58,7 @@ namespace FastPoints.Streaming
             }
             var piece = cloud.Source.TableOf(page);
             m_commands.Add(new ReadCommand { Offset = piece.OffsetBytes, Size = piece.LengthBytes });
-            Read(piece.Path, piece.LengthBytes);
+            Read(piece.Path, piece.LengthBytes, TableRank);
         }
 
         // Begins an empty read: Add some nodes, then call ReadNodes.
@@ -86,9 +92,12 @@ namespace FastPoints.Streaming
             m_nodes.Add(node);
         }
 
-        // Pieces that are no farther apart than the gap are read as one.
-        public void ReadNodes(int gapBytes)
+        // Pieces that are no farther apart than the gap are read as one, but for remote ones, of which that is decided when they
+        // are sent for. Of those, the lowest rank comes first.
+        public void ReadNodes(int gapBytes, int rank)
         {
+            if (Cloud.Source.RemoteOf(Page) != null)
+                gapBytes = 0;
             SortParts();
             m_offsets.ResizeUninitialized(m_parts.Length);
             long total = 0;
@@ -110,13 +119,15 @@ namespace FastPoints.Streaming
                 }
                 m_offsets[part.Node * Cloud.Source.Planes.Length + part.Plane] = total - part.LengthBytes;
             }
-            Read(Cloud.Source.PathOf(Page), total);
+            Read(Cloud.Source.PathOf(Page), total, rank);
         }
 
         // The read continues until it reports its end.
         public void Cancel()
         {
-            if (Phase == FetchPhase.Reading && !IsCancelled)
+            if (Phase == FetchPhase.Reading && !IsCancelled && m_remote != null)
+                m_remote.Cancel();
+            else if (Phase == FetchPhase.Reading && !IsCancelled)
                 m_read.Cancel();
             IsCancelled = true;
         }
@@ -125,6 +136,8 @@ namespace FastPoints.Streaming
         {
             status = default;
             bytes = m_readBytes;
+            if (m_remote != null)
+                return TryEndRemote(out status);
             // Its status is not enough: a read that waits for its file has one that the enum lacks.
             if (!JobCoroutine.HasEnded(m_read.JobHandle))
                 return false;
@@ -132,6 +145,18 @@ namespace FastPoints.Streaming
             status = m_read.Status;
             m_read.Dispose();
             m_read = default;
+            Phase = FetchPhase.Arrived;
+            return true;
+        }
+
+        bool TryEndRemote(out ReadStatus status)
+        {
+            status = ReadStatus.InProgress;
+            if (!m_remote.IsDone)
+                return false;
+            Failure = m_remote.Failure;
+            status = m_remote.IsCancelled ? ReadStatus.Canceled : Failure != null ? ReadStatus.Failed : ReadStatus.Complete;
+            m_remote = null;
             Phase = FetchPhase.Arrived;
             return true;
         }
@@ -209,7 +234,12 @@ namespace FastPoints.Streaming
 
         public void Await()
         {
-            if (Phase == FetchPhase.Reading)
+            if (Phase == FetchPhase.Reading && m_remote != null)
+            {
+                m_remote.Cancel();
+                m_remote = null;
+            }
+            else if (Phase == FetchPhase.Reading)
             {
                 m_read.JobHandle.Complete();
                 m_read.Dispose();
@@ -277,12 +307,13 @@ namespace FastPoints.Streaming
             IsCancelled = false;
             FirstWaiting = 0;
             m_readBytes = 0;
+            Failure = null;
             m_commands.Clear();
             m_parts.Clear();
             m_nodes.Clear();
         }
 
-        void Read(string path, long bytes)
+        void Read(string path, long bytes, int rank)
         {
             if (!m_bytes.IsCreated || m_bytes.Length < bytes)
             {
@@ -298,7 +329,12 @@ namespace FastPoints.Streaming
                 m_commands.ElementAt(i).Buffer = to;
                 to += m_commands[i].Size;
             }
-            m_read = m_state.Files.Read(Cloud, path, m_state.Selector.Frame, m_commands.GetUnsafePtr(), m_commands.Length);
+            var remote = Cloud.Source.RemoteOf(Page);
+            if (remote != null)
+                m_remote = remote.Begin(m_commands.GetUnsafePtr(), m_commands.Length, rank);
+            else
+                m_read = m_state.Files.Read(Cloud, path, m_state.Selector.Frame, m_commands.GetUnsafePtr(),
+                    m_commands.Length);
             Phase = FetchPhase.Reading;
         }
     }

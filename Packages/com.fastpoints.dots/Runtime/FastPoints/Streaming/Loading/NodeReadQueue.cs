@@ -5,6 +5,7 @@ using FastPoints.Store;
 using Unity.Collections;
 using Unity.IO.LowLevel.Unsafe;
 using Unity.Jobs;
+using Unity.Mathematics;
 
 namespace FastPoints.Streaming
 {
@@ -13,6 +14,8 @@ namespace FastPoints.Streaming
     internal sealed unsafe class NodeReadQueue : IDisposable
     {
         public const int FirstPrefetchRank = 1 << 30; // Prefetched nodes rank after all selected ones.
+
+        const int MaxDoublings = 6; // Half a minute.
 
         readonly StreamState m_state;
         readonly List<NodeFetch> m_fetches = new List<NodeFetch>();
@@ -176,7 +179,7 @@ namespace FastPoints.Streaming
                     m_wanted.ElementAt(j).Node = -1;
                 }
                 if (bytes > 0)
-                    fetch.ReadNodes(m_state.Settings.GapBytes);
+                    fetch.ReadNodes(m_state.Settings.GapBytes, firstRank + first.Parent);
                 stats.RequestedBytes += bytes;
                 if (!hasRoom)
                     return false;
@@ -260,8 +263,15 @@ namespace FastPoints.Streaming
             {
                 var source = fetch.Cloud.Source;
                 string path = fetch.IsTable ? source.TableOf(fetch.Page).Path : source.PathOf(fetch.Page);
+                var failure = fetch.Failure;
                 m_state.Files.Close(fetch.Cloud, path);
                 Drop(fetch, page);
+                if (failure != null)
+                {
+                    source.Doubt();
+                    CountFailure(page, failure.Path, failure.ByteOffset, failure.What, true);
+                    return;
+                }
                 // The folder of a build was renamed at its end, or deleted: the feed notices within a second.
                 if (!source.KeepsFilesOpen && !Directory.Exists(Path.GetDirectoryName(path)))
                     page->RetryFrame = m_state.Selector.Frame + (uint)m_state.Settings.FramesToRetry;
@@ -319,6 +329,7 @@ namespace FastPoints.Streaming
             {
                 var piece = fetch.Cloud.Source.TableOf(fetch.Page);
                 m_state.Files.Close(fetch.Cloud, piece.Path);
+                fetch.Cloud.Source.Distrust(fetch.Page);
                 page->Status = HierarchyPageStatus.Absent;
                 CountFailure(page, piece.Path, piece.OffsetBytes, fetch.Describe(problem));
             }
@@ -336,9 +347,11 @@ namespace FastPoints.Streaming
             fetch.End();
         }
 
-        void CountFailure(HierarchyPage* page, string path, long offset, string what)
+        // isRemote: it may succeed later, whatever has failed: it is tried again, after ever longer times.
+        void CountFailure(HierarchyPage* page, string path, long offset, string what, bool isRemote = false)
         {
-            page->RetryFrame = m_state.Selector.Frame + (uint)m_state.Settings.FramesToRetry;
+            int doublings = isRemote ? math.clamp(page->Failures + 1 - m_state.Settings.MaxTries, 0, MaxDoublings) : 0;
+            page->RetryFrame = m_state.Selector.Frame + ((uint)m_state.Settings.FramesToRetry << doublings);
             // Reads of one file that were in flight together fail together: they count as one.
             if (page->LastFailureFrame != 0 && m_state.Selector.Frame - page->LastFailureFrame <
                 (uint)m_state.Settings.FramesToRetry)
@@ -346,6 +359,12 @@ namespace FastPoints.Streaming
             page->LastFailureFrame = m_state.Selector.Frame;
             if (++page->Failures < m_state.Settings.MaxTries)
                 return;
+            if (isRemote)
+            {
+                if (page->Failures == m_state.Settings.MaxTries)
+                    m_state.Report(new StreamFailure(path, offset, what));
+                return;
+            }
             if (page->Status == HierarchyPageStatus.Absent)
                 page->Status = HierarchyPageStatus.Failed;
             // Reads in flight when the file was given up fail later, and were reported already.

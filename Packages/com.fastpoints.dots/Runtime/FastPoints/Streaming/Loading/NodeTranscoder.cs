@@ -68,7 +68,7 @@ namespace FastPoints.Streaming
         public readonly string What;
 
         public StreamFailure(string path, long offsetBytes, string what) =>
-            (Path, OffsetBytes, What) = (path, offsetBytes, what);
+            (Path, OffsetBytes, What) = (SourcePath.WithoutQuery(path), offsetBytes, what);
 
         public override string ToString() => Path + (OffsetBytes >= 0 ? " at " + NumberText.Of(OffsetBytes) : "") + ": " + What;
     }

@@ -88,7 +88,7 @@ namespace FastPoints.Streaming
             var cloud = Clouds[node.Cloud];
             var state = cloud.Pages[node.Page].States + node.Node;
             Release(slot);
-            cloud.Source.ForgetChecked(node.Page);
+            cloud.Source.Distrust(node.Page);
             if (!cloud.Source.TranscodesNodes)
                 Files.Close(cloud, cloud.Source.PathOf(node.Page));
             if (cloud.IsRemoving || ++state->Failures < Settings.MaxTries)

@@ -1,0 +1,354 @@
+using FastPoints.HostTests.Cli;
+using FastPoints.Picking;
+
+namespace FastPoints.HostTests.Remote;
+
+/// <summary>Converted clouds of a web server, streamed frame by frame.</summary>
+[NonParallelizable]
+public sealed class RemoteCloudTests : ScratchTests
+{
+    const int Points = 60_000;
+
+    string m_cloud, m_other;
+    string m_served;
+    RangeServer m_server;
+    long m_cacheBytes;
+
+    [OneTimeSetUp]
+    public void MakeClouds()
+    {
+        m_cloud = Convert("scan.fastpoints", Points);
+        m_other = Convert("other.fastpoints", Points / 2);
+    }
+
+    string Convert(string name, int points)
+    {
+        var settings = new ConvertSettings { PointsPerChunk = 6000, CellsLog2 = 4, MaxPointsPerLeaf = 500 };
+        using var reader = PointReaders.Open(Scratch.Demo(name + ".las", points));
+        JobCoroutine.RunToEnd(ConvertCloud.Run([reader], Scratch[name], settings, _ => { }, null));
+        return Scratch[name];
+    }
+
+    [SetUp]
+    public void Serve()
+    {
+        m_cacheBytes = RemoteAccess.CacheBytes;
+        RemoteAccess.CacheBytes = 0;
+        m_served = Directory.CreateDirectory(Scratch[TestContext.CurrentContext.Test.Name]).FullName;
+        Put(m_cloud);
+        m_server = new RangeServer(m_served);
+        RemoteStatistics.Reset();
+    }
+
+    [TearDown]
+    public void EndServing()
+    {
+        m_server.Dispose();
+        RemoteAccess.CacheBytes = m_cacheBytes;
+        RemoteFile.Forget();
+    }
+
+    string Address => m_server.Of("scan.fastpoints");
+
+    void Put(string cloud)
+    {
+        foreach (string file in Directory.GetFiles(cloud, "*", SearchOption.AllDirectories))
+        {
+            string to = Path.Combine(m_served, "scan.fastpoints", Path.GetRelativePath(cloud, file));
+            Directory.CreateDirectory(Path.GetDirectoryName(to));
+            File.Copy(file, to, true);
+            File.SetLastWriteTimeUtc(to, DateTime.UtcNow);
+        }
+    }
+
+    static StreamContext Stream()
+    {
+        var stream = new StreamContext(new MemoryNodePool(64 << 20, 1 << 20));
+        stream.Settings.Selection.MinScreenErrorPx = 0.05f;
+        stream.Settings.FramesToRetry = 3;
+        return stream;
+    }
+
+    static FolderSource Source(string path) => new(CloudFolder.Open(path), StoreLayout.ColorName);
+
+    static int Add(StreamContext stream, FolderSource source) =>
+        stream.Add(source, CloudPlacement.Geo(source.Grid, source.Root));
+
+    static FrameStats Frame(StreamContext stream, double scalePx = 1000)
+    {
+        using var views = new NativeArray<StreamView>(1, Allocator.Persistent) { [0] = StreamView.Everything(scalePx) };
+        return FrameStep.Run(stream, views);
+    }
+
+    static FrameStats Until(StreamContext stream, Func<FrameStats, bool> isThere, string what)
+    {
+        for (int frame = 0; frame < 20_000; frame++)
+        {
+            var stats = Frame(stream);
+            if (isThere(stats))
+                return stats;
+            Thread.Sleep(1);
+        }
+        Assert.Fail(what);
+        return default;
+    }
+
+    static FrameStats Settle(StreamContext stream) => Until(stream, s => s.IsSettled, "it does not come to rest");
+
+    // What is drawn of each node, by its page and number.
+    static unsafe Dictionary<(int, int), ulong> Drawn(StreamContext stream, int cloud)
+    {
+        var drawn = new Dictionary<(int, int), ulong>();
+        foreach (var node in stream.Drawn.AsArray())
+            if (node.Cloud == cloud)
+                drawn.Add((node.Page, node.Node), ContentHash.Of(((MemoryNodePool)stream.Pool).AddressOf(node.Range),
+                    stream.Clouds[cloud].BytesOf(node.Page, node.Node)));
+        return drawn;
+    }
+
+    static Dictionary<(int, int), ulong> DrawnOf(string path)
+    {
+        using var stream = Stream();
+        int cloud = Add(stream, Source(path));
+        Settle(stream);
+        return Drawn(stream, cloud);
+    }
+
+    static List<string> Failures(StreamContext stream)
+    {
+        var failures = new List<string>();
+        while (stream.TryTakeFailure(out var failure))
+            failures.Add(failure.ToString());
+        return failures;
+    }
+
+    [Test]
+    public void Open_AnAddress_TakesARequestForEachOfTwoFiles()
+    {
+        using var folder = CloudFolder.Open(Address + "?sig=secret");
+        using var local = CloudFolder.Open(m_cloud);
+        Assert.That(folder.Upper.Nodes.ToArray(), Is.EqualTo(local.Upper.Nodes.ToArray()));
+        Assert.That(folder.Chunks.Length, Is.EqualTo(local.Chunks.Length).And.GreaterThan(4));
+        Assert.That(m_server.Requests.Select(r => r.Target), Is.EqualTo(new[]
+        {
+            "/scan.fastpoints/cloud.json?sig=secret", "/scan.fastpoints/hierarchy.bin?sig=secret",
+        }));
+    }
+
+    [Test]
+    public void Open_WhatIsNotThere_SaysSoWithoutTheQuery()
+    {
+        var failure = Assert.Throws<PointCloudException>(() => CloudFolder.Open(m_server.Of("no.fastpoints?sig=secret")));
+        Assert.That(failure.Code, Is.EqualTo(FailureCode.NotFound));
+        Assert.That(failure.Path, Is.EqualTo(m_server.Of("no.fastpoints/cloud.json")));
+        Assert.That(failure.ToString(), Does.Not.Contain("secret"));
+    }
+
+    [Test]
+    public void LoadTable_OfAnAddress_IsThatOfTheDisk()
+    {
+        using var folder = CloudFolder.Open(Address);
+        using var local = CloudFolder.Open(m_cloud);
+        m_server.ResetCounts();
+        for (int chunk = 0; chunk < folder.Chunks.Length; chunk++)
+        {
+            folder.FetchTablesFrom(chunk);
+            using var table = folder.LoadTable(chunk);
+            using var wanted = local.LoadTable(chunk);
+            Assert.That(table.Nodes.ToArray(), Is.EqualTo(wanted.Nodes.ToArray()));
+            Assert.That(table.Planes.ToArray(), Is.EqualTo(wanted.Planes.ToArray()));
+        }
+        Assert.That(m_server.Requests.Count, Is.EqualTo(folder.Chunks.Length));
+    }
+
+    [Test]
+    public void Run_AnAddress_DrawsTheNodesAndBytesOfTheDisk()
+    {
+        UnsafeUtility.ForgiveLeaks();
+        var drawn = DrawnOf(Address);
+        Assert.That(drawn, Is.EquivalentTo(DrawnOf(m_cloud)));
+        Assert.That(drawn.Count, Is.GreaterThan(20));
+        Assert.That(UnsafeUtility.CheckForLeaks(), Is.Zero);
+        Assert.That(RemoteStatistics.Waits, Is.Zero);
+    }
+
+    [Test]
+    public void Dispose_WhileReadsAreInFlight_FreesAllAtOnce()
+    {
+        m_server.LatencyMs = 300;
+        UnsafeUtility.ForgiveLeaks();
+        var stream = Stream();
+        Add(stream, Source(Address));
+        Until(stream, s => s.ReadsInFlight > 3, "no reads");
+        var watch = System.Diagnostics.Stopwatch.StartNew();
+        stream.Dispose();
+        Assert.That(watch.ElapsedMilliseconds, Is.LessThan(200), "it waits for the server");
+        Assert.That(UnsafeUtility.CheckForLeaks(), Is.Zero);
+    }
+
+    [Test]
+    public void Run_WhatLeavesTheView_IsCancelled()
+    {
+        m_server.LatencyMs = 500;
+        using var stream = Stream();
+        Add(stream, Source(Address));
+        Until(stream, s => s.ReadsInFlight > 3, "no reads");
+        // Nothing is that small.
+        for (int frame = 0; frame <= stream.Settings.FramesToCancel + 2; frame++)
+            Frame(stream, 1e-9);
+        Assert.That(Frame(stream, 1e-9).ReadsInFlight, Is.LessThanOrEqualTo(1), "the root is always wanted");
+        m_server.LatencyMs = 0;
+        Settle(stream);
+        Assert.That(Drawn(stream, 0), Is.EquivalentTo(DrawnOf(m_cloud)));
+    }
+
+    [Test]
+    public void Run_WithoutAServerForAWhile_SaysSoOnceAndGoesOn()
+    {
+        using var folder = CloudFolder.Open(m_cloud);
+        string[] away = Enumerable.Range(0, folder.Chunks.Length).Select(folder.ChunkPath)
+            .Select(p => Path.Combine(m_served, "scan.fastpoints", Path.GetRelativePath(m_cloud, p))).ToArray();
+        foreach (string file in away)
+            File.Move(file, file + ".away");
+        using var stream = Stream();
+        Add(stream, Source(Address));
+        var failures = new List<string>();
+        Until(stream, s =>
+        {
+            failures.AddRange(Failures(stream));
+            return failures.Count == away.Length;
+        }, "not all failures are reported");
+        Assert.That(failures, Is.All.Contains("404"));
+        foreach (string file in away)
+            File.Move(file + ".away", file);
+        Settle(stream);
+        Assert.That(Failures(stream), Is.Empty);
+        Assert.That(Drawn(stream, 0), Is.EquivalentTo(DrawnOf(m_cloud)));
+    }
+
+    [Test]
+    public void Update_OfACloudThatIsReplacedOnTheServer_ShowsTheOtherAndNothingMixed()
+    {
+        using var stream = Stream();
+        using var feed = CloudFeeds.Open(Address);
+        var versions = new CloudVersions(stream);
+        versions.Add(feed.Take(StoreLayout.ColorName));
+        Until(stream, s => s.DrawnNodes > 0, "nothing");
+        Put(m_other);
+        var wanted = DrawnOf(m_other);
+        int first = versions.Cloud;
+        Until(stream, _ =>
+        {
+            feed.Update(1);
+            if (feed.Newest != null)
+                versions.Add(feed.Take(StoreLayout.ColorName));
+            versions.Update();
+            return versions.Cloud != first;
+        }, "the cloud is not opened again");
+        Settle(stream);
+        Assert.That(Drawn(stream, versions.Cloud), Is.EquivalentTo(wanted));
+    }
+
+    [Test]
+    public void Run_WrongBytes_AreNeverDrawn()
+    {
+        string path = Path.Combine(m_served, "scan.fastpoints", StoreFormat.UpperName);
+        byte[] bytes = File.ReadAllBytes(path);
+        using (var folder = CloudFolder.Open(m_cloud))
+            bytes[folder.Upper.Planes[0].OffsetBytes + 40] ^= 1;
+        File.WriteAllBytes(path, bytes);
+        using var stream = Stream();
+        int cloud = Add(stream, Source(Address));
+        Settle(stream);
+        Assert.That(Failures(stream), Has.One.EndsWith("node 0 is damaged"));
+        Assert.That(Drawn(stream, cloud).Keys, Has.None.EqualTo((0, 0)));
+    }
+
+    [Test]
+    public void Run_Idle_MakesNoGarbage()
+    {
+        using var views = new NativeArray<StreamView>([StreamView.Everything(1000)], Allocator.Persistent);
+        long Garbage(string path)
+        {
+            using var stream = Stream();
+            Add(stream, Source(path));
+            Settle(stream);
+            FrameStep.Run(stream, views);
+            long before = GC.GetAllocatedBytesForCurrentThread();
+            for (int i = 0; i < 50; i++)
+                FrameStep.Run(stream, views);
+            return GC.GetAllocatedBytesForCurrentThread() - before;
+        }
+        // The safety checks of the test build remember each job; their pools grow now and then.
+        long Least(string path) => Enumerable.Range(0, 3).Min(_ => Garbage(path));
+        Assert.That(Least(Address), Is.LessThanOrEqualTo(Least(m_cloud)));
+    }
+
+    [Test]
+    public void Pick_OfAnAddress_FindsThePointOfTheDisk()
+    {
+        PickedPoint Pick(string path)
+        {
+            using var stream = Stream();
+            var source = Source(path);
+            Add(stream, source);
+            Settle(stream);
+            var bounds = source.Folder.Manifest.BoundsGeo;
+            using var picker = new StreamPicker();
+            picker.Begin(stream, PickRay.Parallel((bounds.Min + bounds.Max) / 2 + new double3(0, 0, 500), new double3(0, 0, -1), 1, 5));
+            for (int i = 0; i < 20_000 && !picker.Update(5); i++)
+                Thread.Sleep(1);
+            Assert.That(picker.Pick.Failure, Is.Null);
+            return picker.Pick.Point;
+        }
+        PickedPoint wanted = Pick(m_cloud), got = Pick(Address + "?sig=secret");
+        Assert.That(wanted, Is.Not.Null);
+        Assert.That(got.PositionGeo, Is.EqualTo(wanted.PositionGeo));
+        Assert.That(got.Attributes.Select(a => a.ToString()), Is.EqualTo(wanted.Attributes.Select(a => a.ToString())));
+    }
+
+    [Test]
+    public void Picture_OfAnAddress_HasThePixelsOfTheDisk([Values("adaptive", "2")] string size)
+    {
+        byte[] Picture(string path)
+        {
+            string picture = Scratch["picture.png"];
+            var call = CliCall.Of("picture", path, "-o", picture, "--size", "200x120", "--style", "size=" + size, "--quiet",
+                "--force", "--plain");
+            Assert.That(call.Status, Is.EqualTo(ExitStatus.Done), call.Error);
+            return File.ReadAllBytes(picture);
+        }
+        Assert.That(Picture(Address + "?sig=secret"), Is.EqualTo(Picture(m_cloud)));
+        Assert.That(RemoteStatistics.Waits, Is.Zero);
+    }
+
+    [Test]
+    public void Fly_AnAddress_SaysWhenItWasThere()
+    {
+        var call = CliCall.Of("fly", Address, "--frames", "90", "--json", "-");
+        Assert.That(call.Status, Is.EqualTo(ExitStatus.Done), call.Error);
+        Assert.That(call.Json.GetProperty("secondsTo95").GetDouble(),
+            Is.GreaterThanOrEqualTo(call.Json.GetProperty("secondsToFull").GetDouble()));
+        Assert.That(call.Json.GetProperty("pointsDrawn").GetInt64(), Is.GreaterThan(Points / 2));
+    }
+
+    [Test]
+    public void Verify_OfAnAddress_FindsAllPoints()
+    {
+        var call = CliCall.Of("verify", Address, "--json", "-");
+        Assert.That(call.Status, Is.EqualTo(ExitStatus.Done), call.Error);
+        Assert.That(call.Json.GetProperty("points").GetInt64(), Is.EqualTo(Points));
+    }
+
+    [Test]
+    public void Info_OfAnAddress_IsThatOfTheDisk()
+    {
+        string Info(string path)
+        {
+            var call = CliCall.Of("info", path);
+            Assert.That(call.Status, Is.EqualTo(ExitStatus.Done), call.Error);
+            return Regex.Replace(call.Output, @"(?m)^.*scan\.fastpoints.*$|size .*", "");
+        }
+        Assert.That(Info(Address), Is.EqualTo(Info(m_cloud)));
+    }
+}

@@ -1,0 +1,169 @@
+using System;
+using System.Collections.Generic;
+using Unity.Burst;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.IO.LowLevel.Unsafe;
+using Unity.Jobs;
+
+namespace FastPoints
+{
+    // Pieces of remote files, on their way or here. Whoever disposes it has completed the jobs that copy from it.
+    internal sealed unsafe class FetchedBytes : IDisposable
+    {
+        // A node of an octree of many files mostly comes with opening it.
+        const int WholeHeadBytes = 1 << 20;
+
+        const long MaxWholeBytes = 1L << 28;
+
+        sealed class Fetch
+        {
+            public FilePiece Piece;
+            public PoolTask<RemoteFile> Opening;
+            public RemoteFile File;
+            public RemoteRead Read;
+            public bool IsWhole;
+        }
+
+        readonly List<Fetch> m_fetches = new List<Fetch>();
+        readonly int m_rank;
+
+        // A piece without a length is its whole file. What has the lowest rank is fetched first. Nothing waits.
+        public FetchedBytes(List<FilePiece> pieces, int rank)
+        {
+            m_rank = rank;
+            foreach (var piece in pieces)
+            {
+                var fetch = new Fetch { Piece = piece, IsWhole = piece.LengthBytes < 0, File = RemoteFile.Find(piece.Path) };
+                m_fetches.Add(fetch);
+                if (fetch.File != null)
+                    Begin(fetch);
+                else
+                    fetch.Opening = PoolTask.Begin(SourcePath.WithoutQuery(piece.Path), () => RemoteFile.Open(piece.Path,
+                        piece.LengthBytes < 0 ? WholeHeadBytes : RemoteFile.HeadBytes));
+            }
+        }
+
+        public static FetchedBytes Of(string path, long offset, long bytes) => new FetchedBytes(
+            new List<FilePiece> { new FilePiece { Path = path, OffsetBytes = offset, LengthBytes = bytes } }, 0);
+
+        // Of the first piece that failed, once all are done.
+        public PointCloudException Failure { get; private set; }
+
+        // Of all pieces; a whole file counts once it is opened.
+        public long Bytes
+        {
+            get
+            {
+                long bytes = 0;
+                foreach (var fetch in m_fetches)
+                    bytes += Math.Max(0, fetch.Piece.LengthBytes);
+                return bytes;
+            }
+        }
+
+        // All are here, or have failed.
+        public bool IsDone
+        {
+            get
+            {
+                bool isDone = true;
+                foreach (var fetch in m_fetches)
+                    isDone &= Poll(fetch);
+                return isDone;
+            }
+        }
+
+        bool Poll(Fetch fetch)
+        {
+            if (fetch.Opening != null)
+            {
+                if (!fetch.Opening.IsDone)
+                    return false;
+                var opening = fetch.Opening;
+                fetch.Opening = null;
+                try
+                {
+                    fetch.File = opening.Take();
+                    Begin(fetch);
+                }
+                catch (PointCloudException failure)
+                {
+                    Failure ??= failure;
+                }
+            }
+            if (fetch.Read == null)
+                return true;
+            if (!fetch.Read.IsDone)
+                return false;
+            if (fetch.IsWhole)
+                fetch.File.DropHead();
+            Failure ??= fetch.Read.Failure;
+            return true;
+        }
+
+        void Begin(Fetch fetch)
+        {
+            long left = fetch.File.Length - fetch.Piece.OffsetBytes;
+            // What lies behind the file's end is the reader's business.
+            fetch.Piece.LengthBytes = fetch.IsWhole ? left : Math.Min(fetch.Piece.LengthBytes, left);
+            if (fetch.IsWhole && left > MaxWholeBytes)
+                Failure ??= PointCloudException.Wanted(FailureCode.Unsupported, fetch.Piece.Path, -1,
+                    "bytes of a file that is read whole", "at most " + NumberText.Of(MaxWholeBytes), NumberText.Of(left));
+            else if (fetch.Piece.LengthBytes > 0)
+                fetch.Read = fetch.File.Begin(fetch.Piece.OffsetBytes, fetch.Piece.LengthBytes, m_rank);
+        }
+
+        // Schedules jobs that copy what a command wants. False, without any, if not all of it is here.
+        public bool TryCopy(string path, in ReadCommand command, ref JobHandle copied)
+        {
+            long covered = 0;
+            foreach (var fetch in m_fetches)
+                covered += OverlapOf(fetch, path, command, out _);
+            if (covered != command.Size)
+                return false;
+            foreach (var fetch in m_fetches)
+            {
+                long bytes = OverlapOf(fetch, path, command, out long first);
+                if (bytes <= 0)
+                    continue;
+                copied = JobHandle.CombineDependencies(copied, new CopyFetchedJob
+                {
+                    From = fetch.Read.Data + (first - fetch.Piece.OffsetBytes),
+                    To = (byte*)command.Buffer + (first - command.Offset),
+                    Bytes = bytes,
+                }.Schedule());
+            }
+            return true;
+        }
+
+        static long OverlapOf(Fetch fetch, string path, in ReadCommand command, out long first)
+        {
+            first = Math.Max(fetch.Piece.OffsetBytes, command.Offset);
+            if (fetch.Read == null || !fetch.Read.IsDone || fetch.Read.Failure != null || fetch.Piece.Path != path)
+                return 0;
+            long end = Math.Min(fetch.Piece.OffsetBytes + fetch.Piece.LengthBytes, command.Offset + command.Size);
+            return Math.Max(0, end - first);
+        }
+
+        // Cancels what has not come.
+        public void Dispose()
+        {
+            foreach (var fetch in m_fetches)
+            {
+                fetch.Opening?.Dispose();
+                fetch.Read?.Dispose();
+            }
+            m_fetches.Clear();
+        }
+    }
+
+    [BurstCompile]
+    unsafe struct CopyFetchedJob : IJob
+    {
+        [NativeDisableUnsafePtrRestriction] public byte* From;
+        [NativeDisableUnsafePtrRestriction] public byte* To;
+        public long Bytes;
+
+        public void Execute() => UnsafeUtility.MemCpy(To, From, Bytes);
+    }
+}
