@@ -36,7 +36,7 @@ public static class CommandLine
         if (FindUsageError(parsed, verbs) is { } misread)
             return ReportUsageError(error, asked, misread);
         var chosen = verbs.FirstOrDefault(v => v.Command == asked);
-        if (chosen == null || !chosen.IsAsked(parsed))
+        if (chosen == null || !chosen.IsInvoked(parsed))
             return parsed.Invoke(new InvocationConfiguration
             {
                 Output = output,
@@ -55,8 +55,8 @@ public static class CommandLine
     static List<Verb> AllVerbs() =>
     [
         new DefaultVerb(), new InfoVerb(), new PreviewVerb(), new ConvertVerb(), new VerifyVerb(),
-        new ExportVerb(), new PictureVerb(), new FlyVerb(), new DemoCloudVerb(), new BenchVerb(), new CacheVerb(),
-        new CompletionVerb(),
+        new ExportVerb(), new PictureVerb(), new FlyVerb(), new DemoCloudVerb(), new BenchVerb(), new PublishVerb(),
+        new CacheVerb(), new CompletionVerb(),
     ];
 
     static int ReportUsageError(TextWriter error, Command command, string what)
@@ -161,7 +161,7 @@ public static class CommandLine
             if (common.UseThreads(parsed) is { } note)
                 run.Warn(note);
             if (json != null)
-                OutputNames.RefuseOther("--json", "a summary", json);
+                OutputNames.RefuseOtherKind("--json", "a summary", json);
             verb.Run(parsed, run);
             // An exception in a job is only logged: fail here, since the result may be wrong.
             LoggedExceptions.ThrowFirst();

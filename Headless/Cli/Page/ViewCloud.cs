@@ -12,8 +12,7 @@ sealed class ViewCloud
     /// <summary>Of the points, packed to see how many fit.</summary>
     const double TriedShare = 1 / 8.0;
 
-    /// <summary>Of base 64.</summary>
-    const double BytesOfLetters = 4 / 3.0;
+    const double Base64Growth = 4 / 3.0;
 
     const double FarBounds = 4;
 
@@ -42,12 +41,13 @@ sealed class ViewCloud
     /// <summary>What a command line that exports a part of it reads.</summary>
     public string Source { get; init; } = "";
     public (List<Camera> Cameras, int Every)? Path { get; init; }
+
     /// <param name="source">As a command line names it.</param>
-    public static ViewCloud Take(Func<PointReader> open, string source, PictureOptions options, Camera camera, CliRun run)
+    public static ViewCloud OfSource(Func<PointReader> open, string source, PictureOptions options, Camera camera, CliRun run)
     {
         var preview = new PreviewOptions { Points = MaxPoints, Picture = options };
         using var reader = open();
-        using var taken = new SampleMethods(() => WithAll(open()), preview, run) { Runs = 1 }.Ours();
+        using var taken = new SampleMethods(() => SamplingAllAttributes(open()), preview, run) { Runs = 1 }.Ours();
         var errors = WaveErrors.Measure(reader, taken, run);
         var view = new ViewCloud(options, new DisplayRanges { Units = reader.Info.Crs.Units })
         {
@@ -89,8 +89,8 @@ sealed class ViewCloud
             };
             if (ranges.Full.IsEmpty)
                 continue;
-            view.Ranges.Full = Around(view.Ranges.Full, ranges.Full);
-            view.Ranges.Robust = Around(view.Ranges.Robust, ranges.Robust);
+            view.Ranges.Full = Union(view.Ranges.Full, ranges.Full);
+            view.Ranges.Robust = Union(view.Ranges.Robust, ranges.Robust);
             view.Ranges.ElevationLow = Math.Min(view.Ranges.ElevationLow, ranges.ElevationLow);
             view.Ranges.ElevationHigh = Math.Max(view.Ranges.ElevationHigh, ranges.ElevationHigh);
         }
@@ -99,14 +99,14 @@ sealed class ViewCloud
         return view;
     }
 
-    static BoundsGeo Around(BoundsGeo a, BoundsGeo b) => new(math.min(a.Min, b.Min), math.max(a.Max, b.Max));
+    static BoundsGeo Union(BoundsGeo a, BoundsGeo b) => new(math.min(a.Min, b.Min), math.max(a.Max, b.Max));
 
     static PointBatch Load(string path, int max, CliRun run, out PositionTransform transform, out CloudCrs crs)
     {
         if (!CloudFolder.IsCloud(path))
         {
-            using var reader = WithAll(PointReaders.Open(path));
-            using var sampler = Sampled(reader, max, run);
+            using var reader = SamplingAllAttributes(PointReaders.Open(path));
+            using var sampler = RunSampler(reader, max, run);
             (transform, crs) = (reader.Info.Transform, reader.Info.Crs.ToCloudCrs());
             return sampler.TakeSample().Points;
         }
@@ -121,7 +121,7 @@ sealed class ViewCloud
         return batch;
     }
 
-    static PreviewSampler Sampled(PointReader reader, int max, CliRun run)
+    static PreviewSampler RunSampler(PointReader reader, int max, CliRun run)
     {
         if (!reader.BlocksAreKnown)
             run.RunSteps(reader.FindBlocks());
@@ -130,7 +130,7 @@ sealed class ViewCloud
         return sampler;
     }
 
-    static PointReader WithAll(PointReader reader)
+    static PointReader SamplingAllAttributes(PointReader reader)
     {
         reader.Info.AlsoSampled = reader.Info.Schema.Select(a => a.Name).ToArray();
         return reader;
@@ -155,7 +155,7 @@ sealed class ViewCloud
         {
             var sets = m_sets.Select(s => Pack(s, share)).ToList();
             shown = sets[^1].Kept.Length;
-            double bytes = sets.Sum(s => s.Bytes.Length) * BytesOfLetters;
+            double bytes = sets.Sum(s => s.Bytes.Length) * Base64Growth;
             if (share == 1 ? bytes <= maxBytes : share != TriedShare && (bytes <= maxBytes || shown < 1000))
                 return ToJson(sets);
             share = Math.Min(share == TriedShare ? 1 : 0.97 * share, share * 0.97 * maxBytes / Math.Max(1, bytes));
@@ -164,7 +164,7 @@ sealed class ViewCloud
 
     string ToJson(List<PackedSet> sets)
     {
-        var stream = new MemoryStream((int)(sets.Sum(s => s.Bytes.Length) * BytesOfLetters) + 100_000);
+        var stream = new MemoryStream((int)(sets.Sum(s => s.Bytes.Length) * Base64Growth) + 100_000);
         using (var json = new Utf8JsonWriter(stream))
         {
             json.WriteStartObject();
@@ -247,7 +247,7 @@ sealed class ViewCloud
         WriteColor(json);
         json.WriteBoolean("north", SourceFacts.IsNorthAlongY(Crs) && m_options.UpAxis == UpAxis.Z);
         json.WriteString("source", Source);
-        // A little larger than their distance: what is askew would have holes.
+        // Larger than their distance: slanted surfaces would have holes.
         json.WriteNumber("spacing", 2 * Spacing * Math.Sqrt(Points.Count / Math.Max(1.0, shown)));
         json.WriteNumber("mode", mode == ColorMode.Rgb ? ColorsOfPoints : m_columns.FindIndex(c => c.Name == name));
         json.WriteBoolean("shaded", mode != ColorMode.Rgb);

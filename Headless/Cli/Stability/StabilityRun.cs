@@ -45,7 +45,7 @@ public sealed class StabilityRun
         string target = m_case.Target?.Invoke(m_folder) ?? Path.Combine(m_folder, "cloud" + StoreFormat.FolderExtension);
         RgbaImage? reference = null;
         var options = new PictureOptions { WidthPx = PictureWidthPx, HeightPx = PictureHeightPx, View = ViewDirection.Iso };
-        Take("read", () =>
+        RunStage("read", () =>
         {
             using var reader = PointReaders.Open(input.Files);
             var scan = new SummariseCloud(reader);
@@ -57,26 +57,26 @@ public sealed class StabilityRun
             options.Color = all.Plan.Mode;
             return Math.Abs(scan.Summary.Points - input.Points) + Math.Abs(scan.Summary.NonFinite - input.LeftOut);
         });
-        Take("preview", () =>
+        RunStage("preview", () =>
         {
             using var reader = PointReaders.Open(input.Files);
             using var preview = new PreviewCloud(reader, new PreviewOptions { Points = 50000, Picture = options });
             JobCoroutine.RunToEnd(preview.Run(null));
             return ImageError.Compare(preview.Image, reference!, options.Background).Uncovered;
         });
-        Take("build", () => Build(input, target));
+        RunStage("build", () => Build(input, target));
         if (m_case.IsCloud)
         {
-            Take("draw", () =>
+            RunStage("draw", () =>
             {
                 using var folder = CloudFolder.Open(target);
                 var draw = new DrawStored(folder, options);
                 JobCoroutine.RunToEnd(draw.Run(null));
                 return ImageError.Compare(draw.Image, reference!, options.Background).Uncovered;
             });
-            Take("stream", () => StreamStage.Run(target, options, reference!, Problems));
+            RunStage("stream", () => StreamStage.Run(target, options, reference!, Problems));
             if (HeadlessGraphics.IsAvailable)
-                Take("card", () => GpuStage.Run(target, options, Problems));
+                RunStage("card", () => GpuStage.Run(target, options, Problems));
         }
     }
 
@@ -127,7 +127,7 @@ public sealed class StabilityRun
         }
     }
 
-    void Take(string stage, Func<double> run)
+    void RunStage(string stage, Func<double> run)
     {
         long begin = Stopwatch.GetTimestamp();
         string outcome = "ok";

@@ -73,7 +73,7 @@ public sealed class PictureVerb : Verb
         if (options.SamplesPerEdge > 1 && parsed.GetValue(m_gpu))
             throw new UsageException("--samples or --gpu, not both");
         long budget = parsed.GetValue(m_budget) ?? 0;
-        OutputNames.RefuseNoPicture(output);
+        OutputNames.RequirePictureName(output);
         if (flipMap != null)
             RefuseMap(flipMap, output, against);
         clouds = run.Begin(against != null ? clouds.Append(against) : clouds, Outputs(output, flipMap))[..clouds.Length];
@@ -116,7 +116,7 @@ public sealed class PictureVerb : Verb
     {
         if (against == null)
             throw new UsageException("--flip-map wants --against");
-        OutputNames.RefuseNoPicture(flipMap, "--flip-map");
+        OutputNames.RequirePictureName(flipMap, "--flip-map");
         OutputNames.RefuseSame("--flip-map", flipMap, output);
     }
 

@@ -106,7 +106,7 @@ namespace FastPoints.Editor
                 PointCloudImports.MoveRoot(root);
             bool isChanged = EditorGUI.EndChangeCheck();
             if (browses && EditorUtility.OpenFolderPanel("Converted clouds in", settings.Place, "") is { Length: > 0 } chosen)
-                folder = PointCloudImports.Paths.StoredPlace(chosen);
+                folder = PointCloudImports.Paths.StoredShared(chosen);
             if (isChanged || folder != settings.Place)
                 Keep(settings, folder);
             // Other windows were drawn while the panel was open: this one's layout is lost.

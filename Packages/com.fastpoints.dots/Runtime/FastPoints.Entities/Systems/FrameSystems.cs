@@ -22,7 +22,7 @@ namespace FastPoints.Entities
         protected override void OnUpdate() => FrameStep.Upload(Group.Stream, ref Group.Stats);
     }
 
-    /// <summary>Begins to read nodes, and evicts less useful ones.</summary>
+    /// <summary>Begins to read nodes, and evicts less needed ones.</summary>
     [WorldSystemFilter(WorldSystemFilterFlags.Default | WorldSystemFilterFlags.Editor)]
     [UpdateInGroup(typeof(PointCloudSystemGroup))]
     [UpdateAfter(typeof(UploadNodesSystem))]

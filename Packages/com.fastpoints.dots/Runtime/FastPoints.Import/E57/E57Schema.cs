@@ -168,7 +168,7 @@ namespace FastPoints.E57
                 for (int i = 0; i < m_scans.Count; i++)
                 {
                     double steps = (offsets[i] - offset[axis]) / scale[axis];
-                    if (!CommonGrid.TryPlace(scales[i], offsets[i], scale[axis], offset[axis], out var placed) ||
+                    if (!CommonGrid.TryRescale(scales[i], offsets[i], scale[axis], offset[axis], out var placed) ||
                         placed.Loss > 0 || !(Math.Abs(steps - placed.Shift) <= GridToleranceSteps) ||
                         Math.Abs(placed.Shift) > uint.MaxValue)
                         return false;

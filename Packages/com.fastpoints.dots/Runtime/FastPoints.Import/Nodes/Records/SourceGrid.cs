@@ -234,7 +234,7 @@ namespace FastPoints.Nodes
             return axes;
         }
 
-        /// <summary>Maps one source's numbers to a given grid: that of a stored cloud, to compare it with its source.</summary>
+        /// <summary>Maps one source's numbers to a given grid: that of a converted cloud, to compare it with its source.</summary>
         /// <exception cref="PointCloudException">The source's scales and offsets do not fit the grid.</exception>
         public static SourceGrid OnGrid(SourceInfo info, CloudGrid grid)
         {
@@ -248,7 +248,7 @@ namespace FastPoints.Nodes
             var result = new SourceAxis { Scale = scale, Offset = offset, Origin = origin, Step = step };
             if (info.Schema[info.Schema.IndexOf(name)].Type.IsFloat())
                 return result;
-            if (!CommonGrid.TryPlace(scale, offset, step, origin, out var placed))
+            if (!CommonGrid.TryRescale(scale, offset, step, origin, out var placed))
             {
                 throw new PointCloudException(FailureCode.Unsupported, info.Path, -1,
                     "scale and offset of " + name + ": no grid holds them together with the other files'");

@@ -69,7 +69,7 @@ namespace FastPoints.Nodes
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         Grid3 PositionAt(int point) => Layout.PositionOf(m_records + (long)point * Layout.StrideBytes) - Corner;
 
-        DartGrid Grid => Scratch.Grid.For(m_state.Cell, Averaged.IsOn);
+        DartGrid Grid => Scratch.Grid.For(m_state.Cell, Averaged.HasColumns);
 
         void Gather()
         {

@@ -16,7 +16,7 @@ namespace FastPoints.Nodes
         void BeginAverages(int number)
         {
             m_state.Stage = Stage.NextSpacing;
-            if (!Averaged.IsOn)
+            if (!Averaged.HasColumns)
                 return;
             for (number++; number < Scratch.Ranges.Length; number++)
             {

@@ -162,7 +162,7 @@ namespace FastPoints.Nodes
             Scratch.Offered.ResizeUninitialized(Count);
             if (IsRandom)
                 Scratch.OfferedCommon.ResizeUninitialized(Count);
-            if (Averaged.IsOn)
+            if (Averaged.HasColumns)
             {
                 Averaged.Averages.Clear();
                 UnsafeUtility.MemSet(Averaged.AverageOfPoint.GetUnsafePtr(), 0xFF, (long)Count * sizeof(int));

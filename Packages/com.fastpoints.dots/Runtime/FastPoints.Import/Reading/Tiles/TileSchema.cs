@@ -70,7 +70,7 @@ namespace FastPoints.Reading
                 column.Kind = to.Type.IsFloat() ? TileColumnKind.Real : TileColumnKind.Position;
                 if (column.Kind == TileColumnKind.Position)
                 {
-                    CommonGrid.TryPlace(scale, offset, cloud.Scale[axis], cloud.Offset[axis], out var placed);
+                    CommonGrid.TryRescale(scale, offset, cloud.Scale[axis], cloud.Offset[axis], out var placed);
                     (column.Factor, column.Shift, _) = placed;
                 }
                 else if (!isSame)
@@ -134,7 +134,7 @@ namespace FastPoints.Reading
             double step = CommonGrid.StepOf(scales, offsets), worst = 0;
             for (int i = 0; i < scales.Length; i++)
             {
-                if (!CommonGrid.TryPlace(scales[i], offsets[i], step, offsets[0], out var placed))
+                if (!CommonGrid.TryRescale(scales[i], offsets[i], step, offsets[0], out var placed))
                 {
                     m_info.Warn(-1, name + ": no grid holds the scale and offset of " + m_tiles[i].Path +
                         " together with the other files': all are read as floats of 64 bits");

@@ -15,7 +15,7 @@ namespace FastPoints.Sources
     internal unsafe struct OrderNodeJob : IJob
     {
         // About 3 ms.
-        public const int PointsOfSlice = 1 << 16;
+        public const int PointsPerSlice = 1 << 16;
 
         // Along each axis: cells that are finer than those of a full block's points.
         const int KeyBits = 10;
@@ -51,7 +51,7 @@ namespace FastPoints.Sources
             var state = State.Value;
             if (First == 0)
                 state = new PackState { IsDamaged = Decoded.Value.Points < Count || Decoded.Value.Error != 0 };
-            int count = math.min(PointsOfSlice, Count - First);
+            int count = math.min(PointsPerSlice, Count - First);
             if (!state.IsDamaged)
             {
                 state.IsDamaged = !TryPlace(count);

@@ -151,7 +151,7 @@ namespace FastPoints.Sources
                 KeyScratch = m_keyScratch,
                 PointScratch = m_pointScratch,
             };
-            for (; order.First < count; order.First += OrderNodeJob.PointsOfSlice)
+            for (; order.First < count; order.First += OrderNodeJob.PointsPerSlice)
                 decoded = order.Schedule(decoded);
             for (int p = 0; p < m_planes.Count; p++)
                 decoded = SchedulePlane(p, decoded);
@@ -194,7 +194,7 @@ namespace FastPoints.Sources
         {
             FreeBuffers();
             int capacity = Math.Max(MinCapacity, math.ceilpow2(points));
-            int slice = Math.Min(capacity, OrderNodeJob.PointsOfSlice);
+            int slice = Math.Min(capacity, OrderNodeJob.PointsPerSlice);
             m_read = m_reader.CreateRead(m_planes.Decoded, capacity, Allocator.Persistent);
             m_offsets = Allocate<byte>((m_grid.IsWide ? 24L : 12L) * capacity);
             m_pointOfRank = Allocate<uint>(capacity);

@@ -110,7 +110,7 @@ namespace FastPoints.Text
         static int AxisOf(string name) =>
             name == AttributeNames.X ? 0 : name == AttributeNames.Y ? 1 : name == AttributeNames.Z ? 2 : -1;
 
-        private protected override void BlocksFound() => m_isReported.Length = Blocks.Count;
+        private protected override void OnBlocksFound() => m_isReported.Length = Blocks.Count;
 
         public override IEnumerator<JobStep> FindBlocks()
         {
@@ -119,7 +119,7 @@ namespace FastPoints.Text
             using var scan = new AsciiRowScan(this, File, m_sniff.DataOffset, MaxBlockBytes, 0, ulong.MaxValue);
             while (scan.Next(out var handle))
                 yield return handle;
-            Blocks.Take(scan.TakeBlocks());
+            Blocks.Set(scan.TakeBlocks());
             m_isReported.Length = Blocks.Count;
             m_isReported.SetAll(false);
             foreach (var warning in m_warnings)

@@ -167,12 +167,6 @@ namespace FastPoints
             }
         }
 
-        public void Drop(RangeKey key)
-        {
-            lock (m_lock)
-                m_entries.Remove(key);
-        }
-
         bool HasRoom(long bytes) => m_written.Bytes + bytes <= Math.Min(MaxSegmentBytes, m_maxBytes / MinSegments);
 
         void Append(RangeKey key, long offset, ReadOnlySpan<byte> bytes)
@@ -202,6 +196,12 @@ namespace FastPoints
                 });
                 Delete(m_segments.IndexOf(segment));
             }
+        }
+
+        public void Drop(RangeKey key)
+        {
+            lock (m_lock)
+                m_entries.Remove(key);
         }
 
         // Deletes what no process has open; on Windows others' segments may stay.

@@ -11,7 +11,7 @@ namespace FastPoints
     internal sealed class RangeQueue
     {
         // Larger ranges are cut, so that connections share them and what is urgent waits for no long one.
-        const int MaxRequestBytes = 1 << 20;
+        public const int MaxRequestBytes = 1 << 20;
 
         // A gap that costs less than a request's own headers.
         const int MinGapBytes = 2 << 10;
@@ -79,24 +79,20 @@ namespace FastPoints
             }
         }
 
-        public void Add(RemoteRead read, List<int> parts)
+        public void Add(RemoteRead read, List<RangePiece> pieces)
         {
             lock (m_lock)
             {
-                foreach (int part in parts)
-                {
-                    var command = read.PartAt(part);
-                    for (long at = 0; at < command.Size; at += MaxRequestBytes)
-                        m_wanted.Add(new Wanted
-                        {
-                            Read = read,
-                            Part = part,
-                            At = at,
-                            Offset = command.Offset + at,
-                            Bytes = Math.Min(MaxRequestBytes, command.Size - at),
-                            Number = ++m_begun,
-                        });
-                }
+                foreach (var piece in pieces)
+                    m_wanted.Add(new Wanted
+                    {
+                        Read = read,
+                        Part = piece.Part,
+                        At = piece.At,
+                        Offset = read.PartAt(piece.Part).Offset + piece.At,
+                        Bytes = piece.Bytes,
+                        Number = ++m_begun,
+                    });
                 BeginRequests();
             }
         }
@@ -277,5 +273,15 @@ namespace FastPoints
                         Wanted[i].Read.Fail(failure);
             }
         }
+    }
+
+    // Of a read: some bytes of one of its parts, no more than one request brings.
+    internal readonly struct RangePiece
+    {
+        public readonly int Part;
+        public readonly long At;
+        public readonly int Bytes;
+
+        public RangePiece(int part, long at, int bytes) => (Part, At, Bytes) = (part, at, bytes);
     }
 }
