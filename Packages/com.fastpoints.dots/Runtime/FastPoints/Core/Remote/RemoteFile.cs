@@ -54,6 +54,9 @@ namespace FastPoints
         // Another value, another version of the file.
         public string Identity => m_identity.ToString();
 
+        // Without, only another length tells that it is another file.
+        public bool HasVersion => m_identity.Tag.Length + m_identity.Modified.Length > 0;
+
         // Seconds that an answer takes to begin; 0 if none was seen yet.
         public double RoundTrip => m_queue.RoundTrip;
 
