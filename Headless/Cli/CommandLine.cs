@@ -32,10 +32,10 @@ public static class CommandLine
             var same => same,
         };
         var parsed = root.Parse(args, new ParserConfiguration { EnablePosixBundling = false, ResponseFileTokenReplacer = null });
-        var asked = parsed.CommandResult.Command;
-        if (FindUsageError(parsed, verbs) is { } misread)
-            return ReportUsageError(error, asked, misread);
-        var chosen = verbs.FirstOrDefault(v => v.Command == asked);
+        var command = parsed.CommandResult.Command;
+        if (FindUsageError(parsed, verbs) is { } usageError)
+            return ReportUsageError(error, command, usageError);
+        var chosen = verbs.FirstOrDefault(v => v.Command == command);
         if (chosen == null || !chosen.IsInvoked(parsed))
             return parsed.Invoke(new InvocationConfiguration
             {
@@ -47,7 +47,7 @@ public static class CommandLine
         var run = new CliRun(output, error, common.Read(parsed), cancellation)
         {
             Discard = discard,
-            Line = "./fastpoints " + string.Join(" ", args.Select(SourcePath.WithoutQuery).Select(Quoted)),
+            CommandLine = "./fastpoints " + string.Join(" ", args.Select(SourcePath.WithoutQuery).Select(Quoted)),
         };
         return Run(chosen, parsed, common, run, error, errorIsTerminal);
     }
@@ -129,8 +129,9 @@ public static class CommandLine
     /// <summary>An edit distance below a third of its letters, or a prefix.</summary>
     static string Suggestion(string word, IEnumerable<string> known, string before = "")
     {
-        int Far(string name) => word.Length > 2 && name.StartsWith(word, StringComparison.Ordinal) ? 1 : Distance(word, name);
-        string? nearest = known.Where(k => Far(k) <= Math.Max(1, word.Length / 3)).MinBy(Far);
+        int DistanceTo(string name) =>
+            word.Length > 2 && name.StartsWith(word, StringComparison.Ordinal) ? 1 : Distance(word, name);
+        string? nearest = known.Where(k => DistanceTo(k) <= Math.Max(1, word.Length / 3)).MinBy(DistanceTo);
         return nearest == null ? "" : ": did you mean " + before + nearest + "?";
     }
 

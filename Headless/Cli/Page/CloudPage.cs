@@ -122,24 +122,31 @@ sealed class CloudPage
     void Speed(ReportPage page)
     {
         page.Heading("Error and time");
-        var curve = new LineChart("Error of the preview against time", "seconds from the open call", "RMS distance, " + View.Unit)
-        {
-            PlotWidth = 310,
-            HasLegend = false,
-            LogX = true,
-            LogY = true,
-        };
         bool isMeasured = !View.Ranges.IsInDegrees;
-        curve.Add("preview", View.Waves.Where(_ => isMeasured).Select(w => (w.Seconds, w.Rms)));
+        var distances = WaveChart("Error of the preview against time", "RMS distance, " + View.Unit, true);
+        distances.Add("preview", View.Waves.Where(_ => isMeasured).Select(w => (w.Seconds, w.Rms)));
+        var flips = WaveChart("FLIP of the preview against time", "FLIP", false);
+        flips.Add("preview", View.Waves.Select(w => (w.Seconds, w.Flip)));
         var stages = Stages.Select(s => (s.Name, s.Seconds, Human.Seconds(s.Seconds))).ToList();
-        page.Html("<div class=\"row\"><figure id=\"error-chart\">" + curve.ToSvg() + "<figcaption>"
+        page.Html("<div class=\"row\"><figure id=\"error-chart\" class=\"waves\">" + distances.ToSvg() + "<figcaption>"
             + (isMeasured ? "How far 100,000 points, chosen evenly from the whole cloud, are from the nearest point of each wave "
                 + "of the preview above. A hollow mark on the lower edge is an error of zero: all points are shown."
                 : "Not measured: coordinates are degrees.")
+            + "</figcaption></figure><figure id=\"flip-chart\" class=\"waves\">" + flips.ToSvg() + "<figcaption>"
+            + "What an eye sees of the difference between each wave's picture and a smooth one of the octree, from 0 to 1. "
+            + "The octree's own points, with one sample a pixel, have " + Human.FourDigits(View.FlipFloor) + "."
             + "</figcaption></figure><figure>" + BarChart.Rows("What took how long", stages) + "<figcaption>"
             + ReportPage.Escape(Threads.InUse + " threads; " + Human.Seconds(Stages.Sum(s => s.Seconds)) + " together.")
             + "</figcaption></figure></div>");
     }
+
+    static LineChart WaveChart(string title, string yLabel, bool isLog) => new(title, "seconds from the open call", yLabel)
+    {
+        PlotWidth = 310,
+        HasLegend = false,
+        LogX = true,
+        LogY = isLog,
+    };
 
     IEnumerable<string> Pictures()
     {

@@ -29,6 +29,9 @@ sealed class ViewCloud
     public string Unit => Human.Unit(Ranges.Units.Horizontal);
     public List<ViewWave> Waves { get; } = [];
 
+    /// <summary>FLIP of all points with one sample a pixel; see <see cref="WaveFlips"/>.</summary>
+    public double FlipFloor { get; private set; }
+
     /// <summary>What is shown: everything, or what nearly all points are in where few far ones would leave it too few
     /// pixels.</summary>
     public BoundsGeo Bounds { get; private set; } = new(new double3(0, 0, 0), new double3(1, 1, 1));
@@ -43,15 +46,18 @@ sealed class ViewCloud
     public (List<Camera> Cameras, int Every)? Path { get; init; }
 
     /// <param name="source">As a command line names it.</param>
-    public static ViewCloud OfSource(Func<PointReader> open, string source, PictureOptions options, Camera camera, CliRun run)
+    /// <param name="cloud">Its octree.</param>
+    public static ViewCloud OfSource(Func<PointReader> open, string source, string cloud, PictureOptions options, CliRun run)
     {
         var preview = new PreviewOptions { Points = MaxPoints, Picture = options };
         using var reader = open();
         using var taken = new SampleMethods(() => SamplingAllAttributes(open()), preview, run) { Runs = 1 }.Ours();
         var errors = WaveErrors.Measure(reader, taken, run);
+        var flips = WaveFlips.Measure(cloud, taken, options, run);
         var view = new ViewCloud(options, new DisplayRanges { Units = reader.Info.Crs.Units })
         {
-            Camera = camera,
+            Camera = options.Camera!.Value,
+            FlipFloor = flips.Floor,
             Crs = reader.Info.Crs.ToCloudCrs(),
             Source = source,
         };
@@ -59,7 +65,8 @@ sealed class ViewCloud
         {
             var (wave, points) = taken.Waves[i];
             bool isLastOfBatch = i + 1 == taken.Waves.Count || taken.Waves[i + 1].Points != points;
-            view.Waves.Add(new ViewWave(view.m_sets.Count, wave.Points, wave.Seconds, wave.BytesRead, errors[i]));
+            view.Waves.Add(new ViewWave(view.m_sets.Count, wave.Points, wave.Seconds, wave.BytesRead, errors[i],
+                flips.OfWave[i]));
             if (isLastOfBatch)
                 view.m_sets.Add(ViewPoints.Of(points, wave.Points, taken.Transform));
         }
@@ -215,7 +222,8 @@ sealed class ViewCloud
     }
 
     public string Describe(ViewWave wave) => Human.Count(wave.Points, "point") + " after " + Human.Seconds(wave.Seconds)
-        + (Ranges.IsInDegrees || double.IsNaN(wave.Rms) ? "" : ": RMS error " + Human.FourDigits(wave.Rms) + " " + Unit);
+        + (Ranges.IsInDegrees || double.IsNaN(wave.Rms) ? "" : ": RMS error " + Human.FourDigits(wave.Rms) + " " + Unit)
+        + ", FLIP " + Human.FourDigits(wave.Flip);
 
     bool IsInside(double3 geo) => math.all(geo >= Bounds.Min) && math.all(geo <= Bounds.Max);
 

@@ -198,4 +198,5 @@ sealed class ViewValues(byte[] stored, AttributeType type, double scale, double 
 readonly record struct Differences(int Bytes, int First, int Step);
 
 /// <param name="Rms">Distance from points of the cloud to the nearest of these; NaN where it was not measured.</param>
-sealed record ViewWave(int Set, int Points, double Seconds, long BytesRead, double Rms);
+/// <param name="Flip">See <see cref="WaveFlips"/>.</param>
+sealed record ViewWave(int Set, int Points, double Seconds, long BytesRead, double Rms, double Flip);

@@ -102,7 +102,7 @@ public sealed class DefaultVerb : Verb
             {
                 string[] cloud = clouds[i];
                 string folder = folders[i];
-                all.Take(run, () =>
+                all.Run(run, () =>
                 {
                     if (cloud is [var only] && CloudFolder.IsCloud(only))
                     {
@@ -282,7 +282,7 @@ public sealed class DefaultVerb : Verb
             // Before the GPU: a software one keeps its memory to the end.
             run.Progress.Group = PageGroup;
             var view = ViewCloud.OfSource(() => PointReaders.Open(files, source),
-                target.IsKept ? string.Join(' ', files.Select(CloudPage.Quoted)) : "", picture, preview.Camera, run);
+                target.IsKept ? string.Join(' ', files.Select(CloudPage.Quoted)) : "", cloudPath, picture, run);
             run.Progress.Group = "gpu";
             var gpu = HeadlessGraphics.IsAvailable && picture.ColorAttribute == null
                 ? DrawStep.RunOnGpu([cloudPath], picture, GpuPoints, run) : null;

@@ -162,7 +162,8 @@ public sealed class FlyVerb : Verb
         var bounds = BoundsGeo.Empty;
         foreach (string cloud in clouds)
         {
-            var (plan, ranges, number) = FlightCloud.Add(cloud, stream, picture.Options, cancellation);
+            var (plan, ranges, number) = FlightCloud.Add(cloud, stream, picture.Options, cancellation,
+                SourcePath.IsRemote(cloud));
             picture.Add(number, plan);
             if (!ranges.Robust.IsEmpty)
                 bounds = bounds.IsEmpty ? ranges.Robust

@@ -44,7 +44,7 @@ public sealed class InfoVerb : Verb
         var all = new InputResults(clouds.Select(c => c[0]));
         run.WriteKeys = all.WriteKeys;
         foreach (var cloud in clouds)
-            all.Take(run, () => Describe(cloud, source, scan, run));
+            all.Run(run, () => Describe(cloud, source, scan, run));
         if (scan)
             StageTable.Of(run.Progress).Write(run.Out, "  ");
     }

@@ -75,7 +75,7 @@ public sealed class PictureVerb : Verb
         long budget = parsed.GetValue(m_budget) ?? 0;
         OutputNames.RequirePictureName(output);
         if (flipMap != null)
-            RefuseMap(flipMap, output, against);
+            RequireFlipMapName(flipMap, output, against);
         clouds = run.Begin(against != null ? clouds.Append(against) : clouds, Outputs(output, flipMap))[..clouds.Length];
         var reference = against != null ? Png.Read(against) : null;
         if (reference != null && (reference.Width != options.WidthPx || reference.Height != options.HeightPx))
@@ -112,7 +112,7 @@ public sealed class PictureVerb : Verb
         StageTable.Of(run.Progress).Write(run.Out, "  ");
     }
 
-    static void RefuseMap(string flipMap, string output, string? against)
+    static void RequireFlipMapName(string flipMap, string output, string? against)
     {
         if (against == null)
             throw new UsageException("--flip-map wants --against");

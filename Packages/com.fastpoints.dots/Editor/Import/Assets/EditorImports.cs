@@ -444,7 +444,7 @@ namespace FastPoints.Editor
             // Clouds of subscenes have no component.
             var shown = AssetDatabase.LoadAssetAtPath<PointCloudAsset>(asset);
             if (shown != null)
-                PointCloudSystemGroup.ObjectGroup?.IsShown(shown.Paths.FullPath, true);
+                PointCloudSystemGroup.ObjectGroup?.Refresh(shown.Paths.FullPath);
             EditorApplication.QueuePlayerLoopUpdate();
         }
 

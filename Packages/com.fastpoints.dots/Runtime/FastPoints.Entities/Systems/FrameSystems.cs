@@ -1,7 +1,7 @@
 using FastPoints.Streaming;
 using Unity.Entities;
 
-// The steps of FrameStep behind ControlNodesSystem, in their order.
+// The steps of FrameStep after ControlNodesSystem, in their order.
 namespace FastPoints.Entities
 {
     /// <summary>Chooses what the cameras need, and what they will need soon.</summary>

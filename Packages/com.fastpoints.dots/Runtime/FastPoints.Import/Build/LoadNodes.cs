@@ -384,7 +384,7 @@ namespace FastPoints.Build
                     WriteColumn(node, file, p, c, Columns[column], Targets[column++]);
         }
 
-        PlaneShape ShapeOf(int plane, bool isWide) => plane == 0 ? new PlaneShape(3, isWide ? 7 : 0) : Shapes[plane - 1];
+        PlaneShape ShapeOf(int plane, bool isWide) => plane == 0 ? PlaneShape.OfPositions(isWide) : Shapes[plane - 1];
 
         PlaneView ViewOf(in ChosenNode node, byte* file, int plane) =>
             new PlaneView(file + (Ranges[node.FirstRange + plane].OffsetBytes - FileOffset), ShapeOf(plane, node.IsWide),

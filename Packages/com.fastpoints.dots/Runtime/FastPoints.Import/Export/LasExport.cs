@@ -27,7 +27,7 @@ namespace FastPoints.Export
         readonly string m_path;
         readonly LasHeader m_header;
 
-        /// <summary>Null of a LAS file, which has its own records.</summary>
+        /// <summary>Null for a LAS file, which has its own records.</summary>
         readonly LasRecords m_records;
         readonly List<byte[]> m_vlrs = new List<byte[]>();
 

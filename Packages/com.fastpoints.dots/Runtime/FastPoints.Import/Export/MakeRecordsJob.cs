@@ -354,8 +354,8 @@ namespace FastPoints.Export
 
         public static ExportState None => new ExportState
         {
-            MinStored = new Grid3(long.MaxValue, long.MaxValue, long.MaxValue),
-            MaxStored = new Grid3(long.MinValue, long.MinValue, long.MinValue),
+            MinStored = Grid3.MaxValue,
+            MaxStored = Grid3.MinValue,
             MinGeo = BoundsGeo.Empty.Min,
             MaxGeo = BoundsGeo.Empty.Max,
             Min = new int3(int.MaxValue, int.MaxValue, int.MaxValue),

@@ -16,14 +16,14 @@ namespace FastPoints.Laz
         NativeArray<byte> m_output;
         NativeReference<long> m_bytes = new NativeReference<long>(Allocator.Persistent);
 
-        public LazChunkWriter(LazChunkFormat form)
+        public LazChunkWriter(LazChunkFormat format)
         {
-            m_chunkFormat = form;
-            m_layers = new NativeArray<LazLayer>(form.Layers, Allocator.Persistent);
-            m_state = new NativeArray<byte>((int)form.StateBytes, Allocator.Persistent, NativeArrayOptions.UninitializedMemory);
-            m_output = new NativeArray<byte>((int)form.MaxBytes, Allocator.Persistent, NativeArrayOptions.UninitializedMemory);
-            if (!form.IsLayered)
-                PointwiseChunk.Configure((PointwiseChunk*)m_state.GetUnsafePtr(), form.Items, form.RecordBytes);
+            m_chunkFormat = format;
+            m_layers = new NativeArray<LazLayer>(format.Layers, Allocator.Persistent);
+            m_state = new NativeArray<byte>((int)format.StateBytes, Allocator.Persistent, NativeArrayOptions.UninitializedMemory);
+            m_output = new NativeArray<byte>((int)format.MaxBytes, Allocator.Persistent, NativeArrayOptions.UninitializedMemory);
+            if (!format.IsLayered)
+                PointwiseChunk.Configure((PointwiseChunk*)m_state.GetUnsafePtr(), format.Items, format.RecordBytes);
         }
 
         public NativeArray<byte> Chunk => m_output.GetSubArray(0, (int)m_bytes.Value);

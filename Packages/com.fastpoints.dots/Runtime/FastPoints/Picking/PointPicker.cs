@@ -226,7 +226,7 @@ namespace FastPoints.Picking
         unsafe void PushNode(int page, int index, double spacingAbove)
         {
             var node = m_cloud.Pages[page].Nodes[index];
-            // A inlined leaf's points are searched with its parent's.
+            // An inlined leaf's points are searched with its parent's.
             if (node.PointCount == 0)
                 return;
             // The node only holds others together.

@@ -230,9 +230,6 @@ namespace FastPoints.Export
         IEnumerator<JobStep> Compare(IReadOnlyList<PointReader> readers, StageProgress progress)
         {
             var manifest = m_folder.Manifest;
-            var names = new List<string> { AttributeNames.X, AttributeNames.Y, AttributeNames.Z };
-            foreach (var attribute in manifest.Attributes)
-                names.Add(attribute.Name);
             long points = 0, leftOut = 0;
             ulong firstSum = 0, secondSum = 0;
             foreach (var reader in readers)
@@ -241,7 +238,7 @@ namespace FastPoints.Export
                     yield break;
                 if (!reader.BlocksAreKnown)
                     yield return JobStep.Of(reader.FindBlocks());
-                var wanted = reader.Info.Schema.Select(names.ToArray());
+                var wanted = reader.Info.Schema.SelectWithPosition(manifest.Attributes);
                 using var sums = new PointSetHash(manifest.Attributes, GridChoice.OnGrid(reader.Info, manifest.Grid),
                     reader.MaxPointsPerBlock);
                 yield return JobStep.Of(SourceScan.Run(reader, wanted, sums, SourceScan.SlotsFor(reader, wanted), progress));

@@ -52,7 +52,7 @@ namespace FastPoints.Export
                     Results[i] = CheckPoints(Parts[i], PlaneResults[Nodes[Parts[i].Node].PlaneNode]);
         }
 
-        PlaneShape ShapeOf(int plane, bool isWide) => plane == 0 ? new PlaneShape(3, isWide ? 7 : 0) : Shapes[plane - 1];
+        PlaneShape ShapeOf(int plane, bool isWide) => plane == 0 ? PlaneShape.OfPositions(isWide) : Shapes[plane - 1];
 
         PlaneView ViewOf(int planeNode, int plane)
         {
@@ -204,8 +204,8 @@ namespace FastPoints.Export
 
         public static NodeCheckResult Empty => new NodeCheckResult
         {
-            Min = new Grid3(long.MaxValue, long.MaxValue, long.MaxValue),
-            Max = new Grid3(long.MinValue, long.MinValue, long.MinValue),
+            Min = Grid3.MaxValue,
+            Max = Grid3.MinValue,
         };
 
         public void Include(in NodeCheckResult part)

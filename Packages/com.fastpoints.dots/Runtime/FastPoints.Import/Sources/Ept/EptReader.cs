@@ -24,7 +24,7 @@ namespace FastPoints.Sources
         readonly EptHierarchy m_hierarchy;
         readonly int m_blockPoints;
 
-        // A LAZ file template those of the nodes, if they are LAZ; otherwise null.
+        // The LAZ file of one node, as the template of the others; null for other data types.
         readonly LasTemplate m_template;
 
         EptReader(EptIndex index, LasTemplate template) : base(index.Info, index.Cube, index.Spacing)

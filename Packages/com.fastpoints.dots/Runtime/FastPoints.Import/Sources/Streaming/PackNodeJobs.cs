@@ -133,7 +133,7 @@ namespace FastPoints.Sources
     internal unsafe struct PackPlaneJob : IJob
     {
         // About 2 ms.
-        public const int BlocksOfSlice = 512;
+        public const int BlocksPerSlice = 512;
 
         [ReadOnly] public NativeArray<byte> Columns;
         [ReadOnly] public NativeArray<byte> Offsets;
@@ -170,7 +170,7 @@ namespace FastPoints.Sources
             ulong* values = stackalloc ulong[PlaneShape.MaxColumns * PlaneShape.MaxPointsPerBlock];
             ulong* min = stackalloc ulong[PlaneShape.MaxColumns];
             ulong* max = stackalloc ulong[PlaneShape.MaxColumns];
-            int end = math.min(FirstBlock + BlocksOfSlice, blocks);
+            int end = math.min(FirstBlock + BlocksPerSlice, blocks);
             for (int block = FirstBlock; block < end; block++)
             {
                 int first = block * PlaneShape.MaxPointsPerBlock, count = math.min(PlaneShape.MaxPointsPerBlock, Count - first);

@@ -180,12 +180,12 @@ namespace FastPoints.Sources
                 pack.Column2 = pack.Shape.ColumnCount > 2 ? ColumnOf(plane, 2) : default;
             }
             int blocks = PlaneShape.BlocksOf(m_node.PointCount);
-            for (; pack.FirstBlock < blocks; pack.FirstBlock += PackPlaneJob.BlocksOfSlice)
+            for (; pack.FirstBlock < blocks; pack.FirstBlock += PackPlaneJob.BlocksPerSlice)
                 inputDeps = pack.Schedule(inputDeps);
             return inputDeps;
         }
 
-        PlaneShape ShapeOf(int plane) => plane == 0 ? new PlaneShape(3, m_grid.IsWide ? 7 : 0) : m_planes.Shapes[plane];
+        PlaneShape ShapeOf(int plane) => plane == 0 ? PlaneShape.OfPositions(m_grid.IsWide) : m_planes.Shapes[plane];
 
         PointColumn ColumnOf(int plane, int column) =>
             m_read.Points.Column(m_read.Points.Schema.IndexOf(m_planes.AttributeOf(plane, column)));

@@ -18,6 +18,12 @@ namespace FastPoints
 
         const int MaxGapBytes = 512 << 10;
 
+        // Of a request: bytes that nobody asked for.
+        const int MaxUnusedShare = 8;
+
+        // Before anything was measured.
+        const double FirstBytesPerConnection = 1 << 20;
+
         // The rest of an answer that nobody wants is read on if that takes less than a new connection.
         const int DrainBytes = 64 << 10;
 
@@ -115,7 +121,8 @@ namespace FastPoints
             }
         }
 
-        int Gap() => (int)Math.Max(MinGapBytes, Math.Min(MaxGapBytes, m_roundTrip * m_bytesPerConnection));
+        int Gap() => (int)Math.Max(MinGapBytes, Math.Min(MaxGapBytes, m_roundTrip *
+            (m_bytesPerConnection > 0 ? m_bytesPerConnection : FirstBytesPerConnection)));
 
         // The first of those that wait, and neighbours of it: rising, none twice.
         bool TryTakeBatch(out Batch batch)
@@ -190,7 +197,7 @@ namespace FastPoints
             public static Batch Around(int first, List<Wanted> all, int gap)
             {
                 int from = first, to = first;
-                long begin = all[first].Offset, end = all[first].End;
+                long begin = all[first].Offset, end = all[first].End, wanted = all[first].Bytes;
                 while (true)
                 {
                     if (to + 1 < all.Count && Joins(all[to + 1]))
@@ -204,8 +211,10 @@ namespace FastPoints
                 bool Joins(in Wanted next)
                 {
                     long bytes = Math.Max(end, next.End) - Math.Min(begin, next.Offset);
-                    if (Math.Max(begin - next.End, next.Offset - end) > gap || bytes > MaxRequestBytes)
+                    long between = Math.Max(begin - next.End, next.Offset - end), unused = bytes - wanted - next.Bytes;
+                    if (bytes > MaxRequestBytes || between > MinGapBytes && (between > gap || unused > bytes / MaxUnusedShare))
                         return false;
+                    wanted += next.Bytes;
                     (begin, end) = (Math.Min(begin, next.Offset), Math.Max(end, next.End));
                     return true;
                 }
