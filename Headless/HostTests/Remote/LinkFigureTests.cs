@@ -29,7 +29,6 @@ sealed class LinkFigureTests : RemoteFixture
         m_served = Scratch["served"];
         m_nginx = new NginxServer(Directory.CreateDirectory(Scratch["nginx"]).FullName, m_served, "gzip off;");
         RemoteSettings.Current = new RemoteSettings();
-        RemoteAccess.CacheBytes = 0;
     }
 
     [Test]
@@ -82,6 +81,7 @@ sealed class LinkFigureTests : RemoteFixture
             {
                 using (var link = new SlowLink(m_nginx.Port, roundTripMs, megabits))
                 {
+                    RemoteAccess.CacheFolder = Scratch["cache" + Guid.NewGuid()];
                     StartAnew();
                     JsonElement json = Fly($"http://127.0.0.1:{link.Port}/{target}", megabits);
                     Assert.That(link.Connections, Is.LessThanOrEqualTo(6));
@@ -95,7 +95,7 @@ sealed class LinkFigureTests : RemoteFixture
             Say($"  {roundTripMs,3} ms {megabits,3} Mbit/s: {least:0.00} s, {Number("requests")} requests, {Number("bytesFetched")} bytes, " +
                 $"{100.0 * Number("bytesUnused") / Number("bytesFetched"):0.0} % unused; a range a node {leastPolicy:0.00} s, " +
                 $"{policy.Requests} requests; {least / leastPolicy:0.00} of it");
-            Assert.That(Number("pointsDrawn"), Is.EqualTo(local.GetProperty("pointsDrawn").GetInt64()));
+            Assert.That(Number("pointsDrawn"), Is.EqualTo(local.GetProperty("pointsDrawn").GetInt64()).Within(1).Percent);
         }
     }
 
