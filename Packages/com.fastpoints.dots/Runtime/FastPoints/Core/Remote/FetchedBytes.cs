@@ -33,7 +33,8 @@ namespace FastPoints
             m_rank = rank;
             foreach (var piece in pieces)
             {
-                var fetch = new Fetch { Piece = piece, IsWhole = piece.LengthBytes < 0, File = RemoteFile.Find(piece.Path) };
+                var file = piece.Remote ?? RemoteFile.Find(piece.Path);
+                var fetch = new Fetch { Piece = piece, IsWhole = piece.LengthBytes < 0, File = file };
                 m_fetches.Add(fetch);
                 if (fetch.File != null)
                     Begin(fetch);
@@ -42,9 +43,6 @@ namespace FastPoints
                         piece.LengthBytes < 0 ? WholeHeadBytes : RemoteFile.HeadBytes));
             }
         }
-
-        public static FetchedBytes Of(string path, long offset, long bytes) => new FetchedBytes(
-            new List<FilePiece> { new FilePiece { Path = path, OffsetBytes = offset, LengthBytes = bytes } }, 0);
 
         // Of the first piece that failed, once all are done.
         public PointCloudException Failure { get; private set; }
@@ -113,37 +111,30 @@ namespace FastPoints
                 fetch.Read = fetch.File.Begin(fetch.Piece.OffsetBytes, fetch.Piece.LengthBytes, m_rank);
         }
 
-        // Schedules jobs that copy what a command wants. False, without any, if not all of it is here.
+        // Schedules jobs that copy what a command wants. False if not all of it is here.
         public bool TryCopy(string path, in ReadCommand command, ref JobHandle copied)
         {
-            long covered = 0;
-            foreach (var fetch in m_fetches)
-                covered += OverlapOf(fetch, path, command, out _);
-            if (covered != command.Size)
-                return false;
-            foreach (var fetch in m_fetches)
+            long end = command.Offset + command.Size;
+            for (long at = command.Offset; at < end;)
             {
-                long bytes = OverlapOf(fetch, path, command, out long first);
-                if (bytes <= 0)
-                    continue;
+                var fetch = FindFetched(path, at);
+                if (fetch == null)
+                    return false;
+                long first = at - fetch.Piece.OffsetBytes, bytes = Math.Min(end - at, fetch.Piece.LengthBytes - first);
                 copied = JobHandle.CombineDependencies(copied, new CopyFetchedJob
                 {
-                    From = fetch.Read.Data + (first - fetch.Piece.OffsetBytes),
-                    To = (byte*)command.Buffer + (first - command.Offset),
+                    From = fetch.Read.Data + first,
+                    To = (byte*)command.Buffer + (at - command.Offset),
                     Bytes = bytes,
                 }.Schedule());
+                at += bytes;
             }
             return true;
         }
 
-        static long OverlapOf(Fetch fetch, string path, in ReadCommand command, out long first)
-        {
-            first = Math.Max(fetch.Piece.OffsetBytes, command.Offset);
-            if (fetch.Read == null || !fetch.Read.IsDone || fetch.Read.Failure != null || fetch.Piece.Path != path)
-                return 0;
-            long end = Math.Min(fetch.Piece.OffsetBytes + fetch.Piece.LengthBytes, command.Offset + command.Size);
-            return Math.Max(0, end - first);
-        }
+        Fetch FindFetched(string path, long offset) => m_fetches.Find(fetch => fetch.Piece.Path == path
+            && fetch.Piece.OffsetBytes <= offset && offset < fetch.Piece.OffsetBytes + fetch.Piece.LengthBytes
+            && fetch.Read != null && fetch.Read.IsDone && fetch.Read.Failure == null);
 
         // Cancels what has not come.
         public void Dispose()
