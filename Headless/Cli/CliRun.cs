@@ -20,7 +20,7 @@ public sealed class CliRun(TextWriter output, TextWriter error, RunSettings sett
         set;
     }
 
-    public string Line { get; init; } = "";
+    public string CommandLine { get; init; } = "";
     public List<string> Inputs { get; } = [];
     public List<string> Warnings { get; } = [];
     public PointCounts Points { get; } = new();

@@ -32,11 +32,11 @@ public static class CommandLine
             var same => same,
         };
         var parsed = root.Parse(args, new ParserConfiguration { EnablePosixBundling = false, ResponseFileTokenReplacer = null });
-        var asked = parsed.CommandResult.Command;
-        if (FindUsageError(parsed, verbs) is { } misread)
-            return ReportUsageError(error, asked, misread);
-        var chosen = verbs.FirstOrDefault(v => v.Command == asked);
-        if (chosen == null || !chosen.IsAsked(parsed))
+        var command = parsed.CommandResult.Command;
+        if (FindUsageError(parsed, verbs) is { } usageError)
+            return ReportUsageError(error, command, usageError);
+        var chosen = verbs.FirstOrDefault(v => v.Command == command);
+        if (chosen == null || !chosen.IsInvoked(parsed))
             return parsed.Invoke(new InvocationConfiguration
             {
                 Output = output,
@@ -47,7 +47,7 @@ public static class CommandLine
         var run = new CliRun(output, error, common.Read(parsed), cancellation)
         {
             Discard = discard,
-            Line = "./fastpoints " + string.Join(" ", args.Select(SourcePath.WithoutQuery).Select(Quoted)),
+            CommandLine = "./fastpoints " + string.Join(" ", args.Select(SourcePath.WithoutQuery).Select(Quoted)),
         };
         return Run(chosen, parsed, common, run, error, errorIsTerminal);
     }
@@ -55,8 +55,8 @@ public static class CommandLine
     static List<Verb> AllVerbs() =>
     [
         new DefaultVerb(), new InfoVerb(), new PreviewVerb(), new ConvertVerb(), new VerifyVerb(),
-        new ExportVerb(), new PictureVerb(), new FlyVerb(), new DemoCloudVerb(), new BenchVerb(), new CacheVerb(),
-        new CompletionVerb(),
+        new ExportVerb(), new PictureVerb(), new FlyVerb(), new DemoCloudVerb(), new BenchVerb(), new PublishVerb(),
+        new CacheVerb(), new CompletionVerb(),
     ];
 
     static int ReportUsageError(TextWriter error, Command command, string what)
@@ -129,8 +129,9 @@ public static class CommandLine
     /// <summary>An edit distance below a third of its letters, or a prefix.</summary>
     static string Suggestion(string word, IEnumerable<string> known, string before = "")
     {
-        int Far(string name) => word.Length > 2 && name.StartsWith(word, StringComparison.Ordinal) ? 1 : Distance(word, name);
-        string? nearest = known.Where(k => Far(k) <= Math.Max(1, word.Length / 3)).MinBy(Far);
+        int DistanceTo(string name) =>
+            word.Length > 2 && name.StartsWith(word, StringComparison.Ordinal) ? 1 : Distance(word, name);
+        string? nearest = known.Where(k => DistanceTo(k) <= Math.Max(1, word.Length / 3)).MinBy(DistanceTo);
         return nearest == null ? "" : ": did you mean " + before + nearest + "?";
     }
 
@@ -161,7 +162,7 @@ public static class CommandLine
             if (common.UseThreads(parsed) is { } note)
                 run.Warn(note);
             if (json != null)
-                OutputNames.RefuseOther("--json", "a summary", json);
+                OutputNames.RefuseOtherKind("--json", "a summary", json);
             verb.Run(parsed, run);
             // An exception in a job is only logged: fail here, since the result may be wrong.
             LoggedExceptions.ThrowFirst();

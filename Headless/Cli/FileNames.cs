@@ -26,11 +26,11 @@ static partial class FileNames
                 return arg;
             int handle = Open([.. name, 0], ReadOnly | CloseOnExec);
             if (handle < 0)
-                throw new UsageException(Shown(name) + ": no such file can be read, and none is written under a name that is "
+                throw new UsageException(Printable(name) + ": no such file can be read, and none is written under a name that is "
                     + "no UTF-8");
             s_links ??= Directory.CreateTempSubdirectory("fastpoints-").FullName;
             string folder = Directory.CreateDirectory(Path.Combine(s_links, i.ToString(CultureInfo.InvariantCulture))).FullName;
-            string link = Path.Combine(folder, Shown(name.AsSpan().TrimEnd((byte)'/')).Split('/')[^1]);
+            string link = Path.Combine(folder, Printable(name.AsSpan().TrimEnd((byte)'/')).Split('/')[^1]);
             File.CreateSymbolicLink(link, "/proc/self/fd/" + handle.ToString(CultureInfo.InvariantCulture));
             return link;
         }).ToArray();
@@ -44,7 +44,7 @@ static partial class FileNames
             Directory.Delete(s_links, true);
     }
 
-    static string Shown(ReadOnlySpan<byte> name)
+    static string Printable(ReadOnlySpan<byte> name)
     {
         var text = new StringBuilder();
         for (int bytes; !name.IsEmpty; name = name[bytes..])

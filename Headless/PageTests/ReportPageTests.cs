@@ -91,12 +91,13 @@ public sealed class ReportPageTests : BrowserTests
         await Open(m_report);
         byte[] all = await Pixels();
         string last = await Text("#view-time-text");
-        Assert.That(last, Does.Contain("points after").And.Contains("RMS error"));
+        Assert.That(last, Does.Contain("points after").And.Contains("RMS error").And.Contains("FLIP 0."));
         await Click("#view-play");
         string first = await Text("#view-time-text");
         Assert.That(first, Is.Not.EqualTo(last));
         Assert.That(Difference(await Pixels(), all), Is.GreaterThan(0.01));
-        Assert.That(await m_page.Locator("#error-chart .mark.now").CountAsync(), Is.EqualTo(1));
+        foreach (string chart in new[] { "#error-chart", "#flip-chart" })
+            Assert.That(await m_page.Locator(chart + " .mark.now").CountAsync(), Is.EqualTo(1), chart);
         await m_page.WaitForFunctionAsync("text => document.getElementById('view-time-text').textContent === text", last);
         Assert.That(Difference(await Pixels(), all), Is.LessThan(0.001));
     }

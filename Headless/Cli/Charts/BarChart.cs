@@ -29,11 +29,11 @@ public static class BarChart
         foreach (double value in sorted.AsSpan(outliers, sorted.Length - 2 * outliers))
             counts[Math.Clamp((int)((value - low) / bin), 0, counts.Length - 1)]++;
         high = low + bin * counts.Length;
-        double PlaceOf(double value) => Left + (value - low) / (high - low) * (Width - Left - Right);
+        double XOf(double value) => Left + (value - low) / (high - low) * (Width - Left - Right);
         svg.Append("<path class=\"bar\" d=\"");
         for (int i = 0; i < counts.Length; i++)
         {
-            double x = PlaceOf(low + i * bin), width = PlaceOf(low + (i + 1) * bin) - x, max = counts.Max();
+            double x = XOf(low + i * bin), width = XOf(low + (i + 1) * bin) - x, max = counts.Max();
             double y = PlotHeight * counts[i] / max;
             svg.Append(s_invariant, $"M{x:0.##} {Top + PlotHeight}v{-y:0.##}h{Math.Max(0.6, width - 0.6):0.##}v{y:0.##}z");
         }
@@ -47,8 +47,8 @@ public static class BarChart
         {
             string label = ChartSvg.Label(tick);
             double half = label.Length * ChartSvg.CharWidthPx / 2;
-            ChartSvg.Line(svg, "axis", PlaceOf(tick), Top + PlotHeight, PlaceOf(tick), Top + PlotHeight + 4);
-            ChartSvg.Text(svg, Math.Clamp(PlaceOf(tick), half, Width - half), Top + PlotHeight + 18, "middle", label);
+            ChartSvg.Line(svg, "axis", XOf(tick), Top + PlotHeight, XOf(tick), Top + PlotHeight + 4);
+            ChartSvg.Text(svg, Math.Clamp(XOf(tick), half, Width - half), Top + PlotHeight + 18, "middle", label);
         }
         ChartSvg.Text(svg, Width / 2.0, Top + PlotHeight + 37, "middle", unit);
         return svg.Append("</svg>\n").ToString();

@@ -30,12 +30,12 @@ public sealed class ChartAxis
         return new ChartAxis(isLog, !isLog && low == 0 && high > low ? 0 : low - margin, high + margin, lowPx, highPx);
     }
 
-    public bool Holds(double value) => !m_isLog || value > 0;
+    public bool CanShow(double value) => !m_isLog || value > 0;
 
     public double At(double value)
     {
-        double place = m_isLog ? value > 0 ? Math.Log10(value) : m_low : value;
-        return m_lowPx + (place - m_low) / (m_high - m_low) * (m_highPx - m_lowPx);
+        double position = m_isLog ? value > 0 ? Math.Log10(value) : m_low : value;
+        return m_lowPx + (position - m_low) / (m_high - m_low) * (m_highPx - m_lowPx);
     }
 
     static IEnumerable<double> LogTicks(double low, double high)
@@ -45,8 +45,8 @@ public sealed class ChartAxis
         for (int decade = (int)Math.Floor(low); decade <= Math.Ceiling(high); decade += every)
             foreach (double step in steps)
             {
-                double place = decade + Math.Log10(step);
-                if (place >= low && place <= high)
+                double position = decade + Math.Log10(step);
+                if (position >= low && position <= high)
                     yield return step * Math.Pow(10, decade);
             }
     }

@@ -75,7 +75,7 @@ public sealed class LineChart(string title, string xLabel, string yLabel)
             svg.Append("\"/>\n");
         }
         foreach (var (px, py) in HasMarkers ? series.Points : [])
-            ChartSvg.Mark(svg, index, x.At(px), y.At(py), x.Holds(px) && y.Holds(py));
+            ChartSvg.Mark(svg, index, x.At(px), y.At(py), x.CanShow(px) && y.CanShow(py));
         if (!HasLegend)
         {
             svg.Append("</g>\n");

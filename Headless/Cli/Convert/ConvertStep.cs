@@ -37,7 +37,7 @@ public sealed class ConvertStep(CliRun run)
             // A build can be resumed only if its points are in files.
             string part = Path.TrimEndingDirectorySeparator(target) + StoreFormat.PartSuffix;
             if (File.Exists(Path.Combine(part, BuildFiles.JournalName)) && !run.IsDiscarding)
-                throw new StoppedException(target, run.Line);
+                throw new StoppedException(target, run.CommandLine);
             CloudFolderWriter.DeleteUnfinished(target);
             throw;
         }

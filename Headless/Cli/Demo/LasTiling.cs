@@ -7,8 +7,6 @@ namespace FastPoints.Cli.Demo;
 public static class LasTiling
 {
     const int BufferBytes = 1 << 20;
-    const int MaxX = 179, MinX = 187, ScaleX = 131, VersionMinor = 25, LegacyCount = 107, LegacyByReturn = 111;
-    const int WaveformStart = 227, EvlrStart = 235, Count64 = 247, ByReturn64 = 255;
 
     public static long Write(string source, string destination, int times, StageProgress progress, CancellationToken cancellation)
     {
@@ -27,7 +25,7 @@ public static class LasTiling
         using var input = new FileStream(source, FileMode.Open, FileAccess.Read, FileShare.Read, 1);
         var fixedPart = new byte[375];
         input.ReadAtLeast(fixedPart, fixedPart.Length, throwOnEndOfStream: false);
-        pointsAt = BinaryPrimitives.ReadUInt32LittleEndian(fixedPart.AsSpan(96));
+        pointsAt = BinaryPrimitives.ReadUInt32LittleEndian(fixedPart.AsSpan(LasHeader.At.PointsOffset));
         var head = new byte[pointsAt];
         input.Position = 0;
         input.ReadExactly(head);
@@ -107,32 +105,32 @@ public static class LasTiling
     internal static long PatchHeader(string source, byte[] head, long points, int times, (long At, int Bytes) records, long shift)
     {
         long total = checked(points * times);
-        double scale = BitConverter.ToDouble(head, ScaleX);
+        double scale = BitConverter.ToDouble(head, LasHeader.At.Scale);
         // A negative scale turns the axis around: the copies lie below.
-        int grown = scale < 0 ? MinX : MaxX;
+        int grown = scale < 0 ? LasHeader.At.Bounds + sizeof(double) : LasHeader.At.Bounds;
         BitConverter.TryWriteBytes(head.AsSpan(grown), BitConverter.ToDouble(head, grown) + shift * scale);
 
-        bool hasLongCounts = head[VersionMinor] >= 4 && head.Length >= 375;
+        bool hasLongCounts = head[LasHeader.At.VersionMinor] >= 4 && head.Length >= 375;
         if (!hasLongCounts && total > uint.MaxValue)
-            throw new PointCloudException(FailureCode.Unsupported, source, LegacyCount,
+            throw new PointCloudException(FailureCode.Unsupported, source, LasHeader.At.LegacyCount,
                 "a LAS file before version 1.4 holds at most 4,294,967,295 points");
         for (int i = -1; i < 5; i++)
         {
-            var count = head.AsSpan(i < 0 ? LegacyCount : LegacyByReturn + 4 * i);
+            var count = head.AsSpan(i < 0 ? LasHeader.At.LegacyCount : LasHeader.At.LegacyByReturn + 4 * i);
             long many = (long)BinaryPrimitives.ReadUInt32LittleEndian(count) * times;
             BinaryPrimitives.WriteUInt32LittleEndian(count, total > uint.MaxValue ? 0 : (uint)many);
         }
         if (!hasLongCounts)
             return 0;
-        BinaryPrimitives.WriteInt64LittleEndian(head.AsSpan(Count64), total);
+        BinaryPrimitives.WriteInt64LittleEndian(head.AsSpan(LasHeader.At.Count), total);
         for (int i = 0; i < 15; i++)
         {
-            var count = head.AsSpan(ByReturn64 + 8 * i);
+            var count = head.AsSpan(LasHeader.At.ByReturn + 8 * i);
             BinaryPrimitives.WriteUInt64LittleEndian(count, BinaryPrimitives.ReadUInt64LittleEndian(count) * (ulong)times);
         }
         long pointsEnd = records.At + points * records.Bytes;
         long tailAt = 0;
-        foreach (int field in new[] { WaveformStart, EvlrStart })
+        foreach (int field in new[] { LasHeader.At.WaveformOffset, LasHeader.At.EvlrOffset })
         {
             long start = BinaryPrimitives.ReadInt64LittleEndian(head.AsSpan(field));
             if (start < pointsEnd)

@@ -4,7 +4,7 @@ namespace FastPoints.Cli.Demo;
 /// records are not.</summary>
 public static class LasUnpacking
 {
-    sealed class Appending(LasWriter writer) : IBlockConsumer
+    sealed class Appender(LasWriter writer) : IBlockConsumer
     {
         public JobHandle Schedule(BlockRead read, int slot, JobHandle decoded) => decoded;
         public void Completed(BlockRead read, int slot) => writer.Append(read.Points);
@@ -34,7 +34,7 @@ public static class LasUnpacking
         if (!reader.BlocksAreKnown)
             run.RunSteps(reader.FindBlocks());
         using var writer = LasWriter.Create(destination, settings);
-        run.RunSteps(SourceScan.Run(reader, info.Schema, new Appending(writer),
+        run.RunSteps(SourceScan.Run(reader, info.Schema, new Appender(writer),
             SourceScan.SlotsFor(reader, info.Schema), run.Progress));
         writer.Complete();
         run.Progress.End();

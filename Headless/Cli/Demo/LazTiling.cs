@@ -7,8 +7,6 @@ namespace FastPoints.Cli.Demo;
 /// <remarks>The tiles are as far apart as the header's bounds say; extended VLRs stay behind.</remarks>
 public static class LazTiling
 {
-    const int ScaleX = 131, MaxX = 179, MinX = 187, WaveformStart = 227, EvlrStart = 235, EvlrEnd = 247, VersionMinor = 25;
-
     /// <summary>Offset of the points per chunk in the payload of the LASzip VLR.</summary>
     const int ChunkPointsAt = 12;
 
@@ -28,18 +26,16 @@ public static class LazTiling
             bytes += table.Chunks[c].Bytes;
 
         byte[] head = source.Read(0, checked((int)pointsAt), "header").Bytes;
-        double scale = BitConverter.ToDouble(head, ScaleX);
-        long shift = 1
-            + (long)Math.Ceiling((BitConverter.ToDouble(head, MaxX) - BitConverter.ToDouble(head, MinX)) / Math.Abs(scale));
-        double farthest = Math.Abs((BitConverter.ToDouble(head, MaxX) - BitConverter.ToDouble(head, ScaleX + 24)) / scale)
-            + shift * (times - 1.0);
+        double scale = las.Header.Scale.x;
+        long shift = 1 + (long)Math.Ceiling((las.Header.Max.x - las.Header.Min.x) / Math.Abs(scale));
+        double farthest = Math.Abs((las.Header.Max.x - las.Header.Offset.x) / scale) + shift * (times - 1.0);
         if (!(farthest <= int.MaxValue))
             throw new UsageException(string.Create(CultureInfo.InvariantCulture,
                 $"--times {times}: beyond what 32-bit coordinates hold"));
-        if (head[VersionMinor] >= 3 && head.Length >= EvlrStart)
-            Array.Clear(head, WaveformStart, 8);
-        if (head[VersionMinor] >= 4 && head.Length >= EvlrEnd)
-            Array.Clear(head, EvlrStart, EvlrEnd - EvlrStart);
+        if (las.Header.VersionMinor >= 3 && head.Length >= LasHeader.At.EvlrOffset)
+            Array.Clear(head, LasHeader.At.WaveformOffset, 8);
+        if (las.Header.VersionMinor >= 4 && head.Length >= LasHeader.At.Count)
+            Array.Clear(head, LasHeader.At.EvlrOffset, LasHeader.At.Count - LasHeader.At.EvlrOffset);
         long total = checked(points * times);
         LasTiling.PatchHeader(path, head, points, times, default, shift * (times - 1));
         int vlrAt = (int)las.Vlrs.Find(LazFormat.UserId, LazFormat.RecordId).DataOffset;

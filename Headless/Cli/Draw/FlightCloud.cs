@@ -12,8 +12,12 @@ sealed record FlightCloud(PicturePlan Plan, DisplayRanges Ranges, int Number)
 
     const int PointsToPlanWith = DrawStored.PointsToPlanWith, PxOfDegrees = 3;
 
-    internal static FlightCloud Add(string path, StreamContext stream, PictureOptions options, CancellationToken cancellation) =>
-        CloudFolder.IsCloud(path) || !SourcePath.IsRemote(path) && !Path.Exists(path) ? AddFolder(path, stream, options, cancellation)
+    /// <param name="plansByManifest">Colours and bounds are those that a converted cloud's manifest has, as in scenes, if it has
+    /// any: no point is read for them.</param>
+    internal static FlightCloud Add(string path, StreamContext stream, PictureOptions options, CancellationToken cancellation,
+        bool plansByManifest = false) =>
+        CloudFolder.IsCloud(path) || !SourcePath.IsRemote(path) && !Path.Exists(path)
+            ? AddFolder(path, stream, options, plansByManifest, cancellation)
             : AddSource(PointReaders.Open(path), stream, options, cancellation);
 
     internal static FlightCloud AddSource(PointReader reader, StreamContext stream, PictureOptions options,
@@ -89,22 +93,16 @@ sealed record FlightCloud(PicturePlan Plan, DisplayRanges Ranges, int Number)
         };
     }
 
-    static FlightCloud AddFolder(string path, StreamContext stream, PictureOptions options, CancellationToken cancellation)
+    static FlightCloud AddFolder(string path, StreamContext stream, PictureOptions options, bool plansByManifest,
+        CancellationToken cancellation)
     {
         var folder = CloudFolder.Open(path);
         try
         {
             LookSettings.RequireStreamable(options, folder.Manifest.Attributes, path);
-            var schema = LoadNodes.SchemaFor(folder, options.AttributesToMeasure());
             var transform = folder.Manifest.Grid.FromCorner(folder.Manifest.Root.Corner);
-            var ranges = new DisplayRanges { Units = folder.Manifest.Crs.Units };
-            using (var selection = new NodeSelection(folder))
-            {
-                selection.Choose(null, PointsToPlanWith);
-                using var batch = new PointBatch(schema, checked((int)selection.Points), Allocator.Persistent);
-                JobCoroutine.RunToEnd(LoadNodes.Run(folder, selection, batch, null), cancellation);
-                JobCoroutine.RunToEnd(ranges.Measure(batch, transform, options.UpAxis), cancellation);
-            }
+            var ranges = plansByManifest && folder.Manifest.Shown != null ? DisplayRanges.Of(folder.Manifest)
+                : MeasureRanges(folder, options, cancellation);
             var plan = new PicturePlan(options, ranges, transform);
             var source = new FolderSource(folder, CloudLooks.PlanesFor(plan.Mode, !options.HiddenClasses.IsEmpty));
             return new FlightCloud(plan, ranges, stream.Add(source, CloudPlacement.Geo(source.Grid, source.Root)))
@@ -117,6 +115,19 @@ sealed record FlightCloud(PicturePlan Plan, DisplayRanges Ranges, int Number)
             folder.Dispose();
             throw;
         }
+    }
+
+    static DisplayRanges MeasureRanges(CloudFolder folder, PictureOptions options, CancellationToken cancellation)
+    {
+        var ranges = new DisplayRanges { Units = folder.Manifest.Crs.Units };
+        var schema = LoadNodes.SchemaFor(folder, options.AttributesToMeasure());
+        using var selection = new NodeSelection(folder);
+        selection.Choose(null, PointsToPlanWith);
+        using var batch = new PointBatch(schema, checked((int)selection.Points), Allocator.Persistent);
+        JobCoroutine.RunToEnd(LoadNodes.Run(folder, selection, batch, null), cancellation);
+        var transform = folder.Manifest.Grid.FromCorner(folder.Manifest.Root.Corner);
+        JobCoroutine.RunToEnd(ranges.Measure(batch, transform, options.UpAxis), cancellation);
+        return ranges;
     }
 
     static PointBatch ReadTop(PointReader reader, string[] attributes, CancellationToken cancellation)

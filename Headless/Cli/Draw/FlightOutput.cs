@@ -31,7 +31,7 @@ sealed partial class FlightOutput : IDisposable
 
     /// <summary>What was written: the animation's name, or the pattern of single pictures; null if it is not
     /// complete.</summary>
-    public string? Kept { get; private set; }
+    public string? CommittedPath { get; private set; }
 
     public long Bytes { get; private set; }
 
@@ -48,14 +48,14 @@ sealed partial class FlightOutput : IDisposable
             return;
         byte[] png = Png.Encode(image);
         OutputFile.Write(NameOf(m_framePattern, m_count++), png);
-        (Kept, Bytes) = (m_framePattern, Bytes + png.Length);
+        (CommittedPath, Bytes) = (m_framePattern, Bytes + png.Length);
     }
 
-    public void Keep()
+    public void Commit()
     {
         foreach (var animation in m_animations.OrderBy(a => a.Bytes))
-            if (Kept == null)
-                (Kept, Bytes) = (animation.Path, animation.Bytes);
+            if (CommittedPath == null)
+                (CommittedPath, Bytes) = (animation.Path, animation.Bytes);
             else
                 File.Delete(animation.Path);
     }

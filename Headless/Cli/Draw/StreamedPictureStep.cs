@@ -4,7 +4,7 @@ public static class StreamedPictureStep
 {
     const long PoolBytes = 2L << 30;
     const int BankBytes = 64 << 20;
-    const int IdleFrames = 3;
+    const int MinIdleFrames = 3;
 
     /// <param name="budget">Points to draw at most; 0 for the default.</param>
     public static DrawStep Run(IReadOnlyList<string> clouds, PictureOptions options, long budget, CliRun run)
@@ -63,14 +63,14 @@ public static class StreamedPictureStep
         using var views = new NativeArray<StreamView>([camera.ToStreamView(
             options.WidthPx * options.SamplesPerEdge, options.HeightPx * options.SamplesPerEdge)],
             Allocator.Persistent);
-        for (int quiet = 0; ;)
+        for (int idleFrames = 0; ;)
         {
             run.Cancellation.ThrowIfCancellationRequested();
             var stats = FrameStep.Run(stream, views);
             JobHandle.ScheduleBatchedJobs();
-            bool isQuiet = stats.ReadsInFlight + stats.RequestedNodes + stats.UploadedNodes + stats.MissingPages == 0;
-            quiet = isQuiet ? quiet + 1 : 0;
-            if (stats.IsSettled || quiet > stream.Settings.FramesToRetry + IdleFrames)
+            bool isIdle = stats.ReadsInFlight + stats.RequestedNodes + stats.UploadedNodes + stats.MissingPages == 0;
+            idleFrames = isIdle ? idleFrames + 1 : 0;
+            if (stats.IsSettled || idleFrames > stream.Settings.FramesToRetry + MinIdleFrames)
                 return stats;
             run.Progress.Report(stats.DrawnPoints / (double)Math.Max(1, stats.SelectedPoints), stats.DrawnPoints, 0);
             Thread.Yield();

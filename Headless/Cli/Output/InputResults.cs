@@ -10,11 +10,11 @@ public sealed class InputResults(IEnumerable<string> inputs)
     }
 
     readonly List<Entry> m_all = inputs.Select(i => new Entry(SourcePath.WithoutQuery(i))).ToList();
-    int m_taken;
+    int m_runCount;
 
-    public void Take(CliRun run, Func<(Action<Utf8JsonWriter> WriteKeys, PointCounts Points)> work)
+    public void Run(CliRun run, Func<(Action<Utf8JsonWriter> WriteKeys, PointCounts Points)> work)
     {
-        var entry = m_all[m_taken++];
+        var entry = m_all[m_runCount++];
         entry.Failure = run.Try(() => (entry.WriteKeys, entry.Points) = work());
         run.Points.Add(entry.Points);
     }

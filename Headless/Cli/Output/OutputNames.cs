@@ -5,33 +5,34 @@ static class OutputNames
 {
     const long MarkTicks = TimeSpan.TicksPerMillisecond * 10;
 
-    static readonly string[] s_clouds =
+    static readonly string[] s_cloudExtensions =
     [
         ".las", ".laz", ".ply", ".e57", ".pts", ".ptx", ".pcd", ".xyz", ".pointcloud", StoreFormat.FolderExtension,
     ];
 
-    static readonly StringComparison s_ofPaths =
+    static readonly StringComparison s_pathComparison =
         OperatingSystem.IsLinux() ? StringComparison.Ordinal : StringComparison.OrdinalIgnoreCase;
 
-    static readonly string[] s_others = [".png", ".jpg", ".jpeg", ".webp", ".gif", ".bmp", ".tif", ".tiff", ".html", ".csv"];
+    static readonly string[] s_otherExtensions =
+        [".png", ".jpg", ".jpeg", ".webp", ".gif", ".bmp", ".tif", ".tiff", ".html", ".csv"];
 
-    public static void RefuseOther(string option, string what, string path)
+    public static void RefuseOtherKind(string option, string what, string path)
     {
-        if (IsCloud(path) || s_others.Any(ending => HasEnding(path, ending)))
+        if (IsCloud(path) || s_otherExtensions.Any(extension => HasExtension(path, extension)))
             throw new UsageException(option + ": " + what + (IsCloud(path) ? " is no point cloud" : " is no such file")
                 + ", got the name " + path);
     }
 
-    public static void RefuseNoPicture(string path, string option = "--output")
+    public static void RequirePictureName(string path, string option = "--output")
     {
         RefuseUnwritable(path, option);
-        if (Path.GetExtension(path) is { Length: > 0 } ending && !HasEnding(path, ".png"))
-            throw new UsageException(option + ": a picture is a PNG file, NAME.png; " + ending + " is another kind: " + path);
+        if (Path.GetExtension(path) is { Length: > 0 } extension && !HasExtension(path, ".png"))
+            throw new UsageException(option + ": a picture is a PNG file, NAME.png; " + extension + " is another kind: " + path);
     }
 
     public static void RefuseSame(string option, string path, string output)
     {
-        if (Real(path).Equals(Real(output), s_ofPaths))
+        if (RealPath(path).Equals(RealPath(output), s_pathComparison))
             throw new UsageException(option + " and --output name the same file: " + path);
     }
 
@@ -49,7 +50,7 @@ static class OutputNames
             throw new UsageException(Path.GetFileName(path) + ": nothing is written under a name that is no UTF-8");
     }
 
-    public static void RefuseNoExport(string path)
+    public static void RequireExportName(string path)
     {
         if (!ExportCloud.CanWrite(path))
             throw new UsageException("--output: wanted a name that ends in .las, .laz, .copc.laz or .ply, got " + path);
@@ -57,25 +58,25 @@ static class OutputNames
             throw new UsageException("--output: this is a folder: " + path);
     }
 
-    public static void RefuseFile(string path)
+    public static void RequireFolderName(string path)
     {
         RefuseUnwritable(path);
-        if (IsCloud(path) && !HasEnding(path, StoreFormat.FolderExtension))
+        if (IsCloud(path) && !HasExtension(path, StoreFormat.FolderExtension))
             throw new UsageException("--output: convert makes a folder, NAME" + StoreFormat.FolderExtension
                 + "; the verb export writes point cloud files: " + path);
         if (!IsCloud(path))
-            RefuseOther("--output", "a converted cloud", path);
+            RefuseOtherKind("--output", "a converted cloud", path);
     }
 
     public static void RefuseInputs(string output, IEnumerable<string> inputs)
     {
         RefuseLink(output);
-        string written = Real(output);
+        string written = RealPath(output);
         foreach (string input in inputs.Where(i => !SourcePath.IsRemote(i)))
         {
-            string read = Real(input);
-            bool isInside = written.StartsWith(read + Path.DirectorySeparatorChar, s_ofPaths) && IsCloud(written);
-            if (read.Equals(written, s_ofPaths) || isInside && File.Exists(written))
+            string read = RealPath(input);
+            bool isInside = written.StartsWith(read + Path.DirectorySeparatorChar, s_pathComparison) && IsCloud(written);
+            if (read.Equals(written, s_pathComparison) || isInside && File.Exists(written))
                 throw new UsageException(output + " is an input, and would be overwritten");
         }
     }
@@ -90,7 +91,7 @@ static class OutputNames
     public static void RefuseForeignFolder(string what, string path, string marker, bool force)
     {
         RefuseUnwritable(path);
-        RefuseOther("--output", what, path);
+        RefuseOtherKind("--output", what, path);
         if (File.Exists(path))
             throw new UsageException("--output: " + what + " is a folder, and this is a file: " + path);
         if (!force)
@@ -119,8 +120,8 @@ static class OutputNames
             if (SourcesOf(file, folder == path) is not { } there
                 || there.Count == wanted.Count && there.Zip(wanted, IsSame).All(same => same))
                 continue;
-            throw new UsageException(folder + " holds " + (there.Count == 0 ? "something else" : "a cloud of " + Said(there))
-                + ": --force replaces it by one of " + Said(wanted));
+            throw new UsageException(folder + " holds " + (there.Count == 0 ? "something else" : "a cloud of " + Describe(there))
+                + ": --force replaces it by one of " + Describe(wanted));
         }
     }
 
@@ -155,7 +156,7 @@ static class OutputNames
         && (a.FileBytes == b.FileBytes || SourceFolder.IsIndex(SourcePath.NameOf(b.Name)))
         && (a.HeadHash == b.HeadHash || a.HeadHash == 0);
 
-    static string Said(List<CloudManifest.Source> sources) => SourcePath.NameOf(sources[0].Name)
+    static string Describe(List<CloudManifest.Source> sources) => SourcePath.NameOf(sources[0].Name)
         + (sources[0].FileBytes > 0 ? " (" + Human.Count(sources[0].FileBytes) + " bytes)" : "")
         + (sources.Count > 1 ? " and " + (sources.Count - 1) + " more" : "");
 
@@ -163,7 +164,7 @@ static class OutputNames
     public static void RefuseOtherExport(string path, PointReader reader, long mark)
     {
         if (!OutputFile.IsDevice(path) && File.Exists(path) && File.GetLastWriteTimeUtc(path).Ticks % MarkTicks != mark)
-            throw new UsageException(path + " was made from other sources than " + Said(SourcesOf(reader))
+            throw new UsageException(path + " was made from other sources than " + Describe(SourcesOf(reader))
                 + ", or was changed since: --force replaces it");
     }
 
@@ -185,10 +186,10 @@ static class OutputNames
             return (long)(ContentHash.Of(first, text.Length * sizeof(char)) % MarkTicks);
     }
 
-    public static bool IsCloud(string path) => s_clouds.Any(ending => HasEnding(path, ending));
+    public static bool IsCloud(string path) => s_cloudExtensions.Any(extension => HasExtension(path, extension));
 
-    static bool HasEnding(string path, string ending) =>
-        path.TrimEnd('/', Path.DirectorySeparatorChar).EndsWith(ending, StringComparison.OrdinalIgnoreCase);
+    static bool HasExtension(string path, string extension) =>
+        path.TrimEnd('/', Path.DirectorySeparatorChar).EndsWith(extension, StringComparison.OrdinalIgnoreCase);
 
     static bool IsOwn(string path)
     {
@@ -205,7 +206,7 @@ static class OutputNames
             || text.StartsWith('{') && text[1..].TrimStart().StartsWith("\"verb\":", StringComparison.Ordinal);
     }
 
-    static string Real(string path)
+    static string RealPath(string path)
     {
         string full = Path.TrimEndingDirectorySeparator(Path.GetFullPath(path));
         try
@@ -218,6 +219,6 @@ static class OutputNames
             // A broken or circular link cannot be read as an input.
         }
         string? folder = Path.GetDirectoryName(full);
-        return folder == null ? full : Path.Combine(Real(folder), Path.GetFileName(full));
+        return folder == null ? full : Path.Combine(RealPath(folder), Path.GetFileName(full));
     }
 }

@@ -39,9 +39,9 @@ public sealed class ReportPage(string title, string? lead = null)
     public void Row(IEnumerable<string> html) => Html("<div class=\"row\">" + string.Concat(html.Select(h =>
         "<figure>" + h + "</figure>\n")) + "</div>");
 
-    public void Commands(IEnumerable<(string What, string Line)> lines)
+    public void Commands(IEnumerable<(string Purpose, string Line)> lines)
     {
-        Html("<ul class=\"lines\">" + string.Concat(lines.Select(l => $"<li>{Escape(l.What)}<div class=\"copy\"><code>"
+        Html("<ul class=\"lines\">" + string.Concat(lines.Select(l => $"<li>{Escape(l.Purpose)}<div class=\"copy\"><code>"
             + $"{Escape(l.Line)}</code><button type=\"button\">Copy</button></div></li>\n")) + "</ul>");
         m_scripts.Add("page.js");
     }

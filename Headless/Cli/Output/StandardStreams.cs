@@ -7,7 +7,7 @@ namespace FastPoints.Cli.Output;
 public sealed class StandardStreams : IDisposable
 {
     const string Name = "-";
-    const int LookMs = 50;
+    const int PollMs = 50;
 
     string? m_folder;
 
@@ -59,7 +59,7 @@ public sealed class StandardStreams : IDisposable
     {
         try
         {
-            return work.Wait(LookMs, run.Cancellation);
+            return work.Wait(PollMs, run.Cancellation);
         }
         catch (AggregateException e) when (e.InnerException is PointCloudException)
         {

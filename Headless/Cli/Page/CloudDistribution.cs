@@ -19,7 +19,7 @@ sealed class CloudDistribution(ViewCloud view, UpAxis upAxis, long points, Bound
     static string Amount(double value) => value >= 1000 ? Human.Count((long)Math.Round(value)) : Human.FourDigits(value);
 
     /// <summary>Whatever is not as a user would expect.</summary>
-    public IEnumerable<string> Odd(string? crs, PointSchema schema)
+    public IEnumerable<string> Remarks(string? crs, PointSchema schema)
     {
         if (crs == null)
             yield return "No coordinate system is named: what a unit is, and where on earth this is, cannot be known.";

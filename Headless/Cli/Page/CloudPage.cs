@@ -24,7 +24,7 @@ sealed class CloudPage
     SourceInfo Info => Facts.Info;
     CloudManifest Manifest => Convert.Result.Manifest;
 
-    /// <summary>Of a page: many letter boxes take no more than 10 MB, encoded once more.</summary>
+    /// <summary>Many mail servers take attachments up to 10 MB, encoded once more in base 64.</summary>
     const int MaxBytes = 7_400_000;
 
     public byte[] ToBytes()
@@ -34,7 +34,7 @@ sealed class CloudPage
             + " on " + Today);
         page.Tiles(distribution.Tiles().Concat([("coordinates", Info.Crs.Summary ?? "unknown"),
             ("size", Human.Bytes(Info.FileBytes)), ("as an octree", Human.Bytes(Convert.Result.BytesOnDisk))]));
-        CloudDistribution.Write(page, Odd(distribution).ToList());
+        CloudDistribution.Write(page, Remarks(distribution).ToList());
         var pictures = Pictures().ToList();
         byte[] preview = Preview.ToPng(isPlain: false);
         int others = pictures.Sum(p => p.Length) + 4 * preview.Length / 3 + 200_000;
@@ -70,8 +70,8 @@ sealed class CloudPage
     public static string Today => DateTime.UtcNow.ToString("yyyy-MM-dd HH:mm", CultureInfo.InvariantCulture) + " UTC";
     public static string Version => typeof(CloudPage).Assembly.GetName().Version!.ToString(3);
 
-    /// <summary>Whatever does not fit together, or is not as a user would expect.</summary>
-    IEnumerable<string> Odd(CloudDistribution distribution)
+    /// <summary>What contradicts itself, or is not as a user would expect.</summary>
+    IEnumerable<string> Remarks(CloudDistribution distribution)
     {
         foreach (var warning in Info.Warnings)
             yield return warning.ToString();
@@ -92,8 +92,8 @@ sealed class CloudPage
                     if (!(Math.Abs(claimed - real) <= Math.Max(2 * Math.Abs(Info.Transform.Scale[axis]), 1e-9 * Math.Abs(real))))
                         yield return $"Bounds: by the header the {end} {"xyz"[axis]} is {Human.Value(claimed)}; "
                             + $"of the points it is {Human.Value(real)}.";
-        foreach (string odd in distribution.Odd(Info.Crs.IsKnown ? Info.Crs.Summary ?? "" : null, Info.Schema))
-            yield return odd;
+        foreach (string remark in distribution.Remarks(Info.Crs.IsKnown ? Info.Crs.Summary ?? "" : null, Info.Schema))
+            yield return remark;
     }
 
     /// <summary>With what the conversion found: in order, so that constants stand out.</summary>
@@ -122,24 +122,31 @@ sealed class CloudPage
     void Speed(ReportPage page)
     {
         page.Heading("Error and time");
-        var curve = new LineChart("Error of the preview against time", "seconds from the open call", "RMS distance, " + View.Unit)
-        {
-            PlotWidth = 310,
-            HasLegend = false,
-            LogX = true,
-            LogY = true,
-        };
         bool isMeasured = !View.Ranges.IsInDegrees;
-        curve.Add("preview", View.Waves.Where(_ => isMeasured).Select(w => (w.Seconds, w.Rms)));
+        var distances = WaveChart("Error of the preview against time", "RMS distance, " + View.Unit, true);
+        distances.Add("preview", View.Waves.Where(_ => isMeasured).Select(w => (w.Seconds, w.Rms)));
+        var flips = WaveChart("FLIP of the preview against time", "FLIP", false);
+        flips.Add("preview", View.Waves.Select(w => (w.Seconds, w.Flip)));
         var stages = Stages.Select(s => (s.Name, s.Seconds, Human.Seconds(s.Seconds))).ToList();
-        page.Html("<div class=\"row\"><figure id=\"error-chart\">" + curve.ToSvg() + "<figcaption>"
+        page.Html("<div class=\"row\"><figure id=\"error-chart\" class=\"waves\">" + distances.ToSvg() + "<figcaption>"
             + (isMeasured ? "How far 100,000 points, chosen evenly from the whole cloud, are from the nearest point of each wave "
                 + "of the preview above. A hollow mark on the lower edge is an error of zero: all points are shown."
                 : "Not measured: coordinates are degrees.")
+            + "</figcaption></figure><figure id=\"flip-chart\" class=\"waves\">" + flips.ToSvg() + "<figcaption>"
+            + "What an eye sees of the difference between each wave's picture and a smooth one of the octree, from 0 to 1. "
+            + "The octree's own points, with one sample a pixel, have " + Human.FourDigits(View.FlipFloor) + "."
             + "</figcaption></figure><figure>" + BarChart.Rows("What took how long", stages) + "<figcaption>"
             + ReportPage.Escape(Threads.InUse + " threads; " + Human.Seconds(Stages.Sum(s => s.Seconds)) + " together.")
             + "</figcaption></figure></div>");
     }
+
+    static LineChart WaveChart(string title, string yLabel, bool isLog) => new(title, "seconds from the open call", yLabel)
+    {
+        PlotWidth = 310,
+        HasLegend = false,
+        LogX = true,
+        LogY = isLog,
+    };
 
     IEnumerable<string> Pictures()
     {

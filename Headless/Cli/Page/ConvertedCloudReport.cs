@@ -11,7 +11,7 @@ sealed class ConvertedCloudReport
     ConvertedCloudReport(string path) => m_facts = new ConvertedCloudFacts(path);
 
     public string Page { get; private set; } = "";
-    public PointCounts Account => m_facts.Account;
+    public PointCounts PointCounts => m_facts.PointCounts;
 
     public static ConvertedCloudReport Make(string path, (PictureOptions Options, bool IsPlain) look, long budget, string folder,
         string command, CliRun run)
@@ -38,7 +38,7 @@ sealed class ConvertedCloudReport
         var distribution = new CloudDistribution(view, options.UpAxis, cloud.Points, cloud.BoundsGeo);
         page.Tiles(distribution.Tiles().Concat([("coordinates", cloud.CrsName ?? "unknown"),
             ("size", Human.Bytes(report.m_facts.Bytes)), ("nodes", Human.Count(cloud.NodeCount))]));
-        CloudDistribution.Write(page, distribution.Odd(cloud.CrsName, cloud.Attributes).ToList());
+        CloudDistribution.Write(page, distribution.Remarks(cloud.CrsName, cloud.Attributes).ToList());
         string json = view.ToJson(ViewBytes, out int shown);
         page.View(json, Png.Encode(drawn.ToImage(false)), name + ": " + Human.Count(shown) + " of its points", "",
             Human.Count(shown) + " of " + Human.Count(cloud.Points, "point")

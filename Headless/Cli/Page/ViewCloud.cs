@@ -12,8 +12,7 @@ sealed class ViewCloud
     /// <summary>Of the points, packed to see how many fit.</summary>
     const double TriedShare = 1 / 8.0;
 
-    /// <summary>Of base 64.</summary>
-    const double BytesOfLetters = 4 / 3.0;
+    const double Base64Growth = 4 / 3.0;
 
     const double FarBounds = 4;
 
@@ -30,6 +29,9 @@ sealed class ViewCloud
     public string Unit => Human.Unit(Ranges.Units.Horizontal);
     public List<ViewWave> Waves { get; } = [];
 
+    /// <summary>FLIP of all points with one sample a pixel; see <see cref="WaveFlips"/>.</summary>
+    public double FlipFloor { get; private set; }
+
     /// <summary>What is shown: everything, or what nearly all points are in where few far ones would leave it too few
     /// pixels.</summary>
     public BoundsGeo Bounds { get; private set; } = new(new double3(0, 0, 0), new double3(1, 1, 1));
@@ -42,16 +44,20 @@ sealed class ViewCloud
     /// <summary>What a command line that exports a part of it reads.</summary>
     public string Source { get; init; } = "";
     public (List<Camera> Cameras, int Every)? Path { get; init; }
+
     /// <param name="source">As a command line names it.</param>
-    public static ViewCloud Take(Func<PointReader> open, string source, PictureOptions options, Camera camera, CliRun run)
+    /// <param name="cloud">Its octree.</param>
+    public static ViewCloud OfSource(Func<PointReader> open, string source, string cloud, PictureOptions options, CliRun run)
     {
         var preview = new PreviewOptions { Points = MaxPoints, Picture = options };
         using var reader = open();
-        using var taken = new SampleMethods(() => WithAll(open()), preview, run) { Runs = 1 }.Ours();
+        using var taken = new SampleMethods(() => SamplingAllAttributes(open()), preview, run) { Runs = 1 }.Ours();
         var errors = WaveErrors.Measure(reader, taken, run);
+        var flips = WaveFlips.Measure(cloud, taken, options, run);
         var view = new ViewCloud(options, new DisplayRanges { Units = reader.Info.Crs.Units })
         {
-            Camera = camera,
+            Camera = options.Camera!.Value,
+            FlipFloor = flips.Floor,
             Crs = reader.Info.Crs.ToCloudCrs(),
             Source = source,
         };
@@ -59,7 +65,8 @@ sealed class ViewCloud
         {
             var (wave, points) = taken.Waves[i];
             bool isLastOfBatch = i + 1 == taken.Waves.Count || taken.Waves[i + 1].Points != points;
-            view.Waves.Add(new ViewWave(view.m_sets.Count, wave.Points, wave.Seconds, wave.BytesRead, errors[i]));
+            view.Waves.Add(new ViewWave(view.m_sets.Count, wave.Points, wave.Seconds, wave.BytesRead, errors[i],
+                flips.OfWave[i]));
             if (isLastOfBatch)
                 view.m_sets.Add(ViewPoints.Of(points, wave.Points, taken.Transform));
         }
@@ -89,8 +96,8 @@ sealed class ViewCloud
             };
             if (ranges.Full.IsEmpty)
                 continue;
-            view.Ranges.Full = Around(view.Ranges.Full, ranges.Full);
-            view.Ranges.Robust = Around(view.Ranges.Robust, ranges.Robust);
+            view.Ranges.Full = Union(view.Ranges.Full, ranges.Full);
+            view.Ranges.Robust = Union(view.Ranges.Robust, ranges.Robust);
             view.Ranges.ElevationLow = Math.Min(view.Ranges.ElevationLow, ranges.ElevationLow);
             view.Ranges.ElevationHigh = Math.Max(view.Ranges.ElevationHigh, ranges.ElevationHigh);
         }
@@ -99,14 +106,14 @@ sealed class ViewCloud
         return view;
     }
 
-    static BoundsGeo Around(BoundsGeo a, BoundsGeo b) => new(math.min(a.Min, b.Min), math.max(a.Max, b.Max));
+    static BoundsGeo Union(BoundsGeo a, BoundsGeo b) => new(math.min(a.Min, b.Min), math.max(a.Max, b.Max));
 
     static PointBatch Load(string path, int max, CliRun run, out PositionTransform transform, out CloudCrs crs)
     {
         if (!CloudFolder.IsCloud(path))
         {
-            using var reader = WithAll(PointReaders.Open(path));
-            using var sampler = Sampled(reader, max, run);
+            using var reader = SamplingAllAttributes(PointReaders.Open(path));
+            using var sampler = RunSampler(reader, max, run);
             (transform, crs) = (reader.Info.Transform, reader.Info.Crs.ToCloudCrs());
             return sampler.TakeSample().Points;
         }
@@ -121,7 +128,7 @@ sealed class ViewCloud
         return batch;
     }
 
-    static PreviewSampler Sampled(PointReader reader, int max, CliRun run)
+    static PreviewSampler RunSampler(PointReader reader, int max, CliRun run)
     {
         if (!reader.BlocksAreKnown)
             run.RunSteps(reader.FindBlocks());
@@ -130,7 +137,7 @@ sealed class ViewCloud
         return sampler;
     }
 
-    static PointReader WithAll(PointReader reader)
+    static PointReader SamplingAllAttributes(PointReader reader)
     {
         reader.Info.AlsoSampled = reader.Info.Schema.Select(a => a.Name).ToArray();
         return reader;
@@ -155,7 +162,7 @@ sealed class ViewCloud
         {
             var sets = m_sets.Select(s => Pack(s, share)).ToList();
             shown = sets[^1].Kept.Length;
-            double bytes = sets.Sum(s => s.Bytes.Length) * BytesOfLetters;
+            double bytes = sets.Sum(s => s.Bytes.Length) * Base64Growth;
             if (share == 1 ? bytes <= maxBytes : share != TriedShare && (bytes <= maxBytes || shown < 1000))
                 return ToJson(sets);
             share = Math.Min(share == TriedShare ? 1 : 0.97 * share, share * 0.97 * maxBytes / Math.Max(1, bytes));
@@ -164,7 +171,7 @@ sealed class ViewCloud
 
     string ToJson(List<PackedSet> sets)
     {
-        var stream = new MemoryStream((int)(sets.Sum(s => s.Bytes.Length) * BytesOfLetters) + 100_000);
+        var stream = new MemoryStream((int)(sets.Sum(s => s.Bytes.Length) * Base64Growth) + 100_000);
         using (var json = new Utf8JsonWriter(stream))
         {
             json.WriteStartObject();
@@ -215,7 +222,8 @@ sealed class ViewCloud
     }
 
     public string Describe(ViewWave wave) => Human.Count(wave.Points, "point") + " after " + Human.Seconds(wave.Seconds)
-        + (Ranges.IsInDegrees || double.IsNaN(wave.Rms) ? "" : ": RMS error " + Human.FourDigits(wave.Rms) + " " + Unit);
+        + (Ranges.IsInDegrees || double.IsNaN(wave.Rms) ? "" : ": RMS error " + Human.FourDigits(wave.Rms) + " " + Unit)
+        + ", FLIP " + Human.FourDigits(wave.Flip);
 
     bool IsInside(double3 geo) => math.all(geo >= Bounds.Min) && math.all(geo <= Bounds.Max);
 
@@ -247,7 +255,7 @@ sealed class ViewCloud
         WriteColor(json);
         json.WriteBoolean("north", SourceFacts.IsNorthAlongY(Crs) && m_options.UpAxis == UpAxis.Z);
         json.WriteString("source", Source);
-        // A little larger than their distance: what is askew would have holes.
+        // Larger than their distance: slanted surfaces would have holes.
         json.WriteNumber("spacing", 2 * Spacing * Math.Sqrt(Points.Count / Math.Max(1.0, shown)));
         json.WriteNumber("mode", mode == ColorMode.Rgb ? ColorsOfPoints : m_columns.FindIndex(c => c.Name == name));
         json.WriteBoolean("shaded", mode != ColorMode.Rgb);

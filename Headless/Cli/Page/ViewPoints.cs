@@ -105,8 +105,8 @@ sealed class ViewValues(byte[] stored, AttributeType type, double scale, double 
         return decimals;
     }
 
-    /// <summary>Writes some of the values, exact: differences from one to the next, those of small size as small numbers of no
-    /// sign, byte by byte, because that is what deflate makes least of. Doubles are two numbers each, low bits first.</summary>
+    /// <summary>Writes some of the values, exact: zigzag-coded differences from one to the next, low bytes of all first, which
+    /// deflate packs best. Doubles are two numbers each, low bits first.</summary>
     public IEnumerable<Differences> Pack(int[] kept, Stream packed)
     {
         int width = TypeSent.SizeOf(), bits = Math.Min(32, 8 * width);
@@ -115,12 +115,12 @@ sealed class ViewValues(byte[] stored, AttributeType type, double scale, double 
         for (int number = 0; number < (width + 3) / 4; number++)
         {
             int step = width is 2 or 4 && !TypeSent.IsFloat() ? StepOf(kept) : 1;
-            int first = step > 1 ? (int)Whole(kept[0]) : 0;
+            int first = step > 1 ? (int)ToInteger(kept[0]) : 0;
             long before = first;
             uint all = 0;
             for (int i = 0; i < kept.Length; i++)
             {
-                long value = step > 1 ? Whole(kept[i]) : (uint)(BitsOf(kept[i]) >> 32 * number);
+                long value = step > 1 ? ToInteger(kept[i]) : (uint)(BitsOf(kept[i]) >> 32 * number);
                 int difference = step > 1 ? (int)((value - before) / step) : (int)(value - before << 32 - bits) >> 32 - bits;
                 differences[i] = (uint)(difference << 1 ^ difference >> 31);
                 all |= differences[i];
@@ -137,14 +137,14 @@ sealed class ViewValues(byte[] stored, AttributeType type, double scale, double 
         }
     }
 
-    long Whole(int point) => (long)Math.Round((this[point] - offset) / scale);
+    long ToInteger(int point) => (long)Math.Round((this[point] - offset) / scale);
 
-    /// <summary>What all differences of whole numbers are multiples of: 257 of colours that had 8 bits once.</summary>
+    /// <summary>The greatest common divisor of all differences of integers: 257 of colours that had 8 bits once.</summary>
     int StepOf(int[] kept)
     {
         long step = 0;
         for (int i = 1; i < kept.Length && step != 1; i++)
-            for (long rest = Math.Abs(Whole(kept[i]) - Whole(kept[i - 1])); rest != 0;)
+            for (long rest = Math.Abs(ToInteger(kept[i]) - ToInteger(kept[i - 1])); rest != 0;)
                 (step, rest) = (rest, step % rest);
         return step is > 1 and <= int.MaxValue ? (int)step : 1;
     }
@@ -198,4 +198,5 @@ sealed class ViewValues(byte[] stored, AttributeType type, double scale, double 
 readonly record struct Differences(int Bytes, int First, int Step);
 
 /// <param name="Rms">Distance from points of the cloud to the nearest of these; NaN where it was not measured.</param>
-sealed record ViewWave(int Set, int Points, double Seconds, long BytesRead, double Rms);
+/// <param name="Flip">See <see cref="WaveFlips"/>.</param>
+sealed record ViewWave(int Set, int Points, double Seconds, long BytesRead, double Rms, double Flip);

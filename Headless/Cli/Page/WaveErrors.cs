@@ -18,15 +18,15 @@ static class WaveErrors
         run.Progress.Begin("error of the waves");
         using var uniform = new UniformSampler(reader, Queries, Seed);
         run.RunSteps(uniform.Run(0, run.Progress));
-        using var asked = uniform.TakeSample();
-        using var queries = new NativeArray<double3>(Math.Max(1, asked.Count), Allocator.Persistent);
+        using var sample = uniform.TakeSample();
+        using var queries = new NativeArray<double3>(Math.Max(1, sample.Count), Allocator.Persistent);
         using var loaded = new NativeReference<int>(Allocator.Persistent);
         new LoadPositionsJob
         {
-            Bytes = asked.Points.Bytes,
-            Positions = PositionColumns.Of(asked.Points),
-            Transform = asked.Transform,
-            Count = asked.Count,
+            Bytes = sample.Points.Bytes,
+            Positions = PositionColumns.Of(sample.Points),
+            Transform = sample.Transform,
+            Count = sample.Count,
             Points = queries,
             Loaded = loaded,
         }.Schedule().Complete();
@@ -36,13 +36,13 @@ static class WaveErrors
         return errors;
     }
 
-    static double Measure(PointBatch points, int count, PositionTransform transform, NativeArray<double3> queries, int asked,
-        CliRun run)
+    static double Measure(PointBatch points, int count, PositionTransform transform, NativeArray<double3> queries,
+        int queryCount, CliRun run)
     {
         using var tree = new PointTree();
         run.RunSteps(tree.Build(points, count, transform));
         double rms = double.NaN;
-        run.RunSteps(tree.Measure(queries, asked, 1, found => rms = found.Rms));
+        run.RunSteps(tree.Measure(queries, queryCount, 1, found => rms = found.Rms));
         return rms;
     }
 }

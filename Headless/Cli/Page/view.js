@@ -366,7 +366,8 @@
     const text = data.path ? "frame " + step * data.path.every : data.waves[step].text;
     $("view-time-text").textContent = text;
     time.setAttribute("aria-valuetext", text);
-    document.querySelectorAll("#error-chart .mark").forEach((mark, i) => mark.classList.toggle("now", i === step));
+    document.querySelectorAll(".waves").forEach(chart =>
+      chart.querySelectorAll(".mark").forEach((mark, i) => mark.classList.toggle("now", i === step)));
     redraw();
   }
   function stop() {

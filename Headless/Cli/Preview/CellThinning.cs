@@ -9,18 +9,18 @@ public static class CellThinning
     const int BatchLength = ColumnValues.BatchLength;
     const double CellsPerRootOfPoints = 1.05;
 
-    public static unsafe PointBatch Take(PointBatch points, PositionTransform transform, DisplayRanges ranges, int wanted)
+    public static unsafe PointBatch Thin(PointBatch points, PositionTransform transform, DisplayRanges ranges, int wanted)
     {
         var size = ranges.Robust.Size;
         double edge = Math.Max(size.x, Math.Max(size.y, size.z));
         double cellsPerUnit = edge > 0 ? CellsPerRootOfPoints * Math.Sqrt(wanted) / edge : 0;
-        var cells = new EmptyCells { Corner = ranges.Robust.Min, CellsPerUnit = cellsPerUnit };
+        var cells = new OccupiedCells { Corner = ranges.Robust.Min, CellsPerUnit = cellsPerUnit };
         var isFirst = new bool[points.Count];
         int firsts = 0;
         double* x = stackalloc double[BatchLength], y = stackalloc double[BatchLength], z = stackalloc double[BatchLength];
         byte* bytes = (byte*)points.Bytes.GetUnsafeReadOnlyPtr();
         var positions = PositionColumns.Of(points);
-        fixed (ulong* table = new ulong[EmptyCells.Words])
+        fixed (ulong* table = new ulong[OccupiedCells.Words])
         {
             for (int first = 0; first < points.Count; first += BatchLength)
             {
@@ -45,8 +45,8 @@ public static class CellThinning
         var chosen = new List<int>(wanted);
         for (int i = 0; i < isFirst.Length; i++)
         {
-            bool takes = isFirst[i] ? IsOneOf(atFirst++, firsts, fromFirsts) : IsOneOf(atOther++, others, fromOthers);
-            if (takes)
+            bool isChosen = isFirst[i] ? IsOneOf(atFirst++, firsts, fromFirsts) : IsOneOf(atOther++, others, fromOthers);
+            if (isChosen)
                 chosen.Add(i);
         }
         return chosen;

@@ -1,6 +1,6 @@
 namespace FastPoints.Cli.Preview;
 
-public sealed record ErrorCurve(string Name, string What)
+public sealed record ErrorCurve(string Name, string Description)
 {
     public List<ErrorWave> Waves { get; } = [];
 

@@ -39,7 +39,7 @@ public static class ErrorReport
         page.Heading("All figures");
         page.Table(step.ToTable());
         page.Heading("What is measured");
-        page.Facts(step.Curves.Select(c => (c.Name, c.What)));
+        page.Facts(step.Curves.Select(c => (c.Name, c.Description)));
         page.Facts(Definitions(step));
         step.Page = Path.Combine(folder, "report.html");
         OutputFile.Write(step.Page, page.ToBytes());

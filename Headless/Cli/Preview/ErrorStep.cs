@@ -179,6 +179,7 @@ public sealed class ErrorStep
             foreach (var wave in curve.Waves)
             {
                 var error = wave.Error;
+                string AtSameCount(Func<ImageError, string> text) => error.PictureAtSameCount is { } same ? text(same) : "";
                 table.Add(curve.Name, Human.Count(wave.Wave.Points), Short(wave.Wave.Seconds),
                     Percent(error.Distance.Rms), Percent(error.Distance.Ranked95), Percent(error.Distance.Ranked99),
                     Percent(error.Cells.Uncovered64), Percent(error.Cells.Uncovered128), Percent(error.Cells.Uncovered256),
@@ -186,9 +187,9 @@ public sealed class ErrorStep
                     Short(error.Cells.Variation) + " (" + Short(error.Cells.VariationByChance) + ")",
                     Short(error.Cells.Bias) + " (" + Short(error.Cells.BiasByChance) + ")",
                     Short(error.Picture.Psnr, "0.0"), Short(error.Picture.Ssim), Short(error.Picture.Flip, "0.0000"),
-                    Percent(error.Picture.Uncovered), error.PictureAtSameCount is { } same ? Short(same.Ssim) : "",
-                    error.PictureAtSameCount is { } seen ? Short(seen.Flip, "0.0000") : "",
-                    error.PictureAtSameCount is { } too ? Percent(too.Uncovered) : "");
+                    Percent(error.Picture.Uncovered), AtSameCount(e => Short(e.Ssim)),
+                    AtSameCount(e => Short(e.Flip, "0.0000")),
+                    AtSameCount(e => Percent(e.Uncovered)));
             }
         table.Add(FloorName, Human.Count(PointsInCloud), "", "", "", "", "", "", "", "", "", "", Short(Floor.Psnr, "0.0"),
             Short(Floor.Ssim), Short(Floor.Flip, "0.0000"), Percent(Floor.Uncovered), "", "", "");

@@ -62,7 +62,7 @@ public sealed class SampleMethods(Func<PointReader> open, PreviewOptions options
         using var decoded = sampler.TakePoints();
         var display = new DisplayRanges();
         run.RunSteps(display.Measure(decoded, reader.Info.Transform, options.Picture.UpAxis));
-        var thinned = CellThinning.Take(decoded, reader.Info.Transform, display, points);
+        var thinned = CellThinning.Thin(decoded, reader.Info.Transform, display, points);
         return OneWave(thinned, reader, opened + watch.Elapsed.TotalSeconds, sampler.BytesRead);
     });
 

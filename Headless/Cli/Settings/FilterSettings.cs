@@ -41,10 +41,10 @@ public sealed class FilterSettings
         try
         {
             if (parsed.GetValue(m_classes) is { } classes)
-                Add(filter, reader, "--classes", string.Join(" || ", classes.Split(',').Select(Class).Distinct()
+                Add(filter, reader, "--classes", string.Join(" || ", classes.Split(',').Select(ParseClass).Distinct()
                     .Select(c => AttributeNames.Classification + " == " + c)));
             if (parsed.GetValue(m_returns) is { } returns)
-                Add(filter, reader, "--returns", Returns(returns));
+                Add(filter, reader, "--returns", ReturnsCondition(returns));
             if (parsed.GetValue(m_where) is { } where)
                 Add(filter, reader, "--where", where);
             if (parsed.GetValue(m_polygon) is { } polygon)
@@ -73,7 +73,7 @@ public sealed class FilterSettings
                 + string.Join(", ", reader.Info.Schema.Select(a => a.Name)));
     }
 
-    static string Returns(string text) => text switch
+    static string ReturnsCondition(string text) => text switch
     {
         "first" => AttributeNames.ReturnNumber + " == 1",
         "last" => AttributeNames.ReturnNumber + " == " + AttributeNames.NumberOfReturns,
@@ -82,7 +82,7 @@ public sealed class FilterSettings
         _ => throw new UsageException("--returns: wanted first, last or a number up to 15, got " + text),
     };
 
-    static int Class(string text) =>
+    static int ParseClass(string text) =>
         int.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out int number) && number <= byte.MaxValue ? number
             : throw new UsageException("--classes: wanted numbers from 0 to 255, got " + text);
 }

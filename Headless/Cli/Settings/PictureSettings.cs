@@ -61,7 +61,7 @@ public sealed class PictureSettings
     public PictureOptions Read(ParseResult parsed)
     {
         var options = m_look.Read(parsed);
-        (options.WidthPx, options.HeightPx) = Size(parsed.GetRequiredValue(m_size));
+        (options.WidthPx, options.HeightPx) = ParseSize(parsed.GetRequiredValue(m_size));
         options.FovDegrees = parsed.GetValue(m_fov);
         if (!(options.FovDegrees > 0 && options.FovDegrees < 180))
             throw new UsageException("--fov: wanted more than 0 and less than 180 degrees");
@@ -80,7 +80,8 @@ public sealed class PictureSettings
         if (eye != null)
         {
             options.UpAxis.Directions(out _, out _, out var up);
-            options.Camera = Camera.Perspective(Position("--eye", eye), Position("--target", target!), up, options.FovDegrees);
+            options.Camera = Camera.Perspective(ParsePosition("--eye", eye), ParsePosition("--target", target!), up,
+                options.FovDegrees);
         }
         options.View = view switch
         {
@@ -92,7 +93,7 @@ public sealed class PictureSettings
         return options;
     }
 
-    static (int, int) Size(string text)
+    static (int, int) ParseSize(string text)
     {
         var parts = text.Split('x');
         if (parts.Length == 2
@@ -103,22 +104,22 @@ public sealed class PictureSettings
         throw new UsageException($"--size: wanted WxH, each 1 to {PictureCanvas.MaxEdgePx}, got {text}");
     }
 
-    static double3 Position(string option, string text)
+    static double3 ParsePosition(string option, string text)
     {
-        var numbers = Numbers(text);
+        var numbers = ParseNumbers(text);
         return numbers.Length == 3 ? new double3(numbers[0], numbers[1], numbers[2])
             : throw new UsageException(option + ": wanted x,y,z, got " + text);
     }
 
     internal static ClipBox Box(string option, string text, bool cuts)
     {
-        var numbers = Numbers(text);
+        var numbers = ParseNumbers(text);
         return numbers.Length == 6 ? new ClipBox(new double3(numbers[0], numbers[1], numbers[2]),
             new double3(numbers[3], numbers[4], numbers[5]), cuts)
             : throw new UsageException(option + ": wanted x,y,z,X,Y,Z, got " + text);
     }
 
-    static double[] Numbers(string text)
+    static double[] ParseNumbers(string text)
     {
         var parts = text.Split(',');
         var numbers = new double[parts.Length];

@@ -29,21 +29,21 @@ public sealed class ConvertedCloudFacts
             ? m_cloud.HierarchyBytes + m_cloud.UpperBytes + folder.Chunks.Sum(chunk => chunk.FileBytes)
             : Directory.GetFiles(folder.FolderPath, "*", SearchOption.AllDirectories).Sum(f => new FileInfo(f).Length);
         var bytesOfPlane = new long[folder.Layout.Planes.Count];
-        Take(folder.Upper, bytesOfPlane);
+        Add(folder.Upper, bytesOfPlane);
         for (int chunk = 0; chunk < folder.Chunks.Length; chunk++)
         {
             folder.FetchTablesFrom(chunk);
             using var table = folder.LoadTable(chunk);
-            Take(table, bytesOfPlane);
+            Add(table, bytesOfPlane);
         }
         m_planes.AddRange(folder.Layout.Planes.Select((plane, i) => (plane.Name, bytesOfPlane[i])));
     }
 
-    public PointCounts Account => PointCounts.Of(new SourceInfo { HasPointsClaimed = false }, m_cloud.Points);
+    public PointCounts PointCounts => PointCounts.Of(new SourceInfo { HasPointsClaimed = false }, m_cloud.Points);
 
     bool IsWhole => !m_cloud.IsBuilding;
 
-    void Take(NodeTable table, long[] bytesOfPlane)
+    void Add(NodeTable table, long[] bytesOfPlane)
     {
         for (int i = 0; i < table.Nodes.Length; i++)
         {

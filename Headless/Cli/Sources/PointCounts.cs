@@ -13,9 +13,9 @@ public sealed class PointCounts
 
     public static PointCounts Of(SourceInfo info, long found)
     {
-        var account = new PointCounts();
-        account.Add(info, found);
-        return account;
+        var counts = new PointCounts();
+        counts.Add(info, found);
+        return counts;
     }
 
     /// <param name="found">-1 if they were not counted.</param>

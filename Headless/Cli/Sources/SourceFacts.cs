@@ -16,7 +16,7 @@ public sealed class SourceFacts(PointReader reader)
     /// <summary>Points, where they are known without a scan or have been found; -1 otherwise.</summary>
     public long Points => Found?.Points ?? m_points;
 
-    public PointCounts Account => PointCounts.Of(Info, Points);
+    public PointCounts PointCounts => PointCounts.Of(Info, Points);
 
     public string Kind => Info.Format + (Info.Version != null ? " " + Info.Version : "")
         + (Info.PointFormat >= 0 ? ", point format " + Info.PointFormat : "")
@@ -51,14 +51,14 @@ public sealed class SourceFacts(PointReader reader)
         yield return ("unit", UnitOf(Info.Crs.Units, Info.BoundsTrusted));
         if (Info.GpsTime.Kind != GpsTimeKind.Unknown)
             yield return ("GPS times", Info.GpsTime.ToString());
-        TakeTree();
+        ReadTree();
         if (m_tree is { } tree)
             yield return ("octree", Human.Count(tree.Nodes, "node") + " on " + Human.Count(tree.Levels.Count, "level")
                 + (tree.IsWhole ? "" : " so far") + ", " + Human.Count(tree.NodesWithoutPoints) + " of them without points"
                 + (tree.Pages > 0 ? ", " + Human.Count(tree.Pages, "page") + " of hierarchy" : ""));
     }
 
-    void TakeTree()
+    void ReadTree()
     {
         if (reader.Tree != null)
             m_tree ??= TreeFacts.Of(reader.Tree);
@@ -67,7 +67,7 @@ public sealed class SourceFacts(PointReader reader)
     /// <summary>The source's own octree level by level, or null if it has none.</summary>
     public TextTable? Levels()
     {
-        TakeTree();
+        ReadTree();
         if (m_tree is not { } tree)
             return null;
         var table = new TextTable("level", "nodes", "points", "most in a node", "spacing");
@@ -81,7 +81,7 @@ public sealed class SourceFacts(PointReader reader)
     {
         if (Spread == null)
             yield break;
-        foreach (var line in BoundsLines("99.9 % lie in", Spread.NearlyAll))
+        foreach (var line in BoundsLines("99.9 % lie in", Spread.RobustBounds))
             yield return line;
         string per = " points/" + Spread.Unit + "²";
         yield return ("density", Spread.Quartiles is not [var low, var median, var high] ? "no area, seen from above"

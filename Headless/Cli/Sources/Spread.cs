@@ -9,10 +9,11 @@ sealed class Spread
 
     readonly DensityMap m_density;
 
-    Spread(BoundsGeo nearlyAll, DensityMap density, string unit) => (NearlyAll, m_density, Unit) = (nearlyAll, density, unit);
+    Spread(BoundsGeo robustBounds, DensityMap density, string unit) =>
+        (RobustBounds, m_density, Unit) = (robustBounds, density, unit);
 
     /// <summary>Bounds of 99.9 % of the points along each axis.</summary>
-    public BoundsGeo NearlyAll { get; }
+    public BoundsGeo RobustBounds { get; }
 
     public string Unit { get; }
 
@@ -45,7 +46,7 @@ sealed class Spread
 
     public void WriteKeys(Utf8JsonWriter json)
     {
-        json.WriteBounds("boundsNearlyAll", NearlyAll);
+        json.WriteBounds("boundsNearlyAll", RobustBounds);
         if (Quartiles == null)
         {
             json.WriteNull("density");
@@ -73,7 +74,7 @@ sealed class SpreadSample(PointReader reader) : IDisposable
 
     public long Found { get; private set; }
 
-    public unsafe void Take(BlockRead read)
+    public unsafe void Add(BlockRead read)
     {
         var block = read.Points;
         Found += block.Count;

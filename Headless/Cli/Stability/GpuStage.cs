@@ -1,6 +1,6 @@
 namespace FastPoints.Cli.Stability;
 
-/// <summary>Draws a stored cloud with the renderer of a game, and compares it with the software
+/// <summary>Draws a converted cloud with the renderer of a game, and compares it with the software
 /// rasteriser's picture of the same.</summary>
 static class GpuStage
 {

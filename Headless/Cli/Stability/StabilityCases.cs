@@ -49,10 +49,10 @@ public static class StabilityCases
         new("spiral that fools the sample", (folder, n) => Las(folder, n, i => Spiral(i, n))),
         new("tiles of different scales and offsets", (folder, n) => Tiles(folder, n)),
         new("many tiny files", (folder, n) => TinyFiles(folder, n)),
-        new("header that breaks off", (folder, n) => Truncated(folder)) { IsCloud = false },
+        new("header that breaks off", (folder, n) => Truncated(folder)) { MustSucceed = false },
         new("target that cannot be written", (folder, n) => Las(folder, 100, Uniform))
         {
-            IsCloud = false,
+            MustSucceed = false,
             Target = folder => Path.Combine(folder, "cloud.las", "cloud.fastpoints"),
         },
         new("two builds of one target", (folder, n) => Las(folder, n, Uniform)) { IsBuiltTwice = true },

@@ -62,11 +62,11 @@ public sealed class BenchVerb : Verb
             return;
         }
         var all = WorkloadList.All();
-        var asked = all.Where(w => names.Length == 0 ||
+        var chosen = all.Where(w => names.Length == 0 ||
             names.Any(n => w.Name.Contains(n, StringComparison.OrdinalIgnoreCase))).ToList();
-        if (asked.Count == 0)
+        if (chosen.Count == 0)
             throw new UsageException("no workload is called that: " + string.Join(", ", names) + " (--list names them)");
-        var groups = WorkloadTurns.Groups(all, asked).ToList();
+        var groups = WorkloadTurns.Groups(all, chosen).ToList();
         if (parsed.GetValue(m_list))
         {
             foreach (var workload in groups.SelectMany(g => g))
@@ -79,10 +79,10 @@ public sealed class BenchVerb : Verb
         OutputNames.RefuseForeignFolder("a report", folder, PerformanceResults.FileName, run.Settings.IsForced);
         run.Begin([]);
         OutputFile.MakeFolder(folder);
-        Report(Take(groups, points, runs, run), baseline, points, folder, run);
+        Report(RunWorkloads(groups, points, runs, run), baseline, points, folder, run);
     }
 
-    static List<WorkloadSamples> Take(List<List<IWorkload>> groups, int points, int runs, CliRun run)
+    static List<WorkloadSamples> RunWorkloads(List<List<IWorkload>> groups, int points, int runs, CliRun run)
     {
         string scratch = Directory.CreateTempSubdirectory("fastpoints-bench-").FullName;
         try
@@ -101,7 +101,7 @@ public sealed class BenchVerb : Verb
                 run.Progress.Begin(group[0].Name);
                 try
                 {
-                    results.AddRange(WorkloadTurns.Take(group, context, settings));
+                    results.AddRange(WorkloadTurns.Run(group, context, settings));
                 }
                 finally
                 {

@@ -85,7 +85,7 @@ public sealed class ConvertVerb : Verb
         if (parsed.GetValue(m_memory) is { } memory)
             settings.MemoryBytes = Memory.ForBuild(memory);
         string output = parsed.GetRequiredValue(m_output);
-        OutputNames.RefuseFile(output);
+        OutputNames.RequireFolderName(output);
         OutputNames.RefuseInputs(output, files);
         string samplers = Path.ChangeExtension(output, null) + "-samplers";
         if (parsed.GetValue(m_report))

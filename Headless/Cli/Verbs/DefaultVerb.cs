@@ -102,20 +102,20 @@ public sealed class DefaultVerb : Verb
             {
                 string[] cloud = clouds[i];
                 string folder = folders[i];
-                all.Take(run, () =>
+                all.Run(run, () =>
                 {
                     if (cloud is [var only] && CloudFolder.IsCloud(only))
                     {
                         Report.Mark(folder, only);
                         var stored = ConvertedCloudReport.Make(only, (Look(), isPlain), Report.GpuPoints, folder, command, run);
-                        Report.WriteSummary(folder, only, stored.WriteKeys, stored.Account);
+                        Report.WriteSummary(folder, only, stored.WriteKeys, stored.PointCounts);
                         pages.Add(stored.Page);
-                        return (stored.WriteKeys, stored.Account);
+                        return (stored.WriteKeys, stored.PointCounts);
                     }
                     var report = Report.Make(cloud, source, (Look(), isPlain), (folder, keeps), command, run);
-                    Report.WriteSummary(folder, cloud[0], report.WriteKeys, report.Account);
+                    Report.WriteSummary(folder, cloud[0], report.WriteKeys, report.PointCounts);
                     pages.Add(report.Page);
-                    return (report.WriteKeys, report.Account);
+                    return (report.WriteKeys, report.PointCounts);
                 });
             }
         }
@@ -149,7 +149,7 @@ public sealed class DefaultVerb : Verb
         /// <summary>Null without a GPU, not even a software one.</summary>
         public required DrawStep? Gpu { get; init; }
 
-        public required PointCounts Account { get; init; }
+        public required PointCounts PointCounts { get; init; }
 
         public static string[] FoldersOf(string[][] clouds)
         {
@@ -234,12 +234,12 @@ public sealed class DefaultVerb : Verb
             FileChanges.AwaitDeletes();
         }
 
-        public static void WriteSummary(string folder, string file, Action<Utf8JsonWriter> writeKeys, PointCounts account) =>
+        public static void WriteSummary(string folder, string file, Action<Utf8JsonWriter> writeKeys, PointCounts counts) =>
             Summary.WriteFile(Path.Combine(folder, SummaryName), json =>
             {
                 json.WriteString("input", NameIn(file));
                 writeKeys(json);
-                account.WriteKeys(json);
+                counts.WriteKeys(json);
             });
 
         public static Report Make(string[] files, ReadOptions source, (PictureOptions Options, bool IsPlain) look,
@@ -281,8 +281,8 @@ public sealed class DefaultVerb : Verb
                 run.Out.WriteLine("           " + assumption);
             // Before the GPU: a software one keeps its memory to the end.
             run.Progress.Group = PageGroup;
-            var view = ViewCloud.Take(() => PointReaders.Open(files, source),
-                target.IsKept ? string.Join(' ', files.Select(CloudPage.Quoted)) : "", picture, preview.Camera, run);
+            var view = ViewCloud.OfSource(() => PointReaders.Open(files, source),
+                target.IsKept ? string.Join(' ', files.Select(CloudPage.Quoted)) : "", cloudPath, picture, run);
             run.Progress.Group = "gpu";
             var gpu = HeadlessGraphics.IsAvailable && picture.ColorAttribute == null
                 ? DrawStep.RunOnGpu([cloudPath], picture, GpuPoints, run) : null;
@@ -313,7 +313,7 @@ public sealed class DefaultVerb : Verb
             OutputFile.Write(pagePath, page.ToBytes());
             return new Report
             {
-                Account = PointCounts.Of(reader.Info, convert.PointsFound),
+                PointCounts = PointCounts.Of(reader.Info, convert.PointsFound),
                 Page = pagePath,
                 Facts = facts,
                 Preview = preview,

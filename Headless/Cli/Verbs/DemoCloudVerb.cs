@@ -97,12 +97,12 @@ public sealed class DemoCloudVerb : Verb
         if (!toLaz && !HasExtension(output, ".las"))
             throw new UsageException("--tile writes .las and .laz files: " + output);
         using var reader = PointReaders.Open(tile);
-        bool isPlain = reader.Info.Format == "LAS";
-        if (toLaz && !isPlain)
+        bool isLas = reader.Info.Format == "LAS";
+        if (toLaz && !isLas)
             return LazTiling.Write(tile, output, times, run.Progress, run.Cancellation);
         if (toLaz)
             throw new UsageException("--tile makes a .laz file of a .laz file only: " + tile);
-        if (isPlain)
+        if (isLas)
             return LasTiling.Write(tile, output, times, run.Progress, run.Cancellation);
         if (reader.Info.PointFormat < 0)
             throw new PointCloudException(FailureCode.Unsupported, tile, -1, "only LAS and LAZ files are tiled, this is "

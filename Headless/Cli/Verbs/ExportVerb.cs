@@ -80,7 +80,7 @@ public sealed class ExportVerb : Verb
         var clouds = parsed.GetRequiredValue(m_clouds);
         string output = parsed.GetRequiredValue(m_output);
         string file = run.Standard.FileOf(output);
-        OutputNames.RefuseNoExport(file);
+        OutputNames.RequireExportName(file);
         var settings = new ExportSettings
         {
             Level = parsed.GetValue(m_level) is { } level ? Counts.ToInt(level) : -1,
@@ -120,7 +120,7 @@ public sealed class ExportVerb : Verb
         run.Points.Add(reader.Info, isWhole ? result!.PointsRead : reader.PointCount);
         if (result!.Points == 0 && reader.PointCount > 0)
             run.WarnEmpty(output, "left", reader.PointCount, reader.Info.BoundsClaimed, settings.Clips);
-        Say(result!, output, run);
+        WriteResult(result!, output, run);
     }
 
     static ClipBox Local(ClipBox box, PointReader reader)
@@ -132,7 +132,7 @@ public sealed class ExportVerb : Verb
         return box;
     }
 
-    static void Say(ExportResult result, string output, CliRun run)
+    static void WriteResult(ExportResult result, string output, CliRun run)
     {
         foreach (string warning in result.Warnings)
             run.Warn(output + ": " + warning);

@@ -97,7 +97,7 @@ public sealed class FlyVerb : Verb
                 OutputNames.RefuseForeign(FlightOutput.NameOf(output, 0), run.Settings.IsForced);
         }
         var options = m_picture.Read(parsed);
-        int every = Counts.ToInt(parsed.GetValue(m_every)), asked = Counts.ToInt(parsed.GetValue(m_frames) ?? 0);
+        int every = Counts.ToInt(parsed.GetValue(m_every)), requested = Counts.ToInt(parsed.GetValue(m_frames) ?? 0);
         if (every > MaxFramesPerPicture)
             throw new UsageException("--every: wanted 1 to " + MaxFramesPerPicture);
         if (parsed.GetValue(m_cpu) && parsed.GetValue(m_gpu))
@@ -126,8 +126,8 @@ public sealed class FlyVerb : Verb
         var bounds = AddClouds(clouds, stream, picture, run.Cancellation);
         options.UpAxis.Directions(out _, out _, out var up);
         var path = parsed.GetValue(m_path) is { } file ? CameraPath.Read(file, up, options.FovDegrees)
-            : CameraPath.Around(bounds, options.UpAxis, asked > 0 ? asked : DefaultFrames, options.FovDegrees);
-        int frames = asked > 0 ? asked : path.FrameCount;
+            : CameraPath.Around(bounds, options.UpAxis, requested > 0 ? requested : DefaultFrames, options.FovDegrees);
+        int frames = requested > 0 ? requested : path.FrameCount;
 
         var log = new FlightLog(frames);
         double disposeMs = 0;
@@ -140,7 +140,7 @@ public sealed class FlyVerb : Verb
             };
         run.WriteKeys = json => WriteKeys(json, log, pictures, disposeMs);
         var last = Fly(stream, path, picture, pictures, log, run);
-        pictures?.Keep();
+        pictures?.Commit();
         if (folder != null)
             OutputFile.Write(Path.Combine(folder, "frames.csv"), System.Text.Encoding.UTF8.GetBytes(log.ToCsv()));
         long end = Stopwatch.GetTimestamp();
@@ -151,7 +151,7 @@ public sealed class FlyVerb : Verb
             OutputFile.Write(Path.Combine(folder, "last.png"), Png.Encode(last));
             OutputFile.Write(Path.Combine(folder, "report.html"), FlightPage.Make(clouds, path, log, options, last, run));
         }
-        if (pictures?.Kept is { } kept)
+        if (pictures?.CommittedPath is { } kept)
             run.Out.WriteLine(kept + ": " + Human.Count(frames / every) + " pictures, " + Human.Bytes(pictures.Bytes));
         run.WarnOfFailures(stream);
         Describe(run, log, stream.Settings.UploadBytesPerFrame, disposeMs);
@@ -162,7 +162,8 @@ public sealed class FlyVerb : Verb
         var bounds = BoundsGeo.Empty;
         foreach (string cloud in clouds)
         {
-            var (plan, ranges, number) = FlightCloud.Add(cloud, stream, picture.Options, cancellation);
+            var (plan, ranges, number) = FlightCloud.Add(cloud, stream, picture.Options, cancellation,
+                SourcePath.IsRemote(cloud));
             picture.Add(number, plan);
             if (!ranges.Robust.IsEmpty)
                 bounds = bounds.IsEmpty ? ranges.Robust
@@ -289,7 +290,7 @@ public sealed class FlyVerb : Verb
         json.WriteReal("disposeMs", disposeMs);
         log.Popping?.WriteKey(json, "popping");
         log.PoppingWhenLoaded?.WriteKey(json, "poppingWhenLoaded");
-        if (pictures?.Kept is not { } kept)
+        if (pictures?.CommittedPath is not { } kept)
             return;
         json.WriteString("animation", kept);
         json.WriteInteger("bytes", pictures.Bytes);

@@ -44,19 +44,19 @@ public sealed class InfoVerb : Verb
         var all = new InputResults(clouds.Select(c => c[0]));
         run.WriteKeys = all.WriteKeys;
         foreach (var cloud in clouds)
-            all.Take(run, () => Say(cloud, source, scan, run));
+            all.Run(run, () => Describe(cloud, source, scan, run));
         if (scan)
             StageTable.Of(run.Progress).Write(run.Out, "  ");
     }
 
-    static (Action<Utf8JsonWriter>, PointCounts) Say(string[] cloud, ReadOptions source, bool scan, CliRun run)
+    static (Action<Utf8JsonWriter>, PointCounts) Describe(string[] cloud, ReadOptions source, bool scan, CliRun run)
     {
         if (cloud is [var path] && CloudFolder.IsCloud(path))
         {
             var stored = new ConvertedCloudFacts(path);
             stored.Write(run.Out);
             run.Out.WriteLine();
-            return (stored.WriteKeys, stored.Account);
+            return (stored.WriteKeys, stored.PointCounts);
         }
         using var reader = PointReaders.Open(cloud, source);
         if (reader.Tree != null && !reader.BlocksAreKnown)
@@ -65,7 +65,7 @@ public sealed class InfoVerb : Verb
         if (scan)
         {
             using var sample = new SpreadSample(reader);
-            var summarise = new SummariseCloud(reader) { BlockCompleted = sample.Take };
+            var summarise = new SummariseCloud(reader) { BlockCompleted = sample.Add };
             run.RunSteps(summarise.Run(run.Progress));
             facts.Found = summarise.Summary;
             facts.Spread = Spread.Of(reader, sample, run);
@@ -73,6 +73,6 @@ public sealed class InfoVerb : Verb
         facts.Write(run.Out);
         run.Out.WriteLine();
         run.Warn(reader.Info, isShown: true);
-        return (facts.WriteKeys, facts.Account);
+        return (facts.WriteKeys, facts.PointCounts);
     }
 }

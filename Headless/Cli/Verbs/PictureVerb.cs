@@ -73,9 +73,9 @@ public sealed class PictureVerb : Verb
         if (options.SamplesPerEdge > 1 && parsed.GetValue(m_gpu))
             throw new UsageException("--samples or --gpu, not both");
         long budget = parsed.GetValue(m_budget) ?? 0;
-        OutputNames.RefuseNoPicture(output);
+        OutputNames.RequirePictureName(output);
         if (flipMap != null)
-            RefuseMap(flipMap, output, against);
+            RequireFlipMapName(flipMap, output, against);
         clouds = run.Begin(against != null ? clouds.Append(against) : clouds, Outputs(output, flipMap))[..clouds.Length];
         var reference = against != null ? Png.Read(against) : null;
         if (reference != null && (reference.Width != options.WidthPx || reference.Height != options.HeightPx))
@@ -112,11 +112,11 @@ public sealed class PictureVerb : Verb
         StageTable.Of(run.Progress).Write(run.Out, "  ");
     }
 
-    static void RefuseMap(string flipMap, string output, string? against)
+    static void RequireFlipMapName(string flipMap, string output, string? against)
     {
         if (against == null)
             throw new UsageException("--flip-map wants --against");
-        OutputNames.RefuseNoPicture(flipMap, "--flip-map");
+        OutputNames.RequirePictureName(flipMap, "--flip-map");
         OutputNames.RefuseSame("--flip-map", flipMap, output);
     }
 

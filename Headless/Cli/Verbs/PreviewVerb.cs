@@ -72,7 +72,7 @@ public sealed class PreviewVerb : Verb
         if (parsed.GetValue(m_report))
             OutputNames.RefuseForeignFolder("a report", errors, "errors.csv", run.Settings.IsForced);
         string output = parsed.GetRequiredValue(m_output);
-        OutputNames.RefuseNoPicture(output);
+        OutputNames.RequirePictureName(output);
         files = run.Begin(files, output);
         var source = m_source.Read(parsed);
         using var reader = PointReaders.Open(files, source);

@@ -12,5 +12,5 @@ public abstract class Verb
     public abstract IReadOnlyList<(string Line, string What)> Examples { get; }
     public abstract void Run(ParseResult parsed, CliRun run);
 
-    public bool IsAsked(ParseResult parsed) => parsed.Action == Command.Action;
+    public bool IsInvoked(ParseResult parsed) => parsed.Action == Command.Action;
 }

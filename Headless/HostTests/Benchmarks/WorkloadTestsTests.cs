@@ -17,7 +17,7 @@ public sealed class WorkloadTestsTests
 
         var all = WorkloadList.All();
         var group = WorkloadTurns.Groups(all, all.Where(w => w.Name == "loop over native arrays")).Single();
-        var samples = WorkloadTurns.Take(group, new WorkloadContext { Points = 1000 }, new TurnSettings());
+        var samples = WorkloadTurns.Run(group, new WorkloadContext { Points = 1000 }, new TurnSettings());
         var written = PerformanceResults.Of(samples).Results.Single(r => r.Name.Contains("native"));
 
         Assert.That(test.SampleGroups.Select(g => (g.Name, (int)g.Unit, g.IncreaseIsBetter, g.Samples.Count)),

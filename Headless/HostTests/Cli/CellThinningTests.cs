@@ -21,7 +21,7 @@ public sealed class CellThinningTests
     {
         using var points = Heap();
         var ranges = new DisplayRanges { Robust = new BoundsGeo(default, new(100, 0, 0)) };
-        using var chosen = CellThinning.Take(points, PositionTransform.Identity, ranges, wanted);
+        using var chosen = CellThinning.Thin(points, PositionTransform.Identity, ranges, wanted);
         return [.. chosen.Column<double>(AttributeNames.X).ToArray().Take(chosen.Count)];
     }
 

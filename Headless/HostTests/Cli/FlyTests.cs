@@ -146,9 +146,9 @@ public sealed class FlyTests : ScratchTests
         string folder = Directory.CreateDirectory(Scratch["without"]).FullName;
         using var pictures = new FlightOutput(folder, options, 1, 100, canWebp: false);
         pictures.Add(new RgbaImage(32, 18));
-        pictures.Keep();
-        Assert.That(Directory.GetFiles(folder), Is.EqualTo(new[] { pictures.Kept }));
-        Assert.That(pictures.Kept, Does.EndWith("flight.png"));
+        pictures.Commit();
+        Assert.That(Directory.GetFiles(folder), Is.EqualTo(new[] { pictures.CommittedPath }));
+        Assert.That(pictures.CommittedPath, Does.EndWith("flight.png"));
     }
 
     [TestCase("0 1 2 3 4 5\n", "line 1")]

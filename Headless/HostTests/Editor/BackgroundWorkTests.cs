@@ -15,13 +15,13 @@ public sealed class BackgroundWorkTests : EditorFixture
     [TestCase(false, 100_000, 250)]
     public void Pace_RareUpdates_GrowsWithoutFocus(bool isFocused, double apartMs, double wantedMs)
     {
-        var pace = new EditorPace();
+        var budget = new EditorTimeBudget();
         var now = new DateTime(2026, 1, 1, 0, 0, 0, DateTimeKind.Utc);
-        Assert.That(pace.Next(now, 4, isFocused), Is.EqualTo(4), "nothing is measured yet");
-        Assert.That(pace.Next(now.AddMilliseconds(apartMs), 4, isFocused), Is.EqualTo(wantedMs).Within(1e-9));
-        Assert.That(pace.InFlightMs, Is.EqualTo(Math.Clamp(2 * apartMs, 250, 1000)));
+        Assert.That(budget.Next(now, 4, isFocused), Is.EqualTo(4), "nothing is measured yet");
+        Assert.That(budget.Next(now.AddMilliseconds(apartMs), 4, isFocused), Is.EqualTo(wantedMs).Within(1e-9));
+        Assert.That(budget.InFlightMs, Is.EqualTo(Math.Clamp(2 * apartMs, 250, 1000)));
         // A slice of 30 ms in 16 would lengthen the next interval, and that the next slice.
-        Assert.That(pace.Next(now.AddMilliseconds(apartMs + 100), 30, false), Is.EqualTo(50).Within(1e-9));
+        Assert.That(budget.Next(now.AddMilliseconds(apartMs + 100), 30, false), Is.EqualTo(50).Within(1e-9));
     }
 
     [Test]

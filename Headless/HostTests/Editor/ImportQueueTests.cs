@@ -27,6 +27,13 @@ public sealed class ImportQueueTests
     static void UpdateUntil(ImportQueue queue, Func<bool> isDone) =>
         ImportProject.Updates(() => queue.Tick(1, DateTime.UtcNow), isDone);
 
+    void ResumeAndFinish(ImportQueue queue)
+    {
+        queue.Resume(queue.Requests[0]);
+        UpdateUntil(queue, () => queue.Requests.Count == 0);
+        m_project.AssertIsWhole(m_project.Target());
+    }
+
     string[] Crash(ImportQueue queue)
     {
         string list = File.ReadAllText(FilePath), part = queue.Session == null ? null : m_project.Target() + ".part";
@@ -128,9 +135,7 @@ public sealed class ImportQueueTests
         Assert.That(last.Requests[0].State, Is.EqualTo(ImportState.Failed));
         Assert.That(last.Requests[0].Failure, Does.Contain("3 times"));
 
-        last.Resume(last.Requests[0]);
-        UpdateUntil(last, () => last.Requests.Count == 0);
-        m_project.AssertIsWhole(m_project.Target());
+        ResumeAndFinish(last);
     }
 
     [Test]
@@ -225,9 +230,7 @@ public sealed class ImportQueueTests
         Assert.That(after.Requests.Single().State, Is.EqualTo(ImportState.Paused));
         Assert.That((after.Session, after.HasWork), Is.EqualTo(((BuildSession)null, false)));
 
-        after.Resume(after.Requests[0]);
-        UpdateUntil(after, () => after.Requests.Count == 0);
-        m_project.AssertIsWhole(m_project.Target());
+        ResumeAndFinish(after);
     }
 
     [Test]

@@ -14,13 +14,13 @@ public sealed class PlayerShaderTests
 
     [TestCase(true)]
     [TestCase(false)]
-    public void Build_WithoutSeveralFrames_LacksTheirShadersAlone(bool hasSeveralFrames)
+    public void Build_WithoutProgressivePictures_LacksOnlyTheirShaders(bool isProgressive)
     {
         var shaders = new GpuShaders();
         var resources = ScriptableObject.CreateInstance<PointCloudResources>();
         (resources.Points, resources.Progressive) = (shaders.Points, shaders.Progressive);
         Resources.Assets[PointCloudResources.Path] = resources;
-        FastPointsSettings.instance.ProgressiveInPlayers = hasSeveralFrames;
+        FastPointsSettings.instance.ProgressiveInPlayers = isProgressive;
 
         int Built(Action<IList<ShaderCompilerData>> process)
         {
@@ -35,9 +35,9 @@ public sealed class PlayerShaderTests
 
         string[] passes = shaders.Points.Source.Passes.Select(p => p.Name).ToArray();
         Assert.That(passes.Select(pass => BuiltOfPass(shaders.Points, pass)),
-            Is.EqualTo(new[] { 4, 4, hasSeveralFrames ? 4 : 0 }));
+            Is.EqualTo(new[] { 4, 4, isProgressive ? 4 : 0 }));
         Assert.That(passes.Select(pass => BuiltOfPass(shaders.Compose, pass)), Is.All.EqualTo(4));
-        Assert.That(BuiltOfKernels(shaders.Progressive), Is.EqualTo(hasSeveralFrames ? 4 : 0));
+        Assert.That(BuiltOfKernels(shaders.Progressive), Is.EqualTo(isProgressive ? 4 : 0));
         Assert.That(BuiltOfKernels(shaders.Raster), Is.EqualTo(4));
     }
 }

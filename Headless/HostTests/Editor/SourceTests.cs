@@ -26,7 +26,7 @@ public sealed class SourceTests : EditorFixture
             Assert.That(paths.Stored(full), Is.EqualTo(stored));
             Assert.That(paths.Absolute(stored), Is.EqualTo(full));
         }
-        Assert.That(paths.StoredPlace("/scans/clouds"), Is.EqualTo("/scans/clouds"), "everybody's");
+        Assert.That(paths.StoredShared("/scans/clouds"), Is.EqualTo("/scans/clouds"), "everybody's");
         Assert.That(new ProjectPaths("/game").Stored("/raw/a.las"), Is.EqualTo("/raw/a.las"), "all files are below the root");
         Assert.That(new ProjectPaths("/team/game/unity").Absolute("${FASTPOINTS_SOURCES}/a.las"),
             Does.Contain("FASTPOINTS_SOURCES"), "says what is missing");

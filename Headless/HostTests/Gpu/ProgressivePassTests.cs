@@ -125,10 +125,10 @@ public sealed class ProgressivePassTests : PipelineFixture
         single.Release();
     }
 
-    /// <summary>Where the card has time for more, a frame draws more, up to all.</summary>
+    /// <summary>Where the GPU has time for more, a frame draws more, up to all.</summary>
     [TestCase(1, true)]
     [TestCase(0, false)]
-    public void Render_WithATimeForFrames_DrawsWhatTheCardHasTimeFor(double gpuMs, bool isWhole)
+    public void Render_GpuFrameMsSet_DrawsThePointsThatFit(double gpuMs, bool isWhole)
     {
         using var reference = Show(nameof(UrpHost), "pixels");
         var target = StereoPassTests.Target(1);

@@ -44,7 +44,7 @@ sealed class RemoteCacheTests : RemoteFixture
         long most = 0;
         for (int at = 0; at < bytes.Length; at += 100_000)
         {
-            Assert.That(Read(file, at, 100_000), Is.EqualTo(bytes[at..(at + 100_000)]));
+            Assert.That(Read(file, at, 100_000).AsSpan().SequenceEqual(bytes.AsSpan(at, 100_000)));
             most = Math.Max(most, CacheFiles().Sum(f => f.Length));
         }
 
@@ -100,7 +100,7 @@ sealed class RemoteCacheTests : RemoteFixture
             Read(RemoteFile.Open(Server.Of("a.bin")), run * 5000, 5000);
         }
 
-        Assert.That(CacheFiles(), Has.Length.LessThanOrEqualTo(200));
+        Assert.That(CacheFiles(), Has.Length.LessThanOrEqualTo(161));
         Server.ResetCounts();
         Assert.That(Read(RemoteFile.Open(Server.Of("a.bin")), 0, 1_500_000), Is.EqualTo(bytes[..1_500_000]));
         Assert.That(Server.Bytes, Is.LessThan(150_000));
@@ -109,7 +109,7 @@ sealed class RemoteCacheTests : RemoteFixture
     [TestCase(3)]
     public void Process_KilledWhileItFillsTheCache_LeavesWhatIsWhole(int kills) => Kill(kills);
 
-    [Test, Category("Long"), Explicit("Long: starts 20 processes")]
+    [Test, Category("Long")]
     public void Process_Killed20Times_LeavesWhatIsWhole() => Kill(20);
 
     void Kill(int kills)

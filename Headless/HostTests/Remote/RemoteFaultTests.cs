@@ -121,7 +121,7 @@ sealed class RemoteFaultTests : RemoteFixture
     [TestCase(400)]
     public void Reads_WithSeededFaults_AreRightOrOneLine(int faults) => ReadWithFaults(faults);
 
-    [Test, Category("Long"), Explicit("Long: minutes")]
+    [Test, Category("Long")]
     public void Reads_With10000SeededFaults_AreRightOrOneLine() => ReadWithFaults(10_000);
 
     void ReadWithFaults(int faults)

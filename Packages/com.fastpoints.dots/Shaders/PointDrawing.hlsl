@@ -198,7 +198,7 @@ FastPointsPoint FastPointsLoadPoint(uint instance, uint index)
         float3 seen = node.AnchorView + cloud.StepX * steps.x + cloud.StepY * steps.y + cloud.StepZ * steps.z;
         bool isDrawn = true;
 #if defined(FASTPOINTS_CLIPPED)
-        isDrawn = FastPointsIsLeftByClips(seen);
+        isDrawn = FastPointsPassesClips(seen);
 #endif
 #if defined(FASTPOINTS_FILTERED)
         if (isDrawn)

@@ -12,7 +12,7 @@ uint _FastPointsClipBoxCount;
 
 // Boxes that cut take away what is in them; of the others, what is in any is left.
 // seen: from the camera, along the world's axes.
-bool FastPointsIsLeftByClips(float3 seen)
+bool FastPointsPassesClips(float3 seen)
 {
     bool isKept = false, doesAnyKeep = false, isCut = false;
     for (uint i = 0u; i < _FastPointsClipBoxCount; i++)

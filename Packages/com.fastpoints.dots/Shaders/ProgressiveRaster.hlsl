@@ -131,7 +131,7 @@ void FastPointsPlanFrame()
         uint groups = (counts.y + FASTPOINTS_POINTS_PER_BLOCK - 1u) / FASTPOINTS_POINTS_PER_BLOCK
             + (counts.x * share + FASTPOINTS_POINTS_PER_BLOCK - 1u) / FASTPOINTS_POINTS_PER_BLOCK;
         bool isDispatched = _FastPointsVerticesPerBlock == 0u;
-        uint across = min(groups, FASTPOINTS_MOST_GROUPS);
+        uint across = min(groups, FASTPOINTS_MAX_GROUPS);
         _FastPointsArgumentsOut[bank * 5u] = isDispatched ? across : _FastPointsVerticesPerBlock;
         _FastPointsArgumentsOut[bank * 5u + 1u] = isDispatched ? (groups + across - 1u) / across : groups;
         _FastPointsArgumentsOut[bank * 5u + 2u] = isDispatched ? 1u : 0u;

@@ -16,7 +16,7 @@
 #define FASTPOINTS_RASTER_THREADS 128
 
 // A dispatch has no more along an axis.
-#define FASTPOINTS_MOST_GROUPS 65535u
+#define FASTPOINTS_MAX_GROUPS 65535u
 
 // By pixel, row by row from the top: depth, ordered as unsigned numbers, and colour.
 RWByteAddressBuffer _FastPointsPixelsOut;

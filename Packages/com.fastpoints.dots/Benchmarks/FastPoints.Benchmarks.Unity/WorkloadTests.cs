@@ -43,7 +43,7 @@ namespace FastPoints.Benchmarks
                 var context = new WorkloadContext { ScratchFolder = scratch, Points = Points, DataFolder = DataFolder() };
                 using var allocated = new AllocatedBytes();
                 var settings = new TurnSettings { AllocatedBytes = () => allocated.Now };
-                WorkloadSamples samples = WorkloadTurns.Take(group, context, settings).Single(s => s.Name == workload);
+                WorkloadSamples samples = WorkloadTurns.Run(group, context, settings).Single(s => s.Name == workload);
                 if (!samples.HadInput)
                     Assert.Ignore("wants real clouds: " + DataVariable + " names their folder");
                 Save(samples.Series().Where(s => allocated.IsCounted || s.Name != WorkloadSamples.Garbage));

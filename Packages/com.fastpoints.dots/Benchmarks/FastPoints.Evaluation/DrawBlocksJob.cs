@@ -76,10 +76,10 @@ namespace FastPoints.Evaluation
             var clips = (LocalClip*)Clips.GetUnsafeReadOnlyPtr();
             for (int i = 0; i < count; i++)
             {
-                bool isLeft = LocalClip.MayKeep(clips, Clips.Length, new double3(x[i], y[i], z[i]), 0) &&
+                bool isKept = LocalClip.MayKeep(clips, Clips.Length, new double3(x[i], y[i], z[i]), 0) &&
                     (HiddenClasses.IsEmpty || !HiddenClasses.Has(batch[Classes.OffsetBytes + i])) &&
                     PointFade.IsDrawn(fadeBits, firstIndex + (uint)i);
-                x[i] = isLeft ? x[i] : double.NaN;
+                x[i] = isKept ? x[i] : double.NaN;
             }
         }
 

@@ -36,7 +36,7 @@ namespace FastPoints.Evaluation
         }
 
         /// <summary>Copies what others only look at: nodes may leave the pool.</summary>
-        public void Keep(DrawnBlocks from)
+        public void CopyFrom(DrawnBlocks from)
         {
             Clear(from.SizeNodes);
             Nodes.AddRange(from.Nodes.AsArray());

@@ -50,7 +50,7 @@ namespace FastPoints.Evaluation
         public void Keep()
         {
             for (int cloud = 0; cloud < m_clouds.Count; cloud++)
-                m_keptOfCloud[cloud].Keep(m_drawnOfCloud[cloud]);
+                m_keptOfCloud[cloud].CopyFrom(m_drawnOfCloud[cloud]);
         }
 
         /// <summary>Draws what was kept last: these nodes with the point sizes that they had.</summary>

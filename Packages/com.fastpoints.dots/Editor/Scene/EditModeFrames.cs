@@ -11,10 +11,10 @@ namespace FastPoints.Editor
     [InitializeOnLoad]
     internal static class EditModeFrames
     {
-        static readonly TimeSpan s_followInterval = TimeSpan.FromSeconds(1);
+        static readonly TimeSpan s_pollInterval = TimeSpan.FromSeconds(1);
 
         static int s_requested;
-        static DateTime s_followed;
+        static DateTime s_polled;
 
         static EditModeFrames()
         {
@@ -28,17 +28,17 @@ namespace FastPoints.Editor
         public static void Update()
         {
             var group = PointCloudSystemGroup.ObjectGroup;
-            bool needs = group != null && (group.NeedsFrame || IsFollowDue(group));
+            bool needsFrame = group != null && (group.NeedsFrame || IsPollDue(group));
             if (EditorApplication.isPlaying)
             {
-                if (EditorApplication.isPaused && needs)
+                if (EditorApplication.isPaused && needsFrame)
                 {
                     group.Update();
                     InternalEditorUtility.RepaintAllViews();
                 }
                 return;
             }
-            if (!needs && s_requested == 0)
+            if (!needsFrame && s_requested == 0)
                 return;
             s_requested = Math.Max(0, s_requested - 1);
             EditorApplication.QueuePlayerLoopUpdate();
@@ -46,12 +46,12 @@ namespace FastPoints.Editor
         }
 
         /// <summary>Whether it is time for a frame in which clouds poll for newer data on disk.</summary>
-        static bool IsFollowDue(PointCloudSystemGroup group)
+        static bool IsPollDue(PointCloudSystemGroup group)
         {
             var now = DateTime.UtcNow;
-            if (now - s_followed < s_followInterval)
+            if (now - s_polled < s_pollInterval)
                 return false;
-            s_followed = now;
+            s_polled = now;
             var imports = PointCloudImports.Current;
             return group.IsFollowing || imports?.Queue.Running is { } running &&
                 group.IsShown(imports.Paths.Absolute(running.Cloud));

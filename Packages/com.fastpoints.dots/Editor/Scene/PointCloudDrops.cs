@@ -14,7 +14,7 @@ namespace FastPoints.Editor
     [InitializeOnLoad]
     public static class PointCloudDrops
     {
-        static readonly TimeSpan s_forgetAfter = TimeSpan.FromSeconds(1);
+        static readonly TimeSpan s_cacheTime = TimeSpan.FromSeconds(1);
 
         static (string[] Paths, DropKind Kind, DateTime Utc) s_dragged;
 
@@ -52,7 +52,7 @@ namespace FastPoints.Editor
             if (perform)
             {
                 DragAndDrop.AcceptDrag();
-                Take(FolderOf(path), null);
+                Import(FolderOf(path), null);
             }
             return DragAndDropVisualMode.Link;
         }
@@ -77,7 +77,7 @@ namespace FastPoints.Editor
                 return DragAndDropVisualMode.Copy;
             DragAndDrop.AcceptDrag();
             if (isFiles)
-                Take("Assets", target);
+                Import("Assets", target);
             target.Show(assets);
             return DragAndDropVisualMode.Copy;
         }
@@ -89,7 +89,7 @@ namespace FastPoints.Editor
 
         /// <summary>Imports what is dragged: one at once, several in the next updates.</summary>
         /// <param name="target">Where they are shown; null for nowhere.</param>
-        static void Take(string folder, DropTarget target)
+        static void Import(string folder, DropTarget target)
         {
             var imports = PointCloudImports.Current;
             if (DragAndDrop.paths.Length > 1)
@@ -103,7 +103,7 @@ namespace FastPoints.Editor
         static DropKind KindOf(EditorImports imports, bool perform)
         {
             var (paths, now) = (DragAndDrop.paths, DateTime.UtcNow);
-            if (perform || now - s_dragged.Utc > s_forgetAfter || !paths.SequenceEqual(s_dragged.Paths))
+            if (perform || now - s_dragged.Utc > s_cacheTime || !paths.SequenceEqual(s_dragged.Paths))
                 s_dragged = (paths, CloudSources.Of(paths, imports.Paths, imports.MaxCopiedBytes), now);
             s_dragged.Utc = now;
             return s_dragged.Kind;

@@ -7,12 +7,12 @@ namespace FastPoints.Editor
     static class PointCloudMenu
     {
         [MenuItem("Assets/Import point cloud...", false, 20)]
-        static void ImportFile() => Take(EditorUtility.OpenFilePanelWithFilters("Import point cloud", "",
+        static void ImportFile() => Import(EditorUtility.OpenFilePanelWithFilters("Import point cloud", "",
             new[] { "Point clouds", "las,laz,ply,e57,pcd,ptx,txt,xyz,csv,pts", "All files", "*" }));
 
         [MenuItem("Assets/Import point cloud folder...", false, 20)]
         static void ImportFolder() =>
-            Take(EditorUtility.OpenFolderPanel("Import Potree, EPT, converted cloud, or a folder of tiles", "", ""));
+            Import(EditorUtility.OpenFolderPanel("Import Potree, EPT, converted cloud, or a folder of tiles", "", ""));
 
         [MenuItem("Assets/Import copy of converted point cloud...", false, 20)]
         static void ImportCopy()
@@ -33,7 +33,7 @@ namespace FastPoints.Editor
         [MenuItem("Assets/Export point cloud...", true, 20)]
         static bool CanExport() => Selection.activeObject is PointCloudAsset;
 
-        static void Take(string source)
+        static void Import(string source)
         {
             if (!string.IsNullOrEmpty(source))
                 Selection.activeObject = PointCloudImports.Current.CreateAsset(source, "Assets");

@@ -35,7 +35,7 @@ namespace FastPoints.Editor
         /// <returns>The file, which is there when the export has ended; null if it cannot begin, which is logged.</returns>
         internal static string Begin(PointCloud cloud, EditorImports imports, string folder)
         {
-            var shown = Shown(cloud, out var clips);
+            var shown = FindStreamed(cloud, out var clips);
             if (shown == null)
             {
                 Debug.LogError("FastPoints: " + cloud.gameObject.name + " is not shown yet: nothing says where its points are");
@@ -64,7 +64,7 @@ namespace FastPoints.Editor
         }
 
         /// <summary>The cloud as it is streamed; null if it is not.</summary>
-        static StreamedCloud Shown(PointCloud cloud, out ClipBox[] clips)
+        static StreamedCloud FindStreamed(PointCloud cloud, out ClipBox[] clips)
         {
             clips = null;
             var group = PointCloudSystemGroup.ObjectGroup;

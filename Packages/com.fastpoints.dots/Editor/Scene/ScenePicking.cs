@@ -57,7 +57,7 @@ namespace FastPoints.Editor
             {
                 s_picker = new StreamPicker();
                 // One click asks several times; between clicks no file is kept open.
-                EditorApplication.delayCall += Forget;
+                EditorApplication.delayCall += DisposePicker;
             }
             var ray = CameraViews.PickRayOf(camera, camera.ScreenPointToRay(position), Radius * EditorGUIUtility.pixelsPerPoint);
             s_picker.Begin(group.Stream, ray, cloud => clouds[cloud].Hidden, clouds.ContainsKey);
@@ -67,7 +67,7 @@ namespace FastPoints.Editor
             return s_picker.Pick.Point == null ? null : clouds[s_picker.Pick.Cloud].Object;
         }
 
-        static void Forget()
+        static void DisposePicker()
         {
             s_picker?.Dispose();
             s_picker = null;

@@ -92,15 +92,15 @@ namespace FastPoints.Picture
                 : Camera.Perspective(bounds.Center, bounds.Center + forward, up, options.FovDegrees);
 
             double pointPx = options.PointSizePx >= 1 ? options.PointSizePx : PointSizing.MaxPx;
-            double perTangent = isFlat ? 2 : 1 / math.tan(math.radians(options.FovDegrees) / 2);
-            var perTan = perTangent * new double2(options.HeightPx / (double)options.WidthPx / ShareOf(options.WidthPx, pointPx),
+            double focalLength = isFlat ? 2 : 1 / math.tan(math.radians(options.FovDegrees) / 2);
+            var scale = focalLength * new double2(options.HeightPx / (double)options.WidthPx / ShareOf(options.WidthPx, pointPx),
                 1 / ShareOf(options.HeightPx, pointPx));
             var target = bounds.Center;
             int outliers = (int)(outline.Length * OutlierShare);
             double minDistance = math.cmax(bounds.Size) * 1e-6;
-            double max = Fit(ref camera, ref target, outline, outliers, perTan, (minDistance, Iterations));
-            var near = Near(camera, target, outline, rim, perTan, max * MaxWidening);
-            Fit(ref camera, ref target, near, 0, perTan, (minDistance, IterationsOfAll));
+            double max = Fit(ref camera, ref target, outline, outliers, scale, (minDistance, Iterations));
+            var near = Near(camera, target, outline, rim, scale, max * MaxWidening);
+            Fit(ref camera, ref target, near, 0, scale, (minDistance, IterationsOfAll));
             if (isFlat)
                 camera.EyeGeo = target - camera.Forward * math.dot(bounds.Size, math.abs(camera.Forward));
             return camera;
@@ -111,27 +111,27 @@ namespace FastPoints.Picture
             1 - 2 * math.min(MaxMargin, math.max(Margin, (pointPx / 2 + 1) / edgePx));
 
         // The outline and rim points inside the frustum of a camera at this distance.
-        static double3[] Near(Camera camera, double3 target, double3[] outline, double3[] rim, double2 perTan, double distance)
+        static double3[] Near(Camera camera, double3 target, double3[] outline, double3[] rim, double2 scale, double distance)
         {
             camera.EyeGeo = target;
             var near = new List<double3>(outline.Length);
             foreach (var part in new[] { outline, rim ?? Array.Empty<double3>() })
                 foreach (var position in part)
-                    if (NeededFor(camera, position, perTan) <= distance)
+                    if (DistanceToShow(camera, position, scale) <= distance)
                         near.Add(position);
             return near.ToArray();
         }
 
         // How far a camera steps back to show a position; of an orthographic one, the height of its picture.
-        static double NeededFor(in Camera camera, double3 position, double2 perTan)
+        static double DistanceToShow(in Camera camera, double3 position, double2 scale)
         {
             var view = camera.ToView(position);
-            return math.max(math.abs(view.x) * perTan.x, math.abs(view.y) * perTan.y) - (camera.IsOrthographic ? 0 : view.z);
+            return math.max(math.abs(view.x) * scale.x, math.abs(view.y) * scale.y) - (camera.IsOrthographic ? 0 : view.z);
         }
 
         // Moves a camera to the closest position on its line of sight from which the positions, except some outliers, are in the
         // picture, and shifts the line until their extent is centred. Returns the distance, or the picture's height.
-        static double Fit(ref Camera camera, ref double3 target, double3[] positions, int outliers, double2 perTan,
+        static double Fit(ref Camera camera, ref double3 target, double3[] positions, int outliers, double2 scale,
             (double MinDistance, int Rounds) limits)
         {
             var needed = new double[positions.Length];
@@ -139,7 +139,7 @@ namespace FastPoints.Picture
             {
                 camera.EyeGeo = target;
                 for (int i = 0; i < positions.Length; i++)
-                    needed[i] = NeededFor(camera, positions[i], perTan);
+                    needed[i] = DistanceToShow(camera, positions[i], scale);
                 double distance = math.max(limits.MinDistance, LargestExcept(outliers, needed, 1));
                 if (camera.IsOrthographic)
                     camera.HeightGeo = distance;

@@ -99,7 +99,7 @@ namespace FastPoints.Picture
         public const float MaxPx = 12;
 
         // With a smaller share of a picture's pixels drawn by points of one pixel, sizes may exceed half of MaxPx.
-        const float FewPixels = 0.02f;
+        const float SparseShare = 0.02f;
 
         // How many points should cover a pixel on average: exp(-3.5) = 3 % of random pixels stay empty.
         const double PointsPerPixel = 3.5;
@@ -114,7 +114,7 @@ namespace FastPoints.Picture
 
         // Size for the median tile, by its density and the share of the picture's pixels that were drawn.
         public static float TypicalFor(double density, float drawn) => math.min(SizeFor(density),
-            math.clamp(MaxPx / 2 * math.sqrt(FewPixels / math.max(1e-9f, drawn)), MaxPx / 2, MaxPx));
+            math.clamp(MaxPx / 2 * math.sqrt(SparseShare / math.max(1e-9f, drawn)), MaxPx / 2, MaxPx));
 
         // Points a pixel, hidden ones included, in a tile with this many drawn pixels: random points with a density of d cover
         // 1 - exp(-d) of them. A full tile counts as one with half a pixel missing.

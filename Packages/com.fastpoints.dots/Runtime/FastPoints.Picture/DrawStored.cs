@@ -6,7 +6,7 @@ using Unity.Collections;
 
 namespace FastPoints.Picture
 {
-    /// <summary>Draws a picture of a stored cloud within a point budget: the top of the octree determines camera,
+    /// <summary>Draws a picture of a converted cloud within a point budget: the top of the octree determines camera,
     /// colours and size, then the nodes that the camera needs most are drawn.</summary>
     public sealed class DrawStored
     {

@@ -6,7 +6,7 @@ using Unity.Collections.LowLevel.Unsafe;
 
 namespace FastPoints.Picture
 {
-    /// <summary>Chooses the nodes of a stored cloud that a picture is drawn from: those that streaming would choose
+    /// <summary>Chooses the nodes of a converted cloud that a picture is drawn from: those that streaming would choose
     /// (<see cref="SelectNodesJob"/>), but completely.</summary>
     internal sealed unsafe class NodeSelection : ChosenNodes
     {

@@ -32,7 +32,7 @@ namespace FastPoints.Picture
         public double FovDegrees = DefaultFovDegrees;
         public UpAxis UpAxis = UpAxis.Z;
 
-        // A preview of a format that does not say what is up sets UpAxis: see UpGuess.
+        // A preview of a format that does not say what is up sets UpAxis: see UpAxisGuess.
         internal bool GuessesUpAxis;
 
         public ColorMode Color = ColorMode.Auto;

@@ -72,9 +72,9 @@ namespace FastPoints.Picture
         {
             yield return JobStep.Of(MeasureSample());
             string reason = null;
-            if (m_options.Picture.GuessesUpAxis && UpGuess.Applies(m_reader.Info.Format))
+            if (m_options.Picture.GuessesUpAxis && UpAxisGuess.Applies(m_reader.Info.Format))
             {
-                m_options.Picture.UpAxis = UpGuess.Of(Ranges.Outline, out reason);
+                m_options.Picture.UpAxis = UpAxisGuess.Of(Ranges.Outline, out reason);
                 Ranges = Ranges.WithUp(m_options.Picture.UpAxis);
             }
             Plan = new PicturePlan(m_options.Picture, Ranges, Sample.Transform);

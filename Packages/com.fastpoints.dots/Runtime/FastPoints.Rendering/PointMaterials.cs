@@ -13,9 +13,9 @@ namespace FastPoints.Rendering
         readonly Shader m_points;
         readonly Shader m_compose;
         readonly Material[] m_ofVariant = new Material[PointVariant.Count];
-        Material m_composingLayer;
-        Material m_composingPixels;
-        Material m_composingSums;
+        Material m_composeLayer;
+        Material m_composePixels;
+        Material m_composeSums;
         GraphicsBuffer m_squareIndices;
 
         /// <param name="progressive">ProgressiveRaster.compute: without it, all points are drawn in every frame.</param>
@@ -55,13 +55,13 @@ namespace FastPoints.Rendering
             return m_ofVariant[variant.Number] = material;
         }
 
-        internal Material ComposeLayer => m_composingLayer != null ? m_composingLayer : m_composingLayer = Make(m_compose);
+        internal Material ComposeLayer => m_composeLayer != null ? m_composeLayer : m_composeLayer = Make(m_compose);
 
-        internal Material ComposePixels => Composing(ref m_composingPixels, ShaderNames.FromPixelsKeyword);
+        internal Material ComposePixels => ComposeWith(ref m_composePixels, ShaderNames.FromPixelsKeyword);
 
-        internal Material ComposeSums => Composing(ref m_composingSums, ShaderNames.BlendedKeyword);
+        internal Material ComposeSums => ComposeWith(ref m_composeSums, ShaderNames.BlendedKeyword);
 
-        Material Composing(ref Material material, string keyword)
+        Material ComposeWith(ref Material material, string keyword)
         {
             if (material == null)
             {
@@ -75,9 +75,9 @@ namespace FastPoints.Rendering
         {
             for (int variant = 0; variant < m_ofVariant.Length; variant++)
                 Destroy(ref m_ofVariant[variant]);
-            Destroy(ref m_composingLayer);
-            Destroy(ref m_composingPixels);
-            Destroy(ref m_composingSums);
+            Destroy(ref m_composeLayer);
+            Destroy(ref m_composePixels);
+            Destroy(ref m_composeSums);
             m_squareIndices?.Dispose();
             m_squareIndices = null;
         }

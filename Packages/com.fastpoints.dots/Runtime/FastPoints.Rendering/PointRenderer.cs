@@ -71,7 +71,7 @@ namespace FastPoints.Rendering
         {
             if (List.Draws.Length == 0)
                 return;
-            Settle(ref view);
+            DrawWholeIfItFits(ref view);
             WriteBuffers(commands, view.Style, 1);
             RecordLayer(commands, view);
         }
@@ -81,7 +81,7 @@ namespace FastPoints.Rendering
         {
             if (List.Draws.Length == 0)
                 return;
-            Settle(ref view);
+            DrawWholeIfItFits(ref view);
             if (UsesCompute(view))
                 m_layer.Compose(commands, view, m_materials.ComposePixels, RasterFor(view));
             else if (view.Style.IsLayered)
@@ -102,7 +102,7 @@ namespace FastPoints.Rendering
             if (List.Draws.Length == 0)
                 return;
             var both = left;
-            Settle(ref both);
+            DrawWholeIfItFits(ref both);
             // In instanced single-pass rendering the engine multiplies the instances of plain draws.
             bool isInstanced = !SystemInfo.supportsMultiview;
             if (isInstanced && pipelineDoublesInstances)
@@ -131,7 +131,7 @@ namespace FastPoints.Rendering
         void RecordSlice(CommandBuffer commands, RenderView view, TargetEye eye)
         {
             view.Eye = eye;
-            Settle(ref view);
+            DrawWholeIfItFits(ref view);
             RecordLayer(commands, view);
             PointLayer.SetTarget(commands, view);
             RecordInto(commands, view);
@@ -142,8 +142,7 @@ namespace FastPoints.Rendering
 
         ComputeRaster RasterFor(in RenderView view) => view.Style.IsProgressive ? m_progressive.Raster : m_raster;
 
-        // A picture whose points fit a frame is drawn at once.
-        void Settle(ref RenderView view) => m_progressive.Settle(ref view.Style, List);
+        void DrawWholeIfItFits(ref RenderView view) => m_progressive.DrawWholeIfItFits(ref view.Style, List);
 
         void RecordLayer(CommandBuffer commands, in RenderView view)
         {

@@ -28,7 +28,7 @@ namespace FastPoints.Rendering
         readonly SizeTree m_sizes = new SizeTree();
         readonly List<CloudLook> m_looks = new List<CloudLook>();
         readonly List<SceneCamera> m_cameras = new List<SceneCamera>();
-        readonly FramePace m_pace = new FramePace();
+        readonly PointsPerFrameLimit m_pointsPerFrameLimit = new PointsPerFrameLimit();
         NativeList<StreamView> m_nextViews;
         int m_frame;
         int m_pointsPerFrame;
@@ -70,7 +70,7 @@ namespace FastPoints.Rendering
         public PointStyle Style { get; set; } = PointStyle.Default;
 
         // With as many points in a frame as meet its time; with all in edit mode, where no other frame may follow.
-        PointStyle PacedStyle
+        PointStyle StyleOfFrame
         {
             get
             {
@@ -125,7 +125,7 @@ namespace FastPoints.Rendering
             long listed = 0;
             foreach (var seen in m_cameras)
                 listed = math.max(listed, seen.Renderer.List.Points);
-            m_pointsPerFrame = m_pace.Next(Style, listed);
+            m_pointsPerFrame = m_pointsPerFrameLimit.Next(Style, listed);
             for (int i = m_cameras.Count - 1; i >= 0; i--)
             {
                 if (m_frame - m_cameras[i].AnnouncedFrame > FramesToKeep)
@@ -249,7 +249,7 @@ namespace FastPoints.Rendering
                 renderer.List.SetLook(cloud, m_looks[cloud]);
             var seen = CameraViews.StreamViewOf(camera, target.Eye, target.HeightPx);
             view = CameraViews.RenderViewOf(target, target.Eye);
-            view.Style = PacedStyle;
+            view.Style = StyleOfFrame;
             if (target.HasBothEyes)
                 renderer.Prepare(Stream, seen, CameraViews.StreamViewOf(camera, target.RightEye, target.HeightPx), view.Style);
             else
@@ -277,7 +277,7 @@ namespace FastPoints.Rendering
         PointRenderer RendererOf(Camera camera, in CameraTarget target)
         {
             var seen = CameraOf(camera);
-            bool isProgressive = PacedStyle.IsProgressive;
+            bool isProgressive = StyleOfFrame.IsProgressive;
             if (!isProgressive)
             {
                 seen.RightEye?.Dispose();

@@ -42,8 +42,8 @@ namespace FastPoints.Rendering
             return false;
         }
 
-        // Leaves the style progressive if the list has more points than a frame may draw.
-        public void Settle(ref PointStyle style, DrawList list)
+        // A list of no more points than a frame may draw is drawn whole.
+        public void DrawWholeIfItFits(ref PointStyle style, DrawList list)
         {
             if (!list.IsProgressive || list.Points <= style.PointsPerFrame)
                 style.PointsPerFrame = 0;

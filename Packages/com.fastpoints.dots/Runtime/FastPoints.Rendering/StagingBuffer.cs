@@ -22,19 +22,19 @@ namespace FastPoints.Rendering
         NativeList<PoolRange> m_ranges; // In the order in which the nodes lie here.
         int m_pageCount;
 
-        /// <summary>Requested pages; a larger node may have allocated more.</summary>
-        int m_usual;
+        // A larger node may have allocated more.
+        int m_requestedPages;
 
         public StagingBuffer() => m_ranges = new NativeList<PoolRange>(256, Allocator.Persistent);
 
         public int Capacity => m_pages.count;
         public bool IsLocked { get; private set; }
 
-        /// <summary>Begins an upload, in a new buffer if the requested size has changed.</summary>
+        // Begins an upload, in a new buffer if the requested size has changed.
         public void Begin(int pages)
         {
-            if (pages != m_usual)
-                Create(m_usual = pages);
+            if (pages != m_requestedPages)
+                Create(m_requestedPages = pages);
             Lock();
         }
 

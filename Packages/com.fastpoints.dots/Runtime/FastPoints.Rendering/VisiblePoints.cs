@@ -36,7 +36,7 @@ namespace FastPoints.Rendering
         GrowingBuffer m_last = new GrowingBuffer(GraphicsBuffer.Target.Raw, sizeof(uint));
         GrowingBuffer m_next = new GrowingBuffer(GraphicsBuffer.Target.Raw, sizeof(uint));
         NativeList<int> m_header = new NativeList<int>(Allocator.Persistent);
-        int m_picture = -1; // Of the draw list, when points were marked last.
+        int m_listNumber = -1; // Of the draw list, when points were marked last.
         int m_visibleAt;
 
         public VisiblePoints(ComputeShader shader)
@@ -63,8 +63,8 @@ namespace FastPoints.Rendering
             m_last.Reserve(BlockBytes);
             m_next.Reserve((long)blocks * BlockBytes);
             // Blocks of a list before the last one are no longer known.
-            bool carries = m_picture >= 0 && m_picture == list.Picture - 1;
-            m_picture = list.Picture;
+            bool carries = m_listNumber >= 0 && m_listNumber == list.ListNumber - 1;
+            m_listNumber = list.ListNumber;
             int groups = (blocks + Threads - 1) / Threads, across = math.min(groups, MaxGroups);
             commands.SetComputeIntParam(m_shader, ShaderNames.BankCount, list.Draws.Length);
             commands.SetComputeIntParam(m_shader, ShaderNames.Capacity, room);

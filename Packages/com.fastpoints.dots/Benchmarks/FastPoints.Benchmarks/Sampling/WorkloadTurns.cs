@@ -19,7 +19,7 @@ namespace FastPoints.Benchmarks
                 .Select(group => group.OrderBy(w => w.LimitName == null ? 0 : 1).ToList());
         }
 
-        public static List<WorkloadSamples> Take(IReadOnlyList<IWorkload> group, WorkloadContext context, TurnSettings settings)
+        public static List<WorkloadSamples> Run(IReadOnlyList<IWorkload> group, WorkloadContext context, TurnSettings settings)
         {
             var samples = new List<WorkloadSamples>();
             var repeats = new int[group.Count];

@@ -30,20 +30,20 @@ namespace FastPoints.Evaluation
         }
 
         /// <summary>What of a colour difference is seen, 0 to 1.</summary>
-        /// <param name="largest">See <see cref="LargestDifference"/>.</param>
-        public static float ErrorOf(float3 lab, float3 labOfReference, float largest)
+        /// <param name="maxDifference">See <see cref="MaxDifference"/>.</param>
+        public static float ErrorOf(float3 lab, float3 labOfReference, float maxDifference)
         {
             float difference = Distance(lab, labOfReference);
             if (difference <= 0)
                 return 0;
             difference = math.pow(difference, ColorExponent);
-            float knee = ShareOfKnee * largest;
+            float knee = ShareOfKnee * maxDifference;
             return difference < knee ? difference * (ErrorAtKnee / knee)
-                : ErrorAtKnee + (difference - knee) / (largest - knee) * (1 - ErrorAtKnee);
+                : ErrorAtKnee + (difference - knee) / (maxDifference - knee) * (1 - ErrorAtKnee);
         }
 
         /// <summary>Between green and blue, the two colours of sRGB that differ most.</summary>
-        public static float LargestDifference()
+        public static float MaxDifference()
         {
             var green = OpponentOf(0, 1, 0);
             var blue = OpponentOf(0, 0, 1);

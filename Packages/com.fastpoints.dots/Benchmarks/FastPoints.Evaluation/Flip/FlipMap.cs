@@ -38,11 +38,11 @@ namespace FastPoints.Evaluation
             using var pixels = new NativeArray<byte>(picture.Rgba, Allocator.Persistent);
             using var pixelsOfReference = new NativeArray<byte>(reference.Rgba, Allocator.Persistent);
             using var light = Palettes.CreateLight(Allocator.Persistent);
-            int tiles = CompareTilesJob.TileCount(picture.Width, picture.Height);
+            int tiles = ComputeFlipJob.TileCount(picture.Width, picture.Height);
             using var errors = new NativeArray<float>(picture.Width * picture.Height, Allocator.Persistent,
                 NativeArrayOptions.UninitializedMemory);
             using var sums = new NativeArray<double>(tiles, Allocator.Persistent);
-            new CompareTilesJob
+            new ComputeFlipJob
             {
                 Picture = pixels.Reinterpret<uint>(1),
                 ReferencePicture = pixelsOfReference.Reinterpret<uint>(1),

@@ -47,9 +47,9 @@ namespace FastPoints.Editor
             if (!m_isCollected)
                 return;
             foreach (string asset in deleted)
-                Forget(asset);
+                Remove(asset);
             foreach (string asset in movedFrom)
-                Forget(asset);
+                Remove(asset);
             foreach (string asset in movedTo)
                 Refresh(asset);
             foreach (string asset in imported)
@@ -67,7 +67,7 @@ namespace FastPoints.Editor
 
         void Refresh(string asset)
         {
-            Forget(asset);
+            Remove(asset);
             if (AssetDatabase.GetMainAssetTypeAtPath(asset) != typeof(PointCloudAsset))
                 return;
             string path = AssetDatabase.LoadAssetAtPath<PointCloudAsset>(asset).ProjectPath;
@@ -79,7 +79,7 @@ namespace FastPoints.Editor
             assets.Add(asset);
         }
 
-        void Forget(string asset)
+        void Remove(string asset)
         {
             if (!m_cloudOfAsset.TryGetValue(asset, out string cloud))
                 return;

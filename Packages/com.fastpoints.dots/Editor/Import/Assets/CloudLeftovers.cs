@@ -13,42 +13,42 @@ namespace FastPoints.Editor
     internal sealed class CloudLeftovers
     {
         readonly EditorImports m_imports;
-        readonly List<string> m_expected = new List<string>();
-        readonly List<string> m_left = new List<string>();
+        readonly List<string> m_deleting = new List<string>();
+        readonly List<string> m_unusedClouds = new List<string>();
 
         public CloudLeftovers(EditorImports imports) => m_imports = imports;
 
         /// <summary>The user deletes an asset or a folder of them.</summary>
-        public void Expect(string path)
+        public void OnWillDelete(string path)
         {
             // The clouds of deleted assets could not be found later.
             if (m_imports.Assets.All.Count > 0)
-                m_expected.Add(path);
+                m_deleting.Add(path);
         }
 
         /// <summary>Assets were deleted that <see cref="CloudAssets"/> still knows.</summary>
-        public void Take(string[] deleted)
+        public void OnDeleted(string[] deleted)
         {
             foreach (string asset in deleted)
-                if (m_imports.Assets.All.TryGetValue(asset, out string cloud) && m_expected.Exists(e => asset == e ||
-                    asset.StartsWith(e + "/", StringComparison.Ordinal)) && !m_left.Contains(cloud))
-                    m_left.Add(cloud);
-            m_expected.Clear();
+                if (m_imports.Assets.All.TryGetValue(asset, out string cloud) && m_deleting.Exists(e => asset == e ||
+                    asset.StartsWith(e + "/", StringComparison.Ordinal)) && !m_unusedClouds.Contains(cloud))
+                    m_unusedClouds.Add(cloud);
+            m_deleting.Clear();
         }
 
         /// <summary>Called once an update of the editor: not while Unity imports.</summary>
         public void Prompt()
         {
             // A question would interrupt play mode.
-            if (m_left.Count == 0 || EditorApplication.isPlayingOrWillChangePlaymode)
+            if (m_unusedClouds.Count == 0 || EditorApplication.isPlayingOrWillChangePlaymode)
                 return;
-            foreach (string cloud in m_left)
+            foreach (string cloud in m_unusedClouds)
                 if (!CloudFolder.IsCloud(cloud) && m_imports.Assets.Of(cloud).Count == 0 &&
                     m_imports.Queue.RequestFor(cloud) is { } request)
                     m_imports.Queue.Cancel(request);
-            var clouds = m_left.FindAll(c => CloudFolder.IsCloud(c) && m_imports.Assets.Of(c).Count == 0 &&
+            var clouds = m_unusedClouds.FindAll(c => CloudFolder.IsCloud(c) && m_imports.Assets.Of(c).Count == 0 &&
                 string.Equals(Path.GetDirectoryName(c), m_imports.Paths.Clouds, StringComparison.OrdinalIgnoreCase));
-            m_left.Clear();
+            m_unusedClouds.Clear();
             if (clouds.Count > 0 && EditorUtility.DisplayDialog("Delete converted data", "No asset has the converted data any " +
                 "more of:\n" + string.Join("\n", clouds.ConvertAll(Path.GetFileName)), "Delete data", "Keep"))
                 foreach (string cloud in clouds)
@@ -77,7 +77,7 @@ namespace FastPoints.Editor
         static AssetDeleteResult OnWillDeleteAsset(string path, RemoveAssetOptions options)
         {
             if (!Application.isBatchMode)
-                PointCloudImports.Current.Leftovers.Expect(path);
+                PointCloudImports.Current.Leftovers.OnWillDelete(path);
             return AssetDeleteResult.DidNotDelete;
         }
     }

@@ -17,7 +17,7 @@ namespace FastPoints.Editor
         static readonly TimeSpan s_reportAfter = TimeSpan.FromSeconds(0.25);
 
         readonly FastPointsSettings m_settings;
-        readonly EditorPace m_pace = new EditorPace();
+        readonly EditorTimeBudget m_timeBudget = new EditorTimeBudget();
         DateTime m_nextReport;
         readonly QueueProgress m_progress;
         readonly List<CloudDrop> m_drops = new List<CloudDrop>();
@@ -78,7 +78,7 @@ namespace FastPoints.Editor
         public void Update(DateTime nowUtc)
         {
             m_nowUtc = nowUtc;
-            m_budgetMs = m_pace.Next(nowUtc, m_settings.UpdateMs, EditorApplication.isFocused);
+            m_budgetMs = m_timeBudget.Next(nowUtc, m_settings.UpdateMs, EditorApplication.isFocused);
             foreach (var part in m_parts)
             {
                 try
@@ -99,7 +99,7 @@ namespace FastPoints.Editor
             bool isPlaying = EditorApplication.isPlaying;
             Queue.IsHeld = isPlaying && m_settings.InPlayMode == InPlayMode.Pause;
             Queue.Session?.Adapt(isPlaying && m_settings.InPlayMode == InPlayMode.OneWorker ? 1 : m_settings.Workers,
-                m_pace.InFlightMs);
+                m_timeBudget.InFlightMs);
             Queue.Tick(m_budgetMs, m_nowUtc);
             if (m_progress.Session?.State == BuildState.Suspended)
                 m_progress.End(Progress.Status.Canceled);
@@ -444,7 +444,7 @@ namespace FastPoints.Editor
             // Clouds of subscenes have no component.
             var shown = AssetDatabase.LoadAssetAtPath<PointCloudAsset>(asset);
             if (shown != null)
-                PointCloudSystemGroup.ObjectGroup?.IsShown(shown.Paths.FullPath, true);
+                PointCloudSystemGroup.ObjectGroup?.Refresh(shown.Paths.FullPath);
             EditorApplication.QueuePlayerLoopUpdate();
         }
 

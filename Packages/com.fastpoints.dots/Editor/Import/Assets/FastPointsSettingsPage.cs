@@ -106,15 +106,15 @@ namespace FastPoints.Editor
                 PointCloudImports.MoveRoot(root);
             bool isChanged = EditorGUI.EndChangeCheck();
             if (browses && EditorUtility.OpenFolderPanel("Converted clouds in", settings.Place, "") is { Length: > 0 } chosen)
-                folder = PointCloudImports.Paths.StoredPlace(chosen);
+                folder = PointCloudImports.Paths.StoredShared(chosen);
             if (isChanged || folder != settings.Place)
-                Keep(settings, folder);
+                Apply(settings, folder);
             // Other windows were drawn while the panel was open: this one's layout is lost.
             if (browses)
                 GUIUtility.ExitGUI();
         }
 
-        static void Keep(FastPointsSettings settings, string folder)
+        static void Apply(FastPointsSettings settings, string folder)
         {
             s_problem = folder == settings.Place ? null : PointCloudImports.Move(folder);
             settings.Save();

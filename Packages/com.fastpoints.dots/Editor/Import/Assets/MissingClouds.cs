@@ -29,12 +29,12 @@ namespace FastPoints.Editor
         public void OnImported(string[] imported)
         {
             if (Array.Exists(imported, asset => asset.EndsWith(CloudHandle.Extension, StringComparison.OrdinalIgnoreCase) &&
-                m_imports.Assets.All.ContainsKey(asset) && HasOtherData(asset)))
+                m_imports.Assets.All.ContainsKey(asset) && LacksCurrentData(asset)))
                 SessionState.EraseString(CheckedKey);
         }
 
         /// <summary>Whether a handle's data are missing or older, as far as known.</summary>
-        bool HasOtherData(string asset)
+        bool LacksCurrentData(string asset)
         {
             try
             {

@@ -33,7 +33,7 @@ namespace FastPoints.Editor
         {
             if (!PointCloudImports.IsMainEditor)
                 return;
-            PointCloudImports.Current.Leftovers.Take(deletedAssets);
+            PointCloudImports.Current.Leftovers.OnDeleted(deletedAssets);
             PointCloudImports.Current.Assets.Update(importedAssets, deletedAssets, movedFromAssetPaths, movedAssets);
             PointCloudImports.Current.Missing.OnImported(importedAssets);
             var ours = new List<string>();

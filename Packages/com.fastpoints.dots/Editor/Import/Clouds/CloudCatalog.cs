@@ -12,7 +12,7 @@ namespace FastPoints.Editor
     /// that follows from their content.</summary>
     internal sealed class CloudCatalog
     {
-        struct Seen
+        struct CachedCloud
         {
             public long WrittenTicks;
             public CatalogCloud Cloud;
@@ -20,7 +20,7 @@ namespace FastPoints.Editor
 
         readonly ProjectPaths m_paths;
         readonly List<CatalogCloud> m_clouds = new List<CatalogCloud>();
-        Dictionary<string, Seen> m_seen = new Dictionary<string, Seen>();
+        Dictionary<string, CachedCloud> m_cached = new Dictionary<string, CachedCloud>();
 
         public CloudCatalog(ProjectPaths paths) => m_paths = paths;
 
@@ -31,7 +31,7 @@ namespace FastPoints.Editor
         public void Refresh()
         {
             m_clouds.Clear();
-            var seen = new Dictionary<string, Seen>();
+            var cached = new Dictionary<string, CachedCloud>();
             foreach (string folder in FolderNames(m_paths.Clouds))
             {
                 bool isPart = folder.EndsWith(StoreFormat.PartSuffix, StringComparison.Ordinal);
@@ -39,9 +39,9 @@ namespace FastPoints.Editor
                 // While a cloud is rebuilt, the old one still exists.
                 if (path.EndsWith(StoreFormat.FolderExtension, StringComparison.OrdinalIgnoreCase) &&
                     !(isPart && Directory.Exists(path)))
-                    m_clouds.Add(ReadFolder(path, folder, seen));
+                    m_clouds.Add(ReadFolder(path, folder, cached));
             }
-            m_seen = seen;
+            m_cached = cached;
             m_clouds.Sort((a, b) => string.CompareOrdinal(a.Path, b.Path));
         }
 
@@ -52,7 +52,7 @@ namespace FastPoints.Editor
             string path = m_paths.Absolute(handle.CloudPath);
             cloud = m_clouds.Find(c => string.Equals(c.Path, path, StringComparison.OrdinalIgnoreCase));
             if (cloud == null && CloudFolder.IsCloud(path))
-                cloud = ReadFolder(path, CloudFolder.Find(path), new Dictionary<string, Seen>());
+                cloud = ReadFolder(path, CloudFolder.Find(path), new Dictionary<string, CachedCloud>());
             if (cloud != null && cloud.IsBuilding)
                 return CatalogMatch.Building;
             if (cloud?.Manifest != null && (handle.CloudId == 0 || cloud.Manifest.CloudId == handle.CloudId))
@@ -94,13 +94,13 @@ namespace FastPoints.Editor
             FileChanges.TryDelete(CloudThumbnails.PathOf(path), () => false);
         }
 
-        CatalogCloud ReadFolder(string path, string folder, Dictionary<string, Seen> seen)
+        CatalogCloud ReadFolder(string path, string folder, Dictionary<string, CachedCloud> cached)
         {
             string manifest = Path.Combine(folder, StoreFormat.ManifestName);
             long written = File.GetLastWriteTimeUtc(manifest).Ticks;
-            if (m_seen.TryGetValue(folder, out var before) && before.WrittenTicks == written)
+            if (m_cached.TryGetValue(folder, out var before) && before.WrittenTicks == written)
             {
-                seen[folder] = before;
+                cached[folder] = before;
                 return before.Cloud;
             }
             bool isPart = folder.EndsWith(StoreFormat.PartSuffix, StringComparison.Ordinal);
@@ -113,7 +113,7 @@ namespace FastPoints.Editor
             {
                 cloud.Problem = e.Message;
             }
-            seen[folder] = new Seen { WrittenTicks = written, Cloud = cloud };
+            cached[folder] = new CachedCloud { WrittenTicks = written, Cloud = cloud };
             return cloud;
         }
 

@@ -60,12 +60,12 @@ namespace FastPoints.Editor
         {
             string full = Absolute(path);
             string root = m_sourceRoot.Length == 0 ? null : Below(m_sourceRoot, full);
-            return (Below(Project, full) ?? (root == null ? StoredPlace(full) : PointCloudPaths.InSources + root)).Replace(
+            return (Below(Project, full) ?? (root == null ? StoredShared(full) : PointCloudPaths.InSources + root)).Replace(
                 Path.DirectorySeparatorChar, '/');
         }
 
         /// <summary>The same for shared settings, without the user's own source root.</summary>
-        public string StoredPlace(string path)
+        public string StoredShared(string path)
         {
             string full = Absolute(path), parent = Path.GetDirectoryName(Project);
             string sibling = parent == null || Path.GetDirectoryName(parent) == null ? null : Below(parent, full);

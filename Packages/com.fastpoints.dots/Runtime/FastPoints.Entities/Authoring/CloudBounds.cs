@@ -34,7 +34,7 @@ namespace FastPoints.Entities
             return true;
         }
 
-        public static Bounds Under(Matrix4x4 localToWorld, Bounds local)
+        public static Bounds Transform(Matrix4x4 localToWorld, Bounds local)
         {
             Vector3 half = local.size * 0.5f, reach = default;
             for (int axis = 0; axis < 3; axis++)

@@ -152,7 +152,7 @@ namespace FastPoints.Entities
         public bool TryGetWorldBounds(out Bounds world)
         {
             bool isKnown = TryGetLocalBounds(out var local);
-            world = isKnown ? CloudBounds.Under(transform.localToWorldMatrix, local) : default;
+            world = isKnown ? CloudBounds.Transform(transform.localToWorldMatrix, local) : default;
             return isKnown;
         }
 

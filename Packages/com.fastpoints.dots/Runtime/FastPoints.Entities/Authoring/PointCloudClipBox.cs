@@ -23,7 +23,7 @@ namespace FastPoints.Entities
         bool m_cuts;
 
         /// <summary>The box along the world's axes around this one at its current place.</summary>
-        public Bounds WorldBounds => CloudBounds.Under(transform.localToWorldMatrix, new Bounds(Vector3.zero, Vector3.one));
+        public Bounds WorldBounds => CloudBounds.Transform(transform.localToWorldMatrix, new Bounds(Vector3.zero, Vector3.one));
 
         void OnEnable() => Update();
 

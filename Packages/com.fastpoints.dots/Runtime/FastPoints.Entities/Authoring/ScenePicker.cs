@@ -56,7 +56,7 @@ namespace FastPoints.Entities
         public double3 PositionOf(StreamPick pick, Entity cloud)
         {
             var shown = Group?.Stream == null ? null
-                : NumberOf(cloud) is int number ? Group.Stream.Clouds[number] : Shown(pick.Path);
+                : NumberOf(cloud) is int number ? Group.Stream.Clouds[number] : FindStreamed(pick.Path);
             return shown == null ? pick.Point.PositionWorld : shown.Placement.OriginWorld + math.mul(shown.Placement.Linear,
                 pick.Point.PositionGeo - shown.Source.Grid.ToGeo(shown.Source.Root.Corner));
         }
@@ -88,7 +88,7 @@ namespace FastPoints.Entities
                     : (int?)null;
         }
 
-        StreamedCloud Shown(string path)
+        StreamedCloud FindStreamed(string path)
         {
             foreach (var cloud in Group.Stream.Clouds)
                 if (cloud != null && !cloud.IsRemoving && StoreFormat.FinishedPath(cloud.Source.Path) == path)

@@ -24,14 +24,14 @@ namespace FastPoints.Entities
         /// because they run in a process without the settings, and perhaps on another machine.</summary>
         public const string InPlace = "<place>/";
 
-        /// <summary>Prefix of the number of an asset that is a cloud itself. Moving that to another folder does not import it
+        /// <summary>Prefix of the GUID of an asset that is a cloud itself. Moving that to another folder does not import it
         /// again.</summary>
         public const string OfAsset = "<asset>/";
 
         /// <summary>Prefix of a path in an editor if it is below <see cref="SourceRoot"/>.</summary>
         public const string InSources = "${FASTPOINTS_SOURCES}/";
 
-        /// <summary>The path of an asset by its number, where there is an editor.</summary>
+        /// <summary>The path of an asset by its GUID, where there is an editor.</summary>
         internal static Func<string, string> PathOfAsset { get; set; }
 
         /// <summary>Where this user keeps the files that clouds are made of, an absolute path; empty for nowhere. A team's paths

@@ -14,7 +14,7 @@ namespace FastPoints.Entities
         EntityQuery m_pinned;
         EntityQuery m_tinted;
 
-        NativeList<PointCloudNode> m_set;
+        NativeList<PointCloudNode> m_controlled;
 
         protected override void OnCreate()
         {
@@ -22,13 +22,13 @@ namespace FastPoints.Entities
             m_hidden = GetEntityQuery(ComponentType.ReadOnly<PointCloudNode>(), ComponentType.ReadOnly<Hidden>());
             m_pinned = GetEntityQuery(ComponentType.ReadOnly<PointCloudNode>(), ComponentType.ReadOnly<Pinned>());
             m_tinted = GetEntityQuery(ComponentType.ReadOnly<PointCloudNode>(), ComponentType.ReadOnly<Tint>());
-            m_set = new NativeList<PointCloudNode>(Allocator.Persistent);
+            m_controlled = new NativeList<PointCloudNode>(Allocator.Persistent);
         }
 
         protected override void OnUpdate()
         {
             var cache = Group.Stream.Cache;
-            foreach (var node in m_set)
+            foreach (var node in m_controlled)
             {
                 if (!cache.IsValid(node.Slot, node.SlotVersion))
                     continue;
@@ -36,7 +36,7 @@ namespace FastPoints.Entities
                 cache.SetPinned(node.Slot, false);
                 cache.SetTint(node.Slot, CachedNode.White);
             }
-            m_set.Clear();
+            m_controlled.Clear();
             if (!m_hidden.IsEmpty)
                 Hide(cache);
             if (!m_pinned.IsEmpty)
@@ -47,7 +47,7 @@ namespace FastPoints.Entities
 
         protected override void OnDestroy()
         {
-            m_set.Dispose();
+            m_controlled.Dispose();
             base.OnDestroy();
         }
 
@@ -80,7 +80,7 @@ namespace FastPoints.Entities
         {
             if (!cache.IsValid(node.Slot, node.SlotVersion))
                 return false;
-            m_set.Add(node);
+            m_controlled.Add(node);
             return true;
         }
     }

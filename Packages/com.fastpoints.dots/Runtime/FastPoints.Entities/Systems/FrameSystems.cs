@@ -1,7 +1,7 @@
 using FastPoints.Streaming;
 using Unity.Entities;
 
-// The steps of FrameStep behind ControlNodesSystem, in their order.
+// The steps of FrameStep after ControlNodesSystem, in their order.
 namespace FastPoints.Entities
 {
     /// <summary>Chooses what the cameras need, and what they will need soon.</summary>
@@ -22,7 +22,7 @@ namespace FastPoints.Entities
         protected override void OnUpdate() => FrameStep.Upload(Group.Stream, ref Group.Stats);
     }
 
-    /// <summary>Begins to read nodes, and evicts less useful ones.</summary>
+    /// <summary>Begins to read nodes, and evicts less needed ones.</summary>
     [WorldSystemFilter(WorldSystemFilterFlags.Default | WorldSystemFilterFlags.Editor)]
     [UpdateInGroup(typeof(PointCloudSystemGroup))]
     [UpdateAfter(typeof(UploadNodesSystem))]

@@ -31,8 +31,7 @@ namespace FastPoints.Entities
 
         public string Path { get; }
 
-        /// <summary>The applied <see cref="WorldShift"/> in the space that its
-        /// transform moves.</summary>
+        /// <summary>The applied <see cref="WorldShift"/>, in the local space of the entity.</summary>
         public double3 Shift;
         public double3 WorldShift;
 

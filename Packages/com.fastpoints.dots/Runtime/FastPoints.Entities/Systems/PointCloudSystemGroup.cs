@@ -199,23 +199,29 @@ namespace FastPoints.Entities
         internal void Wake() => m_idleFrames = 0;
 
         /// <summary>Whether a cloud's files are in this folder.</summary>
-        /// <param name="looks">Whether all of them poll for newer data on disk in the next frame.</param>
-        internal bool IsShown(string folder, bool looks = false)
+        internal bool IsShown(string folder)
         {
-            bool isShown = false;
+            foreach (var (entity, live) in Live)
+                if (IsShown(entity, live, folder))
+                    return true;
+            return false;
+        }
+
+        /// <summary>Has all clouds of this folder poll for newer data on disk in the next frame.</summary>
+        internal void Refresh(string folder)
+        {
             foreach (var (entity, live) in Live)
             {
-                if (live.Opened?.Path != folder || !EntityManager.HasComponent<PointCloudFile>(entity))
-                    continue;
-                isShown = true;
-                if (!looks)
+                if (!IsShown(entity, live, folder))
                     continue;
                 var file = EntityManager.GetComponentData<PointCloudFile>(entity);
                 file.NeedsRefresh = true;
                 EntityManager.SetComponentData(entity, file);
             }
-            return isShown;
         }
+
+        bool IsShown(Entity entity, LiveCloud live, string folder) =>
+            live.Opened?.Path == folder && EntityManager.HasComponent<PointCloudFile>(entity);
 
         internal void ReuseViews() => m_views.AddRange(m_lastViews.AsArray());
 

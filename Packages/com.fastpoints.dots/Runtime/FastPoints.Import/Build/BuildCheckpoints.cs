@@ -159,7 +159,7 @@ namespace FastPoints.Build
             foreach (var attribute in build.Attributes)
                 text.Append(attribute).Append('\n');
             text.Append(plan.PointsPerChunk).Append('|').Append(plan.PointsPerPartition).Append('|').Append(plan.IsStored)
-                .Append('|').Append(StoreFormat.Version).Append('|').Append(NodeSizes.Rules)
+                .Append('|').Append(StoreFormat.Version).Append('|').Append(NodeSizes.SamplingVersion)
                 .Append('|').Append(build.Records.StrideBytes).Append('|').Append(map.Chunks.Length).Append('|').Append(map.Cube)
                 .Append('|').Append(settings.Sampler).Append('|').Append(settings.CellsLog2)
                 .Append('|').Append(settings.MaxPointsPerLeaf);

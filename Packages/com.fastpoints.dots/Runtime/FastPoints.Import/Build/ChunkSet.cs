@@ -55,7 +55,7 @@ namespace FastPoints.Build
 
         /// <summary>Creates the coroutine to run after each completed change, when the chunks and their records agree. Files that
         /// are no longer needed exist until it has ended.</summary>
-        public Func<IEnumerator<JobStep>> Rebalanced { get; set; }
+        public Func<IEnumerator<JobStep>> OnRebalanced { get; set; }
 
         public void Add(GridCube cube, ref RecordPages pages)
         {
@@ -175,7 +175,7 @@ namespace FastPoints.Build
                 if (cube.SideLog2 == 0)
                 {
                     SplitByCount(chunk, target);
-                    yield return JobStep.Of(RunRebalanced());
+                    yield return JobStep.Of(RunOnRebalanced());
                     yield break;
                 }
 
@@ -232,11 +232,11 @@ namespace FastPoints.Build
             }
         }
 
-        IEnumerator<JobStep> RunRebalanced()
+        IEnumerator<JobStep> RunOnRebalanced()
         {
-            if (Rebalanced == null)
+            if (OnRebalanced == null)
                 yield break;
-            yield return JobStep.Of(Rebalanced());
+            yield return JobStep.Of(OnRebalanced());
         }
 
         /// <summary>Distributes a chunk's records over parts that replace it.</summary>
@@ -306,7 +306,7 @@ namespace FastPoints.Build
                         Add(cubes[i], ref pages);
                 }
                 TakeWritten();
-                yield return JobStep.Of(RunRebalanced());
+                yield return JobStep.Of(RunOnRebalanced());
                 foreach (var range in chunk.Ranges)
                     Files.Release(range.File);
             }

@@ -25,7 +25,7 @@ namespace FastPoints.Build
             manifest.CloudId = found.Checksum ^ (ulong)found.Count * 0x9E3779B97F4A7C15UL ^
                 (ulong)build.Plan.PointsPerChunk << 40 ^ (ulong)build.Attributes.Count << 32 ^
                 (ulong)build.Settings.Sampler << 60 ^ (ulong)build.Settings.CellsLog2 << 56 ^
-                (ulong)build.Settings.MaxPointsPerLeaf ^ (ulong)NodeSizes.Rules << 24;
+                (ulong)build.Settings.MaxPointsPerLeaf ^ (ulong)NodeSizes.SamplingVersion << 24;
             return manifest;
         }
 

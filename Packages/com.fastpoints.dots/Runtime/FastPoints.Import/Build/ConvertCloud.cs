@@ -243,7 +243,7 @@ namespace FastPoints.Build
                 foreach (var chunk in journal.Chunks)
                     m_chunks.Add(chunk.Cube, chunk.Ranges);
             }
-            m_chunks.Rebalanced = m_checkpoints.Write;
+            m_chunks.OnRebalanced = m_checkpoints.Write;
             if (journal.CurrentStage == BuildJournal.Stage.Split)
             {
                 long target = m_build.Plan.PointsPerChunk;
@@ -255,7 +255,7 @@ namespace FastPoints.Build
                 journal.CurrentStage = BuildJournal.Stage.Index;
                 yield return JobStep.Of(m_checkpoints.Write());
             }
-            m_chunks.Rebalanced = null;
+            m_chunks.OnRebalanced = null;
             if (m_build.Files != null)
                 RecordPagePool.Of(m_build.Pool).FreeAll();
         }

@@ -9,7 +9,7 @@ using Unity.Jobs;
 
 namespace FastPoints.Build
 {
-    /// <summary>Reads chosen nodes of a stored cloud into one batch.</summary>
+    /// <summary>Reads chosen nodes of a converted cloud into one batch.</summary>
     internal static class LoadNodes
     {
         /// <summary>The most bytes of a file that are read at once, unless one node has more. The nodes of a few points may be
@@ -36,7 +36,7 @@ namespace FastPoints.Build
             return new PointSchema(attributes);
         }
 
-        /// <summary>Coroutine: measures what a display needs to know of a stored cloud, from the points of its upper
+        /// <summary>Coroutine: measures what a display needs to know of a converted cloud, from the points of its upper
         /// levels.</summary>
         /// <exception cref="PointCloudException">The cloud cannot be read.</exception>
         public static IEnumerator<JobStep> MeasureRanges(CloudFolder folder, ChosenNodes nodes, PointSchema schema,
@@ -384,7 +384,7 @@ namespace FastPoints.Build
                     WriteColumn(node, file, p, c, Columns[column], Targets[column++]);
         }
 
-        PlaneShape ShapeOf(int plane, bool isWide) => plane == 0 ? new PlaneShape(3, isWide ? 7 : 0) : Shapes[plane - 1];
+        PlaneShape ShapeOf(int plane, bool isWide) => plane == 0 ? PlaneShape.OfPositions(isWide) : Shapes[plane - 1];
 
         PlaneView ViewOf(in ChosenNode node, byte* file, int plane) =>
             new PlaneView(file + (Ranges[node.FirstRange + plane].OffsetBytes - FileOffset), ShapeOf(plane, node.IsWide),

@@ -40,7 +40,7 @@ namespace FastPoints.Build
         readonly NativeStoreLayout m_store;
         readonly BuildGenerations m_generations;
         readonly Queue<Slot> m_inFlight = new Queue<Slot>();
-        readonly Stack<Slot> m_spare = new Stack<Slot>();
+        readonly Stack<Slot> m_idle = new Stack<Slot>();
         readonly List<IndexWorkspace> m_workspaces = new List<IndexWorkspace>();
         readonly ChunkResult[] m_results;
         readonly NativeArray<byte>[] m_topRecords;
@@ -104,7 +104,7 @@ namespace FastPoints.Build
                     freed = new FreeSlabJob { Pool = m_build.Pool }.Schedule(freed);
                 // Other jobs would wait for the kernel beside them as long.
                 yield return freed;
-                for (; m_spare.Count > 0; m_spare.Pop().Dispose())
+                for (; m_idle.Count > 0; m_idle.Pop().Dispose())
                     yield return default;
                 foreach (var workspace in m_workspaces)
                 {
@@ -122,9 +122,9 @@ namespace FastPoints.Build
         public void Dispose()
         {
             while (m_inFlight.Count > 0)
-                m_spare.Push(m_inFlight.Dequeue());
-            while (m_spare.Count > 0)
-                m_spare.Pop().Dispose();
+                m_idle.Push(m_inFlight.Dequeue());
+            while (m_idle.Count > 0)
+                m_idle.Pop().Dispose();
             foreach (var workspace in m_workspaces)
                 workspace.Dispose();
             m_writes?.Dispose();
@@ -158,7 +158,7 @@ namespace FastPoints.Build
                 yield return m_inFlight.Peek().Indexer.Job;
                 m_limit.Resume(next < order.Count && m_newest.IsCompleted);
                 yield return JobStep.Of(Finish(m_inFlight.Peek()));
-                m_spare.Push(m_inFlight.Dequeue());
+                m_idle.Push(m_inFlight.Dequeue());
                 if (m_inFlight.Count == 0 && next == order.Count || !IsGenerationDue(watch.Elapsed.TotalSeconds, mergeSeconds))
                     continue;
                 double begin = watch.Elapsed.TotalSeconds;
@@ -230,7 +230,7 @@ namespace FastPoints.Build
         void Begin(int number)
         {
             var files = m_build.Files;
-            var slot = m_spare.Count > 0 ? m_spare.Pop() : new Slot
+            var slot = m_idle.Count > 0 ? m_idle.Pop() : new Slot
             {
                 Indexer = m_build.CreateIndexer(m_store, Manifest),
                 Load = files == null ? null : new RecordLoad(m_build),
@@ -364,7 +364,7 @@ namespace FastPoints.Build
         readonly RecordFiles m_files;
         readonly int m_max;
         readonly Queue<Pending> m_pending = new Queue<Pending>();
-        readonly Stack<NativeList<byte>> m_spare = new Stack<NativeList<byte>>();
+        readonly Stack<NativeList<byte>> m_idle = new Stack<NativeList<byte>>();
 
         /// <param name="files">Released when a chunk that came from them is on disk; null if all points are in memory.</param>
         /// <param name="max">The most files that may wait.</param>
@@ -395,7 +395,7 @@ namespace FastPoints.Build
             if (pending.Written == null)
                 return file;
             m_pending.Enqueue(pending);
-            return m_spare.Count > 0 ? m_spare.Pop() : new NativeList<byte>(1024, Allocator.Persistent);
+            return m_idle.Count > 0 ? m_idle.Pop() : new NativeList<byte>(1024, Allocator.Persistent);
         }
 
         /// <summary>Takes back what has been written since; waits at most this long for the first file.</summary>
@@ -407,7 +407,7 @@ namespace FastPoints.Build
                 var done = m_pending.Dequeue();
                 waitMs = 0;
                 done.File.Clear();
-                m_spare.Push(done.File);
+                m_idle.Push(done.File);
                 if (!done.Top.IsCreated)
                     continue;
                 done.Top.Dispose();
@@ -434,8 +434,8 @@ namespace FastPoints.Build
                 if (pending.Top.IsCreated)
                     pending.Top.Dispose();
             }
-            while (m_spare.Count > 0)
-                m_spare.Pop().Dispose();
+            while (m_idle.Count > 0)
+                m_idle.Pop().Dispose();
         }
     }
 }

@@ -89,10 +89,7 @@ namespace FastPoints.Build
 
         IEnumerator<JobStep> Read(PointReader reader, SourceGrid grid, List<BlockRange> ranges)
         {
-            var names = new List<string> { AttributeNames.X, AttributeNames.Y, AttributeNames.Z };
-            foreach (var attribute in m_build.Attributes)
-                names.Add(attribute.Name);
-            var wanted = reader.Info.Schema.Select(names.ToArray());
+            var wanted = reader.Info.Schema.SelectWithPosition(m_build.Attributes);
             if (reader is RecordReader records)
             {
                 yield return JobStep.Of(ReadRanges(records, grid, ranges, wanted));

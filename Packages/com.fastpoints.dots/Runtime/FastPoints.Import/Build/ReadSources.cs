@@ -14,7 +14,7 @@ namespace FastPoints.Build
         readonly BuildCheckpoints m_checkpoints;
         readonly BuildGenerations m_generations;
         readonly Stopwatch m_watch = Stopwatch.StartNew();
-        CoroutineStack m_first;
+        CoroutineStack m_firstGeneration;
         long m_sinceCheckpoint;
         long m_resumedPoints;
 
@@ -40,11 +40,11 @@ namespace FastPoints.Build
                     journal.Source = i + 1;
                     journal.Block = 0;
                 }
-                yield return JobStep.Of(EndFirst());
+                yield return JobStep.Of(EndFirstGeneration());
             }
             finally
             {
-                m_first?.Dispose();
+                m_firstGeneration?.Dispose();
             }
             if (UsesFiles())
                 yield return JobStep.Of(m_scatter.WriteAll());
@@ -69,10 +69,7 @@ namespace FastPoints.Build
         {
             var journal = m_checkpoints.Journal;
             var reader = m_build.Readers[source];
-            var names = new List<string> { AttributeNames.X, AttributeNames.Y, AttributeNames.Z };
-            foreach (var attribute in m_build.Attributes)
-                names.Add(attribute.Name);
-            var wanted = reader.Info.Schema.Select(names.ToArray());
+            var wanted = reader.Info.Schema.SelectWithPosition(m_build.Attributes);
             var limit = SourceScan.LimitFor(reader, wanted, m_build.Records.StrideBytes + sizeof(int), m_build.Plan.InFlightBytes,
                 m_build.Settings.Workers, m_build.InFlightMs);
             m_scatter.BeginSource(reader, m_build.Grid.Sources[source]);
@@ -114,20 +111,20 @@ namespace FastPoints.Build
         /// chunks follow soon.</summary>
         void StepFirstGeneration()
         {
-            if (m_first == null && m_generations.IsFirstDue && 2 * m_scatter.PointsDone <= m_build.Points)
-                m_first = new CoroutineStack(m_generations.WriteFirst());
-            if (m_first == null || !JobCoroutine.HasEnded(m_first.Current))
+            if (m_firstGeneration == null && m_generations.IsFirstDue && 2 * m_scatter.PointsDone <= m_build.Points)
+                m_firstGeneration = new CoroutineStack(m_generations.WriteFirst());
+            if (m_firstGeneration == null || !JobCoroutine.HasEnded(m_firstGeneration.Current))
                 return;
-            m_first.Current.Complete();
-            m_first.MoveNext();
+            m_firstGeneration.Current.Complete();
+            m_firstGeneration.MoveNext();
         }
 
-        IEnumerator<JobStep> EndFirst()
+        IEnumerator<JobStep> EndFirstGeneration()
         {
-            for (bool more = m_first != null; more; more = m_first.MoveNext())
+            for (bool more = m_firstGeneration != null; more; more = m_firstGeneration.MoveNext())
             {
-                yield return m_first.Current;
-                m_first.Current.Complete();
+                yield return m_firstGeneration.Current;
+                m_firstGeneration.Current.Complete();
             }
         }
     }

@@ -97,7 +97,7 @@ namespace FastPoints.Build
             Count(pages.Count);
         }
 
-        /// <summary>Queues a flush: everything handed over is on disk before the writer's next order.</summary>
+        /// <summary>Queues a flush: everything handed over is on disk before the writer's next request.</summary>
         public void Sync()
         {
             foreach (int file in m_notSynced)

@@ -32,7 +32,7 @@ namespace FastPoints.E57
         public int RowLength;
 
         // For each point, 0 or an E57Rejection.
-        public NativeArray<byte> Drops;
+        public NativeArray<byte> Rejections;
 
         public NativeArray<byte> Scratch;
         public NativeReference<DecodeResult> Result;
@@ -42,26 +42,26 @@ namespace FastPoints.E57
         {
             var result = FirstRead == 0 ? new DecodeResult { Points = Count } : Result.Value;
             var anomalies = FirstRead == 0 ? default : Anomalies.Value;
-            byte* drops = (byte*)Drops.GetUnsafePtr();
+            byte* rejections = (byte*)Rejections.GetUnsafePtr();
             if (FirstRead == 0)
-                UnsafeUtility.MemClear(drops, Count);
+                UnsafeUtility.MemClear(rejections, Count);
             for (int i = FirstRead; i < FirstRead + ReadCount; i++)
             {
                 var read = Reads[i];
-                int there = read.Stream < 0 || read.Bits == 0 ? Count : Gather(read, Ranges[i], drops);
+                int there = read.Stream < 0 || read.Bits == 0 ? Count : Gather(read, Ranges[i], rejections);
                 if (there < result.Points)
                 {
                     result.Points = there;
                     result.Error = E57Error.FileChanged;
                     result.ErrorOffset = E57Pages.ToPhysical(Ranges[i].PacketOffset);
                 }
-                anomalies.Misfits += Decode(read, there, drops);
+                anomalies.Clamped += Decode(read, there, rejections);
             }
             Result.Value = result;
             Anomalies.Value = anomalies;
         }
 
-        int Gather(in E57FieldRead read, in E57StreamRange range, byte* drops)
+        int Gather(in E57FieldRead read, in E57StreamRange range, byte* rejections)
         {
             byte* input = (byte*)Input.GetUnsafeReadOnlyPtr();
             byte* scratch = (byte*)Scratch.GetUnsafePtr();
@@ -91,7 +91,7 @@ namespace FastPoints.E57
                     {
                         long logical = position + inPacket + (from - before);
                         UnsafeUtility.MemCpy(scratch + (from - first), input + extent.ToBuffer + logical, to - from);
-                        MarkDamage(extent, logical, from, (int)(to - from), read.Bits, drops);
+                        MarkDamage(extent, logical, from, (int)(to - from), read.Bits, rejections);
                     }
                     before += bytes;
                 }
@@ -104,7 +104,7 @@ namespace FastPoints.E57
         }
 
         // Points with bits in damaged pages are left out. inStream: the offset of the bytes in the bytestream.
-        void MarkDamage(in E57Extent extent, long logical, long inStream, int bytes, int bits, byte* drops)
+        void MarkDamage(in E57Extent extent, long logical, long inStream, int bytes, int bits, byte* rejections)
         {
             long firstPage = logical / E57Pages.DataBytes, lastPage = (logical + bytes - 1) / E57Pages.DataBytes;
             for (long page = firstPage; page <= lastPage; page++)
@@ -116,11 +116,11 @@ namespace FastPoints.E57
                 long first = math.max(from * 8 / bits - FirstRecord, 0);
                 long end = math.min((to * 8 + bits - 1) / bits - FirstRecord, Count);
                 for (long i = first; i < end; i++)
-                    drops[i] = E57Rejection.Damaged;
+                    rejections[i] = E57Rejection.Damaged;
             }
         }
 
-        int Decode(in E57FieldRead read, int count, byte* drops)
+        int Decode(in E57FieldRead read, int count, byte* rejections)
         {
             ulong* raw = stackalloc ulong[TileValues];
             double* reals = stackalloc double[TileValues];
@@ -134,9 +134,9 @@ namespace FastPoints.E57
                 return 0;
             }
             long firstBit = FirstRecord * read.Bits & 7;
-            bool canMisfit = read.Range != E57Bits.Mask(read.Bits);
+            bool canExceed = read.Range != E57Bits.Mask(read.Bits);
             long minimum = read.Kind == E57FieldKind.Integer ? read.Minimum : 0;
-            int misfits = 0;
+            int clamped = 0;
             for (int first = 0; first < count; first += TileValues)
             {
                 int tile = math.min(TileValues, count - first);
@@ -144,8 +144,8 @@ namespace FastPoints.E57
                     UnsafeUtility.MemClear(raw, tile * 8);
                 else
                     E57Bits.Unpack(scratch, firstBit + (long)first * read.Bits, read.Bits, tile, raw);
-                if (read.Kind == E57FieldKind.Integer && canMisfit)
-                    misfits += Limit(raw, tile, read.Range);
+                if (read.Kind == E57FieldKind.Integer && canExceed)
+                    clamped += Clamp(raw, tile, read.Range);
                 if (read.Target == E57Target.Integers)
                 {
                     if (read.Steps != 1)
@@ -157,8 +157,8 @@ namespace FastPoints.E57
                 if (read.Target == E57Target.Invalid && read.Kind == E57FieldKind.Integer)
                 {
                     for (int i = 0; i < tile; i++)
-                        if ((long)raw[i] + minimum != 0 && drops[first + i] == 0)
-                            drops[first + i] = E57Rejection.Invalid;
+                        if ((long)raw[i] + minimum != 0 && rejections[first + i] == 0)
+                            rejections[first + i] = E57Rejection.Invalid;
                     continue;
                 }
                 ToReals(raw, tile, read, reals);
@@ -169,8 +169,8 @@ namespace FastPoints.E57
                         break;
                     case E57Target.Invalid:
                         for (int i = 0; i < tile; i++)
-                            if (reals[i] != 0 && drops[first + i] == 0)
-                                drops[first + i] = E57Rejection.Invalid;
+                            if (reals[i] != 0 && rejections[first + i] == 0)
+                                rejections[first + i] = E57Rejection.Invalid;
                         break;
                     case E57Target.Normalized:
                         StoreNormalized(reals, tile, (ushort*)(columns + read.ColumnOffsetBytes) + first);
@@ -180,7 +180,7 @@ namespace FastPoints.E57
                         break;
                 }
             }
-            return misfits;
+            return clamped;
         }
 
         static bool IsCopy(in E57FieldRead read)
@@ -193,16 +193,16 @@ namespace FastPoints.E57
             return read.Target == E57Target.Reals && read.Factor == 1 && read.Addend == 0;
         }
 
-        static int Limit(ulong* raw, int count, ulong range)
+        static int Clamp(ulong* raw, int count, ulong range)
         {
-            int misfits = 0;
+            int clamped = 0;
             for (int i = 0; i < count; i++)
             {
                 ulong value = raw[i];
-                misfits += value > range ? 1 : 0;
+                clamped += value > range ? 1 : 0;
                 raw[i] = math.min(value, range);
             }
-            return misfits;
+            return clamped;
         }
 
         static void ToReals(ulong* raw, int count, in E57FieldRead read, double* reals)
@@ -287,7 +287,7 @@ namespace FastPoints.E57
         public int Damaged;
         public int DamagedPages;
         public long FirstDamagedPage;
-        public int Misfits;
+        public int Clamped;
     }
 
     struct E57StreamRange

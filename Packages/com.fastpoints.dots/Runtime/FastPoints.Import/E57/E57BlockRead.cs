@@ -10,11 +10,11 @@ namespace FastPoints.E57
 {
     // The last step of a range; it also removes the points that are left out from all columns.
     [BurstCompile]
-    unsafe struct PlaceE57PointsJob : IJob
+    unsafe struct TransformE57PointsJob : IJob
     {
         public NativeArray<double> Vectors;
         public int RowLength;
-        [ReadOnly] public NativeArray<byte> Drops;
+        [ReadOnly] public NativeArray<byte> Rejections;
         [ReadOnly] public NativeArray<byte> IsDamaged;
         [ReadOnly] public NativeArray<E57Extent> Extents;
         public int ExtentCount;
@@ -68,7 +68,7 @@ namespace FastPoints.E57
         void Rotate(int row, int count, double3 shift, int3 columns)
         {
             double* row0 = Row(row), row1 = Row(row + 1), row2 = Row(row + 2);
-            if (!Pose.IsShift)
+            if (!Pose.IsTranslation)
             {
                 double3 x = Pose.AxisX, y = Pose.AxisY, z = Pose.AxisZ;
                 for (int i = 0; i < count; i++)
@@ -107,12 +107,12 @@ namespace FastPoints.E57
 
         void Compact(ref DecodeResult result)
         {
-            byte* drops = (byte*)Drops.GetUnsafeReadOnlyPtr();
+            byte* rejections = (byte*)Rejections.GetUnsafeReadOnlyPtr();
             var anomalies = Anomalies.Value;
             for (int i = 0; i < result.Points; i++)
             {
-                anomalies.Invalid += drops[i] == E57Rejection.Invalid ? 1 : 0;
-                anomalies.Damaged += drops[i] == E57Rejection.Damaged ? 1 : 0;
+                anomalies.Invalid += rejections[i] == E57Rejection.Invalid ? 1 : 0;
+                anomalies.Damaged += rejections[i] == E57Rejection.Damaged ? 1 : 0;
             }
             if (anomalies.Damaged > 0)
                 CountPages(ref anomalies);
@@ -123,14 +123,14 @@ namespace FastPoints.E57
             for (int first = 0, kept = 0; first < result.Points;)
             {
                 int end = first;
-                while (end < result.Points && drops[end] == 0)
+                while (end < result.Points && rejections[end] == 0)
                     end++;
                 if (kept < first && end > first)
                     for (int c = 0; c < ColumnTable.Length; c++)
                         Move(columns + ColumnTable[c].OffsetBytes, ColumnTable[c].Type.SizeOf(), first, kept, end - first);
                 kept += end - first;
                 first = end;
-                while (first < result.Points && drops[first] != 0)
+                while (first < result.Points && rejections[first] != 0)
                     first++;
             }
             result.Points -= anomalies.Invalid + anomalies.Damaged;
@@ -164,14 +164,14 @@ namespace FastPoints.E57
         readonly long[] m_endPages = new long[E57Scan.MaxFields];
         readonly NativeArray<PointColumn> m_columns;
         readonly NativeArray<double> m_vectors;
-        readonly NativeArray<byte> m_drops;
+        readonly NativeArray<byte> m_rejections;
         readonly NativeArray<byte> m_scratch;
         readonly NativeReference<E57Anomalies> m_anomalies;
         NativeArray<E57FieldRead> m_reads;
         NativeArray<E57StreamRange> m_ranges;
         int m_readCount;
         E57Section m_section;
-        PlaceE57PointsJob m_place;
+        TransformE57PointsJob m_transform;
 
         public E57BlockRead(PointReader reader, E57Blocks blocks, PointSchema wanted, int capacity, Allocator allocator)
             : base(reader, wanted, capacity, allocator)
@@ -187,7 +187,7 @@ namespace FastPoints.E57
                 columns[i] = Points.Column(i);
             m_columns = Own(new NativeArray<PointColumn>(columns, allocator));
             m_vectors = OwnArray<double>(blocks.HasVectors ? VectorRows * capacity : 1, allocator);
-            m_drops = OwnArray<byte>(Math.Max(1, capacity), allocator);
+            m_rejections = OwnArray<byte>(Math.Max(1, capacity), allocator);
             m_scratch = OwnArray<byte>(8 * (capacity + 1) + E57Bits.PaddingBytes, allocator, NativeArrayOptions.ClearMemory);
             m_anomalies = Own(new NativeReference<E57Anomalies>(allocator));
         }
@@ -219,11 +219,11 @@ namespace FastPoints.E57
                 hasNormals |= reads[i].Target == E57Target.Vector && reads[i].Row >= 3;
             }
             var schema = Points.Schema;
-            m_place = new PlaceE57PointsJob
+            m_transform = new TransformE57PointsJob
             {
                 Vectors = m_vectors,
                 RowLength = Points.Capacity,
-                Drops = m_drops,
+                Rejections = m_rejections,
                 IsDamaged = m_pages.IsDamaged,
                 Extents = m_pages.Extents,
                 ColumnTable = m_columns,
@@ -272,7 +272,7 @@ namespace FastPoints.E57
                 Columns = Points.Bytes,
                 Vectors = m_vectors,
                 RowLength = Points.Capacity,
-                Drops = m_drops,
+                Rejections = m_rejections,
                 Scratch = m_scratch,
                 Result = Result,
                 Anomalies = m_anomalies,
@@ -284,8 +284,8 @@ namespace FastPoints.E57
                 decode.ReadCount = Math.Min(DecodeE57Job.FieldsPerSlice, m_readCount - i);
                 done = decode.Schedule(done);
             }
-            m_place.ExtentCount = m_pages.ExtentCount;
-            return m_place.Schedule(done);
+            m_transform.ExtentCount = m_pages.ExtentCount;
+            return m_transform.Schedule(done);
         }
 
         protected override void EndRead() => m_pages.End();

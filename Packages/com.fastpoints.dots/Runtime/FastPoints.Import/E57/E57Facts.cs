@@ -99,7 +99,7 @@ namespace FastPoints.E57
             {
                 if (scan.RecordsClaimed == 0)
                     continue;
-                info.HasBoundsClaimed &= scan.Pose.IsShift && !scan.BoundsClaimed.IsEmpty;
+                info.HasBoundsClaimed &= scan.Pose.IsTranslation && !scan.BoundsClaimed.IsEmpty;
                 info.BoundsClaimed.Include(new BoundsGeo(scan.BoundsClaimed.Min + scan.Pose.Translation,
                     scan.BoundsClaimed.Max + scan.Pose.Translation));
             }
@@ -118,8 +118,8 @@ namespace FastPoints.E57
                 }
             int reported = 0;
             foreach (var attribute in info.Schema)
-                if (scansWith.TryGetValue(attribute.Name, out int with) && with < scans.Count && reported++ < MaxFieldsLeftOut)
-                    info.Warn(-1, attribute.Name + " is there in " + with + " of " + scans.Count +
+                if (scansWith.TryGetValue(attribute.Name, out int count) && count < scans.Count && reported++ < MaxFieldsLeftOut)
+                    info.Warn(-1, attribute.Name + " is there in " + count + " of " + scans.Count +
                         " scans: it is 0 in the points of the others");
         }
 
@@ -129,7 +129,7 @@ namespace FastPoints.E57
             if (pose.IsIdentity)
                 return;
             string text = "translation " + NumberText.Of(pose.Translation);
-            if (!pose.IsShift)
+            if (!pose.IsTranslation)
                 text += ", axes " + NumberText.Of(pose.AxisX) + " | " + NumberText.Of(pose.AxisY) + " | "
                     + NumberText.Of(pose.AxisZ);
             info.Fact("  pose", text);

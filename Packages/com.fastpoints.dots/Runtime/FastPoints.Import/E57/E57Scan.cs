@@ -183,37 +183,37 @@ namespace FastPoints.E57
         public double3 AxisY;
         public double3 AxisZ;
         public double3 Translation;
-        public bool IsShift;
+        public bool IsTranslation;
 
         public static E57Pose Identity => new E57Pose
         {
             AxisX = new double3(1, 0, 0),
             AxisY = new double3(0, 1, 0),
             AxisZ = new double3(0, 0, 1),
-            IsShift = true,
+            IsTranslation = true,
         };
 
-        public bool IsIdentity => IsShift && math.all(Translation == new double3(0, 0, 0));
+        public bool IsIdentity => IsTranslation && math.all(Translation == new double3(0, 0, 0));
 
         // problem: what was assumed instead, if the numbers are not a valid pose.
         public static E57Pose Read(E57Node node, out string problem)
         {
             var pose = Identity;
             problem = null;
-            var shift = node?.Child("translation");
-            if (shift != null)
+            var translation = node?.Child("translation");
+            if (translation != null)
             {
-                pose.Translation = new double3(shift.NumberOf("x"), shift.NumberOf("y"), shift.NumberOf("z"));
+                pose.Translation = new double3(translation.NumberOf("x"), translation.NumberOf("y"), translation.NumberOf("z"));
                 if (!math.all(math.isfinite(pose.Translation)))
                 {
                     pose.Translation = new double3(0, 0, 0);
                     problem = "the pose's translation is no three numbers: 0, 0, 0 is assumed";
                 }
             }
-            var turn = node?.Child("rotation");
-            if (turn == null)
+            var rotation = node?.Child("rotation");
+            if (rotation == null)
                 return pose;
-            double w = turn.NumberOf("w"), x = turn.NumberOf("x"), y = turn.NumberOf("y"), z = turn.NumberOf("z");
+            double w = rotation.NumberOf("w"), x = rotation.NumberOf("x"), y = rotation.NumberOf("y"), z = rotation.NumberOf("z");
             double lengthSq = w * w + x * x + y * y + z * z;
             if (!(lengthSq > 1e-6) || double.IsInfinity(lengthSq))
             {
@@ -225,7 +225,7 @@ namespace FastPoints.E57
             if (x == 0 && y == 0 && z == 0)
                 return pose;
             double s = 2 / lengthSq;
-            pose.IsShift = false;
+            pose.IsTranslation = false;
             pose.AxisX = new double3(1 - s * (y * y + z * z), s * (x * y + w * z), s * (x * z - w * y));
             pose.AxisY = new double3(s * (x * y - w * z), 1 - s * (x * x + z * z), s * (y * z + w * x));
             pose.AxisZ = new double3(s * (x * z + w * y), s * (y * z - w * x), 1 - s * (x * x + y * y));

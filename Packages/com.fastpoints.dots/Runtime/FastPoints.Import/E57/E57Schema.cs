@@ -58,7 +58,8 @@ namespace FastPoints.E57
         public bool HasVectorPositions => m_positions == PositionKind.Doubles;
 
         // Normals that are rotated with their scan pass through rows of doubles.
-        public static bool HasVectorNormals(E57Scan scan) => !scan.Pose.IsShift && scan.FindTriple(E57Names.Normals) != null;
+        public static bool HasVectorNormals(E57Scan scan) =>
+            !scan.Pose.IsTranslation && scan.FindTriple(E57Names.Normals) != null;
 
         public List<E57FieldRead> ReadsOf(int scanIndex, PointBatch batch)
         {
@@ -76,7 +77,7 @@ namespace FastPoints.E57
             for (int i = 0; i < wanted.Count; i++)
             {
                 string name = wanted[i].Name;
-                int axis = name == AttributeNames.X ? 0 : name == AttributeNames.Y ? 1 : name == AttributeNames.Z ? 2 : -1;
+                int axis = AttributeNames.AxisOf(name);
                 if (axis >= 0)
                 {
                     if (HasVectorPositions)
@@ -156,7 +157,7 @@ namespace FastPoints.E57
                 {
                     var scan = m_scans[i];
                     var field = scan.IsCartesian ? scan.Field(E57Names.Cartesian[axis]) : null;
-                    if (field == null || !field.IsInteger || !scan.Pose.IsShift)
+                    if (field == null || !field.IsInteger || !scan.Pose.IsTranslation)
                         return false;
                     scales[i] = field.Scale;
                     offsets[i] = field.Offset + scan.Pose.Translation[axis];
@@ -168,7 +169,7 @@ namespace FastPoints.E57
                 for (int i = 0; i < m_scans.Count; i++)
                 {
                     double steps = (offsets[i] - offset[axis]) / scale[axis];
-                    if (!CommonGrid.TryPlace(scales[i], offsets[i], scale[axis], offset[axis], out var placed) ||
+                    if (!CommonGrid.TryRescale(scales[i], offsets[i], scale[axis], offset[axis], out var placed) ||
                         placed.Loss > 0 || !(Math.Abs(steps - placed.Shift) <= GridToleranceSteps) ||
                         Math.Abs(placed.Shift) > uint.MaxValue)
                         return false;

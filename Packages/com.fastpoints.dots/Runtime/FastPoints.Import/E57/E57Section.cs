@@ -10,7 +10,7 @@ namespace FastPoints.E57
         public const int HeaderBytes = 32;
         const int SectionId = 1;
 
-        // Between two marks, unless records are long: a range costs its own records, rounded up to that.
+        // Between two checkpoints, unless records are long: a range costs its own records, rounded up to that.
         const int DefaultCheckpointRecords = 4096;
         const int MinCheckpointRecords = 64;
         const long MaxCheckpointBytes = 512 << 10;
@@ -264,8 +264,8 @@ namespace FastPoints.E57
                 Warn("the checksum of page " + anomalies.FirstDamagedPage + " is wrong (" + anomalies.DamagedPages +
                     " pages of this block are damaged): points that lie in them are left out",
                     anomalies.FirstDamagedPage * E57Pages.PageBytes, isNew ? anomalies.Damaged : 0);
-            if (anomalies.Misfits > 0)
-                Warn("integers above the maximum of their field: the maximum was taken", -1, isNew ? anomalies.Misfits : 0);
+            if (anomalies.Clamped > 0)
+                Warn("integers above the maximum of their field: the maximum was taken", -1, isNew ? anomalies.Clamped : 0);
         }
 
         void AddWithoutBits(E57Section section)

@@ -13,10 +13,10 @@ namespace FastPoints.Export
     /// octree's keys lie behind them.</summary>
     internal sealed class CopcExport : LazExport
     {
-        /// <summary>Behind the file's name: the cloud that its points are converted to, while it is made.</summary>
+        /// <summary>Behind the file's name: the temporary cloud that its points are converted to.</summary>
         public const string OctreeSuffix = ".octree";
 
-        const string Ending = ".copc.laz";
+        const string Extension = ".copc.laz";
 
         /// <summary>Of the root's edge, if the root is all.</summary>
         const double DefaultPointsAcross = 128;
@@ -34,7 +34,7 @@ namespace FastPoints.Export
         readonly List<CopcEntry> m_nodes = new List<CopcEntry>();
         int m_written;
         long m_end;
-        long m_pagesAt;
+        long m_pagesOffset;
         int m_rootPageBytes;
 
         /// <exception cref="PointCloudException">More points lie at one place than the levels of COPC hold.</exception>
@@ -44,19 +44,19 @@ namespace FastPoints.Export
             m_reader = reader;
             m_root = reader.Manifest.Root;
             m_keyOfBlock = new CopcEntry[reader.BlockCount];
-            HasNodes = true;
+            HasBufferPerNode = true;
             AddVlr(LasWriter.Vlr(CopcInfo.UserId, CopcInfo.InfoRecord, "COPC info", new byte[CopcInfo.Bytes]), true);
-            // These formats want the bit, unless a system's keys are all that there is.
+            // Point formats from 6 on want the bit, unless GeoTIFF keys are all that is known.
             var crs = reader.Info.Crs;
             if (crs.Wkt != null || crs.GeoKeys == null && crs.Epsg == 0 && crs.VerticalEpsg == 0)
                 Header.GlobalEncoding |= LasHeader.WktBit;
             FindKeys();
         }
 
-        public static bool IsNamed(string path) => path.EndsWith(Ending, StringComparison.OrdinalIgnoreCase);
+        public static bool IsNamed(string path) => path.EndsWith(Extension, StringComparison.OrdinalIgnoreCase);
 
-        /// <summary>Whether it is a converted cloud, whose cubes are cubes in its coordinates as well.</summary>
-        public static bool CanTake(PointReader reader) =>
+        /// <summary>Whether the source is a converted cloud with one grid step for all axes: its cubes are COPC's.</summary>
+        public static bool CanExport(PointReader reader) =>
             reader is StoredReader stored && math.all(stored.Manifest.Grid.Step == stored.Manifest.Grid.Step.x);
 
         protected override void ChooseFormat(PointSchema schema, string[] chosen)
@@ -69,7 +69,7 @@ namespace FastPoints.Export
                 Note = "point format " + format + " becomes " + Header.PointFormat + ", which COPC wants";
         }
 
-        public override void Take(List<ExportRange> ranges)
+        public override void SetRanges(List<ExportRange> ranges)
         {
             for (int i = 0; i < ranges.Count; i++)
             {
@@ -77,25 +77,25 @@ namespace FastPoints.Export
                 if (i == 0 || ranges[i - 1].Range.Block != range.Range.Block)
                     m_blockOfNode.Add(range.Range.Block);
                 range.Node = m_blockOfNode.Count - 1;
-                range.EndsNode = i + 1 == ranges.Count || ranges[i + 1].Range.Block != range.Range.Block;
+                range.IsLastOfNode = i + 1 == ranges.Count || ranges[i + 1].Range.Block != range.Range.Block;
                 ranges[i] = range;
             }
         }
 
-        public override void Place(in ExportRange range, ref MakeRecordsJob job)
+        public override void Configure(in ExportRange range, ref MakeRecordsJob job)
         {
-            job.Start = (long)range.Node * BufferPoints;
+            job.FirstRecord = (long)range.Node * BufferPoints;
             job.TimeAt = LasPointFormat.Of(LasPointFormat.FirstExtended).RecordBytes - sizeof(double);
             if (Position.Divisor == 1)
                 return;
             var cube = m_reader.NodeOf(range.Range.Block).Cube;
             var corner = cube.Corner - Position.Base;
             var low = new double3(corner.X, corner.Y, corner.Z) - Margin;
-            job.Low = math.ceil(low / Position.Divisor);
-            job.High = math.floor((low + cube.Side) / Position.Divisor);
+            job.MinPosition = math.ceil(low / Position.Divisor);
+            job.MaxPosition = math.floor((low + cube.Side) / Position.Divisor);
         }
 
-        public override void Written(int bytes, int points)
+        public override void OnBufferWritten(int bytes, int points)
         {
             var node = m_keyOfBlock[m_blockOfNode[m_written++]];
             if (points == 0)
@@ -112,8 +112,8 @@ namespace FastPoints.Export
         public override byte[] Trailer()
         {
             var table = LazChunkTable.ToBytes(m_bytesOfChunk, m_nodes.ConvertAll(node => node.PointCount));
-            m_pagesAt = m_end + table.Length + LasVlr.ExtendedHeaderBytes;
-            var pages = CopcPages.ToBytes(m_nodes, m_pagesAt, out m_rootPageBytes);
+            m_pagesOffset = m_end + table.Length + LasVlr.ExtendedHeaderBytes;
+            var pages = CopcPages.ToBytes(m_nodes, m_pagesOffset, out m_rootPageBytes);
             var trailer = new byte[table.Length + LasVlr.ExtendedHeaderBytes + pages.Length];
             table.CopyTo(trailer, 0);
             int at = table.Length;
@@ -125,16 +125,16 @@ namespace FastPoints.Export
             return trailer;
         }
 
-        public override byte[] Head(string path, in ExportState written, long chunksEnd, long pointsEnd)
+        public override byte[] MakeHeader(string path, in ExportState written, long chunksEnd, long pointsEnd)
         {
-            var head = base.Head(path, written, chunksEnd, pointsEnd);
-            if (m_pagesAt == 0)
+            var head = base.MakeHeader(path, written, chunksEnd, pointsEnd);
+            if (m_pagesOffset == 0)
             {
                 m_end = head.Length;
                 return head;
             }
-            // The hierarchy comes before what else is behind the points.
-            LasHeader.Put(head, LasHeader.At.EvlrOffset, 8, (ulong)(m_pagesAt - LasVlr.ExtendedHeaderBytes));
+            // The hierarchy is the first EVLR.
+            LasHeader.Put(head, LasHeader.At.EvlrOffset, 8, (ulong)(m_pagesOffset - LasVlr.ExtendedHeaderBytes));
             LasHeader.Put(head, LasHeader.At.EvlrCount, 4, 1 + BitConverter.ToUInt32(head, LasHeader.At.EvlrCount));
             var grid = m_reader.Manifest.Grid;
             double half = 0.5 * m_root.Side * grid.Step.x;
@@ -144,7 +144,7 @@ namespace FastPoints.Export
                 Center = grid.ToGeo(m_root.Corner) + half - Margin * grid.Step.x,
                 HalfSize = half,
                 Spacing = SpacingOf(grid.Step.x),
-                RootPageOffset = (ulong)m_pagesAt,
+                RootPageOffset = (ulong)m_pagesOffset,
                 RootPageBytes = (ulong)m_rootPageBytes,
                 MinGpsTime = hasTimes ? written.MinTime : 0,
                 MaxGpsTime = hasTimes ? written.MaxTime : 0,
@@ -167,12 +167,12 @@ namespace FastPoints.Export
             {
                 var node = m_reader.NodeOf(block);
                 int level = m_reader.LevelOf(block), shift = node.BoundsShift;
-                var place = node.Corner - m_root.Corner;
-                var key = KeyAt(place, level);
-                // A chain of points at one place has one cube: here each has a smaller one.
-                place += new Grid3((long)node.MinX << shift, (long)node.MinY << shift, (long)node.MinZ << shift);
+                var position = node.Corner - m_root.Corner;
+                var key = KeyAt(position, level);
+                // Nodes that chain more points at one place share a cube: in COPC each gets a smaller one.
+                position += new Grid3((long)node.MinX << shift, (long)node.MinY << shift, (long)node.MinZ << shift);
                 while (level <= CopcEntry.MaxLevel && !taken.Add(key.Key))
-                    key = KeyAt(place, ++level);
+                    key = KeyAt(position, ++level);
                 if (level > CopcEntry.MaxLevel)
                     throw PointCloudException.Wanted(FailureCode.Unsupported, m_reader.Info.Path, -1,
                         "levels of the octree, which more points at one place ask for", "at most " + CopcEntry.MaxLevel, level);
@@ -180,11 +180,11 @@ namespace FastPoints.Export
             }
         }
 
-        CopcEntry KeyAt(Grid3 place, int level)
+        CopcEntry KeyAt(Grid3 position, int level)
         {
             int up = m_root.SideLog2 - level;
             int Cell(long steps) => (int)(up >= 0 ? steps >> up : (steps << -up) + (1L << -up) / 3);
-            return new CopcEntry { Level = level, Cell = new int3(Cell(place.X), Cell(place.Y), Cell(place.Z)) };
+            return new CopcEntry { Level = level, Cell = new int3(Cell(position.X), Cell(position.Y), Cell(position.Z)) };
         }
     }
 

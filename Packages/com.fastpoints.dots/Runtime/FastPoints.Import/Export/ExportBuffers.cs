@@ -22,7 +22,7 @@ namespace FastPoints.Export
         NativeArray<ulong> m_pointers;
         long m_sealed;
         long m_queued;
-        long m_free;
+        long m_written;
         bool m_isWhole;
 
         struct Buffer
@@ -30,7 +30,7 @@ namespace FastPoints.Export
             public NativeArray<byte> Records;
             public int Points;
 
-            /// <summary>What a node left free.</summary>
+            /// <summary>Room that the buffer's node leaves free.</summary>
             public int FreePoints;
 
             /// <summary>Made when it is first needed; null for records as they are.</summary>
@@ -40,12 +40,12 @@ namespace FastPoints.Export
         }
 
         /// <param name="maxPoints">The most points that are appended at once.</param>
-        /// <param name="lanes">Buffers that are worked on side by side.</param>
-        public ExportBuffers(string path, ExportFormat format, int maxPoints, int lanes)
+        /// <param name="parallel">The number of buffers that are compressed side by side.</param>
+        public ExportBuffers(string path, ExportFormat format, int maxPoints, int parallel)
         {
             m_path = path;
             m_format = format;
-            m_buffers = new Buffer[maxPoints / format.BufferPoints + lanes + SpareBuffers];
+            m_buffers = new Buffer[maxPoints / format.BufferPoints + parallel + SpareBuffers];
             m_pointers = new NativeArray<ulong>(m_buffers.Length, Allocator.Persistent);
             for (int i = 0; i < m_buffers.Length; i++)
             {
@@ -60,12 +60,12 @@ namespace FastPoints.Export
         /// <summary>Bytes that are written, or wait to be.</summary>
         public long Bytes { get; private set; }
 
-        /// <summary>Whether it can be filled up to there.</summary>
+        /// <summary>Whether records up to this one have free buffers.</summary>
         public bool HasRoom(long end) =>
-            end <= (m_free + m_buffers.Length) * m_format.BufferPoints;
+            end <= (m_written + m_buffers.Length) * m_format.BufferPoints;
 
-        /// <summary>A node, whose buffer has its number, has no more points.</summary>
-        /// <returns>Up to where that counts as filled.</returns>
+        /// <summary>Ends a node, whose buffer has its number, before the buffer is full.</summary>
+        /// <returns>The record up to which the buffers count as filled.</returns>
         public long EndNode(int node, long filled)
         {
             long end = (node + 1L) * m_format.BufferPoints;
@@ -74,10 +74,10 @@ namespace FastPoints.Export
         }
 
         /// <summary>The jobs of the oldest buffer that is not written; complete ones if there is none.</summary>
-        public JobHandle Oldest => m_queued < m_sealed ? At(m_queued).Compressed : default;
+        public JobHandle OldestJobs => m_queued < m_sealed ? At(m_queued).Compressed : default;
 
-        /// <summary>Takes on what jobs have filled, compresses and writes it, and hands on to the next what is done
-        /// with.</summary>
+        /// <summary>Moves each buffer on as far as it can: from filled by jobs to compressed, written and free
+        /// again.</summary>
         /// <param name="waitMs">How long to wait for the disk if it is all that is to be waited for.</param>
         public void Advance(long filled, int waitMs)
         {
@@ -85,20 +85,20 @@ namespace FastPoints.Export
                 Seal(m_sealed, m_format.BufferPoints - At(m_sealed).FreePoints);
             for (; m_queued < m_sealed && At(m_queued).Compressed.IsCompleted; m_queued++)
                 At(m_queued).Ticket = Append(BytesOf(ref At(m_queued)));
-            for (; m_free < m_queued && At(m_free).Ticket.IsDone(waitMs); m_free++)
+            for (; m_written < m_queued && At(m_written).Ticket.IsDone(waitMs); m_written++)
                 waitMs = 0;
         }
 
-        /// <summary>Coroutine, after all jobs: takes on the last points, and waits until all are written.</summary>
+        /// <summary>Coroutine, after all jobs: writes the last points, and awaits all writes.</summary>
         public IEnumerator<JobStep> Drain(long filled)
         {
             Advance(filled, 0);
             int rest = (int)(filled - m_sealed * m_format.BufferPoints);
             if (rest > 0)
                 Seal(m_sealed++, rest);
-            while (m_free < m_sealed)
+            while (m_written < m_sealed)
             {
-                yield return Oldest;
+                yield return OldestJobs;
                 Advance(filled, 1);
             }
         }
@@ -159,7 +159,7 @@ namespace FastPoints.Export
             buffer.Compressed.Complete();
             var bytes = buffer.Points > 0 && buffer.Writer != null ? buffer.Writer.Chunk
                 : buffer.Records.GetSubArray(0, buffer.Points * m_format.RecordBytes);
-            m_format.Written(bytes.Length, buffer.Points);
+            m_format.OnBufferWritten(bytes.Length, buffer.Points);
             return bytes;
         }
 

@@ -24,7 +24,7 @@ namespace FastPoints.Export
         NativeReference<ExportState> m_state = new NativeReference<ExportState>(Allocator.Persistent);
         NativeArray<LocalClip> m_clips;
         NativeArray<ulong> m_classes;
-        NativeArray<byte> m_changed;
+        NativeArray<byte> m_converted;
         NativeArray<int> m_chosen;
         long m_filled;
         NativeArray<ulong> m_noBuffers = new NativeArray<ulong>(0, Allocator.Persistent);
@@ -49,7 +49,7 @@ namespace FastPoints.Export
             m_classes = new NativeArray<ulong>(settings.Classes == null ? 0 : 4, Allocator.Persistent);
             foreach (int c in settings.Classes ?? Array.Empty<int>())
                 m_classes[c >> 6] |= 1ul << (c & 63);
-            m_changed = new NativeArray<byte>((3 + format.Columns.Count) * 8 * MakeRecordsJob.PointsPerSlice,
+            m_converted = new NativeArray<byte>((3 + format.Columns.Count) * 8 * MakeRecordsJob.PointsPerSlice,
                 Allocator.Persistent);
             m_chosen = new NativeArray<int>(MakeRecordsJob.PointsPerSlice, Allocator.Persistent);
         }
@@ -72,8 +72,8 @@ namespace FastPoints.Export
                 progress?.Begin("find points");
                 yield return JobStep.Of(reader.FindBlocks());
             }
-            yield return JobStep.Of(PoolTask.Run(path, () => ExportRange.CheckNoSource(reader, path), _ => { }));
-            if (CopcExport.IsNamed(path) && !CopcExport.CanTake(reader))
+            yield return JobStep.Of(PoolTask.Run(path, () => ExportRange.ThrowIfSource(reader, path), _ => { }));
+            if (CopcExport.IsNamed(path) && !CopcExport.CanExport(reader))
             {
                 yield return JobStep.Of(RunConverted(reader, path, settings, done, progress));
                 yield break;
@@ -82,7 +82,7 @@ namespace FastPoints.Export
             ExportFormat format = null;
             yield return JobStep.Of(PoolTask.Run(path, () => FormatOf(reader, path, settings), made => format = made));
             yield return JobStep.Of(PoolTask.Run(path, () => ExportRange.Choose(reader, settings), made => ranges = made));
-            format.Take(ranges);
+            format.SetRanges(ranges);
             using var export = new ExportCloud(reader, settings, format, ranges, progress);
             yield return JobStep.Of(export.SetBounds());
             progress?.Begin("export");
@@ -90,8 +90,8 @@ namespace FastPoints.Export
             progress?.End();
         }
 
-        /// <summary>Coroutine: by way of a converted cloud beside the target, which goes in the end. One that was killed is gone
-        /// on with by the next to the same target.</summary>
+        /// <summary>Coroutine: converts the source to a temporary cloud beside the target first. An export to the same target
+        /// resumes the conversion of one that was killed.</summary>
         static IEnumerator<JobStep> RunConverted(PointReader reader, string path, ExportSettings settings,
             Action<ExportResult> done, StageProgress progress)
         {
@@ -108,7 +108,7 @@ namespace FastPoints.Export
                 Attributes = attributes?.ToArray(),
                 HasCubes = true,
                 InFlightMs = settings.InFlightMs,
-                // Nobody opens it while it is made.
+                // Nobody looks at its generations.
                 SecondsToFirstGeneration = double.PositiveInfinity,
                 SecondsPerGeneration = double.PositiveInfinity,
             };
@@ -122,7 +122,7 @@ namespace FastPoints.Export
                     result => leftOut = result.Manifest.PointsLeftOut, progress));
                 yield return JobStep.Of(PoolTask.Run(octree, () => StoredReader.Open(octree), opened => stored = opened,
                     unwanted => unwanted.DisposeUnread()));
-                // What is said of it is of the source.
+                // Errors and losses name the source.
                 stored.Info.Path = reader.Info.Path;
                 yield return JobStep.Of(Run(stored, path, settings, result =>
                 {
@@ -146,7 +146,7 @@ namespace FastPoints.Export
             m_state.Dispose();
             m_clips.Dispose();
             m_classes.Dispose();
-            m_changed.Dispose();
+            m_converted.Dispose();
             m_chosen.Dispose();
             m_noBuffers.Dispose();
         }
@@ -179,7 +179,8 @@ namespace FastPoints.Export
                 throw new PointCloudException(FailureCode.BadInput, reader.Info.Path, -1, "has no classes to choose from");
         }
 
-        /// <summary>Finds out where the points are, if the file has a grid to choose; converted clouds know it.</summary>
+        /// <summary>Coroutine: measures the bounds of the points if the format chooses a grid by them; converted clouds know
+        /// theirs.</summary>
         IEnumerator<JobStep> SetBounds()
         {
             m_state.Value = ExportState.None;
@@ -208,8 +209,8 @@ namespace FastPoints.Export
 
         IEnumerator<JobStep> Write(string path, Action<ExportResult> done)
         {
-            using var buffers = new ExportBuffers(path, m_format, ExportRange.Longest(m_ranges), Slices.MaxChains);
-            yield return JobStep.Of(buffers.Write(m_format.Head(path, m_state.Value, 0, 0), false));
+            using var buffers = new ExportBuffers(path, m_format, ExportRange.MaxPointsOf(m_ranges), Slices.MaxChains);
+            yield return JobStep.Of(buffers.Write(m_format.MakeHeader(path, m_state.Value, 0, 0), false));
             yield return JobStep.Of(Pass(m_wanted, buffers));
             yield return JobStep.Of(buffers.Drain(m_filled));
             long chunksEnd = buffers.Bytes;
@@ -220,7 +221,7 @@ namespace FastPoints.Export
             foreach (var bytes in m_format.TailBytes)
                 yield return JobStep.Of(buffers.Write(bytes, false));
             var state = m_state.Value;
-            yield return JobStep.Of(buffers.Write(m_format.Head(path, state, chunksEnd, pointsEnd), true));
+            yield return JobStep.Of(buffers.Write(m_format.MakeHeader(path, state, chunksEnd, pointsEnd), true));
             done(new ExportResult(m_format, state, buffers.Bytes));
         }
 
@@ -250,7 +251,7 @@ namespace FastPoints.Export
         /// <param name="buffers">Null to measure.</param>
         IEnumerator<JobStep> Pass(PointSchema wanted, ExportBuffers buffers)
         {
-            int longest = ExportRange.Longest(m_ranges);
+            int maxPoints = ExportRange.MaxPointsOf(m_ranges);
             var limit = SourceScan.LimitFor(m_reader, wanted, 0, SourceScan.MaxSlotBytes, 0, () => m_settings.InFlightMs);
             var idle = new Stack<Slot>();
             var all = new List<Slot>();
@@ -262,14 +263,14 @@ namespace FastPoints.Export
             {
                 for (int next = 0; next < m_ranges.Count || inFlight.Count > 0;)
                 {
-                    bool hasRoom = next < m_ranges.Count && (buffers == null || buffers.HasRoom(m_format.HasNodes
+                    bool hasRoom = next < m_ranges.Count && (buffers == null || buffers.HasRoom(m_format.HasBufferPerNode
                         ? (m_ranges[next].Node + 1L) * m_format.BufferPoints
                         : filled + pointsInFlight + m_ranges[next].Range.Count));
                     if (hasRoom && inFlight.Count < limit.Value)
                     {
                         if (idle.Count == 0)
                         {
-                            all.Add(new Slot(m_reader, wanted, longest, m_format, m_settings.Filter));
+                            all.Add(new Slot(m_reader, wanted, maxPoints, m_format, m_settings.Filter));
                             idle.Push(all[all.Count - 1]);
                         }
                         while (ahead != null && !ahead.IsNear)
@@ -290,7 +291,7 @@ namespace FastPoints.Export
                         yield return slot.Done;
                         limit.Resume(next < m_ranges.Count && hasRoom && last.IsCompleted);
                         filled = slot.Complete();
-                        if (buffers != null && slot.Range.EndsNode)
+                        if (buffers != null && slot.Range.IsLastOfNode)
                             filled = buffers.EndNode(slot.Range.Node, filled);
                         pointsInFlight -= slot.Read.Range.Count;
                         read += slot.Read.Points.Count;
@@ -300,7 +301,7 @@ namespace FastPoints.Export
                     }
                     else if (buffers != null)
                     {
-                        yield return buffers.Oldest;
+                        yield return buffers.OldestJobs;
                     }
                     buffers?.Advance(filled, inFlight.Count == 0 ? 1 : 0);
                     yield return default;
@@ -317,7 +318,7 @@ namespace FastPoints.Export
 
         MakeRecordsJob JobOf(ExportBuffers buffers) => new MakeRecordsJob
         {
-            Changed = m_changed,
+            Converted = m_converted,
             Chosen = m_chosen,
             Clips = m_clips,
             Classes = m_classes,
@@ -326,8 +327,8 @@ namespace FastPoints.Export
             BufferPoints = m_format.BufferPoints,
             RecordBytes = m_format.RecordBytes,
             ReturnMask = m_format.ReturnMask,
-            Low = double.NegativeInfinity,
-            High = double.PositiveInfinity,
+            MinPosition = double.NegativeInfinity,
+            MaxPosition = double.PositiveInfinity,
             State = m_state,
         };
 
@@ -337,19 +338,19 @@ namespace FastPoints.Export
             readonly ExportFormat m_format;
             NativeArray<PointColumn> m_columns;
             NativeArray<FieldCopy> m_copies;
-            NativeArray<FieldCopy> m_changedCopies;
-            NativeArray<ColumnChange> m_changes;
+            NativeArray<FieldCopy> m_convertedCopies;
+            NativeArray<ColumnConversion> m_conversions;
             readonly FilterSlot m_filter;
             NativeReference<long> m_end = new NativeReference<long>(Allocator.Persistent);
 
-            public Slot(PointReader reader, PointSchema wanted, int longest, ExportFormat format, PointFilter filter)
+            public Slot(PointReader reader, PointSchema wanted, int maxPoints, ExportFormat format, PointFilter filter)
             {
                 m_format = format;
-                Read = reader.CreateRead(wanted, longest, Allocator.Persistent);
+                Read = reader.CreateRead(wanted, maxPoints, Allocator.Persistent);
                 PlanCopies(out var same, out var changed, out var changes);
                 m_copies = new NativeArray<FieldCopy>(same, Allocator.Persistent);
-                m_changedCopies = new NativeArray<FieldCopy>(changed, Allocator.Persistent);
-                m_changes = new NativeArray<ColumnChange>(changes, Allocator.Persistent);
+                m_convertedCopies = new NativeArray<FieldCopy>(changed, Allocator.Persistent);
+                m_conversions = new NativeArray<ColumnConversion>(changes, Allocator.Persistent);
                 m_columns = new NativeArray<PointColumn>(wanted.Count, Allocator.Persistent);
                 for (int i = 0; i < wanted.Count; i++)
                     m_columns[i] = Read.Points.Column(i);
@@ -372,11 +373,11 @@ namespace FastPoints.Export
                 job.Positions = PositionColumns.Of(Read.Points);
                 job.AllColumns = m_columns;
                 job.Copies = m_copies;
-                job.ChangedCopies = m_changedCopies;
-                job.Changes = m_changes;
+                job.ConvertedCopies = m_convertedCopies;
+                job.Conversions = m_conversions;
                 job.Share = range.Share;
                 job.End = m_end;
-                m_format.Place(range, ref job);
+                m_format.Configure(range, ref job);
                 int classification = Read.Points.Schema.IndexOf(AttributeNames.Classification);
                 if (classification >= 0)
                     job.Classification = Read.Points.Column(classification);
@@ -410,13 +411,13 @@ namespace FastPoints.Export
                 Read.Dispose();
                 m_columns.Dispose();
                 m_copies.Dispose();
-                m_changedCopies.Dispose();
-                m_changes.Dispose();
+                m_convertedCopies.Dispose();
+                m_conversions.Dispose();
                 m_end.Dispose();
             }
 
-            /// <summary>Which columns go into records as they are, and which by way of a change.</summary>
-            void PlanCopies(out FieldCopy[] same, out FieldCopy[] changed, out ColumnChange[] changes)
+            /// <summary>Which columns go into records as they are, and which are converted first.</summary>
+            void PlanCopies(out FieldCopy[] same, out FieldCopy[] changed, out ColumnConversion[] changes)
             {
                 const int stride = 8 * MakeRecordsJob.PointsPerSlice;
                 var batch = Read.Points;
@@ -424,11 +425,11 @@ namespace FastPoints.Export
                 var columns = new List<PointColumn>();
                 var changedFields = new List<PointField>();
                 var changedColumns = new List<PointColumn>();
-                var planned = new List<ColumnChange>();
+                var planned = new List<ColumnConversion>();
                 for (int axis = 0; axis < 3; axis++)
                 {
                     var field = m_format.Axes[axis];
-                    bool isSame = m_format.Position.Kind == PositionKind.Same;
+                    bool isSame = m_format.Position.Kind == PositionKind.Copied;
                     (isSame ? fields : changedFields).Add(field);
                     (isSame ? columns : changedColumns).Add(isSame ? batch.Column(batch.Schema.IndexOf(field.Name))
                         : new PointColumn { OffsetBytes = axis * stride, Type = field.Type });
@@ -446,7 +447,7 @@ namespace FastPoints.Export
                     (isSame ? fields : changedFields).Add(column.To);
                     (isSame ? columns : changedColumns).Add(to);
                     if (!isSame)
-                        planned.Add(new ColumnChange
+                        planned.Add(new ColumnConversion
                         {
                             From = from,
                             To = to,

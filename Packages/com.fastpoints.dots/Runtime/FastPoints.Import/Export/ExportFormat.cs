@@ -17,10 +17,10 @@ namespace FastPoints.Export
 
         public readonly List<Loss> Losses = new List<Loss>();
 
-        /// <summary>What became of the points besides, and is no loss; null for nothing.</summary>
+        /// <summary>A change that is no loss, such as another point format; null for none.</summary>
         public string Note { get; protected set; }
 
-        public PositionChange Position;
+        public PositionConversion Position;
 
         public int RecordBytes { get; protected set; }
 
@@ -33,18 +33,18 @@ namespace FastPoints.Export
         /// <summary>Whether <see cref="SetBounds"/> has to be called before the first record.</summary>
         public virtual bool NeedsBounds => false;
 
-        /// <summary>What the points that are wanted have shown.</summary>
+        /// <summary>Takes the bounds of the chosen points.</summary>
         public virtual void SetBounds(in ExportState measured) { }
 
         /// <summary>Whether each block of the source starts a buffer of its own: its number is the range's
         /// <see cref="ExportRange.Node"/>.</summary>
-        public bool HasNodes { get; protected set; }
+        public bool HasBufferPerNode { get; protected set; }
 
-        /// <summary>What will be written, in this order.</summary>
-        public virtual void Take(List<ExportRange> ranges) { }
+        /// <summary>The ranges that will be written, in this order; a format may complete them.</summary>
+        public virtual void SetRanges(List<ExportRange> ranges) { }
 
-        /// <summary>What is special about the points of a range.</summary>
-        public virtual void Place(in ExportRange range, ref MakeRecordsJob job) { }
+        /// <summary>Sets what the format asks of the jobs of a range.</summary>
+        public virtual void Configure(in ExportRange range, ref MakeRecordsJob job) { }
 
         /// <summary>Parts of the source that are copied behind the points: the first byte, and the number of bytes.</summary>
         public virtual IReadOnlyList<(long Offset, long Bytes)> Tail => System.Array.Empty<(long, long)>();
@@ -56,13 +56,13 @@ namespace FastPoints.Export
         /// <param name="written">The points; none before they are written.</param>
         /// <param name="chunksEnd">Where <see cref="Trailer"/> begins.</param>
         /// <param name="pointsEnd">Where the tail begins.</param>
-        public abstract byte[] Head(string path, in ExportState written, long chunksEnd, long pointsEnd);
+        public abstract byte[] MakeHeader(string path, in ExportState written, long chunksEnd, long pointsEnd);
 
         /// <summary>What compresses buffers, one at a time; null for records as they are.</summary>
         public virtual LazChunkWriter CreateWriter() => null;
 
-        /// <summary>A buffer is on its way to the file: one after another.</summary>
-        public virtual void Written(int bytes, int points) { }
+        /// <summary>Called for each buffer, in the file's order.</summary>
+        public virtual void OnBufferWritten(int bytes, int points) { }
 
         public virtual byte[] Trailer() => System.Array.Empty<byte>();
 
@@ -74,8 +74,8 @@ namespace FastPoints.Export
                 Axes[axis] = new PointField(names[axis], type, axis * type.SizeOf());
         }
 
-        /// <summary>What the source kept of the LAS files that it was made from; null if nothing.</summary>
-        protected LasRecords KeptOf(PointReader reader)
+        /// <summary>The header and records of the LAS files that the source was made from; null if it has none.</summary>
+        protected LasRecords LasRecordsOf(PointReader reader)
         {
             try
             {
@@ -116,10 +116,10 @@ namespace FastPoints.Export
     {
         public readonly long Points;
 
-        /// <summary>Points that were read, of those that could be chosen.</summary>
+        /// <summary>Points that were read, chosen or not.</summary>
         public long PointsRead;
 
-        /// <summary>Wanted points whose position is no number, which have no place in the file.</summary>
+        /// <summary>Chosen points whose position is no number, or does not fit the file.</summary>
         public long PointsLeftOut;
         public readonly long Bytes;
 
@@ -141,7 +141,7 @@ namespace FastPoints.Export
             PointsRead = state.Seen;
             PointsLeftOut = state.LeftOut;
             Bytes = bytes;
-            PositionError = state.WorstError;
+            PositionError = state.MaxPositionError;
             Note = format.Note;
             Warnings = new List<string>(format.Warnings);
             Losses = new List<Loss>(format.Losses);

@@ -7,7 +7,7 @@ using Unity.Mathematics;
 
 namespace FastPoints.Export
 {
-    /// <summary>Points of a source that are looked at: a range of a block, or an even share of it.</summary>
+    /// <summary>Points of a source that are read for an export: a range of a block, or an even share of it.</summary>
     internal struct ExportRange
     {
         public BlockRange Range;
@@ -15,21 +15,21 @@ namespace FastPoints.Export
         /// <summary>1 for all.</summary>
         public double Share;
 
-        /// <summary>See <see cref="ExportFormat.HasNodes"/>.</summary>
+        /// <summary>See <see cref="ExportFormat.HasBufferPerNode"/>.</summary>
         public int Node;
 
-        /// <summary>Whether no other range of the same node follows.</summary>
-        public bool EndsNode;
+        /// <summary>No other range of the same node follows.</summary>
+        public bool IsLastOfNode;
 
         /// <summary>By the source's octree; 0 without one.</summary>
         int m_level;
 
-        public static int Longest(IReadOnlyList<ExportRange> ranges)
+        public static int MaxPointsOf(IReadOnlyList<ExportRange> ranges)
         {
-            int longest = 1;
+            int maxPoints = 1;
             foreach (var range in ranges)
-                longest = Math.Max(longest, range.Range.Count);
-            return longest;
+                maxPoints = Math.Max(maxPoints, range.Range.Count);
+            return maxPoints;
         }
 
         /// <summary>Chooses by level and budget, and leaves nodes out that no clip box keeps anything of.</summary>
@@ -50,8 +50,9 @@ namespace FastPoints.Export
             return Join(ranges, ShareOfLevel(pointsOfLevel, settings));
         }
 
-        /// <exception cref="PointCloudException">What will be written is a part of the source.</exception>
-        public static bool CheckNoSource(PointReader reader, string path)
+        /// <returns>True: tasks return something.</returns>
+        /// <exception cref="PointCloudException">The target is a file of the source.</exception>
+        public static bool ThrowIfSource(PointReader reader, string path)
         {
             var files = new HashSet<string>();
             for (int block = 0; block < reader.BlockCount; block++)
@@ -106,13 +107,13 @@ namespace FastPoints.Export
                 if (reader.Tree[node].Block >= 0)
                     nodeOfBlock[reader.Tree[node].Block] = node;
             var order = new int[reader.BlockCount];
-            var places = new long[order.Length];
+            var orders = new long[order.Length];
             for (int block = 0; block < order.Length; block++)
             {
                 order[block] = block;
-                places[block] = reader.OrderOfBlock(block);
+                orders[block] = reader.OrderOfBlock(block);
             }
-            Array.Sort(places, order);
+            Array.Sort(orders, order);
 
             var ranges = new List<ExportRange>();
             foreach (int block in order)
@@ -142,7 +143,7 @@ namespace FastPoints.Export
             return new BoundsGeo(corner, corner + edge);
         }
 
-        /// <summary>Whether clips may leave something of a box.</summary>
+        /// <summary>False if the clips certainly leave nothing of a box.</summary>
         static unsafe bool MayKeepAny(LocalClip[] clips, BoundsGeo box)
         {
             // Writers round nodes' boxes: nothing is lost by a box that is a little larger.

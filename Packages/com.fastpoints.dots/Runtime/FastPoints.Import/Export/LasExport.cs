@@ -19,7 +19,7 @@ namespace FastPoints.Export
         /// <summary>More bytes of records before the points than files have.</summary>
         const long MaxVlrBytes = 64 << 20;
 
-        /// <summary>Of adjusted standard time.</summary>
+        /// <summary>Adjusted standard GPS time is this much less than GPS time.</summary>
         const int StandardOffsetMegaseconds = 1000;
 
         const double MaxSteps = uint.MaxValue - 1.0;
@@ -27,14 +27,15 @@ namespace FastPoints.Export
         readonly string m_path;
         readonly LasHeader m_header;
 
-        /// <summary>Null of a LAS file, which has its own records.</summary>
-        readonly LasRecords m_kept;
+        /// <summary>Null for a LAS file, which has its own records.</summary>
+        readonly LasRecords m_records;
         readonly List<byte[]> m_vlrs = new List<byte[]>();
+
         /// <summary>What describes the extra bytes, until it is among the records; null without any.</summary>
         byte[] m_extraBytes;
         readonly List<byte[]> m_tailBytes = new List<byte[]>();
         readonly List<(long, long)> m_tail = new List<(long, long)>();
-        readonly bool m_isOnDegrees;
+        readonly bool m_isInDegrees;
 
         /// <summary>Where the waveforms begin in the tail; -1 without.</summary>
         long m_waveformInTail = -1;
@@ -47,11 +48,11 @@ namespace FastPoints.Export
         {
             var info = reader.Info;
             m_path = info.Path;
-            m_isOnDegrees = double.IsNaN(info.Crs.MetresPerUnit);
+            m_isInDegrees = double.IsNaN(info.Crs.MetresPerUnit);
             SetAxes(AttributeType.Int32);
             var las = (reader as ILasSource)?.Las;
-            m_kept = las == null ? KeptOf(reader) : null;
-            var from = las?.Header ?? m_kept?.Header;
+            m_records = las == null ? LasRecordsOf(reader) : null;
+            var from = las?.Header ?? m_records?.Header;
             m_header = from != null ? LasRecords.CopyOf(from) : new LasHeader { VersionMinor = 4 };
             m_header.GeneratingSoftware = "FastPoints";
             if (las == null)
@@ -83,7 +84,7 @@ namespace FastPoints.Export
             }
             else
             {
-                AddKept(info.Crs, chosen);
+                AddRecords(info.Crs, chosen);
                 AddTime(info);
             }
             SetPosition(info);
@@ -94,7 +95,7 @@ namespace FastPoints.Export
 
         public override IReadOnlyList<byte[]> TailBytes => m_tailBytes;
 
-        public override bool NeedsBounds => Position.Kind != PositionKind.Same;
+        public override bool NeedsBounds => Position.Kind != PositionKind.Copied;
 
         protected LasHeader Header => m_header;
 
@@ -102,7 +103,7 @@ namespace FastPoints.Export
 
         protected void AddVlr(byte[] vlr, bool isFirst = false) => m_vlrs.Insert(isFirst ? 0 : m_vlrs.Count, vlr);
 
-        public override byte[] Head(string path, in ExportState written, long chunksEnd, long pointsEnd)
+        public override byte[] MakeHeader(string path, in ExportState written, long chunksEnd, long pointsEnd)
         {
             var byReturn = new ulong[16];
             unsafe
@@ -175,7 +176,7 @@ namespace FastPoints.Export
                 box = new BoundsGeo(default, default);
             double extent = Math.Min(double.MaxValue, math.cmax(box.Size));
             double farthest = math.cmax(math.max(math.abs(box.Min), math.abs(box.Max)));
-            double step = m_isOnDegrees ? DefaultDegrees : DefaultStep;
+            double step = m_isInDegrees ? DefaultDegrees : DefaultStep;
             if (extent > 0)
                 step = Math.Min(step, Math.Pow(10, Math.Floor(Math.Log10(extent)) - 6));
             // Finer than the coordinates themselves is of no use.
@@ -194,15 +195,15 @@ namespace FastPoints.Export
 
         void SetPosition(SourceInfo info)
         {
-            var kind = PositionKind.Same;
+            var kind = PositionKind.Copied;
             foreach (var axis in Axes)
             {
                 var type = info.Schema[info.Schema.IndexOf(axis.Name)].Type;
                 if (type != AttributeType.Int32)
-                    kind = type == AttributeType.Int64 && kind != PositionKind.Rounded ? PositionKind.Whole
+                    kind = type == AttributeType.Int64 && kind != PositionKind.Rounded ? PositionKind.Narrowed
                         : PositionKind.Rounded;
             }
-            Position = new PositionChange { Kind = kind, From = info.Transform, To = info.Transform, Divisor = 1 };
+            Position = new PositionConversion { Kind = kind, From = info.Transform, To = info.Transform, Divisor = 1 };
             m_header.Scale = info.Transform.Scale;
             m_header.Offset = info.Transform.Offset;
         }
@@ -211,12 +212,12 @@ namespace FastPoints.Export
         /// version that knows it.</summary>
         protected virtual void ChooseFormat(PointSchema schema, string[] chosen)
         {
-            int simplest = FormatOf(schema, chosen);
-            if (m_kept == null || !HasFieldsFor(schema, chosen, simplest))
+            int simplest = SimplestFormatOf(schema, chosen);
+            if (m_records == null || !HasFieldsFor(schema, chosen, simplest))
                 m_header.PointFormat = simplest;
             int first = m_header.PointFormat >= LasPointFormat.FirstExtended ? 4 : m_header.PointFormat >= 4 ? 3 : 0;
             m_header.VersionMinor = Math.Max(m_header.VersionMinor, first);
-            // Packets are not kept.
+            // Wave packets are not kept.
             m_header.GlobalEncoding &= unchecked((ushort)~LasHeader.WaveformBits);
         }
 
@@ -242,7 +243,7 @@ namespace FastPoints.Export
         }
 
         /// <summary>The simplest format that has what is wanted. Only formats 0 to 5 have scan angles of whole degrees.</summary>
-        static int FormatOf(PointSchema schema, string[] chosen)
+        static int SimplestFormatOf(PointSchema schema, string[] chosen)
         {
             bool Has(string name, params AttributeType[] types)
             {
@@ -306,9 +307,9 @@ namespace FastPoints.Export
         /// <summary>Extra bytes whose description was kept: it says more than names, and of several as one.</summary>
         void MapDescribed(PointSchema schema, string[] chosen, List<byte> extra)
         {
-            if (m_kept == null)
+            if (m_records == null)
                 return;
-            foreach (var (entry, fields) in m_kept.ExtraBytes)
+            foreach (var (entry, fields) in m_records.ExtraBytes)
             {
                 bool isWhole = fields.Count > 0;
                 foreach (var field in fields)
@@ -326,7 +327,8 @@ namespace FastPoints.Export
             }
         }
 
-        bool IsUndescribed(PointAttribute attribute) => m_kept?.UndescribedBytes > 0 && attribute.Type == AttributeType.UInt8 &&
+        bool IsUndescribed(PointAttribute attribute) => m_records?.UndescribedBytes > 0 &&
+            attribute.Type == AttributeType.UInt8 &&
             attribute.Name.StartsWith(LasRecordLayout.UndescribedName, StringComparison.Ordinal);
 
         /// <summary>Whether the field holds all values of the attribute's type.</summary>
@@ -379,22 +381,23 @@ namespace FastPoints.Export
             if (bytes > MaxVlrBytes)
                 Losses.Add(new Loss("records", m_path, "more than 64 MiB of them lie before the points"));
             // LAS 1.3 has no list of such records, only the place of this one.
-            ulong waves = las.Header.WaveformOffset;
-            if (m_waveformInTail >= 0 || waves <= las.Header.PointsOffset ||
-                waves + LasVlr.ExtendedHeaderBytes > (ulong)source.Length)
+            ulong waveformOffset = las.Header.WaveformOffset;
+            if (m_waveformInTail >= 0 || waveformOffset <= las.Header.PointsOffset ||
+                waveformOffset + LasVlr.ExtendedHeaderBytes > (ulong)source.Length)
                 return;
-            ulong data = source.Read((long)waves, LasVlr.ExtendedHeaderBytes, "waveform record").UInt64(20, "waveform bytes");
-            ulong room = (ulong)source.Length - waves - LasVlr.ExtendedHeaderBytes;
+            var record = source.Read((long)waveformOffset, LasVlr.ExtendedHeaderBytes, "waveform record");
+            ulong data = record.UInt64(20, "waveform bytes");
+            ulong room = (ulong)source.Length - waveformOffset - LasVlr.ExtendedHeaderBytes;
             m_waveformInTail = tail;
-            m_tail.Add(((long)waves, LasVlr.ExtendedHeaderBytes + (long)Math.Min(data, room)));
+            m_tail.Add(((long)waveformOffset, LasVlr.ExtendedHeaderBytes + (long)Math.Min(data, room)));
         }
 
-        /// <summary>The records that the source kept, without those of the point's bytes, which are new. A coordinate system that
-        /// was named since rules.</summary>
-        void AddKept(CoordinateSystem crs, string[] chosen)
+        /// <summary>Adds the records that the source kept, except those of extra bytes, which are new, and those of a coordinate
+        /// system that was overridden since.</summary>
+        void AddRecords(CoordinateSystem crs, string[] chosen)
         {
-            bool hasCrs = m_kept != null && m_kept.Crs.HasSameCodes(crs);
-            foreach (var record in m_kept?.All ?? Array.Empty<LasRecords.Record>())
+            bool hasCrs = m_records != null && m_records.Crs.HasSameCodes(crs);
+            foreach (var record in m_records?.All ?? Array.Empty<LasRecords.Record>())
             {
                 if (record.Vlr.IsCrs && !hasCrs)
                     continue;
@@ -413,7 +416,7 @@ namespace FastPoints.Export
                 m_header.VersionMinor = Math.Max(m_header.VersionMinor, 4);
             if (hasCrs)
             {
-                WarnOfKeysAlone(m_kept.Crs);
+                WarnOfKeysAlone(m_records.Crs);
                 return;
             }
             AddNewCrs(crs);
@@ -428,7 +431,7 @@ namespace FastPoints.Export
         void AddTime(SourceInfo info)
         {
             var time = info.GpsTime;
-            bool isKept = m_kept != null && m_kept.GpsTime.Equals(time);
+            bool isKept = m_records != null && m_records.GpsTime.Equals(time);
             if (isKept && (time.Kind == GpsTimeKind.Unknown || time.Kind == GpsTimeKind.Offset && m_header.VersionMinor >= 5))
                 return;
             m_header.GlobalEncoding &= unchecked((ushort)~(LasHeader.StandardTimeBit | LasHeader.TimeOffsetBit));
@@ -448,7 +451,7 @@ namespace FastPoints.Export
             bool hasWkt = crs.Wkt != null && wkt.Length <= ushort.MaxValue;
             if (hasWkt)
                 m_vlrs.Add(LasWriter.Vlr(LasVlr.ProjectionUser, LasVlr.WktRecord, "OGC WKT", wkt));
-            // Of a file that has both, the keys are for readers that know no text.
+            // Of a file that has both, the keys are for readers that know no WKT.
             if (hasWkt && (isExtended || crs.GeoKeys == null))
                 m_header.GlobalEncoding |= LasHeader.WktBit;
             for (int i = 0; crs.GeoKeys != null && i < LasGeoKeys.Records.Length; i++)

@@ -9,7 +9,7 @@ namespace FastPoints.Export
     /// table.</summary>
     internal class LazExport : LasExport
     {
-        readonly LazChunkForm m_form;
+        readonly LazChunkFormat m_chunkFormat;
         readonly List<int> m_bytesOfChunk = new List<int>();
 
         /// <param name="nodePoints">The most points of a chunk, if each has a number of its own; 0 if all have the
@@ -20,23 +20,24 @@ namespace FastPoints.Export
             if (ExtraBytes > LazFormat.MaxExtraBytes)
                 throw PointCloudException.Wanted(FailureCode.Unsupported, reader.Info.Path, -1, "extra bytes of a point in LAZ",
                     "at most " + NumberText.Of(LazFormat.MaxExtraBytes), ExtraBytes);
-            m_form = LazChunkForm.Of(Header.PointFormat, RecordBytes, nodePoints);
-            BufferPoints = m_form.ChunkPoints;
+            m_chunkFormat = LazChunkFormat.Of(Header.PointFormat, RecordBytes, nodePoints);
+            BufferPoints = m_chunkFormat.ChunkPoints;
             Header.IsCompressed = true;
-            AddVlr(LazItems.Vlr(m_form.Items, m_form.IsLayered ? LazCompressor.LayeredChunked : LazCompressor.PointwiseChunked,
+            AddVlr(LazItems.Vlr(m_chunkFormat.Items,
+                m_chunkFormat.IsLayered ? LazCompressor.LayeredChunked : LazCompressor.PointwiseChunked,
                 nodePoints > 0 ? LazFormat.VariableChunkPoints : (uint)BufferPoints));
         }
 
-        public override LazChunkWriter CreateWriter() => new LazChunkWriter(m_form);
+        public override LazChunkWriter CreateWriter() => new LazChunkWriter(m_chunkFormat);
 
-        public override void Written(int bytes, int points) => m_bytesOfChunk.Add(bytes);
+        public override void OnBufferWritten(int bytes, int points) => m_bytesOfChunk.Add(bytes);
 
         public override byte[] Trailer() => LazChunkTable.ToBytes(m_bytesOfChunk);
 
         /// <summary>Behind the head of LAS stands where the table is.</summary>
-        public override byte[] Head(string path, in ExportState written, long chunksEnd, long pointsEnd)
+        public override byte[] MakeHeader(string path, in ExportState written, long chunksEnd, long pointsEnd)
         {
-            var las = base.Head(path, written, chunksEnd, pointsEnd);
+            var las = base.MakeHeader(path, written, chunksEnd, pointsEnd);
             int at = las.Length;
             System.Array.Resize(ref las, at + LazChunkTable.TableOffsetBytes);
             LasHeader.Put(las, at, LazChunkTable.TableOffsetBytes, (ulong)chunksEnd);

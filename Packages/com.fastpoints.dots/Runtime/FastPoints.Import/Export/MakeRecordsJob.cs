@@ -22,13 +22,13 @@ namespace FastPoints.Export
         public PositionColumns Positions;
         [ReadOnly] public NativeArray<PointColumn> AllColumns;
 
-        /// <summary>Columns that go into records as they are, and those of <see cref="Changed"/>.</summary>
+        /// <summary>From the block's columns to records, and from those of <see cref="Converted"/>.</summary>
         [ReadOnly] public NativeArray<FieldCopy> Copies;
-        [ReadOnly] public NativeArray<FieldCopy> ChangedCopies;
-        [ReadOnly] public NativeArray<ColumnChange> Changes;
+        [ReadOnly] public NativeArray<FieldCopy> ConvertedCopies;
+        [ReadOnly] public NativeArray<ColumnConversion> Conversions;
 
-        /// <summary>Columns of a slice: x, y, z of 8 bytes each, then one for each change.</summary>
-        public NativeArray<byte> Changed;
+        /// <summary>Columns of a slice: x, y, z of 8 bytes each, then one for each conversion.</summary>
+        public NativeArray<byte> Converted;
         public NativeArray<int> Chosen;
         [ReadOnly] public NativeArray<LocalClip> Clips;
 
@@ -37,7 +37,7 @@ namespace FastPoints.Export
         public PointColumn Classification;
 
         public double Share;
-        public PositionChange Position;
+        public PositionConversion Position;
 
         /// <summary>Where each buffer begins, in turn; empty to measure.</summary>
         [ReadOnly] public NativeArray<ulong> Buffers;
@@ -46,18 +46,19 @@ namespace FastPoints.Export
 
         /// <summary>Bits of the byte at 14 that are the return number; 0 where records are not those of LAS.</summary>
         public int ReturnMask;
-        /// <summary>Where a record has its GPS time; 0 if it has none, or nobody asks.</summary>
+
+        /// <summary>Where a record has its GPS time; 0 if its range is not wanted.</summary>
         public int TimeAt;
 
-        /// <summary>Records of a node begin here, among those of all buffers, or later.</summary>
-        public long Start;
+        /// <summary>The first record of the range's node in the buffers; 0 without nodes.</summary>
+        public long FirstRecord;
 
-        /// <summary>Rounding moves no coordinate out of these.</summary>
-        public double3 Low;
-        public double3 High;
+        /// <summary>Rounded coordinates are clamped to these.</summary>
+        public double3 MinPosition;
+        public double3 MaxPosition;
         public NativeReference<ExportState> State;
 
-        /// <summary>Where the next record goes.</summary>
+        /// <summary>Where the next record goes, after this job.</summary>
         public NativeReference<long> End;
         public int First;
         public int Count;
@@ -65,7 +66,7 @@ namespace FastPoints.Export
         public void Execute()
         {
             var state = State.Value;
-            state.At = math.max(state.At, Start);
+            state.NextRecord = math.max(state.NextRecord, FirstRecord);
             int count = math.min(Count, Result.Value.Points - First);
             int chosen = count > 0 ? Choose(count, ref state) : 0;
             if (chosen > 0 && Buffers.Length > 0)
@@ -74,24 +75,24 @@ namespace FastPoints.Export
                     for (int c = 0; c < AllColumns.Length; c++)
                         PointRecords.Gather((byte*)Columns.GetUnsafePtr(), AllColumns[c],
                             (int*)Chosen.GetUnsafeReadOnlyPtr(), chosen, First);
-                for (int c = 0; c < Changes.Length; c++)
-                    Change(Changes[c], chosen, ref state);
+                for (int c = 0; c < Conversions.Length; c++)
+                    Convert(Conversions[c], chosen, ref state);
                 Append(chosen, ref state);
             }
             State.Value = state;
-            End.Value = state.At;
+            End.Value = state.NextRecord;
         }
 
-        /// <summary>Lists the points that are wanted and have a place, and computes their positions if these change.</summary>
+        /// <summary>Lists the points that are wanted and have a place, and converts their positions if these change.</summary>
         int Choose(int count, ref ExportState state)
         {
             const int run = ColumnValues.BatchLength;
-            byte* columns = (byte*)Columns.GetUnsafePtr(), changed = (byte*)Changed.GetUnsafePtr();
+            byte* columns = (byte*)Columns.GetUnsafePtr(), converted = (byte*)Converted.GetUnsafePtr();
             int* chosen = (int*)Chosen.GetUnsafePtr();
             double* x = stackalloc double[run], y = stackalloc double[run], z = stackalloc double[run];
             double* classes = stackalloc double[run];
-            bool needsGeo = Clips.Length > 0 || Position.Kind != PositionKind.Same && Position.Kind != PositionKind.Whole;
-            if (Position.Kind == PositionKind.Same && Clips.Length == 0 && Classes.Length == 0 && Share >= 1)
+            bool needsGeo = Clips.Length > 0 || Position.Kind == PositionKind.Rounded || Position.Kind == PositionKind.Geo;
+            if (Position.Kind == PositionKind.Copied && Clips.Length == 0 && Classes.Length == 0 && Share >= 1)
             {
                 state.Seen += count;
                 state.Chosen += count;
@@ -116,11 +117,11 @@ namespace FastPoints.Export
                         continue;
                     if (Classes.Length > 0 && !IsWanted(classes[i]))
                         continue;
-                    var place = needsGeo ? new double3(x[i], y[i], z[i]) : default;
-                    if (Clips.Length > 0 && !LocalClip.Keeps((LocalClip*)Clips.GetUnsafeReadOnlyPtr(), Clips.Length, place))
+                    var position = needsGeo ? new double3(x[i], y[i], z[i]) : default;
+                    if (Clips.Length > 0 && !LocalClip.Keeps((LocalClip*)Clips.GetUnsafeReadOnlyPtr(), Clips.Length, position))
                         continue;
-                    if (Position.Kind != PositionKind.Same &&
-                        !Move(columns, First + first + i, place, changed, done, ref state))
+                    if (Position.Kind != PositionKind.Copied &&
+                        !ConvertPosition(columns, First + first + i, position, converted, done, ref state))
                         continue;
                     chosen[done++] = First + first + i;
                 }
@@ -132,15 +133,15 @@ namespace FastPoints.Export
         bool IsWanted(double c) => c >= 0 && c < 256 && (Classes[(int)c >> 6] >> ((int)c & 63) & 1) != 0;
 
         /// <returns>Whether the point has a place in the file.</returns>
-        bool Move(byte* columns, int point, double3 place, byte* changed, int to, ref ExportState state)
+        bool ConvertPosition(byte* columns, int point, double3 position, byte* converted, int to, ref ExportState state)
         {
             if (Position.Kind == PositionKind.Geo)
             {
                 for (int axis = 0; axis < 3; axis++)
-                    ((double*)(changed + axis * 8 * PointsPerSlice))[to] = place[axis];
+                    ((double*)(converted + axis * 8 * PointsPerSlice))[to] = position[axis];
                 return true;
             }
-            if (Position.Kind == PositionKind.Whole)
+            if (Position.Kind == PositionKind.Narrowed)
             {
                 var stored = new Grid3(((long*)(columns + Positions.X.OffsetBytes))[point],
                     ((long*)(columns + Positions.Y.OffsetBytes))[point], ((long*)(columns + Positions.Z.OffsetBytes))[point]);
@@ -152,54 +153,55 @@ namespace FastPoints.Export
                 }
                 var from = stored - Position.Base;
                 if (Position.Divisor == 1)
-                    return Put(from, changed, to, ref state);
-                place = new double3(from.X, from.Y, from.Z) / Position.Divisor;
+                    return PutPosition(from, converted, to, ref state);
+                position = new double3(from.X, from.Y, from.Z) / Position.Divisor;
             }
-            else if (!math.all(math.isfinite(place)))
+            else if (!math.all(math.isfinite(position)))
             {
                 state.LeftOut++;
                 return false;
             }
             else
             {
-                state.MinGeo = math.min(state.MinGeo, place);
-                state.MaxGeo = math.max(state.MaxGeo, place);
-                place = (place - Position.To.Offset) / Position.To.Scale;
+                state.MinGeo = math.min(state.MinGeo, position);
+                state.MaxGeo = math.max(state.MaxGeo, position);
+                position = (position - Position.To.Offset) / Position.To.Scale;
             }
             if (Buffers.Length == 0)
                 return true;
-            var rounded = math.clamp(math.floor(place + 0.5), Low, High);
+            var rounded = math.clamp(math.floor(position + 0.5), MinPosition, MaxPosition);
             if (!math.all(rounded >= int.MinValue) || !math.all(rounded <= int.MaxValue))
             {
                 state.LeftOut++;
                 return false;
             }
-            var off = math.abs(rounded - place) * math.abs(Position.To.Scale);
-            state.WorstError = math.max(state.WorstError, math.max(off.x, math.max(off.y, off.z)));
-            return Put(new Grid3((long)rounded.x, (long)rounded.y, (long)rounded.z), changed, to, ref state);
+            var off = math.abs(rounded - position) * math.abs(Position.To.Scale);
+            state.MaxPositionError = math.max(state.MaxPositionError, math.max(off.x, math.max(off.y, off.z)));
+            return PutPosition(new Grid3((long)rounded.x, (long)rounded.y, (long)rounded.z), converted, to, ref state);
         }
 
-        static bool Put(Grid3 place, byte* changed, int to, ref ExportState state)
+        static bool PutPosition(Grid3 position, byte* converted, int to, ref ExportState state)
         {
-            int x = (int)place.X, y = (int)place.Y, z = (int)place.Z;
-            if (x != place.X || y != place.Y || z != place.Z)
+            int x = (int)position.X, y = (int)position.Y, z = (int)position.Z;
+            if (x != position.X || y != position.Y || z != position.Z)
             {
                 state.LeftOut++;
                 return false;
             }
-            ((int*)changed)[to] = x;
-            ((int*)(changed + 8 * PointsPerSlice))[to] = y;
-            ((int*)(changed + 16 * PointsPerSlice))[to] = z;
+            ((int*)converted)[to] = x;
+            ((int*)(converted + 8 * PointsPerSlice))[to] = y;
+            ((int*)(converted + 16 * PointsPerSlice))[to] = z;
             return true;
         }
 
-        void Change(in ColumnChange change, int chosen, ref ExportState state)
+        void Convert(in ColumnConversion conversion, int chosen, ref ExportState state)
         {
-            byte* from = (byte*)Columns.GetUnsafeReadOnlyPtr() + change.From.OffsetBytes;
-            byte* to = (byte*)Changed.GetUnsafePtr() + change.To.OffsetBytes;
-            if (change.IsClamp && change.From.Type == AttributeType.UInt8 && change.To.Type == AttributeType.UInt8)
+            byte* from = (byte*)Columns.GetUnsafeReadOnlyPtr() + conversion.From.OffsetBytes;
+            byte* to = (byte*)Converted.GetUnsafePtr() + conversion.To.OffsetBytes;
+            if (conversion.IsClamp && conversion.From.Type == AttributeType.UInt8 &&
+                conversion.To.Type == AttributeType.UInt8)
             {
-                int max = (int)change.Max, clamped = 0;
+                int max = (int)conversion.Max, clamped = 0;
                 for (int i = 0; i < chosen; i++)
                 {
                     int value = from[First + i];
@@ -213,18 +215,18 @@ namespace FastPoints.Export
             for (int first = 0; first < chosen; first += ColumnValues.BatchLength)
             {
                 int points = math.min(ColumnValues.BatchLength, chosen - first);
-                ColumnValues.ToDoubles(from, change.From.Type, First + first, points, values);
+                ColumnValues.ToDoubles(from, conversion.From.Type, First + first, points, values);
                 for (int i = 0; i < points; i++)
                 {
-                    double value = values[i] * change.Scale + change.Offset;
-                    if (change.Scale != 1)
+                    double value = values[i] * conversion.Scale + conversion.Offset;
+                    if (conversion.Scale != 1)
                         value = math.round(value);
-                    if (value > change.Max)
+                    if (value > conversion.Max)
                     {
-                        value = change.Max;
+                        value = conversion.Max;
                         state.Clamped++;
                     }
-                    Put(to, change.To.Type, first + i, value);
+                    Put(to, conversion.To.Type, first + i, value);
                 }
             }
         }
@@ -248,29 +250,30 @@ namespace FastPoints.Export
         {
             for (int done = 0; done < chosen;)
             {
-                int at = (int)(state.At % BufferPoints);
+                int at = (int)(state.NextRecord % BufferPoints);
                 int points = math.min(chosen - done, BufferPoints - at);
-                byte* records = (byte*)Buffers[(int)(state.At / BufferPoints % Buffers.Length)] + (long)at * RecordBytes;
+                byte* records = (byte*)Buffers[(int)(state.NextRecord / BufferPoints % Buffers.Length)] +
+                    (long)at * RecordBytes;
                 UnsafeUtility.MemClear(records, (long)points * RecordBytes);
                 PointRecords.FromColumns((byte*)Columns.GetUnsafeReadOnlyPtr(), First + done, points,
                     Copies, records, RecordBytes);
-                PointRecords.FromColumns((byte*)Changed.GetUnsafeReadOnlyPtr(), done, points,
-                    ChangedCopies, records, RecordBytes);
+                PointRecords.FromColumns((byte*)Converted.GetUnsafeReadOnlyPtr(), done, points,
+                    ConvertedCopies, records, RecordBytes);
                 if (ReturnMask != 0)
-                    Account(records, points, ref state);
-                state.At += points;
+                    AddStatistics(records, points, ref state);
+                state.NextRecord += points;
                 state.Written += points;
                 done += points;
             }
         }
 
-        void Account(byte* record, int points, ref ExportState state)
+        void AddStatistics(byte* record, int points, ref ExportState state)
         {
             for (int i = 0; i < points; i++, record += RecordBytes)
             {
-                var place = new int3(((int*)record)[0], ((int*)record)[1], ((int*)record)[2]);
-                state.Min = math.min(state.Min, place);
-                state.Max = math.max(state.Max, place);
+                var position = new int3(((int*)record)[0], ((int*)record)[1], ((int*)record)[2]);
+                state.Min = math.min(state.Min, position);
+                state.Max = math.max(state.Max, position);
                 state.ByReturn[record[14] & ReturnMask]++;
                 if (TimeAt == 0)
                     continue;
@@ -285,29 +288,29 @@ namespace FastPoints.Export
     internal enum PositionKind
     {
         /// <summary>The columns are copied.</summary>
-        Same,
-        /// <summary>64-bit whole numbers to 32-bit ones.</summary>
-        Whole,
-        /// <summary>Rounded to a grid of 32-bit whole numbers.</summary>
+        Copied,
+        /// <summary>64-bit integers to 32-bit ones.</summary>
+        Narrowed,
+        /// <summary>Rounded to a grid of 32-bit integers.</summary>
         Rounded,
         /// <summary>Georeferenced, as doubles.</summary>
         Geo,
     }
 
-    /// <summary>The change of positions. Blittable.</summary>
-    internal struct PositionChange
+    /// <summary>The conversion of positions. Blittable.</summary>
+    internal struct PositionConversion
     {
         public PositionKind Kind;
         public PositionTransform From;
         public PositionTransform To;
 
-        /// <summary>Of whole numbers: out = (in - <see cref="Base"/>) / <see cref="Divisor"/>.</summary>
+        /// <summary>Of integers: out = (in - <see cref="Base"/>) / <see cref="Divisor"/>.</summary>
         public Grid3 Base;
         public double Divisor;
     }
 
     /// <summary>A column whose values go into records in another type. Blittable.</summary>
-    internal struct ColumnChange
+    internal struct ColumnConversion
     {
         public PointColumn From;
         public PointColumn To;
@@ -329,14 +332,14 @@ namespace FastPoints.Export
 
         /// <summary>Where the next record goes: <see cref="Written"/>, and the room that nodes left in their
         /// buffers.</summary>
-        public long At;
+        public long NextRecord;
 
         /// <summary>Points whose position is no number, or has no place in the file.</summary>
         public long LeftOut;
         public long Clamped;
 
         /// <summary>The farthest that a coordinate was moved, in CRS units.</summary>
-        public double WorstError;
+        public double MaxPositionError;
         public Grid3 MinStored;
         public Grid3 MaxStored;
         public double3 MinGeo;
@@ -351,8 +354,8 @@ namespace FastPoints.Export
 
         public static ExportState None => new ExportState
         {
-            MinStored = new Grid3(long.MaxValue, long.MaxValue, long.MaxValue),
-            MaxStored = new Grid3(long.MinValue, long.MinValue, long.MinValue),
+            MinStored = Grid3.MaxValue,
+            MaxStored = Grid3.MinValue,
             MinGeo = BoundsGeo.Empty.Min,
             MaxGeo = BoundsGeo.Empty.Max,
             Min = new int3(int.MaxValue, int.MaxValue, int.MaxValue),

@@ -15,7 +15,7 @@ namespace FastPoints.Export
         /// <summary>Digits of the largest count.</summary>
         const int CountDigits = 20;
 
-        /// <summary>By type: PLY has no 64-bit integers.</summary>
+        /// <summary>Indexed by type: PLY has no 64-bit integers.</summary>
         static readonly string[] s_types =
         {
             "uchar", "char", "ushort", "short", "uint", "int", "double", "double", "float", "double",
@@ -27,18 +27,18 @@ namespace FastPoints.Export
         public PlyExport(PointReader reader, string[] chosen)
         {
             var info = reader.Info;
-            if (reader is ILasSource || KeptOf(reader) != null)
+            if (reader is ILasSource || LasRecordsOf(reader) != null)
                 Losses.Add(new Loss("header and records of LAS files", info.Path, "PLY has no place for them"));
             var schema = info.Schema;
-            bool isSingle = true;
+            bool isFloat = true;
             foreach (var attribute in schema)
-                isSingle &= !IsAxis(attribute.Name) || attribute.Type == AttributeType.Float32;
+                isFloat &= !IsAxis(attribute.Name) || attribute.Type == AttributeType.Float32;
             var transform = info.Transform;
-            isSingle &= transform.Scale.Equals(PositionTransform.Identity.Scale) && transform.Offset.Equals(default);
-            SetAxes(isSingle ? AttributeType.Float32 : AttributeType.Float64);
-            Position = new PositionChange { Kind = isSingle ? PositionKind.Same : PositionKind.Geo, From = transform };
+            isFloat &= transform.Scale.Equals(PositionTransform.Identity.Scale) && transform.Offset.Equals(default);
+            SetAxes(isFloat ? AttributeType.Float32 : AttributeType.Float64);
+            Position = new PositionConversion { Kind = isFloat ? PositionKind.Copied : PositionKind.Geo, From = transform };
             foreach (var axis in Axes)
-                Add(axis, axis.Name);
+                AddProperty(axis, axis.Name);
             foreach (var attribute in schema)
             {
                 if (IsAxis(attribute.Name) || !IsChosen(attribute.Name, chosen))
@@ -57,17 +57,17 @@ namespace FastPoints.Export
                 if (isWide)
                     Losses.Add(new Loss("digits of " + attribute.Name, info.Path, "PLY has no 64-bit whole numbers: written as " +
                         "doubles, exact to 2^53"));
-                Add(field, attribute.Name);
+                AddProperty(field, attribute.Name);
             }
             BufferPoints = Math.Max(1, BufferBytes / RecordBytes);
             if (info.Crs.Wkt != null || info.Crs.GeoKeys != null)
                 Losses.Add(new Loss("the definition of the coordinate system", info.Path, "PLY has a comment with its name"));
             if (info.GpsTime.Kind != GpsTimeKind.Unknown && schema.Has(AttributeNames.GpsTime))
                 Losses.Add(new Loss("the kind of GPS times (" + info.GpsTime + ")", info.Path, "PLY has no place for it"));
-            m_crs = info.Crs.Summary == null ? "" : "comment CRS " + Plain(info.Crs.Summary, ' ') + "\n";
+            m_crs = info.Crs.Summary == null ? "" : "comment CRS " + ToAscii(info.Crs.Summary, ' ') + "\n";
         }
 
-        public override byte[] Head(string path, in ExportState written, long chunksEnd, long pointsEnd)
+        public override byte[] MakeHeader(string path, in ExportState written, long chunksEnd, long pointsEnd)
         {
             string count = NumberText.Of(written.Written);
             return Encoding.ASCII.GetBytes("ply\nformat binary_little_endian 1.0\ncomment written by FastPoints " +
@@ -75,10 +75,10 @@ namespace FastPoints.Export
                 "end_header\n");
         }
 
-        void Add(PointField field, string name)
+        void AddProperty(PointField field, string name)
         {
             RecordBytes += field.Type.SizeOf();
-            m_properties.Append("property ").Append(s_types[(int)field.Type]).Append(' ').Append(Plain(NameOf(name), '_'))
+            m_properties.Append("property ").Append(s_types[(int)field.Type]).Append(' ').Append(ToAscii(NameOf(name), '_'))
                 .Append('\n');
         }
 
@@ -93,12 +93,12 @@ namespace FastPoints.Export
             _ => name,
         };
 
-        static string Plain(string text, char blank)
+        static string ToAscii(string text, char replacement)
         {
-            var plain = new StringBuilder();
+            var ascii = new StringBuilder();
             foreach (char c in text)
-                plain.Append(c > ' ' && c < 127 ? c : blank);
-            return plain.ToString();
+                ascii.Append(c > ' ' && c < 127 ? c : replacement);
+            return ascii.ToString();
         }
     }
 }

@@ -12,7 +12,7 @@ using Unity.Mathematics;
 
 namespace FastPoints.Export
 {
-    /// <summary>A converted cloud as a source: positions are the grid's whole numbers, a block is a node with its inlined leaves,
+    /// <summary>A converted cloud as a source: positions are in grid steps, a block is a node with its inlined leaves,
     /// in the order of the files.</summary>
     internal sealed class StoredReader : PointReader
     {
@@ -112,9 +112,9 @@ namespace FastPoints.Export
 
         public override string FileOfBlock(int block, out long byteOffset)
         {
-            var place = m_blocks[block];
-            byteOffset = m_tables[place.File].Planes[place.Node * m_tables[place.File].PlaneCount].OffsetBytes;
-            return m_paths[place.File];
+            var stored = m_blocks[block];
+            byteOffset = m_tables[stored.File].Planes[stored.Node * m_tables[stored.File].PlaneCount].OffsetBytes;
+            return m_paths[stored.File];
         }
 
         public override long BytesOfRange(BlockRange range) => (long)range.Count * Info.Schema.BytesPerPoint / 2;
@@ -190,7 +190,7 @@ namespace FastPoints.Export
             public long FirstPoint;
         }
 
-        /// <summary>Reads the wanted planes of a node in one piece, which they are in the file.</summary>
+        /// <summary>Reads the wanted planes of a node, which are consecutive in the file, at once.</summary>
         sealed class StoredRead : SlotRead
         {
             readonly StoredReader m_reader;
@@ -322,7 +322,7 @@ namespace FastPoints.Export
             ulong* wide = stackalloc ulong[PlaneShape.MaxPointsPerBlock];
             uint* narrow = stackalloc uint[PlaneShape.MaxPointsPerBlock];
             var view = new PlaneView(file + Ranges[target.Plane].OffsetBytes, Shapes[target.Plane], PlaneBlocks);
-            bool isPlace = target.Plane == 0, isWide = view.Shape.IsWide(target.Column);
+            bool isPosition = target.Plane == 0, isWide = view.Shape.IsWide(target.Column);
             byte* to = (byte*)Columns.GetUnsafePtr() + target.To.OffsetBytes;
             long corner = target.Column == 0 ? Corner.X : target.Column == 1 ? Corner.Y : Corner.Z;
             int at = 0;
@@ -337,10 +337,10 @@ namespace FastPoints.Export
                     view.UnpackWide(b, target.Column, wide);
                 else
                     view.Unpack(b, target.Column, narrow);
-                if (isPlace && isWide)
+                if (isPosition && isWide)
                     for (int i = 0; i < count; i++)
                         ((long*)to)[i] = corner + (long)wide[begin + i];
-                else if (isPlace)
+                else if (isPosition)
                     for (int i = 0; i < count; i++)
                         ((long*)to)[i] = corner + narrow[begin + i];
                 else if (isWide)

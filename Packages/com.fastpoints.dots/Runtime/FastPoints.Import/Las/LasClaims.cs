@@ -79,10 +79,10 @@ namespace FastPoints.Las
                 var record = source.Read(offset, 12, "point");
                 raw.Include(new double3(record.Int32(0, "X"), record.Int32(4, "Y"), record.Int32(8, "Z")));
             }
-            var seen = BoundsGeo.Empty;
-            seen.Include(info.Transform.ToGeo(raw.Min));
-            seen.Include(info.Transform.ToGeo(raw.Max));
-            if (Contains(claimed, seen, math.abs(info.Transform.Scale)))
+            var sampled = BoundsGeo.Empty;
+            sampled.Include(info.Transform.ToGeo(raw.Min));
+            sampled.Include(info.Transform.ToGeo(raw.Max));
+            if (Contains(claimed, sampled, math.abs(info.Transform.Scale)))
                 return;
             if (claimed.Contains(raw.Min) && claimed.Contains(raw.Max))
             {
@@ -93,7 +93,7 @@ namespace FastPoints.Las
                     + Text(info.BoundsClaimed));
                 return;
             }
-            info.Warn(LasHeader.At.Bounds, "the bounds " + Text(claimed) + " leave out points such as " + Text(seen.Min));
+            info.Warn(LasHeader.At.Bounds, "the bounds " + Text(claimed) + " leave out points such as " + Text(sampled.Min));
         }
 
         static void CheckTrailing(LasHeader header, long pointsEnd, long fileBytes, SourceInfo info)
@@ -124,8 +124,8 @@ namespace FastPoints.Las
             at > (ulong)start && at < (ulong)fileBytes ? (long)at : fileBytes;
 
         // Writers round the box to the step, or print it with few digits: two steps are not a contradiction.
-        static bool Contains(BoundsGeo box, BoundsGeo seen, double3 step) =>
-            math.all(seen.Min >= box.Min - 2 * step) && math.all(seen.Max <= box.Max + 2 * step);
+        static bool Contains(BoundsGeo box, BoundsGeo sampled, double3 step) =>
+            math.all(sampled.Min >= box.Min - 2 * step) && math.all(sampled.Max <= box.Max + 2 * step);
 
         static string Text(BoundsGeo box) => Text(box.Min) + " .. " + Text(box.Max);
 

@@ -13,15 +13,15 @@ namespace FastPoints.Laz
     [BurstCompile]
     unsafe struct DecodeLazFileJob : IJob
     {
-        // With PaddingBytes of RangeCode behind it.
+        // With PaddingBytes of RangeCoder behind it.
         [ReadOnly] public NativeArray<byte> Input;
 
         public int InputBytes;
 
-        // Of the columns: a file with another scale or offset is placed on it if that is exact.
+        // Of the columns: a file with another scale or offset is rescaled to it if that is exact.
         public PositionTransform Transform;
 
-        // An offset that is not a whole number of steps from the grid's is rounded to the nearest that is.
+        // An offset that is not whole steps from the grid's is rounded to the nearest that is.
         public bool RoundsOffset;
 
         // The LASzip VLR's list of items, from their number on, as it must be; none for LAS.
@@ -47,7 +47,7 @@ namespace FastPoints.Laz
         // Points before the range, decoded because the others depend on them.
         public long Skip;
 
-        bool IsPlain => Compressor == LazCompressor.None;
+        bool IsUncompressed => Compressor == LazCompressor.None;
 
         bool IsLayered => Compressor == LazCompressor.LayeredChunked;
 
@@ -57,8 +57,8 @@ namespace FastPoints.Laz
             var result = First == 0 ? default : Result.Value;
             var state = First == 0 ? default : State.Value;
             if (First == 0 && !ReadHeader(input, ref state))
-                result.Error = LazError.NoChunk;
-            else if (First == 0 && !LazFilePlacing.TryMake(input, Transform, RoundsOffset, out state.Placing))
+                result.Error = LazError.NotAChunk;
+            else if (First == 0 && !LasRescaling.TryMake(input, Transform, RoundsOffset, out state.Rescaling))
                 result.Error = LazError.OffGrid;
             int done = 0;
             while (done < Count && result.Error == LazError.None)
@@ -72,9 +72,9 @@ namespace FastPoints.Laz
                 int wanted = Count - done < TilePoints ? Count - done : TilePoints;
                 wanted = left < wanted ? (int)left : wanted;
                 int got = Decode(input, state, wanted);
-                int placed = state.Placing.IsSame ? got : Place(state.Placing, got);
-                CopyTile(First + done, placed, ref result);
-                if (placed < got)
+                int rescaled = state.Rescaling.IsSame ? got : Rescale(state.Rescaling, got);
+                CopyTile(First + done, rescaled, ref result);
+                if (rescaled < got)
                 {
                     result.Error = LazError.OffGrid;
                     result.ErrorOffset = state.ChunkOffset;
@@ -85,12 +85,12 @@ namespace FastPoints.Laz
                 if (got < wanted)
                 {
                     Stop(ref result, state.ChunkOffset);
-                    if (!IsLayered && !IsPlain)
+                    if (!IsLayered && !IsUncompressed)
                         result.Points = result.Points > Pointwise->UncertainPoints ? result.Points - Pointwise->UncertainPoints
                             : 0;
                 }
                 else if (state.ChunkDone == state.ChunkPoints)
-                    state.ChunkOffset = IsPlain ? state.End : IsLayered ? state.ChunkEnd
+                    state.ChunkOffset = IsUncompressed ? state.End : IsLayered ? state.ChunkEnd
                         : state.ChunkOffset + Pointwise->InputOffset;
             }
             State.Value = state;
@@ -105,7 +105,7 @@ namespace FastPoints.Laz
         {
             byte* chunk = input + state.ChunkOffset;
             byte* tile = (byte*)Tile.GetUnsafePtr();
-            if (IsPlain)
+            if (IsUncompressed)
             {
                 long left = (state.End - state.ChunkOffset) / RecordBytes - state.ChunkDone;
                 count = left < count ? (int)left : count;
@@ -117,11 +117,11 @@ namespace FastPoints.Laz
         }
 
         // The number of points before the first that does not fit into 32 bits of the columns' grid.
-        int Place(in LazFilePlacing placing, int count)
+        int Rescale(in LasRescaling rescaling, int count)
         {
             byte* record = (byte*)Tile.GetUnsafePtr();
             for (int i = 0; i < count; i++, record += RecordBytes)
-                if (!placing.TryPlace((int*)record))
+                if (!rescaling.TryRescale((int*)record))
                     return i;
             return count;
         }
@@ -138,7 +138,7 @@ namespace FastPoints.Laz
 
         static void Stop(ref DecodeResult result, long offset)
         {
-            result.Error = LazError.Short;
+            result.Error = LazError.Truncated;
             result.ErrorOffset = offset;
         }
 
@@ -149,7 +149,7 @@ namespace FastPoints.Laz
                 return false;
             state.ChunkDone = 0;
             state.ChunkPoints = state.PointsOfChunks > 0 ? state.PointsOfChunks : state.PointsInFile;
-            if (IsPlain)
+            if (IsUncompressed)
                 return state.ChunkPoints > 0;
             if (!IsLayered)
             {
@@ -171,14 +171,14 @@ namespace FastPoints.Laz
                 return false;
             const int CompressionBits = 0xC0;
             if ((input[LasHeader.At.PointFormat] & ~CompressionBits) != PointFormat
-                || (input[LasHeader.At.PointFormat] & CompressionBits) == 0 != IsPlain
+                || (input[LasHeader.At.PointFormat] & CompressionBits) == 0 != IsUncompressed
                 || *(ushort*)(input + LasHeader.At.RecordBytes) != RecordBytes)
                 return false;
             long headerBytes = *(ushort*)(input + LasHeader.At.HeaderBytes);
             state.PointsInFile = *(uint*)(input + LasHeader.At.LegacyCount);
             if (state.PointsInFile == 0 && headerBytes >= LasHeader.At.ByReturn && InputBytes >= LasHeader.At.ByReturn)
                 state.PointsInFile = *(long*)(input + LasHeader.At.Count);
-            if (IsPlain)
+            if (IsUncompressed)
             {
                 state.ChunkOffset = *(uint*)(input + LasHeader.At.PointsOffset);
                 state.End = InputBytes;
@@ -239,11 +239,11 @@ namespace FastPoints.Laz
         public long ChunkPoints;
         public long ChunkDone;
         public long End;
-        public LazFilePlacing Placing;
+        public LasRescaling Rescaling;
     }
 
     // To another scale and offset: exactly, to the nearest whole number of steps if allowed, or not at all.
-    unsafe struct LazFilePlacing
+    unsafe struct LasRescaling
     {
         public bool IsSame;
 
@@ -256,33 +256,33 @@ namespace FastPoints.Laz
             public long Factor;
             public long Shift;
 
-            public readonly bool TryPlace(ref int value)
+            public readonly bool TryRescale(ref int value)
             {
                 // This stays below 2^28 * 2^31 + 2^59, so it cannot overflow.
-                long place = value * Factor + Shift;
-                if (place != (int)place)
+                long rescaled = value * Factor + Shift;
+                if (rescaled != (int)rescaled)
                     return false;
-                value = (int)place;
+                value = (int)rescaled;
                 return true;
             }
         }
 
         // False if the file's steps are not whole steps of the grid. roundsOffset: if steps are the same, offsets are rounded to
         // the nearest that lie whole steps apart.
-        public static bool TryMake(byte* header, in PositionTransform grid, bool roundsOffset, out LazFilePlacing placing)
+        public static bool TryMake(byte* header, in PositionTransform grid, bool roundsOffset, out LasRescaling rescaling)
         {
             double* scale = (double*)(header + LasHeader.At.Scale), offset = (double*)(header + LasHeader.At.Offset);
-            placing = default;
+            rescaling = default;
             // Nodes that are all alike are read whatever their scale is, even zero or NaN.
-            placing.IsSame = AreSame(scale, offset, grid);
-            return placing.IsSame || TryMake(scale[0], offset[0], grid.Scale.x, grid.Offset.x, roundsOffset, out placing.m_x)
-                && TryMake(scale[1], offset[1], grid.Scale.y, grid.Offset.y, roundsOffset, out placing.m_y)
-                && TryMake(scale[2], offset[2], grid.Scale.z, grid.Offset.z, roundsOffset, out placing.m_z);
+            rescaling.IsSame = AreSame(scale, offset, grid);
+            return rescaling.IsSame || TryMake(scale[0], offset[0], grid.Scale.x, grid.Offset.x, roundsOffset, out rescaling.m_x)
+                && TryMake(scale[1], offset[1], grid.Scale.y, grid.Offset.y, roundsOffset, out rescaling.m_y)
+                && TryMake(scale[2], offset[2], grid.Scale.z, grid.Offset.z, roundsOffset, out rescaling.m_z);
         }
 
         // False if a position does not fit into 32 bits on the grid: it is left half-converted.
-        public readonly bool TryPlace(int* position) =>
-            m_x.TryPlace(ref position[0]) && m_y.TryPlace(ref position[1]) && m_z.TryPlace(ref position[2]);
+        public readonly bool TryRescale(int* position) =>
+            m_x.TryRescale(ref position[0]) && m_y.TryRescale(ref position[1]) && m_z.TryRescale(ref position[2]);
 
         static bool AreSame(double* scale, double* offset, in PositionTransform grid)
         {
@@ -303,9 +303,9 @@ namespace FastPoints.Laz
                 axis = new Axis { Factor = 1, Shift = isNear ? (long)math.round(shift) : 0 };
                 return isNear;
             }
-            bool isPlaced = CommonGrid.TryPlace(scale, offset, step, origin, out var placed);
-            axis = new Axis { Factor = placed.Factor, Shift = placed.Shift };
-            return isPlaced && placed.Loss == 0 && axis.Factor != 0;
+            bool isRescaled = CommonGrid.TryRescale(scale, offset, step, origin, out var rescaled);
+            axis = new Axis { Factor = rescaled.Factor, Shift = rescaled.Shift };
+            return isRescaled && rescaled.Loss == 0 && axis.Factor != 0;
         }
     }
 }

@@ -10,7 +10,7 @@ namespace FastPoints.Laz
     [BurstCompile]
     unsafe struct DecodeLazJob : IJob
     {
-        // The chunk's bytes, or those of its wanted layers; with PaddingBytes of RangeCode behind them.
+        // The chunk's bytes, or those of its wanted layers; with PaddingBytes of RangeCoder behind them.
         [ReadOnly] public NativeArray<byte> Input;
 
         [ReadOnly] public NativeArray<long> InputBytes;
@@ -62,7 +62,7 @@ namespace FastPoints.Laz
                 LayeredChunk.Start((LayeredChunk*)state, input, inputBytes, HasAllLayers, InputPoints);
                 if (!LayeredChunk.IsPlausible((LayeredChunk*)state, input, inputBytes, ChunkPoints, ChunkBytes))
                 {
-                    result.Error = LazError.NoChunk;
+                    result.Error = LazError.NotAChunk;
                     result.ErrorOffset = FileOffset;
                 }
             }
@@ -87,7 +87,7 @@ namespace FastPoints.Laz
                 done += got;
                 if (got < wanted)
                 {
-                    result.Error = LazError.Short;
+                    result.Error = LazError.Truncated;
                     // Layers are packed in the input: only the chunk knows where a byte of them lies in the file.
                     result.ErrorOffset = FileOffset + (IsLayered ? 0 : ((PointwiseChunk*)state)->InputOffset);
                     if (!IsLayered)
@@ -109,7 +109,7 @@ namespace FastPoints.Laz
                 result.Error = LazError.TrailingBytes;
             else if (chunk->UncertainPoints > 0)
             {
-                result.Error = LazError.Short;
+                result.Error = LazError.Truncated;
                 DropUncertain(chunk, ref result);
             }
         }
@@ -127,16 +127,16 @@ namespace FastPoints.Laz
         public const int None = 0;
 
         // The input, or one of its layers, ended before the requested points.
-        public const int Short = 1;
+        public const int Truncated = 1;
 
         // All points were decoded, but the stream does not end where its chunk does: some of them are noise.
         public const int EndMismatch = 2;
 
         // All points were decoded, and the stream has more bytes: the file claims too few, or some are noise.
-        public const int TrailingBytes = 4;
+        public const int TrailingBytes = 3;
 
         // Neither its count nor its length matches the claims.
-        public const int NoChunk = 3;
+        public const int NotAChunk = 4;
 
         // A file's positions do not lie on the required grid.
         public const int OffGrid = 5;

@@ -95,14 +95,14 @@ namespace FastPoints.Laz
     sealed unsafe class LazBlockRead : SlotRead
     {
         // About 4 ms of decoding on one core.
-        const int SlicePoints = 16384;
+        const int PointsPerSlice = 16384;
 
         const int MaxTileBytes = 64 << 10;
 
         // Layered chunks up to this size are read whole: two reads in sequence cost more than the bytes saved.
         const int SmallChunkBytes = 16 << 10;
 
-        const int ExtraPadding = RangeCode.PaddingBytes - NativeFileRead.PaddingBytes;
+        const int ExtraPadding = RangeCoder.PaddingBytes - NativeFileRead.PaddingBytes;
 
         readonly LazBlocks m_blocks;
         readonly LazFormat m_format;
@@ -121,7 +121,7 @@ namespace FastPoints.Laz
         bool m_keepsStates;
         JobHandle m_copied;
 
-        // What the range that begins goes on from, or null.
+        // What the range continues from; null for none.
         LazCheckpoint m_from;
 
         long m_inputOffset;
@@ -257,7 +257,7 @@ namespace FastPoints.Laz
                 CommandArray = m_plannedArray,
                 InputBytes = m_inputBytes,
                 Buffer = (byte*)File.Buffer.GetUnsafePtr(),
-                BufferBytes = File.Buffer.Length - RangeCode.PaddingBytes,
+                BufferBytes = File.Buffer.Length - RangeCoder.PaddingBytes,
                 RecordBytes = m_format.RecordBytes,
                 ChunkOffset = start,
                 ChunkEnd = block.EndOffset,
@@ -278,11 +278,11 @@ namespace FastPoints.Laz
 
         static JobHandle Schedule(DecodeLazJob decode, JobHandle dependency)
         {
-            for (int first = 0; first < decode.Total; first += SlicePoints)
+            for (int first = 0; first < decode.Total; first += PointsPerSlice)
             {
                 decode.IsFirst = first == 0;
                 decode.First = first;
-                decode.Count = Math.Min(SlicePoints, decode.Total - first);
+                decode.Count = Math.Min(PointsPerSlice, decode.Total - first);
                 dependency = decode.Schedule(dependency);
             }
             return dependency;
@@ -307,8 +307,8 @@ namespace FastPoints.Laz
             if (result.Error == LazError.None)
                 return;
             var block = m_blocks[Range.Block];
-            if (result.Error == LazError.Short || result.Error == LazError.NoChunk)
-                m_blocks.EndChunk(block, block.FirstInChunk + Range.First + result.Points);
+            if (result.Error == LazError.Truncated || result.Error == LazError.NotAChunk)
+                m_blocks.MarkEndOfChunk(block, block.FirstInChunk + Range.First + result.Points);
             m_blocks.WarnBroken(Range, result);
         }
 

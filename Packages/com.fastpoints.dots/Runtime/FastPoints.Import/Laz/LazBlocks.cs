@@ -79,8 +79,8 @@ namespace FastPoints.Laz
 
         public LazCheckpoint CheckpointOf(LazBlock block) => block.Checkpoint < 0 ? null : Checkpoints[block.Checkpoint];
 
-        // A chunk gave its last point before this one: later blocks are not tried, each would decode the chunk from its start.
-        public void EndChunk(LazBlock block, long point) => m_endOfChunk[block.Chunk] = Math.Min(point, EndOfChunk(block));
+        // The chunk's points end before this one: later blocks are not tried, since each would decode the chunk from its start.
+        public void MarkEndOfChunk(LazBlock block, long point) => m_endOfChunk[block.Chunk] = Math.Min(point, EndOfChunk(block));
 
         public long EndOfChunk(LazBlock block) =>
             m_endOfChunk.TryGetValue(block.Chunk, out long end) ? end : Chunks[block.Chunk].Points;
@@ -130,16 +130,16 @@ namespace FastPoints.Laz
                 : result.Error == LazError.TrailingBytes
                 ? chunk + " has bytes behind its last point: the file is cut or claims too few points, or some of them are not "
                     + "what was written"
-                : result.Error == LazError.NoChunk
+                : result.Error == LazError.NotAChunk
                 ? chunk + ": wanted " + NumberText.Of(range.Count) + " points, got bytes that are no chunk's"
                 : chunk + ": wanted " + NumberText.Of(range.Count) + " points, got " + NumberText.Of(result.Points)
                     + ": the others are not in the file");
         }
 
         // Each chunk is a block if none is too long for that: millions of them then take no memory.
-        public bool TryTakeChunks()
+        public bool TryUseChunks()
         {
-            m_areChunksBlocks = Chunks.AreInRow && Chunks.MaxPoints <= LongChunkPoints;
+            m_areChunksBlocks = Chunks.AreContiguous && Chunks.MaxPoints <= LongChunkPoints;
             if (m_areChunksBlocks)
                 MaxPoints = (int)Chunks.MaxPoints;
             return m_areChunksBlocks;
@@ -147,10 +147,10 @@ namespace FastPoints.Laz
 
         public void AddChunk(int chunk)
         {
-            var of = Chunks[chunk];
-            for (long part = 0; part < of.Points; part += LongChunkPoints)
-                Add(chunk, part, Math.Min(LongChunkPoints, of.Points - part), of.Offset + of.Bytes,
-                    part + LongChunkPoints >= of.Points, -1);
+            var added = Chunks[chunk];
+            for (long part = 0; part < added.Points; part += LongChunkPoints)
+                Add(chunk, part, Math.Min(LongChunkPoints, added.Points - part), added.Offset + added.Bytes,
+                    part + LongChunkPoints >= added.Points, -1);
         }
 
         public void Add(int chunk, long firstInChunk, long points, long end, bool isToEnd, int checkpoint)

@@ -3,7 +3,7 @@ using System.Collections.Generic;
 
 namespace FastPoints.Laz
 {
-    // In any number. If each chunk begins where the one before ends, as in a chunk table, it takes four bytes (eight if they do
+    // Any number of chunks. If each begins where the one before ends, as in a chunk table, it takes four bytes (eight if they do
     // not hold equal numbers of points) and a sum every 64. Other lists (hierarchies of octrees) take 24 bytes for a chunk.
     internal sealed class LazChunkList
     {
@@ -13,10 +13,10 @@ namespace FastPoints.Laz
         readonly List<long> m_offsetOfGroup = new List<long>();
         readonly List<long> m_pointOfGroup = new List<long>();
 
-        // Null while all but the last have as many as the first.
+        // Null while all but the last have as many points as the first.
         Pages m_points;
 
-        // Replaces all of the above if chunks are not in a row.
+        // Replaces all of the above if chunks are not contiguous.
         List<LazChunk> m_scattered;
 
         long m_firstPoints;
@@ -32,7 +32,7 @@ namespace FastPoints.Laz
         public long MaxBytes { get; private set; }
 
         // Each begins where the one before ends, which FirstPointOf goes by.
-        public bool AreInRow => m_scattered == null;
+        public bool AreContiguous => m_scattered == null;
 
         public LazChunk this[int chunk]
         {
@@ -69,10 +69,10 @@ namespace FastPoints.Laz
 
         public void Add(in LazChunk chunk)
         {
-            bool isInRow = m_scattered == null && (Count == 0 || chunk.Offset == m_end) && chunk.Bytes <= uint.MaxValue
+            bool isContiguous = m_scattered == null && (Count == 0 || chunk.Offset == m_end) && chunk.Bytes <= uint.MaxValue
                 && chunk.Points <= uint.MaxValue;
-            if (isInRow)
-                AddInRow(chunk);
+            if (isContiguous)
+                AddContiguous(chunk);
             else
                 Scatter().Add(chunk);
             PointCount += chunk.Points;
@@ -92,17 +92,17 @@ namespace FastPoints.Laz
 
         public void Clear()
         {
-            ClearRow();
+            ClearContiguous();
             m_scattered = null;
             PointCount = MaxPoints = MaxBytes = 0;
         }
 
-        void AddInRow(in LazChunk chunk)
+        void AddContiguous(in LazChunk chunk)
         {
             if (Count == 0)
                 m_firstPoints = chunk.Points;
             else if (m_points == null && m_lastPoints != m_firstPoints)
-                CountEach();
+                ListPointCounts();
             if (Count % GroupChunks == 0)
             {
                 m_offsetOfGroup.Add(chunk.Offset);
@@ -115,7 +115,7 @@ namespace FastPoints.Laz
             m_end = chunk.Offset + chunk.Bytes;
         }
 
-        void CountEach()
+        void ListPointCounts()
         {
             var points = new Pages();
             for (int chunk = 0; chunk < Count; chunk++)
@@ -134,11 +134,11 @@ namespace FastPoints.Laz
             var chunks = new List<LazChunk>(Count);
             for (int chunk = 0; chunk < Count; chunk++)
                 chunks.Add(this[chunk]);
-            ClearRow();
+            ClearContiguous();
             return m_scattered = chunks;
         }
 
-        void ClearRow()
+        void ClearContiguous()
         {
             m_bytes.Clear();
             m_points = null;
@@ -149,7 +149,7 @@ namespace FastPoints.Laz
         void CheckChunk(int chunk)
         {
             if (m_scattered != null)
-                throw new InvalidOperationException("the chunks are not in a row");
+                throw new InvalidOperationException("the chunks are not contiguous");
             if ((uint)chunk >= (uint)Count)
                 throw new ArgumentOutOfRangeException(nameof(chunk), chunk, "the file has " + Count + " chunks");
         }

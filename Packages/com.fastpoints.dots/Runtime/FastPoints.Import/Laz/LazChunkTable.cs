@@ -14,10 +14,10 @@ namespace FastPoints.Laz
     {
         // Between the offset of the points and the first chunk; they say where the table is.
         public const int TableOffsetBytes = 8;
-        const int TableHeaderBytes = 8;
+        public const int HeaderBytes = 8;
 
         // Of a file without points: the table's offset, and the table.
-        public const int MinBytes = TableOffsetBytes + TableHeaderBytes;
+        public const int MinBytes = TableOffsetBytes + HeaderBytes;
         const long OffsetAtFileEnd = -1;
 
         // At most, of two numbers for a chunk, with 15 + 15 bits modelled and 23 raw.
@@ -29,7 +29,7 @@ namespace FastPoints.Laz
         const int CoderBytes = 16;
 
         // With the eight bytes behind it that may say where it is.
-        public static long MaxBytes(long chunks) => TableHeaderBytes + chunks * MaxEntryBytes + CoderBytes + TableOffsetBytes;
+        public static long MaxBytes(long chunks) => HeaderBytes + chunks * MaxEntryBytes + CoderBytes + TableOffsetBytes;
 
         readonly RandomAccessFile m_source;
         readonly LazFormat m_format;
@@ -86,12 +86,12 @@ namespace FastPoints.Laz
             }
             if (start == pointsOffset || start == 0)
                 return "its offset was never written (" + NumberText.Of(start) + ")";
-            if (start < FirstChunkOffset || start > m_source.Length - TableHeaderBytes)
+            if (start < FirstChunkOffset || start > m_source.Length - HeaderBytes)
                 return "wanted an offset of " + NumberText.Of(FirstChunkOffset) + " to "
-                    + NumberText.Of(m_source.Length - TableHeaderBytes) + ", got " + NumberText.Of(start);
+                    + NumberText.Of(m_source.Length - HeaderBytes) + ", got " + NumberText.Of(start);
 
             at = start;
-            var header = m_source.Read(start, TableHeaderBytes, "chunk table");
+            var header = m_source.Read(start, HeaderBytes, "chunk table");
             uint version = header.UInt32(0, "chunk table version");
             if (version != 0)
                 return "wanted version 0, got " + NumberText.Of(version);
@@ -110,9 +110,9 @@ namespace FastPoints.Laz
 
         unsafe string ReadEntries(long start, long count)
         {
-            long at = start + TableHeaderBytes;
+            long at = start + HeaderBytes;
             long endOfTable = Math.Min(m_source.Length, at + count * MaxEntryBytes + CoderBytes);
-            var window = new byte[WindowBytes + RangeCode.PaddingBytes];
+            var window = new byte[WindowBytes + RangeCoder.PaddingBytes];
             bool isVariable = m_format.HasVariableChunks;
             long offset = FirstChunkOffset;
             ulong pointsLeft = m_pointsClaimed;
@@ -125,7 +125,7 @@ namespace FastPoints.Laz
                     IntegerModel.Initialize(model, 32, 2);
                     byte* end = first + Fill(window, at, endOfTable);
                     byte* next = first;
-                    RangeCode.Start(out uint value, out uint length, ref next);
+                    RangeCoder.Start(out uint value, out uint length, ref next);
                     for (long i = 0; i < count; i++)
                     {
                         if (end - next < MaxEntryBytes + CoderBytes && at + (end - first) < endOfTable)
@@ -204,7 +204,7 @@ namespace FastPoints.Laz
             fixed (byte* first = table)
             {
                 uint low = 0, length = uint.MaxValue;
-                byte* next = first + TableHeaderBytes;
+                byte* next = first + HeaderBytes;
                 for (int i = 0; i < bytesOfChunk.Count; i++)
                 {
                     if (pointsOfChunk != null)
@@ -214,7 +214,7 @@ namespace FastPoints.Laz
                         ref length, ref next);
                 }
                 if (bytesOfChunk.Count > 0)
-                    RangeCode.End(low, length, ref next);
+                    RangeCoder.End(low, length, ref next);
                 Array.Resize(ref table, (int)(next - first));
             }
             return table;

@@ -10,20 +10,20 @@ namespace FastPoints.Laz
     // One chunk at a time, in short jobs, in memory that is reused.
     internal sealed unsafe class LazChunkWriter : IDisposable
     {
-        readonly LazChunkForm m_form;
+        readonly LazChunkFormat m_chunkFormat;
         readonly NativeArray<LazLayer> m_layers;
         NativeArray<byte> m_state;
         NativeArray<byte> m_output;
         NativeReference<long> m_bytes = new NativeReference<long>(Allocator.Persistent);
 
-        public LazChunkWriter(LazChunkForm form)
+        public LazChunkWriter(LazChunkFormat format)
         {
-            m_form = form;
-            m_layers = new NativeArray<LazLayer>(form.Layers, Allocator.Persistent);
-            m_state = new NativeArray<byte>((int)form.StateBytes, Allocator.Persistent, NativeArrayOptions.UninitializedMemory);
-            m_output = new NativeArray<byte>((int)form.MaxBytes, Allocator.Persistent, NativeArrayOptions.UninitializedMemory);
-            if (!form.IsLayered)
-                PointwiseChunk.Configure((PointwiseChunk*)m_state.GetUnsafePtr(), form.Items, form.RecordBytes);
+            m_chunkFormat = format;
+            m_layers = new NativeArray<LazLayer>(format.Layers, Allocator.Persistent);
+            m_state = new NativeArray<byte>((int)format.StateBytes, Allocator.Persistent, NativeArrayOptions.UninitializedMemory);
+            m_output = new NativeArray<byte>((int)format.MaxBytes, Allocator.Persistent, NativeArrayOptions.UninitializedMemory);
+            if (!format.IsLayered)
+                PointwiseChunk.Configure((PointwiseChunk*)m_state.GetUnsafePtr(), format.Items, format.RecordBytes);
         }
 
         public NativeArray<byte> Chunk => m_output.GetSubArray(0, (int)m_bytes.Value);
@@ -34,16 +34,16 @@ namespace FastPoints.Laz
             {
                 Records = records,
                 Layers = m_layers,
-                IsLayered = m_form.IsLayered,
-                RecordBytes = m_form.RecordBytes,
+                IsLayered = m_chunkFormat.IsLayered,
+                RecordBytes = m_chunkFormat.RecordBytes,
                 Points = points,
                 State = m_state,
                 Output = m_output,
                 Bytes = m_bytes,
             };
             var done = default(JobHandle);
-            long all = m_form.IsLayered ? (long)m_form.Layers.Length * (points + points / 16 + 2) : points;
-            int slice = m_form.IsLayered ? EncodeLazJob.LayerPoints : EncodeLazJob.SlicePoints;
+            long all = m_chunkFormat.IsLayered ? m_chunkFormat.Layers.Length * LayeredWriter.CostOfLayer(points) : points;
+            int slice = m_chunkFormat.IsLayered ? EncodeLazJob.LayerPointsPerSlice : EncodeLazJob.PointsPerSlice;
             for (long first = 0; first < all; first += slice)
             {
                 job.First = (int)first;
@@ -65,7 +65,7 @@ namespace FastPoints.Laz
     }
 
     // What all chunks of a file have in common.
-    internal sealed class LazChunkForm
+    internal sealed class LazChunkFormat
     {
         // LASzip's usual size, and the most memory of a chunk's output.
         const int DefaultPoints = 50000;
@@ -77,11 +77,11 @@ namespace FastPoints.Laz
         public readonly int ChunkPoints;
 
         // chunkPoints: the most of a chunk; 0 for LASzip's usual number, or fewer where records are long.
-        public static LazChunkForm Of(int pointFormat, int recordBytes, int chunkPoints = 0) => new LazChunkForm(
+        public static LazChunkFormat Of(int pointFormat, int recordBytes, int chunkPoints = 0) => new LazChunkFormat(
             LazItems.Of(pointFormat, pointFormat >= LasPointFormat.FirstExtended ? 3 : 2,
                 recordBytes - LasPointFormat.Of(pointFormat).RecordBytes), recordBytes, chunkPoints);
 
-        public LazChunkForm(LazItem[] items, int recordBytes, int chunkPoints = 0)
+        public LazChunkFormat(LazItem[] items, int recordBytes, int chunkPoints = 0)
         {
             if (items[0].Version == 1)
                 throw new ArgumentException("items as LASzip 1.x wrote them are read alone");
@@ -90,22 +90,22 @@ namespace FastPoints.Laz
             Items = items;
             Layers = IsLayered ? LazLayer.Of(Items) : Array.Empty<LazLayer>();
             ChunkPoints = chunkPoints > 0 ? chunkPoints
-                : (int)Math.Max(1, Math.Min(DefaultPoints, MaxOutputBytes * 1000 / BytesOf(1000)));
+                : (int)Math.Max(1, Math.Min(DefaultPoints, MaxOutputBytes * 1000 / MaxBytesOf(1000)));
         }
 
         public bool IsLayered { get; }
         public long StateBytes => IsLayered ? LayeredWriter.StateBytes(Layers, ChunkPoints) : PointwiseChunk.StateBytes(Items);
-        public long MaxBytes => BytesOf(ChunkPoints) + RangeCode.PaddingBytes;
+        public long MaxBytes => MaxBytesOf(ChunkPoints) + RangeCoder.PaddingBytes;
 
-        long BytesOf(int points) => IsLayered ? LazLayer.MaxInputBytes(Layers, RecordBytes, points)
+        long MaxBytesOf(int points) => IsLayered ? LazLayer.MaxInputBytes(Layers, RecordBytes, points)
             : PointwiseChunk.MaxInputBytes(Items, RecordBytes, points);
     }
 
     [BurstCompile]
     internal unsafe struct EncodeLazJob : IJob
     {
-        // Points of a slice, and points of layers: 2 to 3 ms on one core.
-        public const int SlicePoints = 4096, LayerPoints = 32768;
+        // Of pointwise chunks; of layered ones, points times layers: 2 to 3 ms on one core.
+        public const int PointsPerSlice = 4096, LayerPointsPerSlice = 32768;
 
         [ReadOnly] public NativeArray<byte> Records;
         [ReadOnly] public NativeArray<LazLayer> Layers;

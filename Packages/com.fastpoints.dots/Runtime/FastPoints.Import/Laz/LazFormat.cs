@@ -1,7 +1,5 @@
 using System;
 using System.Collections.Generic;
-using System.IO;
-using System.Text;
 using FastPoints.Las;
 using FastPoints.Reading;
 using Unity.Collections;
@@ -11,7 +9,7 @@ namespace FastPoints.Laz
 {
     internal enum LazCompressor
     {
-        // Plain records in a file that says LAZ.
+        // Uncompressed records in a file that says LAZ.
         None = 0,
 
         // One stream from the first point to the last (LASzip 1.x).
@@ -29,7 +27,7 @@ namespace FastPoints.Laz
         public const string UserId = LasVlr.CompressionUser;
         public const ushort RecordId = 22204;
 
-        // "In the chunk table"; 0 has been written for it as well.
+        // Each chunk has its own number, in the chunk table; 0 has been written for it as well.
         public const uint VariableChunkPoints = uint.MaxValue;
 
         // More than any file has: a decoder's state takes 1.6 KB for each.
@@ -39,7 +37,7 @@ namespace FastPoints.Laz
         public const int ItemsAt = 32;
 
         const int FixedBytes = ItemsAt + 2;
-        const int ItemBytes = 6;
+        public const int ItemBytes = 6;
 
         public LazCompressor Compressor;
 
@@ -115,20 +113,6 @@ namespace FastPoints.Laz
             return state;
         }
 
-        internal byte[] ItemBytesOfVlr()
-        {
-            var bytes = new byte[FixedBytes - ItemsAt + Items.Length * ItemBytes];
-            LasHeader.Put(bytes, 0, 2, (ulong)Items.Length);
-            for (int i = 0; i < Items.Length; i++)
-            {
-                int at = FixedBytes - ItemsAt + i * ItemBytes;
-                LasHeader.Put(bytes, at, 2, (ulong)Items[i].Type);
-                LasHeader.Put(bytes, at + 2, 2, (ulong)Items[i].Bytes);
-                LasHeader.Put(bytes, at + 4, 2, (ulong)Items[i].Version);
-            }
-            return bytes;
-        }
-
         public void AddFacts(SourceInfo info)
         {
             info.Fact("LASzip version", WriterVersion);
@@ -181,7 +165,7 @@ namespace FastPoints.Laz
                     throw new PointCloudException(FailureCode.BadInput, las.Info.Path, at, "LASzip item " + item.Type
                         + " does not go with compressor " + format.Compressor);
             }
-            string wanted = ItemsOf(las.Header.PointFormat);
+            string wanted = string.Join(" + ", LazItems.TypesOf(las.Header.PointFormat));
             string items = string.Join(" + ", got);
             if (items != wanted || !isExtraLast)
                 throw PointCloudException.Wanted(FailureCode.BadInput, las.Info.Path, at,
@@ -190,89 +174,83 @@ namespace FastPoints.Laz
                 throw PointCloudException.Wanted(FailureCode.BadInput, las.Info.Path, at, "bytes of the LASzip items",
                     NumberText.Of(format.RecordBytes) + " (the record length)", bytes);
         }
-
-        // Extra bytes aside.
-        public static string ItemsOf(int pointFormat)
-        {
-            var items = new List<LazItemType>();
-            bool isExtended = pointFormat >= LasPointFormat.FirstExtended;
-            items.Add(isExtended ? LazItemType.Point14 : LazItemType.Point10);
-            if (pointFormat == 1 || pointFormat >= 3 && pointFormat <= 5)
-                items.Add(LazItemType.GpsTime11);
-            if (pointFormat == 2 || pointFormat == 3 || pointFormat == 5)
-                items.Add(LazItemType.Rgb12);
-            if (pointFormat == 7)
-                items.Add(LazItemType.Rgb14);
-            if (pointFormat == 8 || pointFormat == 10)
-                items.Add(LazItemType.RgbNir14);
-            if (pointFormat == 4 || pointFormat == 5)
-                items.Add(LazItemType.WavePacket13);
-            if (pointFormat == 9 || pointFormat == 10)
-                items.Add(LazItemType.WavePacket14);
-            return string.Join(" + ", items);
-        }
     }
 
-    // The parts of a record that are compressed each in its own way.
+    // The parts of a record, each of which is compressed in its own way.
     internal static class LazItems
     {
         // version: 1 or 2 for point formats 0 to 5, 3 or 4 above.
         public static LazItem[] Of(int pointFormat, int version, int extraBytes)
         {
-            var items = new List<LazItem>();
-            bool isExtended = pointFormat >= 6;
-            int at = 0;
-            foreach (string name in LazFormat.ItemsOf(pointFormat).Split(new[] { " + " }, StringSplitOptions.None))
-                Add(items, (LazItemType)Enum.Parse(typeof(LazItemType), name), version, 0, ref at);
+            var types = TypesOf(pointFormat);
             if (extraBytes > 0)
-                Add(items, isExtended ? LazItemType.Bytes14 : LazItemType.Bytes, version, extraBytes, ref at);
-            return items.ToArray();
+                types.Add(pointFormat >= LasPointFormat.FirstExtended ? LazItemType.Bytes14 : LazItemType.Bytes);
+            var items = new LazItem[types.Count];
+            int recordOffset = 0;
+            for (int i = 0; i < items.Length; i++)
+            {
+                int fixedBytes = LazItem.FixedBytes(types[i]);
+                items[i] = new LazItem
+                {
+                    Type = types[i],
+                    // Wave packets of pointwise chunks have one version only.
+                    Version = types[i] == LazItemType.WavePacket13 ? 1 : version,
+                    Bytes = fixedBytes != 0 ? fixedBytes : extraBytes,
+                    RecordOffset = recordOffset,
+                };
+                recordOffset += items[i].Bytes;
+            }
+            return items;
         }
 
-        static void Add(List<LazItem> items, LazItemType type, int version, int bytes, ref int at)
+        // Without extra bytes.
+        public static List<LazItemType> TypesOf(int pointFormat)
         {
-            int fixedBytes = LazItem.FixedBytes(type);
-            var item = new LazItem
-            {
-                Type = type,
-                // Wave packets of pointwise chunks have one version only.
-                Version = type == LazItemType.WavePacket13 ? 1 : version,
-                Bytes = fixedBytes != 0 ? fixedBytes : bytes,
-                RecordOffset = at,
-            };
-            items.Add(item);
-            at += item.Bytes;
+            bool isExtended = pointFormat >= LasPointFormat.FirstExtended;
+            var types = new List<LazItemType> { isExtended ? LazItemType.Point14 : LazItemType.Point10 };
+            if (pointFormat == 1 || pointFormat >= 3 && pointFormat <= 5)
+                types.Add(LazItemType.GpsTime11);
+            if (pointFormat == 2 || pointFormat == 3 || pointFormat == 5)
+                types.Add(LazItemType.Rgb12);
+            if (pointFormat == 7)
+                types.Add(LazItemType.Rgb14);
+            if (pointFormat == 8 || pointFormat == 10)
+                types.Add(LazItemType.RgbNir14);
+            if (pointFormat == 4 || pointFormat == 5)
+                types.Add(LazItemType.WavePacket13);
+            if (pointFormat == 9 || pointFormat == 10)
+                types.Add(LazItemType.WavePacket14);
+            return types;
         }
 
         public static byte[] Vlr(LazItem[] items, LazCompressor compressor, uint chunkPoints)
         {
-            var vlr = new BinaryWriter(new MemoryStream());
-            vlr.Write((ushort)0);
-            vlr.Write(Padded(LazFormat.UserId, 16));
-            vlr.Write(LazFormat.RecordId);
-            vlr.Write((ushort)(34 + 6 * items.Length));
-            vlr.Write(Padded("", 32));
-            vlr.Write((ushort)compressor);
-            vlr.Write((ushort)0);
-            vlr.Write(new byte[] { 3, 4, 0, 0 });
-            vlr.Write(0u);
-            vlr.Write(chunkPoints);
-            vlr.Write(-1L);
-            vlr.Write(-1L);
-            vlr.Write((ushort)items.Length);
-            foreach (var item in items)
-            {
-                vlr.Write((ushort)item.Type);
-                vlr.Write((ushort)item.Bytes);
-                vlr.Write((ushort)item.Version);
-            }
-            return ((MemoryStream)vlr.BaseStream).ToArray();
+            var list = ToBytes(items);
+            var payload = new byte[LazFormat.ItemsAt + list.Length];
+            LasHeader.Put(payload, 0, 2, (ulong)compressor);
+            // As LASzip 3.4 writes it.
+            payload[4] = 3;
+            payload[5] = 4;
+            LasHeader.Put(payload, 12, 4, chunkPoints);
+            // The number of special EVLRs, and where they begin: none.
+            LasHeader.Put(payload, 16, 8, ulong.MaxValue);
+            LasHeader.Put(payload, 24, 8, ulong.MaxValue);
+            list.CopyTo(payload, LazFormat.ItemsAt);
+            return LasWriter.Vlr(LazFormat.UserId, LazFormat.RecordId, "", payload);
         }
 
-        static byte[] Padded(string text, int count)
+        // As in the VLR, from their number on.
+        public static byte[] ToBytes(LazItem[] items)
         {
-            var bytes = new byte[count];
-            Encoding.ASCII.GetBytes(text).CopyTo(bytes, 0);
+            var bytes = new byte[2 + items.Length * LazFormat.ItemBytes];
+            LasHeader.Put(bytes, 0, 2, (ulong)items.Length);
+            for (int i = 0; i < items.Length; i++)
+            {
+                int at = 2 + i * LazFormat.ItemBytes;
+                LasHeader.Put(bytes, at, 2, (ulong)items[i].Type);
+                LasHeader.Put(bytes, at + 2, 2, (ulong)items[i].Bytes);
+                LasHeader.Put(bytes, at + 4, 2, (ulong)items[i].Version);
+            }
             return bytes;
         }
     }

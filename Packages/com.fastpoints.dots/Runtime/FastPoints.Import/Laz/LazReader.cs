@@ -43,12 +43,12 @@ namespace FastPoints.Laz
 
         public PointEstimate EstimatedPoints => new PointEstimate(Info.PointsClaimed, 0);
 
-        // The beginning, however many places are wanted.
+        // The beginning of the file, however many prefixes are wanted.
         public IEnumerator<JobStep> FindPrefixes(int count)
         {
             if (!HasPrefixes)
                 yield break;
-            Forget();
+            Reset();
             if (m_isTableLost)
             {
                 yield return JobStep.Of(new LazWalk(Blocks).WalkPrefix());
@@ -66,7 +66,7 @@ namespace FastPoints.Laz
         {
             if (m_areBlocksKnown)
                 yield break;
-            Forget();
+            Reset();
             var walk = new LazWalk(Blocks);
             try
             {
@@ -77,11 +77,12 @@ namespace FastPoints.Laz
                 Source.Dispose();
             }
             MakeBlocks(walk);
+            // Checking the bounds has opened it again.
             Source.Dispose();
             m_areBlocksKnown = true;
         }
 
-        void Forget()
+        void Reset()
         {
             Blocks.Clear();
             Blocks.DropCheckpoints();
@@ -126,7 +127,7 @@ namespace FastPoints.Laz
 
         void MakeBlocks(LazWalk walk)
         {
-            bool areChunks = Blocks.TryTakeChunks();
+            bool areChunks = Blocks.TryUseChunks();
             for (int c = 0; c < Chunks.Count && !areChunks; c++)
                 if (Format.IsLayered || Chunks[c].Points <= Blocks.LongChunkPoints)
                     Blocks.AddChunk(c);
@@ -158,7 +159,7 @@ namespace FastPoints.Laz
     // Points in LAZ chunks, listed in a chunk table (LazReader) or in the hierarchy of an octree (CopcReader).
     internal abstract class LazChunkReader : PointReader, ILasSource
     {
-        // Of a decoder and its tile.
+        // A decoder and its tile.
         internal sealed override long DecoderBytes => 512 << 10;
 
         // Chunks up to this size are one block, unless their records are long.

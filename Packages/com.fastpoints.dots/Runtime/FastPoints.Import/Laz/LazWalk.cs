@@ -10,7 +10,7 @@ namespace FastPoints.Laz
     // do not: they are decoded, and the next begins where one ends.
     sealed class LazWalk
     {
-        const int SlicePoints = 16384;
+        const int PointsPerSlice = 16384;
         const int HeadersPerRead = 64;
 
         const long MaxCheckpointBytes = 64 << 20;
@@ -110,16 +110,16 @@ namespace FastPoints.Laz
             Warn();
         }
 
-        IEnumerator<JobStep> WalkStreams(bool isBeginning)
+        IEnumerator<JobStep> WalkStreams(bool isPrefix)
         {
             long at = m_firstChunk;
             ulong pointsLeft = m_blocks.Info.PointsClaimed;
-            ulong pointsAfter = isBeginning ? pointsLeft - Math.Min(pointsLeft, (ulong)PrefixPoints(m_blocks)) : 0;
+            ulong pointsAfter = isPrefix ? pointsLeft - Math.Min(pointsLeft, (ulong)PrefixPoints(m_blocks)) : 0;
             using (var stream = new LazWalkStream(m_blocks.File, m_format))
             {
                 while (pointsLeft > pointsAfter && at + m_format.RecordBytes <= m_source.Length)
                 {
-                    if (m_chunks.Count > 0 && IsNoChunk(at, m_chunks.Count))
+                    if (m_chunks.Count > 0 && IsNotAChunk(at, m_chunks.Count))
                         break;
                     long wanted = (long)Math.Min(pointsLeft, m_format.ChunkPoints);
                     int firstCheckpoint = m_checkpoints.Count;
@@ -136,21 +136,20 @@ namespace FastPoints.Laz
                     pointsLeft -= (ulong)stream.Point;
                 }
             }
-            if (!isBeginning)
+            if (!isPrefix)
                 Warn();
         }
 
         // What follows is the chunk table, whose offset was lost, or nothing but zeros, as in a file that was allocated long
         // before it was written. A decoder would make points of both.
-        bool IsNoChunk(long at, int chunks)
+        bool IsNotAChunk(long at, int chunks)
         {
-            const int TableHeaderBytes = 8;
-            var start = m_source.ReadUpTo(at, Math.Max(m_format.RecordBytes + 4, TableHeaderBytes));
+            var start = m_source.ReadUpTo(at, Math.Max(m_format.RecordBytes + 4, LazChunkTable.HeaderBytes));
             bool areZeros = true;
             foreach (byte value in start.Bytes)
                 areZeros &= value == 0;
             long left = m_source.Length - at;
-            return areZeros || left <= LazChunkTable.MaxBytes(chunks) && start.Bytes.Length >= TableHeaderBytes
+            return areZeros || left <= LazChunkTable.MaxBytes(chunks) && start.Bytes.Length >= LazChunkTable.HeaderBytes
                 && start.UInt32(0, "chunk table version") == 0 && start.UInt32(4, "number of chunks") == chunks;
         }
 
@@ -186,7 +185,7 @@ namespace FastPoints.Laz
                     yield return stream.BeginRead();
                 stream.EndRead();
                 long untilCheckpoint = m_checkpointPoints - stream.Point % m_checkpointPoints;
-                yield return stream.Decode((int)Math.Min(Math.Min(SlicePoints, untilCheckpoint), points - stream.Point));
+                yield return stream.Decode((int)Math.Min(Math.Min(PointsPerSlice, untilCheckpoint), points - stream.Point));
                 stream.EndDecode();
                 bool isAtCheckpoint = isLong && stream.Point > 0 && stream.Point % m_checkpointPoints == 0 &&
                     stream.Point < points;
@@ -199,16 +198,16 @@ namespace FastPoints.Laz
                 m_checkpoints.RemoveAt(m_checkpoints.Count - 1);
         }
 
-        // The state of every second checkpoint is dropped while all of them exceed the memory limit.
         void CloseChunk(int chunk, int firstCheckpoint)
         {
             int count = m_checkpoints.Count - firstCheckpoint;
             if (count > 0)
                 m_checkpointsOfChunk.Add(new BlockRange(chunk, firstCheckpoint, count));
-            Thin();
+            DropStates();
         }
 
-        void Thin()
+        // Drops the state of every second checkpoint while all of them exceed the memory limit.
+        void DropStates()
         {
             long bytes = 0;
             foreach (var checkpoint in m_checkpoints)

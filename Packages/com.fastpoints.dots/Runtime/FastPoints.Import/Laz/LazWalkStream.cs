@@ -35,7 +35,7 @@ namespace FastPoints.Laz
             m_maxBytesOfFirst = PointwiseChunk.MaxInputBytes(format.Items, format.RecordBytes, 0);
             m_maxBytesOfPoint = PointwiseChunk.MaxInputBytes(format.Items, format.RecordBytes, 1) - m_maxBytesOfFirst;
             m_windowBytes = (int)Math.Max(MinWindowBytes, m_maxBytesOfFirst + m_tilePoints * m_maxBytesOfPoint);
-            m_read = new NativeFileRead(m_windowBytes + RangeCode.PaddingBytes, Allocator.Persistent);
+            m_read = new NativeFileRead(m_windowBytes + RangeCoder.PaddingBytes, Allocator.Persistent);
             // The state starts as zeros, so that checkpoints leave out what no model has written.
             m_state = new NativeArray<byte>((int)PointwiseChunk.StateBytes(format.Items), Allocator.Persistent);
             PointwiseChunk.Configure((PointwiseChunk*)m_state.GetUnsafePtr(), format.Items, format.RecordBytes);
@@ -140,7 +140,7 @@ namespace FastPoints.Laz
     [BurstCompile]
     unsafe struct WalkLazJob : IJob
     {
-        // The input from where the state's stream has been consumed up to, with PaddingBytes of RangeCode behind InputEnd.
+        // The input from where the state's stream has been consumed up to, with PaddingBytes of RangeCoder behind InputEnd.
         [ReadOnly] public NativeArray<byte> Input;
 
         public NativeArray<byte> State;

@@ -12,7 +12,7 @@ namespace FastPoints.Ply
         readonly HashSet<int> m_brokenBlocks = new HashSet<int>();
         readonly RunningWarning m_pointsLost = new RunningWarning();
         string m_firstFault;
-        bool m_hasReportedMisfits;
+        bool m_hasReportedInexact;
         bool m_hasReportedExtraValues;
 
         public PlyFile(PlyHeader header, SourceInfo info, string[] names)
@@ -170,11 +170,11 @@ namespace FastPoints.Ply
         // Once for each file: values that were changed or skipped.
         public void WarnAnomalies(in PlyAnomalies anomalies)
         {
-            if (anomalies.Misfits > 0 && !m_hasReportedMisfits)
+            if (anomalies.Inexact > 0 && !m_hasReportedInexact)
             {
-                m_hasReportedMisfits = true;
-                Info.Warn(anomalies.FirstMisfitOffset, "a value that its property's integer type cannot hold: the nearest " +
-                    "that it can was taken, without fraction (" + anomalies.Misfits +
+                m_hasReportedInexact = true;
+                Info.Warn(anomalies.FirstInexactOffset, "a value that its property's integer type cannot hold: the nearest " +
+                    "that it can was taken, without fraction (" + anomalies.Inexact +
                     " in this block; later blocks are not counted)");
             }
             if (anomalies.LinesWithExtraValues > 0 && !m_hasReportedExtraValues)

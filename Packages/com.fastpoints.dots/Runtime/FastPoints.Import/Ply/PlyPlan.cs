@@ -92,8 +92,8 @@ namespace FastPoints.Ply
                         bool fits = AsciiLines.StoreInteger(column, row, step->Type, step->Bytes, magnitude, isNegative);
                         if (!fits || !isExact)
                         {
-                            if (anomalies.Misfits++ == 0)
-                                anomalies.FirstMisfitOffset = Range.Offset + (text - input);
+                            if (anomalies.Inexact++ == 0)
+                                anomalies.FirstInexactOffset = Range.Offset + (text - input);
                         }
                     }
                     continue;
@@ -186,8 +186,8 @@ namespace FastPoints.Ply
 
     struct PlyAnomalies
     {
-        public int Misfits;
-        public long FirstMisfitOffset;
+        public int Inexact;
+        public long FirstInexactOffset;
 
         public int LinesWithExtraValues;
         public long FirstExtraOffset;

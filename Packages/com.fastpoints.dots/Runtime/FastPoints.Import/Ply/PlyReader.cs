@@ -33,7 +33,7 @@ namespace FastPoints.Ply
         {
             m_ply = ply;
             if (ply.Vertex.Count == 0)
-                Info.PointsReadable = Blocks.Take(Array.Empty<SegmentBlock>());
+                Info.PointsReadable = Blocks.Set(Array.Empty<SegmentBlock>());
         }
 
         public override bool BlocksAreKnown => Blocks.AreFound;
@@ -49,7 +49,7 @@ namespace FastPoints.Ply
             bool isBroken = end.Error != PlyError.None;
             m_ply.SetPointCount(end.PointsInBlocks, isBroken ? end.ErrorOffset : end.Position,
                 isBroken ? PlyError.Text(end.Error) : null);
-            Info.PointsReadable = Blocks.Take(walk.TakeBlocks());
+            Info.PointsReadable = Blocks.Set(walk.TakeBlocks());
         }
 
         public override BlockRead CreateRead(PointSchema wanted, int capacity, Allocator allocator) =>
@@ -137,13 +137,13 @@ namespace FastPoints.Ply
             }
             AreAllFound = ply.Vertex.Count == 0;
             if (AreAllFound)
-                Info.PointsReadable = Blocks.Take(Array.Empty<SegmentBlock>());
+                Info.PointsReadable = Blocks.Set(Array.Empty<SegmentBlock>());
         }
 
         // Not if there are faces as well, whose lines look alike.
         public override bool HasPrefixes => m_hasVerticesAlone && base.HasPrefixes;
 
-        private protected override void BlocksFound() => Info.PointsReadable = PointCount;
+        private protected override void OnBlocksFound() => Info.PointsReadable = PointCount;
 
         public override IEnumerator<JobStep> FindBlocks()
         {
@@ -154,7 +154,7 @@ namespace FastPoints.Ply
             while (scan.Next(out var handle))
                 yield return handle;
             m_ply.SetPointCount(scan.Points, Info.FileBytes, "the file ends before");
-            Info.PointsReadable = Blocks.Take(scan.TakeBlocks());
+            Info.PointsReadable = Blocks.Set(scan.TakeBlocks());
             AreAllFound = true;
             m_ply.ForgetBroken();
         }

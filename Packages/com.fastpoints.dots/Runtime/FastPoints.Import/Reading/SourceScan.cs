@@ -108,7 +108,7 @@ namespace FastPoints.Reading
         readonly List<BlockRead> m_reads = new List<BlockRead>();
         readonly List<JobHandle> m_consumed = new List<JobHandle>();
         readonly Queue<int> m_inFlight = new Queue<int>();
-        readonly Stack<int> m_spare = new Stack<int>();
+        readonly Stack<int> m_idle = new Stack<int>();
         bool m_keepsStates;
 
         // longest: the most points of a read; chains: the most reads whose jobs run side by side, 0 for all in flight.
@@ -144,7 +144,7 @@ namespace FastPoints.Reading
                     yield return m_consumed[done];
                     m_limit.Resume(next < end && newest.IsCompleted);
                     m_inFlight.Dequeue();
-                    m_spare.Push(done);
+                    m_idle.Push(done);
                     m_consumed[done].Complete();
                     var read = m_reads[done];
                     read.Complete();
@@ -156,13 +156,13 @@ namespace FastPoints.Reading
                 }
                 while (throttle != null && !throttle.IsReady || ahead != null && !ahead.IsNear)
                     yield return default;
-                if (m_spare.Count == 0)
+                if (m_idle.Count == 0)
                 {
                     Add();
                     // Lets the coroutine check its budget.
                     yield return default;
                 }
-                int slot = m_spare.Pop();
+                int slot = m_idle.Pop();
                 if (m_last.Length > 0)
                     m_reads[slot].Dependency = m_last[next % m_last.Length];
                 m_reads[slot].Fetched = ahead?.Take();
@@ -185,7 +185,7 @@ namespace FastPoints.Reading
                 m_reads[m_reads.Count - 1].Dispose();
                 yield return default;
             }
-            m_spare.Clear();
+            m_idle.Clear();
         }
 
         public void Dispose()
@@ -201,7 +201,7 @@ namespace FastPoints.Reading
         void Add()
         {
             var read = m_reader.CreateRead(m_wanted, m_longest, Allocator.Persistent);
-            m_spare.Push(m_reads.Count);
+            m_idle.Push(m_reads.Count);
             m_reads.Add(read);
             m_consumed.Add(default);
             if (m_keepsStates)

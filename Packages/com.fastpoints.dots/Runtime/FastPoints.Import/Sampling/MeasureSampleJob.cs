@@ -9,7 +9,7 @@ namespace FastPoints.Sampling
     [BurstCompile]
     internal struct MeasureSampleJob : IJob
     {
-        public const int PointsOfSlice = 1 << 16;
+        public const int PointsPerSlice = 1 << 16;
 
         [ReadOnly] public NativeArray<double3> Stored;
         public int First;
@@ -24,7 +24,7 @@ namespace FastPoints.Sampling
             do
             {
                 job.First = job.End;
-                job.End = math.min(job.Stored.Length, job.First + PointsOfSlice);
+                job.End = math.min(job.Stored.Length, job.First + PointsPerSlice);
                 done = job.Schedule(done);
             }
             while (job.End < job.Stored.Length);

@@ -20,7 +20,7 @@ namespace FastPoints.Sampling
 
         readonly PositionTransform m_transform;
         readonly SampleBuffer m_points;
-        EmptyCells m_cells;
+        OccupiedCells m_cells;
         NativeArray<ulong> m_table;
         NativeReference<int> m_count;
         JobHandle m_lastAppended;
@@ -31,12 +31,12 @@ namespace FastPoints.Sampling
         {
             m_transform = transform;
             double edge = bounds.IsEmpty ? 0 : math.cmax(bounds.Size);
-            m_cells = new EmptyCells
+            m_cells = new OccupiedCells
             {
                 Corner = bounds.IsEmpty ? default : bounds.Min,
                 CellsPerUnit = edge > 0 ? CellsPerRootOfPoints * Math.Sqrt(wanted) / edge : 0,
             };
-            m_table = new NativeArray<ulong>(EmptyCells.Words, Allocator.Persistent);
+            m_table = new NativeArray<ulong>(OccupiedCells.Words, Allocator.Persistent);
             // At a half, half of the sample's entries are free.
             m_points = new SampleBuffer(schema, transform, Math.Max(1, wanted / 2));
             m_points.FillAll();

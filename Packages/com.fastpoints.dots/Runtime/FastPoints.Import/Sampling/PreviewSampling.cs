@@ -49,7 +49,7 @@ namespace FastPoints.Sampling
             {
                 yield return JobStep.Of(TakePrefixes(progress));
                 if (!IsQuick && Sample.IsOfPrefix)
-                    Drop();
+                    DisposeSample();
             }
             if (Sample == null || !IsQuick && !Sample.IsWhole)
             {
@@ -170,13 +170,13 @@ namespace FastPoints.Sampling
             yield return JobStep.Of(m_reader.FindBlocks());
         }
 
-        void Drop()
+        void DisposeSample()
         {
             Sample?.Dispose();
             Sample = null;
         }
 
-        public void Dispose() => Drop();
+        public void Dispose() => DisposeSample();
     }
 
     /// <summary>Options of a <see cref="PreviewSampling"/>.</summary>

@@ -64,7 +64,7 @@ namespace FastPoints.Sampling
         {
             if (m_reads == null)
             {
-                yield return JobStep.Of(Try());
+                yield return JobStep.Of(ChoosePlan());
                 Allocate(slots > 0 ? slots : Reader.IsRemote ? RemoteSlots : m_pace.Slots);
             }
             int end = m_plan.RangesFor(wanted);
@@ -86,7 +86,7 @@ namespace FastPoints.Sampling
 
         /// <summary>Coroutine: reads the first ranges of the usual plan, and changes to the other one if that is
         /// slow.</summary>
-        IEnumerator<JobStep> Try()
+        IEnumerator<JobStep> ChoosePlan()
         {
             m_gapBytes = m_pace.GapBytes(0);
             if (Reader.IsRemote || m_plan.RangeCount < ReadPace.TrialReads || m_plan.EntryCount >= Reader.PointCount)

@@ -14,21 +14,21 @@ namespace FastPoints.Sampling
 
         // Points / Count and the remainder are stored: a 64-bit division takes as long as everything else that finds a
         // stratum's point.
-        readonly long m_whole;
-        readonly long m_rest;
+        readonly long m_quotient;
+        readonly long m_remainder;
 
         public SampleStrata(long points, int wanted, uint seed)
         {
             Points = points < 0 ? 0 : points;
             Count = (int)(wanted < 0 ? 0 : wanted < Points ? wanted : Points);
             Seed = seed;
-            m_whole = Count == 0 ? 0 : Points / Count;
-            m_rest = Count == 0 ? 0 : Points % Count;
+            m_quotient = Count == 0 ? 0 : Points / Count;
+            m_remainder = Count == 0 ? 0 : Points % Count;
         }
 
         /// <summary>First point of a stratum; <see cref="Points"/> for the one after the last. floor(i * points / count), with
         /// the product split so that it does not overflow.</summary>
-        public long FirstOf(int stratum) => stratum * m_whole + stratum * m_rest / Count;
+        public long FirstOf(int stratum) => stratum * m_quotient + stratum * m_remainder / Count;
 
         public int StratumOf(long point)
         {

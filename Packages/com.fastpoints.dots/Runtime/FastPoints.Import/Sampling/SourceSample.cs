@@ -18,14 +18,14 @@ namespace FastPoints.Sampling
         // time.
         const int MaxRanges = 512;
         const int RangePoints = 256;
-        const long ManyPoints = 64 << 20;
-        const int MaxRangesOfMany = 1024;
+        const long LargeSourcePoints = 64 << 20;
+        const int MaxRangesOfLarge = 1024;
         const int LongRangePoints = 1024;
 
         // Sources this small are read whole, in long ranges: the grid is chosen from all their digits.
-        const int FewPoints = 16 << 10;
+        const int SmallSourcePoints = 16 << 10;
 
-        const int PointsOfSlice = 1 << 16;
+        const int PointsPerSlice = 1 << 16;
 
         NativeList<double3> m_stored;
         NativeList<SampleRange> m_ranges;
@@ -52,9 +52,9 @@ namespace FastPoints.Sampling
             Func<NativeArray<double3>, JobHandle, JobHandle> measure, Action<SourceSample> take)
         {
             var sample = new SourceSample();
-            bool isMany = reader.PointCount > ManyPoints;
-            var ranges = SampleRanges.Choose(reader, isMany ? MaxRangesOfMany : MaxRanges,
-                isMany || reader.PointCount <= FewPoints ? LongRangePoints : RangePoints);
+            bool isLarge = reader.PointCount > LargeSourcePoints;
+            var ranges = SampleRanges.Choose(reader, isLarge ? MaxRangesOfLarge : MaxRanges,
+                isLarge || reader.PointCount <= SmallSourcePoints ? LongRangePoints : RangePoints);
             var positions = reader.Info.Schema.Select(AttributeNames.X, AttributeNames.Y, AttributeNames.Z);
             var measured = default(JobHandle);
             try
@@ -67,7 +67,7 @@ namespace FastPoints.Sampling
                 {
                     int longest = LongestOf(ranges);
                     var limit = SourceScan.LimitFor(reader, positions, 0, maxBytes, chains, inFlightMs);
-                    using var consumer = new Appending(sample, reader, ranges, longest);
+                    using var consumer = new Appender(sample, reader, ranges, longest);
                     yield return JobStep.Of(SourceScan.Run(ScanRanges.Of(reader, ranges, longest), positions, consumer, limit,
                         chains, null));
                     measured = measure(sample.Stored, default);
@@ -107,9 +107,9 @@ namespace FastPoints.Sampling
             {
                 yield return JobStep.Of(reader.ReadRanges(ranges, 0, ranges.Count, batch, read =>
                 {
-                    for (int first = 0; first < points; first += PointsOfSlice)
+                    for (int first = 0; first < points; first += PointsPerSlice)
                         read = Load(batch, decoded, first,
-                            stored.GetSubArray(first, Math.Min(PointsOfSlice, points - first)), read);
+                            stored.GetSubArray(first, Math.Min(PointsPerSlice, points - first)), read);
                     return measure(stored, read);
                 }));
                 for (int r = 0, first = 0; r < ranges.Count; first += ranges[r++].Count)
@@ -159,7 +159,7 @@ namespace FastPoints.Sampling
         }
 
         /// <summary>Adds ranges that come as blocks.</summary>
-        sealed class Appending : IBlockConsumer, IDisposable
+        sealed class Appender : IBlockConsumer, IDisposable
         {
             readonly SourceSample m_sample;
             readonly PointReader m_reader;
@@ -167,7 +167,7 @@ namespace FastPoints.Sampling
             readonly int m_longest;
             readonly List<NativeArray<double3>> m_buffers = new List<NativeArray<double3>>();
 
-            public Appending(SourceSample sample, PointReader reader, List<BlockRange> ranges, int longest)
+            public Appender(SourceSample sample, PointReader reader, List<BlockRange> ranges, int longest)
             {
                 m_sample = sample;
                 m_reader = reader;

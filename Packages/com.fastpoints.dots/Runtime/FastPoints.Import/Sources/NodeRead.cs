@@ -46,7 +46,7 @@ namespace FastPoints.Sources
         protected sealed override void Warn(DecodeResult result)
         {
             if (result.Error != 0 && result.Points < Range.Count)
-                Reader.EndNode(Range.Block, Reader.Block(Range.Block).FirstInNode + Range.First + result.Points);
+                Reader.MarkEndOfNode(Range.Block, Reader.Block(Range.Block).FirstInNode + Range.First + result.Points);
             Report(result);
         }
     }
@@ -57,18 +57,18 @@ namespace FastPoints.Sources
     {
         readonly LasTemplate m_template;
         readonly bool m_isPotree;
-        readonly LazFileDecoding m_decoding;
+        readonly LazFileDecoder m_decoder;
 
         // isPotree: offsets are rounded, and the points of nodes are counted by their files.
-        public LasNodeRead(NodeReader reader, LasTemplate like, bool isPotree, PointSchema wanted, int capacity,
+        public LasNodeRead(NodeReader reader, LasTemplate template, bool isPotree, PointSchema wanted, int capacity,
             Allocator allocator)
             : base(reader, wanted, capacity, allocator)
         {
-            m_template = like;
+            m_template = template;
             m_isPotree = isPotree;
             try
             {
-                m_decoding = Own(new LazFileDecoding(like, Points, isPotree, allocator));
+                m_decoder = Own(new LazFileDecoder(template, Points, isPotree, allocator));
             }
             catch (ArgumentException)
             {
@@ -79,16 +79,16 @@ namespace FastPoints.Sources
 
         protected override JobHandle Schedule(BlockRange range, in NodeBlock block)
         {
-            var read = BeginRead(range, RangeCode.PaddingBytes);
-            return m_decoding.Schedule(File.Buffer, BytesRead, block.FirstInNode + range.First, range.Count, Result, read);
+            var read = BeginRead(range, RangeCoder.PaddingBytes);
+            return m_decoder.Schedule(File.Buffer, BytesRead, block.FirstInNode + range.First, range.Count, Result, read);
         }
 
         protected override void Report(DecodeResult result)
         {
             var header = m_template.Las.Header;
             string got = "wanted " + Range.Count + " points, got " + result.Points;
-            long inFile = m_decoding.PointsInFile, inNode = Reader.Block(Range.Block).NodePoints;
-            if (result.Error == LazError.NoChunk)
+            long inFile = m_decoder.PointsInFile, inNode = Reader.Block(Range.Block).NodePoints;
+            if (result.Error == LazError.NotAChunk)
                 Reader.WarnBroken(Range.Block, "its file is not what the other nodes' are: its points are left out",
                     "wanted " + (m_template.Laz == null ? "LAS" : "LAZ") + " of point format " + header.PointFormat
                         + " in records of " + header.RecordBytes + " bytes, with the items of the others", 0);

@@ -104,7 +104,7 @@ namespace FastPoints.Sources
             read.Begin(piece.Path, piece.OffsetBytes, (int)piece.LengthBytes);
 
         // Later blocks are not tried once a node has given its last point: each would decode the node from its start.
-        internal void EndNode(int block, long point) =>
+        internal void MarkEndOfNode(int block, long point) =>
             m_endOfNode[NodeOf(block).Key] = Math.Min(point, EndOfNode(block));
 
         internal long EndOfNode(int block) =>

@@ -87,7 +87,7 @@ namespace FastPoints.Sources
 
         static PointReader OpenComplete(string path, ReadOptions options)
         {
-            var reader = OpenAsItIs(path, options);
+            var reader = OpenWithoutOverrides(path, options);
             try
             {
                 // Tiles are complete, each by itself.
@@ -104,7 +104,7 @@ namespace FastPoints.Sources
             }
         }
 
-        static PointReader OpenAsItIs(string path, ReadOptions options)
+        static PointReader OpenWithoutOverrides(string path, ReadOptions options)
         {
             PointReader OpenTiles() =>
                 TiledReader.OpenFolder(path, options?.IsRecursive == true, tile => OpenComplete(tile, options));
@@ -116,10 +116,10 @@ namespace FastPoints.Sources
                 if (index == null)
                     return OpenTiles();
                 using var source = RandomAccessFile.Open(index);
-                return OpenIndex(SourceJson.Read(source)) is PointReader octree ? Hashed(source, octree) : OpenTiles();
+                return OpenIndex(SourceJson.Read(source)) is PointReader octree ? WithHeadHash(source, octree) : OpenTiles();
             }
             using (var source = RandomAccessFile.Open(path))
-                return Hashed(source, OpenFile(source, options));
+                return WithHeadHash(source, OpenFile(source, options));
         }
 
         static PointReader OpenFile(RandomAccessFile source, ReadOptions options)
@@ -142,10 +142,10 @@ namespace FastPoints.Sources
             return (PointReader)PtxReader.Open(source) ?? XyzReader.Open(source, options?.TextColumns) ??
                 throw new PointCloudException(FailureCode.Unsupported, source.Path, 0,
                     "no known point cloud format: wanted LAS (LASF), PLY (ply), PCD, E57 (ASTM-E57), or lines of numbers, " +
-                    "got " + Shown(head));
+                    "got " + Describe(head));
         }
 
-        static unsafe PointReader Hashed(RandomAccessFile source, PointReader reader)
+        static unsafe PointReader WithHeadHash(RandomAccessFile source, PointReader reader)
         {
             try
             {
@@ -199,7 +199,7 @@ namespace FastPoints.Sources
         }
 
         // Text, or hexadecimal if they are not text.
-        static string Shown(byte[] head)
+        static string Describe(byte[] head)
         {
             int count = Math.Min(head.Length, 16);
             var text = new StringBuilder("text \"");

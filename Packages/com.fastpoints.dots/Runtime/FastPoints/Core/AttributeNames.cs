@@ -40,5 +40,8 @@ namespace FastPoints
         public const string ParametricDx = "ParametricDx";
         public const string ParametricDy = "ParametricDy";
         public const string ParametricDz = "ParametricDz";
+
+        // -1 for an attribute that is no coordinate.
+        internal static int AxisOf(string name) => name == X ? 0 : name == Y ? 1 : name == Z ? 2 : -1;
     }
 }

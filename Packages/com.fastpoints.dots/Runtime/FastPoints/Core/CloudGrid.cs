@@ -26,6 +26,9 @@ namespace FastPoints
 
         public Grid3(long x, long y, long z) => (X, Y, Z) = (x, y, z);
 
+        internal static Grid3 MinValue => new Grid3(long.MinValue, long.MinValue, long.MinValue);
+        internal static Grid3 MaxValue => new Grid3(long.MaxValue, long.MaxValue, long.MaxValue);
+
         public static Grid3 operator +(Grid3 a, Grid3 b) => new Grid3(a.X + b.X, a.Y + b.Y, a.Z + b.Z);
 
         public static Grid3 operator -(Grid3 a, Grid3 b) => new Grid3(a.X - b.X, a.Y - b.Y, a.Z - b.Z);

@@ -46,18 +46,18 @@ namespace FastPoints
         }
 
         // grid = stored * factor + shift; false if the grid has no room. Loss: how far 32-bit numbers move, in CRS units.
-        public static bool TryPlace(double scale, double offset, double step, double origin,
-            out (long Factor, long Shift, double Loss) placed)
+        public static bool TryRescale(double scale, double offset, double step, double origin,
+            out (long Factor, long Shift, double Loss) rescaled)
         {
             double exactFactor = scale / step, exactShift = (offset - origin) / step;
-            placed = default;
+            rescaled = default;
             if (!(Math.Abs(exactFactor) < MaxFactor) || !(Math.Abs(exactShift) < MaxShift))
                 return false;
-            placed.Factor = (long)Math.Round(exactFactor);
-            placed.Shift = (long)Math.Round(exactShift);
+            rescaled.Factor = (long)Math.Round(exactFactor);
+            rescaled.Shift = (long)Math.Round(exactShift);
             if (!IsWhole(exactFactor, ScaleTolerance) || !IsWhole(exactShift, OffsetToleranceSteps))
-                placed.Loss = step *
-                    (Math.Abs(exactFactor - placed.Factor) * int.MaxValue + Math.Abs(exactShift - placed.Shift));
+                rescaled.Loss = step *
+                    (Math.Abs(exactFactor - rescaled.Factor) * int.MaxValue + Math.Abs(exactShift - rescaled.Shift));
             return true;
         }
 

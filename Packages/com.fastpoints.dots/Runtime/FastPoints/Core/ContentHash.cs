@@ -4,8 +4,8 @@ using Unity.Collections.LowLevel.Unsafe;
 
 namespace FastPoints
 {
-    // Guards each byte range of a stored cloud, and of a cache: XXH64 with seed 0, as its published specification defines it. It detects
-    // damage, not tampering.
+    // Guards each byte range of a converted cloud, and of a cache: XXH64 with seed 0, as its published specification defines
+    // it. It detects damage, not tampering.
     internal static unsafe class ContentHash
     {
         const ulong P1 = 0x9E3779B185EBCA87UL;

@@ -45,6 +45,15 @@ namespace FastPoints
             return new PointSchema(chosen);
         }
 
+        // The position, and those of the attributes that it has.
+        internal PointSchema SelectWithPosition(PointSchema attributes)
+        {
+            var names = new List<string> { AttributeNames.X, AttributeNames.Y, AttributeNames.Z };
+            foreach (var attribute in attributes)
+                names.Add(attribute.Name);
+            return Select(names.ToArray());
+        }
+
         public bool Equals(PointSchema other)
         {
             if (other == null || other.Count != Count)

@@ -60,9 +60,9 @@ namespace FastPoints
             int sum = 0;
             for (int value = 0; value < DigitValues; value++)
             {
-                int with = start[value];
+                int keysWithDigit = start[value];
                 start[value] = sum;
-                sum += with;
+                sum += keysWithDigit;
             }
         }
 

@@ -21,7 +21,7 @@ namespace FastPoints.Drawing
         NativeList<int> m_seen = new NativeList<int>(1024, Allocator.Persistent);
         NativeReference<long> m_points = new NativeReference<long>(Allocator.Persistent);
         NativeList<uint> m_lastInstanceOfNode = new NativeList<uint>(Allocator.Persistent);
-        NativeList<ListedSlot> m_ofSlot = new NativeList<ListedSlot>(Allocator.Persistent);
+        NativeList<ListedSlot> m_listedOfSlot = new NativeList<ListedSlot>(Allocator.Persistent);
 
         /// <param name="sizes">The tree of all cameras; this list does not dispose it.</param>
         public DrawList(SizeTree sizes) => m_sizes = sizes;
@@ -49,8 +49,8 @@ namespace FastPoints.Drawing
         // Whether lists say where their nodes were in the one before.
         internal bool IsProgressive { get; set; }
 
-        // How many such lists there were.
-        internal int Picture { get; private set; }
+        // Of the last progressive list, from 1.
+        internal int ListNumber { get; private set; }
 
         // Indexed as Nodes: the node's first block in the list before, or ListedSlot.None.
         internal NativeArray<uint> LastInstanceOfNode => m_lastInstanceOfNode.AsArray();
@@ -110,7 +110,7 @@ namespace FastPoints.Drawing
                     cloud.Source.Planes[listed.Look.ClassPlane]));
             }
             if (IsProgressive)
-                Picture++;
+                ListNumber++;
             new ListBlocksJob
             {
                 Drawn = stream.Drawn.AsArray(),
@@ -122,9 +122,9 @@ namespace FastPoints.Drawing
                 InstanceOfBank = m_instanceOfBank,
                 Seen = m_seen,
                 Points = m_points,
-                Picture = IsProgressive ? Picture : 0,
+                ListNumber = IsProgressive ? ListNumber : 0,
                 LastInstanceOfNode = m_lastInstanceOfNode,
-                OfSlot = m_ofSlot,
+                ListedOfSlot = m_listedOfSlot,
             }.Run();
         }
 
@@ -142,7 +142,7 @@ namespace FastPoints.Drawing
             m_seen.Dispose();
             m_points.Dispose();
             m_lastInstanceOfNode.Dispose();
-            m_ofSlot.Dispose();
+            m_listedOfSlot.Dispose();
         }
     }
 }

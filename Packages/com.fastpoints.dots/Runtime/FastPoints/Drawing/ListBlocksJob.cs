@@ -25,10 +25,10 @@ namespace FastPoints.Drawing
         public NativeList<int> Seen;
         public NativeReference<long> Points;
 
-        // Where nodes were in the list before this one; not asked for if Picture is 0, and 1 is the first.
-        public int Picture;
+        // From 1; 0 if nobody asks where nodes were in the list before this one.
+        public int ListNumber;
         public NativeList<uint> LastInstanceOfNode;
-        public NativeList<ListedSlot> OfSlot;
+        public NativeList<ListedSlot> ListedOfSlot;
 
         public void Execute()
         {
@@ -92,20 +92,20 @@ namespace FastPoints.Drawing
                 for (int block = 0; block < blocks; block++)
                     nodeOfInstance[instance + block] = (uint)Nodes.Length;
                 Nodes.Add(node);
-                if (Picture > 0)
-                    LastInstanceOfNode.Add(Remember(drawn, node.FirstInstance));
+                if (ListNumber > 0)
+                    LastInstanceOfNode.Add(ReplaceFirstInstance(drawn, node.FirstInstance));
             }
         }
 
         // Where the node's blocks began in the last list; from the next one on, where they begin in this one.
-        uint Remember(in DrawnNode drawn, uint instance)
+        uint ReplaceFirstInstance(in DrawnNode drawn, uint instance)
         {
-            if (OfSlot.Length <= drawn.Slot)
-                OfSlot.Resize(drawn.Slot + 1, NativeArrayOptions.ClearMemory);
-            ref var listed = ref OfSlot.ElementAt(drawn.Slot);
-            bool wasListed = listed.Version == drawn.Version && listed.Picture == Picture - 1 && Picture > 1;
+            if (ListedOfSlot.Length <= drawn.Slot)
+                ListedOfSlot.Resize(drawn.Slot + 1, NativeArrayOptions.ClearMemory);
+            ref var listed = ref ListedOfSlot.ElementAt(drawn.Slot);
+            bool wasListed = listed.Version == drawn.Version && listed.ListNumber == ListNumber - 1 && ListNumber > 1;
             uint last = wasListed ? listed.FirstInstance : ListedSlot.None;
-            listed = new ListedSlot { Version = drawn.Version, Picture = Picture, FirstInstance = instance };
+            listed = new ListedSlot { Version = drawn.Version, ListNumber = ListNumber, FirstInstance = instance };
             return last;
         }
     }
@@ -116,7 +116,7 @@ namespace FastPoints.Drawing
         public const uint None = 0xFFFFFFFF;
 
         public int Version;
-        public int Picture;
+        public int ListNumber;
         public uint FirstInstance;
     }
 

@@ -9,7 +9,7 @@ using Unity.Mathematics;
 namespace FastPoints.Picking
 {
     // Finds the first point of a cloud that a ray hits, among all points on disk and not only those that are shown. It reads or
-    // makes nodes from the nearest on, until none of the rest can have a nearer hit. Main thread; it waits only when it is
+    // transcodes nodes from the nearest on, until none of the rest can have a nearer hit. Main thread; it waits only when it is
     // disposed or a search is cancelled.
     internal sealed class PointPicker : IDisposable
     {
@@ -226,7 +226,7 @@ namespace FastPoints.Picking
         unsafe void PushNode(int page, int index, double spacingAbove)
         {
             var node = m_cloud.Pages[page].Nodes[index];
-            // A inlined leaf's points are searched with its parent's.
+            // An inlined leaf's points are searched with its parent's.
             if (node.PointCount == 0)
                 return;
             // The node only holds others together.

@@ -44,7 +44,7 @@ namespace FastPoints.Store
             check.Region = region;
             check.DataBytes = dataBytes;
             check.IsChunk = isChunk;
-            var problem = check.Find();
+            var problem = check.FindProblem();
             return problem.IsNone ? null : Describe(problem, check);
         }
 

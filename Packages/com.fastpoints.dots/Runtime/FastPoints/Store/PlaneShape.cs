@@ -36,6 +36,9 @@ namespace FastPoints.Store
 
         public PlaneShape(int columnCount, int wideColumns) => (ColumnCount, WideColumns) = (columnCount, wideColumns);
 
+        // Wide positions need 64 bits on each axis.
+        internal static PlaneShape OfPositions(bool areWide) => new PlaneShape(3, areWide ? 7 : 0);
+
         /// <summary>Words of one block's descriptor.</summary>
         public int DescriptorWords => 2 + ColumnCount + (WideColumns & 1) + (WideColumns >> 1 & 1) + (WideColumns >> 2 & 1);
 

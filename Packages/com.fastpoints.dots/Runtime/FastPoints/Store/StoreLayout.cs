@@ -40,7 +40,7 @@ namespace FastPoints.Store
             // The averages at most double the number.
             var stored = new StoredColumn[2 * attributes.Count];
             var attributeOfColumn = new int[2 * attributes.Count];
-            m_planes.Add(new Plane { Name = PositionName, Shape = new PlaneShape(3, 0) });
+            m_planes.Add(new Plane { Name = PositionName, Shape = PlaneShape.OfPositions(false) });
 
             var offsets = new int[attributes.Count];
             for (int i = 0; i < attributes.Count; i++)
@@ -136,7 +136,7 @@ namespace FastPoints.Store
 
         /// <summary>Shape of one plane in one node.</summary>
         public PlaneShape ShapeOf(int plane, bool isWide) =>
-            plane == PositionPlane ? new PlaneShape(3, isWide ? 7 : 0) : m_planes[plane].Shape;
+            plane == PositionPlane ? PlaneShape.OfPositions(isWide) : m_planes[plane].Shape;
     }
 
     /// <summary>One column of one attribute plane: the meaning of its stored numbers. Blittable, for jobs.</summary>

@@ -14,7 +14,7 @@ namespace FastPoints.Store
         public long DataBytes; // Planes lie between the header and this offset.
         public bool IsChunk; // Several nodes may have no parent.
 
-        public TableProblem Find()
+        public TableProblem FindProblem()
         {
             long nextChild = 0;
             while (nextChild < NodeCount && Nodes[nextChild].Parent == -1)

@@ -69,13 +69,13 @@ namespace FastPoints.Streaming
         // A web server did not give what was wanted: the cloud may be another by now.
         internal virtual void Doubt() { }
 
-        /// <summary>For sources that make nodes: if a page cannot be built now, the source reads what is missing.</summary>
+        /// <summary>For sources that transcode: if a page cannot be built now, the source reads what is missing.</summary>
         public virtual bool CanBuild(int page) => true;
 
-        /// <summary>For sources that make nodes: registers a page that was built, and numbers the pages attached to it.</summary>
+        /// <summary>For sources that transcode: registers a page that was built, and numbers the pages attached to it.</summary>
         public virtual void RegisterPage(int page, in HierarchyPage built) { }
 
-        /// <summary>For sources that make nodes: the box of a page that was not built yet.</summary>
+        /// <summary>For sources that transcode: the box of a page that was not built yet.</summary>
         public virtual HierarchyPage EmptyPage(int page) => default;
 
         /// <summary>Called once a frame; it never waits. Returns the failure, or null.</summary>
@@ -91,7 +91,7 @@ namespace FastPoints.Streaming
 
         public virtual void ReturnTranscoder(NodeTranscoder transcoder) { }
 
-        /// <summary>For sources that make nodes: a transcoder of every plane, to be disposed before the source.</summary>
+        /// <summary>For sources that transcode: a transcoder of every plane, to be disposed before the source.</summary>
         public virtual NodeTranscoder CreateFullTranscoder() => throw new NotSupportedException();
 
         /// <summary>Coroutine: opens the same cloud once more, on another thread, to examine single points: with positions and

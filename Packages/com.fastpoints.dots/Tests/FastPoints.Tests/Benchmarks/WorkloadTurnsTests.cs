@@ -53,7 +53,7 @@ namespace FastPoints.Tests.Benchmarks
             var log = new List<string>();
             var group = new IWorkload[] { new LoggingWorkload("limit", null, log), new LoggingWorkload("work", "limit", log) };
 
-            List<WorkloadSamples> samples = WorkloadTurns.Take(group, new WorkloadContext(), Settings(2));
+            List<WorkloadSamples> samples = WorkloadTurns.Run(group, new WorkloadContext(), Settings(2));
 
             Assert.That(log, Is.EqualTo(new[]
             {
@@ -72,7 +72,7 @@ namespace FastPoints.Tests.Benchmarks
             var group = new IWorkload[] { new LoggingWorkload("limit", null, log),
                 new LoggingWorkload("work", "limit", log, () => throw new InvalidOperationException()) };
 
-            Assert.That(() => WorkloadTurns.Take(group, new WorkloadContext(), Settings(1)), Throws.InvalidOperationException);
+            Assert.That(() => WorkloadTurns.Run(group, new WorkloadContext(), Settings(1)), Throws.InvalidOperationException);
             Assert.That(log, Does.Contain("dispose limit").And.Contain("dispose work"));
         }
 
@@ -83,7 +83,7 @@ namespace FastPoints.Tests.Benchmarks
             TurnSettings settings = Settings(1);
             settings.ShortestSampleMs = 1e9;
 
-            WorkloadTurns.Take(new IWorkload[] { new LoggingWorkload("short", null, log) }, new WorkloadContext(), settings);
+            WorkloadTurns.Run(new IWorkload[] { new LoggingWorkload("short", null, log) }, new WorkloadContext(), settings);
 
             Assert.That(log.Count(l => l == "short"), Is.EqualTo(1 + 1000), "one to warm up, and as many as a sample may have");
         }
@@ -96,7 +96,7 @@ namespace FastPoints.Tests.Benchmarks
             settings.AllocatedBytes = () => allocated;
 
             var samples =
-                WorkloadTurns.Take(new IWorkload[] { new LoggingWorkload("work", null, new List<string>(), () =>
+                WorkloadTurns.Run(new IWorkload[] { new LoggingWorkload("work", null, new List<string>(), () =>
                     allocated += 64) },
                 new WorkloadContext(), settings);
 

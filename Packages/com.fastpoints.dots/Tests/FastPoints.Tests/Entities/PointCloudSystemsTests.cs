@@ -100,7 +100,7 @@ namespace FastPoints.Tests.Entities
         }
 
         [Test]
-        public void Update_Frames_TakeTheClocksTimeOrAFilms()
+        public void Update_CaptureDeltaTimeSet_TakesItForFrameSeconds()
         {
             Begin();
             Add();

@@ -15,7 +15,7 @@ namespace FastPoints.Tests.Laz
             {
                 Assert.That(list[i], Is.EqualTo(wanted[i]), "chunk " + i);
                 Assert.That(list.PointsOf(i), Is.EqualTo(wanted[i].Points));
-                if (list.AreInRow)
+                if (list.AreContiguous)
                     Assert.That(list.FirstPointOf(i), Is.EqualTo(points));
                 points += wanted[i].Points;
                 maxBytes = Math.Max(maxBytes, wanted[i].Bytes);
@@ -43,11 +43,11 @@ namespace FastPoints.Tests.Laz
                 wanted.Add(chunk);
                 offset += chunk.Bytes;
             }
-            Assert.That(list.AreInRow, Is.EqualTo(gapAt < 0));
+            Assert.That(list.AreContiguous, Is.EqualTo(gapAt < 0));
             Compare(list, wanted);
             list.Clear();
             Compare(list, new List<LazChunk>());
-            Assert.That(list.AreInRow, Is.True);
+            Assert.That(list.AreContiguous, Is.True);
         }
 
         [Test]

@@ -35,11 +35,11 @@ namespace FastPoints.Tests.Laz
                     uint low = 0, size = uint.MaxValue;
                     foreach (int symbol in wanted)
                         SymbolModel.Encode(place, capacity, (uint)symbol, ref low, ref size, ref next);
-                    RangeCode.End(low, size, ref next);
+                    RangeCoder.End(low, size, ref next);
                     byte* end = next;
                     SymbolModel.Initialize((SymbolModel*)place, symbols, capacity);
                     next = input;
-                    RangeCode.Start(out uint value, out uint length, ref next);
+                    RangeCoder.Start(out uint value, out uint length, ref next);
                     for (int i = 0; i < wanted.Length; i++)
                         Assert.That(SymbolModel.Decode(place, capacity, ref value, ref length, ref next), Is.EqualTo(wanted[i]));
                     Assert.That(next - input, Is.EqualTo(end - input), "a decoder takes all that the encoder wrote");
@@ -73,11 +73,11 @@ namespace FastPoints.Tests.Laz
                     for (int i = 0; i < wanted.Length; i++)
                         IntegerModel.Encode(place, bits, Contexts, i % Contexts, unchecked(wanted[i] - predictions[i]), out _,
                             ref low, ref size, ref next);
-                    RangeCode.End(low, size, ref next);
+                    RangeCoder.End(low, size, ref next);
                     byte* end = next;
                     IntegerModel.Initialize(place, bits, Contexts);
                     next = input;
-                    RangeCode.Start(out uint value, out uint length, ref next);
+                    RangeCoder.Start(out uint value, out uint length, ref next);
                     for (int i = 0; i < wanted.Length; i++)
                     {
                         int difference = IntegerModel.Decode(place, bits, Contexts, i % Contexts, ref value, ref length,
@@ -100,13 +100,13 @@ namespace FastPoints.Tests.Laz
                 for (int i = 0; i < wanted.Length; i++)
                 {
                     wanted[i] = (uint)(((long)random.Next() << 16 ^ random.Next()) & ((1L << bits) - 1));
-                    RangeCode.PutBits(bits, wanted[i], ref low, ref size, ref next);
+                    RangeCoder.PutBits(bits, wanted[i], ref low, ref size, ref next);
                 }
-                RangeCode.End(low, size, ref next);
+                RangeCoder.End(low, size, ref next);
                 next = input;
-                RangeCode.Start(out uint value, out uint length, ref next);
+                RangeCoder.Start(out uint value, out uint length, ref next);
                 for (int i = 0; i < wanted.Length; i++)
-                    Assert.That(RangeCode.Bits(bits, ref value, ref length, ref next), Is.EqualTo(wanted[i]));
+                    Assert.That(RangeCoder.Bits(bits, ref value, ref length, ref next), Is.EqualTo(wanted[i]));
             }
         }
 
@@ -115,7 +115,7 @@ namespace FastPoints.Tests.Laz
         {
             // Whatever comes, value < length: the worst is a start of nothing but ones.
             var random = new Random(7);
-            var noise = new byte[4096 + RangeCode.PaddingBytes];
+            var noise = new byte[4096 + RangeCoder.PaddingBytes];
             foreach (int symbols in new[] { 2, 16, 33, 256, 516 })
             {
                 random.NextBytes(noise);
@@ -127,7 +127,7 @@ namespace FastPoints.Tests.Laz
                         byte* place = (byte*)state.GetUnsafePtr();
                         SymbolModel.Initialize(place, symbols);
                         byte* next = input;
-                        RangeCode.Start(out uint value, out uint length, ref next);
+                        RangeCoder.Start(out uint value, out uint length, ref next);
                         bool isValid = true;
                         for (int i = 0; i < 100000 && next < input + 4000; i++)
                             isValid &= SymbolModel.Decode(place, symbols, ref value, ref length, ref next) < symbols

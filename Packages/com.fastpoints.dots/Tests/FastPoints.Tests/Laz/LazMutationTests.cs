@@ -154,7 +154,7 @@ namespace FastPoints.Tests.Laz
                 : PointwiseChunk.StateBytes(items);
             using var state = Marked((int)stateBytes, Guard, Mark);
             using var tile = Marked(points * recordBytes, Guard, Mark);
-            using var input = Marked(chunk.Length, RangeCode.PaddingBytes, Mark);
+            using var input = Marked(chunk.Length, RangeCoder.PaddingBytes, Mark);
             NativeArray<byte>.Copy(chunk, input, chunk.Length);
             byte* at = (byte*)input.GetUnsafePtr();
             byte* location = (byte*)state.GetUnsafePtr();

@@ -196,7 +196,7 @@ namespace FastPoints.Tests.Laz
         [TestCase(1), TestCase(8)]
         public void Read_CompressorNone_GivesThePlainRecords(int format)
         {
-            var writer = new LazFileWriter { PointFormat = format, ItemVersion = format < 6 ? 2 : 3, IsPlain = true };
+            var writer = new LazFileWriter { PointFormat = format, ItemVersion = format < 6 ? 2 : 3, IsUncompressed = true };
             Check(writer, LazRecords.Make(format, 0, 500, 15), 0);
         }
 
@@ -297,7 +297,7 @@ namespace FastPoints.Tests.Laz
         }
 
         static void Check(LazFileWriter writer, List<byte[]> records, int warnings, int slots = 3) =>
-            Check(writer.Write(records), writer.IsPlain ? typeof(LasReader) : typeof(LazReader), records, warnings, slots);
+            Check(writer.Write(records), writer.IsUncompressed ? typeof(LasReader) : typeof(LazReader), records, warnings, slots);
 
         static void Check(byte[] bytes, Type type, List<byte[]> records, int warnings, int slots = 3)
         {

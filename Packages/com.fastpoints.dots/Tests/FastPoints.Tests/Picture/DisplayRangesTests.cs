@@ -125,7 +125,7 @@ namespace FastPoints.Tests.Picture
                 if (i % 3 == 0)
                     positions[i][axis] = random.NextDouble(0, 1);
             }
-            Assert.That(UpGuess.Of(positions, out string reason), Is.EqualTo((UpAxis)axis));
+            Assert.That(UpAxisGuess.Of(positions, out string reason), Is.EqualTo((UpAxis)axis));
             Assert.That(reason, Does.Match("^[XYZ] is taken for up: [34]. % of the points lie in one plane across it$"));
         }
 
@@ -137,9 +137,9 @@ namespace FastPoints.Tests.Picture
             for (int i = 0; i < ball.Length; i++)
                 ball[i] = math.normalize(random.NextDouble3(new double3(-1, -1, -1), new double3(1, 1, 1)))
                     + new double3(x, 0, 0);
-            Assert.That(UpGuess.Of(ball, out string reason), Is.EqualTo(up));
+            Assert.That(UpAxisGuess.Of(ball, out string reason), Is.EqualTo(up));
             Assert.That(reason, Does.Contain("no plane").And.Contains(kind));
-            Assert.That(UpGuess.Of(new double3[0], out _), Is.EqualTo(UpAxis.Z));
+            Assert.That(UpAxisGuess.Of(new double3[0], out _), Is.EqualTo(UpAxis.Z));
         }
 
         [Test]

@@ -20,8 +20,8 @@ namespace FastPoints.Build
 
         public static PointStatistics None => new PointStatistics
         {
-            Min = new Grid3(long.MaxValue, long.MaxValue, long.MaxValue),
-            Max = new Grid3(long.MinValue, long.MinValue, long.MinValue),
+            Min = Grid3.MaxValue,
+            Max = Grid3.MinValue,
         };
 
         public void Include(in PointStatistics other)
@@ -94,12 +94,12 @@ namespace FastPoints.Build
                 X86.Avx.mm256_storeu_si256(found + VectorBytes, high);
                 X86.Avx.mm256_storeu_si256(found + 2 * VectorBytes, or);
                 X86.Avx.mm256_storeu_si256(found + 3 * VectorBytes, notDoubled);
-                for (int workspace = 0; workspace < VectorBytes; workspace += size)
+                for (int lane = 0; lane < VectorBytes; lane += size)
                 {
-                    result.Min = math.min(result.Min, Load(found + workspace, size));
-                    result.Max = math.max(result.Max, Load(found + VectorBytes + workspace, size));
-                    result.Or |= Load(found + 2 * VectorBytes + workspace, size);
-                    result.Modulo257Or |= found[3 * VectorBytes + workspace];
+                    result.Min = math.min(result.Min, Load(found + lane, size));
+                    result.Max = math.max(result.Max, Load(found + VectorBytes + lane, size));
+                    result.Or |= Load(found + 2 * VectorBytes + lane, size);
+                    result.Modulo257Or |= found[3 * VectorBytes + lane];
                 }
             }
             for (; at < bytes; at += size)

@@ -250,9 +250,9 @@ namespace FastPoints.Build
             int sum = 0;
             for (int c = 0; c < chunks; c++)
             {
-                int with = first[c];
+                int points = first[c];
                 first[c] = sum;
-                sum += with;
+                sum += points;
             }
             for (int i = 0; i < count; i++)
                 if (chunkOfPoint[i] >= 0)
@@ -326,11 +326,11 @@ namespace FastPoints.Build
             return sum;
         }
 
-        void LoadBatch(byte* bytes, int first, int count, long* positions, ref double worstLoss)
+        void LoadBatch(byte* bytes, int first, int count, long* positions, ref double maxRoundingSteps)
         {
-            SourceGrid.ToGrid(Grid.X, X.At(bytes, first), X.Type, count, positions, ref worstLoss);
-            SourceGrid.ToGrid(Grid.Y, Y.At(bytes, first), Y.Type, count, positions + BatchPoints, ref worstLoss);
-            SourceGrid.ToGrid(Grid.Z, Z.At(bytes, first), Z.Type, count, positions + 2 * BatchPoints, ref worstLoss);
+            SourceGrid.ToGrid(Grid.X, X.At(bytes, first), X.Type, count, positions, ref maxRoundingSteps);
+            SourceGrid.ToGrid(Grid.Y, Y.At(bytes, first), Y.Type, count, positions + BatchPoints, ref maxRoundingSteps);
+            SourceGrid.ToGrid(Grid.Z, Z.At(bytes, first), Z.Type, count, positions + 2 * BatchPoints, ref maxRoundingSteps);
         }
 
         static void CopyColumn(byte* from, int size, int count, byte* to, int stride)

@@ -18,7 +18,7 @@ namespace FastPoints.Build
         /// <summary>Ends the name of a file that is not whole.</summary>
         public const string TemporarySuffix = ".tmp";
 
-        enum OrderKind
+        enum WriteKind
         {
             /// <summary>A file in one piece.</summary>
             Whole,
@@ -34,9 +34,9 @@ namespace FastPoints.Build
             Call,
         }
 
-        struct Order
+        struct Request
         {
-            public OrderKind Kind;
+            public WriteKind Kind;
             public string Path;
             public IntPtr Bytes;
             public long Count;
@@ -47,7 +47,7 @@ namespace FastPoints.Build
             public WriteTicket Ticket;
         }
 
-        readonly Queue<Order> m_orders = new Queue<Order>();
+        readonly Queue<Request> m_requests = new Queue<Request>();
         readonly Thread m_thread;
         readonly Func<Exception> m_check;
         readonly TimeSpan m_checkAfter;
@@ -64,7 +64,7 @@ namespace FastPoints.Build
             m_checkAfter = checkAfter;
             // The editor is blocked while it waits.
             m_stopRetrying = () => m_isRetryStopped = true;
-            m_thread = new Thread(WriteOrders) { IsBackground = true, Name = "FastPoints writer" };
+            m_thread = new Thread(WriteRequests) { IsBackground = true, Name = "FastPoints writer" };
             m_thread.Start();
         }
 
@@ -72,19 +72,19 @@ namespace FastPoints.Build
         public Exception Failure { get; private set; }
 
         /// <summary>Queues a file in one piece. The bytes belong to the queue until the ticket is done, here and below.</summary>
-        public WriteTicket Write(string path, NativeArray<byte> bytes) => Enqueue(OrderKind.Whole, path, bytes, 0);
+        public WriteTicket Write(string path, NativeArray<byte> bytes) => Enqueue(WriteKind.Whole, path, bytes, 0);
 
         /// <summary>Queues a piece of a file, which exists when <see cref="Seal"/> is done with it.</summary>
         public WriteTicket WritePiece(string path, NativeArray<byte> bytes, long offset) =>
-            Enqueue(OrderKind.Piece, path, bytes, offset);
+            Enqueue(WriteKind.Piece, path, bytes, offset);
 
         /// <summary>Queues the first bytes of a file in pieces, which complete it.</summary>
-        public WriteTicket Seal(string path, NativeArray<byte> bytes) => Enqueue(OrderKind.Seal, path, bytes, 0);
+        public WriteTicket Seal(string path, NativeArray<byte> bytes) => Enqueue(WriteKind.Seal, path, bytes, 0);
 
         /// <summary>Queues records at the end of a file that only the build reads.</summary>
-        public WriteTicket WriteRecords(string path, in RecordPages pages, int strideBytes, long offset) => Enqueue(new Order
+        public WriteTicket WriteRecords(string path, in RecordPages pages, int strideBytes, long offset) => Enqueue(new Request
         {
-            Kind = OrderKind.Records,
+            Kind = WriteKind.Records,
             Path = path,
             Pages = pages,
             StrideBytes = strideBytes,
@@ -93,17 +93,17 @@ namespace FastPoints.Build
         });
 
         /// <summary>Queues a flush: everything queued for such a file before is on disk when the ticket is done.</summary>
-        public WriteTicket Sync(string path) => Enqueue(new Order
+        public WriteTicket Sync(string path) => Enqueue(new Request
         {
-            Kind = OrderKind.Sync,
+            Kind = WriteKind.Sync,
             Path = path,
             Ticket = new WriteTicket(m_stopRetrying),
         });
 
         /// <summary>Queues a callback that works with files.</summary>
-        public WriteTicket Run(string path, Action act) => Enqueue(new Order
+        public WriteTicket Run(string path, Action act) => Enqueue(new Request
         {
-            Kind = OrderKind.Call,
+            Kind = WriteKind.Call,
             Path = path,
             Call = act,
             Ticket = new WriteTicket(m_stopRetrying),
@@ -116,47 +116,47 @@ namespace FastPoints.Build
         /// <summary>Waits for everything queued. May be called twice.</summary>
         public void End()
         {
-            lock (m_orders)
+            lock (m_requests)
             {
                 m_isEnding = true;
-                Monitor.PulseAll(m_orders);
+                Monitor.PulseAll(m_requests);
             }
             m_thread.Join();
         }
 
-        void WriteOrders()
+        void WriteRequests()
         {
             while (true)
             {
-                Order order;
-                lock (m_orders)
+                Request request;
+                lock (m_requests)
                 {
-                    if (m_orders.Count == 0 && !m_isEnding)
-                        Monitor.Wait(m_orders, m_checkAfter);
-                    if (m_orders.Count == 0 && m_isEnding)
+                    if (m_requests.Count == 0 && !m_isEnding)
+                        Monitor.Wait(m_requests, m_checkAfter);
+                    if (m_requests.Count == 0 && m_isEnding)
                         return;
-                    m_orders.TryDequeue(out order);
+                    m_requests.TryDequeue(out request);
                 }
                 Failure = m_check() ?? Failure;
-                if (order.Ticket == null)
+                if (request.Ticket == null)
                     continue;
                 // After a failure nothing more is written: later writes would rely on what is missing.
                 try
                 {
                     if (Failure == null)
-                        FileChanges.Retry(() => Execute(order), ShouldRetry);
+                        FileChanges.Retry(() => Execute(request), ShouldRetry);
                 }
                 catch (Exception e)
                 {
                     // Any exception is caught: if it ended the thread, waiting for the ticket would never end.
                     Failure = FileFailures.IsFileFailure(e)
-                        ? FileFailures.WriteFailure(order.Path, e) : PointCloudException.Of(order.Path, e);
+                        ? FileFailures.WriteFailure(request.Path, e) : PointCloudException.Of(request.Path, e);
                 }
-                order.Ticket.Finish(Failure);
+                request.Ticket.Finish(Failure);
             }
         }
 
-        WriteTicket Enqueue(OrderKind kind, string path, NativeArray<byte> bytes, long offset) => Enqueue(new Order
+        WriteTicket Enqueue(WriteKind kind, string path, NativeArray<byte> bytes, long offset) => Enqueue(new Request
         {
             Kind = kind,
             Path = path,
@@ -166,47 +166,49 @@ namespace FastPoints.Build
             Ticket = new WriteTicket(m_stopRetrying),
         });
 
-        WriteTicket Enqueue(Order order)
+        WriteTicket Enqueue(Request request)
         {
-            lock (m_orders)
+            lock (m_requests)
             {
-                m_orders.Enqueue(order);
-                Monitor.PulseAll(m_orders);
+                m_requests.Enqueue(request);
+                Monitor.PulseAll(m_requests);
             }
-            return order.Ticket;
+            return request.Ticket;
         }
 
         /// <summary>May be repeated after any of its steps.</summary>
-        static void Execute(in Order order)
+        static void Execute(in Request request)
         {
-            var bytes = (byte*)order.Bytes;
-            string temporary = order.Path + TemporarySuffix;
-            switch (order.Kind)
+            var bytes = (byte*)request.Bytes;
+            string temporary = request.Path + TemporarySuffix;
+            switch (request.Kind)
             {
-                case OrderKind.Call:
-                    order.Call();
+                case WriteKind.Call:
+                    request.Call();
                     break;
-                case OrderKind.Piece:
-                    using (var file = Open(temporary, order.Offset == 0 ? FileMode.Create : FileMode.OpenOrCreate, order.Offset))
-                        Write(file, bytes, order.Count);
+                case WriteKind.Piece:
+                    using (var file = Open(temporary, request.Offset == 0 ? FileMode.Create : FileMode.OpenOrCreate,
+                        request.Offset))
+                        Write(file, bytes, request.Count);
                     break;
-                case OrderKind.Whole:
-                case OrderKind.Seal:
-                    using (var file = Open(temporary, order.Kind == OrderKind.Whole ? FileMode.Create : FileMode.OpenOrCreate, 0))
+                case WriteKind.Whole:
+                case WriteKind.Seal:
+                    using (var file = Open(temporary,
+                        request.Kind == WriteKind.Whole ? FileMode.Create : FileMode.OpenOrCreate, 0))
                     {
-                        Write(file, bytes, order.Count);
+                        Write(file, bytes, request.Count);
                         file.Flush(true);
                     }
-                    FileChanges.Replace(temporary, order.Path);
+                    FileChanges.Replace(temporary, request.Path);
                     break;
-                case OrderKind.Sync:
-                    using (var file = Open(order.Path, FileMode.Open, 0))
+                case WriteKind.Sync:
+                    using (var file = Open(request.Path, FileMode.Open, 0))
                         file.Flush(true);
                     break;
                 default:
-                    using (var file = Open(order.Path, FileMode.OpenOrCreate, order.Offset))
-                        for (var page = order.Pages.First; page != null; page = page->Next)
-                            file.Write(new ReadOnlySpan<byte>(RecordPages.RecordsOf(page), page->Count * order.StrideBytes));
+                    using (var file = Open(request.Path, FileMode.OpenOrCreate, request.Offset))
+                        for (var page = request.Pages.First; page != null; page = page->Next)
+                            file.Write(new ReadOnlySpan<byte>(RecordPages.RecordsOf(page), page->Count * request.StrideBytes));
                     break;
             }
         }

@@ -102,8 +102,8 @@ namespace FastPoints.Export
                 var result = NodeCheckResult.Empty;
                 for (; part < m_parts.Length && m_parts[part].Node == n; part++)
                     result.Include(m_results[part]);
-                if (result.What == NodeCheckResult.Fault.None && !result.HasBoundsOf(Table.Nodes[n]))
-                    result.What = NodeCheckResult.Fault.Bounds;
+                if (result.Fault == NodeFault.None && !result.HasBoundsOf(Table.Nodes[n]))
+                    result.Fault = NodeFault.Bounds;
                 yield return result;
             }
         }

@@ -11,9 +11,9 @@ using Unity.Jobs;
 
 namespace FastPoints.Export
 {
-    /// <summary>Sums two independent 64-bit hashes over all points of a source, as a stored cloud would have them: 128 bits that
-    /// do not depend on the order. Two different multisets of points have equal sums with a probability of about 2^-128, unless
-    /// they are deliberately constructed against these hashes.</summary>
+    /// <summary>Sums two independent 64-bit hashes over all points of a source, as a converted cloud would have them: 128
+    /// bits that do not depend on the order. Two different multisets of points have equal sums with a probability of about
+    /// 2^-128, unless they are deliberately constructed against these hashes.</summary>
     internal sealed class PointSetHash : IBlockConsumer, IDisposable
     {
         readonly PointSchema m_attributes;
@@ -56,7 +56,7 @@ namespace FastPoints.Export
         public void Completed(BlockRead read, int slot) { }
 
         /// <summary>Takes the statistics after the scan, which include the first sum.</summary>
-        public PointStatistics TakeStatistics(out ulong secondSum, AttributeStatistics[] attributes)
+        public PointStatistics TakeStatistics(out ulong secondSum)
         {
             var all = PointStatistics.None;
             secondSum = 0;
@@ -65,8 +65,6 @@ namespace FastPoints.Export
                 m_jobs[s].Complete();
                 all.Include(m_slots[s].Statistics.Value);
                 secondSum += m_sums[s].Value;
-                for (int a = 0; a < attributes.Length; a++)
-                    attributes[a].Include(m_slots[s].Attributes[a]);
             }
             return all;
         }

@@ -9,8 +9,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Export
 {
-    /// <summary>Verifies a stored cloud: every file and table, every hash, every point in its cube, the counts and the checksum.
-    /// Compared with its sources, it also proves that the points are the same as a multiset, over position and every
+    /// <summary>Verifies a converted cloud: every file and table, every hash, every point in its cube, the counts and the
+    /// checksum. Compared with its sources, it also proves that the points are the same as a multiset, over position and every
     /// attribute.</summary>
     public sealed class VerifyCloud : IDisposable
     {
@@ -71,20 +71,20 @@ namespace FastPoints.Export
 
         public void Dispose() => m_store.Dispose();
 
-        /// <summary>Checks the files in their order, several ahead of the one whose result is taken next.</summary>
+        /// <summary>Coroutine: checks the files, several in flight, and adds their results in order.</summary>
         IEnumerator<JobStep> CheckFiles(StageProgress progress)
         {
             var tables = new Queue<PoolTask<NodeTable>>();
             var inFlight = new Queue<(FileCheck Check, string Problem)>();
             FileCheck next = null;
-            int file = m_folder.Upper.Nodes.Length > 0 ? -1 : 0, asked = 0, taken = file;
+            int file = m_folder.Upper.Nodes.Length > 0 ? -1 : 0, requested = 0, done = file;
             long bytes = 0;
             try
             {
-                while (taken < m_folder.Chunks.Length)
+                while (done < m_folder.Chunks.Length)
                 {
-                    for (; asked < m_folder.Chunks.Length && tables.Count < MaxTablesInFlight; asked++)
-                        tables.Enqueue(Load(asked));
+                    for (; requested < m_folder.Chunks.Length && tables.Count < MaxTablesInFlight; requested++)
+                        tables.Enqueue(Load(requested));
                     if (next == null && file < m_folder.Chunks.Length && (file < 0 || tables.Peek().IsDone))
                     {
                         try
@@ -119,14 +119,14 @@ namespace FastPoints.Export
                     else
                     {
                         yield return oldest.Done;
-                        Take(oldest);
+                        Add(oldest);
                         bytes -= oldest.Bytes;
                         oldest.Dispose();
                     }
                     inFlight.Dequeue();
-                    taken++;
-                    if (taken > 0)
-                        progress?.Report(taken / (double)m_folder.Chunks.Length, m_result.Points, 0);
+                    done++;
+                    if (done > 0)
+                        progress?.Report(done / (double)m_folder.Chunks.Length, m_result.Points, 0);
                     // What was freed took milliseconds, as the next check's memory does.
                     yield return default;
                 }
@@ -149,7 +149,7 @@ namespace FastPoints.Export
             return PoolTask.Begin(path, () => folder.LoadTable(path, record), table => table.Dispose());
         }
 
-        void Take(FileCheck check)
+        void Add(FileCheck check)
         {
             try
             {
@@ -167,13 +167,13 @@ namespace FastPoints.Export
             }
             int node = 0;
             foreach (var result in check.NodeResults())
-                Take(check.Path, node++, check.Table, result);
+                AddNode(check.Path, node++, check.Table, result);
         }
 
-        void Take(string path, int index, NodeTable table, in NodeCheckResult result)
+        void AddNode(string path, int index, NodeTable table, in NodeCheckResult result)
         {
             var node = table.Nodes[index];
-            if (result.What != NodeCheckResult.Fault.None)
+            if (result.Fault != NodeFault.None)
             {
                 var range = table.Planes[node.PlaneNode * table.PlaneCount + result.Plane];
                 m_result.Add(string.Format(CultureInfo.InvariantCulture, "{0}: at byte {1}: node {2}, plane \"{3}\": {4}", path,
@@ -199,13 +199,13 @@ namespace FastPoints.Export
             m_result.Levels[level] = at;
         }
 
-        static string Describe(in NodeCheckResult result, in PlaneRange range) => result.What switch
+        static string Describe(in NodeCheckResult result, in PlaneRange range) => result.Fault switch
         {
-            NodeCheckResult.Fault.PlaneHash => "is damaged: " + StoreFile.HashProblem(range.Hash, result.Hash),
-            NodeCheckResult.Fault.PlaneShape => "its blocks do not lie inside it one after the other",
-            NodeCheckResult.Fault.BlockCounts => "its blocks have other numbers of points than the node",
-            NodeCheckResult.Fault.OutsideCube => "a point outside of the node's cube",
-            NodeCheckResult.Fault.Bounds => "the node's bounds are not its points'",
+            NodeFault.PlaneHash => "is damaged: " + StoreFile.HashProblem(range.Hash, result.Hash),
+            NodeFault.PlaneShape => "its blocks do not lie inside it one after the other",
+            NodeFault.BlockCounts => "its blocks have other numbers of points than the node",
+            NodeFault.OutsideCube => "a point outside of the node's cube",
+            NodeFault.Bounds => "the node's bounds are not its points'",
             _ => "a value that its attribute's type cannot have",
         };
 
@@ -230,25 +230,19 @@ namespace FastPoints.Export
         IEnumerator<JobStep> Compare(IReadOnlyList<PointReader> readers, StageProgress progress)
         {
             var manifest = m_folder.Manifest;
-            var names = new List<string> { AttributeNames.X, AttributeNames.Y, AttributeNames.Z };
-            foreach (var attribute in manifest.Attributes)
-                names.Add(attribute.Name);
             long points = 0, leftOut = 0;
             ulong firstSum = 0, secondSum = 0;
-            var attributes = new AttributeStatistics[manifest.Attributes.Count];
-            for (int a = 0; a < attributes.Length; a++)
-                attributes[a] = AttributeStatistics.None;
             foreach (var reader in readers)
             {
                 if (!HasAttributes(reader))
                     yield break;
                 if (!reader.BlocksAreKnown)
                     yield return JobStep.Of(reader.FindBlocks());
-                var wanted = reader.Info.Schema.Select(names.ToArray());
+                var wanted = reader.Info.Schema.SelectWithPosition(manifest.Attributes);
                 using var sums = new PointSetHash(manifest.Attributes, GridChoice.OnGrid(reader.Info, manifest.Grid),
                     reader.MaxPointsPerBlock);
                 yield return JobStep.Of(SourceScan.Run(reader, wanted, sums, SourceScan.SlotsFor(reader, wanted), progress));
-                var found = sums.TakeStatistics(out ulong second, attributes);
+                var found = sums.TakeStatistics(out ulong second);
                 points += found.Count;
                 leftOut += found.LeftOut;
                 firstSum += found.Checksum;
@@ -264,8 +258,7 @@ namespace FastPoints.Export
             {
                 m_result.Add(string.Format(CultureInfo.InvariantCulture,
                     "against the sources: the points are not the same: hash sums {0:x16}{1:x16}, got {2:x16}{3:x16}", firstSum,
-                        secondSum,
-                    m_firstSum, m_secondSum));
+                    secondSum, m_firstSum, m_secondSum));
             }
         }
 
@@ -284,7 +277,7 @@ namespace FastPoints.Export
         }
     }
 
-    /// <summary>The result of verifying a stored cloud.</summary>
+    /// <summary>The result of verifying a converted cloud.</summary>
     public sealed class VerifyResult
     {
         /// <summary>Statistics of one level of the octree.</summary>
@@ -300,7 +293,7 @@ namespace FastPoints.Export
             public long SampledPoints;
         }
 
-        /// <summary>Whether the cloud is in the making, so that only finished parts were verified.</summary>
+        /// <summary>Whether the cloud is still being built, so that only finished parts were verified.</summary>
         public bool IsBuilding;
 
         public const int MaxProblems = 100;

@@ -34,6 +34,7 @@ namespace FastPoints.Export
         /// <summary>For each attribute plane, the one whose values it averages, or a negative number.</summary>
         [ReadOnly] public NativeArray<int> AverageOf;
         public int AttributeBytes;
+
         /// <summary>Of nodes in their order; none has more points than a slice.</summary>
         [ReadOnly] public NativeArray<NodePart> Parts;
 
@@ -51,7 +52,7 @@ namespace FastPoints.Export
                     Results[i] = CheckPoints(Parts[i], PlaneResults[Nodes[Parts[i].Node].PlaneNode]);
         }
 
-        PlaneShape ShapeOf(int plane, bool isWide) => plane == 0 ? new PlaneShape(3, isWide ? 7 : 0) : Shapes[plane - 1];
+        PlaneShape ShapeOf(int plane, bool isWide) => plane == 0 ? PlaneShape.OfPositions(isWide) : Shapes[plane - 1];
 
         PlaneView ViewOf(int planeNode, int plane)
         {
@@ -66,16 +67,16 @@ namespace FastPoints.Export
             if (Nodes[index].PlaneNode != index)
                 return result;
             var file = (byte*)File.GetUnsafeReadOnlyPtr();
-            for (int p = 0; p < PlaneCount && result.What == NodeCheckResult.Fault.None; p++)
+            for (int p = 0; p < PlaneCount && result.Fault == NodeFault.None; p++)
             {
                 var range = Planes[index * PlaneCount + p];
                 result.Plane = p;
                 result.Hash = ContentHash.Of(file + range.OffsetBytes, range.LengthBytes);
                 if (result.Hash != range.Hash)
-                    result.What = NodeCheckResult.Fault.PlaneHash;
+                    result.Fault = NodeFault.PlaneHash;
                 else if (!PlaneView.IsValid(file + range.OffsetBytes, range.LengthBytes, ShapeOf(p, Nodes[index].IsWide),
                     Nodes[index].PlaneBlocks))
-                    result.What = NodeCheckResult.Fault.PlaneShape;
+                    result.Fault = NodeFault.PlaneShape;
             }
             return result;
         }
@@ -83,11 +84,11 @@ namespace FastPoints.Export
         NodeCheckResult CheckPoints(NodePart part, NodeCheckResult result)
         {
             int index = part.Node;
-            if (result.What != NodeCheckResult.Fault.None)
+            if (result.Fault != NodeFault.None)
                 return result;
             var node = Nodes[index];
             var planeNode = Nodes[node.PlaneNode];
-            ulong* places = stackalloc ulong[3 * PlaneShape.MaxPointsPerBlock];
+            ulong* offsets = stackalloc ulong[3 * PlaneShape.MaxPointsPerBlock];
             ulong* values = stackalloc ulong[PlaneShape.MaxPointsPerBlock];
             int recordBytes = RecordHash.PaddedBytes(AttributeBytes);
             var records = (byte*)UnsafeUtility.Malloc(math.max(4, recordBytes) * PlaneShape.MaxPointsPerBlock, 16,
@@ -95,36 +96,36 @@ namespace FastPoints.Export
             UnsafeUtility.MemClear(records, math.max(4, recordBytes) * PlaneShape.MaxPointsPerBlock);
             // Blocks before are full, or their part has the fault.
             int done = (part.FirstBlock - node.FirstBlock) * PlaneShape.MaxPointsPerBlock;
-            for (int b = part.FirstBlock; b < part.EndBlock && result.What == NodeCheckResult.Fault.None; b++)
+            for (int b = part.FirstBlock; b < part.EndBlock && result.Fault == NodeFault.None; b++)
             {
                 var position = ViewOf(node.PlaneNode, 0);
                 int count = position.PointsOf(b);
                 if (count != math.min(PlaneShape.MaxPointsPerBlock, node.PointCount - done))
                 {
-                    result.What = NodeCheckResult.Fault.BlockCounts;
+                    result.Fault = NodeFault.BlockCounts;
                     result.Plane = 0;
                     break;
                 }
                 for (int c = 0; c < 3; c++)
-                    position.UnpackWide(b, c, places + c * PlaneShape.MaxPointsPerBlock);
+                    position.UnpackWide(b, c, offsets + c * PlaneShape.MaxPointsPerBlock);
                 LoadAttributes(node.PlaneNode, b, count, values, records, ref result);
-                if (result.What != NodeCheckResult.Fault.None)
+                if (result.Fault != NodeFault.None)
                     break;
                 for (int i = 0; i < count; i++)
                 {
-                    var place = planeNode.Corner + new Grid3((long)places[i], (long)places[PlaneShape.MaxPointsPerBlock + i],
-                        (long)places[2 * PlaneShape.MaxPointsPerBlock + i]);
-                    if (!node.Cube.Contains(place))
+                    var point = planeNode.Corner + new Grid3((long)offsets[i], (long)offsets[PlaneShape.MaxPointsPerBlock + i],
+                        (long)offsets[2 * PlaneShape.MaxPointsPerBlock + i]);
+                    if (!node.Cube.Contains(point))
                     {
-                        result.What = NodeCheckResult.Fault.OutsideCube;
+                        result.Fault = NodeFault.OutsideCube;
                         result.Plane = 0;
                         break;
                     }
-                    var offset = place - node.Corner;
+                    var offset = point - node.Corner;
                     result.Min = Grid3.Min(result.Min, offset);
                     result.Max = Grid3.Max(result.Max, offset);
-                    result.FirstSum += RecordHash.Of(place, records + i * recordBytes, recordBytes, RecordHash.ChecksumSeed);
-                    result.SecondSum += RecordHash.Of(place, records + i * recordBytes, recordBytes, RecordHash.SecondSeed);
+                    result.FirstSum += RecordHash.Of(point, records + i * recordBytes, recordBytes, RecordHash.ChecksumSeed);
+                    result.SecondSum += RecordHash.Of(point, records + i * recordBytes, recordBytes, RecordHash.SecondSeed);
                 }
                 done += count;
             }
@@ -141,7 +142,7 @@ namespace FastPoints.Export
                 result.Plane = p;
                 if (plane.PointsOf(block) != count)
                 {
-                    result.What = NodeCheckResult.Fault.BlockCounts;
+                    result.Fault = NodeFault.BlockCounts;
                     return;
                 }
                 for (int c = 0; c < plane.Shape.ColumnCount; c++)
@@ -153,7 +154,7 @@ namespace FastPoints.Export
                     {
                         ulong value = values[i] * (ulong)column.Divisor;
                         if (bits < 64 && value >> bits != 0)
-                            result.What = NodeCheckResult.Fault.Value;
+                            result.Fault = NodeFault.Value;
                         // Averages are not part of the point.
                         if (AverageOf[p - 1] < 0)
                             OrderedBits.Store(value, column.Type, records + i * recordBytes + column.RecordOffset);
@@ -171,22 +172,22 @@ namespace FastPoints.Export
         public int EndBlock;
     }
 
+    /// <summary>What can be wrong with a node.</summary>
+    internal enum NodeFault
+    {
+        None,
+        PlaneHash,
+        PlaneShape,
+        BlockCounts,
+        OutsideCube,
+        Bounds,
+        Value,
+    }
+
     /// <summary>What reading a node, or some of its points, showed. Blittable.</summary>
     internal struct NodeCheckResult
     {
-        /// <summary>What can be wrong with a node; 0 means nothing.</summary>
-        public enum Fault
-        {
-            None,
-            PlaneHash,
-            PlaneShape,
-            BlockCounts,
-            OutsideCube,
-            Bounds,
-            Value,
-        }
-
-        public Fault What;
+        public NodeFault Fault;
 
         public int Plane;
 
@@ -203,15 +204,15 @@ namespace FastPoints.Export
 
         public static NodeCheckResult Empty => new NodeCheckResult
         {
-            Min = new Grid3(long.MaxValue, long.MaxValue, long.MaxValue),
-            Max = new Grid3(long.MinValue, long.MinValue, long.MinValue),
+            Min = Grid3.MaxValue,
+            Max = Grid3.MinValue,
         };
 
         public void Include(in NodeCheckResult part)
         {
-            if (What == Fault.None)
+            if (Fault == NodeFault.None)
             {
-                What = part.What;
+                Fault = part.Fault;
                 Plane = part.Plane;
                 Hash = part.Hash;
             }

@@ -32,7 +32,7 @@ namespace FastPoints.Laz
             value -= split & ~isZero;
             length = isZero & split | ~isZero & (length - split);
             model->m_zeros += isZero & 1;
-            RangeCode.Renew(ref value, ref length, ref next);
+            RangeCoder.Renormalize(ref value, ref length, ref next);
             if (--model->m_untilUpdate == 0)
                 model->Update();
             return isZero + 1;
@@ -43,7 +43,7 @@ namespace FastPoints.Laz
         {
             uint split = model->m_probabilityOfZero * (length >> LengthBits);
             model->m_zeros += bit ^ 1;
-            RangeCode.Narrow(bit * split, bit == 0 ? split : length - split, ref low, ref length, ref next);
+            RangeCoder.Narrow(bit * split, bit == 0 ? split : length - split, ref low, ref length, ref next);
             if (--model->m_untilUpdate == 0)
                 model->Update();
         }

@@ -4,7 +4,7 @@ using Unity.Mathematics;
 namespace FastPoints.Laz
 {
     /// <summary>An integer coded as its difference from a prediction (Isenburg 2013, section 5): first the number k of bits of
-    /// the difference, in one of several contexts, then its place among the numbers of that many bits, the upper eight bits of it
+    /// the difference, in one of several contexts, then its rank among the numbers of that many bits, the upper eight bits of it
     /// modelled, the others raw. HPC#.</summary>
     /// <remarks><code>
     /// byte   0  uint  bit k set: the corrector of k has been made (a chunk uses few of them; 1.5 KB each)
@@ -55,7 +55,7 @@ namespace FastPoints.Laz
             if (k > ModelledBits)
             {
                 int raw = k - ModelledBits;
-                c = c << raw | (int)RangeCode.Bits(raw, ref value, ref length, ref next);
+                c = c << raw | (int)RangeCoder.Bits(raw, ref value, ref length, ref next);
             }
             // The lower half of the numbers of k bits stands for -(2^k - 1) to -2^(k-1), the upper one for 2^(k-1) + 1 to 2^k.
             int isLower = (int)(((long)c - (1L << (k - 1))) >> 63);
@@ -102,15 +102,15 @@ namespace FastPoints.Laz
             byte* corrector = model + ContextsAt + contexts * SymbolModel.BytesOf(bits + 1) + (k - 1) * SymbolModel.Bytes256;
             if ((*(uint*)model >> k & 1) == 0)
                 InitializeCorrector(model, corrector, k);
-            uint place = (uint)less + ((uint)isLower & 1u << k);
+            uint rank = (uint)less + ((uint)isLower & 1u << k);
             if (k <= ModelledBits)
             {
-                SymbolModel.Encode(corrector, 256, place, ref low, ref length, ref next);
+                SymbolModel.Encode(corrector, 256, rank, ref low, ref length, ref next);
                 return;
             }
             int raw = k - ModelledBits;
-            SymbolModel.Encode(corrector, 256, place >> raw, ref low, ref length, ref next);
-            RangeCode.PutBits(raw, place & ((1u << raw) - 1), ref low, ref length, ref next);
+            SymbolModel.Encode(corrector, 256, rank >> raw, ref low, ref length, ref next);
+            RangeCoder.PutBits(raw, rank & ((1u << raw) - 1), ref low, ref length, ref next);
         }
 
         [MethodImpl(MethodImplOptions.NoInlining)]

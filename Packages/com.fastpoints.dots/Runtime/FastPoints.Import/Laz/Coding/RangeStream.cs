@@ -25,7 +25,7 @@ namespace FastPoints.Laz
         {
             if (Next != End)
                 return false;
-            const uint Min = RangeCode.MinLength;
+            const uint Min = RangeCoder.MinLength;
             bool isLong = Length > 2 * Min;
             for (int i = 1; i <= (isLong ? 3 : 2) && Next - i >= input; i++)
                 if (Next[-i] != 0)
@@ -37,7 +37,7 @@ namespace FastPoints.Laz
         {
             Next = first;
             End = end;
-            RangeCode.Start(out Value, out Length, ref Next);
+            RangeCoder.Start(out Value, out Length, ref Next);
         }
 
         public void StartWriting(byte* first)

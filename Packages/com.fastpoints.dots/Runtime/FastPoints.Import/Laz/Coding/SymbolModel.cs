@@ -11,7 +11,7 @@ namespace FastPoints.Laz
     ///           ushort FirstSymbol[cells + 1]      for each cell of the 32,768, a symbol at or before the one that lies there
     /// </code>
     /// Cells: about four a symbol, at most 256, so that the scan from a cell's first symbol mostly stops at once. A model
-    /// may use fewer symbols than its place has capacity for. Its numbers follow LASzip's exactly: they are the format.
+    /// may use fewer symbols than its memory has capacity for. Its numbers follow LASzip's exactly: they are the format.
     /// </remarks>
     internal unsafe struct SymbolModel
     {
@@ -35,7 +35,7 @@ namespace FastPoints.Laz
 
         ushort m_untilUpdate;
         ushort m_cycle;
-        ushort m_last;
+        ushort m_lastSymbol;
         ushort m_cellShift;
         ushort m_capacity;
         uint m_total;
@@ -51,7 +51,7 @@ namespace FastPoints.Laz
 
         public static void Initialize(SymbolModel* model, int symbols, int capacity)
         {
-            model->m_last = (ushort)(symbols - 1);
+            model->m_lastSymbol = (ushort)(symbols - 1);
             model->m_cellShift = (ushort)(LengthBits - CellBits(symbols));
             model->m_capacity = (ushort)capacity;
             model->m_total = 0;
@@ -67,11 +67,11 @@ namespace FastPoints.Laz
 
         public static void Initialize(byte* model, int symbols) => Initialize((SymbolModel*)model, symbols, symbols);
 
-        /// <summary>The next symbol. <paramref name="capacity"/> is that of the place; a constant where speed matters.</summary>
+        /// <summary>The next symbol. <paramref name="capacity"/> is that of its memory; a constant where speed matters.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public static uint Decode(byte* place, int capacity, ref uint value, ref uint length, ref byte* next)
+        public static uint Decode(byte* memory, int capacity, ref uint value, ref uint length, ref byte* next)
         {
-            var model = (SymbolModel*)place;
+            var model = (SymbolModel*)memory;
             ushort* starts = Distribution(model);
             uint unit = length >> LengthBits;
             uint at = value / unit;
@@ -82,11 +82,11 @@ namespace FastPoints.Laz
             uint low = starts[symbol] * unit;
             // The last symbol also gets what the division by 32,768 leaves over.
             uint high = length;
-            if (symbol != model->m_last)
+            if (symbol != model->m_lastSymbol)
                 high = starts[symbol + 1] * unit;
             value -= low;
             length = high - low;
-            RangeCode.Renew(ref value, ref length, ref next);
+            RangeCoder.Renormalize(ref value, ref length, ref next);
 
             Counts(model, capacity)[symbol]++;
             if (--model->m_untilUpdate == 0)
@@ -95,15 +95,15 @@ namespace FastPoints.Laz
         }
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public static void Encode(byte* place, int capacity, uint symbol, ref uint low, ref uint length, ref byte* next)
+        public static void Encode(byte* memory, int capacity, uint symbol, ref uint low, ref uint length, ref byte* next)
         {
-            var model = (SymbolModel*)place;
+            var model = (SymbolModel*)memory;
             ushort* starts = Distribution(model);
             uint unit = length >> LengthBits;
             // Behind the last symbol stand 65,535: 32,768 without a branch, and what the division by that leaves over.
             uint start = starts[symbol], end = starts[symbol + 1], isLast = end >> LengthBits;
             end &= MaxTotal - 1 + isLast;
-            RangeCode.Narrow(start * unit, (end - start) * unit + (length & MaxTotal - 1 & 0 - isLast), ref low, ref length,
+            RangeCoder.Narrow(start * unit, (end - start) * unit + (length & MaxTotal - 1 & 0 - isLast), ref low, ref length,
                 ref next);
             Counts(model, capacity)[symbol]++;
             if (--model->m_untilUpdate == 0)
@@ -114,7 +114,7 @@ namespace FastPoints.Laz
         [MethodImpl(MethodImplOptions.NoInlining)]
         static void Update(SymbolModel* model)
         {
-            int symbols = model->m_last + 1;
+            int symbols = model->m_lastSymbol + 1;
             ushort* starts = Distribution(model);
             ushort* count = Counts(model, model->m_capacity);
             ushort* first = FirstSymbols(model, model->m_capacity);
@@ -144,7 +144,7 @@ namespace FastPoints.Laz
             ushort* starts = Distribution(model) + 1;
             ushort* count = Counts(model, model->m_capacity);
             uint scale = Tally(model), sum = 0;
-            for (int i = 0; i < model->m_last; i++)
+            for (int i = 0; i < model->m_lastSymbol; i++)
             {
                 sum += count[i];
                 starts[i] = (ushort)((scale * sum) >> (31 - LengthBits));
@@ -155,7 +155,7 @@ namespace FastPoints.Laz
         /// <returns>What makes a sum of counts its part of 2^31.</returns>
         static uint Tally(SymbolModel* model)
         {
-            int symbols = model->m_last + 1;
+            int symbols = model->m_lastSymbol + 1;
             ushort* count = Counts(model, model->m_capacity);
             uint total = model->m_total + model->m_cycle;
             if (total > MaxTotal)

@@ -46,11 +46,11 @@ namespace FastPoints.Laz
             *state = default;
             state->m_isLayer = isLayer ? 1 : 0;
             state->m_last[0] = first;
-            byte* place = (byte*)state;
+            byte* memory = (byte*)state;
             int fewer = state->m_isLayer;
-            SymbolModel.Initialize((SymbolModel*)(place + MultiplierAt), MultiplierSymbols - fewer, MultiplierSymbols);
-            SymbolModel.Initialize((SymbolModel*)(place + ZeroAt), ZeroSymbols - fewer, ZeroSymbols);
-            IntegerModel.Initialize(place + IntegerAt, 32, IntegerContexts);
+            SymbolModel.Initialize((SymbolModel*)(memory + MultiplierAt), MultiplierSymbols - fewer, MultiplierSymbols);
+            SymbolModel.Initialize((SymbolModel*)(memory + ZeroAt), ZeroSymbols - fewer, ZeroSymbols);
+            IntegerModel.Initialize(memory + IntegerAt, 32, IntegerContexts);
         }
 
         [MethodImpl(MethodImplOptions.NoInlining)]
@@ -109,7 +109,7 @@ namespace FastPoints.Laz
                 if (context == 8)
                 {
                     // Too far for any sequence: a new one takes the oldest's place, its lower half unpredicted.
-                    uint low = RangeCode.UInt32(ref value, ref length, ref next);
+                    uint low = RangeCoder.UInt32(ref value, ref length, ref next);
                     sequence = state->m_newest = (state->m_newest + 1) & 3;
                     state->m_last[sequence] = (long)difference << 32 | low;
                     state->m_difference[sequence] = 0;
@@ -165,7 +165,7 @@ namespace FastPoints.Laz
                 {
                     IntegerModel.Encode(integers, 32, IntegerContexts, 8,
                         (int)(time >> 32) - (int)(state->m_last[sequence] >> 32), out _, ref low, ref length, ref next);
-                    RangeCode.PutUInt32((uint)time, ref low, ref length, ref next);
+                    RangeCoder.PutUInt32((uint)time, ref low, ref length, ref next);
                     sequence = state->m_newest = (state->m_newest + 1) & 3;
                     state->m_last[sequence] = time;
                     state->m_difference[sequence] = 0;
@@ -193,7 +193,7 @@ namespace FastPoints.Laz
             }
             else
             {
-                EncodeMultiple(state, sequence, (int)difference, last, ref low, ref length, ref next);
+                EncodeMultiplier(state, sequence, (int)difference, last, ref low, ref length, ref next);
             }
             state->m_last[sequence] = time;
             stream->Value = low;
@@ -201,19 +201,19 @@ namespace FastPoints.Laz
             stream->Next = next;
         }
 
-        static void EncodeMultiple(GpsTimeItem* state, int sequence, int difference, int last, ref uint low, ref uint length,
+        static void EncodeMultiplier(GpsTimeItem* state, int sequence, int difference, int last, ref uint low, ref uint length,
             ref byte* next)
         {
             double ratio = (float)difference / (float)last;
-            int multiple = (int)math.clamp(ratio >= 0 ? math.floor(ratio + 0.5) : math.ceil(ratio - 0.5), LowestMultiplier,
+            int multiplier = (int)math.clamp(ratio >= 0 ? math.floor(ratio + 0.5) : math.ceil(ratio - 0.5), LowestMultiplier,
                 Multiplier);
             SymbolModel.Encode((byte*)state + MultiplierAt, MultiplierSymbols,
-                (uint)(multiple >= 0 ? multiple : Multiplier - multiple), ref low, ref length, ref next);
-            int context = multiple == 1 ? 1 : multiple == 0 ? 7 : multiple == Multiplier ? 4
-                : multiple == LowestMultiplier ? 6 : multiple < 0 ? 5 : multiple < 10 ? 2 : 3;
-            IntegerModel.Encode((byte*)state + IntegerAt, 32, IntegerContexts, context, difference - multiple * last, out _,
+                (uint)(multiplier >= 0 ? multiplier : Multiplier - multiplier), ref low, ref length, ref next);
+            int context = multiplier == 1 ? 1 : multiplier == 0 ? 7 : multiplier == Multiplier ? 4
+                : multiplier == LowestMultiplier ? 6 : multiplier < 0 ? 5 : multiplier < 10 ? 2 : 3;
+            IntegerModel.Encode((byte*)state + IntegerAt, 32, IntegerContexts, context, difference - multiplier * last, out _,
                 ref low, ref length, ref next);
-            if (multiple == 1)
+            if (multiplier == 1)
                 state->m_extremes[sequence] = 0;
             else if ((context == 4 || context >= 6) && ++state->m_extremes[sequence] > ExtremesBeforeChange)
             {
@@ -223,14 +223,14 @@ namespace FastPoints.Laz
         }
 
         /// <summary>One of two symbols, by whether there is a difference to multiply.</summary>
-        static void EncodeSymbol(GpsTimeItem* state, int last, int ofZero, int ofMultiple, ref uint low, ref uint length,
+        static void EncodeSymbol(GpsTimeItem* state, int last, int ofZero, int ofMultiplier, ref uint low, ref uint length,
             ref byte* next)
         {
             if (last == 0)
                 SymbolModel.Encode((byte*)state + ZeroAt, ZeroSymbols, (uint)(ofZero - state->m_isLayer), ref low, ref length,
                     ref next);
             else
-                SymbolModel.Encode((byte*)state + MultiplierAt, MultiplierSymbols, (uint)(ofMultiple - state->m_isLayer),
+                SymbolModel.Encode((byte*)state + MultiplierAt, MultiplierSymbols, (uint)(ofMultiplier - state->m_isLayer),
                     ref low, ref length, ref next);
         }
     }

@@ -27,10 +27,10 @@ namespace FastPoints.Laz
         {
             *state = default;
             state->m_last = first;
-            byte* place = (byte*)state;
-            SymbolModel.Initialize(place + MultiplierAt, MaxMultiplier);
-            SymbolModel.Initialize((SymbolModel*)(place + ZeroAt), ZeroSymbols, 4);
-            IntegerModel.Initialize(place + IntegerAt, 32, IntegerContexts);
+            byte* memory = (byte*)state;
+            SymbolModel.Initialize(memory + MultiplierAt, MaxMultiplier);
+            SymbolModel.Initialize((SymbolModel*)(memory + ZeroAt), ZeroSymbols, 4);
+            IntegerModel.Initialize(memory + IntegerAt, 32, IntegerContexts);
         }
 
         [MethodImpl(MethodImplOptions.NoInlining)]
@@ -38,34 +38,34 @@ namespace FastPoints.Laz
         {
             uint value = stream->Value, length = stream->Length;
             byte* next = stream->Next;
-            byte* place = (byte*)state;
+            byte* memory = (byte*)state;
             int last = state->m_difference;
             bool isFull, isUnchanged;
             int symbol;
             if (last == 0)
             {
-                symbol = (int)SymbolModel.Decode(place + ZeroAt, 4, ref value, ref length, ref next);
+                symbol = (int)SymbolModel.Decode(memory + ZeroAt, 4, ref value, ref length, ref next);
                 isUnchanged = symbol == 0;
                 isFull = symbol == 2;
             }
             else
             {
-                symbol = (int)SymbolModel.Decode(place + MultiplierAt, MaxMultiplier, ref value, ref length, ref next);
+                symbol = (int)SymbolModel.Decode(memory + MultiplierAt, MaxMultiplier, ref value, ref length, ref next);
                 isUnchanged = symbol > Full;
                 isFull = symbol == Full;
             }
 
             if (isFull)
             {
-                uint low = RangeCode.UInt32(ref value, ref length, ref next);
-                state->m_last = (long)RangeCode.UInt32(ref value, ref length, ref next) << 32 | low;
+                uint low = RangeCoder.UInt32(ref value, ref length, ref next);
+                state->m_last = (long)RangeCoder.UInt32(ref value, ref length, ref next) << 32 | low;
             }
             else if (!isUnchanged)
             {
                 int context = last == 0 ? 0 : symbol == 1 ? 1 : symbol == 0 ? 2 : symbol < 10 ? 3 : symbol < 50 ? 4 : 5;
                 int prediction = symbol == 0 ? last / 4 : symbol * last;
                 int difference = prediction
-                    + IntegerModel.Decode(place + IntegerAt, 32, IntegerContexts, context, ref value, ref length, ref next);
+                    + IntegerModel.Decode(memory + IntegerAt, 32, IntegerContexts, context, ref value, ref length, ref next);
                 state->m_last += difference;
                 bool becomesLast = context < 2;
                 if (context == 1)

@@ -70,15 +70,15 @@ namespace FastPoints.Laz
                 Median5.Initialize(state->m_medianX + i * Median5.Ints);
                 Median5.Initialize(state->m_medianY + i * Median5.Ints);
             }
-            byte* place = (byte*)state;
-            SymbolModel.Initialize(place + ChangedAt, 64);
-            SymbolModel.Initialize(place + AngleAt, 256);
-            SymbolModel.Initialize(place + AngleAt + SymbolModel.Bytes256, 256);
-            IntegerModel.Initialize(place + XAt, 32, XContexts);
-            IntegerModel.Initialize(place + YAt, 32, YContexts);
-            IntegerModel.Initialize(place + ZAt, 32, ZContexts);
-            IntegerModel.Initialize(place + IntensityAt, 16, IntensityContexts);
-            IntegerModel.Initialize(place + SourceAt, 16, 1);
+            byte* memory = (byte*)state;
+            SymbolModel.Initialize(memory + ChangedAt, 64);
+            SymbolModel.Initialize(memory + AngleAt, 256);
+            SymbolModel.Initialize(memory + AngleAt + SymbolModel.Bytes256, 256);
+            IntegerModel.Initialize(memory + XAt, 32, XContexts);
+            IntegerModel.Initialize(memory + YAt, 32, YContexts);
+            IntegerModel.Initialize(memory + ZAt, 32, ZContexts);
+            IntegerModel.Initialize(memory + IntensityAt, 16, IntensityContexts);
+            IntegerModel.Initialize(memory + SourceAt, 16, 1);
         }
 
         void SetLast(byte* record)
@@ -99,40 +99,40 @@ namespace FastPoints.Laz
         {
             uint value = stream->Value, length = stream->Length;
             byte* next = stream->Next;
-            byte* place = (byte*)state;
+            byte* memory = (byte*)state;
 
-            uint changed = SymbolModel.Decode(place + ChangedAt, 64, ref value, ref length, ref next);
+            uint changed = SymbolModel.Decode(memory + ChangedAt, 64, ref value, ref length, ref next);
             int contexts = state->m_contextsOfReturns[state->m_flags & 63];
             if (changed != 0)
             {
                 if ((changed & FlagsChangedBit) != 0)
                 {
-                    byte* model = ModelOfByte(place + FlagsAt, state->m_flagsMade, state->m_flags);
+                    byte* model = ModelOfByte(memory + FlagsAt, state->m_flagsMade, state->m_flags);
                     state->m_flags = (byte)SymbolModel.Decode(model, 256, ref value, ref length, ref next);
                     contexts = state->m_contextsOfReturns[state->m_flags & 63];
                 }
                 int ofReturn = contexts & ReturnContexts.MapMask;
                 if ((changed & IntensityChangedBit) != 0)
                 {
-                    int difference = IntegerModel.Decode(place + IntensityAt, 16, IntensityContexts, ofReturn < 3 ? ofReturn : 3,
+                    int difference = IntegerModel.Decode(memory + IntensityAt, 16, IntensityContexts, ofReturn < 3 ? ofReturn : 3,
                         ref value, ref length, ref next);
                     state->m_lastIntensity[ofReturn] = (ushort)(state->m_lastIntensity[ofReturn] + difference);
                 }
                 state->m_intensity = state->m_lastIntensity[ofReturn];
                 if ((changed & ClassChangedBit) != 0)
                 {
-                    byte* model = ModelOfByte(place + ClassAt, state->m_classMade, state->m_class);
+                    byte* model = ModelOfByte(memory + ClassAt, state->m_classMade, state->m_class);
                     state->m_class = (byte)SymbolModel.Decode(model, 256, ref value, ref length, ref next);
                 }
                 if ((changed & AngleChangedBit) != 0)
                 {
                     int scanDirection = state->m_flags >> 6 & 1;
-                    state->m_angle += (byte)SymbolModel.Decode(place + AngleAt + scanDirection * SymbolModel.Bytes256, 256,
+                    state->m_angle += (byte)SymbolModel.Decode(memory + AngleAt + scanDirection * SymbolModel.Bytes256, 256,
                         ref value, ref length, ref next);
                 }
                 if ((changed & UserDataChangedBit) != 0)
                 {
-                    byte* model = ModelOfByte(place + UserDataAt, state->m_userDataMade, state->m_userData);
+                    byte* model = ModelOfByte(memory + UserDataAt, state->m_userDataMade, state->m_userData);
                     state->m_userData = (byte)SymbolModel.Decode(model, 256, ref value, ref length, ref next);
                 }
                 if ((changed & SourceChangedBit) != 0)
@@ -141,7 +141,7 @@ namespace FastPoints.Laz
                     stream->Value = value;
                     stream->Length = length;
                     stream->Next = next;
-                    state->m_source = (ushort)(state->m_source + IntegerModel.Decode(place + SourceAt, 16, 1, 0, stream));
+                    state->m_source = (ushort)(state->m_source + IntegerModel.Decode(memory + SourceAt, 16, 1, 0, stream));
                     value = stream->Value;
                     length = stream->Length;
                     next = stream->Next;
@@ -154,20 +154,20 @@ namespace FastPoints.Laz
             int* medianY = state->m_medianY + map * Median5.Ints;
 
             int xDifference = Median5.Get(medianX)
-                + IntegerModel.Decode(place + XAt, 32, XContexts, isSingle, out int kx, ref value, ref length, ref next);
+                + IntegerModel.Decode(memory + XAt, 32, XContexts, isSingle, out int kx, ref value, ref length, ref next);
             state->m_x += xDifference;
             Median5.Add(medianX, xDifference);
 
             int yContext = isSingle + (kx < 20 ? kx & ~1 : 20);
             int yDifference = Median5.Get(medianY)
-                + IntegerModel.Decode(place + YAt, 32, YContexts, yContext, out int ky, ref value, ref length, ref next);
+                + IntegerModel.Decode(memory + YAt, 32, YContexts, yContext, out int ky, ref value, ref length, ref next);
             state->m_y += yDifference;
             Median5.Add(medianY, yDifference);
 
             int k = (kx + ky) >> 1;
             int zContext = isSingle + (k < 18 ? k & ~1 : 18);
             int* lastHeight = state->m_lastHeight + (contexts >> ReturnContexts.LevelShift & ReturnContexts.LevelMask);
-            int z = *lastHeight + IntegerModel.Decode(place + ZAt, 32, ZContexts, zContext, ref value, ref length, ref next);
+            int z = *lastHeight + IntegerModel.Decode(memory + ZAt, 32, ZContexts, zContext, ref value, ref length, ref next);
             *lastHeight = z;
             state->m_z = z;
 
@@ -182,7 +182,7 @@ namespace FastPoints.Laz
         [MethodImpl(MethodImplOptions.NoInlining)]
         public static void Encode(Point10Item* state, RangeStream* stream, byte* record)
         {
-            byte* place = (byte*)state;
+            byte* memory = (byte*)state;
             int contexts = state->m_contextsOfReturns[record[14] & 63];
             int map = contexts & ReturnContexts.MapMask, isSingle = contexts >> ReturnContexts.SingleShift;
             EncodeAttributes(state, stream, record, map);
@@ -192,16 +192,16 @@ namespace FastPoints.Laz
             int* medianX = state->m_medianX + map * Median5.Ints;
             int* medianY = state->m_medianY + map * Median5.Ints;
             int dx = *(int*)record - state->m_x, dy = *(int*)(record + 4) - state->m_y;
-            IntegerModel.Encode(place + XAt, 32, XContexts, isSingle, dx - Median5.Get(medianX), out int kx, ref low, ref length,
+            IntegerModel.Encode(memory + XAt, 32, XContexts, isSingle, dx - Median5.Get(medianX), out int kx, ref low, ref length,
                 ref next);
             Median5.Add(medianX, dx);
-            IntegerModel.Encode(place + YAt, 32, YContexts, isSingle + (kx < 20 ? kx & ~1 : 20), dy - Median5.Get(medianY),
+            IntegerModel.Encode(memory + YAt, 32, YContexts, isSingle + (kx < 20 ? kx & ~1 : 20), dy - Median5.Get(medianY),
                 out int ky, ref low, ref length, ref next);
             Median5.Add(medianY, dy);
             int k = (kx + ky) >> 1;
             int* lastHeight = state->m_lastHeight + (contexts >> ReturnContexts.LevelShift & ReturnContexts.LevelMask);
             int z = *(int*)(record + 8);
-            IntegerModel.Encode(place + ZAt, 32, ZContexts, isSingle + (k < 18 ? k & ~1 : 18), z - *lastHeight, out _, ref low,
+            IntegerModel.Encode(memory + ZAt, 32, ZContexts, isSingle + (k < 18 ? k & ~1 : 18), z - *lastHeight, out _, ref low,
                 ref length, ref next);
             *lastHeight = z;
             stream->Value = low;
@@ -212,7 +212,7 @@ namespace FastPoints.Laz
 
         static void EncodeAttributes(Point10Item* state, RangeStream* stream, byte* record, int map)
         {
-            byte* place = (byte*)state;
+            byte* memory = (byte*)state;
             uint low = stream->Value, length = stream->Length;
             byte* next = stream->Next;
             int intensity = *(ushort*)(record + 12);
@@ -223,30 +223,30 @@ namespace FastPoints.Laz
             changed |= record[16] != state->m_angle ? (uint)AngleChangedBit : 0;
             changed |= record[17] != state->m_userData ? (uint)UserDataChangedBit : 0;
             changed |= *(ushort*)(record + 18) != state->m_source ? (uint)SourceChangedBit : 0;
-            SymbolModel.Encode(place + ChangedAt, 64, changed, ref low, ref length, ref next);
+            SymbolModel.Encode(memory + ChangedAt, 64, changed, ref low, ref length, ref next);
             if ((changed & FlagsChangedBit) != 0)
-                SymbolModel.Encode(ModelOfByte(place + FlagsAt, state->m_flagsMade, state->m_flags), 256, record[14],
+                SymbolModel.Encode(ModelOfByte(memory + FlagsAt, state->m_flagsMade, state->m_flags), 256, record[14],
                     ref low, ref length, ref next);
             if ((changed & IntensityChangedBit) != 0)
             {
-                IntegerModel.Encode(place + IntensityAt, 16, IntensityContexts, map < 3 ? map : 3,
+                IntegerModel.Encode(memory + IntensityAt, 16, IntensityContexts, map < 3 ? map : 3,
                     intensity - state->m_lastIntensity[map], out _, ref low, ref length, ref next);
                 state->m_lastIntensity[map] = (ushort)intensity;
             }
             if ((changed & ClassChangedBit) != 0)
-                SymbolModel.Encode(ModelOfByte(place + ClassAt, state->m_classMade, state->m_class), 256, record[15],
+                SymbolModel.Encode(ModelOfByte(memory + ClassAt, state->m_classMade, state->m_class), 256, record[15],
                     ref low, ref length, ref next);
             if ((changed & AngleChangedBit) != 0)
-                SymbolModel.Encode(place + AngleAt + (record[14] >> 6 & 1) * SymbolModel.Bytes256, 256,
+                SymbolModel.Encode(memory + AngleAt + (record[14] >> 6 & 1) * SymbolModel.Bytes256, 256,
                     (uint)(record[16] - state->m_angle & 255), ref low, ref length, ref next);
             if ((changed & UserDataChangedBit) != 0)
-                SymbolModel.Encode(ModelOfByte(place + UserDataAt, state->m_userDataMade, state->m_userData), 256, record[17],
+                SymbolModel.Encode(ModelOfByte(memory + UserDataAt, state->m_userDataMade, state->m_userData), 256, record[17],
                     ref low, ref length, ref next);
             stream->Value = low;
             stream->Length = length;
             stream->Next = next;
             if ((changed & SourceChangedBit) != 0)
-                IntegerModel.Encode(place + SourceAt, 16, 1, 0, *(ushort*)(record + 18) - state->m_source, stream);
+                IntegerModel.Encode(memory + SourceAt, 16, 1, 0, *(ushort*)(record + 18) - state->m_source, stream);
         }
 
         // After the value "last", made on first use.

@@ -60,14 +60,14 @@ namespace FastPoints.Laz
             state->m_userData = record[17];
             state->m_source = *(ushort*)(record + 18);
 
-            byte* place = (byte*)state;
-            SymbolModel.Initialize(place + ChangedAt, 64);
-            IntegerModel.Initialize(place + XAt, 32, 1);
-            IntegerModel.Initialize(place + YAt, 32, YContexts);
-            IntegerModel.Initialize(place + ZAt, 32, ZContexts);
-            IntegerModel.Initialize(place + IntensityAt, 16, 1);
-            IntegerModel.Initialize(place + AngleAt, 8, AngleContexts);
-            IntegerModel.Initialize(place + SourceAt, 16, 1);
+            byte* memory = (byte*)state;
+            SymbolModel.Initialize(memory + ChangedAt, 64);
+            IntegerModel.Initialize(memory + XAt, 32, 1);
+            IntegerModel.Initialize(memory + YAt, 32, YContexts);
+            IntegerModel.Initialize(memory + ZAt, 32, ZContexts);
+            IntegerModel.Initialize(memory + IntensityAt, 16, 1);
+            IntegerModel.Initialize(memory + AngleAt, 8, AngleContexts);
+            IntegerModel.Initialize(memory + SourceAt, 16, 1);
         }
 
         [MethodImpl(MethodImplOptions.NoInlining)]
@@ -75,23 +75,24 @@ namespace FastPoints.Laz
         {
             uint value = stream->Value, length = stream->Length;
             byte* next = stream->Next;
-            byte* place = (byte*)state;
+            byte* memory = (byte*)state;
 
             int* dx = state->m_xDifferences;
             int* dy = state->m_yDifferences;
             int xDifference = Median(dx[0], dx[1], dx[2])
-                + IntegerModel.Decode(place + XAt, 32, 1, 0, out int kx, ref value, ref length, ref next);
+                + IntegerModel.Decode(memory + XAt, 32, 1, 0, out int kx, ref value, ref length, ref next);
             int yDifference = Median(dy[0], dy[1], dy[2])
-                + IntegerModel.Decode(place + YAt, 32, YContexts, kx < 19 ? kx : 19, out int ky, ref value, ref length, ref next);
+                + IntegerModel.Decode(memory + YAt, 32, YContexts, kx < 19 ? kx : 19, out int ky, ref value, ref length,
+                    ref next);
             int k = (kx + ky) >> 1;
             state->m_x += xDifference;
             state->m_y += yDifference;
-            state->m_z += IntegerModel.Decode(place + ZAt, 32, ZContexts, k < 19 ? k : 19, ref value, ref length, ref next);
+            state->m_z += IntegerModel.Decode(memory + ZAt, 32, ZContexts, k < 19 ? k : 19, ref value, ref length, ref next);
             dx[state->m_oldest] = xDifference;
             dy[state->m_oldest] = yDifference;
             state->m_oldest = state->m_oldest == 2 ? 0 : state->m_oldest + 1;
 
-            uint changed = SymbolModel.Decode(place + ChangedAt, 64, ref value, ref length, ref next);
+            uint changed = SymbolModel.Decode(memory + ChangedAt, 64, ref value, ref length, ref next);
             stream->Value = value;
             stream->Length = length;
             stream->Next = next;
@@ -106,20 +107,20 @@ namespace FastPoints.Laz
         [MethodImpl(MethodImplOptions.NoInlining)]
         static void DecodeChanges(Point10ItemV1* state, RangeStream* stream, uint changed, int k)
         {
-            byte* place = (byte*)state;
+            byte* memory = (byte*)state;
             if ((changed & IntensityChangedBit) != 0)
-                state->m_intensity = (ushort)(state->m_intensity + IntegerModel.Decode(place + IntensityAt, 16, 1, 0, stream));
+                state->m_intensity = (ushort)(state->m_intensity + IntegerModel.Decode(memory + IntensityAt, 16, 1, 0, stream));
             if ((changed & FlagsChangedBit) != 0)
-                state->m_flags = DecodeByte(place + FlagsAt, state->m_flagsMade, state->m_flags, stream);
+                state->m_flags = DecodeByte(memory + FlagsAt, state->m_flagsMade, state->m_flags, stream);
             if ((changed & ClassChangedBit) != 0)
-                state->m_class = DecodeByte(place + ClassAt, state->m_classMade, state->m_class, stream);
+                state->m_class = DecodeByte(memory + ClassAt, state->m_classMade, state->m_class, stream);
             if ((changed & AngleChangedBit) != 0)
                 state->m_angle = (byte)(state->m_angle
-                    + IntegerModel.Decode(place + AngleAt, 8, AngleContexts, k < 3 ? 1 : 0, stream));
+                    + IntegerModel.Decode(memory + AngleAt, 8, AngleContexts, k < 3 ? 1 : 0, stream));
             if ((changed & UserDataChangedBit) != 0)
-                state->m_userData = DecodeByte(place + UserDataAt, state->m_userDataMade, state->m_userData, stream);
+                state->m_userData = DecodeByte(memory + UserDataAt, state->m_userDataMade, state->m_userData, stream);
             if ((changed & SourceChangedBit) != 0)
-                state->m_source = (ushort)(state->m_source + IntegerModel.Decode(place + SourceAt, 16, 1, 0, stream));
+                state->m_source = (ushort)(state->m_source + IntegerModel.Decode(memory + SourceAt, 16, 1, 0, stream));
         }
 
         static byte DecodeByte(byte* models, ulong* made, int last, RangeStream* stream)

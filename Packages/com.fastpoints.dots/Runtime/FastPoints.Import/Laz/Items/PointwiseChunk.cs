@@ -3,10 +3,10 @@ using Unity.Collections.LowLevel.Unsafe;
 
 namespace FastPoints.Laz
 {
-    /// <summary>The decoder of pointwise compressed chunks (point formats 0 to 5): the first point as it is, then one range-coded
+    /// <summary>The coder of pointwise compressed chunks (point formats 0 to 5): the first point as it is, then one range-coded
     /// stream in which the items of each point follow each other. HPC#.</summary>
     /// <remarks>All state is this struct and what lies behind it in one segment of native memory without pointers: a chunk is
-    /// decoded in slices of any number of points, and a copy of the bytes is a place to go on from.</remarks>
+    /// decoded in slices of any number of points, and a copy of the bytes is a checkpoint.</remarks>
     [StructLayout(LayoutKind.Sequential)]
     internal unsafe struct PointwiseChunk
     {
@@ -19,8 +19,8 @@ namespace FastPoints.Laz
         int m_isStopped;
 
         /// <summary>Points decoded when the stream could first have ended where the input does, and last; 0 before.</summary>
-        int m_firstEnd;
-        int m_lastEnd;
+        int m_pointsAtFirstEnd;
+        int m_pointsAtLastEnd;
         fixed int m_type[MaxItems];
         fixed int m_version[MaxItems];
         fixed int m_bytes[MaxItems];
@@ -29,11 +29,11 @@ namespace FastPoints.Laz
 
         public long InputOffset => m_stream.Offset;
 
-        public bool IsAtEnd => m_pointsDone > 0 && m_lastEnd == m_pointsDone;
+        public bool IsAtEnd => m_pointsDone > 0 && m_pointsAtLastEnd == m_pointsDone;
 
         /// <summary>Number of the last decoded points behind the first place where the stream can have ended: if there are fewer
         /// points than claimed, these may not exist. They took no byte, and less than eight bits together.</summary>
-        public int UncertainPoints => m_firstEnd == 0 ? 0 : m_pointsDone - m_firstEnd;
+        public int UncertainPoints => m_pointsAtFirstEnd == 0 ? 0 : m_pointsDone - m_pointsAtFirstEnd;
 
         public static long StateBytes(LazItem[] items)
         {
@@ -120,14 +120,15 @@ namespace FastPoints.Laz
         {
             chunk->m_pointsDone = 0;
             chunk->m_isStopped = 0;
-            chunk->m_firstEnd = 0;
-            chunk->m_lastEnd = 0;
+            chunk->m_pointsAtFirstEnd = 0;
+            chunk->m_pointsAtLastEnd = 0;
             chunk->m_stream = default;
         }
 
+        // The next input begins where the stream is.
         public static void Rebase(PointwiseChunk* chunk) => chunk->m_stream.Offset = 0;
 
-        // Fewer points than count only where the input does not hold them. Behind the input lie PaddingBytes of RangeCode.
+        // Fewer points than count only where the input does not hold them. Behind the input lie PaddingBytes of RangeCoder.
         public static int Decode(PointwiseChunk* chunk, byte* input, long inputBytes, byte* records, int count)
         {
             if (chunk->m_isStopped != 0 || count <= 0)
@@ -146,7 +147,7 @@ namespace FastPoints.Laz
                 chunk->m_stream.Start(input + recordBytes, input + inputBytes);
                 records += recordBytes;
                 done = 1;
-                NoteEnd(chunk, input, done);
+                RecordEnd(chunk, input, done);
             }
             else
             {
@@ -163,7 +164,7 @@ namespace FastPoints.Laz
                         chunk->m_isStopped = 1;
                         break;
                     }
-                    NoteEnd(chunk, input, done + 1);
+                    RecordEnd(chunk, input, done + 1);
                 }
                 records += recordBytes;
                 done++;
@@ -173,13 +174,13 @@ namespace FastPoints.Laz
             return done;
         }
 
-        static void NoteEnd(PointwiseChunk* chunk, byte* input, int done)
+        static void RecordEnd(PointwiseChunk* chunk, byte* input, int done)
         {
             if (!chunk->m_stream.CanEnd(input))
                 return;
-            chunk->m_lastEnd = chunk->m_pointsDone + done;
-            if (chunk->m_firstEnd == 0)
-                chunk->m_firstEnd = chunk->m_lastEnd;
+            chunk->m_pointsAtLastEnd = chunk->m_pointsDone + done;
+            if (chunk->m_pointsAtFirstEnd == 0)
+                chunk->m_pointsAtFirstEnd = chunk->m_pointsAtLastEnd;
         }
 
         static void StartItems(PointwiseChunk* chunk, byte* record)
@@ -264,7 +265,7 @@ namespace FastPoints.Laz
         }
 
         /// <summary>Begins to write a chunk of records: the first as it is.</summary>
-        /// <param name="output">Has room for <see cref="MaxInputBytes"/> and <see cref="RangeCode.PaddingBytes"/>.</param>
+        /// <param name="output">Has room for <see cref="MaxInputBytes"/> and <see cref="RangeCoder.PaddingBytes"/>.</param>
         public static void StartWriting(PointwiseChunk* chunk, byte* record, byte* output)
         {
             UnsafeUtility.MemCpy(output, record, chunk->m_recordBytes);
@@ -308,7 +309,7 @@ namespace FastPoints.Laz
         {
             var stream = chunk->m_stream;
             stream.Resume(output, null);
-            RangeCode.End(stream.Value, stream.Length, ref stream.Next);
+            RangeCoder.End(stream.Value, stream.Length, ref stream.Next);
             return stream.Next - output;
         }
     }

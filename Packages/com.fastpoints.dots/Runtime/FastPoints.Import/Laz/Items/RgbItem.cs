@@ -22,10 +22,10 @@ namespace FastPoints.Laz
             state->Last[0] = *(ushort*)record;
             state->Last[1] = *(ushort*)(record + 2);
             state->Last[2] = *(ushort*)(record + 4);
-            byte* place = (byte*)state;
-            SymbolModel.Initialize(place + UsedAt, 128);
+            byte* memory = (byte*)state;
+            SymbolModel.Initialize(memory + UsedAt, 128);
             for (int i = 0; i < 6; i++)
-                SymbolModel.Initialize(place + ByteAt + i * SymbolModel.Bytes256, 256);
+                SymbolModel.Initialize(memory + ByteAt + i * SymbolModel.Bytes256, 256);
         }
 
         [MethodImpl(MethodImplOptions.NoInlining)]
@@ -41,10 +41,10 @@ namespace FastPoints.Laz
 
         // "last" becomes the colour (and is apart from the models, since RGB14 version 3 mixes up whose it is).
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public static void Decode(byte* place, ushort* last, byte* record, ref uint value, ref uint length, ref byte* next)
+        public static void Decode(byte* memory, ushort* last, byte* record, ref uint value, ref uint length, ref byte* next)
         {
-            byte* models = place + ByteAt;
-            int used = (int)SymbolModel.Decode(place + UsedAt, 128, ref value, ref length, ref next);
+            byte* models = memory + ByteAt;
+            int used = (int)SymbolModel.Decode(memory + UsedAt, 128, ref value, ref length, ref next);
             int redLow = last[0] & 255, redHigh = last[0] >> 8;
             int lowChange = -redLow, highChange = -redHigh;
             if ((used & 1) != 0)
@@ -96,17 +96,17 @@ namespace FastPoints.Laz
         }
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public static void Encode(byte* place, ushort* last, byte* record, ref uint low, ref uint length, ref byte* next)
+        public static void Encode(byte* memory, ushort* last, byte* record, ref uint low, ref uint length, ref byte* next)
         {
             // Bytes: red low and high, green low and high, blue low and high.
-            byte* models = place + ByteAt;
+            byte* models = memory + ByteAt;
             byte* was = (byte*)last;
             uint used = 0;
             for (int i = 0; i < 6; i++)
                 used |= record[i] != was[i] ? 1u << i : 0;
             bool isGrey = record[0] == record[2] && record[0] == record[4] && record[1] == record[3] && record[1] == record[5];
             used |= isGrey ? 0 : (uint)IsColorBit;
-            SymbolModel.Encode(place + UsedAt, 128, used, ref low, ref length, ref next);
+            SymbolModel.Encode(memory + UsedAt, 128, used, ref low, ref length, ref next);
             if ((used & 1) != 0)
                 Put(models, 0, record[0] - was[0], ref low, ref length, ref next);
             if ((used & 2) != 0)
@@ -161,13 +161,13 @@ namespace FastPoints.Laz
         {
             uint value = stream->Value, length = stream->Length;
             byte* next = stream->Next;
-            byte* place = (byte*)state;
-            uint used = SymbolModel.Decode(place + UsedAt, 64, ref value, ref length, ref next);
+            byte* memory = (byte*)state;
+            uint used = SymbolModel.Decode(memory + UsedAt, 64, ref value, ref length, ref next);
             for (int i = 0; i < 6; i++)
             {
                 if ((used >> i & 1) != 0)
                     state->m_last[i] = (byte)(state->m_last[i]
-                        + IntegerModel.Decode(place + IntegerAt, 8, 6, i, ref value, ref length, ref next));
+                        + IntegerModel.Decode(memory + IntegerAt, 8, 6, i, ref value, ref length, ref next));
                 record[i] = state->m_last[i];
             }
             stream->Value = value;

@@ -33,14 +33,14 @@ namespace FastPoints.Laz
             *state = default;
             for (int i = 0; i < RecordBytes - 1; i++)
                 state->Last[i] = record[i + 1];
-            byte* place = (byte*)state;
-            SymbolModel.Initialize(place + IndexAt, 256);
+            byte* memory = (byte*)state;
+            SymbolModel.Initialize(memory + IndexAt, 256);
             for (int i = 0; i < 4; i++)
-                SymbolModel.Initialize(place + OffsetKindAt + i * SymbolModel.Bytes4, 4);
-            IntegerModel.Initialize(place + OffsetAt, 32, 1);
-            IntegerModel.Initialize(place + SizeAt, 32, 1);
-            IntegerModel.Initialize(place + LocationAt, 32, 1);
-            IntegerModel.Initialize(place + DirectionAt, 32, 3);
+                SymbolModel.Initialize(memory + OffsetKindAt + i * SymbolModel.Bytes4, 4);
+            IntegerModel.Initialize(memory + OffsetAt, 32, 1);
+            IntegerModel.Initialize(memory + SizeAt, 32, 1);
+            IntegerModel.Initialize(memory + LocationAt, 32, 1);
+            IntegerModel.Initialize(memory + DirectionAt, 32, 3);
         }
 
         // "last" (28 bytes) becomes the packet.
@@ -49,13 +49,13 @@ namespace FastPoints.Laz
         {
             uint value = stream->Value, length = stream->Length;
             byte* next = stream->Next;
-            byte* place = (byte*)state;
+            byte* memory = (byte*)state;
 
-            record[0] = (byte)SymbolModel.Decode(place + IndexAt, 256, ref value, ref length, ref next);
+            record[0] = (byte)SymbolModel.Decode(memory + IndexAt, 256, ref value, ref length, ref next);
 
             ulong lastOffset = *(ulong*)last;
             uint lastSize = *(uint*)(last + 8);
-            state->m_offsetKind = (int)SymbolModel.Decode(place + OffsetKindAt + state->m_offsetKind * SymbolModel.Bytes4, 4,
+            state->m_offsetKind = (int)SymbolModel.Decode(memory + OffsetKindAt + state->m_offsetKind * SymbolModel.Bytes4, 4,
                 ref value, ref length, ref next);
             ulong offset;
             if (state->m_offsetKind == SameOffset)
@@ -68,23 +68,23 @@ namespace FastPoints.Laz
             }
             else if (state->m_offsetKind == SteppedOffset)
             {
-                state->m_step += IntegerModel.Decode(place + OffsetAt, 32, 1, 0, ref value, ref length, ref next);
+                state->m_step += IntegerModel.Decode(memory + OffsetAt, 32, 1, 0, ref value, ref length, ref next);
                 offset = lastOffset + (ulong)(long)state->m_step;
             }
             else
             {
-                uint low = RangeCode.UInt32(ref value, ref length, ref next);
-                offset = (ulong)RangeCode.UInt32(ref value, ref length, ref next) << 32 | low;
+                uint low = RangeCoder.UInt32(ref value, ref length, ref next);
+                offset = (ulong)RangeCoder.UInt32(ref value, ref length, ref next) << 32 | low;
             }
             stream->Value = value;
             stream->Length = length;
             stream->Next = next;
 
             *(ulong*)last = offset;
-            *(uint*)(last + 8) = lastSize + (uint)IntegerModel.Decode(place + SizeAt, 32, 1, 0, stream);
-            *(int*)(last + 12) += IntegerModel.Decode(place + LocationAt, 32, 1, 0, stream);
+            *(uint*)(last + 8) = lastSize + (uint)IntegerModel.Decode(memory + SizeAt, 32, 1, 0, stream);
+            *(int*)(last + 12) += IntegerModel.Decode(memory + LocationAt, 32, 1, 0, stream);
             for (int i = 0; i < 3; i++)
-                *(int*)(last + 16 + 4 * i) += IntegerModel.Decode(place + DirectionAt, 32, 3, i, stream);
+                *(int*)(last + 16 + 4 * i) += IntegerModel.Decode(memory + DirectionAt, 32, 3, i, stream);
             for (int i = 0; i < RecordBytes - 1; i++)
                 record[i + 1] = last[i];
         }
@@ -94,33 +94,33 @@ namespace FastPoints.Laz
         {
             uint low = stream->Value, length = stream->Length;
             byte* next = stream->Next;
-            byte* place = (byte*)state;
+            byte* memory = (byte*)state;
             byte* packet = record + 1;
-            SymbolModel.Encode(place + IndexAt, 256, record[0], ref low, ref length, ref next);
+            SymbolModel.Encode(memory + IndexAt, 256, record[0], ref low, ref length, ref next);
             long difference = *(long*)packet - *(long*)last;
             int kind = difference == 0 ? SameOffset : difference == *(uint*)(last + 8) ? FollowingOffset
                 : difference == (int)difference ? SteppedOffset : SteppedOffset + 1;
-            SymbolModel.Encode(place + OffsetKindAt + state->m_offsetKind * SymbolModel.Bytes4, 4, (uint)kind, ref low,
+            SymbolModel.Encode(memory + OffsetKindAt + state->m_offsetKind * SymbolModel.Bytes4, 4, (uint)kind, ref low,
                 ref length, ref next);
             state->m_offsetKind = kind;
             if (kind == SteppedOffset)
             {
-                IntegerModel.Encode(place + OffsetAt, 32, 1, 0, (int)difference - state->m_step, out _, ref low, ref length,
+                IntegerModel.Encode(memory + OffsetAt, 32, 1, 0, (int)difference - state->m_step, out _, ref low, ref length,
                     ref next);
                 state->m_step = (int)difference;
             }
             else if (kind > SteppedOffset)
             {
-                RangeCode.PutUInt32(*(uint*)packet, ref low, ref length, ref next);
-                RangeCode.PutUInt32(*(uint*)(packet + 4), ref low, ref length, ref next);
+                RangeCoder.PutUInt32(*(uint*)packet, ref low, ref length, ref next);
+                RangeCoder.PutUInt32(*(uint*)(packet + 4), ref low, ref length, ref next);
             }
             stream->Value = low;
             stream->Length = length;
             stream->Next = next;
-            IntegerModel.Encode(place + SizeAt, 32, 1, 0, *(int*)(packet + 8) - *(int*)(last + 8), stream);
-            IntegerModel.Encode(place + LocationAt, 32, 1, 0, *(int*)(packet + 12) - *(int*)(last + 12), stream);
+            IntegerModel.Encode(memory + SizeAt, 32, 1, 0, *(int*)(packet + 8) - *(int*)(last + 8), stream);
+            IntegerModel.Encode(memory + LocationAt, 32, 1, 0, *(int*)(packet + 12) - *(int*)(last + 12), stream);
             for (int i = 16; i < RecordBytes - 1; i += 4)
-                IntegerModel.Encode(place + DirectionAt, 32, 3, (i - 16) / 4, *(int*)(packet + i) - *(int*)(last + i), stream);
+                IntegerModel.Encode(memory + DirectionAt, 32, 3, (i - 16) / 4, *(int*)(packet + i) - *(int*)(last + i), stream);
             for (int i = 0; i < RecordBytes - 1; i++)
                 last[i] = packet[i];
         }

@@ -10,12 +10,12 @@ namespace FastPoints.Laz
         const int InfraredByteAt = InfraredUsedAt + SymbolModel.Bytes4;
         public const int InfraredContextBytes = InfraredByteAt + 2 * SymbolModel.Bytes256;
 
-        public static void StartInfraredContext(byte* place, ushort last)
+        public static void StartInfraredContext(byte* memory, ushort last)
         {
-            *(ushort*)place = last;
-            SymbolModel.Initialize(place + InfraredUsedAt, 4);
-            SymbolModel.Initialize(place + InfraredByteAt, 256);
-            SymbolModel.Initialize(place + InfraredByteAt + SymbolModel.Bytes256, 256);
+            *(ushort*)memory = last;
+            SymbolModel.Initialize(memory + InfraredUsedAt, 4);
+            SymbolModel.Initialize(memory + InfraredByteAt, 256);
+            SymbolModel.Initialize(memory + InfraredByteAt + SymbolModel.Bytes256, 256);
         }
 
         public static int DecodeRgb(LayerState* layer, byte* contexts, uint* points, byte* field, int stride, int count)
@@ -24,23 +24,23 @@ namespace FastPoints.Laz
             byte* next = layer->Stream.Next;
             byte* end = layer->Stream.End;
             int current = layer->Current;
-            byte* place = contexts + (long)current * RgbContextBytes;
+            byte* memory = contexts + (long)current * RgbContextBytes;
             int done = 0;
             for (; done < count; done++)
             {
                 int context = PointContext.Of(points[done], layer->FollowsChannel);
-                ushort* last = ((RgbItem*)place)->Last;
+                ushort* last = ((RgbItem*)memory)->Last;
                 if (context != current)
                 {
                     current = context;
-                    place = contexts + (long)current * RgbContextBytes;
-                    bool isNew = layer->Make(current);
+                    memory = contexts + (long)current * RgbContextBytes;
+                    bool isNew = layer->TryAddContext(current);
                     if (isNew)
-                        RgbItem.Start((RgbItem*)place, (byte*)last);
+                        RgbItem.Start((RgbItem*)memory, (byte*)last);
                     if (isNew || layer->FollowsChannel != 0)
-                        last = ((RgbItem*)place)->Last;
+                        last = ((RgbItem*)memory)->Last;
                 }
-                RgbItem.Decode(place, last, field, ref value, ref length, ref next);
+                RgbItem.Decode(memory, last, field, ref value, ref length, ref next);
                 if (next > end)
                     break;
                 field += stride;
@@ -55,28 +55,28 @@ namespace FastPoints.Laz
             byte* next = layer->Stream.Next;
             byte* end = layer->Stream.End;
             int current = layer->Current;
-            byte* place = contexts + (long)current * InfraredContextBytes;
+            byte* memory = contexts + (long)current * InfraredContextBytes;
             int done = 0;
             for (; done < count; done++)
             {
                 int context = PointContext.Of(points[done], layer->FollowsChannel);
-                ushort* last = (ushort*)place;
+                ushort* last = (ushort*)memory;
                 if (context != current)
                 {
                     current = context;
-                    place = contexts + (long)current * InfraredContextBytes;
-                    bool isNew = layer->Make(current);
+                    memory = contexts + (long)current * InfraredContextBytes;
+                    bool isNew = layer->TryAddContext(current);
                     if (isNew)
-                        StartInfraredContext(place, *last);
+                        StartInfraredContext(memory, *last);
                     if (isNew || layer->FollowsChannel != 0)
-                        last = (ushort*)place;
+                        last = (ushort*)memory;
                 }
-                uint used = SymbolModel.Decode(place + InfraredUsedAt, 4, ref value, ref length, ref next);
+                uint used = SymbolModel.Decode(memory + InfraredUsedAt, 4, ref value, ref length, ref next);
                 int low = *last & 255, high = *last >> 8;
                 if ((used & 1) != 0)
-                    low = low + (int)SymbolModel.Decode(place + InfraredByteAt, 256, ref value, ref length, ref next) & 255;
+                    low = low + (int)SymbolModel.Decode(memory + InfraredByteAt, 256, ref value, ref length, ref next) & 255;
                 if ((used & 2) != 0)
-                    high = high + (int)SymbolModel.Decode(place + InfraredByteAt + SymbolModel.Bytes256, 256,
+                    high = high + (int)SymbolModel.Decode(memory + InfraredByteAt + SymbolModel.Bytes256, 256,
                         ref value, ref length, ref next) & 255;
                 if (next > end)
                     break;
@@ -93,22 +93,22 @@ namespace FastPoints.Laz
             uint low = layer->Stream.Value, length = layer->Stream.Length;
             byte* next = layer->Stream.Next;
             int current = layer->Current;
-            byte* place = contexts + (long)current * RgbContextBytes;
+            byte* memory = contexts + (long)current * RgbContextBytes;
             for (int i = 0; i < count; i++, field += stride)
             {
                 int context = PointContext.Of(points[i], layer->FollowsChannel);
-                ushort* last = ((RgbItem*)place)->Last;
+                ushort* last = ((RgbItem*)memory)->Last;
                 if (context != current)
                 {
                     current = context;
-                    place = contexts + (long)current * RgbContextBytes;
-                    bool isNew = layer->Make(current);
+                    memory = contexts + (long)current * RgbContextBytes;
+                    bool isNew = layer->TryAddContext(current);
                     if (isNew)
-                        RgbItem.Start((RgbItem*)place, (byte*)last);
+                        RgbItem.Start((RgbItem*)memory, (byte*)last);
                     if (isNew || layer->FollowsChannel != 0)
-                        last = ((RgbItem*)place)->Last;
+                        last = ((RgbItem*)memory)->Last;
                 }
-                RgbItem.Encode(place, last, field, ref low, ref length, ref next);
+                RgbItem.Encode(memory, last, field, ref low, ref length, ref next);
             }
             layer->SaveState(current, low, length, next);
         }
@@ -118,27 +118,27 @@ namespace FastPoints.Laz
             uint low = layer->Stream.Value, length = layer->Stream.Length;
             byte* next = layer->Stream.Next;
             int current = layer->Current;
-            byte* place = contexts + (long)current * InfraredContextBytes;
+            byte* memory = contexts + (long)current * InfraredContextBytes;
             for (int i = 0; i < count; i++, field += stride)
             {
                 int context = PointContext.Of(points[i], layer->FollowsChannel);
-                byte* last = place;
+                byte* last = memory;
                 if (context != current)
                 {
                     current = context;
-                    place = contexts + (long)current * InfraredContextBytes;
-                    bool isNew = layer->Make(current);
+                    memory = contexts + (long)current * InfraredContextBytes;
+                    bool isNew = layer->TryAddContext(current);
                     if (isNew)
-                        StartInfraredContext(place, *(ushort*)last);
+                        StartInfraredContext(memory, *(ushort*)last);
                     if (isNew || layer->FollowsChannel != 0)
-                        last = place;
+                        last = memory;
                 }
                 uint used = (field[0] != last[0] ? 1u : 0) | (field[1] != last[1] ? 2u : 0);
-                SymbolModel.Encode(place + InfraredUsedAt, 4, used, ref low, ref length, ref next);
+                SymbolModel.Encode(memory + InfraredUsedAt, 4, used, ref low, ref length, ref next);
                 for (int b = 0; b < 2; b++)
                 {
                     if ((used >> b & 1) != 0)
-                        SymbolModel.Encode(place + InfraredByteAt + b * SymbolModel.Bytes256, 256,
+                        SymbolModel.Encode(memory + InfraredByteAt + b * SymbolModel.Bytes256, 256,
                             (uint)(field[b] - last[b] & 255), ref low, ref length, ref next);
                     last[b] = field[b];
                 }

@@ -11,16 +11,16 @@ namespace FastPoints.Laz
 
         long m_last;
 
-        public static void StartContext(byte* place, long time)
+        public static void StartContext(byte* memory, long time)
         {
-            ((GpsTimeLayer*)place)->m_last = time;
-            GpsTimeItem.Start((GpsTimeItem*)(place + ItemAt), time, true);
+            ((GpsTimeLayer*)memory)->m_last = time;
+            GpsTimeItem.Start((GpsTimeItem*)(memory + ItemAt), time, true);
         }
 
         public static int Decode(LayerState* layer, byte* contexts, uint* points, byte* field, int stride, int count)
         {
             int channel = layer->Current;
-            byte* place = contexts + (long)channel * ContextBytes;
+            byte* memory = contexts + (long)channel * ContextBytes;
             int done = 0;
             for (; done < count; done++)
             {
@@ -28,19 +28,19 @@ namespace FastPoints.Laz
                 int context = (int)(point & PointContext.ChannelMask);
                 if (context != channel)
                 {
-                    long last = ((GpsTimeLayer*)place)->m_last;
+                    long last = ((GpsTimeLayer*)memory)->m_last;
                     channel = context;
-                    place = contexts + (long)channel * ContextBytes;
-                    if (layer->Make(channel))
-                        StartContext(place, last);
+                    memory = contexts + (long)channel * ContextBytes;
+                    if (layer->TryAddContext(channel))
+                        StartContext(memory, last);
                 }
                 if ((point & PointContext.TimeChangedBit) != 0)
                 {
-                    ((GpsTimeLayer*)place)->m_last = GpsTimeItem.Decode((GpsTimeItem*)(place + ItemAt), &layer->Stream);
+                    ((GpsTimeLayer*)memory)->m_last = GpsTimeItem.Decode((GpsTimeItem*)(memory + ItemAt), &layer->Stream);
                     if (layer->Stream.IsBeyondEnd)
                         break;
                 }
-                *(long*)field = ((GpsTimeLayer*)place)->m_last;
+                *(long*)field = ((GpsTimeLayer*)memory)->m_last;
                 field += stride;
             }
             layer->Current = channel;
@@ -50,21 +50,21 @@ namespace FastPoints.Laz
         public static void Encode(LayerState* layer, byte* contexts, uint* points, byte* field, int stride, int count)
         {
             int channel = layer->Current;
-            byte* place = contexts + (long)channel * ContextBytes;
+            byte* memory = contexts + (long)channel * ContextBytes;
             for (int i = 0; i < count; i++, field += stride)
             {
                 uint point = points[i];
                 if ((int)(point & PointContext.ChannelMask) != channel)
                 {
-                    long last = ((GpsTimeLayer*)place)->m_last;
+                    long last = ((GpsTimeLayer*)memory)->m_last;
                     channel = (int)(point & PointContext.ChannelMask);
-                    place = contexts + (long)channel * ContextBytes;
-                    if (layer->Make(channel))
-                        StartContext(place, last);
+                    memory = contexts + (long)channel * ContextBytes;
+                    if (layer->TryAddContext(channel))
+                        StartContext(memory, last);
                 }
                 if ((point & PointContext.TimeChangedBit) != 0)
-                    GpsTimeItem.Encode((GpsTimeItem*)(place + ItemAt), &layer->Stream, *(long*)field);
-                ((GpsTimeLayer*)place)->m_last = *(long*)field;
+                    GpsTimeItem.Encode((GpsTimeItem*)(memory + ItemAt), &layer->Stream, *(long*)field);
+                ((GpsTimeLayer*)memory)->m_last = *(long*)field;
             }
             layer->Current = channel;
         }

@@ -3,7 +3,7 @@ using System.Runtime.InteropServices;
 namespace FastPoints.Laz
 {
     /// <summary>The layers of intensity, scan angle and point source: 16 bits a point. Intensity is coded for every point,
-    /// predicted by the last one at the same place in the pulse; the others only where the first layer says that they change.
+    /// predicted by the last one of the same kind of return; the others only where the first layer says that they change.
     /// HPC#.</summary>
     [StructLayout(LayoutKind.Sequential)]
     unsafe struct Integer16Layer
@@ -15,13 +15,13 @@ namespace FastPoints.Laz
         int m_last;
         fixed ushort m_lastOfReturnKind[8];
 
-        public static void StartContext(byte* place, ushort field)
+        public static void StartContext(byte* memory, ushort field)
         {
-            var context = (Integer16Layer*)place;
+            var context = (Integer16Layer*)memory;
             context->m_last = field;
             for (int i = 0; i < 8; i++)
                 context->m_lastOfReturnKind[i] = field;
-            IntegerModel.Initialize(place + IntegerAt, 16, MaxContexts);
+            IntegerModel.Initialize(memory + IntegerAt, 16, MaxContexts);
         }
 
         public static int Decode(LayerState* layer, byte* contexts, uint* points, byte* field, int stride, int count)
@@ -32,7 +32,7 @@ namespace FastPoints.Laz
             var kind = layer->Kind;
             uint changedBit = kind == LazLayerKind.ScanAngle ? PointContext.AngleChangedBit : PointContext.SourceChangedBit;
             int channel = layer->Current;
-            byte* place = contexts + (long)channel * ContextBytes;
+            byte* memory = contexts + (long)channel * ContextBytes;
             int done = 0;
             for (; done < count; done++)
             {
@@ -40,31 +40,31 @@ namespace FastPoints.Laz
                 int context = (int)(point & PointContext.ChannelMask);
                 if (context != channel)
                 {
-                    int last = ((Integer16Layer*)place)->m_last;
+                    int last = ((Integer16Layer*)memory)->m_last;
                     channel = context;
-                    place = contexts + (long)channel * ContextBytes;
-                    if (layer->Make(channel))
-                        StartContext(place, (ushort)last);
+                    memory = contexts + (long)channel * ContextBytes;
+                    if (layer->TryAddContext(channel))
+                        StartContext(memory, (ushort)last);
                 }
 
                 if (kind == LazLayerKind.Intensity)
                 {
-                    int place16 = PointContext.ReturnKind(point);
-                    ushort* last = ((Integer16Layer*)place)->m_lastOfReturnKind
-                        + (place16 * 2 + (int)(point >> PointContext.TimeShift & 1));
+                    int returnKind = PointContext.ReturnKind(point);
+                    ushort* last = ((Integer16Layer*)memory)->m_lastOfReturnKind
+                        + (returnKind * 2 + (int)(point >> PointContext.TimeShift & 1));
                     *last = (ushort)(*last
-                        + IntegerModel.Decode(place + IntegerAt, 16, MaxContexts, place16, ref value, ref length, ref next));
-                    ((Integer16Layer*)place)->m_last = *last;
+                        + IntegerModel.Decode(memory + IntegerAt, 16, MaxContexts, returnKind, ref value, ref length, ref next));
+                    ((Integer16Layer*)memory)->m_last = *last;
                 }
                 else if ((point & changedBit) != 0)
                 {
                     int ofTime = kind == LazLayerKind.ScanAngle ? (int)(point >> PointContext.TimeShift & 1) : 0;
-                    ((Integer16Layer*)place)->m_last = (ushort)(((Integer16Layer*)place)->m_last
-                        + IntegerModel.Decode(place + IntegerAt, 16, MaxContexts, ofTime, ref value, ref length, ref next));
+                    ((Integer16Layer*)memory)->m_last = (ushort)(((Integer16Layer*)memory)->m_last
+                        + IntegerModel.Decode(memory + IntegerAt, 16, MaxContexts, ofTime, ref value, ref length, ref next));
                 }
                 if (next > end)
                     break;
-                *(ushort*)field = (ushort)((Integer16Layer*)place)->m_last;
+                *(ushort*)field = (ushort)((Integer16Layer*)memory)->m_last;
                 field += stride;
             }
             layer->SaveState(channel, value, length, next);
@@ -78,33 +78,33 @@ namespace FastPoints.Laz
             bool isIntensity = layer->Kind == LazLayerKind.Intensity, isAngle = layer->Kind == LazLayerKind.ScanAngle;
             uint changedBit = isAngle ? PointContext.AngleChangedBit : PointContext.SourceChangedBit;
             int channel = layer->Current;
-            byte* place = contexts + (long)channel * ContextBytes;
+            byte* memory = contexts + (long)channel * ContextBytes;
             for (int i = 0; i < count; i++, field += stride)
             {
                 uint point = points[i];
                 int ofTime = (int)(point >> PointContext.TimeShift & 1);
                 if ((int)(point & PointContext.ChannelMask) != channel)
                 {
-                    int left = ((Integer16Layer*)place)->m_last;
+                    int left = ((Integer16Layer*)memory)->m_last;
                     channel = (int)(point & PointContext.ChannelMask);
-                    place = contexts + (long)channel * ContextBytes;
-                    if (layer->Make(channel))
-                        StartContext(place, (ushort)left);
+                    memory = contexts + (long)channel * ContextBytes;
+                    if (layer->TryAddContext(channel))
+                        StartContext(memory, (ushort)left);
                 }
                 if (isIntensity)
                 {
-                    int inPulse = PointContext.ReturnKind(point);
-                    ushort* last = ((Integer16Layer*)place)->m_lastOfReturnKind + (inPulse * 2 + ofTime);
-                    IntegerModel.Encode(place + IntegerAt, 16, MaxContexts, inPulse, *(ushort*)field - *last, out _, ref low,
+                    int returnKind = PointContext.ReturnKind(point);
+                    ushort* last = ((Integer16Layer*)memory)->m_lastOfReturnKind + (returnKind * 2 + ofTime);
+                    IntegerModel.Encode(memory + IntegerAt, 16, MaxContexts, returnKind, *(ushort*)field - *last, out _, ref low,
                         ref length, ref next);
                     *last = *(ushort*)field;
                 }
                 else if ((point & changedBit) != 0)
                 {
-                    IntegerModel.Encode(place + IntegerAt, 16, MaxContexts, isAngle ? ofTime : 0,
-                        *(ushort*)field - ((Integer16Layer*)place)->m_last, out _, ref low, ref length, ref next);
+                    IntegerModel.Encode(memory + IntegerAt, 16, MaxContexts, isAngle ? ofTime : 0,
+                        *(ushort*)field - ((Integer16Layer*)memory)->m_last, out _, ref low, ref length, ref next);
                 }
-                ((Integer16Layer*)place)->m_last = *(ushort*)field;
+                ((Integer16Layer*)memory)->m_last = *(ushort*)field;
             }
             layer->SaveState(channel, low, length, next);
         }

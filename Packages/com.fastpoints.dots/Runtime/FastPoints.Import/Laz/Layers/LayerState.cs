@@ -3,8 +3,8 @@ using System.Runtime.InteropServices;
 
 namespace FastPoints.Laz
 {
-    /// <summary>One layer within a <see cref="LayeredChunk"/>'s state: its stream, and its contexts, one a scanner channel, made
-    /// when the channel first comes as a copy of what the last point had. HPC#.</summary>
+    /// <summary>One layer within a <see cref="LayeredChunk"/>'s state: its stream, and its contexts, one a scanner channel, each
+    /// started when its channel first comes, with what the last point had. HPC#.</summary>
     [StructLayout(LayoutKind.Sequential)]
     internal unsafe struct LayerState
     {
@@ -22,17 +22,17 @@ namespace FastPoints.Laz
 
         public long ContextsOffset;
 
-        // Bit c is set if context c has been made.
-        public int Made;
+        // Bit c is set if context c is in use.
+        public int UsedContexts;
 
         public int Current;
 
-        // Whether a context is new: it is made from what the last point had.
+        // Whether the context is new: the caller then starts it with what the last point had.
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public bool Make(int context)
+        public bool TryAddContext(int context)
         {
-            bool isNew = (Made >> context & 1) == 0;
-            Made |= 1 << context;
+            bool isNew = (UsedContexts >> context & 1) == 0;
+            UsedContexts |= 1 << context;
             return isNew;
         }
 
@@ -49,7 +49,7 @@ namespace FastPoints.Laz
     /// What the first layer says of a point that other layers need, packed into 32 bits:
     /// <code>
     /// bits 0-1 scanner channel   2 channel differs from the last point's   3 GPS time changed   4 scan angle changed
-    ///      5 point source changed   6-7 place in the pulse   8-10 level   11-15 context of Z
+    ///      5 point source changed   6-7 kind of return   8-10 level   11-15 context of Z
     /// </code>
     /// </summary>
     static class PointContext

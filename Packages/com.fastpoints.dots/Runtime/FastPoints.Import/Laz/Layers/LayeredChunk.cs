@@ -104,7 +104,7 @@ namespace FastPoints.Laz
 
         /// <summary>Starts at a chunk's first byte.</summary>
         /// <param name="input">The chunk's header, then its layers. Behind <paramref name="inputBytes"/> there are
-        /// <see cref="RangeCode.PaddingBytes"/> more that may be read.</param>
+        /// <see cref="RangeCoder.PaddingBytes"/> more that may be read.</param>
         /// <param name="hasAllLayers">Whether all layers are there. Otherwise only the wanted ones follow each other, of each no
         /// more than <paramref name="points"/> points take.</param>
         /// <param name="points">Points that will be asked for.</param>
@@ -155,46 +155,46 @@ namespace FastPoints.Laz
 
             byte* first = (byte*)chunk + chunk->m_firstRecordOffset;
             int channel = first[15] >> 4 & 3;
-            layer->Made = 1 << channel;
+            layer->UsedContexts = 1 << channel;
             layer->Current = channel;
             StartContext(layer->Kind, (byte*)chunk + layer->ContextsOffset + (long)channel * ContextBytes(layer->Kind),
                 first + layer->RecordOffset);
         }
 
-        internal static void StartContext(LazLayerKind kind, byte* place, byte* field)
+        internal static void StartContext(LazLayerKind kind, byte* memory, byte* field)
         {
             switch (kind)
             {
                 case LazLayerKind.ReturnsAndXY:
-                    ReturnsLayer.StartContext(place, *(int*)field, *(int*)(field + 4), field[14]);
+                    ReturnsLayer.StartContext(memory, *(int*)field, *(int*)(field + 4), field[14]);
                     break;
                 case LazLayerKind.Z:
-                    ZLayer.StartContext(place, *(int*)field);
+                    ZLayer.StartContext(memory, *(int*)field);
                     break;
                 case LazLayerKind.Classification:
                 case LazLayerKind.Flags:
                 case LazLayerKind.UserData:
-                    SymbolLayer.StartContext(place, kind, *field);
+                    SymbolLayer.StartContext(memory, kind, *field);
                     break;
                 case LazLayerKind.Intensity:
                 case LazLayerKind.ScanAngle:
                 case LazLayerKind.PointSource:
-                    Integer16Layer.StartContext(place, *(ushort*)field);
+                    Integer16Layer.StartContext(memory, *(ushort*)field);
                     break;
                 case LazLayerKind.GpsTime:
-                    GpsTimeLayer.StartContext(place, *(long*)field);
+                    GpsTimeLayer.StartContext(memory, *(long*)field);
                     break;
                 case LazLayerKind.Rgb:
-                    RgbItem.Start((RgbItem*)place, field);
+                    RgbItem.Start((RgbItem*)memory, field);
                     break;
                 case LazLayerKind.NearInfrared:
-                    ColorLayer.StartInfraredContext(place, *(ushort*)field);
+                    ColorLayer.StartInfraredContext(memory, *(ushort*)field);
                     break;
                 case LazLayerKind.WavePacket:
-                    WavePacketItem.Start((WavePacketItem*)place, field);
+                    WavePacketItem.Start((WavePacketItem*)memory, field);
                     break;
                 default:
-                    WaveAndByteLayers.StartByteContext(place, *field);
+                    WaveAndByteLayers.StartByteContext(memory, *field);
                     break;
             }
         }

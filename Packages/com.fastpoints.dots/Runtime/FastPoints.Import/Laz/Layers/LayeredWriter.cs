@@ -37,7 +37,7 @@ namespace FastPoints.Laz
 
         /// <summary>Begins a chunk: the first point as it is, the number of points, and room for the layers' sizes.</summary>
         /// <param name="output">Has room for <see cref="LazLayer.MaxInputBytes"/> and
-        /// <see cref="RangeCode.PaddingBytes"/>.</param>
+        /// <see cref="RangeCoder.PaddingBytes"/>.</param>
         public static void Start(LayeredWriter* writer, int layerCount, int recordBytes, byte* records, int points, byte* output)
         {
             *writer = default;
@@ -52,6 +52,12 @@ namespace FastPoints.Laz
             writer->m_end = LazLayer.ChunkHeaderBytes(recordBytes, layerCount);
         }
 
+        /// <summary>What a layer takes at most of the counts given to Encode.</summary>
+        public static long CostOfLayer(int points) => points + 1 + CostOfSearch(points);
+
+        // To see that nothing changes in a layer costs a sixteenth of coding it.
+        static int CostOfSearch(int points) => 1 + points / 16;
+
         /// <summary>Continues for this many points of layers.</summary>
         /// <returns>Bytes of the whole chunk, once it is; 0 before.</returns>
         public static long Encode(LayeredWriter* writer, LazLayer* layers, byte* records, int points, byte* output, int count)
@@ -62,7 +68,7 @@ namespace FastPoints.Laz
                 var layer = layers[writer->m_layer];
                 if (writer->m_done < 0)
                 {
-                    count -= 1 + coded / 16;
+                    count -= CostOfSearch(coded);
                     if (writer->m_layer > 1 && !IsChanged(layer, records, writer->m_recordBytes, points))
                     {
                         End(writer, output, writer->m_end);
@@ -82,7 +88,7 @@ namespace FastPoints.Laz
                     continue;
                 var stream = writer->m_state.Stream;
                 stream.Resume(output, null);
-                RangeCode.End(stream.Value, stream.Length, ref stream.Next);
+                RangeCoder.End(stream.Value, stream.Length, ref stream.Next);
                 End(writer, output, stream.Next - output);
             }
             return writer->m_layer == writer->m_layerCount ? writer->m_end : 0;
@@ -97,7 +103,7 @@ namespace FastPoints.Laz
                 Kind = layer.Kind,
                 RecordOffset = layer.RecordOffset,
                 FollowsChannel = layer.FollowsChannel ? 1 : 0,
-                Made = 1 << channel,
+                UsedContexts = 1 << channel,
                 Current = channel,
             };
             writer->m_state.Stream.StartWriting(output + writer->m_end);

@@ -35,7 +35,7 @@ namespace FastPoints.Laz
         public int RecordBytes;
 
         /// <summary>Whether the scanner channel of the point is the context. In version 3 of all items but POINT14 it is only
-        /// so where the channel changes, and 0 elsewhere: LASzip's slip, kept by its files.</summary>
+        /// so where the channel changes, and 0 elsewhere: LASzip's bug, kept by its files.</summary>
         public bool FollowsChannel;
 
         /// <summary>Bytes of input that a point takes at most: 15 bits a modelled symbol, and the raw bits.</summary>

@@ -9,8 +9,8 @@ namespace FastPoints.Laz
     /// point formats 0 to 5, by n * 8 + r (the flag byte's lower six bits), a byte:
     ///   bits 0-3 map of r and n   4-6 level |n - r|   7 n is 1
     /// point formats 6 to 10, by n * 16 + r (the return byte), a ushort:
-    ///   bits 0-2 map   3-5 level, at most 7   6-7 coded place in the pulse (first 2, last 1)
-    ///   8 n is 1   9-10 last point's place (first 1, last 2)
+    ///   bits 0-2 map   3-5 level, at most 7   6-7 kind of return (2 if first, + 1 if last)
+    ///   8 n is 1   9-10 its kind as the last point's (1 if first, + 2 if last)
     /// </code>
     /// </remarks>
     static unsafe class ReturnContexts
@@ -22,10 +22,10 @@ namespace FastPoints.Laz
 
         public const int ExtendedMapMask = 7;
         public const int ExtendedLevelShift = 3;
-        public const int ExtendedPlaceShift = 6;
-        public const int ExtendedPlaceMask = 3;
+        public const int ExtendedReturnKindShift = 6;
+        public const int ExtendedReturnKindMask = 3;
         public const int ExtendedSingleShift = 8;
-        public const int ExtendedLastPlaceShift = 9;
+        public const int ExtendedLastReturnKindShift = 9;
 
         static readonly byte[] s_legacyMap =
         {
@@ -77,9 +77,9 @@ namespace FastPoints.Laz
                 int level = n > r ? n - r : r - n;
                 bool isFirst = r == 1, isLast = r >= n;
                 contexts[i] = (ushort)(s_extendedMap[i] | (level < 7 ? level : 7) << ExtendedLevelShift
-                    | ((isFirst ? 2 : 0) + (isLast ? 1 : 0)) << ExtendedPlaceShift
+                    | ((isFirst ? 2 : 0) + (isLast ? 1 : 0)) << ExtendedReturnKindShift
                     | (n == 1 ? 1 << ExtendedSingleShift : 0)
-                    | ((isFirst ? 1 : 0) + (isLast ? 2 : 0)) << ExtendedLastPlaceShift);
+                    | ((isFirst ? 1 : 0) + (isLast ? 2 : 0)) << ExtendedLastReturnKindShift);
             }
         }
     }

@@ -44,9 +44,9 @@ namespace FastPoints.Laz
         fixed int m_medianX[Medians * Median5.Ints];
         fixed int m_medianY[Medians * Median5.Ints];
 
-        public static void StartContext(byte* place, int x, int y, int returns)
+        public static void StartContext(byte* memory, int x, int y, int returns)
         {
-            var context = (ReturnsLayer*)place;
+            var context = (ReturnsLayer*)memory;
             context->m_x = x;
             context->m_y = y;
             context->m_returns = returns;
@@ -59,11 +59,11 @@ namespace FastPoints.Laz
                 Median5.Initialize(context->m_medianY + i * Median5.Ints);
             }
             for (int i = 0; i < 8; i++)
-                SymbolModel.Initialize(place + ChangedAt + i * SymbolModel.Bytes128, 128);
-            SymbolModel.Initialize((SymbolModel*)(place + ChannelAt), ChannelSymbols, 4);
-            SymbolModel.Initialize(place + ReturnStepAt, ReturnStepSymbols);
-            IntegerModel.Initialize(place + XAt, 32, XContexts);
-            IntegerModel.Initialize(place + YAt, 32, YContexts);
+                SymbolModel.Initialize(memory + ChangedAt + i * SymbolModel.Bytes128, 128);
+            SymbolModel.Initialize((SymbolModel*)(memory + ChannelAt), ChannelSymbols, 4);
+            SymbolModel.Initialize(memory + ReturnStepAt, ReturnStepSymbols);
+            IntegerModel.Initialize(memory + XAt, 32, XContexts);
+            IntegerModel.Initialize(memory + YAt, 32, YContexts);
         }
 
         /// <param name="returnContexts">256 entries of <see cref="ReturnContexts.WriteExtended"/>.</param>
@@ -76,23 +76,23 @@ namespace FastPoints.Laz
             byte* next = layer->Stream.Next;
             byte* end = layer->Stream.End;
             int channel = layer->Current;
-            byte* place = contexts + (long)channel * ContextBytes;
-            var context = (ReturnsLayer*)place;
+            byte* memory = contexts + (long)channel * ContextBytes;
+            var context = (ReturnsLayer*)memory;
             int done = 0;
             for (; done < count; done++)
             {
                 int returns = context->m_returns;
-                int lastPlace = returnContexts[returns] >> ReturnContexts.ExtendedLastPlaceShift;
-                uint changed = SymbolModel.Decode(place + ChangedAt
-                    + (lastPlace + context->m_timeChanged * 4) * SymbolModel.Bytes128, 128, ref value, ref length, ref next);
+                int lastKind = returnContexts[returns] >> ReturnContexts.ExtendedLastReturnKindShift;
+                uint changed = SymbolModel.Decode(memory + ChangedAt
+                    + (lastKind + context->m_timeChanged * 4) * SymbolModel.Bytes128, 128, ref value, ref length, ref next);
                 if ((changed & ChannelChangedBit) != 0)
                 {
-                    uint step = SymbolModel.Decode(place + ChannelAt, 4, ref value, ref length, ref next);
+                    uint step = SymbolModel.Decode(memory + ChannelAt, 4, ref value, ref length, ref next);
                     channel = (int)((uint)channel + step + 1) & 3;
-                    place = contexts + (long)channel * ContextBytes;
-                    if (layer->Make(channel))
-                        StartContext(place, context->m_x, context->m_y, context->m_returns);
-                    context = (ReturnsLayer*)place;
+                    memory = contexts + (long)channel * ContextBytes;
+                    if (layer->TryAddContext(channel))
+                        StartContext(memory, context->m_x, context->m_y, context->m_returns);
+                    context = (ReturnsLayer*)memory;
                     returns = context->m_returns;
                 }
 
@@ -102,7 +102,7 @@ namespace FastPoints.Laz
                     int lastReturns = returns;
                     if ((changed & ReturnsChangedBit) != 0)
                     {
-                        byte* model = ModelOf(place + NumberOfReturnsAt, &context->m_numberOfReturnsMade, returns >> 4);
+                        byte* model = ModelOf(memory + NumberOfReturnsAt, &context->m_numberOfReturnsMade, returns >> 4);
                         returns = (int)SymbolModel.Decode(model, 16, ref value, ref length, ref next) << 4 | returns & 15;
                     }
                     uint step = changed & 3;
@@ -110,12 +110,12 @@ namespace FastPoints.Laz
                     {
                         if (timeChanged != 0)
                         {
-                            byte* model = ModelOf(place + ReturnNumberAt, &context->m_returnNumberMade, lastReturns & 15);
+                            byte* model = ModelOf(memory + ReturnNumberAt, &context->m_returnNumberMade, lastReturns & 15);
                             returns = returns & 0xF0 | (int)SymbolModel.Decode(model, 16, ref value, ref length, ref next);
                         }
                         else
                         {
-                            int more = (int)SymbolModel.Decode(place + ReturnStepAt, ReturnStepSymbols,
+                            int more = (int)SymbolModel.Decode(memory + ReturnStepAt, ReturnStepSymbols,
                                 ref value, ref length, ref next) + 2;
                             returns = returns & 0xF0 | returns + more & 15;
                         }
@@ -135,13 +135,13 @@ namespace FastPoints.Laz
                 int* medianY = context->m_medianY + median;
 
                 int xDifference = Median5.Get(medianX)
-                    + IntegerModel.Decode(place + XAt, 32, XContexts, isSingle, out int kx, ref value, ref length, ref next);
+                    + IntegerModel.Decode(memory + XAt, 32, XContexts, isSingle, out int kx, ref value, ref length, ref next);
                 context->m_x += xDifference;
                 Median5.Add(medianX, xDifference);
 
                 int yContext = isSingle + (kx < 20 ? kx & ~1 : 20);
                 int yDifference = Median5.Get(medianY)
-                    + IntegerModel.Decode(place + YAt, 32, YContexts, yContext, out int ky, ref value, ref length, ref next);
+                    + IntegerModel.Decode(memory + YAt, 32, YContexts, yContext, out int ky, ref value, ref length, ref next);
                 context->m_y += yDifference;
                 Median5.Add(medianY, yDifference);
                 if (next > end)
@@ -177,25 +177,25 @@ namespace FastPoints.Laz
             uint low = layer->Stream.Value, length = layer->Stream.Length;
             byte* next = layer->Stream.Next;
             int channel = layer->Current;
-            byte* place = contexts + (long)channel * ContextBytes;
-            var context = (ReturnsLayer*)place;
+            byte* memory = contexts + (long)channel * ContextBytes;
+            var context = (ReturnsLayer*)memory;
             for (int i = 0; i < count; i++, record += stride)
             {
-                byte* changedModel = place + ChangedAt + ((returnContexts[context->m_returns]
-                    >> ReturnContexts.ExtendedLastPlaceShift) + context->m_timeChanged * 4) * SymbolModel.Bytes128;
-                byte* channelModel = place + ChannelAt;
+                byte* changedModel = memory + ChangedAt + ((returnContexts[context->m_returns]
+                    >> ReturnContexts.ExtendedLastReturnKindShift) + context->m_timeChanged * 4) * SymbolModel.Bytes128;
+                byte* channelModel = memory + ChannelAt;
                 int to = record[15] >> 4 & 3, from = channel;
                 if (to != from)
                 {
                     byte* last = lasts + 32 * channel;
                     channel = to;
-                    place = contexts + (long)channel * ContextBytes;
-                    if (layer->Make(channel))
+                    memory = contexts + (long)channel * ContextBytes;
+                    if (layer->TryAddContext(channel))
                     {
-                        StartContext(place, context->m_x, context->m_y, context->m_returns);
+                        StartContext(memory, context->m_x, context->m_y, context->m_returns);
                         UnsafeUtility.MemCpy(lasts + 32 * channel, last, 30);
                     }
-                    context = (ReturnsLayer*)place;
+                    context = (ReturnsLayer*)memory;
                 }
                 byte* before = lasts + 32 * channel;
                 int returns = record[14], step = (returns & 15) - (context->m_returns & 15) & 15;
@@ -209,13 +209,13 @@ namespace FastPoints.Laz
                 if (to != from)
                     SymbolModel.Encode(channelModel, 4, (uint)(to - from - 1 & 3), ref low, ref length, ref next);
                 if ((changed & ReturnsChangedBit) != 0)
-                    SymbolModel.Encode(ModelOf(place + NumberOfReturnsAt, &context->m_numberOfReturnsMade,
+                    SymbolModel.Encode(ModelOf(memory + NumberOfReturnsAt, &context->m_numberOfReturnsMade,
                         context->m_returns >> 4), 16, (uint)returns >> 4, ref low, ref length, ref next);
                 if ((changed & 3) == 3 && timeChanged != 0)
-                    SymbolModel.Encode(ModelOf(place + ReturnNumberAt, &context->m_returnNumberMade, context->m_returns & 15), 16,
-                        (uint)returns & 15, ref low, ref length, ref next);
+                    SymbolModel.Encode(ModelOf(memory + ReturnNumberAt, &context->m_returnNumberMade, context->m_returns & 15),
+                        16, (uint)returns & 15, ref low, ref length, ref next);
                 else if ((changed & 3) == 3)
-                    SymbolModel.Encode(place + ReturnStepAt, ReturnStepSymbols, (uint)step - 2, ref low, ref length, ref next);
+                    SymbolModel.Encode(memory + ReturnStepAt, ReturnStepSymbols, (uint)step - 2, ref low, ref length, ref next);
                 context->m_returns = returns;
                 context->m_timeChanged = (int)timeChanged;
                 UnsafeUtility.MemCpy(before, record, 30);
@@ -223,10 +223,10 @@ namespace FastPoints.Laz
                 int ofReturns = returnContexts[returns], isSingle = ofReturns >> ReturnContexts.ExtendedSingleShift & 1;
                 int median = ((ofReturns & ReturnContexts.ExtendedMapMask) * 2 + (int)timeChanged) * Median5.Ints;
                 int dx = *(int*)record - context->m_x, dy = *(int*)(record + 4) - context->m_y;
-                IntegerModel.Encode(place + XAt, 32, XContexts, isSingle, dx - Median5.Get(context->m_medianX + median),
+                IntegerModel.Encode(memory + XAt, 32, XContexts, isSingle, dx - Median5.Get(context->m_medianX + median),
                     out int kx, ref low, ref length, ref next);
                 Median5.Add(context->m_medianX + median, dx);
-                IntegerModel.Encode(place + YAt, 32, YContexts, isSingle + (kx < 20 ? kx & ~1 : 20),
+                IntegerModel.Encode(memory + YAt, 32, YContexts, isSingle + (kx < 20 ? kx & ~1 : 20),
                     dy - Median5.Get(context->m_medianY + median), out int ky, ref low, ref length, ref next);
                 Median5.Add(context->m_medianY + median, dy);
                 context->m_x = *(int*)record;
@@ -242,7 +242,7 @@ namespace FastPoints.Laz
                 | (changed / TimeChangedBit & 1) << PointContext.TimeShift
                 | (changed & AngleChangedBit) * (PointContext.AngleChangedBit / AngleChangedBit)
                 | (changed & SourceChangedBit) * (PointContext.SourceChangedBit / SourceChangedBit)
-                | (uint)(ofReturns >> ReturnContexts.ExtendedPlaceShift & ReturnContexts.ExtendedPlaceMask)
+                | (uint)(ofReturns >> ReturnContexts.ExtendedReturnKindShift & ReturnContexts.ExtendedReturnKindMask)
                     << PointContext.ReturnKindShift
                 | (uint)(ofReturns >> ReturnContexts.ExtendedLevelShift & 7) << PointContext.LevelShift
                 | (uint)(isSingle + (k < 18 ? k & ~1 : 18)) << PointContext.ZShift;

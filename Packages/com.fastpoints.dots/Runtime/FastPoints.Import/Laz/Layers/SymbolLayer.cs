@@ -15,9 +15,9 @@ namespace FastPoints.Laz
         int m_last;
         ulong m_made;
 
-        public static void StartContext(byte* place, LazLayerKind kind, byte field)
+        public static void StartContext(byte* memory, LazLayerKind kind, byte field)
         {
-            var context = (SymbolLayer*)place;
+            var context = (SymbolLayer*)memory;
             context->m_last = kind == LazLayerKind.Flags ? ToSymbol(field) : field;
             context->m_made = 0;
         }
@@ -32,25 +32,25 @@ namespace FastPoints.Laz
             byte* end = layer->Stream.End;
             var kind = layer->Kind;
             int channel = layer->Current;
-            byte* place = contexts + (long)channel * ContextBytes;
+            byte* memory = contexts + (long)channel * ContextBytes;
             int done = 0;
             for (; done < count; done++)
             {
                 uint point = points[done];
                 int context = (int)(point & PointContext.ChannelMask);
-                int last = ((SymbolLayer*)place)->m_last;
+                int last = ((SymbolLayer*)memory)->m_last;
                 if (context != channel)
                 {
                     channel = context;
-                    place = contexts + (long)channel * ContextBytes;
-                    if (layer->Make(channel))
-                        *(SymbolLayer*)place = new SymbolLayer { m_last = last };
+                    memory = contexts + (long)channel * ContextBytes;
+                    if (layer->TryAddContext(channel))
+                        *(SymbolLayer*)memory = new SymbolLayer { m_last = last };
                 }
-                byte* model = ModelOf((SymbolLayer*)place, kind, point);
+                byte* model = ModelOf((SymbolLayer*)memory, kind, point);
                 int symbol = (int)SymbolModel.Decode(model, 256, ref value, ref length, ref next);
                 if (next > end)
                     break;
-                ((SymbolLayer*)place)->m_last = symbol;
+                ((SymbolLayer*)memory)->m_last = symbol;
                 *field = kind == LazLayerKind.Flags ? (byte)(symbol & 15 | symbol >> 4 << 6 | *field & 0x30) : (byte)symbol;
                 field += stride;
             }
@@ -64,22 +64,22 @@ namespace FastPoints.Laz
             byte* next = layer->Stream.Next;
             var kind = layer->Kind;
             int channel = layer->Current;
-            byte* place = contexts + (long)channel * ContextBytes;
+            byte* memory = contexts + (long)channel * ContextBytes;
             for (int i = 0; i < count; i++, field += stride)
             {
                 uint point = points[i];
                 if ((int)(point & PointContext.ChannelMask) != channel)
                 {
-                    int left = ((SymbolLayer*)place)->m_last;
+                    int left = ((SymbolLayer*)memory)->m_last;
                     channel = (int)(point & PointContext.ChannelMask);
-                    place = contexts + (long)channel * ContextBytes;
-                    if (layer->Make(channel))
-                        *(SymbolLayer*)place = new SymbolLayer { m_last = left };
+                    memory = contexts + (long)channel * ContextBytes;
+                    if (layer->TryAddContext(channel))
+                        *(SymbolLayer*)memory = new SymbolLayer { m_last = left };
                 }
-                byte* model = ModelOf((SymbolLayer*)place, kind, point);
+                byte* model = ModelOf((SymbolLayer*)memory, kind, point);
                 int symbol = kind == LazLayerKind.Flags ? ToSymbol(*field) : *field;
                 SymbolModel.Encode(model, 256, (uint)symbol, ref low, ref length, ref next);
-                ((SymbolLayer*)place)->m_last = symbol;
+                ((SymbolLayer*)memory)->m_last = symbol;
             }
             layer->SaveState(channel, low, length, next);
         }

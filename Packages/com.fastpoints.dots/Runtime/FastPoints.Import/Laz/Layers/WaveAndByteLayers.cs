@@ -8,33 +8,33 @@ namespace FastPoints.Laz
         const int ByteModelAt = 64;
         public const int ByteContextBytes = ByteModelAt + SymbolModel.Bytes256;
 
-        public static void StartByteContext(byte* place, byte last)
+        public static void StartByteContext(byte* memory, byte last)
         {
-            *place = last;
-            SymbolModel.Initialize(place + ByteModelAt, 256);
+            *memory = last;
+            SymbolModel.Initialize(memory + ByteModelAt, 256);
         }
 
         public static int DecodeWaves(LayerState* layer, byte* contexts, uint* points, byte* field, int stride, int count)
         {
             int current = layer->Current;
-            byte* place = contexts + (long)current * WaveContextBytes;
+            byte* memory = contexts + (long)current * WaveContextBytes;
             int done = 0;
             for (; done < count; done++)
             {
                 int context = PointContext.Of(points[done], layer->FollowsChannel);
-                byte* last = ((WavePacketItem*)place)->Last;
+                byte* last = ((WavePacketItem*)memory)->Last;
                 if (context != current)
                 {
                     current = context;
-                    place = contexts + (long)current * WaveContextBytes;
-                    bool isNew = layer->Make(current);
+                    memory = contexts + (long)current * WaveContextBytes;
+                    bool isNew = layer->TryAddContext(current);
                     if (isNew)
                         // The item's first byte, the descriptor, is not predicted: only the 28 behind it count.
-                        WavePacketItem.Start((WavePacketItem*)place, last - 1);
+                        WavePacketItem.Start((WavePacketItem*)memory, last - 1);
                     if (isNew || layer->FollowsChannel != 0)
-                        last = ((WavePacketItem*)place)->Last;
+                        last = ((WavePacketItem*)memory)->Last;
                 }
-                WavePacketItem.Decode((WavePacketItem*)place, last, &layer->Stream, field);
+                WavePacketItem.Decode((WavePacketItem*)memory, last, &layer->Stream, field);
                 if (layer->Stream.IsBeyondEnd)
                     break;
                 field += stride;
@@ -49,23 +49,23 @@ namespace FastPoints.Laz
             byte* next = layer->Stream.Next;
             byte* end = layer->Stream.End;
             int current = layer->Current;
-            byte* place = contexts + (long)current * ByteContextBytes;
+            byte* memory = contexts + (long)current * ByteContextBytes;
             int done = 0;
             for (; done < count; done++)
             {
                 int context = PointContext.Of(points[done], layer->FollowsChannel);
-                byte* last = place;
+                byte* last = memory;
                 if (context != current)
                 {
                     current = context;
-                    place = contexts + (long)current * ByteContextBytes;
-                    bool isNew = layer->Make(current);
+                    memory = contexts + (long)current * ByteContextBytes;
+                    bool isNew = layer->TryAddContext(current);
                     if (isNew)
-                        StartByteContext(place, *last);
+                        StartByteContext(memory, *last);
                     if (isNew || layer->FollowsChannel != 0)
-                        last = place;
+                        last = memory;
                 }
-                *last += (byte)SymbolModel.Decode(place + ByteModelAt, 256, ref value, ref length, ref next);
+                *last += (byte)SymbolModel.Decode(memory + ByteModelAt, 256, ref value, ref length, ref next);
                 if (next > end)
                     break;
                 *field = *last;
@@ -78,22 +78,22 @@ namespace FastPoints.Laz
         public static void EncodeWaves(LayerState* layer, byte* contexts, uint* points, byte* field, int stride, int count)
         {
             int current = layer->Current;
-            byte* place = contexts + (long)current * WaveContextBytes;
+            byte* memory = contexts + (long)current * WaveContextBytes;
             for (int i = 0; i < count; i++, field += stride)
             {
                 int context = PointContext.Of(points[i], layer->FollowsChannel);
-                byte* last = ((WavePacketItem*)place)->Last;
+                byte* last = ((WavePacketItem*)memory)->Last;
                 if (context != current)
                 {
                     current = context;
-                    place = contexts + (long)current * WaveContextBytes;
-                    bool isNew = layer->Make(current);
+                    memory = contexts + (long)current * WaveContextBytes;
+                    bool isNew = layer->TryAddContext(current);
                     if (isNew)
-                        WavePacketItem.Start((WavePacketItem*)place, last - 1);
+                        WavePacketItem.Start((WavePacketItem*)memory, last - 1);
                     if (isNew || layer->FollowsChannel != 0)
-                        last = ((WavePacketItem*)place)->Last;
+                        last = ((WavePacketItem*)memory)->Last;
                 }
-                WavePacketItem.Encode((WavePacketItem*)place, last, &layer->Stream, field);
+                WavePacketItem.Encode((WavePacketItem*)memory, last, &layer->Stream, field);
             }
             layer->Current = current;
         }
@@ -103,22 +103,22 @@ namespace FastPoints.Laz
             uint low = layer->Stream.Value, length = layer->Stream.Length;
             byte* next = layer->Stream.Next;
             int current = layer->Current;
-            byte* place = contexts + (long)current * ByteContextBytes;
+            byte* memory = contexts + (long)current * ByteContextBytes;
             for (int i = 0; i < count; i++, field += stride)
             {
                 int context = PointContext.Of(points[i], layer->FollowsChannel);
-                byte* last = place;
+                byte* last = memory;
                 if (context != current)
                 {
                     current = context;
-                    place = contexts + (long)current * ByteContextBytes;
-                    bool isNew = layer->Make(current);
+                    memory = contexts + (long)current * ByteContextBytes;
+                    bool isNew = layer->TryAddContext(current);
                     if (isNew)
-                        StartByteContext(place, *last);
+                        StartByteContext(memory, *last);
                     if (isNew || layer->FollowsChannel != 0)
-                        last = place;
+                        last = memory;
                 }
-                SymbolModel.Encode(place + ByteModelAt, 256, (uint)(*field - *last & 255), ref low, ref length, ref next);
+                SymbolModel.Encode(memory + ByteModelAt, 256, (uint)(*field - *last & 255), ref low, ref length, ref next);
                 *last = *field;
             }
             layer->SaveState(current, low, length, next);

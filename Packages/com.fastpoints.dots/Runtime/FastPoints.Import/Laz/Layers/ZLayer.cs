@@ -13,13 +13,13 @@ namespace FastPoints.Laz
         int m_last;
         fixed int m_lastOfLevel[8];
 
-        public static void StartContext(byte* place, int z)
+        public static void StartContext(byte* memory, int z)
         {
-            var context = (ZLayer*)place;
+            var context = (ZLayer*)memory;
             context->m_last = z;
             for (int i = 0; i < 8; i++)
                 context->m_lastOfLevel[i] = z;
-            IntegerModel.Initialize(place + ZAt, 32, Contexts);
+            IntegerModel.Initialize(memory + ZAt, 32, Contexts);
         }
 
         public static int Decode(LayerState* layer, byte* contexts, uint* points, byte* field, int stride, int count)
@@ -28,7 +28,7 @@ namespace FastPoints.Laz
             byte* next = layer->Stream.Next;
             byte* end = layer->Stream.End;
             int channel = layer->Current;
-            byte* place = contexts + (long)channel * ContextBytes;
+            byte* memory = contexts + (long)channel * ContextBytes;
             int done = 0;
             for (; done < count; done++)
             {
@@ -36,19 +36,19 @@ namespace FastPoints.Laz
                 int context = (int)(point & PointContext.ChannelMask);
                 if (context != channel)
                 {
-                    int z = ((ZLayer*)place)->m_last;
+                    int z = ((ZLayer*)memory)->m_last;
                     channel = context;
-                    place = contexts + (long)channel * ContextBytes;
-                    if (layer->Make(channel))
-                        StartContext(place, z);
+                    memory = contexts + (long)channel * ContextBytes;
+                    if (layer->TryAddContext(channel))
+                        StartContext(memory, z);
                 }
-                int* last = ((ZLayer*)place)->m_lastOfLevel + PointContext.Level(point);
-                int added = *last + IntegerModel.Decode(place + ZAt, 32, Contexts, (int)(point >> PointContext.ZShift),
+                int* last = ((ZLayer*)memory)->m_lastOfLevel + PointContext.Level(point);
+                int added = *last + IntegerModel.Decode(memory + ZAt, 32, Contexts, (int)(point >> PointContext.ZShift),
                     ref value, ref length, ref next);
                 if (next > end)
                     break;
                 *last = added;
-                ((ZLayer*)place)->m_last = added;
+                ((ZLayer*)memory)->m_last = added;
                 *(int*)field = added;
                 field += stride;
             }
@@ -61,22 +61,22 @@ namespace FastPoints.Laz
             uint low = layer->Stream.Value, length = layer->Stream.Length;
             byte* next = layer->Stream.Next;
             int channel = layer->Current;
-            byte* place = contexts + (long)channel * ContextBytes;
+            byte* memory = contexts + (long)channel * ContextBytes;
             for (int i = 0; i < count; i++, field += stride)
             {
                 uint point = points[i];
                 if ((int)(point & PointContext.ChannelMask) != channel)
                 {
-                    int z = ((ZLayer*)place)->m_last;
+                    int z = ((ZLayer*)memory)->m_last;
                     channel = (int)(point & PointContext.ChannelMask);
-                    place = contexts + (long)channel * ContextBytes;
-                    if (layer->Make(channel))
-                        StartContext(place, z);
+                    memory = contexts + (long)channel * ContextBytes;
+                    if (layer->TryAddContext(channel))
+                        StartContext(memory, z);
                 }
-                int* last = ((ZLayer*)place)->m_lastOfLevel + PointContext.Level(point);
-                IntegerModel.Encode(place + ZAt, 32, Contexts, (int)(point >> PointContext.ZShift), *(int*)field - *last, out _,
+                int* last = ((ZLayer*)memory)->m_lastOfLevel + PointContext.Level(point);
+                IntegerModel.Encode(memory + ZAt, 32, Contexts, (int)(point >> PointContext.ZShift), *(int*)field - *last, out _,
                     ref low, ref length, ref next);
-                *last = ((ZLayer*)place)->m_last = *(int*)field;
+                *last = ((ZLayer*)memory)->m_last = *(int*)field;
             }
             layer->SaveState(channel, low, length, next);
         }

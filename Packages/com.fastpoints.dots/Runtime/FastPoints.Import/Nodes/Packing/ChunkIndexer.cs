@@ -211,7 +211,7 @@ namespace FastPoints.Nodes
             };
             // Slices after the end do nothing; with many levels one slice does the rest.
             long typical = (long)count * (isRandom ? SampleNodesJob.TypicalCost : SampleNodesJob.TypicalCostOfDarts) +
-                (Averaged.IsOn ? (long)count * SampleNodesJob.TypicalCostOfAverages : 0);
+                (Averaged.HasColumns ? (long)count * SampleNodesJob.TypicalCostOfAverages : 0);
             for (long done = 0; done < typical; done += job.CostPerSlice)
                 inputDeps = job.Schedule(inputDeps);
             job.CostPerSlice = int.MaxValue;

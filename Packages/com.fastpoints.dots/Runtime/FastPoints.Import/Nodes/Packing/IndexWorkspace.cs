@@ -278,7 +278,7 @@ namespace FastPoints.Nodes
             ChooseCells,
             Gather,
             Throw,
-            Bar,
+            Exclude,
             Average,
             Count,
             Renumber,

@@ -29,7 +29,7 @@ namespace FastPoints.Nodes
         {
             var corner = node.Corner;
             bool isWide = node.IsWide;
-            var shape = new PlaneShape(3, isWide ? 7 : 0);
+            var shape = PlaneShape.OfPositions(isWide);
             var writer = Begin(file, shape, groups, groupCount, out long start);
             ulong* values = stackalloc ulong[3 * PlaneShape.MaxPointsPerBlock];
             for (int r = 0; r < groupCount; r++)

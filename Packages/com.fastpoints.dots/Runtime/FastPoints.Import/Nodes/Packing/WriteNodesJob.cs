@@ -240,7 +240,7 @@ namespace FastPoints.Nodes
 
         void CopyTop()
         {
-            var layout = Layout.ForTops(Averaged.IsOn);
+            var layout = Layout.ForTops(Averaged.HasColumns);
             int stride = layout.StrideBytes, count = m_drafts[0].Count;
             Top.ResizeUninitialized(count * stride);
             byte* to = Top.GetUnsafePtr();
@@ -249,7 +249,7 @@ namespace FastPoints.Nodes
                 int point = (int)m_points[Scratch.FirstPointOfDraft[0] + i];
                 byte* record = m_packer.Records + (long)point * Layout.StrideBytes;
                 UnsafeUtility.MemCpy(to, record, stride - layout.AverageBytes);
-                if (!Averaged.IsOn)
+                if (!Averaged.HasColumns)
                     continue;
                 var average = Averaged.Of(point, record, Layout);
                 UnsafeUtility.MemCpy(to + stride - layout.AverageBytes, &average, layout.AverageBytes);
@@ -395,7 +395,7 @@ namespace FastPoints.Nodes
 
         bool HasAverages(PackedGroup* groups, int groupCount)
         {
-            for (int r = 0; r < groupCount && Averaged.IsOn; r++)
+            for (int r = 0; r < groupCount && Averaged.HasColumns; r++)
             {
                 for (int i = 0; i < groups[r].Count; i++)
                 {

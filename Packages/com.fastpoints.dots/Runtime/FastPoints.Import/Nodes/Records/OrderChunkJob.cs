@@ -196,9 +196,9 @@ namespace FastPoints.Nodes
             int sum = 0;
             for (int b = 0; b <= MaxBuckets; b++)
             {
-                int with = countOfBucket[b];
+                int records = countOfBucket[b];
                 countOfBucket[b] = sum;
-                sum += with;
+                sum += records;
             }
             m_state = new OrderScratch.State { Stage = Stage.Distribute, Page = Pages.First };
         }
@@ -410,9 +410,9 @@ namespace FastPoints.Nodes
                 int sum = 0;
                 for (int v = 0; v < values; v++)
                 {
-                    int with = start[v];
+                    int keysWithDigit = start[v];
                     start[v] = sum;
-                    sum += with;
+                    sum += keysWithDigit;
                 }
                 for (int i = 0; i < count; i++)
                 {

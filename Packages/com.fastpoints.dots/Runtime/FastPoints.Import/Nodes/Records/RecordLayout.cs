@@ -121,7 +121,7 @@ namespace FastPoints.Nodes
         public NativeArray<int> AverageOfPoint;
         public NativeList<PointAverage> Averages;
 
-        public bool IsOn => Columns.Length > 0;
+        public bool HasColumns => Columns.Length > 0;
 
         /// <summary>The points that a point represents so far.</summary>
         public PointAverage Of(int point, byte* record, RecordLayout layout)

@@ -36,9 +36,9 @@ namespace FastPoints.Nodes
 
         /// <summary>Computes grid numbers of consecutive values of one axis: <see cref="InvalidPosition"/> for numbers that are
         /// not finite or too far out.</summary>
-        /// <param name="worstLoss">Raised to the largest distance, in steps, between a number and its grid point.</param>
+        /// <param name="maxRoundingSteps">Raised to the largest distance, in steps, between a number and its grid point.</param>
         public static unsafe void ToGrid(in SourceAxis axis, byte* stored, AttributeType type, int count, long* grid,
-            ref double worstLoss)
+            ref double maxRoundingSteps)
         {
             if (axis.IsInteger)
             {
@@ -59,7 +59,7 @@ namespace FastPoints.Nodes
                     continue;
                 }
                 double whole = math.round(steps);
-                worstLoss = math.max(worstLoss, math.abs(steps - whole));
+                maxRoundingSteps = math.max(maxRoundingSteps, math.abs(steps - whole));
                 grid[i] = (long)whole;
             }
         }
@@ -230,25 +230,25 @@ namespace FastPoints.Nodes
             origin = IsInteger(infos, axis) ? infos[0].Transform.Offset[axis] : 0;
             var axes = new SourceAxis[infos.Count];
             for (int i = 0; i < axes.Length; i++)
-                axes[i] = AxisOf(infos[i], axis, NameOf(axis), step, origin);
+                axes[i] = SourceAxisOf(infos[i], axis, NameOf(axis), step, origin);
             return axes;
         }
 
-        /// <summary>Maps one source's numbers to a given grid: that of a stored cloud, to compare it with its source.</summary>
+        /// <summary>Maps one source's numbers to a given grid: that of a converted cloud, to compare it with its source.</summary>
         /// <exception cref="PointCloudException">The source's scales and offsets do not fit the grid.</exception>
         public static SourceGrid OnGrid(SourceInfo info, CloudGrid grid)
         {
-            SourceAxis On(int axis, string name) => AxisOf(info, axis, name, grid.Step[axis], grid.Origin[axis]);
+            SourceAxis On(int axis, string name) => SourceAxisOf(info, axis, name, grid.Step[axis], grid.Origin[axis]);
             return new SourceGrid { X = On(0, AttributeNames.X), Y = On(1, AttributeNames.Y), Z = On(2, AttributeNames.Z) };
         }
 
-        static SourceAxis AxisOf(SourceInfo info, int axis, string name, double step, double origin)
+        static SourceAxis SourceAxisOf(SourceInfo info, int axis, string name, double step, double origin)
         {
             double scale = info.Transform.Scale[axis], offset = info.Transform.Offset[axis];
             var result = new SourceAxis { Scale = scale, Offset = offset, Origin = origin, Step = step };
             if (info.Schema[info.Schema.IndexOf(name)].Type.IsFloat())
                 return result;
-            if (!CommonGrid.TryPlace(scale, offset, step, origin, out var placed))
+            if (!CommonGrid.TryRescale(scale, offset, step, origin, out var placed))
             {
                 throw new PointCloudException(FailureCode.Unsupported, info.Path, -1,
                     "scale and offset of " + name + ": no grid holds them together with the other files'");

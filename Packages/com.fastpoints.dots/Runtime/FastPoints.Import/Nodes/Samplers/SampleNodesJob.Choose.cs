@@ -69,7 +69,7 @@ namespace FastPoints.Nodes
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         Grid3 PositionAt(int point) => Layout.PositionOf(m_records + (long)point * Layout.StrideBytes) - Corner;
 
-        DartGrid Grid => Scratch.Grid.For(m_state.Cell, Averaged.IsOn);
+        DartGrid Grid => Scratch.Grid.For(m_state.Cell, Averaged.HasColumns);
 
         void Gather()
         {
@@ -216,7 +216,7 @@ namespace FastPoints.Nodes
 
         /// <summary>Begins the next range whose points are candidates of a wider spacing but not of this one, or ends
         /// after the last.</summary>
-        void BeginBar(int number)
+        void BeginExclusion(int number)
         {
             var ranges = Scratch.Ranges.GetUnsafePtr();
             for (number++; number < Scratch.Ranges.Length && !IsRandom; number++)
@@ -225,7 +225,7 @@ namespace FastPoints.Nodes
                     continue;
                 m_state.Range = number;
                 m_state.Candidate = m_state.Darts = 0;
-                m_state.Stage = Stage.Bar;
+                m_state.Stage = Stage.Exclude;
                 return;
             }
             BeginAverages(-1);
@@ -257,15 +257,15 @@ namespace FastPoints.Nodes
 
         static bool IsWithin(long apart, long near, long a, long b) => apart <= b + near && -apart <= a + near;
 
-        /// <summary>Bars points nearer than this spacing to one of its samples from the nodes above, whose points would
+        /// <summary>Excludes points nearer than this spacing to one of its samples from the nodes above, whose points would
         /// otherwise be too near to those below.</summary>
-        void BarPoints()
+        void ExcludePoints()
         {
             var range = Scratch.Ranges[m_state.Range];
             var grid = Grid;
             for (; m_state.Candidate < range.OfferedCount && m_budget > 0; m_state.Candidate++)
             {
-                m_budget -= CostOfBar;
+                m_budget -= CostOfExclusion;
                 int i = range.First + m_state.Candidate;
                 i = range.OffersAll ? i : Scratch.Offered[i];
                 var position = PositionAt(i);
@@ -278,7 +278,7 @@ namespace FastPoints.Nodes
                     m_rangeOfPoint[i] = ~m_state.Range;
             }
             if (m_state.Candidate == range.OfferedCount)
-                BeginBar(m_state.Range);
+                BeginExclusion(m_state.Range);
         }
     }
 

@@ -8,7 +8,7 @@ namespace FastPoints.Nodes
     /// <summary>After the choice: averages, and nodes for the ranges.</summary>
     internal unsafe partial struct SampleNodesJob
     {
-        /// <summary>The range that a point belongs to, barred or not.</summary>
+        /// <summary>The range that a point belongs to, excluded or not.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         int RangeOf(int point) => m_rangeOfPoint[point] ^ m_rangeOfPoint[point] >> 31;
 
@@ -16,7 +16,7 @@ namespace FastPoints.Nodes
         void BeginAverages(int number)
         {
             m_state.Stage = Stage.NextSpacing;
-            if (!Averaged.IsOn)
+            if (!Averaged.HasColumns)
                 return;
             for (number++; number < Scratch.Ranges.Length; number++)
             {

@@ -41,7 +41,7 @@ namespace FastPoints.Nodes
         const int CostOfGather = 20;
         const int CostOfDart = 45;
         const int CostOfTile = 2000;
-        const int CostOfBar = 18;
+        const int CostOfExclusion = 18;
         const int CostOfAverageSurvey = 6;
         const int CostOfAverage = 140;
 
@@ -130,8 +130,8 @@ namespace FastPoints.Nodes
                     case Stage.Throw:
                         Throw();
                         break;
-                    case Stage.Bar:
-                        BarPoints();
+                    case Stage.Exclude:
+                        ExcludePoints();
                         break;
                     case Stage.Average:
                         AddToAverages();
@@ -162,7 +162,7 @@ namespace FastPoints.Nodes
             Scratch.Offered.ResizeUninitialized(Count);
             if (IsRandom)
                 Scratch.OfferedCommon.ResizeUninitialized(Count);
-            if (Averaged.IsOn)
+            if (Averaged.HasColumns)
             {
                 Averaged.Averages.Clear();
                 UnsafeUtility.MemSet(Averaged.AverageOfPoint.GetUnsafePtr(), 0xFF, (long)Count * sizeof(int));
@@ -338,7 +338,7 @@ namespace FastPoints.Nodes
                 {
                     if (IsRandom)
                         Scratch.OfferedCommon[to] = ranges[part].OffersAll ? m_common[k] : Scratch.OfferedCommon[k];
-                    // Barred ones as well: gathering checks them.
+                    // Excluded ones as well: gathering checks them.
                     Scratch.Offered[to] = ranges[part].OffersAll ? k : Scratch.Offered[k];
                 }
             }
@@ -360,7 +360,7 @@ namespace FastPoints.Nodes
                 }
                 if (!m_state.IsFixing)
                 {
-                    BeginBar(-1);
+                    BeginExclusion(-1);
                     return;
                 }
                 m_state.IsFixing = false;

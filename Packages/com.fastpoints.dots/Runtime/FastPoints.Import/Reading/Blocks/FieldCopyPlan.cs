@@ -24,19 +24,19 @@ namespace FastPoints.Reading
             var copies = new List<FieldCopy>(fields.Length);
             for (int i = 0; i < fields.Length; i++)
             {
-                bool three = i + 2 < fields.Length && Follows(fields[i], fields[i + 1]) && Follows(fields[i + 1], fields[i + 2])
+                bool isTriple = i + 2 < fields.Length && Follows(fields[i], fields[i + 1]) && Follows(fields[i + 1], fields[i + 2])
                     && (!isBigEndian || fields[i].Type.SizeOf() == 1);
                 copies.Add(new FieldCopy
                 {
                     RecordByte = fields[i].ByteOffset,
                     Column0 = columns[i].OffsetBytes,
-                    Column1 = three ? columns[i + 1].OffsetBytes : 0,
-                    Column2 = three ? columns[i + 2].OffsetBytes : 0,
-                    Kind = KindOf(fields[i], three, isBigEndian),
+                    Column1 = isTriple ? columns[i + 1].OffsetBytes : 0,
+                    Column2 = isTriple ? columns[i + 2].OffsetBytes : 0,
+                    Kind = KindOf(fields[i], isTriple, isBigEndian),
                     BitShift = (byte)fields[i].BitShift,
                     BitMask = (byte)((1 << fields[i].BitWidth) - 1),
                 });
-                if (three)
+                if (isTriple)
                     i += 2;
             }
             JoinPositionAndColor(copies);
@@ -45,8 +45,8 @@ namespace FastPoints.Reading
 
         static void JoinPositionAndColor(List<FieldCopy> copies)
         {
-            int at = copies.FindIndex(copy => copy.Kind == FieldCopyKind.ThreeOfFour && copy.RecordByte == 0);
-            int colorAt = copies.FindIndex(copy => copy.Kind == FieldCopyKind.ThreeOfTwo);
+            int at = copies.FindIndex(copy => copy.Kind == FieldCopyKind.TripleOfBytes4 && copy.RecordByte == 0);
+            int colorAt = copies.FindIndex(copy => copy.Kind == FieldCopyKind.TripleOfBytes2);
             if (at < 0 || colorAt < 0)
                 return;
             var joined = copies[at];
@@ -63,30 +63,30 @@ namespace FastPoints.Reading
         static bool Follows(PointField first, PointField second) => !first.IsBits && !second.IsBits
             && second.Type.SizeOf() == first.Type.SizeOf() && second.ByteOffset == first.ByteOffset + first.Type.SizeOf();
 
-        static FieldCopyKind KindOf(PointField field, bool three, bool isBigEndian) => field.Type.SizeOf() switch
+        static FieldCopyKind KindOf(PointField field, bool isTriple, bool isBigEndian) => field.Type.SizeOf() switch
         {
-            1 => three ? FieldCopyKind.ThreeOfOne : field.IsBits ? FieldCopyKind.Bits : FieldCopyKind.One,
-            2 => three ? FieldCopyKind.ThreeOfTwo : isBigEndian ? FieldCopyKind.TwoReversed : FieldCopyKind.Two,
-            4 => three ? FieldCopyKind.ThreeOfFour : isBigEndian ? FieldCopyKind.FourReversed : FieldCopyKind.Four,
-            _ => three ? FieldCopyKind.ThreeOfEight : isBigEndian ? FieldCopyKind.EightReversed : FieldCopyKind.Eight,
+            1 => isTriple ? FieldCopyKind.TripleOfBytes1 : field.IsBits ? FieldCopyKind.Bits : FieldCopyKind.Bytes1,
+            2 => isTriple ? FieldCopyKind.TripleOfBytes2 : isBigEndian ? FieldCopyKind.Bytes2Reversed : FieldCopyKind.Bytes2,
+            4 => isTriple ? FieldCopyKind.TripleOfBytes4 : isBigEndian ? FieldCopyKind.Bytes4Reversed : FieldCopyKind.Bytes4,
+            _ => isTriple ? FieldCopyKind.TripleOfBytes8 : isBigEndian ? FieldCopyKind.Bytes8Reversed : FieldCopyKind.Bytes8,
         };
     }
 
     internal enum FieldCopyKind : byte
     {
         Bits,
-        One,
-        Two,
-        Four,
-        Eight,
-        TwoReversed,
-        FourReversed,
-        EightReversed,
-        // Three neighbouring values (R, G, B; X, Y, Z) into three columns in one pass over the records.
-        ThreeOfOne,
-        ThreeOfTwo,
-        ThreeOfFour,
-        ThreeOfEight,
+        Bytes1,
+        Bytes2,
+        Bytes4,
+        Bytes8,
+        Bytes2Reversed,
+        Bytes4Reversed,
+        Bytes8Reversed,
+        // Three neighbouring values (R, G, B; X, Y, Z) into isTriple columns in one pass over the records.
+        TripleOfBytes1,
+        TripleOfBytes2,
+        TripleOfBytes4,
+        TripleOfBytes8,
         // Six columns in one pass: the usual request, and faster than two passes.
         PositionAndColor,
     }

@@ -78,43 +78,43 @@ namespace FastPoints.Reading
                 case FieldCopyKind.Bits:
                     ToBits(from, stride, count, to + first, copy->BitShift, copy->BitMask);
                     break;
-                case FieldCopyKind.One:
+                case FieldCopyKind.Bytes1:
                     ToOne(from, stride, count, to + first);
                     break;
-                case FieldCopyKind.Two:
+                case FieldCopyKind.Bytes2:
                     ToTwo(from, stride, count, (ushort*)to + first);
                     break;
-                case FieldCopyKind.Four:
+                case FieldCopyKind.Bytes4:
                     ToFour(from, stride, count, (uint*)to + first);
                     break;
-                case FieldCopyKind.Eight:
+                case FieldCopyKind.Bytes8:
                     ToEight(from, stride, count, (ulong*)to + first);
                     break;
-                case FieldCopyKind.TwoReversed:
+                case FieldCopyKind.Bytes2Reversed:
                     for (int i = 0; i < count; i++, from += stride)
                         ((ushort*)to)[first + i] = (ushort)(from[0] << 8 | from[1]);
                     break;
-                case FieldCopyKind.FourReversed:
+                case FieldCopyKind.Bytes4Reversed:
                     for (int i = 0; i < count; i++, from += stride)
                         ((uint*)to)[first + i] = Reverse(*(uint*)from);
                     break;
-                case FieldCopyKind.EightReversed:
+                case FieldCopyKind.Bytes8Reversed:
                     for (int i = 0; i < count; i++, from += stride)
                         ((ulong*)to)[first + i] = Reverse(*(ulong*)from);
                     break;
-                case FieldCopyKind.ThreeOfOne:
+                case FieldCopyKind.TripleOfBytes1:
                     ToThreeOfOne(from, stride, count, to + first, columns + copy->Column1 + first,
                         columns + copy->Column2 + first);
                     break;
-                case FieldCopyKind.ThreeOfEight:
+                case FieldCopyKind.TripleOfBytes8:
                     ToThreeOfEight(from, stride, count, (ulong*)to + first, (ulong*)(columns + copy->Column1) + first,
                         (ulong*)(columns + copy->Column2) + first);
                     break;
-                case FieldCopyKind.ThreeOfTwo:
+                case FieldCopyKind.TripleOfBytes2:
                     ToThreeOfTwo(from, stride, count, (ushort*)to + first, (ushort*)(columns + copy->Column1) + first,
                         (ushort*)(columns + copy->Column2) + first);
                     break;
-                case FieldCopyKind.ThreeOfFour:
+                case FieldCopyKind.TripleOfBytes4:
                     ToThreeOfFour(from, stride, count, (uint*)to + first, (uint*)(columns + copy->Column1) + first,
                         (uint*)(columns + copy->Column2) + first);
                     break;
@@ -239,34 +239,34 @@ namespace FastPoints.Reading
                 case FieldCopyKind.Bits:
                     FromBits(from + first, count, to, stride, copy->BitShift, copy->BitMask);
                     break;
-                case FieldCopyKind.One:
+                case FieldCopyKind.Bytes1:
                     FromOne(from + first, count, to, stride);
                     break;
-                case FieldCopyKind.Two:
+                case FieldCopyKind.Bytes2:
                     FromTwo((ushort*)from + first, count, to, stride);
                     break;
-                case FieldCopyKind.Four:
+                case FieldCopyKind.Bytes4:
                     FromFour((uint*)from + first, count, to, stride);
                     break;
-                case FieldCopyKind.Eight:
+                case FieldCopyKind.Bytes8:
                     FromEight((ulong*)from + first, count, to, stride);
                     break;
-                case FieldCopyKind.ThreeOfOne:
+                case FieldCopyKind.TripleOfBytes1:
                     FromOne(from + first, count, to, stride);
                     FromOne(columns + copy->Column1 + first, count, to + 1, stride);
                     FromOne(columns + copy->Column2 + first, count, to + 2, stride);
                     break;
-                case FieldCopyKind.ThreeOfEight:
+                case FieldCopyKind.TripleOfBytes8:
                     FromEight((ulong*)from + first, count, to, stride);
                     FromEight((ulong*)(columns + copy->Column1) + first, count, to + 8, stride);
                     FromEight((ulong*)(columns + copy->Column2) + first, count, to + 16, stride);
                     break;
-                case FieldCopyKind.ThreeOfTwo:
+                case FieldCopyKind.TripleOfBytes2:
                     FromTwo((ushort*)from + first, count, to, stride);
                     FromTwo((ushort*)(columns + copy->Column1) + first, count, to + 2, stride);
                     FromTwo((ushort*)(columns + copy->Column2) + first, count, to + 4, stride);
                     break;
-                case FieldCopyKind.ThreeOfFour:
+                case FieldCopyKind.TripleOfBytes4:
                     FromFour((uint*)from + first, count, to, stride);
                     FromFour((uint*)(columns + copy->Column1) + first, count, to + 4, stride);
                     FromFour((uint*)(columns + copy->Column2) + first, count, to + 8, stride);

@@ -66,12 +66,12 @@ namespace FastPoints.Reading
         {
             m_segments ??= new AsciiSegments(File, Info.FileBytes, m_dataOffset);
             yield return JobStep.Of(m_segments.Find(count));
-            Blocks.Take(m_segments.Blocks);
-            BlocksFound();
+            Blocks.Set(m_segments.Blocks);
+            OnBlocksFound();
         }
 
-        // Earlier blocks keep their numbers.
-        private protected virtual void BlocksFound() { }
+        // Blocks that were found before keep their numbers.
+        private protected virtual void OnBlocksFound() { }
     }
 
     sealed class SegmentBlocks
@@ -79,13 +79,14 @@ namespace FastPoints.Reading
         SegmentBlock[] m_blocks;
 
         public bool AreFound => m_blocks != null;
-        public int Count => Found().Length;
+        public int Count => FoundBlocks().Length;
         public int MaxPoints { get; private set; }
         public int MaxBytes { get; private set; }
 
-        public SegmentBlock this[int block] => Found()[block];
+        public SegmentBlock this[int block] => FoundBlocks()[block];
 
-        public long Take(SegmentBlock[] blocks)
+        // Returns the number of points.
+        public long Set(SegmentBlock[] blocks)
         {
             m_blocks = blocks;
             MaxPoints = MaxBytes = 0;
@@ -99,7 +100,7 @@ namespace FastPoints.Reading
             return points;
         }
 
-        SegmentBlock[] Found() => m_blocks ?? throw new InvalidOperationException("FindBlocks comes first");
+        SegmentBlock[] FoundBlocks() => m_blocks ?? throw new InvalidOperationException("FindBlocks comes first");
     }
 
     struct SegmentBlock

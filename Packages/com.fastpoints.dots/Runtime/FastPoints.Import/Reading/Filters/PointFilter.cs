@@ -106,7 +106,7 @@ namespace FastPoints.Reading
                 return;
             int column = batch.Schema.IndexOf(name);
             operand.Column = batch.Column(column);
-            int axis = name == AttributeNames.X ? 0 : name == AttributeNames.Y ? 1 : name == AttributeNames.Z ? 2 : -1;
+            int axis = AttributeNames.AxisOf(name);
             operand.Scale = axis < 0 ? batch.Schema[column].Scale : transform.Scale[axis];
             operand.Offset = axis < 0 ? batch.Schema[column].Offset : transform.Offset[axis];
         }

@@ -39,7 +39,7 @@ namespace FastPoints.Reading
                 foreach (var attribute in schema)
                     if (seen.Add(attribute.Name))
                     {
-                        int axis = AxisOf(attribute.Name);
+                        int axis = AttributeNames.AxisOf(attribute.Name);
                         attributes.Add(axis < 0
                             ? MergeAttribute(attribute.Name)
                             : new PointAttribute(attribute.Name, UnitePosition(axis, attribute.Name, ref transform)));
@@ -60,7 +60,7 @@ namespace FastPoints.Reading
                 column.Kind = TileColumnKind.Zero;
                 return column;
             }
-            int axis = AxisOf(from.Name);
+            int axis = AttributeNames.AxisOf(from.Name);
             if (axis >= 0)
             {
                 double scale = tile.Transform.Scale[axis], offset = tile.Transform.Offset[axis];
@@ -70,7 +70,7 @@ namespace FastPoints.Reading
                 column.Kind = to.Type.IsFloat() ? TileColumnKind.Real : TileColumnKind.Position;
                 if (column.Kind == TileColumnKind.Position)
                 {
-                    CommonGrid.TryPlace(scale, offset, cloud.Scale[axis], cloud.Offset[axis], out var placed);
+                    CommonGrid.TryRescale(scale, offset, cloud.Scale[axis], cloud.Offset[axis], out var placed);
                     (column.Factor, column.Shift, _) = placed;
                 }
                 else if (!isSame)
@@ -134,7 +134,7 @@ namespace FastPoints.Reading
             double step = CommonGrid.StepOf(scales, offsets), worst = 0;
             for (int i = 0; i < scales.Length; i++)
             {
-                if (!CommonGrid.TryPlace(scales[i], offsets[i], step, offsets[0], out var placed))
+                if (!CommonGrid.TryRescale(scales[i], offsets[i], step, offsets[0], out var placed))
                 {
                     m_info.Warn(-1, name + ": no grid holds the scale and offset of " + m_tiles[i].Path +
                         " together with the other files': all are read as floats of 64 bits");
@@ -198,9 +198,6 @@ namespace FastPoints.Reading
                     return true;
             return false;
         }
-
-        static int AxisOf(string name) =>
-            name == AttributeNames.X ? 0 : name == AttributeNames.Y ? 1 : name == AttributeNames.Z ? 2 : -1;
 
         static bool IsColor(string name) => name == AttributeNames.Red || name == AttributeNames.Green ||
             name == AttributeNames.Blue || name == AttributeNames.Alpha || name == AttributeNames.NearInfrared;

@@ -21,14 +21,14 @@ namespace FastPoints.Sources
         readonly EptHierarchy m_hierarchy;
         readonly int m_blockPoints;
 
-        // A LAZ file like those of the nodes, if they are LAZ; otherwise null.
+        // The LAZ file of one node, as the template of the others; null for other data types.
         readonly LasTemplate m_template;
 
-        EptReader(EptIndex index, LasTemplate like) : base(index.Info, index.Cube, index.Spacing)
+        EptReader(EptIndex index, LasTemplate template) : base(index.Info, index.Cube, index.Spacing)
         {
             Index = index;
-            m_template = like;
-            int pointBytes = Math.Max(Info.Schema.BytesPerPoint, like?.Las.Header.RecordBytes ?? index.RecordBytes);
+            m_template = template;
+            int pointBytes = Math.Max(Info.Schema.BytesPerPoint, template?.Las.Header.RecordBytes ?? index.RecordBytes);
             m_blockPoints = Math.Max(1, Math.Min(MaxBlockPoints, MaxBlockBytes / pointBytes));
             m_hierarchy = new EptHierarchy(this);
         }
@@ -39,9 +39,9 @@ namespace FastPoints.Sources
             if (index.DataType != EptDataType.Laszip)
                 return new EptReader(index, null);
             // A node's own scale and offset count even if ept.json gives others.
-            var like = new LasTemplate(AnyNode(index));
-            var las = like.Las;
-            if (like.Laz == null)
+            var template = new LasTemplate(AnyNode(index));
+            var las = template.Las;
+            if (template.Laz == null)
                 throw PointCloudException.Wanted(FailureCode.BadInput, las.Info.Path, LasHeader.At.PointFormat,
                     "a node of an EPT of data type laszip", "LAZ", "LAS");
             index.Info.Schema = las.Info.Schema;
@@ -50,8 +50,8 @@ namespace FastPoints.Sources
             index.Info.GpsTime = las.Info.GpsTime;
             if (!index.Info.Crs.IsKnown)
                 index.Info.Crs = las.Info.Crs;
-            like.Laz.AddFacts(index.Info);
-            return new EptReader(index, like);
+            template.Laz.AddFacts(index.Info);
+            return new EptReader(index, template);
         }
 
         // The root's file, or another one if it is missing.

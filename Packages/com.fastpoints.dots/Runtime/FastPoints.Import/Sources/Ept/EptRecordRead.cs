@@ -53,7 +53,7 @@ namespace FastPoints.Sources
     sealed class EptRecordRead : NodeRead
     {
         // About a millisecond of copying.
-        const int SlicePoints = 1 << 16;
+        const int PointsPerSlice = 1 << 16;
 
         // Less than a millisecond of decompression.
         const int TileBytes = 256 << 10;
@@ -92,8 +92,8 @@ namespace FastPoints.Sources
             if (m_decompressor != null)
                 return Decompress(range, block);
             var decoded = BeginRead(range);
-            for (int first = 0; first < range.Count; first += SlicePoints)
-                decoded = Decode(File.Buffer, first, first, Math.Min(SlicePoints, range.Count - first)).Schedule(decoded);
+            for (int first = 0; first < range.Count; first += PointsPerSlice)
+                decoded = Decode(File.Buffer, first, first, Math.Min(PointsPerSlice, range.Count - first)).Schedule(decoded);
             return decoded;
         }
 

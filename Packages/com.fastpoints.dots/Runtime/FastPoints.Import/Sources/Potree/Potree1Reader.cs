@@ -51,10 +51,10 @@ namespace FastPoints.Sources
         ByteReader m_records;
         int m_recordAt;
 
-        Potree1Reader(Potree1Index index, Potree1Files files, PotreeLayout layout, LasTemplate like,
+        Potree1Reader(Potree1Index index, Potree1Files files, PotreeLayout layout, LasTemplate template,
             List<(string Name, long Points)> listed) : base(index.Info, index.Cube, index.Spacing)
         {
-            m_template = like;
+            m_template = template;
             m_files = files;
             m_scale = index.Scale;
             m_stepSize = index.StepSize;
@@ -71,13 +71,13 @@ namespace FastPoints.Sources
             var info = index.Info;
             var listed = index.Hierarchy != null ? ReadList(index.Hierarchy, info) : null;
             PotreeLayout layout = null;
-            LasTemplate like = null;
+            LasTemplate template = null;
             if (index.NodeFormat != null)
             {
-                like = new LasTemplate(files.AnyNode());
-                info.Schema = like.Las.Info.Schema;
-                info.Transform = like.Las.Info.Transform;
-                info.PointFormat = like.Las.Header.PointFormat;
+                template = new LasTemplate(files.AnyNode());
+                info.Schema = template.Las.Info.Schema;
+                info.Transform = template.Las.Info.Transform;
+                info.PointFormat = template.Las.Header.PointFormat;
             }
             else
             {
@@ -90,7 +90,7 @@ namespace FastPoints.Sources
                     throw PointCloudException.Wanted(FailureCode.Unsupported, json.Path, -1, "steps of the bounding box",
                         "less than 2^31", math.cmax(index.Cube.Size / index.Scale));
             }
-            return Opened(new Potree1Reader(index, files, layout, like, listed));
+            return WithFirstLevel(new Potree1Reader(index, files, layout, template, listed));
         }
 
         public override bool HasFixedStride => m_layout != null;

@@ -71,7 +71,7 @@ namespace FastPoints.Sources
             if (octreeBytes < 0)
                 index.Info.Warn(-1, "there is no " + OctreeName
                     + " beside it: the hierarchy can be shown, but there are no points to read");
-            return Opened(new Potree2Reader(index, path, bytes, octreeBytes));
+            return WithFirstLevel(new Potree2Reader(index, path, bytes, octreeBytes));
         }
 
         public override bool HasFixedStride => !IsBrotli;

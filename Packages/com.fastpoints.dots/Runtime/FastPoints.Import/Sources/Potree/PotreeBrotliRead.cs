@@ -200,12 +200,12 @@ namespace FastPoints.Sources
             int* x = (int*)(columns + Special.Position.x) + First;
             int* y = (int*)(columns + Special.Position.y) + First;
             int* z = (int*)(columns + Special.Position.z) + First;
-            bool needsX = Special.Position.x >= 0, wantsY = Special.Position.y >= 0, wantsZ = Special.Position.z >= 0;
+            bool wantsX = Special.Position.x >= 0, wantsY = Special.Position.y >= 0, wantsZ = Special.Position.z >= 0;
             for (int i = 0; i < Count; i++)
             {
                 Morton.Decode(codes[2 * i], out uint upperX, out uint upperY, out uint upperZ);
                 Morton.Decode(codes[2 * i + 1], out uint lowerX, out uint lowerY, out uint lowerZ);
-                if (needsX)
+                if (wantsX)
                     x[i] = (int)((upperX << 16 | lowerX & 0xFFFF) - 1);
                 if (wantsY)
                     y[i] = (int)((upperY << 16 | lowerY & 0xFFFF) - 1);

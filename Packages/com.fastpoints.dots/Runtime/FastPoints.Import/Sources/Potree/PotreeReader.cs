@@ -52,8 +52,8 @@ namespace FastPoints.Sources
 
         private protected UnreadPages Pages { get; } = new UnreadPages(MaxLevels + 1);
 
-        // A reader that knows the first level of its tree.
-        private protected static T Opened<T>(T reader) where T : PotreeReader
+        // The reader, once it has read the first level of its tree.
+        private protected static T WithFirstLevel<T>(T reader) where T : PotreeReader
         {
             try
             {

@@ -12,7 +12,7 @@ namespace FastPoints.Sources
     sealed class PotreeRecordRead : NodeRead
     {
         // About a millisecond of decoding.
-        const int SlicePoints = 1 << 17;
+        const int PointsPerSlice = 1 << 17;
 
         readonly PotreeReader m_reader;
         readonly PotreeSpecialColumns m_special;
@@ -41,10 +41,10 @@ namespace FastPoints.Sources
                 RecordBytes = recordBytes,
                 Shift = m_reader.ShiftOf(range.Block),
             };
-            for (int first = 0; first < range.Count; first += SlicePoints)
+            for (int first = 0; first < range.Count; first += PointsPerSlice)
             {
                 decode.First = first;
-                decode.Count = Math.Min(SlicePoints, range.Count - first);
+                decode.Count = Math.Min(PointsPerSlice, range.Count - first);
                 decoded = decode.Schedule(decoded);
             }
             return decoded;

@@ -15,7 +15,7 @@ namespace FastPoints.Sources
     internal unsafe struct OrderNodeJob : IJob
     {
         // About 3 ms.
-        public const int PointsOfSlice = 1 << 16;
+        public const int PointsPerSlice = 1 << 16;
 
         // Along each axis: cells that are finer than those of a full block's points.
         const int KeyBits = 10;
@@ -51,7 +51,7 @@ namespace FastPoints.Sources
             var state = State.Value;
             if (First == 0)
                 state = new PackState { IsDamaged = Decoded.Value.Points < Count || Decoded.Value.Error != 0 };
-            int count = math.min(PointsOfSlice, Count - First);
+            int count = math.min(PointsPerSlice, Count - First);
             if (!state.IsDamaged)
             {
                 state.IsDamaged = !TryPlace(count);
@@ -133,7 +133,7 @@ namespace FastPoints.Sources
     internal unsafe struct PackPlaneJob : IJob
     {
         // About 2 ms.
-        public const int BlocksOfSlice = 512;
+        public const int BlocksPerSlice = 512;
 
         [ReadOnly] public NativeArray<byte> Columns;
         [ReadOnly] public NativeArray<byte> Offsets;
@@ -170,7 +170,7 @@ namespace FastPoints.Sources
             ulong* values = stackalloc ulong[PlaneShape.MaxColumns * PlaneShape.MaxPointsPerBlock];
             ulong* min = stackalloc ulong[PlaneShape.MaxColumns];
             ulong* max = stackalloc ulong[PlaneShape.MaxColumns];
-            int end = math.min(FirstBlock + BlocksOfSlice, blocks);
+            int end = math.min(FirstBlock + BlocksPerSlice, blocks);
             for (int block = FirstBlock; block < end; block++)
             {
                 int first = block * PlaneShape.MaxPointsPerBlock, count = math.min(PlaneShape.MaxPointsPerBlock, Count - first);

@@ -194,7 +194,7 @@ namespace FastPoints.Sources
                 KeyScratch = m_keyScratch,
                 PointScratch = m_pointScratch,
             };
-            for (; order.First < count; order.First += OrderNodeJob.PointsOfSlice)
+            for (; order.First < count; order.First += OrderNodeJob.PointsPerSlice)
                 decoded = order.Schedule(decoded);
             for (int p = 0; p < m_planes.Count; p++)
                 decoded = SchedulePlane(p, decoded);
@@ -223,12 +223,12 @@ namespace FastPoints.Sources
                 pack.Column2 = pack.Shape.ColumnCount > 2 ? ColumnOf(plane, 2) : default;
             }
             int blocks = PlaneShape.BlocksOf(m_node.PointCount);
-            for (; pack.FirstBlock < blocks; pack.FirstBlock += PackPlaneJob.BlocksOfSlice)
+            for (; pack.FirstBlock < blocks; pack.FirstBlock += PackPlaneJob.BlocksPerSlice)
                 inputDeps = pack.Schedule(inputDeps);
             return inputDeps;
         }
 
-        PlaneShape ShapeOf(int plane) => plane == 0 ? new PlaneShape(3, m_grid.IsWide ? 7 : 0) : m_planes.Shapes[plane];
+        PlaneShape ShapeOf(int plane) => plane == 0 ? PlaneShape.OfPositions(m_grid.IsWide) : m_planes.Shapes[plane];
 
         PointColumn ColumnOf(int plane, int column) =>
             m_read.Points.Column(m_read.Points.Schema.IndexOf(m_planes.AttributeOf(plane, column)));
@@ -237,7 +237,7 @@ namespace FastPoints.Sources
         {
             FreeBuffers();
             int capacity = Math.Max(MinCapacity, math.ceilpow2(points));
-            int slice = Math.Min(capacity, OrderNodeJob.PointsOfSlice);
+            int slice = Math.Min(capacity, OrderNodeJob.PointsPerSlice);
             m_read = m_reader.CreateRead(m_planes.Decoded, capacity, Allocator.Persistent);
             m_offsets = Allocate<byte>((m_grid.IsWide ? 24L : 12L) * capacity);
             m_pointOfRank = Allocate<uint>(capacity);

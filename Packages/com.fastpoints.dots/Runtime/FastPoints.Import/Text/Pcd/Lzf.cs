@@ -13,12 +13,12 @@ namespace FastPoints.Text
 
         // The most bytes that one step writes, and reads.
         public const int MaxWritten = 264;
-        public const int MaxTaken = 33;
+        public const int MaxRead = 33;
 
         // Bytes written; 0 if the input ends before, -1 if it is damaged. known: bytes before the output that may be copied from.
-        public static int Step(byte* input, long inputBytes, byte* output, long known, out int taken)
+        public static int Step(byte* input, long inputBytes, byte* output, long known, out int read)
         {
-            taken = 0;
+            read = 0;
             if (inputBytes < 1)
                 return 0;
             int control = *input;
@@ -26,7 +26,7 @@ namespace FastPoints.Text
             {
                 if (inputBytes < control + 2)
                     return 0;
-                taken = control + 2;
+                read = control + 2;
                 UnsafeUtility.MemCpy(output, input + 1, control + 1);
                 return control + 1;
             }
@@ -38,7 +38,7 @@ namespace FastPoints.Text
             int back = ((control & 31) << 8) + input[header - 1] + 1;
             if (back > known)
                 return -1;
-            taken = header;
+            read = header;
             // Byte by byte: a copy may reach into what it writes.
             for (int i = 0; i < length + 2; i++)
                 output[i] = output[i - back];

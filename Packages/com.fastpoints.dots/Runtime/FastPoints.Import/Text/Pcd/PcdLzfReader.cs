@@ -66,16 +66,16 @@ namespace FastPoints.Text
         public int MaxDecodedBytes => m_widestBytes * m_blockPoints;
 
         public override bool BlocksAreKnown => m_points >= 0;
-        public override int BlockCount => (int)BlocksOf(Found());
-        public override int MaxPointsPerBlock => (int)Math.Min(m_blockPoints, Found());
+        public override int BlockCount => (int)BlocksOf(FoundPoints());
+        public override int MaxPointsPerBlock => (int)Math.Min(m_blockPoints, FoundPoints());
 
         long BlocksOf(long points) => (points + m_blockPoints - 1) / m_blockPoints;
 
-        long Found() => m_points >= 0 ? m_points : throw new InvalidOperationException("FindBlocks comes first");
+        long FoundPoints() => m_points >= 0 ? m_points : throw new InvalidOperationException("FindBlocks comes first");
 
         public override long FirstPointOfBlock(int block) => (long)block * m_blockPoints;
 
-        public override int PointsInBlock(int block) => (int)Math.Min(m_blockPoints, Found() - FirstPointOfBlock(block));
+        public override int PointsInBlock(int block) => (int)Math.Min(m_blockPoints, FoundPoints() - FirstPointOfBlock(block));
 
         public override long BytesOfRange(BlockRange range)
         {
@@ -85,16 +85,16 @@ namespace FastPoints.Text
             return bytes;
         }
 
-        // Its offset is one in the file.
+        // offset: in the file.
         public LzfSegment SegmentOf(int field, int block, out long offset)
         {
             int index = field * (int)BlocksOf((long)Info.PointsClaimed) + block;
             var checkpoint = m_checkpoints[index];
             // The shortest copy takes two bytes and writes three: twice the wanted length is always enough.
-            long end = Math.Min(StreamBytes, checkpoint.Input + Lzf.MaxTaken
+            long end = Math.Min(StreamBytes, checkpoint.Input + Lzf.MaxRead
                 + 2 * (checkpoint.Skip + (long)m_blockPoints * m_fields[field].Bytes));
             if (index + 1 < m_checkpoints.Length && m_checkpoints[index + 1].Input > 0)
-                end = Math.Min(end, m_checkpoints[index + 1].Input + Lzf.MaxTaken);
+                end = Math.Min(end, m_checkpoints[index + 1].Input + Lzf.MaxRead);
             offset = StreamOffset + checkpoint.Input;
             return new LzfSegment
             {
@@ -175,7 +175,7 @@ namespace FastPoints.Text
 
         public override BlockRead CreateRead(PointSchema wanted, int capacity, Allocator allocator)
         {
-            Found();
+            FoundPoints();
             return new PcdLzfRead(this, wanted, capacity, allocator);
         }
 

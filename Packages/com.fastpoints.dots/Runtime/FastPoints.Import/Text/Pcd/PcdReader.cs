@@ -42,14 +42,14 @@ namespace FastPoints.Text
                 int end = Array.IndexOf(bytes, (byte)'\n', at);
                 if (end < 0)
                     throw new PointCloudException(FailureCode.Truncated, source.Path, at, "the header has no DATA line");
-                header.Take(Encoding.ASCII.GetString(bytes, at, end - at).Trim(), at);
+                header.AddLine(Encoding.ASCII.GetString(bytes, at, end - at).Trim(), at);
                 header.DataOffset = at = end + 1;
             }
-            header.Finish();
+            header.ReadFields();
             return header;
         }
 
-        void Take(string line, int offset)
+        void AddLine(string line, int offset)
         {
             if (line.Length == 0 || line[0] == '#')
                 return;
@@ -73,7 +73,7 @@ namespace FastPoints.Text
             "VERSION", "FIELDS", "COLUMNS", "SIZE", "TYPE", "COUNT", "WIDTH", "HEIGHT", "VIEWPOINT", "POINTS", "DATA",
         };
 
-        void Finish()
+        void ReadFields()
         {
             string[] names = m_words.ContainsKey("FIELDS") ? m_words["FIELDS"]
                 : m_words.TryGetValue("COLUMNS", out var columns) ? columns

@@ -179,7 +179,7 @@ namespace FastPoints.Text
                 read.End();
                 offset = last.OffsetBytes + EndOfRows(read.Buffer, bytes, last);
             }
-            Info.PointsReadable = Blocks.Take(blocks.ToArray());
+            Info.PointsReadable = Blocks.Set(blocks.ToArray());
             if (points == 0)
                 throw new PointCloudException(FailureCode.Truncated, Info.Path, offset, "the scans have no points");
             Info.Fact("scans", NumberText.Of(m_scans.Count));

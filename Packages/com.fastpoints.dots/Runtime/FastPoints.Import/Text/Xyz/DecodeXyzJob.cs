@@ -128,8 +128,8 @@ namespace FastPoints.Text
                         if (!AsciiNumber.TryInteger(ref p, out ulong magnitude, out bool isNegative, out bool isExact))
                             return XyzError.NoNumber;
                         bool fits = AsciiLines.StoreInteger(column, row, step->Type, step->Bytes, magnitude, isNegative);
-                        if (!(fits && isExact) && anomalies.Misfits++ == 0)
-                            anomalies.FirstMisfit = Range.Offset + (text - input);
+                        if (!(fits && isExact) && anomalies.Inexact++ == 0)
+                            anomalies.FirstInexact = Range.Offset + (text - input);
                         break;
                     case XyzStepKind.Float32:
                         if (!AsciiNumber.TryFloat(ref p, out ((float*)column)[row]))
@@ -236,8 +236,8 @@ namespace FastPoints.Text
         // Coordinates with more digits than the sample had, rounded to its step.
         public int Rounded;
         public long FirstRounded;
-        public int Misfits;
-        public long FirstMisfit;
+        public int Inexact;
+        public long FirstInexact;
 
         // Between two separators; read as 0.
         public int EmptyValues;

@@ -11,7 +11,7 @@ namespace FastPoints.Text
         public double Max;
 
         // Without an exponent or a point.
-        public bool IsInteger;
+        public bool IsPrintedAsInteger;
 
         // Whole numbers, however they are printed: some write colours as 117.0.
         public bool IsWhole => Decimals == 0;
@@ -27,7 +27,7 @@ namespace FastPoints.Text
         {
             Min = double.PositiveInfinity,
             Max = double.NegativeInfinity,
-            IsInteger = true,
+            IsPrintedAsInteger = true,
         };
 
         public double MaxMagnitude => Min <= Max ? math.max(math.abs(Min), math.abs(Max)) : 0;
@@ -38,7 +38,7 @@ namespace FastPoints.Text
         {
             Min = Math.Min(Min, value);
             Max = Math.Max(Max, value);
-            IsInteger &= number.Exponent == 0;
+            IsPrintedAsInteger &= number.Exponent == 0;
             DecimalsPrinted = Math.Max(DecimalsPrinted, -number.Exponent);
             ulong mantissa = number.Mantissa;
             int exponent = number.Exponent, digits = 0;
@@ -56,7 +56,7 @@ namespace FastPoints.Text
         {
             bool isColor = attribute == AttributeNames.Red || attribute == AttributeNames.Green ||
                 attribute == AttributeNames.Blue || attribute == AttributeNames.Alpha || attribute == AttributeNames.NearInfrared;
-            if (!IsInteger && !(isColor && IsWhole && MaxMagnitude > 1))
+            if (!IsPrintedAsInteger && !(isColor && IsWhole && MaxMagnitude > 1))
                 return Digits <= 7 ? AttributeType.Float32 : AttributeType.Float64;
             bool isByte = isColor || attribute == AttributeNames.Classification || attribute == AttributeNames.ReturnNumber ||
                 attribute == AttributeNames.NumberOfReturns || attribute == AttributeNames.UserData;
@@ -172,7 +172,8 @@ namespace FastPoints.Text
         }
 
         static bool IsNormal(XyzColumn[] columns, double[] unitLength, int at) => at + 3 <= columns.Length &&
-            unitLength[at] > 0.9 && !(columns[at].IsInteger && columns[at + 1].IsInteger && columns[at + 2].IsInteger);
+            unitLength[at] > 0.9 && !(columns[at].IsPrintedAsInteger && columns[at + 1].IsPrintedAsInteger &&
+            columns[at + 2].IsPrintedAsInteger);
 
         // Whole numbers of 8 or 16 bits, or shares of 1.
         static bool IsColor(XyzColumn[] columns, int at)
@@ -183,7 +184,7 @@ namespace FastPoints.Text
             for (int i = at; i < at + 3; i++)
             {
                 areInteger &= columns[i].IsWhole && columns[i].IsWithin(0, ushort.MaxValue);
-                areShares &= !columns[i].IsInteger && columns[i].IsWithin(0, 1);
+                areShares &= !columns[i].IsPrintedAsInteger && columns[i].IsWithin(0, 1);
             }
             return areInteger || areShares;
         }

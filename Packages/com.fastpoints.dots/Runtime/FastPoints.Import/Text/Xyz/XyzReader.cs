@@ -74,7 +74,7 @@ namespace FastPoints.Text
                 shown.Add(m_names[i] ?? "-");
                 if (m_names[i] == null)
                     continue;
-                int axis = AxisOf(m_names[i]);
+                int axis = AttributeNames.AxisOf(m_names[i]);
                 if (axis >= 0)
                     m_decimals[axis] = DecimalsOf(m_sniff.Columns[i]);
                 attributes.Add(new PointAttribute(m_names[i],
@@ -107,10 +107,7 @@ namespace FastPoints.Text
             return 1 / power;
         }
 
-        static int AxisOf(string name) =>
-            name == AttributeNames.X ? 0 : name == AttributeNames.Y ? 1 : name == AttributeNames.Z ? 2 : -1;
-
-        private protected override void BlocksFound() => m_isReported.Length = Blocks.Count;
+        private protected override void OnBlocksFound() => m_isReported.Length = Blocks.Count;
 
         public override IEnumerator<JobStep> FindBlocks()
         {
@@ -119,7 +116,7 @@ namespace FastPoints.Text
             using var scan = new AsciiRowScan(this, File, m_sniff.DataOffset, MaxBlockBytes, 0, ulong.MaxValue);
             while (scan.Next(out var handle))
                 yield return handle;
-            Blocks.Take(scan.TakeBlocks());
+            Blocks.Set(scan.TakeBlocks());
             m_isReported.Length = Blocks.Count;
             m_isReported.SetAll(false);
             foreach (var warning in m_warnings)
@@ -143,7 +140,7 @@ namespace FastPoints.Text
             var steps = new XyzStep[m_names.Length];
             for (int i = 0; i < steps.Length; i++)
             {
-                int axis = m_names[i] == null ? -1 : AxisOf(m_names[i]);
+                int axis = m_names[i] == null ? -1 : AttributeNames.AxisOf(m_names[i]);
                 int column = m_names[i] == null ? -1 : batch.Schema.IndexOf(m_names[i]);
                 var step = new XyzStep
                 {
@@ -179,7 +176,7 @@ namespace FastPoints.Text
             }
             Warn(1, found.Rounded, found.FirstRounded, " coordinates have more digits than the lines that were looked at " +
                 "first: rounded to " + NumberText.Of(Info.Transform.Scale));
-            Warn(2, found.Misfits, found.FirstMisfit, " values do not fit the whole numbers that their column has elsewhere: " +
+            Warn(2, found.Inexact, found.FirstInexact, " values do not fit the whole numbers that their column has elsewhere: " +
                 "the nearest that do were taken");
             Warn(3, found.EmptyValues, found.FirstEmpty, " values are empty: 0 was taken");
             Warn(4, found.RowsWithMore, found.FirstWithMore, " lines have more values than there are columns: left out");

@@ -158,7 +158,7 @@ namespace FastPoints.Text
                 var (first, end) = lines[at];
                 if (m_dialect.IsComment(head[first]))
                 {
-                    string comment = Shown(head, first, end);
+                    string comment = TextOf(head, first, end);
                     if (NamesIn(comment.TrimStart('#', '/', '%', '!', ';', ' ')) is { } named &&
                         XyzNames.HavePosition(XyzNames.Of(named, named.Length)))
                         namesInComment = named;
@@ -169,7 +169,7 @@ namespace FastPoints.Text
                 if (values >= 3)
                     break;
                 HeaderLines++;
-                if (values == 1 && CountClaimed < 0 && long.TryParse(Shown(head, first, end), out long claimed) && claimed >= 0)
+                if (values == 1 && CountClaimed < 0 && long.TryParse(TextOf(head, first, end), out long claimed) && claimed >= 0)
                 {
                     CountClaimed = claimed;
                     continue;
@@ -177,7 +177,7 @@ namespace FastPoints.Text
                 if (values == 1 && CountClaimed >= 0)
                     throw new PointCloudException(FailureCode.Unsupported, m_source.Path, 0,
                         "this is a PTX file (or text that starts with two numbers, each in a line of its own): not read");
-                string[] names = values == 0 ? NamesIn(Shown(head, first, end)) : null;
+                string[] names = values == 0 ? NamesIn(TextOf(head, first, end)) : null;
                 if (names == null || Names != null)
                     return false;
                 Names = names;
@@ -322,6 +322,6 @@ namespace FastPoints.Text
             return names.Count >= 3 ? names.ToArray() : null;
         }
 
-        static string Shown(byte[] bytes, int first, int end) => Encoding.UTF8.GetString(bytes, first, end - first).Trim();
+        static string TextOf(byte[] bytes, int first, int end) => Encoding.UTF8.GetString(bytes, first, end - first).Trim();
     }
 }

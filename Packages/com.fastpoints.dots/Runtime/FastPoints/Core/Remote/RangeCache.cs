@@ -1,9 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.IO;
-using System.Runtime.InteropServices;
 using System.Text;
-using System.Threading;
 
 namespace FastPoints
 {
@@ -15,6 +13,10 @@ namespace FastPoints
         const string Extension = ".ranges";
         const long MaxSegmentBytes = 32 << 20;
         const int MinSegments = 8;
+        const int MaxOverlaps = 8;
+
+        // Each is an open file.
+        const int MaxSegments = 160;
 
         static readonly object s_lock = new object();
         static RangeCache s_current;
@@ -105,7 +107,11 @@ namespace FastPoints
                 while (into.Length > 0)
                 {
                     int at = LastAt(entries, offset);
-                    if (at < 0 || entries[at].Offset + entries[at].Length <= offset)
+                    // A shorter one may lie in a longer one.
+                    for (int last = at; at >= 0 && entries[at].Offset + entries[at].Length <= offset; at--)
+                        if (last - at == MaxOverlaps)
+                            return false;
+                    if (at < 0)
                         return false;
                     var entry = entries[at];
                     int from = (int)(offset - entry.Offset), count = Math.Min(into.Length, entry.Length - from);
@@ -140,7 +146,7 @@ namespace FastPoints
                     return;
                 try
                 {
-                    if (m_written != null && m_written.Bytes + bytes.Length > Math.Min(MaxSegmentBytes, m_maxBytes / MinSegments))
+                    if (m_written != null && !HasRoom(bytes.Length))
                         m_written = null;
                     if (m_written == null)
                     {
@@ -148,9 +154,9 @@ namespace FastPoints
                         Scan();
                         m_written = CacheSegment.Create(Folder, Extension);
                         m_segments.Add(m_written);
+                        Gather();
                     }
-                    long position = m_written.Append(key, offset, bytes);
-                    Insert(key, new Entry { Segment = m_written, Position = position, Offset = offset, Length = bytes.Length });
+                    Append(key, offset, bytes);
                     Shrink();
                 }
                 catch (Exception e) when (e is IOException || e is UnauthorizedAccessException)
@@ -158,6 +164,37 @@ namespace FastPoints
                     // The disk is full, or not ours: what was written is read all the same.
                     m_isReadOnly = true;
                 }
+            }
+        }
+
+        bool HasRoom(long bytes) => m_written.Bytes + bytes <= Math.Min(MaxSegmentBytes, m_maxBytes / MinSegments);
+
+        void Append(RangeKey key, long offset, ReadOnlySpan<byte> bytes)
+        {
+            long position = m_written.Append(key, offset, bytes);
+            Insert(key, new Entry { Segment = m_written, Position = position, Offset = offset, Length = bytes.Length });
+        }
+
+        // Short runs leave short segments: of too many, those used longest ago go into the one that is written.
+        void Gather()
+        {
+            if (m_segments.Count <= MaxSegments)
+                return;
+            var byUse = m_segments.FindAll(s => s != m_written);
+            byUse.Sort((a, b) => a.Used.CompareTo(b.Used));
+            foreach (var segment in byUse)
+            {
+                if (m_segments.Count <= MaxSegments / 2)
+                    return;
+                if (!HasRoom(segment.Bytes))
+                    continue;
+                segment.Scan((key, position, offset, length) =>
+                {
+                    var bytes = new byte[length];
+                    if (segment.TryRead(position, 0, bytes))
+                        Append(key, offset, bytes);
+                });
+                Delete(m_segments.IndexOf(segment));
             }
         }
 

@@ -11,12 +11,18 @@ namespace FastPoints
     internal sealed class RangeQueue
     {
         // Larger ranges are cut, so that connections share them and what is urgent waits for no long one.
-        const int MaxRequestBytes = 1 << 20;
+        public const int MaxRequestBytes = 1 << 20;
 
         // A gap that costs less than a request's own headers.
         const int MinGapBytes = 2 << 10;
 
         const int MaxGapBytes = 512 << 10;
+
+        // Of a request: bytes that nobody asked for.
+        const int MaxUnusedShare = 8;
+
+        // Before anything was measured.
+        const double FirstBytesPerConnection = 1 << 20;
 
         // The rest of an answer that nobody wants is read on if that takes less than a new connection.
         const int DrainBytes = 64 << 10;
@@ -79,24 +85,20 @@ namespace FastPoints
             }
         }
 
-        public void Add(RemoteRead read, List<int> parts)
+        public void Add(RemoteRead read, List<RangePiece> pieces)
         {
             lock (m_lock)
             {
-                foreach (int part in parts)
-                {
-                    var command = read.PartAt(part);
-                    for (long at = 0; at < command.Size; at += MaxRequestBytes)
-                        m_wanted.Add(new Wanted
-                        {
-                            Read = read,
-                            Part = part,
-                            At = at,
-                            Offset = command.Offset + at,
-                            Bytes = Math.Min(MaxRequestBytes, command.Size - at),
-                            Number = ++m_begun,
-                        });
-                }
+                foreach (var piece in pieces)
+                    m_wanted.Add(new Wanted
+                    {
+                        Read = read,
+                        Part = piece.Part,
+                        At = piece.At,
+                        Offset = read.PartAt(piece.Part).Offset + piece.At,
+                        Bytes = piece.Bytes,
+                        Number = ++m_begun,
+                    });
                 BeginRequests();
             }
         }
@@ -119,7 +121,8 @@ namespace FastPoints
             }
         }
 
-        int Gap() => (int)Math.Max(MinGapBytes, Math.Min(MaxGapBytes, m_roundTrip * m_bytesPerConnection));
+        int Gap() => (int)Math.Max(MinGapBytes, Math.Min(MaxGapBytes, m_roundTrip *
+            (m_bytesPerConnection > 0 ? m_bytesPerConnection : FirstBytesPerConnection)));
 
         // The first of those that wait, and neighbours of it: rising, none twice.
         bool TryTakeBatch(out Batch batch)
@@ -138,31 +141,13 @@ namespace FastPoints
             var near = m_wanted.FindAll(w => w.Read.File == first.Read.File && w.End > first.Offset - MaxRequestBytes &&
                 w.Offset < first.End + MaxRequestBytes);
             near.Sort((a, b) => a.Offset != b.Offset ? a.Offset.CompareTo(b.Offset) : a.Number.CompareTo(b.Number));
-            int from = near.FindIndex(w => w.Number == first.Number), to = from;
-            long begin = first.Offset, end = first.End;
-            for (bool hasGrown = true; hasGrown;)
-            {
-                hasGrown = false;
-                if (to + 1 < near.Count && Joins(near[to + 1].Offset - end, near[to + 1].End - begin, gap))
-                {
-                    end = Math.Max(end, near[++to].End);
-                    hasGrown = true;
-                }
-                if (from > 0 && Joins(begin - near[from - 1].End, end - near[from - 1].Offset, gap))
-                {
-                    begin = Math.Min(begin, near[--from].Offset);
-                    hasGrown = true;
-                }
-            }
-            batch = new Batch(near.GetRange(from, to - from + 1), begin, end);
+            batch = Batch.Around(near.FindIndex(w => w.Number == first.Number), near, gap);
             var taken = new HashSet<long>();
             foreach (var wanted in batch.Wanted)
                 taken.Add(wanted.Number);
             m_wanted.RemoveAll(w => taken.Contains(w.Number));
             return true;
         }
-
-        static bool Joins(long gapBytes, long allBytes, int maxGap) => gapBytes <= maxGap && allBytes <= MaxRequestBytes;
 
         async Task Fetch(Batch batch)
         {
@@ -204,22 +189,67 @@ namespace FastPoints
         // One request's.
         sealed class Batch
         {
+            // Of those that their reads no longer wanted, too.
             readonly bool[] m_isTaken;
+            readonly bool[] m_isUsed;
 
-            // By offset.
-            public Batch(List<Wanted> wanted, long begin, long end)
+            // One of some that lie by offset, and its neighbours as far as they are near.
+            public static Batch Around(int first, List<Wanted> all, int gap)
+            {
+                int from = first, to = first;
+                long begin = all[first].Offset, end = all[first].End, wanted = all[first].Bytes;
+                while (true)
+                {
+                    if (to + 1 < all.Count && Joins(all[to + 1]))
+                        to++;
+                    else if (from > 0 && Joins(all[from - 1]))
+                        from--;
+                    else
+                        return new Batch(all.GetRange(from, to - from + 1), begin, end);
+                }
+
+                bool Joins(in Wanted next)
+                {
+                    long bytes = Math.Max(end, next.End) - Math.Min(begin, next.Offset);
+                    long between = Math.Max(begin - next.End, next.Offset - end), unused = bytes - wanted - next.Bytes;
+                    if (bytes > MaxRequestBytes || between > MinGapBytes && (between > gap || unused > bytes / MaxUnusedShare))
+                        return false;
+                    wanted += next.Bytes;
+                    (begin, end) = (Math.Min(begin, next.Offset), Math.Max(end, next.End));
+                    return true;
+                }
+            }
+
+            Batch(List<Wanted> wanted, long begin, long end)
             {
                 Wanted = wanted;
                 Begin = begin;
                 Bytes = (int)(end - begin);
                 m_isTaken = new bool[wanted.Count];
+                m_isUsed = new bool[wanted.Count];
             }
 
             public List<Wanted> Wanted { get; }
             public long Begin { get; }
             public int Bytes { get; }
             public int Arrived { get; private set; }
-            public long Used { get; private set; }
+
+            // Bytes that reads have taken.
+            public long Used
+            {
+                get
+                {
+                    long used = 0, counted = 0;
+                    for (int i = 0; i < m_isUsed.Length; i++)
+                    {
+                        if (!m_isUsed[i])
+                            continue;
+                        used += Math.Max(0, Wanted[i].End - Math.Max(counted, Wanted[i].Offset));
+                        counted = Math.Max(counted, Wanted[i].End);
+                    }
+                    return used;
+                }
+            }
 
             public IRangeSource File => Wanted[0].Read.File;
 
@@ -238,8 +268,7 @@ namespace FastPoints
                         isWanted = true;
                         continue;
                     }
-                    m_isTaken[i] = true;
-                    Used += wanted.Bytes;
+                    m_isTaken[i] = m_isUsed[i] = true;
                     wanted.Read.Take(wanted.Part, wanted.At,
                         new ReadOnlySpan<byte>(buffer, (int)(wanted.Offset - Begin), (int)wanted.Bytes));
                 }
@@ -253,5 +282,15 @@ namespace FastPoints
                         Wanted[i].Read.Fail(failure);
             }
         }
+    }
+
+    // Of a read: some bytes of one of its parts, no more than one request brings.
+    internal readonly struct RangePiece
+    {
+        public readonly int Part;
+        public readonly long At;
+        public readonly int Bytes;
+
+        public RangePiece(int part, long at, int bytes) => (Part, At, Bytes) = (part, at, bytes);
     }
 }

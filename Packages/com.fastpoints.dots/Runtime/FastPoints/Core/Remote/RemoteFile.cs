@@ -1,4 +1,5 @@
 using System;
+using System.Buffers;
 using System.Collections.Generic;
 using System.Diagnostics;
 using System.Text;
@@ -52,6 +53,9 @@ namespace FastPoints
 
         // Another value, another version of the file.
         public string Identity => m_identity.ToString();
+
+        // Without, only another length tells that it is another file.
+        public bool HasVersion => m_identity.Tag.Length + m_identity.Modified.Length > 0;
 
         // Seconds that an answer takes to begin; 0 if none was seen yet.
         public double RoundTrip => m_queue.RoundTrip;
@@ -165,17 +169,23 @@ namespace FastPoints
         {
             try
             {
-                var missing = new List<int>();
+                var missing = new List<RangePiece>();
                 var cache = RangeCache.Current;
-                for (int part = 0; part < read.PartCount && !read.IsDone; part++)
+                var bytes = ArrayPool<byte>.Shared.Rent(RangeQueue.MaxRequestBytes);
+                for (int part = 0; part < read.PartCount; part++)
                 {
                     var command = read.PartAt(part);
-                    var bytes = new byte[command.Size];
-                    if (TryReadHead(command.Offset, bytes) || TryReadCache(cache, command.Offset, bytes))
-                        read.Take(part, 0, bytes);
-                    else if (command.Size > 0)
-                        missing.Add(part);
+                    for (long at = 0; at < command.Size && !read.IsDone; at += RangeQueue.MaxRequestBytes)
+                    {
+                        int count = (int)Math.Min(RangeQueue.MaxRequestBytes, command.Size - at);
+                        var piece = bytes.AsSpan(0, count);
+                        if (TryReadHead(command.Offset + at, piece) || TryReadCache(cache, command.Offset + at, piece))
+                            read.Take(part, at, piece);
+                        else
+                            missing.Add(new RangePiece(part, at, count));
+                    }
                 }
+                ArrayPool<byte>.Shared.Return(bytes);
                 if (missing.Count > 0)
                     m_queue.Add(read, missing);
             }
@@ -185,7 +195,7 @@ namespace FastPoints
             }
         }
 
-        bool TryReadCache(RangeCache cache, long offset, byte[] into)
+        bool TryReadCache(RangeCache cache, long offset, Span<byte> into)
         {
             bool has = cache != null && cache.TryRead(m_key, offset, into);
             if (has)

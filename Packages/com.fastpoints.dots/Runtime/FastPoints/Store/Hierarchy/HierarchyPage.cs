@@ -135,7 +135,7 @@ namespace FastPoints.Store
         /// <summary>How often its bytes were damaged, or <see cref="IsHole"/>: then it is never requested again.</summary>
         public int Failures;
 
-        /// <summary>Whether a node of a source that makes nodes was made, so that its length is known.</summary>
+        /// <summary>Whether a node of a source that transcodes was transcoded, so that its length is known.</summary>
         public bool WasTranscoded;
     }
 

@@ -119,7 +119,7 @@ namespace FastPoints.Store
         public void Execute()
         {
             var check = Check;
-            Problem.Value = Find(check);
+            Problem.Value = FindProblem(check);
             if (!Problem.Value.IsNone)
                 return;
             var page = new HierarchyPage();
@@ -127,12 +127,12 @@ namespace FastPoints.Store
             Built.Value = page;
         }
 
-        TableProblem Find(in TableCheck check)
+        TableProblem FindProblem(in TableCheck check)
         {
             ulong hash = ContentHash.Of(Table.GetUnsafeReadOnlyPtr(), Table.Length);
             if (hash != Chunk.TableHash)
                 return new TableProblem(TableFault.Hash, 0, (long)Chunk.TableHash, (long)hash);
-            var problem = check.Find();
+            var problem = check.FindProblem();
             long points = 0;
             for (int n = 0; problem.IsNone && n < check.NodeCount; n++)
                 points += check.Nodes[n].PointCount;

@@ -7,7 +7,7 @@ namespace FastPoints.Streaming
     internal struct EvictionOrder : IDisposable
     {
         public NativeList<CachedNode> Slots;
-        NativeReference<Ends> m_ends; // The least and the most useful slot, or NodeCache.None.
+        NativeReference<Ends> m_ends; // The slots that go first and last, or NodeCache.None.
 
         struct Ends
         {
@@ -96,6 +96,8 @@ namespace FastPoints.Streaming
 
         // Multiplies its points' colours: sRGB, with red, green, blue, alpha from the lowest byte.
         public uint Tint;
+
+        // Its neighbours in the eviction order, or NodeCache.None.
         public int EvictedBefore;
         public int EvictedAfter;
     }

@@ -7,16 +7,16 @@ using Unity.Mathematics;
 
 namespace FastPoints.Streaming
 {
-    // They run on the main thread, between steps that need their results at once: a job that is scheduled and awaited costs more
-    // than all of one of them.
+    // The jobs of a frame's steps. They run in place, on the main thread: the next step needs their results at once, and to
+    // schedule and await a job costs more than any of them.
 
-    // Orders the cache by what a frame has chosen: prefetched nodes go before those that leave the picture point by point, those
-    // before selected ones, and these before pinned ones.
+    // Orders the cache by what a frame has chosen: prefetched nodes go before those that fade out, those before
+    // selected ones, and these before pinned ones.
     [BurstCompile]
     internal struct TouchNodesJob : IJob
     {
         // No prefetched node is needed more.
-        const int LeavingRank = NodeReadQueue.FirstPrefetchRank - 1;
+        const int FadingOutRank = NodeReadQueue.FirstPrefetchRank - 1;
 
         [ReadOnly] public NativeArray<CloudPages> Clouds;
         [ReadOnly] public NativeArray<DrawnNode> Drawn; // By the last frame; empty if nothing fades.
@@ -30,8 +30,8 @@ namespace FastPoints.Streaming
         {
             Touch(Prefetched, NodeReadQueue.FirstPrefetchRank);
             for (int i = Drawn.Length - 1; i >= 0; i--)
-                if (Order.Slots[Drawn[i].Slot].DrawnFrame == Frame - 1 && Clouds[Drawn[i].Cloud].IsLeaving(Drawn, i, Frame))
-                    Order.Touch(Drawn[i].Slot, Frame, LeavingRank);
+                if (Order.Slots[Drawn[i].Slot].DrawnFrame == Frame - 1 && Clouds[Drawn[i].Cloud].IsFadingOut(Drawn, i, Frame))
+                    Order.Touch(Drawn[i].Slot, Frame, FadingOutRank);
             Touch(Selected, 0);
             for (int i = 0; i < Pinned.Length; i++)
                 Order.Touch(Pinned[i], Frame, -1);
@@ -98,7 +98,7 @@ namespace FastPoints.Streaming
             DrawnOfSelected.Clear();
             var totals = new DrawnTotals { IsAll = true };
             ListSelected(ref totals);
-            ListLeaving(ref totals);
+            ListFadingOut(ref totals);
             Totals.Value = totals;
         }
 
@@ -129,17 +129,15 @@ namespace FastPoints.Streaming
             }
         }
 
-        void ListLeaving(ref DrawnTotals totals)
+        void ListFadingOut(ref DrawnTotals totals)
         {
             for (int i = 0; i < LastDrawn.Length; i++)
             {
                 var node = LastDrawn[i];
                 var cached = Slots[node.Slot];
-                float fade = cached.Fade - FadeStep, share = ShareOf(fade);
+                float fade = cached.Fade - FadeStep;
                 if (cached.DrawnFrame != Frame - 1 || cached.Phase != CachePhase.Resident || cached.IsHidden || fade <= 0 ||
-                    !Clouds[node.Cloud].IsLeaving(LastDrawn.AsArray(), i, Frame))
-                    continue;
-                if (totals.Points + (long)(share * Clouds[node.Cloud].PointsOf(node)) > PointBudget)
+                    !Clouds[node.Cloud].IsFadingOut(LastDrawn.AsArray(), i, Frame))
                     continue;
                 if (node.Parent >= 0)
                 {
@@ -148,6 +146,8 @@ namespace FastPoints.Streaming
                         continue;
                     node.Parent = parent.DrawnIndex;
                 }
+                if (totals.Points + (long)(ShareOf(fade, node.Parent) * Clouds[node.Cloud].PointsOf(node)) > PointBudget)
+                    continue;
                 Add(node, fade, ref totals);
             }
         }
@@ -161,14 +161,15 @@ namespace FastPoints.Streaming
             node.Version = cached->Version;
             node.Range = cached->Range;
             node.Tint = cached->Tint;
-            node.PointShare = ShareOf(fade);
+            node.PointShare = ShareOf(fade, node.Parent);
             Drawn.Add(node);
             totals.Points += (long)(node.PointShare * Clouds[node.Cloud].PointsOf(node));
             totals.FadingNodes += fade < 1 ? 1 : 0;
         }
 
-        // Many points lie in a pixel: the first cover it, the last hide one another. Slow at first, what is covered grows evenly.
-        static float ShareOf(float fade) => fade * fade * fade;
+        // Where nothing is, few points cover much: slow at first. Detail comes fast at first, since what the camera nears changes
+        // more pixels the later it comes; never more of it than of what it is the detail of.
+        float ShareOf(float fade, int parent) => parent < 0 ? fade * fade : (2 - fade) * fade * Drawn[parent].PointShare;
     }
 
     internal struct DrawnTotals
@@ -189,7 +190,7 @@ namespace FastPoints.Streaming
 
         // Whether a node that the last frame drew is not selected any more, but in view: the selection says so of children of
         // what it chose.
-        public readonly bool IsLeaving(NativeArray<DrawnNode> drawn, int index, uint frame)
+        public readonly bool IsFadingOut(NativeArray<DrawnNode> drawn, int index, uint frame)
         {
             if (Pages == null || StateOf(drawn[index]).SelectedFrame == frame)
                 return false;

@@ -84,10 +84,9 @@ namespace FastPoints.Streaming
             int tables = 0;
             foreach (var fetch in m_fetches)
                 tables += fetch.Phase != FetchPhase.Idle && fetch.IsTable ? 1 : 0;
-            // Half of the reads are reserved for nodes.
             foreach (var missing in m_state.Selector.Missing)
             {
-                if (tables >= Math.Max(1, m_state.Settings.MaxReads / 2) || !TryFindIdle(out var fetch))
+                if (tables >= MaxTables(missing) || !TryFindIdle(out var fetch))
                     break;
                 var page = m_state.Clouds[missing.Cloud].Pages + missing.Page;
                 if (page->Status != HierarchyPageStatus.Absent || !m_state.IsDue(page->RetryFrame) ||
@@ -104,6 +103,15 @@ namespace FastPoints.Streaming
                 return;
             ListWanted(m_state.Selector.Prefetched);
             RequestNodes(FirstPrefetchRank, ref stats);
+        }
+
+        // Half of the reads are reserved for nodes; a quarter where a table takes as long as some nodes, and all below waits for
+        // it.
+        int MaxTables(in MissingHierarchyPage missing)
+        {
+            int max = m_state.Settings.MaxReads;
+            bool isRemote = m_state.Clouds[missing.Cloud].Source.RemoteOf(missing.Page) != null;
+            return Math.Max(1, isRemote ? max - max / 4 : max / 2);
         }
 
         // Cancels reads of one cloud, or all if it is null.

@@ -38,7 +38,7 @@ namespace FastPoints.Streaming
 
         public bool TryTakeFailure(out StreamFailure failure) => m_failures.TryDequeue(out failure);
 
-        // Evicts less useful nodes than one of this rank.
+        // Evicts nodes that are needed less than one of this rank.
         public bool TryPlace(SelectedNode node, int rank, long bytes, ref FrameStats stats, out int slot)
         {
             PoolRange range;

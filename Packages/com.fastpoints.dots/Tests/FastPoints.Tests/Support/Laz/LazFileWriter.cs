@@ -32,7 +32,7 @@ namespace FastPoints.Tests
 
         public bool HasVariableChunks;
         public LazTableLocation TableLocation = LazTableLocation.AtOffset;
-        public bool IsPlain;
+        public bool IsUncompressed;
 
         /// <summary>Points that the header claims; -1 for the truth.</summary>
         public long Claims = -1;
@@ -82,7 +82,7 @@ namespace FastPoints.Tests
 
         void WritePoints(BinaryWriter file, LazItem[] items, IReadOnlyList<byte[]> records)
         {
-            if (IsPlain)
+            if (IsUncompressed)
             {
                 foreach (var record in records)
                     file.Write(record);
@@ -121,7 +121,7 @@ namespace FastPoints.Tests
         }
 
         byte[] Vlr(LazItem[] items) => LazItems.Vlr(items,
-            IsPlain ? LazCompressor.None : ChunkPoints.Length == 0 ? LazCompressor.Pointwise
+            IsUncompressed ? LazCompressor.None : ChunkPoints.Length == 0 ? LazCompressor.Pointwise
                 : PointFormat >= 6 ? LazCompressor.LayeredChunked : LazCompressor.PointwiseChunked,
             HasVariableChunks ? LazFormat.VariableChunkPoints : ChunkPoints.Length == 0 ? 0 : (uint)ChunkPoints[0]);
 

@@ -6,7 +6,7 @@ using Unity.Jobs;
 
 namespace FastPoints.Laz
 {
-    // One of several files that are all like it.
+    // The first of several files of one format: the others are decoded by its header and items.
     sealed class LasTemplate
     {
         public readonly LasFile Las;
@@ -25,11 +25,11 @@ namespace FastPoints.Laz
         }
     }
 
-    // Whole LAS or LAZ files of one kind from memory, one at a time: in a chain of slices as far as a range goes.
-    sealed unsafe class LazFileDecoding : IDisposable
+    // Decodes whole LAS or LAZ files of one format from memory, one at a time: in a chain of slices as far as a range goes.
+    sealed unsafe class LazFileDecoder : IDisposable
     {
         // About 4 ms of decoding on one core.
-        const int SlicePoints = 16384;
+        const int PointsPerSlice = 16384;
 
         const int MaxTileBytes = 64 << 10;
 
@@ -44,10 +44,10 @@ namespace FastPoints.Laz
         NativeArray<FieldCopy> m_copies;
         NativeReference<LazFileState> m_state;
 
-        public LazFileDecoding(LasTemplate like, PointBatch batch, bool roundsOffset, Allocator allocator)
+        public LazFileDecoder(LasTemplate template, PointBatch batch, bool roundsOffset, Allocator allocator)
         {
-            m_las = like.Las;
-            m_format = like.Laz;
+            m_las = template.Las;
+            m_format = template.Laz;
             m_batch = batch;
             m_roundsOffset = roundsOffset;
             int recordBytes = m_las.Header.RecordBytes;
@@ -56,14 +56,14 @@ namespace FastPoints.Laz
             bool isLayered = m_format != null && m_format.IsLayered;
             var isWanted = isLayered ? LazLayerChoice.Choose(m_format.Layers, m_las.Layout.Fields, batch.Schema) : null;
             m_decoder = m_format?.CreateDecoder(isWanted, allocator) ?? new NativeArray<byte>(1, allocator);
-            m_items = new NativeArray<byte>(m_format?.ItemBytesOfVlr() ?? new byte[0], allocator);
+            m_items = new NativeArray<byte>(m_format != null ? LazItems.ToBytes(m_format.Items) : new byte[0], allocator);
             m_tile = new NativeArray<byte>(m_tilePoints * recordBytes, allocator, NativeArrayOptions.UninitializedMemory);
             m_state = new NativeReference<LazFileState>(allocator);
         }
 
         public long PointsInFile => m_state.Value.PointsInFile;
 
-        // input: the file with PaddingBytes of RangeCode behind it, after inputDeps; first: counted from the file's start.
+        // input: the file with PaddingBytes of RangeCoder behind it, after inputDeps; first: counted from the file's start.
         public JobHandle Schedule(NativeArray<byte> input, int inputBytes, long first, int count,
             NativeReference<DecodeResult> result, JobHandle inputDeps)
         {
@@ -88,9 +88,9 @@ namespace FastPoints.Laz
                 Skip = first,
             };
             long total = first + count;
-            for (; decode.First < total; decode.First += SlicePoints)
+            for (; decode.First < total; decode.First += PointsPerSlice)
             {
-                decode.Count = (int)Math.Min(SlicePoints, total - decode.First);
+                decode.Count = (int)Math.Min(PointsPerSlice, total - decode.First);
                 inputDeps = decode.Schedule(inputDeps);
             }
             return inputDeps;

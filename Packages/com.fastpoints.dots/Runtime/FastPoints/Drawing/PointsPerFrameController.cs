@@ -2,20 +2,21 @@ using Unity.Mathematics;
 
 namespace FastPoints.Drawing
 {
-    // How many points a frame may draw so that the GPU takes a given time. Measured times come late, are noisy, have spikes and
-    // a part that no points cause, so the number changes by less than the error asks for, and seldom.
-    internal unsafe struct PointPace
+    // A feedback controller of the points that a frame may draw, so that the GPU takes a given time. Measured times come late,
+    // are noisy, have spikes and a part that no points cause, so the number changes by less than the error asks for, and
+    // seldom.
+    internal unsafe struct PointsPerFrameController
     {
         public const int MinPoints = 10_000;
         const int Window = 9; // Of times whose median counts: four frames from before a change, or spikes, do not move it.
         const float DeadBand = 0.04f; // Errors of this share of the time are left alone.
-        const float Damping = 0.6f; // Exponent of a step: any time that grows slower than the points' third power comes to rest.
+        const float Damping = 0.6f; // Exponent of a step: converges for any time that grows slower than the points' third power.
         const float MaxStep = 1.5f;
 
         fixed float m_times[Window]; // In order.
         int m_count;
 
-        public PointPace(int points) : this() => Points = points;
+        public PointsPerFrameController(int points) : this() => Points = points;
 
         public int Points { get; private set; }
 

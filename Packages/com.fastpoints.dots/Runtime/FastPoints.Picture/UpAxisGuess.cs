@@ -6,7 +6,7 @@ namespace FastPoints.Picture
 {
     // Guesses the up axis of formats that do not say it: across the plane that most points lie in, the ground or a floor. Without
     // one it is Y, as models have it, but where coordinates are a survey's.
-    static class UpGuess
+    static class UpAxisGuess
     {
         const double Thickness = 1.0 / 32; // Of the longest edge.
 

@@ -3,13 +3,13 @@ using Unity.Mathematics;
 
 namespace FastPoints.Laz
 {
-    /// <summary>The range decoder under all of LAZ (Said 2004, "Introduction to arithmetic coding"; Isenburg 2013, "LASzip"):
-    /// 32-bit value and length, renewed by whole bytes, most significant first. HPC#.</summary>
+    /// <summary>The range coder under all of LAZ (Said 2004, "Introduction to arithmetic coding"; Isenburg 2013, "LASzip"):
+    /// 32-bit value and length, renormalized by whole bytes, most significant first. HPC#.</summary>
     /// <remarks>Value, length and pointer go as three locals through inlined methods: as one struct passed by reference .NET's
     /// compiler kept them on the stack, a third slower. Value stays below length, whatever the input, so that every table lookup
     /// stays inside its table. Nothing here checks the input's end: callers do so once a point, and their input is followed by
     /// <see cref="PaddingBytes"/> readable bytes.</remarks>
-    internal static unsafe class RangeCode
+    internal static unsafe class RangeCoder
     {
         /// <summary>Readable bytes behind every input: more than the items of one point can take between two checks.</summary>
         public const int PaddingBytes = 256;
@@ -36,7 +36,7 @@ namespace FastPoints.Laz
             length >>= bits;
             uint symbol = value / length;
             value -= length * symbol;
-            Renew(ref value, ref length, ref next);
+            Renormalize(ref value, ref length, ref next);
             return symbol;
         }
 
@@ -64,7 +64,7 @@ namespace FastPoints.Laz
         /// <summary>Takes as many bytes (0 to 3) as bring the length back to 25 bits or more. Without a branch on whether there
         /// are any, which is about as good as random: 7 to 11 % less time a point.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public static void Renew(ref uint value, ref uint length, ref byte* next)
+        public static void Renormalize(ref uint value, ref uint length, ref byte* next)
         {
             int bits = math.lzcnt(length) & 24;
             value = (uint)(((ulong)value << 32 | BigEndian(next)) << bits >> 32);

@@ -11,10 +11,10 @@ namespace FastPoints.Evaluation
     /// rows are filtered along y. Beyond its edges a picture goes on with the pixels of its edges. All rows are planar, so that
     /// vectors of pixels are filtered at once.</summary>
     [BurstCompile]
-    internal unsafe struct CompareTilesJob : IJobFor
+    internal unsafe struct ComputeFlipJob : IJobFor
     {
         // At 67 pixels per degree the kept rows are 151 KB, and a twelfth of the rows along x is filtered twice.
-        const int EdgeX = 128, EdgeY = 256;
+        const int TileWidth = 128, TileHeight = 256;
 
         // Planes of a row before filtering: an opponent colour of the picture, one of the reference.
         const int ColorPlanes = 3;
@@ -37,14 +37,14 @@ namespace FastPoints.Evaluation
         [NativeDisableParallelForRestriction, WriteOnly] public NativeArray<float> Errors;
         [WriteOnly] public NativeArray<double> SumOfTile;
 
-        public static int TileCount(int width, int height) => Tiles(width, EdgeX) * Tiles(height, EdgeY);
+        public static int TileCount(int width, int height) => Tiles(width, TileWidth) * Tiles(height, TileHeight);
 
         static int Tiles(int pixels, int edge) => (pixels + edge - 1) / edge;
 
         public void Execute(int index)
         {
-            int left = index % Tiles(Width, EdgeX) * EdgeX, top = index / Tiles(Width, EdgeX) * EdgeY;
-            int columns = math.min(EdgeX, Width - left), radius = Filters.Radius, kept = 2 * radius + 1;
+            int left = index % Tiles(Width, TileWidth) * TileWidth, top = index / Tiles(Width, TileWidth) * TileHeight;
+            int columns = math.min(TileWidth, Width - left), radius = Filters.Radius, kept = 2 * radius + 1;
             int wide = columns + 2 * radius, floatsOfRow = 2 * FilteredPlanes * columns;
             var memory = new NativeArray<float>(2 * ColorPlanes * wide + kept * floatsOfRow + 2 * DonePlanes * columns,
                 Allocator.Temp, NativeArrayOptions.UninitializedMemory);
@@ -52,10 +52,10 @@ namespace FastPoints.Evaluation
             float* rows = colors + 2 * ColorPlanes * wide;
             float* done = rows + kept * floatsOfRow;
             float** around = stackalloc float*[kept];
-            float largest = FlipColor.LargestDifference();
+            float maxDifference = FlipColor.MaxDifference();
             double sum = 0;
             int next = math.max(0, top - radius);
-            for (int y = top; y < math.min(Height, top + EdgeY); y++)
+            for (int y = top; y < math.min(Height, top + TileHeight); y++)
             {
                 for (; next <= math.min(Height - 1, y + radius); next++)
                 {
@@ -73,7 +73,7 @@ namespace FastPoints.Evaluation
                         columns);
                 for (int x = 0; x < columns; x++)
                 {
-                    float error = ErrorOf(done + x, done + DonePlanes * columns + x, columns, largest);
+                    float error = ErrorOf(done + x, done + DonePlanes * columns + x, columns, maxDifference);
                     Errors[y * Width + left + x] = error;
                     sum += error;
                 }
@@ -165,11 +165,11 @@ namespace FastPoints.Evaluation
                     X86.Avx.mm256_storeu_ps(to + first, sum);
                 }
             }
-            FilterPlain(around, at + first, taps, to + first, count - first);
+            FilterScalar(around, at + first, taps, to + first, count - first);
         }
 
         /// <summary>The same, to the bit: Burst vectorizes it.</summary>
-        static void FilterPlain(float** around, int at, in Taps taps, float* to, int count)
+        static void FilterScalar(float** around, int at, in Taps taps, float* to, int count)
         {
             for (int x = 0; x < count; x++)
                 to[x] = taps.Middle * around[0][at + x];
@@ -183,11 +183,11 @@ namespace FastPoints.Evaluation
             }
         }
 
-        static float ErrorOf(float* picture, float* reference, int columns, float largest)
+        static float ErrorOf(float* picture, float* reference, int columns, float maxDifference)
         {
             var lab = LabOf(picture, columns);
             var labOfReference = LabOf(reference, columns);
-            float error = FlipColor.ErrorOf(lab, labOfReference, largest);
+            float error = FlipColor.ErrorOf(lab, labOfReference, maxDifference);
             if (error <= 0)
                 return 0;
             float edge = Length(picture[SlopeX * columns], picture[SlopeY * columns]);

@@ -4,7 +4,7 @@ namespace FastPoints.Editor
 {
     /// <summary>How much main-thread time background work gets in an update of the editor. Without focus updates are rare and
     /// unseen: slices grow, so that the share of the time stays what it is at 60 updates a second.</summary>
-    internal sealed class EditorPace
+    internal sealed class EditorTimeBudget
     {
         const double FocusedMs = 1000.0 / 60;
 

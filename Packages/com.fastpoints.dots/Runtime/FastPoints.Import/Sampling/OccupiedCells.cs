@@ -10,7 +10,7 @@ namespace FastPoints.Sampling
 {
     /// <summary>Tracks which cubic cells of space hold a point, by their hash. Blittable, for jobs.</summary>
     /// <remarks>Two cells may share a bit: with a million occupied ones, 3 % of cells count as occupied too soon.</remarks>
-    internal struct EmptyCells
+    internal struct OccupiedCells
     {
         const int BitsLog2 = 25;
 
@@ -33,9 +33,9 @@ namespace FastPoints.Sampling
             hash = (hash ^ hash >> 32 ^ (ulong)cellZ) * 0x94D049BB133111EBUL;
             hash = (hash ^ hash >> 29) * 0x9E3779B97F4A7C15UL >> 64 - BitsLog2;
             ulong bit = 1UL << (int)(hash & 63);
-            bool isBare = (table[hash >> 6] & bit) == 0;
+            bool wasEmpty = (table[hash >> 6] & bit) == 0;
             table[hash >> 6] |= bit;
-            return isBare;
+            return wasEmpty;
         }
     }
 
@@ -62,7 +62,7 @@ namespace FastPoints.Sampling
         /// <summary>Empty if the points belong to no range.</summary>
         public SampleStrata Strata;
 
-        public EmptyCells Cells;
+        public OccupiedCells Cells;
         public NativeArray<ulong> Table;
 
         /// <summary>May be the points themselves, if they are kept from the first on.</summary>
@@ -144,7 +144,7 @@ namespace FastPoints.Sampling
         public int First;
         public int End;
 
-        public EmptyCells Cells;
+        public OccupiedCells Cells;
 
         /// <summary>Cleared before the first entry.</summary>
         public NativeArray<ulong> Table;

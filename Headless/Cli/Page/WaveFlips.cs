@@ -1,0 +1,50 @@
+using FastPoints.Cli.Preview;
+using FastPoints.Drawing;
+
+namespace FastPoints.Cli.Page;
+
+/// <summary>FLIP of the waves' pictures against a smooth one of the octree, and of that with one sample a pixel: the error of
+/// the pixels alone. Half the size of the picture.</summary>
+sealed record WaveFlips(List<double> OfWave, double Floor)
+{
+    /// <summary>Of the reference, so that memory does not follow the cloud: all of a smaller one, else what the octree has for
+    /// this camera.</summary>
+    const long MaxReferencePoints = 5_000_000;
+
+    public static WaveFlips Measure(string cloud, MeasuredSample taken, PictureOptions options, CliRun run)
+    {
+        run.Progress.Begin("FLIP of the waves");
+        using var folder = CloudFolder.Open(cloud);
+        using var selection = new NodeSelection(folder);
+        var schema = LoadNodes.SchemaFor(folder, options.AttributesToMeasure());
+        var ranges = options.NewRanges(folder.Manifest.Crs.Units);
+        run.RunSteps(LoadNodes.MeasureRanges(folder, selection, schema, options.UpAxis, ranges));
+        int width = Math.Max(1, options.WidthPx / 2), height = Math.Max(1, options.HeightPx / 2);
+        int samples = PictureCanvas.MaxSamplesPerEdge;
+        selection.Choose(options.Camera!.Value.ToStreamView(width * samples, height * samples), MaxReferencePoints);
+        using var all = new PointBatch(schema, selection.CheckedPoints, Allocator.Persistent);
+        run.RunSteps(LoadNodes.Run(folder, selection, all, null));
+
+        RgbaImage Draw(PointBatch points, PositionTransform transform, int samplesPerEdge)
+        {
+            var plan = new PicturePlan(options, ranges, transform);
+            using var canvas = new PictureCanvas(width, height, Allocator.Persistent, samplesPerEdge);
+            run.RunSteps(SamplePicture.ChooseSize(canvas, points, plan, points.Count));
+            run.RunSteps(SamplePicture.DrawAndResolve(canvas, points, plan, options.Background, null));
+            return canvas.ToImage();
+        }
+        var ofAll = folder.Manifest.Grid.FromCorner(folder.Manifest.Root.Corner);
+        var smooth = Draw(all, ofAll, samples);
+        double FlipOf(RgbaImage picture) => FlipMap.Of(picture, smooth).Mean;
+        var flips = new List<double>();
+        foreach (var (wave, points) in taken.Waves)
+        {
+            int count = points.Count;
+            points.Count = wave.Points;
+            flips.Add(FlipOf(Draw(points, taken.Transform, 1)));
+            points.Count = count;
+        }
+        run.Progress.End();
+        return new WaveFlips(flips, FlipOf(Draw(all, ofAll, 1)));
+    }
+}

@@ -1,0 +1,102 @@
+namespace FastPoints.Cli.Verbs;
+
+public sealed class PublishVerb : Verb
+{
+    /// <summary>Files of a server that are asked for: others are served the same way.</summary>
+    const int AskedFiles = 8;
+
+    readonly Argument<string> m_cloud = new("NAME.fastpoints")
+    {
+        Description = "A converted cloud, or the address where it lies already.",
+    };
+
+    public PublishVerb() : base(new Command("publish", "Check that a web server can serve a converted cloud, or does."))
+    {
+        Command.Add(m_cloud);
+    }
+
+    public override IReadOnlyList<(string, string)> Examples =>
+    [
+        ("./fastpoints publish town.fastpoints", "is all there, and what does a server need?"),
+        ("./fastpoints publish https://example.org/town.fastpoints", "does the server do what is needed?"),
+    ];
+
+    public override void Run(ParseResult parsed, CliRun run)
+    {
+        string path = run.Begin([parsed.GetRequiredValue(m_cloud)])[0];
+        var problems = new List<string>();
+        using var cloud = CloudFolder.Open(path);
+        var files = FilesOf(cloud).ToList();
+        long bytes = files.Sum(f => f.Bytes);
+        run.WriteKeys = json =>
+        {
+            json.WriteInteger("files", files.Count);
+            json.WriteInteger("bytes", bytes);
+            json.WriteStartArray("problems");
+            problems.ForEach(json.WriteStringValue);
+            json.WriteEndArray();
+        };
+        if (cloud.IsUnfinished)
+            problems.Add("it is being built: its files will change their names");
+        problems.AddRange(SourcePath.IsRemote(path) ? ProblemsOfServer(files) : ProblemsOfFolder(path, files));
+        problems.ForEach(run.Out.WriteLine);
+        run.Out.WriteLine(SourcePath.WithoutQuery(path) + ": " + Human.Count(files.Count, "file") + ", " + Human.Bytes(bytes)
+            + ", the largest " + Human.Bytes(files.Max(f => f.Bytes)));
+        if (problems.Count > 0)
+            throw new PointCloudException(FailureCode.BadInput, SourcePath.WithoutQuery(path), -1,
+                Human.Count(problems.Count, "problem"));
+        run.Out.WriteLine(SourcePath.IsRemote(path)
+            ? "Ranges, lengths and versions are as they should be: give this address as the path of a cloud."
+            : "Copy the folder as it is to any server that answers ranges and sends the files uncompressed.");
+    }
+
+    static IEnumerable<(string Path, long Bytes)> FilesOf(CloudFolder cloud)
+    {
+        string manifest = SourcePath.Combine(cloud.FolderPath, StoreFormat.ManifestName);
+        yield return (manifest, StoreFile.SizeOf(manifest));
+        yield return (SourcePath.Combine(cloud.FolderPath, cloud.Manifest.HierarchyName), cloud.Manifest.HierarchyBytes);
+        if (cloud.Manifest.UpperBytes > 0)
+            yield return (cloud.UpperPath, cloud.Manifest.UpperBytes);
+        for (int chunk = 0; chunk < cloud.Chunks.Length; chunk++)
+            yield return (cloud.ChunkPath(chunk), cloud.Chunks[chunk].FileBytes);
+    }
+
+    static IEnumerable<string> ProblemsOfFolder(string path, List<(string Path, long Bytes)> files)
+    {
+        foreach (var (file, bytes) in files)
+            if (!File.Exists(file))
+                yield return file + " is missing";
+            else if (StoreFile.SizeOf(file) is var size && size != bytes)
+                yield return file + ": wanted " + Human.Count(bytes) + " bytes, got " + Human.Count(size);
+        foreach (string other in Directory.EnumerateFiles(path, "*", SearchOption.AllDirectories)
+            .Except(files.Select(f => f.Path)).Order(StringComparer.Ordinal))
+            yield return other + " is no part of the cloud";
+    }
+
+    /// <summary>The last bytes of some files: what is wrong with an answer is its failure.</summary>
+    static IEnumerable<string> ProblemsOfServer(List<(string Path, long Bytes)> files)
+    {
+        int step = Math.Max(1, files.Count / AskedFiles);
+        for (int i = 0; i < files.Count; i += step)
+        {
+            var (path, bytes) = files[i];
+            string? problem = null;
+            try
+            {
+                var file = RemoteFile.Open(path);
+                if (file.Length != bytes)
+                    problem = "wanted " + Human.Count(bytes) + " bytes, got " + Human.Count(file.Length);
+                else if (!file.HasVersion)
+                    problem = "has neither ETag nor Last-Modified: what replaces it would be mixed with it";
+                else
+                    file.Read(bytes - 1, new byte[1]);
+            }
+            catch (PointCloudException e)
+            {
+                problem = e.What;
+            }
+            if (problem != null)
+                yield return SourcePath.WithoutQuery(path) + ": " + problem;
+        }
+    }
+}

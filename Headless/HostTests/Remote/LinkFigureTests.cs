@@ -1,0 +1,114 @@
+using FastPoints.Cli.Draw;
+
+namespace FastPoints.HostTests.Remote;
+
+/// <summary>What the page of remote clouds says of time against latency, over nginx without TLS. FASTPOINTS_FIGURES names a file
+/// for the table.</summary>
+[Category("Long")]
+sealed class LinkFigureTests : RemoteFixture
+{
+    const int Repeats = 3, Budget = 1_000_000;
+
+    // Of ca13_d from the south a million points of its five are drawn.
+    const string FromTheSouth = "0 693907 3915200 500 693907 3915870 40", LoneStar = "0 515385 4918310 2350 515385 4918360 2330",
+        Lion = "0 -2 -8 2 -2 4 0";
+
+    static readonly (int RoundTripMs, double Megabits)[] s_links = { (20, 100), (50, 100), (150, 100), (20, 10), (50, 10), (150, 10) };
+
+    NginxServer m_nginx;
+    string m_served;
+
+    [TearDown]
+    public void EndServing() => m_nginx?.Dispose();
+
+    void Begin()
+    {
+        m_served = Scratch["served"];
+        m_nginx = new NginxServer(Directory.CreateDirectory(Scratch["nginx"]).FullName, m_served, "gzip off;");
+        RemoteSettings.Current = new RemoteSettings();
+        RemoteAccess.CacheBytes = 0;
+    }
+
+    [Test]
+    public void Converted_OfAMillionPoints_IsThereInTime()
+    {
+        Begin();
+        Assert.That(CliCall.Of("convert", TestData.PathOrIgnore("data/ca13_d.laz"), "-o", Path.Combine(m_served, "ca13.fastpoints"),
+            "--quiet").Status, Is.Zero);
+        File.WriteAllText(Scratch["path.txt"], FromTheSouth);
+        var camera = CameraPath.Read(Scratch["path.txt"], new double3(0, 0, 1), 45);
+        Compare("ca13.fastpoints", OneRangeANode.OfConverted(m_served, "ca13.fastpoints", camera, Budget), FromTheSouth);
+    }
+
+    [Test]
+    public void Copc_AsItIs_IsThereInTime()
+    {
+        Begin();
+        File.Copy(TestData.SampleOrIgnore("copc/lone-star.copc.laz"), Path.Combine(m_served, "lone-star.copc.laz"));
+        Compare("lone-star.copc.laz", OneRangeANode.OfCopc(m_served, "lone-star.copc.laz"), LoneStar);
+    }
+
+    [TestCase("lone-star-laszip", LoneStar)]
+    [TestCase("lion_takanawa_ept_bin", Lion)]
+    public void Ept_AsItIs_IsThereInTime(string name, string view)
+    {
+        Begin();
+        string from = Path.GetDirectoryName(TestData.SampleOrIgnore($"ept/{name}/ept.json"));
+        foreach (string file in Directory.GetFiles(from, "*", SearchOption.AllDirectories))
+        {
+            string to = Path.Combine(m_served, name, Path.GetRelativePath(from, file));
+            Directory.CreateDirectory(Path.GetDirectoryName(to));
+            File.Copy(file, to);
+        }
+        Compare(name + "/ept.json", OneRangeANode.OfEpt(m_served, name), view);
+    }
+
+    void Compare(string target, OneRangeANode policy, string view)
+    {
+        File.WriteAllText(Scratch["path.txt"], view + "\n");
+        // Compiles all that it takes.
+        JsonElement local = Fly(Path.Combine(m_served, target), 100);
+        long points = local.GetProperty("pointsDrawn").GetInt64() * 95 / 100;
+        Say($"{target}: {local.GetProperty("pointsDrawn")} points in {local.GetProperty("nodesDrawn")} nodes, from disk " +
+            $"{local.GetProperty("secondsTo95").GetDouble():0.00} s, processors {Environment.ProcessorCount}");
+        foreach ((int roundTripMs, double megabits) in s_links)
+        {
+            double least = double.PositiveInfinity, leastPolicy = double.PositiveInfinity;
+            JsonElement best = default;
+            for (int i = 0; i < Repeats; i++)
+            {
+                using (var link = new SlowLink(m_nginx.Port, roundTripMs, megabits))
+                {
+                    StartAnew();
+                    JsonElement json = Fly($"http://127.0.0.1:{link.Port}/{target}", megabits);
+                    Assert.That(link.Connections, Is.LessThanOrEqualTo(6));
+                    if (json.GetProperty("secondsTo95").GetDouble() is var seconds && seconds < least)
+                        (least, best) = (seconds, json);
+                }
+                using (var link = new SlowLink(m_nginx.Port, roundTripMs, megabits))
+                    leastPolicy = Math.Min(leastPolicy, policy.Seconds($"http://127.0.0.1:{link.Port}", points));
+            }
+            long Number(string key) => best.GetProperty(key).GetInt64();
+            Say($"  {roundTripMs,3} ms {megabits,3} Mbit/s: {least:0.00} s, {Number("requests")} requests, {Number("bytesFetched")} bytes, " +
+                $"{100.0 * Number("bytesUnused") / Number("bytesFetched"):0.0} % unused; a range a node {leastPolicy:0.00} s, " +
+                $"{policy.Requests} requests; {least / leastPolicy:0.00} of it");
+            Assert.That(Number("pointsDrawn"), Is.EqualTo(local.GetProperty("pointsDrawn").GetInt64()));
+        }
+    }
+
+    JsonElement Fly(string target, double megabits)
+    {
+        int frames = megabits < 50 ? 900 : 240;
+        var call = CliCall.Of("fly", target, "--frames", frames.ToString(), "--path", Scratch["path.txt"], "--budget", Budget.ToString(),
+            "--fade", "0", "--json", "-", "--quiet");
+        Assert.That(call.Status, Is.EqualTo(ExitStatus.Done), call.Error);
+        return call.Json;
+    }
+
+    static void Say(string line)
+    {
+        TestContext.Out.WriteLine(line);
+        if (Environment.GetEnvironmentVariable("FASTPOINTS_FIGURES") is { } file)
+            File.AppendAllText(file, line + "\n");
+    }
+}
