@@ -87,12 +87,15 @@ sealed class RemoteReaderTests : RemoteFixture
         RemoteSettings.Current.MaxSmallFileBytes = 0;
         RemoteAccess.CacheBytes = 0;
         SampleOf(AddressOf(path), Wanted, out var sample);
-        Assert.That(sample, Has.Count.EqualTo(Wanted));
+        // Where there are few blocks, short ones give less than their share.
+        Assert.That(sample, Has.Count.InRange(Wanted * 9 / 10, Wanted));
         Assert.That(RemoteStatistics.Waits, Is.Zero);
-        Assert.That(Server.Requests.Count, Is.LessThanOrEqualTo(330));
+        Assert.That(Server.Requests.Count, Is.LessThanOrEqualTo(380));
         long length = new FileInfo(path).Length;
-        var begins = Server.Requests.Select(r => r.TryRange(length, out long from, out _) ? from * Parts / length : -1);
-        Assert.That(begins.Distinct(), Is.EquivalentTo(Enumerable.Range(0, Parts)));
+        bool Touches(RangeRequest request, int part) => request.TryRange(length, out long from, out long bytes)
+            && from < (part + 1) * length / Parts && from + bytes > part * length / Parts;
+        foreach (int part in Enumerable.Range(0, Parts))
+            Assert.That(Server.Requests.Any(r => Touches(r, part)), Is.True, "part " + part);
 
         var all = new HashSet<(double, double, double)>();
         using var local = Open(path);

@@ -10,8 +10,8 @@ namespace FastPoints
     // Pieces of remote files, on their way or here. Whoever disposes it has completed the jobs that copy from it.
     internal sealed unsafe class FetchedBytes : IDisposable
     {
-        // A node of an octree of many files mostly comes with opening it.
-        const int WholeHeadBytes = 1 << 20;
+        // A node of an octree of many files mostly comes with opening its file.
+        const int MaxHeadBytes = 1 << 20;
 
         const long MaxWholeBytes = 1L << 28;
 
@@ -22,6 +22,7 @@ namespace FastPoints
             public RemoteFile File;
             public RemoteRead Read;
             public bool IsWhole;
+            public bool IsOpenedHere;
         }
 
         readonly List<Fetch> m_fetches = new List<Fetch>();
@@ -39,9 +40,15 @@ namespace FastPoints
                 if (fetch.File != null)
                     Begin(fetch);
                 else
-                    fetch.Opening = PoolTask.Begin(SourcePath.WithoutQuery(piece.Path), () => RemoteFile.Open(piece.Path,
-                        piece.LengthBytes < 0 ? WholeHeadBytes : RemoteFile.HeadBytes));
+                    fetch.Opening = PoolTask.Begin(SourcePath.WithoutQuery(piece.Path),
+                        () => RemoteFile.Open(piece.Path, HeadBytesFor(piece)));
             }
+        }
+
+        static int HeadBytesFor(FilePiece piece)
+        {
+            long end = piece.LengthBytes < 0 ? MaxHeadBytes : piece.OffsetBytes + piece.LengthBytes;
+            return end > MaxHeadBytes ? RemoteFile.HeadBytes : (int)Math.Max(end, RemoteFile.HeadBytes);
         }
 
         // Of the first piece that failed, once all are done.
@@ -82,6 +89,7 @@ namespace FastPoints
                 try
                 {
                     fetch.File = opening.Take();
+                    fetch.IsOpenedHere = true;
                     Begin(fetch);
                 }
                 catch (PointCloudException failure)
@@ -93,7 +101,8 @@ namespace FastPoints
                 return true;
             if (!fetch.Read.IsDone)
                 return false;
-            if (fetch.IsWhole)
+            // There may be as many files as nodes.
+            if (fetch.IsOpenedHere)
                 fetch.File.DropHead();
             Failure ??= fetch.Read.Failure;
             return true;
