@@ -119,6 +119,21 @@ namespace FastPoints.Export
 
         public override long BytesOfRange(BlockRange range) => (long)range.Count * Info.Schema.BytesPerPoint / 2;
 
+        internal override void ListPieces(BlockRange range, List<FilePiece> pieces)
+        {
+            var place = m_blocks[range.Block];
+            var table = m_tables[place.File];
+            var first = table.Planes[place.Node * table.PlaneCount];
+            var last = table.Planes[(place.Node + 1) * table.PlaneCount - 1];
+            pieces.Add(new FilePiece
+            {
+                Path = m_paths[place.File],
+                Remote = m_folder.RemoteOf(place.File),
+                OffsetBytes = first.OffsetBytes,
+                LengthBytes = last.OffsetBytes + last.LengthBytes - first.OffsetBytes,
+            });
+        }
+
         public override BlockRead CreateRead(PointSchema wanted, int capacity, Allocator allocator) =>
             new StoredRead(this, wanted, capacity, allocator);
 

@@ -63,14 +63,18 @@ namespace FastPoints.Reading
         // Whether its bytes come from a web server: then they are fetched before a slot's Begin, which would wait otherwise.
         internal virtual bool IsRemote => SourcePath.IsRemote(Info.Path);
 
-        // A smaller remote file is soon here, and read like one of this machine's.
-        const long MaxReadWhole = 16 << 20;
-
         // Of a large remote file each range costs a request: samples then have few and long ones.
-        internal bool TakesFewRanges => IsRemote && Info.FileBytes > MaxReadWhole;
+        internal bool TakesFewRanges => IsRemote && Info.FileBytes > RemoteSettings.Current.MaxSmallFileBytes;
 
         // Adds what reading a range takes of remote files; a piece of negative length is its whole file.
         internal virtual void ListPieces(BlockRange range, List<FilePiece> pieces) { }
+
+        internal FetchedBytes Fetch(BlockRange range, int rank)
+        {
+            var pieces = new List<FilePiece>();
+            ListPieces(range, pieces);
+            return new FetchedBytes(pieces, rank);
+        }
 
         // The ranges from first to before end, fetched ahead; null for local files.
         internal ReadAhead AheadOf(int first, int end, Func<int, BlockRange> rangeOf) =>

@@ -35,7 +35,8 @@ namespace FastPoints.Sampling
         public PrefixPlan(PointReader reader, int wanted, uint seed)
         {
             m_reader = reader;
-            m_pointsPerBlock = reader.TakesFewRanges ? Math.Max(MinPoints, (wanted + RemoteBlocks - 1) / RemoteBlocks) : 0;
+            int blocks = reader.BlockCount > 0 ? Math.Min(RemoteBlocks, reader.BlockCount) : RemoteBlocks;
+            m_pointsPerBlock = reader.TakesFewRanges ? Math.Max(MinPoints, (wanted + blocks - 1) / blocks) : 0;
             m_order = new SampleOrder(Math.Max(1, reader.BlockCount), seed);
             if (reader.Tree == null)
                 return;

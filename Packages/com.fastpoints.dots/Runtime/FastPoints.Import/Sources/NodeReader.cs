@@ -11,6 +11,11 @@ namespace FastPoints.Sources
     // becomes several blocks; the tree then has an entry for each, with the same cell.
     internal abstract class NodeReader : PointReader, IOctreeSource
     {
+        // Of a remote file whose length only reading it tells.
+        internal const long UnknownBytes = -2;
+
+        const int GuessedBytesPerPoint = 8;
+
         readonly List<NodeBlock> m_blocks = new List<NodeBlock>();
         readonly HashSet<int> m_reportedBlocks = new HashSet<int>();
         readonly Dictionary<int4, long> m_endOfNode = new Dictionary<int4, long>();
@@ -64,6 +69,10 @@ namespace FastPoints.Sources
 
         internal NodeBlock Block(int block) => (uint)block < (uint)m_blocks.Count ? m_blocks[block]
             : throw new ArgumentOutOfRangeException(nameof(block), block, "the source has " + m_blocks.Count + " blocks");
+
+        // An estimate before a remote file is read whole.
+        internal static long BytesOf(in NodeBlock block) =>
+            block.Bytes < 0 ? block.NodePoints * GuessedBytesPerPoint : block.Bytes;
 
         internal SourceNode NodeOf(int block) => m_tree[m_blocks[block].Node];
 
@@ -121,7 +130,7 @@ namespace FastPoints.Sources
         public long NodePoints;
         public long Offset;
 
-        // Negative for a remote file whose length only reading it tells.
+        // Or NodeReader.UnknownBytes.
         public long Bytes;
     }
 

@@ -23,6 +23,9 @@ namespace FastPoints
     internal struct FilePiece
     {
         public string Path;
+
+        // Of a remote one, if it is known.
+        public RemoteFile Remote;
         public long OffsetBytes;
         public long LengthBytes;
     }

@@ -17,6 +17,7 @@ namespace FastPoints.Picking
         PickHit m_hit;
         NodeTranscoder m_transcoder;
         bool m_isTranscoding;
+        JobHandle m_done;
 
         sealed class Plane
         {
@@ -42,22 +43,21 @@ namespace FastPoints.Picking
         }
 
         // To await before the next call.
-        public JobHandle Done { get; private set; }
+        public JobHandle Done => m_isTranscoding ? m_transcoder.Done : m_done;
 
-        public bool IsNear => m_planes.TrueForAll(plane => plane.Read.IsNear);
+        public bool IsNear => m_isTranscoding ? m_transcoder.IsNear : m_planes.TrueForAll(plane => plane.Read.IsNear);
 
         NodeSource Source => m_cloud.Source;
 
         public unsafe void Begin(in PickHit hit)
         {
             m_hit = hit;
-            Done = default;
+            m_done = default;
             if (Source.TranscodesNodes)
             {
                 m_transcoder ??= Source.CreateFullTranscoder();
                 m_transcoder.Begin(m_cloud.Pages[hit.Page], hit.Node);
                 m_isTranscoding = true;
-                Done = m_transcoder.Done;
                 return;
             }
             foreach (var plane in m_planes)
@@ -83,7 +83,7 @@ namespace FastPoints.Picking
                 return;
             m_isTranscoding = false;
             m_transcoder.EndOrThrow();
-            Done = default;
+            m_done = default;
             foreach (var plane in m_planes)
                 Schedule(plane, m_transcoder.PlaneOf(plane.Number), 0, default);
         }
@@ -117,7 +117,10 @@ namespace FastPoints.Picking
             foreach (var plane in m_planes)
                 plane.Read.Abandon();
             if (m_isTranscoding)
+            {
+                m_transcoder.Cancel();
                 m_transcoder.End(out _);
+            }
             m_isTranscoding = false;
         }
 
@@ -135,7 +138,7 @@ namespace FastPoints.Picking
         }
 
         unsafe void Schedule(Plane plane, NativeArray<byte> bytes, ulong hash, JobHandle inputDeps) =>
-            Done = JobHandle.CombineDependencies(Done, new ReadPointJob
+            m_done = JobHandle.CombineDependencies(Done, new ReadPointJob
             {
                 Plane = bytes,
                 Shape = plane.Layout.Shape,

@@ -23,16 +23,21 @@ namespace FastPoints.Picking
         bool m_isTranscoding;
         PickNodeJob m_job; // Of the node that is transcoded.
         int m_classPlane;
+        JobHandle m_done;
 
         public PickSlot(StreamedCloud cloud) => m_cloud = cloud;
 
         // To await before the next call.
-        public JobHandle Done { get; private set; }
+        public JobHandle Done
+        {
+            get => m_isTranscoding ? m_transcoder.Done : m_done;
+            private set => m_done = value;
+        }
 
         NodeSource Source => m_cloud.Source;
 
         // Whether what Done leads to may be used: what is on a web server comes by itself.
-        public bool IsNear => m_first.IsNear && m_classes.IsNear;
+        public bool IsNear => m_first.IsNear && m_classes.IsNear && (!m_isTranscoding || m_transcoder.IsNear);
 
         // Bytes of the last read.
         public long Bytes { get; private set; }
@@ -190,7 +195,6 @@ namespace FastPoints.Picking
             m_transcoder.Begin(m_cloud.Pages[m_candidate.Page], m_candidate.Node);
             m_isTranscoding = true;
             Bytes = m_transcoder.BytesRead;
-            Done = m_transcoder.Done;
         }
 
         void SearchTranscoded()
@@ -205,7 +209,10 @@ namespace FastPoints.Picking
         void ReturnTranscoder()
         {
             if (m_isTranscoding)
+            {
+                m_transcoder.Cancel();
                 m_transcoder.End(out _);
+            }
             m_isTranscoding = false;
             if (m_transcoder != null)
                 Source.ReturnTranscoder(m_transcoder);

@@ -33,7 +33,6 @@ namespace FastPoints.Sources
 
         // Of a remote node, whose file is not looked up.
         const long MaxRemotePoints = 1 << 22;
-        const long UnknownBytes = -2;
 
         // Looked up together: adding them takes far less than a millisecond of the main thread.
         const int StepNodes = 256;
@@ -159,7 +158,7 @@ namespace FastPoints.Sources
             if (SourcePath.IsRemote(path))
             {
                 foreach (var entry in step)
-                    Add(entry, UnknownBytes, path);
+                    Add(entry, NodeReader.UnknownBytes, path);
                 return NoWork();
             }
             var files = new string[step.Count];
@@ -212,7 +211,7 @@ namespace FastPoints.Sources
                 return;
             }
             string path = m_reader.PathOf(entry.Level, entry.Cell);
-            if (bytes == UnknownBytes)
+            if (bytes == NodeReader.UnknownBytes)
             {
                 AddRemote(entry, path);
                 return;
@@ -243,7 +242,7 @@ namespace FastPoints.Sources
             if (points < entry.Points)
                 m_reader.Warnings.Add("has too many points for a remote file", entry.Name, "wanted at most "
                     + NumberText.Of(MaxRemotePoints) + ", got " + NumberText.Of(entry.Points), -1, path);
-            m_reader.Add(entry, points, UnknownBytes);
+            m_reader.Add(entry, points, NodeReader.UnknownBytes);
         }
 
         long MaxPoints(long bytes)

@@ -18,9 +18,6 @@ namespace FastPoints.Sources
         const int MaxBlockPoints = 1 << 20;
         const int MaxBlockBytes = 32 << 20;
 
-        // Of a compressed remote node before it is here.
-        const int GuessedBytesPerPoint = 8;
-
         readonly EptHierarchy m_hierarchy;
         readonly int m_blockPoints;
 
@@ -95,9 +92,8 @@ namespace FastPoints.Sources
             if (HasFixedStride)
                 return (long)range.Count * Index.RecordBytes;
             var block = Block(range.Block);
-            long bytes = block.Bytes < 0 ? block.NodePoints * GuessedBytesPerPoint : block.Bytes;
             double share = Index.DataType == EptDataType.Laszip ? block.NodePoints : block.FirstInNode + range.First + range.Count;
-            return (long)(bytes * Math.Min(1, share / block.NodePoints));
+            return (long)(BytesOf(block) * Math.Min(1, share / block.NodePoints));
         }
 
         public override IEnumerator<JobStep> FindBelow(int4 node, int levels) => m_hierarchy.Read(node, Math.Max(1, levels));

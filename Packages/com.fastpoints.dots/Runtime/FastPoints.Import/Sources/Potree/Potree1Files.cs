@@ -44,9 +44,9 @@ namespace FastPoints.Sources
                 + extension + " or r.hrc in \"" + index.OctreeFolder + "\" or in a folder beside this file");
         }
 
-        public string PathOf(int level, int3 cell) => PathWithoutExtension(level, cell) + m_extension;
+        public string PathOf(int level, int3 cell) => PathOf(level, cell, m_extension);
 
-        public string HierarchyPathOf(int level, int3 cell) => PathWithoutExtension(level, cell) + ".hrc";
+        public string HierarchyPathOf(int level, int3 cell) => PathOf(level, cell, ".hrc");
 
         public string AnyNode()
         {
@@ -65,13 +65,13 @@ namespace FastPoints.Sources
             throw new PointCloudException(FailureCode.NotFound, root, -1, "no such file, and no other node beside it");
         }
 
-        string PathWithoutExtension(int level, int3 cell)
+        string PathOf(int level, int3 cell, string extension)
         {
             string name = PotreeNames.NameOf(level, cell);
             string folder = m_folder;
             for (int at = 0; !m_isFlat && at + m_stepSize <= level; at += m_stepSize)
                 folder = SourcePath.Combine(folder, name.Substring(1 + at, m_stepSize));
-            return SourcePath.Combine(folder, name);
+            return SourcePath.Combine(folder, name + extension);
         }
 
         static bool TryAt(string folder, out string at)

@@ -257,10 +257,18 @@ namespace FastPoints.Sources
         Func<Potree1Node[]> FileLookup(Potree1Node[] nodes)
         {
             bool isLas = m_layout == null;
+            long recordBytes = m_layout?.RecordBytes ?? 0;
             return () =>
             {
                 for (int i = 0; i < nodes.Length; i++)
                 {
+                    // To ask for each would take as many requests as to read all. Claims of 0 are false often enough.
+                    if (nodes[i].Claimed > 0 && SourcePath.IsRemote(nodes[i].Path))
+                    {
+                        nodes[i].PointsOfLas = Math.Min(nodes[i].Claimed, MaxNodePoints);
+                        nodes[i].Bytes = isLas ? UnknownBytes : nodes[i].Claimed * recordBytes;
+                        continue;
+                    }
                     nodes[i].Bytes = RandomAccessFile.LengthOf(nodes[i].Path);
                     if (isLas && nodes[i].Bytes > 0)
                         CountLas(ref nodes[i]);
@@ -281,7 +289,7 @@ namespace FastPoints.Sources
             string name = PotreeNames.NameOf(node.Level, node.Cell);
             long points = 0;
             PointsClaimed += node.Claimed;
-            if (node.Bytes < 0 && node.Claimed > 0)
+            if (node.Bytes == RandomAccessFile.NoSuchFile && node.Claimed > 0)
                 Warnings.Add("its file is missing: its points are left out", name, "wanted " + NumberText.Of(node.Claimed), -1,
                     node.Path);
             if (node.Problem != null)
@@ -296,6 +304,8 @@ namespace FastPoints.Sources
                         "wanted " + NumberText.Of(node.Claimed) + " points, got " + NumberText.Of(points) + (m_layout == null ? ""
                             : " and " + NumberText.Of(node.Bytes % m_layout.RecordBytes) + " bytes"), -1, node.Path);
             }
+            if (node.Bytes == UnknownBytes)
+                points = node.PointsOfLas;
             AddNode(node.Level, node.Cell, points, 0, node.Bytes, m_layout?.RecordBytes ?? 0);
         }
 

@@ -47,7 +47,7 @@ namespace FastPoints.Sources
         {
             var block = Block(range.Block);
             long points = HasFixedStride ? range.Count : range.First + range.Count;
-            return (long)(block.Bytes * (points / (double)Math.Max(1, block.Points)));
+            return (long)(BytesOf(block) * (points / (double)Math.Max(1, block.Points)));
         }
 
         private protected UnreadPages Pages { get; } = new UnreadPages(MaxLevels + 1);

@@ -31,6 +31,9 @@ namespace FastPoints.Sources
         JobHandle m_done;
         PointCloudException m_refused;
         SourceNode m_node;
+
+        // Of a remote source, until it is decoded.
+        FetchedBytes m_fetched;
         TranscoderChain m_chain;
         int m_pointsInChain;
 
@@ -64,7 +67,7 @@ namespace FastPoints.Sources
         }
 
         public override JobHandle Done => m_done;
-        public override long BytesRead => m_reader.BytesOfRange(new BlockRange(m_node.Block, 0, m_node.PointCount));
+        public override long BytesRead => m_reader.BytesOfRange(Range);
         public override NativeArray<byte> Planes => m_packed;
 
         public override long LengthOf(int plane) => m_lengthOfPlane[plane];
@@ -73,12 +76,46 @@ namespace FastPoints.Sources
         {
             m_node = m_reader.Tree[(int)page.Planes[node * m_planesOfPage].OffsetBytes];
             m_refused = null;
+            m_done = default;
+            // Upper levels first.
+            m_fetched = m_reader.IsRemote ? m_reader.Fetch(Range, m_node.Level) : null;
+            if (m_fetched == null)
+                Decode();
+        }
+
+        BlockRange Range => new BlockRange(m_node.Block, 0, m_node.PointCount);
+
+        internal override bool IsNear
+        {
+            get
+            {
+                if (m_fetched == null)
+                    return true;
+                if (m_fetched.IsDone)
+                    Decode();
+                return m_fetched == null;
+            }
+        }
+
+        internal override void Cancel()
+        {
+            if (m_fetched == null)
+                return;
+            m_fetched.Dispose();
+            m_fetched = null;
+            m_refused = new PointCloudException(FailureCode.ReadFailed, m_reader.Info.Path, -1, "is no longer wanted");
+        }
+
+        void Decode()
+        {
             try
             {
                 if (m_node.PointCount > m_capacity)
                     Reserve(m_node.PointCount);
                 m_read.Dependency = m_chain?.End ?? default;
-                m_read.Begin(new BlockRange(m_node.Block, 0, m_node.PointCount));
+                m_read.Fetched = m_fetched;
+                m_fetched = null;
+                m_read.Begin(Range);
                 m_done = Schedule(m_read.Decoded);
                 if (m_chain != null)
                     m_chain.End = m_done;
@@ -87,12 +124,17 @@ namespace FastPoints.Sources
             {
                 m_refused = refused;
                 m_done = default;
+                m_fetched?.Dispose();
+                m_fetched = null;
             }
         }
 
         internal override TranscodeResult End(out StreamFailure failure)
         {
             failure = default;
+            // Who has not waited until it is near waits here.
+            if (m_fetched != null)
+                Decode();
             m_done.Complete();
             m_done = default;
             try
@@ -119,6 +161,7 @@ namespace FastPoints.Sources
 
         public override void Dispose()
         {
+            Cancel();
             m_done.Complete();
             m_done = default;
             FreeBuffers();

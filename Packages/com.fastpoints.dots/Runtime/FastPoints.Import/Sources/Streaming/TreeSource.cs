@@ -52,7 +52,8 @@ namespace FastPoints.Sources
             m_chains = new TranscoderChain[Math.Max(1, JobsUtility.JobWorkerCount)];
             for (int i = 0; i < m_chains.Length; i++)
                 m_chains[i] = new TranscoderChain();
-            m_maxPoints = Math.Min(MaxPoints, (long)PointsPerWorker * m_chains.Length);
+            // What is on its way from a server occupies no worker.
+            m_maxPoints = reader.IsRemote ? MaxPoints : Math.Min(MaxPoints, (long)PointsPerWorker * m_chains.Length);
             Layout = TreePlanes.LayoutOf(reader.Info.Schema);
             m_planes = new TreePlanes(reader.Info.Schema, Layout, planes);
             m_shapes = Layout.CreateShapes(Allocator.Persistent);
@@ -60,7 +61,7 @@ namespace FastPoints.Sources
 
         public PointReader Reader { get; }
 
-        public override string Path => Reader.Info.Path;
+        public override string Path => SourcePath.WithoutQuery(Reader.Info.Path);
         public override bool HasAllPoints => !(Reader is SampleReader sample) || sample.IsWhole;
         public override CloudGrid Grid => Grids.Grid;
         public override GridCube Root => Grids.Root;
@@ -156,7 +157,7 @@ namespace FastPoints.Sources
                 yield break;
             try
             {
-                string path = Path;
+                string path = Reader.Info.Path;
                 if (reader == null)
                     yield return JobStep.Of(PoolTask.Run(path, () => PointReaders.Open(path), other => reader = other,
                         other => other.DisposeUnread()));

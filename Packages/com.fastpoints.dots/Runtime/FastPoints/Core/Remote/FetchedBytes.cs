@@ -10,8 +10,8 @@ namespace FastPoints
     // Pieces of remote files, on their way or here. Whoever disposes it has completed the jobs that copy from it.
     internal sealed unsafe class FetchedBytes : IDisposable
     {
-        // A node of an octree of many files mostly comes with opening it.
-        const int WholeHeadBytes = 1 << 20;
+        // A node of an octree of many files mostly comes with opening its file.
+        const int MaxHeadBytes = 1 << 20;
 
         const long MaxWholeBytes = 1L << 28;
 
@@ -22,6 +22,7 @@ namespace FastPoints
             public RemoteFile File;
             public RemoteRead Read;
             public bool IsWhole;
+            public bool IsOpenedHere;
         }
 
         readonly List<Fetch> m_fetches = new List<Fetch>();
@@ -33,18 +34,22 @@ namespace FastPoints
             m_rank = rank;
             foreach (var piece in pieces)
             {
-                var fetch = new Fetch { Piece = piece, IsWhole = piece.LengthBytes < 0, File = RemoteFile.Find(piece.Path) };
+                var file = piece.Remote ?? RemoteFile.Find(piece.Path);
+                var fetch = new Fetch { Piece = piece, IsWhole = piece.LengthBytes < 0, File = file };
                 m_fetches.Add(fetch);
                 if (fetch.File != null)
                     Begin(fetch);
                 else
-                    fetch.Opening = PoolTask.Begin(SourcePath.WithoutQuery(piece.Path), () => RemoteFile.Open(piece.Path,
-                        piece.LengthBytes < 0 ? WholeHeadBytes : RemoteFile.HeadBytes));
+                    fetch.Opening = PoolTask.Begin(SourcePath.WithoutQuery(piece.Path),
+                        () => RemoteFile.Open(piece.Path, HeadBytesFor(piece)));
             }
         }
 
-        public static FetchedBytes Of(string path, long offset, long bytes) => new FetchedBytes(
-            new List<FilePiece> { new FilePiece { Path = path, OffsetBytes = offset, LengthBytes = bytes } }, 0);
+        static int HeadBytesFor(FilePiece piece)
+        {
+            long end = piece.LengthBytes < 0 ? MaxHeadBytes : piece.OffsetBytes + piece.LengthBytes;
+            return end > MaxHeadBytes ? RemoteFile.HeadBytes : (int)Math.Max(end, RemoteFile.HeadBytes);
+        }
 
         // Of the first piece that failed, once all are done.
         public PointCloudException Failure { get; private set; }
@@ -84,6 +89,7 @@ namespace FastPoints
                 try
                 {
                     fetch.File = opening.Take();
+                    fetch.IsOpenedHere = true;
                     Begin(fetch);
                 }
                 catch (PointCloudException failure)
@@ -95,7 +101,8 @@ namespace FastPoints
                 return true;
             if (!fetch.Read.IsDone)
                 return false;
-            if (fetch.IsWhole)
+            // There may be as many files as nodes.
+            if (fetch.IsOpenedHere)
                 fetch.File.DropHead();
             Failure ??= fetch.Read.Failure;
             return true;
@@ -113,37 +120,30 @@ namespace FastPoints
                 fetch.Read = fetch.File.Begin(fetch.Piece.OffsetBytes, fetch.Piece.LengthBytes, m_rank);
         }
 
-        // Schedules jobs that copy what a command wants. False, without any, if not all of it is here.
+        // Schedules jobs that copy what a command wants. False if not all of it is here.
         public bool TryCopy(string path, in ReadCommand command, ref JobHandle copied)
         {
-            long covered = 0;
-            foreach (var fetch in m_fetches)
-                covered += OverlapOf(fetch, path, command, out _);
-            if (covered != command.Size)
-                return false;
-            foreach (var fetch in m_fetches)
+            long end = command.Offset + command.Size;
+            for (long at = command.Offset; at < end;)
             {
-                long bytes = OverlapOf(fetch, path, command, out long first);
-                if (bytes <= 0)
-                    continue;
+                var fetch = FindFetched(path, at);
+                if (fetch == null)
+                    return false;
+                long first = at - fetch.Piece.OffsetBytes, bytes = Math.Min(end - at, fetch.Piece.LengthBytes - first);
                 copied = JobHandle.CombineDependencies(copied, new CopyFetchedJob
                 {
-                    From = fetch.Read.Data + (first - fetch.Piece.OffsetBytes),
-                    To = (byte*)command.Buffer + (first - command.Offset),
+                    From = fetch.Read.Data + first,
+                    To = (byte*)command.Buffer + (at - command.Offset),
                     Bytes = bytes,
                 }.Schedule());
+                at += bytes;
             }
             return true;
         }
 
-        static long OverlapOf(Fetch fetch, string path, in ReadCommand command, out long first)
-        {
-            first = Math.Max(fetch.Piece.OffsetBytes, command.Offset);
-            if (fetch.Read == null || !fetch.Read.IsDone || fetch.Read.Failure != null || fetch.Piece.Path != path)
-                return 0;
-            long end = Math.Min(fetch.Piece.OffsetBytes + fetch.Piece.LengthBytes, command.Offset + command.Size);
-            return Math.Max(0, end - first);
-        }
+        Fetch FindFetched(string path, long offset) => m_fetches.Find(fetch => fetch.Piece.Path == path
+            && fetch.Piece.OffsetBytes <= offset && offset < fetch.Piece.OffsetBytes + fetch.Piece.LengthBytes
+            && fetch.Read != null && fetch.Read.IsDone && fetch.Read.Failure == null);
 
         // Cancels what has not come.
         public void Dispose()

@@ -15,6 +15,9 @@ namespace FastPoints
     {
         public const int HeadBytes = 64 << 10;
 
+        // Many files may be opened at once: to wait for a connection must not look like a slow server.
+        static readonly SemaphoreSlim s_opening = new SemaphoreSlim(new RemoteSettings().MaxConnections);
+
         // The one that was opened last, by address.
         static readonly Dictionary<string, RemoteFile> s_opened = new Dictionary<string, RemoteFile>();
 
@@ -222,12 +225,17 @@ namespace FastPoints
             RemoteIdentity identity;
             try
             {
+                await s_opening.WaitAsync().ConfigureAwait(false);
                 (identity, head) = await Retry(target, known != null, () => ReadHead(target, known, head, headBytes))
                     .ConfigureAwait(false);
             }
             catch (RemoteFault e) when (e.IsUnreachable && known != null)
             {
                 identity = known;
+            }
+            finally
+            {
+                s_opening.Release();
             }
             lock (s_opened)
             {

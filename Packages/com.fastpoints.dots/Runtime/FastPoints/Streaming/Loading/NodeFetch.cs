@@ -129,6 +129,8 @@ namespace FastPoints.Streaming
                 m_remote.Cancel();
             else if (Phase == FetchPhase.Reading && !IsCancelled)
                 m_read.Cancel();
+            else if (Phase == FetchPhase.Transcoding)
+                m_transcoder.Cancel();
             IsCancelled = true;
         }
 
@@ -166,7 +168,7 @@ namespace FastPoints.Streaming
             outcome = default;
             failure = default;
             bytes = 0;
-            if (!JobCoroutine.HasEnded(m_transcoder.Done))
+            if (!m_transcoder.IsNear || !JobCoroutine.HasEnded(m_transcoder.Done))
                 return false;
             outcome = m_transcoder.End(out failure);
             bytes = m_transcoder.BytesRead;
@@ -253,6 +255,7 @@ namespace FastPoints.Streaming
             }
             else if (Phase == FetchPhase.Transcoding)
             {
+                m_transcoder.Cancel();
                 m_transcoder.End(out _);
             }
             End();

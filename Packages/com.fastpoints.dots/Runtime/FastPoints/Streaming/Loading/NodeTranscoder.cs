@@ -21,6 +21,12 @@ namespace FastPoints.Streaming
         /// <summary>Begins a node; the one before must have ended.</summary>
         public abstract void Begin(in HierarchyPage page, int node);
 
+        // Whether Done is that of all jobs: of a remote source they begin when its bytes are here, which is seen here.
+        internal virtual bool IsNear => true;
+
+        // What has not come need not come any more.
+        internal virtual void Cancel() { }
+
         internal abstract TranscodeResult End(out StreamFailure failure);
 
         /// <summary>Ends a node whose work is done, or throws a <see cref="PointCloudException"/>.</summary>
