@@ -10,7 +10,7 @@ namespace FastPoints.Store
     /// Everything is checked before it is used.</summary>
     public sealed unsafe class CloudFolder : IDisposable
     {
-        const int TablesAhead = 32;
+        const int MaxTableFetches = 32;
 
         CloudFolder(string path, CloudManifest manifest)
         {
@@ -156,7 +156,7 @@ namespace FastPoints.Store
         // For callers that load all tables in this order.
         internal void FetchTablesFrom(int chunk)
         {
-            for (int c = chunk; m_remote != null && c < Math.Min(chunk + TablesAhead, Chunks.Length); c++)
+            for (int c = chunk; m_remote != null && c < Math.Min(chunk + MaxTableFetches, Chunks.Length); c++)
                 IsTableNear(c);
         }
 
