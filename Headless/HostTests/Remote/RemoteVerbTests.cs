@@ -8,7 +8,7 @@ sealed class RemoteVerbTests : RemoteFixture
     static readonly string[] s_volatile =
     [
         "seconds", "stages", "peakResidentBytes", "inputs", "input", "requests", "bytesFetched", "bytesUnused", "cacheHits", "waves",
-        "sliceMs", "temporaryBytesPeak", "pointsPerSecond",
+        "sliceMs", "temporaryBytesPeak", "pointsPerSecond", "bytesRead",
     ];
 
     [SetUp]
@@ -37,7 +37,7 @@ sealed class RemoteVerbTests : RemoteFixture
 
     void AssertSame(CliCall remote, CliCall local)
     {
-        Assert.That(Lasting(remote.Json), Is.EqualTo(Lasting(local.Json)));
+        Assert.That(Lasting(remote.Json).Select(v => v.Replace(Server.Address, Scratch["served"])), Is.EqualTo(Lasting(local.Json)));
         Assert.That(remote.Json.GetProperty("requests").GetInt64(), Is.EqualTo(Server.Requests.Count));
         Assert.That(remote.Json.GetProperty("bytesFetched").GetInt64(), Is.Positive);
         Assert.That(remote.Json.GetProperty("inputs")[0].GetString(), Does.StartWith("http://127.0.0.1:"));
@@ -83,21 +83,6 @@ sealed class RemoteVerbTests : RemoteFixture
             Assert.That(File.ReadAllBytes(Path.Combine(there, Path.GetRelativePath(here, file))),
                 Is.EqualTo(File.ReadAllBytes(file)), file);
         Assert.That(Call("verify", there, "--against", Server.Of(name) + Secret).Json.GetProperty("ok").GetBoolean(), Is.True);
-    }
-
-    [Test]
-    public void Convert_OfAFileThatChanged_BeginsAnew()
-    {
-        string path = Scratch.Demo("served/scan.las", 60_000), cloud = Scratch["scan.fastpoints"];
-        ulong IdentityOf()
-        {
-            using var reader = PointReaders.Open(Server.Of("scan.las"));
-            return (ulong)(RemoteFile.Find(reader.Info.Path)?.Identity ?? "").GetHashCode();
-        }
-        ulong before = IdentityOf();
-        File.SetLastWriteTimeUtc(path, DateTime.UtcNow.AddMinutes(1));
-        RemoteSettings.Current.ConfirmedMs = 0;
-        Assert.That(IdentityOf(), Is.Not.EqualTo(before));
     }
 
     [TestCase("scan.laz", "there.ply")]
