@@ -83,6 +83,12 @@ install_cross() {
     echo "npm's packages (see Headless/WebGpu) cannot be had, shaders are not compiled for WebGPU" >&2
 }
 
+# A web server as there are many, for clouds that are read from one.
+install_nginx() {
+  [ -x /usr/sbin/nginx ] || command -v nginx >/dev/null 2>&1 || apt_install nginx-light ||
+    echo "no nginx here, clouds are not read from one; with root: apt-get install nginx-light" >&2
+}
+
 # What reads COPC in browsers.
 install_copcjs() {
   mkdir -p Headless/artifacts/copcjs && cp Headless/CopcJs/* Headless/artifacts/copcjs &&

@@ -267,6 +267,36 @@ public sealed class InspectorTests
     }
 
     [Test]
+    public void Menu_CopiedLink_MakesACloudOfIt()
+    {
+        MethodInfo Item(bool isCheck) => typeof(SceneMenu).GetMethods(BindingFlags.Static | BindingFlags.NonPublic).Single(m =>
+            m.GetCustomAttribute<MenuItem>() is { menuItem: "GameObject/Point Cloud/Cloud of Copied Link" } item &&
+            item.validate == isCheck);
+        string before = GUIUtility.systemCopyBuffer;
+        try
+        {
+            GUIUtility.systemCopyBuffer = "C:/town.fastpoints";
+            Assert.That(Item(true).Invoke(null, null), Is.False);
+            GUIUtility.systemCopyBuffer = " https://127.0.0.1:1/old%20town.fastpoints?sig=x\n";
+            Assert.That(Item(true).Invoke(null, null), Is.True);
+            Item(false).Invoke(null, [new MenuCommand(null)]);
+            var made = (GameObject)Selection.activeObject;
+            Assert.That(made.name, Is.EqualTo("old town.fastpoints"));
+            var cloud = made.GetComponent<FastPoints.Entities.PointCloud>();
+            Assert.That(cloud.Path, Is.EqualTo("https://127.0.0.1:1/old%20town.fastpoints?sig=x"));
+            Assert.That(PointCloudEditor.RemoteNote(cloud), Does.StartWith("Remote: read from https://127.0.0.1:1/old%20town.fastpoints,"));
+            cloud.Path = "town.fastpoints";
+            Assert.That(PointCloudEditor.RemoteNote(cloud), Is.Null);
+            Object.DestroyImmediate(made);
+        }
+        finally
+        {
+            GUIUtility.systemCopyBuffer = before;
+            Undo.Clear();
+        }
+    }
+
+    [Test]
     public void Menu_OfGameObjects_AddsUnderTheSelectionWithUndo()
     {
         var parent = new GameObject("parent");

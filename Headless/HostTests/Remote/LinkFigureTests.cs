@@ -2,18 +2,21 @@ using FastPoints.Cli.Draw;
 
 namespace FastPoints.HostTests.Remote;
 
-/// <summary>What the page of remote clouds says of time against latency, over nginx without TLS. FASTPOINTS_FIGURES names a file
-/// for the table.</summary>
+/// <summary>Time against latency, over nginx without TLS. FASTPOINTS_FIGURES names a file for the table; then each is the best of
+/// three. Built for Release they are the figures of the page of remote clouds.</summary>
 [Category("Long")]
 sealed class LinkFigureTests : RemoteFixture
 {
-    const int Repeats = 3, Budget = 1_000_000;
+    const int Budget = 1_000_000;
 
     // Of ca13_d from the south a million points of its five are drawn.
     const string FromTheSouth = "0 693907 3915200 500 693907 3915870 40", LoneStar = "0 515385 4918310 2350 515385 4918360 2330",
         Lion = "0 -2 -8 2 -2 4 0";
 
     static readonly (int RoundTripMs, double Megabits)[] s_links = { (20, 100), (50, 100), (150, 100), (20, 10), (50, 10), (150, 10) };
+
+    static readonly string s_table = Environment.GetEnvironmentVariable("FASTPOINTS_FIGURES");
+    static readonly int s_repeats = s_table == null ? 1 : 3;
 
     NginxServer m_nginx;
     string m_served;
@@ -26,7 +29,6 @@ sealed class LinkFigureTests : RemoteFixture
         m_served = Scratch["served"];
         m_nginx = new NginxServer(Directory.CreateDirectory(Scratch["nginx"]).FullName, m_served, "gzip off;");
         RemoteSettings.Current = new RemoteSettings();
-        RemoteAccess.CacheBytes = 0;
     }
 
     [Test]
@@ -75,10 +77,11 @@ sealed class LinkFigureTests : RemoteFixture
         {
             double least = double.PositiveInfinity, leastPolicy = double.PositiveInfinity;
             JsonElement best = default;
-            for (int i = 0; i < Repeats; i++)
+            for (int i = 0; i < s_repeats; i++)
             {
                 using (var link = new SlowLink(m_nginx.Port, roundTripMs, megabits))
                 {
+                    RemoteAccess.CacheFolder = Scratch["cache" + Guid.NewGuid()];
                     StartAnew();
                     JsonElement json = Fly($"http://127.0.0.1:{link.Port}/{target}", megabits);
                     Assert.That(link.Connections, Is.LessThanOrEqualTo(6));
@@ -92,7 +95,7 @@ sealed class LinkFigureTests : RemoteFixture
             Say($"  {roundTripMs,3} ms {megabits,3} Mbit/s: {least:0.00} s, {Number("requests")} requests, {Number("bytesFetched")} bytes, " +
                 $"{100.0 * Number("bytesUnused") / Number("bytesFetched"):0.0} % unused; a range a node {leastPolicy:0.00} s, " +
                 $"{policy.Requests} requests; {least / leastPolicy:0.00} of it");
-            Assert.That(Number("pointsDrawn"), Is.EqualTo(local.GetProperty("pointsDrawn").GetInt64()));
+            Assert.That(Number("pointsDrawn"), Is.EqualTo(local.GetProperty("pointsDrawn").GetInt64()).Within(1).Percent);
         }
     }
 
@@ -108,7 +111,7 @@ sealed class LinkFigureTests : RemoteFixture
     static void Say(string line)
     {
         TestContext.Out.WriteLine(line);
-        if (Environment.GetEnvironmentVariable("FASTPOINTS_FIGURES") is { } file)
-            File.AppendAllText(file, line + "\n");
+        if (s_table != null)
+            File.AppendAllText(s_table, line + "\n");
     }
 }

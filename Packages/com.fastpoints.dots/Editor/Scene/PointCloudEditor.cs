@@ -35,11 +35,18 @@ namespace FastPoints.Editor
             serializedObject.Update();
             DrawPropertiesExcluding(serializedObject, "m_Script", "m_hiddenClasses");
             serializedObject.ApplyModifiedProperties();
+            if (RemoteNote((PointCloud)target) is { } note)
+                EditorGUILayout.HelpBox(note, MessageType.Info);
             if (targets.Length == 1)
                 DrawClasses((PointCloud)target);
             DrawSettings();
             DrawFrame();
         }
+
+        // Null for a cloud that is no web server's.
+        internal static string RemoteNote(PointCloud cloud) => cloud.Cloud != null || !SourcePath.IsRemote(cloud.Path) ? null
+            : "Remote: read from " + SourcePath.WithoutQuery(cloud.Path) + ", by players too." +
+                (cloud.Error != null ? "\n" + cloud.Error : "");
 
         void OnDisable()
         {

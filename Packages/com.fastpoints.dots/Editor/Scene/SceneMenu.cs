@@ -22,13 +22,24 @@ namespace FastPoints.Editor
         [MenuItem(Menu + "Settings", false, Priority)]
         static void AddSettings(MenuCommand command) => Add<PointCloudSettings>("Point Cloud Settings", command);
 
-        static void Add<T>(string name, MenuCommand command)
+        // No drop handler is given a link that is dragged from a browser.
+        [MenuItem(Menu + "Cloud of Copied Link", false, Priority)]
+        static void AddLinked(MenuCommand command) =>
+            Add<PointCloud>(SourcePath.NameOf(CopiedLink), command).Path = CopiedLink;
+
+        [MenuItem(Menu + "Cloud of Copied Link", true, Priority)]
+        static bool CanAddLinked() => SourcePath.IsRemote(CopiedLink);
+
+        static string CopiedLink => (GUIUtility.systemCopyBuffer ?? "").Trim();
+
+        static T Add<T>(string name, MenuCommand command)
             where T : Component
         {
             var made = ObjectFactory.CreateGameObject(name);
-            ObjectFactory.AddComponent<T>(made);
+            var component = ObjectFactory.AddComponent<T>(made);
             // In a prefab stage it is added to the prefab, with a default parent under that.
             ObjectFactory.PlaceGameObject(made, command.context as GameObject);
+            return component;
         }
     }
 }

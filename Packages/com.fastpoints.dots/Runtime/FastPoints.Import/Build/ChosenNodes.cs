@@ -5,7 +5,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Build
 {
-    /// <summary>Nodes of a converted cloud that were chosen, by file. Chunks' tables are loaded as a choice reaches them.</summary>
+    /// <summary>Nodes of a converted cloud that were chosen, by file. Chunks' tables are loaded as a choice reaches
+    /// them.</summary>
     internal class ChosenNodes : IDisposable
     {
         public const int UpperFile = -1;

@@ -15,7 +15,7 @@ namespace FastPoints.Drawing
         public float MinPx;
         public float MaxPx;
 
-        /// <summary>Adaptive: squares of this many gaps leave few pixels open (internals/error-against-time.md).</summary>
+        /// <summary>Adaptive: squares of this many gaps leave few pixels open (internals/streamed-pictures.md).</summary>
         public const float DefaultGaps = 1.5f;
 
         /// <summary>The largest size in pixels unless another is set; sizes in pixels have no limit.</summary>

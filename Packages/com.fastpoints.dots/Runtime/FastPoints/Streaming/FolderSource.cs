@@ -85,6 +85,8 @@ namespace FastPoints.Streaming
 
         internal override RemoteFile RemoteOf(int page) => m_folder.RemoteOf(page);
 
+        internal override double RoundTrip => m_folder.RemoteOf(0)?.RoundTrip ?? 0;
+
         internal override void Doubt() => Doubted?.Invoke();
 
         // Set by whoever would open it again.

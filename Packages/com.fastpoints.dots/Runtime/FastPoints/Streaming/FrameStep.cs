@@ -46,7 +46,7 @@ namespace FastPoints.Streaming
                     selector.Add(c, cloud.Pages, cloud.Placement, cloud.Source.Cubes.Size);
             }
             selector.Choose(views, settings.Selection);
-            if (stream.Motion.TryPredictView(views, settings.PrefetchFrames))
+            if (stream.Motion.TryPredictView(views, stream.FramesToPredict))
                 selector.Prefetch(stream.Motion.Predicted, settings.Selection,
                     (long)(settings.Selection.PointBudget * settings.PrefetchShare));
             Touch(stream);

@@ -66,6 +66,9 @@ namespace FastPoints.Streaming
         // The page's file if it is on a web server, or null.
         internal virtual RemoteFile RemoteOf(int page) => null;
 
+        // Seconds until a web server's answer begins; 0 for files.
+        internal virtual double RoundTrip => 0;
+
         // A web server did not give what was wanted: the cloud may be another by now.
         internal virtual void Doubt() { }
 

@@ -12,6 +12,9 @@ namespace FastPoints.Streaming
         // A hierarchy page must be out of view for this many frames before it is unloaded.
         const uint FramesToUnload = 300;
 
+        // Farther ahead no motion goes on as it is.
+        const int MaxRoundTripFrames = 60;
+
         readonly StreamState m_state;
         int m_unloadCloud;
         int m_unloadPage;
@@ -56,6 +59,19 @@ namespace FastPoints.Streaming
         /// <summary>Seconds from the last frame to this one, as the caller counts them: nodes appear and leave at this
         /// pace.</summary>
         public float FrameSeconds { get; set; }
+
+        // A table and then nodes take a round trip each where they are on a web server.
+        internal int FramesToPredict
+        {
+            get
+            {
+                double roundTrip = 0;
+                foreach (var cloud in m_state.Clouds)
+                    roundTrip = Math.Max(roundTrip, cloud == null ? 0 : cloud.Source.RoundTrip);
+                return Settings.PrefetchFrames == 0 || FrameSeconds <= 0 ? Settings.PrefetchFrames
+                    : Settings.PrefetchFrames + (int)Math.Min(MaxRoundTripFrames, 2 * roundTrip / FrameSeconds);
+            }
+        }
 
         /// <summary>Whether the last frame listed nodes of which some points are drawn.</summary>
         internal bool IsFading => DrawnTotals.Value.FadingNodes > 0;

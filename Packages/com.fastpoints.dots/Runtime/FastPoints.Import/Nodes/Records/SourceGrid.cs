@@ -234,7 +234,8 @@ namespace FastPoints.Nodes
             return axes;
         }
 
-        /// <summary>Maps one source's numbers to a given grid: that of a converted cloud, to compare it with its source.</summary>
+        /// <summary>Maps one source's numbers to a given grid: that of a converted cloud, to compare it with its
+        /// source.</summary>
         /// <exception cref="PointCloudException">The source's scales and offsets do not fit the grid.</exception>
         public static SourceGrid OnGrid(SourceInfo info, CloudGrid grid)
         {

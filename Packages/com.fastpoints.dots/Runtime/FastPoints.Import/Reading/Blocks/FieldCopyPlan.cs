@@ -24,8 +24,8 @@ namespace FastPoints.Reading
             var copies = new List<FieldCopy>(fields.Length);
             for (int i = 0; i < fields.Length; i++)
             {
-                bool isTriple = i + 2 < fields.Length && Follows(fields[i], fields[i + 1]) && Follows(fields[i + 1], fields[i + 2])
-                    && (!isBigEndian || fields[i].Type.SizeOf() == 1);
+                bool isTriple = i + 2 < fields.Length && Follows(fields[i], fields[i + 1])
+                    && Follows(fields[i + 1], fields[i + 2]) && (!isBigEndian || fields[i].Type.SizeOf() == 1);
                 copies.Add(new FieldCopy
                 {
                     RecordByte = fields[i].ByteOffset,

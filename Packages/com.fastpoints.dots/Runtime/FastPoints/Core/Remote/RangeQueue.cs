@@ -18,7 +18,7 @@ namespace FastPoints
 
         const int MaxGapBytes = 512 << 10;
 
-        // Of a request: bytes that nobody asked for.
+        // At most one byte in so many of a request is one that nobody asked for, but for such gaps.
         const int MaxUnusedShare = 8;
 
         // Before anything was measured.

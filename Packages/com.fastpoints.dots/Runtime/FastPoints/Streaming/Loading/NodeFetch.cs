@@ -11,7 +11,7 @@ namespace FastPoints.Streaming
     // read in as few pieces as possible, or a node that is transcoded. Main thread; where there are workers, only Await waits.
     internal sealed unsafe class NodeFetch : IDisposable
     {
-        const int TableRank = -1; // Before all nodes, of which no table knows yet.
+        public const int TableRank = -1; // Before all nodes, of which no table knows yet.
 
         readonly StreamState m_state;
         NativeArray<byte> m_bytes;
@@ -48,7 +48,7 @@ namespace FastPoints.Streaming
 
         public NativeArray<FetchedNode> Nodes => m_nodes.AsArray();
 
-        public void BeginTable(long number, StreamedCloud cloud, int page)
+        public void BeginTable(long number, StreamedCloud cloud, int page, int rank)
         {
             Begin(number, cloud, page, true);
             if (cloud.Source.TranscodesNodes)
@@ -58,7 +58,7 @@ namespace FastPoints.Streaming
             }
             var piece = cloud.Source.TableOf(page);
             m_commands.Add(new ReadCommand { Offset = piece.OffsetBytes, Size = piece.LengthBytes });
-            Read(piece.Path, piece.LengthBytes, TableRank);
+            Read(piece.Path, piece.LengthBytes, rank);
         }
 
         // Begins an empty read: Add some nodes, then call ReadNodes.

@@ -84,25 +84,36 @@ namespace FastPoints.Streaming
             int tables = 0;
             foreach (var fetch in m_fetches)
                 tables += fetch.Phase != FetchPhase.Idle && fetch.IsTable ? 1 : 0;
-            foreach (var missing in m_state.Selector.Missing)
-            {
-                if (tables >= MaxTables(missing) || !TryFindIdle(out var fetch))
-                    break;
-                var page = m_state.Clouds[missing.Cloud].Pages + missing.Page;
-                if (page->Status != HierarchyPageStatus.Absent || !m_state.IsDue(page->RetryFrame) ||
-                    FolderReleases.IsReleased(m_state.Clouds[missing.Cloud].Source.Path) ||
-                    !m_state.Clouds[missing.Cloud].Source.CanBuild(missing.Page))
-                    continue;
-                page->Status = HierarchyPageStatus.Loading;
-                fetch.BeginTable(++m_count, m_state.Clouds[missing.Cloud], missing.Page);
-                tables++;
-            }
+            RequestTables(m_state.Selector.Missing, NodeFetch.TableRank, ref tables);
             ListWanted(m_state.Selector.Selected);
             bool hasRoom = RequestNodes(0, ref stats);
             if (!hasRoom)
                 return;
+            RequestTables(m_state.Selector.MissingOfPrefetch, FirstPrefetchRank, ref tables);
             ListWanted(m_state.Selector.Prefetched);
             RequestNodes(FirstPrefetchRank, ref stats);
+        }
+
+        // Of what is foreseen, those of web servers alone: their nodes would come too late otherwise.
+        void RequestTables(NativeArray<MissingHierarchyPage> all, int rank, ref int tables)
+        {
+            foreach (var missing in all)
+            {
+                var cloud = m_state.Clouds[missing.Cloud];
+                var page = cloud.Pages + missing.Page;
+                if (rank == FirstPrefetchRank && cloud.Source.RemoteOf(missing.Page) == null)
+                    continue;
+                if (rank == FirstPrefetchRank)
+                    page->VisitedFrame = m_state.Selector.Frame;
+                if (tables >= MaxTables(missing) || !TryFindIdle(out var fetch))
+                    break;
+                if (page->Status != HierarchyPageStatus.Absent || !m_state.IsDue(page->RetryFrame) ||
+                    FolderReleases.IsReleased(cloud.Source.Path) || !cloud.Source.CanBuild(missing.Page))
+                    continue;
+                page->Status = HierarchyPageStatus.Loading;
+                fetch.BeginTable(++m_count, cloud, missing.Page, rank);
+                tables++;
+            }
         }
 
         // Half of the reads are reserved for nodes; a quarter where a table takes as long as some nodes, and all below waits for

@@ -33,6 +33,9 @@ namespace FastPoints.Streaming
 
         public NativeArray<MissingHierarchyPage> Missing => m_missing.AsArray();
 
+        // Of the last Prefetch.
+        public NativeArray<MissingHierarchyPage> MissingOfPrefetch => m_missingOfPrefetch.AsArray();
+
         public long Points => m_points.Value;
 
         // The clip boxes must not change before the frame's last selection.
@@ -43,6 +46,7 @@ namespace FastPoints.Streaming
             m_clouds.Clear();
             m_placements.Clear();
             m_prefetched.Clear();
+            m_missingOfPrefetch.Clear();
         }
 
         // In rising order of clouds. The pages stay in place until the frame's last selection; clouds without volume are left
