@@ -231,7 +231,10 @@ namespace FastPoints.Export
             using var read = new StoreRead();
             for (long at = 0; at < bytes; at += pieceBytes)
             {
-                read.Begin(Path.GetFullPath(m_reader.Info.Path), offset + at, Math.Min(pieceBytes, bytes - at));
+                string path = SourcePath.Full(m_reader.Info.Path);
+                read.Begin(path, offset + at, Math.Min(pieceBytes, bytes - at), RemoteFile.Find(path));
+                while (!read.IsNear)
+                    yield return default;
                 yield return read.Done;
                 read.Complete();
                 var ticket = buffers.Append(read.Bytes);
