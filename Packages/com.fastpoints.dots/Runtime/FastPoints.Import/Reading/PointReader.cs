@@ -77,8 +77,8 @@ namespace FastPoints.Reading
         }
 
         // The ranges from first to before end, fetched ahead; null for local files.
-        internal ReadAhead AheadOf(int first, int end, Func<int, BlockRange> rangeOf) =>
-            IsRemote ? new ReadAhead(first, end, (n, pieces) => ListPieces(rangeOf(n), pieces)) : null;
+        internal RangePrefetch CreatePrefetch(int first, int end, Func<int, BlockRange> rangeOf) =>
+            IsRemote ? new RangePrefetch(first, end, (n, pieces) => ListPieces(rangeOf(n), pieces)) : null;
 
         /// <summary>Whether a range costs what it holds, wherever it lies in its block. Otherwise only prefixes are
         /// cheap.</summary>

@@ -169,21 +169,21 @@ namespace FastPoints.Sources
             var schema = reader.Info.Schema.Select(names.ToArray());
             var top = new PointBatch(schema, Math.Max(1, points), Allocator.Persistent);
             var slots = new BlockRead[Math.Min(MaxSlots, blocks.Count)];
-            using var ahead = reader.AheadOf(0, blocks.Count, i => new BlockRange(blocks[i], 0, reader.PointsInBlock(blocks[i])));
+            using var prefetch = reader.CreatePrefetch(0, blocks.Count, i => new BlockRange(blocks[i], 0, reader.PointsInBlock(blocks[i])));
             bool isDone = false;
             try
             {
                 yield return JobStep.Of(SlotRing.Run(slots.Length, blocks.Count, (slot, i) =>
                 {
                     slots[slot] ??= reader.CreateRead(schema, max, Allocator.Persistent);
-                    slots[slot].Fetched = ahead?.Take();
+                    slots[slot].Fetched = prefetch?.Take();
                     slots[slot].Begin(new BlockRange(blocks[i], 0, reader.PointsInBlock(blocks[i])));
                     return slots[slot].Decoded;
                 }, slot =>
                 {
                     slots[slot].Complete();
                     Append(slots[slot].Points, top);
-                }, ahead));
+                }, prefetch));
                 isDone = true;
             }
             finally
