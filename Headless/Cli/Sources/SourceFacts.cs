@@ -157,7 +157,8 @@ public sealed class SourceFacts(PointReader reader)
         if (Info.Warnings.Count > 0)
             writer.WriteLine();
         foreach (var warning in Info.Warnings)
-            writer.WriteLine("  warning: " + (warning.Path != SourcePath.WithoutQuery(Info.Path) ? warning.ToString() : (warning.ByteOffset >= 0
+            writer.WriteLine("  warning: " + (warning.Path != SourcePath.WithoutQuery(Info.Path) ? warning.ToString()
+                : (warning.ByteOffset >= 0
                 ? "at byte " + warning.ByteOffset.ToString(CultureInfo.InvariantCulture) + ": " : "") + warning.Text));
     }
 

@@ -117,7 +117,8 @@ sealed class RemoteReaderTests : RemoteFixture
 
     static List<(double, double, double)> PositionsOf(PointBatch batch)
     {
-        var columns = new[] { AttributeNames.X, AttributeNames.Y, AttributeNames.Z }.Select(n => batch.Column(batch.Schema.IndexOf(n)))
+        var columns = new[] { AttributeNames.X, AttributeNames.Y, AttributeNames.Z }
+            .Select(n => batch.Column(batch.Schema.IndexOf(n)))
             .ToArray();
         return Enumerable.Range(0, batch.Count).Select(i =>
         {

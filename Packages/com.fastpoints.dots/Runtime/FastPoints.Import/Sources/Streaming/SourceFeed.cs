@@ -169,7 +169,8 @@ namespace FastPoints.Sources
             var schema = reader.Info.Schema.Select(names.ToArray());
             var top = new PointBatch(schema, Math.Max(1, points), Allocator.Persistent);
             var slots = new BlockRead[Math.Min(MaxSlots, blocks.Count)];
-            using var prefetch = reader.CreatePrefetch(0, blocks.Count, i => new BlockRange(blocks[i], 0, reader.PointsInBlock(blocks[i])));
+            using var prefetch = reader.CreatePrefetch(0, blocks.Count, i =>
+                new BlockRange(blocks[i], 0, reader.PointsInBlock(blocks[i])));
             bool isDone = false;
             try
             {
