@@ -294,7 +294,7 @@ public sealed class DefaultVerb : Verb
             run.Out.WriteLine();
             var page = new CloudPage
             {
-                Name = files.Length > 1 ? SourcePath.WithoutQuery(reader.Info.Path) : NameOf(file),
+                Name = files.Length > 1 ? reader.Info.ShownPath : NameOf(file),
                 Command = command,
                 Facts = facts,
                 View = view,

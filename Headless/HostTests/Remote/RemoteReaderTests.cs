@@ -118,8 +118,7 @@ sealed class RemoteReaderTests : RemoteFixture
     static List<(double, double, double)> PositionsOf(PointBatch batch)
     {
         var columns = new[] { AttributeNames.X, AttributeNames.Y, AttributeNames.Z }
-            .Select(n => batch.Column(batch.Schema.IndexOf(n)))
-            .ToArray();
+            .Select(name => batch.Column(batch.Schema.IndexOf(name))).ToArray();
         return Enumerable.Range(0, batch.Count).Select(i =>
         {
             unsafe double At(PointColumn column) => ColumnValues.ToDouble((byte*)batch.Bytes.GetUnsafeReadOnlyPtr()

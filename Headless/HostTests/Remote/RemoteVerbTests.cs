@@ -8,8 +8,7 @@ sealed class RemoteVerbTests : RemoteFixture
     static readonly string[] s_volatile =
     [
         "seconds", "stages", "peakResidentBytes", "inputs", "input", "requests", "bytesFetched", "bytesUnused", "cacheHits",
-        "waves",
-        "sliceMs", "temporaryBytesPeak", "pointsPerSecond", "bytesRead",
+        "waves", "sliceMs", "temporaryBytesPeak", "pointsPerSecond", "bytesRead",
     ];
 
     [SetUp]
@@ -38,8 +37,8 @@ sealed class RemoteVerbTests : RemoteFixture
 
     void AssertSame(CliCall remote, CliCall local)
     {
-        Assert.That(Lasting(remote.Json).Select(v => v.Replace(Server.Address, Scratch["served"])),
-            Is.EqualTo(Lasting(local.Json)));
+        var lasting = Lasting(remote.Json).Select(value => value.Replace(Server.Address, Scratch["served"]));
+        Assert.That(lasting, Is.EqualTo(Lasting(local.Json)));
         Assert.That(remote.Json.GetProperty("requests").GetInt64(), Is.EqualTo(Server.Requests.Count));
         Assert.That(remote.Json.GetProperty("bytesFetched").GetInt64(), Is.Positive);
         Assert.That(remote.Json.GetProperty("inputs")[0].GetString(), Does.StartWith("http://127.0.0.1:"));
