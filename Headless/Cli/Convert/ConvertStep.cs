@@ -47,7 +47,7 @@ public sealed class ConvertStep(CliRun run)
             run.Report(reader.Info.Losses);
         }
         if (result!.Manifest.PointsLeftOut > 0)
-            run.Warn(SourcePath.WithoutQuery(readers[0].Info.Path) + ": " + Human.Count(result.Manifest.PointsLeftOut)
+            run.Warn(readers[0].Info.ShownPath + ": " + Human.Count(result.Manifest.PointsLeftOut)
                 + " points whose coordinates are no numbers are left out");
         return new ConvertStep(run) { Result = result, Slices = slices, Seconds = run.Seconds - begin };
     }

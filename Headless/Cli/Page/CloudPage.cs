@@ -193,7 +193,10 @@ sealed class CloudPage
             "<address of the FastPoints repository>.git?path=/Packages/com.fastpoints.dots");
     }
 
-    public static string Quoted(string word) =>
+    /// <summary>Of an address without what signs it.</summary>
+    public static string Quoted(string word) => QuotedWord(SourcePath.WithoutQuery(word));
+
+    static string QuotedWord(string word) =>
         word.Length > 0 && word.All(c => char.IsLetterOrDigit(c) || "-_./\\:=,+@".Contains(c)) ? word
             : "'" + word.Replace("'", "'\\''") + "'";
 }

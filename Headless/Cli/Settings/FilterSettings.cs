@@ -69,7 +69,7 @@ public sealed class FilterSettings
             throw new UsageException(option + ": " + e.Message);
         }
         if (filter.Attributes.FirstOrDefault(a => !reader.Info.Schema.Has(a)) is { } unknown)
-            throw new UsageException(option + ": " + SourcePath.WithoutQuery(reader.Info.Path) + " has no " + unknown + "; it has "
+            throw new UsageException(option + ": " + reader.Info.ShownPath + " has no " + unknown + "; it has "
                 + string.Join(", ", reader.Info.Schema.Select(a => a.Name)));
     }
 

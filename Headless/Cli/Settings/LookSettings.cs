@@ -32,7 +32,8 @@ public sealed class LookSettings
         if (wanted != null && !schema.Has(wanted))
             throw Missing(wanted);
 
-        UsageException Missing(string name) => new("--style: " + SourcePath.WithoutQuery(path) + " has no " + name + " to colour by; it has "
+        UsageException Missing(string name) => new("--style: " + SourcePath.WithoutQuery(path)
+            + " has no " + name + " to colour by; it has "
             + string.Join(", ", schema.Select(a => a.Name)));
     }
 

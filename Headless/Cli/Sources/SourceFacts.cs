@@ -132,7 +132,7 @@ public sealed class SourceFacts(PointReader reader)
 
     public void Write(TextWriter writer)
     {
-        writer.WriteLine(SourcePath.WithoutQuery(Info.Path));
+        writer.WriteLine(Info.ShownPath);
         foreach (var (name, value) in Lines())
             writer.WriteLine("  " + name.PadRight(NameWidth) + value);
         foreach (var fact in Info.Facts)
@@ -157,7 +157,7 @@ public sealed class SourceFacts(PointReader reader)
         if (Info.Warnings.Count > 0)
             writer.WriteLine();
         foreach (var warning in Info.Warnings)
-            writer.WriteLine("  warning: " + (warning.Path != SourcePath.WithoutQuery(Info.Path) ? warning.ToString() : (warning.ByteOffset >= 0
+            writer.WriteLine("  warning: " + (warning.Path != Info.ShownPath ? warning.ToString() : (warning.ByteOffset >= 0
                 ? "at byte " + warning.ByteOffset.ToString(CultureInfo.InvariantCulture) + ": " : "") + warning.Text));
     }
 

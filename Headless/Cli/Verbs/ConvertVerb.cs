@@ -96,7 +96,7 @@ public sealed class ConvertVerb : Verb
         if (!run.Settings.IsForced)
             OutputNames.RefuseOtherCloud(output, reader);
         if (settings.Attributes?.FirstOrDefault(a => !reader.Info.Schema.Has(a)) is { } unknown)
-            throw new UsageException("--attributes: " + SourcePath.WithoutQuery(reader.Info.Path) + " has no " + unknown + "; it has "
+            throw new UsageException("--attributes: " + reader.Info.ShownPath + " has no " + unknown + "; it has "
                 + string.Join(", ", reader.Info.Schema.Select(a => a.Name)));
         run.IsDiscarding = parsed.GetValue(m_discard);
         using var filter = m_filter.Read(parsed, reader);

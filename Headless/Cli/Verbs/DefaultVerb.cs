@@ -82,7 +82,7 @@ public sealed class DefaultVerb : Verb
         bool keeps = files.Length > 0 || parsed.GetValue(m_keep);
         for (int i = 0; i < clouds.Length; i++)
             Report.Refuse(folders[i], clouds[i][0], run.Settings.IsForced);
-        string command = string.Join(' ', parsed.Tokens.Select(t => CloudPage.Quoted(SourcePath.WithoutQuery(t.Value))).Prepend("fastpoints"));
+        string command = string.Join(' ', parsed.Tokens.Select(t => CloudPage.Quoted(t.Value)).Prepend("fastpoints"));
         var all = new InputResults(clouds.Select(c => c[0]));
         run.WriteKeys = all.WriteKeys;
         var pages = new List<string>();
@@ -294,7 +294,7 @@ public sealed class DefaultVerb : Verb
             run.Out.WriteLine();
             var page = new CloudPage
             {
-                Name = files.Length > 1 ? SourcePath.WithoutQuery(reader.Info.Path) : NameOf(file),
+                Name = files.Length > 1 ? reader.Info.ShownPath : NameOf(file),
                 Command = command,
                 Facts = facts,
                 View = view,

@@ -104,7 +104,7 @@ public sealed class ExportVerb : Verb
             .. (parsed.GetValue(m_cut) ?? []).Select(box => PictureSettings.Box("--cut", box, true)),
         ];
         if (settings.Attributes?.FirstOrDefault(a => !reader.Info.Schema.Has(a)) is { } unknown)
-            throw new UsageException("--attributes: " + SourcePath.WithoutQuery(reader.Info.Path) + " has no " + unknown + "; it has "
+            throw new UsageException("--attributes: " + reader.Info.ShownPath + " has no " + unknown + "; it has "
                 + string.Join(", ", reader.Info.Schema.Select(a => a.Name)));
         using var filter = m_filter.Read(parsed, reader);
         if (filter?.EveryNth > 1 && CopcExport.IsNamed(file))
@@ -127,7 +127,7 @@ public sealed class ExportVerb : Verb
     {
         var bounds = reader.Info.BoundsClaimed;
         if (!reader.Info.HasBoundsClaimed || !bounds.IsFinite)
-            throw new UsageException("--clip-local: " + SourcePath.WithoutQuery(reader.Info.Path) + " does not say where it begins: wanted --clip");
+            throw new UsageException("--clip-local: " + reader.Info.ShownPath + " does not say where it begins: wanted --clip");
         box.CenterWorld += bounds.Min;
         return box;
     }

@@ -41,7 +41,8 @@ sealed class RemoteReadTests : RemoteFixture
         var random = new System.Random(1);
         int[] ranks = Enumerable.Range(0, 40).OrderBy(_ => random.Next()).ToArray();
         // Too far apart for one request.
-        RemoteRead[] reads = ranks.Select(rank => file.Begin(600_000L * (rank % 13) + 65_536 + 150_000 * (rank / 13), 100, rank)).ToArray();
+        RemoteRead[] reads = ranks.Select(rank =>
+            file.Begin(600_000L * (rank % 13) + 65_536 + 150_000 * (rank / 13), 100, rank)).ToArray();
 
         Await(reads);
 
@@ -74,6 +75,20 @@ sealed class RemoteReadTests : RemoteFixture
             UnsafeUtility.Free(memory, Allocator.Persistent);
             Assert.That(isUntouched, $"round {round}");
         }
+    }
+
+    [Test]
+    public unsafe void Take_AfterCancel_WritesNothing()
+    {
+        byte* memory = stackalloc byte[8];
+        var command = new ReadCommand { Buffer = memory, Offset = 0, Size = 8 };
+        using var read = new RemoteRead(null, &command, 1, 0);
+        read.Take(0, 0, new byte[] { 1, 2 });
+        read.Cancel();
+        read.Take(0, 2, new byte[] { 3, 4, 5, 6, 7, 8 });
+
+        Assert.That(new ReadOnlySpan<byte>(memory, 8).ToArray(), Is.EqualTo(new byte[] { 1, 2, 0, 0, 0, 0, 0, 0 }));
+        Assert.That(read.IsDone && read.IsCancelled);
     }
 
     [Test]

@@ -9,7 +9,7 @@ sealed class RemoteReaderTests : RemoteFixture
     static IEnumerable<FormatFixture> Formats => FormatFixture.All;
 
     [SetUp]
-    public void Trust() => RemoteSettings.Current.ConfirmedMs = 60_000;
+    public void Trust() => RemoteSettings.Current = new RemoteSettings { ConfirmedMs = 60_000 };
 
     string AddressOf(string path) => Server.Of(Path.GetRelativePath(Scratch["served"], path).Replace('\\', '/')) + Secret;
 
@@ -102,7 +102,7 @@ sealed class RemoteReaderTests : RemoteFixture
         var summary = new SummariseCloud(local) { BlockCompleted = read => all.UnionWith(PositionsOf(read.Points)) };
         JobCoroutine.RunToEnd(summary.Run(null));
         Assert.That(sample.Where(p => !all.Contains(p)), Is.Empty);
-        Assert.That(sample.Distinct().Count(), Is.GreaterThan(Wanted * 9 / 10));
+        Assert.That(sample.Distinct().Count(), Is.GreaterThan(sample.Count * 9 / 10));
     }
 
     string Demo(string name, int points)
@@ -117,8 +117,8 @@ sealed class RemoteReaderTests : RemoteFixture
 
     static List<(double, double, double)> PositionsOf(PointBatch batch)
     {
-        var columns = new[] { AttributeNames.X, AttributeNames.Y, AttributeNames.Z }.Select(n => batch.Column(batch.Schema.IndexOf(n)))
-            .ToArray();
+        var columns = new[] { AttributeNames.X, AttributeNames.Y, AttributeNames.Z }
+            .Select(name => batch.Column(batch.Schema.IndexOf(name))).ToArray();
         return Enumerable.Range(0, batch.Count).Select(i =>
         {
             unsafe double At(PointColumn column) => ColumnValues.ToDouble((byte*)batch.Bytes.GetUnsafeReadOnlyPtr()

@@ -130,7 +130,7 @@ namespace FastPoints.Build
                 if (count++ == MaxTableFetches)
                     break;
                 if (soon.Node < 0)
-                    Folder.IsTableNear(soon.File);
+                    Folder.IsTableFetched(soon.File);
             }
         }
 

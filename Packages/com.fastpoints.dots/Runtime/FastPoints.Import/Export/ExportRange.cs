@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using System.IO;
 using FastPoints.Reading;
 using FastPoints.Streaming;
 using Unity.Mathematics;
@@ -56,7 +55,7 @@ namespace FastPoints.Export
         {
             var files = new HashSet<string>();
             for (int block = 0; block < reader.BlockCount; block++)
-                if (files.Add(reader.FileOfBlock(block, out _)) && string.Equals(Path.GetFullPath(
+                if (files.Add(reader.FileOfBlock(block, out _)) && string.Equals(SourcePath.Full(
                     reader.FileOfBlock(block, out _)), path, StringComparison.OrdinalIgnoreCase))
                     throw new PointCloudException(FailureCode.WriteFailed, path, -1, "is the source, and would be overwritten");
             return true;

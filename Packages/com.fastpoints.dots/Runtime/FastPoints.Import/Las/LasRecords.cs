@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using System.IO;
 using FastPoints.Reading;
 
 namespace FastPoints.Las
@@ -68,7 +67,7 @@ namespace FastPoints.Las
         /// <summary>The records kept with a cloud; null if there are none.</summary>
         public static LasRecords Read(string path)
         {
-            if (!File.Exists(path))
+            if (RandomAccessFile.LengthOf(path) == RandomAccessFile.NoSuchFile)
                 return null;
             using var source = RandomAccessFile.Open(path);
             return Of(source, new List<Loss>());
@@ -134,7 +133,7 @@ namespace FastPoints.Las
 
         static LasRecords TryRead(string path, List<Loss> losses)
         {
-            if (!File.Exists(path))
+            if (RandomAccessFile.LengthOf(path) == RandomAccessFile.NoSuchFile)
                 return null;
             using var source = RandomAccessFile.Open(path);
             bool isLas = source.Length >= LasHeader.MinBytes &&

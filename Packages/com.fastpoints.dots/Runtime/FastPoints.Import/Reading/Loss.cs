@@ -9,7 +9,8 @@ namespace FastPoints.Reading
         public readonly string Where;
         public readonly string Reason;
 
-        public Loss(string what, string where, string reason) => (What, Where, Reason) = (what, where, reason);
+        public Loss(string what, string where, string reason) =>
+            (What, Where, Reason) = (what, SourcePath.WithoutQuery(where), reason);
 
         public override string ToString() => Where + ": " + What + ": lost, since " + Reason;
     }

@@ -10,6 +10,9 @@ namespace FastPoints.Reading
         public string Path;
         public long FileBytes;
 
+        // The path for messages: an address without what signs it.
+        internal string ShownPath => SourcePath.WithoutQuery(Path);
+
         /// <summary>Hash of its first bytes: tells files of one name and length apart.</summary>
         internal ulong HeadHash;
 

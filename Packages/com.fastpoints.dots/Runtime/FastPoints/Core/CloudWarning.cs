@@ -11,7 +11,7 @@ namespace FastPoints
         /// <summary>What is odd and what was assumed instead: one line without the path.</summary>
         public readonly string Text;
 
-        public CloudWarning(string path, long byteOffset, string text) => 
+        public CloudWarning(string path, long byteOffset, string text) =>
             (Path, ByteOffset, Text) = (SourcePath.WithoutQuery(path), byteOffset, text);
 
         public override string ToString() =>

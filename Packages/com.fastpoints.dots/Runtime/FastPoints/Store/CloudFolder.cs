@@ -144,7 +144,7 @@ namespace FastPoints.Store
         {
             if (m_remote == null)
                 return LoadTable(ChunkPath(chunk), Chunks[chunk]);
-            IsTableNear(chunk);
+            IsTableFetched(chunk);
             using var fetched = m_fetched[chunk];
             m_fetched.Remove(chunk);
             fetched.Await();
@@ -157,11 +157,11 @@ namespace FastPoints.Store
         internal void FetchTablesFrom(int chunk)
         {
             for (int c = chunk; m_remote != null && c < Math.Min(chunk + MaxTableFetches, Chunks.Length); c++)
-                IsTableNear(c);
+                IsTableFetched(c);
         }
 
         // Whether LoadTable does not wait for a web server. Begins to fetch the table if not.
-        internal bool IsTableNear(int chunk)
+        internal bool IsTableFetched(int chunk)
         {
             if (m_remote == null)
                 return true;

@@ -85,14 +85,16 @@ namespace FastPoints.Sources
         }
 
         public void Add(EptEntry entry, long points, long fileBytes) =>
-            AddNode(new SourceNode { Level = entry.Level, Cell = entry.Cell }, points, m_blockPoints, 0, fileBytes, BytesPerPoint);
+            AddNode(new SourceNode { Level = entry.Level, Cell = entry.Cell }, points, m_blockPoints, 0, fileBytes,
+                BytesPerPoint);
 
         public override long BytesOfRange(BlockRange range)
         {
             if (HasFixedStride)
                 return (long)range.Count * Index.RecordBytes;
             var block = Block(range.Block);
-            double share = Index.DataType == EptDataType.Laszip ? block.NodePoints : block.FirstInNode + range.First + range.Count;
+            double share = Index.DataType == EptDataType.Laszip ? block.NodePoints
+                : block.FirstInNode + range.First + range.Count;
             return (long)(BytesOf(block) * Math.Min(1, share / block.NodePoints));
         }
 

@@ -169,21 +169,22 @@ namespace FastPoints.Sources
             var schema = reader.Info.Schema.Select(names.ToArray());
             var top = new PointBatch(schema, Math.Max(1, points), Allocator.Persistent);
             var slots = new BlockRead[Math.Min(MaxSlots, blocks.Count)];
-            using var ahead = reader.AheadOf(0, blocks.Count, i => new BlockRange(blocks[i], 0, reader.PointsInBlock(blocks[i])));
+            BlockRange RangeOf(int i) => new BlockRange(blocks[i], 0, reader.PointsInBlock(blocks[i]));
+            using var window = reader.WindowOf(0, blocks.Count, RangeOf);
             bool isDone = false;
             try
             {
                 yield return JobStep.Of(SlotRing.Run(slots.Length, blocks.Count, (slot, i) =>
                 {
                     slots[slot] ??= reader.CreateRead(schema, max, Allocator.Persistent);
-                    slots[slot].Fetched = ahead?.Take();
-                    slots[slot].Begin(new BlockRange(blocks[i], 0, reader.PointsInBlock(blocks[i])));
+                    slots[slot].Fetched = window?.Take();
+                    slots[slot].Begin(RangeOf(i));
                     return slots[slot].Decoded;
                 }, slot =>
                 {
                     slots[slot].Complete();
                     Append(slots[slot].Points, top);
-                }, ahead));
+                }, window));
                 isDone = true;
             }
             finally

@@ -3,8 +3,8 @@ using System.Collections.Generic;
 
 namespace FastPoints
 {
-    // Fetches of remote files what is read next, several reads ahead and in their order, so that none waits. Main thread.
-    internal sealed class ReadAhead : IDisposable
+    // Fetches of remote files what the next reads need, several at once and in their order, so that none waits. Main thread.
+    internal sealed class FetchWindow : IDisposable
     {
         // Bytes on their way or here; one read is always begun, however long. At 100 Mbit/s they take a second.
         const long MaxBytes = 12 << 20;
@@ -19,7 +19,7 @@ namespace FastPoints
         int m_next;
 
         // Reads from first to before end; listPieces adds the pieces of one of them.
-        public ReadAhead(int first, int end, Action<int, List<FilePiece>> listPieces)
+        public FetchWindow(int first, int end, Action<int, List<FilePiece>> listPieces)
         {
             m_next = first;
             m_end = end;
@@ -27,7 +27,7 @@ namespace FastPoints
         }
 
         // Whether the next read can be taken. It begins others behind it.
-        public bool IsNear
+        public bool IsNextFetched
         {
             get
             {

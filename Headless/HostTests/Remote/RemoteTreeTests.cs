@@ -1,0 +1,127 @@
+namespace FastPoints.HostTests.Remote;
+
+/// <summary>Octrees of other formats on a web server, streamed frame by frame.</summary>
+[NonParallelizable]
+sealed class RemoteTreeTests : RemoteFixture
+{
+    static IEnumerable<FormatFixture> Trees => FormatFixture.All.Where(f => f.Format is "COPC" or "EPT" or "Potree");
+
+    static readonly string[] s_planes = [StoreLayout.ColorName];
+
+    [SetUp]
+    public void Trust()
+    {
+        RemoteSettings.Current = new RemoteSettings { ConfirmedMs = 60_000 };
+        RemoteAccess.CacheBytes = 0;
+    }
+
+    string AddressOf(string path) => Server.Of(Path.GetRelativePath(Scratch["served"], path).Replace('\\', '/')) + Secret;
+
+    static StreamContext Stream()
+    {
+        var stream = new StreamContext(new MemoryNodePool(64 << 20, 1 << 20));
+        stream.Settings.Selection.MinScreenErrorPx = 0.05f;
+        return stream;
+    }
+
+    static int Add(StreamContext stream, string path)
+    {
+        var reader = PointReaders.Open(path);
+        JobCoroutine.RunToEnd(TreeSource.FindTop(reader));
+        var source = new TreeSource(reader, s_planes);
+        return stream.Add(source, CloudPlacement.Geo(source.Grid, source.Root));
+    }
+
+    static FrameStats Frame(StreamContext stream, double scalePx = 1000)
+    {
+        using var views = new NativeArray<StreamView>(1, Allocator.Persistent) { [0] = StreamView.Everything(scalePx) };
+        return FrameStep.Run(stream, views);
+    }
+
+    static void Until(StreamContext stream, Func<FrameStats, bool> isThere)
+    {
+        for (int frame = 0; frame < 20_000; frame++)
+        {
+            if (isThere(Frame(stream)))
+                return;
+            Thread.Sleep(1);
+        }
+        Assert.Fail("it does not come to rest");
+    }
+
+    // What is drawn of each node, by its page and number.
+    static unsafe Dictionary<(int, int), ulong> DrawnOf(string path)
+    {
+        using var stream = Stream();
+        int cloud = Add(stream, path);
+        Until(stream, stats => stats.IsSettled);
+        Assert.That(stream.TryTakeFailure(out var failure), Is.False, failure.ToString());
+        return stream.Drawn.AsArray().ToDictionary(node => (node.Page, node.Node), node => ContentHash.Of(
+            ((MemoryNodePool)stream.Pool).AddressOf(node.Range), stream.Clouds[cloud].BytesOf(node.Page, node.Node)));
+    }
+
+    [TestCaseSource(nameof(Trees))]
+    public void Run_AnOctreeByAddress_DrawsTheNodesAndBytesOfTheDisk(FormatFixture format)
+    {
+        string path = format.Write(Scratch["served"]);
+        var wanted = DrawnOf(path);
+        UnsafeUtility.ForgiveLeaks();
+        Assert.That(DrawnOf(AddressOf(path)), Is.EquivalentTo(wanted));
+        Assert.That(UnsafeUtility.CheckForLeaks(), Is.Zero);
+        Assert.That(RemoteStatistics.Waits, Is.Zero);
+    }
+
+    string Copc() => FormatFixture.All.First(f => f.Format == "COPC").Write(Scratch["served"]);
+
+    [Test]
+    public void Dispose_WhileNodesAreOnTheirWay_FreesAllAtOnce()
+    {
+        string path = Copc();
+        UnsafeUtility.ForgiveLeaks();
+        var stream = Stream();
+        Add(stream, AddressOf(path));
+        Server.LatencyMs = 500;
+        RemoteFile.Find(AddressOf(path)).DropHead();
+        Until(stream, stats => stats.ReadsInFlight > 0);
+        var watch = System.Diagnostics.Stopwatch.StartNew();
+        stream.Dispose();
+        Assert.That(watch.ElapsedMilliseconds, Is.LessThan(300), "it waits for the server");
+        Assert.That(UnsafeUtility.CheckForLeaks(), Is.Zero);
+        Assert.That(RemoteStatistics.Waits, Is.Zero);
+    }
+
+    [Test]
+    public void Run_WhatLeavesTheView_IsCancelledAndComesLater()
+    {
+        string path = Copc();
+        var wanted = DrawnOf(path);
+        using var stream = Stream();
+        int cloud = Add(stream, AddressOf(path));
+        Server.LatencyMs = 300;
+        RemoteFile.Find(AddressOf(path)).DropHead();
+        Until(stream, stats => stats.ReadsInFlight > 2);
+        // Nothing is that small.
+        for (int frame = 0; frame <= stream.Settings.FramesToCancel + 2; frame++)
+            Frame(stream, 1e-9);
+        Assert.That(Frame(stream, 1e-9).ReadsInFlight, Is.LessThanOrEqualTo(1), "the root is always wanted");
+        Server.LatencyMs = 0;
+        Until(stream, stats => stats.IsSettled);
+        Assert.That(stream.Drawn.Length, Is.EqualTo(wanted.Count));
+        Assert.That(stream.TryTakeFailure(out _), Is.False);
+        Assert.That(RemoteStatistics.Waits, Is.Zero);
+    }
+
+    [Test]
+    public void Run_ANodeWhoseFileIsMissing_LeavesItOutAndSaysSo()
+    {
+        string path = FormatFixture.All.First(f => f.ToString() == "EPT_Laszip").Write(Scratch["served"]);
+        int all = DrawnOf(path).Count;
+        File.Delete(Directory.GetFiles(Scratch["served"], "1-*.laz", SearchOption.AllDirectories).First());
+        using var stream = Stream();
+        Add(stream, AddressOf(path));
+        Until(stream, stats => stats.IsSettled);
+        Assert.That(stream.Drawn.Length, Is.EqualTo(all - 1));
+        Assert.That(stream.TryTakeFailure(out var failure), Is.True);
+        Assert.That(failure.ToString(), Does.EndWith(".laz: the server answered 404: no such file").And.Not.Contain("secret"));
+    }
+}
