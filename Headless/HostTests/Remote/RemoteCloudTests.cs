@@ -278,8 +278,12 @@ public sealed class RemoteCloudTests : ScratchTests
         using var feed = CloudFeeds.Open(Address);
         var versions = new CloudVersions(stream);
         versions.Add(feed.Take(StoreLayout.ColorName));
-        Until(stream, s => s.DrawnNodes > 0, "nothing");
+        // Only what is still to come can be missed.
+        long budget = stream.Settings.Selection.PointBudget;
+        stream.Settings.Selection.PointBudget = Points / 10;
+        Settle(stream);
         Put(m_other);
+        stream.Settings.Selection.PointBudget = budget;
         var wanted = DrawnOf(m_other);
         int first = versions.Cloud;
         Until(stream, _ =>
