@@ -33,11 +33,36 @@ sealed class NginxTests : RemoteFixture
         Assert.That(Read(RemoteFile.Open(address), 0, 3_000_000).AsSpan().SequenceEqual(bytes));
         int requests = m_nginx.AccessLog.Length;
         StartAnew();
-        Assert.That(Read(RemoteFile.Open(address), 1_000_000, 1_000_000).AsSpan().SequenceEqual(bytes.AsSpan(1_000_000, 1_000_000)));
+        byte[] part = Read(RemoteFile.Open(address), 1_000_000, 1_000_000);
+        Assert.That(part.AsSpan().SequenceEqual(bytes.AsSpan(1_000_000, 1_000_000)));
 
         Assert.That(m_nginx.AccessLog, Has.Length.EqualTo(requests + 1));
         Assert.That(m_nginx.AccessLog.Take(requests), Has.All.Contains(" 206 "));
         AssertOneLine(Try(() => RemoteFile.Open(address + "x")), address + "x");
+    }
+
+    [TestCase("copc/lone-star.copc.laz", "lone-star.copc.laz")]
+    [TestCase("ept/lone-star-laszip/ept.json", "lone-star-laszip/ept.json")]
+    [TestCase("potree/v2-pump-hierarchy/metadata.json", "v2-pump-hierarchy/metadata.json")]
+    public void Picture_ByTls_HasThePixelsOfTheDisk(string sample, string target)
+    {
+        string from = Path.GetDirectoryName(TestData.SampleOrIgnore(sample));
+        Directory.Delete(Scratch["served"]);
+        Directory.CreateSymbolicLink(Scratch["served"], target.Contains('/') ? Path.GetDirectoryName(from) : from);
+        Begin();
+
+        byte[] Picture(string path)
+        {
+            var call = CliCall.Of("picture", path, "-o", Scratch["picture.png"], "--size", "320x200", "--force", "--plain",
+                "--quiet");
+            Assert.That(call.Status, Is.EqualTo(ExitStatus.Done), call.Error);
+            return File.ReadAllBytes(Scratch["picture.png"]);
+        }
+        byte[] wanted = Picture(Scratch["served/" + target]);
+        RemoteStatistics.Reset();
+        Assert.That(Picture($"https://127.0.0.1:{m_nginx.TlsPort}/{target}").AsSpan().SequenceEqual(wanted));
+        Assert.That(RemoteStatistics.Requests, Is.Positive);
+        Assert.That(RemoteStatistics.Waits, Is.Zero);
     }
 
     [Test]
@@ -63,7 +88,7 @@ sealed class NginxTests : RemoteFixture
         File.WriteAllBytes(Scratch["served/a.txt"], bytes);
         Begin("gzip on; gzip_min_length 1; gzip_types *;");
         string address = $"http://127.0.0.1:{m_nginx.Port}/a.txt";
-        using var client = new HttpClient(new HttpClientHandler { AutomaticDecompression = System.Net.DecompressionMethods.None });
+        using var client = new HttpClient();
         client.DefaultRequestHeaders.TryAddWithoutValidation("Accept-Encoding", "gzip");
         Assert.That(client.GetAsync(address).Result.Content.Headers.ContentEncoding, Is.EqualTo(new[] { "gzip" }));
 
