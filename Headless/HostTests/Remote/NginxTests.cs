@@ -43,7 +43,7 @@ sealed class NginxTests : RemoteFixture
 
     [TestCase("copc/lone-star.copc.laz", "lone-star.copc.laz")]
     [TestCase("ept/lone-star-laszip/ept.json", "lone-star-laszip/ept.json")]
-    [TestCase("potree/v2-pump-hierarchy/metadata.json", "v2-pump-hierarchy/metadata.json")]
+    [TestCase("potree/v2-autzen-brotli/metadata.json", "v2-autzen-brotli/metadata.json")]
     public void Picture_ByTls_HasThePixelsOfTheDisk(string sample, string target)
     {
         string from = Path.GetDirectoryName(TestData.SampleOrIgnore(sample));
@@ -100,7 +100,7 @@ sealed class NginxTests : RemoteFixture
     {
         byte[] bytes = Make("a.las", 8_000_000);
         Begin("limit_req_zone $host zone=all:1m rate=20r/s; limit_req zone=all burst=1 nodelay; limit_req_status 429;");
-        RemoteSettings.Current.RetryMs = 100;
+        (RemoteSettings.Current.RetryMs, RemoteSettings.Current.MaxTries) = (100, 6);
         var file = RemoteFile.Open($"http://127.0.0.1:{m_nginx.Port}/a.las");
 
         Assert.That(Read(file, 0, bytes.Length).AsSpan().SequenceEqual(bytes));
@@ -109,8 +109,13 @@ sealed class NginxTests : RemoteFixture
     }
 
     // 40 ranges with gaps between that no request may span, 3 MB: in what the line takes for them, and a few round trips.
-    [TestCase(20, 10, true), TestCase(20, 100, true), TestCase(50, 10, true), TestCase(50, 100, true), TestCase(150, 10, true),
-        TestCase(150, 100, true), TestCase(50, 100, false)]
+    [TestCase(50, 100, true)]
+    [TestCase(150, 100, true)]
+    [TestCase(150, 100, false)]
+    [TestCase(20, 10, true, Category = "Long")]
+    [TestCase(20, 100, true, Category = "Long")]
+    [TestCase(50, 10, true, Category = "Long")]
+    [TestCase(150, 10, true, Category = "Long")]
     public void Reads_OverALink_TakeItsTimeAndFewRoundTrips(int roundTripMs, int megabits, bool isTls)
     {
         const int Ranges = 40, Bytes = 75_000, Apart = 1_300_000;
@@ -132,8 +137,8 @@ sealed class NginxTests : RemoteFixture
             using (reads[i])
                 AssertSame(reads[i], bytes.AsSpan(Apart * i + 100_000, Bytes));
         Assert.That(link.Connections, Is.LessThanOrEqualTo(6));
-        // Seven rounds of six, five of them with a new connection of two or three trips before.
-        Assert.That(seconds, Is.LessThan(1.2 * wire + (Ranges / 6 + 1 + 3) * trips + 0.5));
+        // Seven rounds of six, the first with new connections of two or three trips before; the rest is for busy machines.
+        Assert.That(seconds, Is.LessThan(1.2 * wire + (Ranges / 6 + 1 + 3) * trips + 1.5));
     }
 
     static unsafe void AssertSame(RemoteRead read, ReadOnlySpan<byte> bytes) =>

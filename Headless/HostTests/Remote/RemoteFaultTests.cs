@@ -5,7 +5,7 @@ namespace FastPoints.HostTests.Remote;
 
 sealed class RemoteFaultTests : RemoteFixture
 {
-    // A stalled answer is waited for twice a try at most, four times.
+    // A stalled answer is waited for twice a try at most, three times.
     const double MaxSeconds = 10;
 
     // One such answer ends a read: asking again would bring the same, or other bytes of another version.
