@@ -33,12 +33,36 @@ sealed class NginxTests : RemoteFixture
         Assert.That(Read(RemoteFile.Open(address), 0, 3_000_000).AsSpan().SequenceEqual(bytes));
         int requests = m_nginx.AccessLog.Length;
         StartAnew();
-        Assert.That(Read(RemoteFile.Open(address), 1_000_000, 1_000_000).AsSpan()
-            .SequenceEqual(bytes.AsSpan(1_000_000, 1_000_000)));
+        byte[] part = Read(RemoteFile.Open(address), 1_000_000, 1_000_000);
+        Assert.That(part.AsSpan().SequenceEqual(bytes.AsSpan(1_000_000, 1_000_000)));
 
         Assert.That(m_nginx.AccessLog, Has.Length.EqualTo(requests + 1));
         Assert.That(m_nginx.AccessLog.Take(requests), Has.All.Contains(" 206 "));
         AssertOneLine(Try(() => RemoteFile.Open(address + "x")), address + "x");
+    }
+
+    [TestCase("copc/lone-star.copc.laz", "lone-star.copc.laz")]
+    [TestCase("ept/lone-star-laszip/ept.json", "lone-star-laszip/ept.json")]
+    [TestCase("potree/v2-autzen-brotli/metadata.json", "v2-autzen-brotli/metadata.json")]
+    public void Picture_ByTls_HasThePixelsOfTheDisk(string sample, string target)
+    {
+        string from = Path.GetDirectoryName(TestData.SampleOrIgnore(sample));
+        Directory.Delete(Scratch["served"]);
+        Directory.CreateSymbolicLink(Scratch["served"], target.Contains('/') ? Path.GetDirectoryName(from) : from);
+        Begin();
+
+        byte[] Picture(string path)
+        {
+            var call = CliCall.Of("picture", path, "-o", Scratch["picture.png"], "--size", "320x200", "--force", "--plain",
+                "--quiet");
+            Assert.That(call.Status, Is.EqualTo(ExitStatus.Done), call.Error);
+            return File.ReadAllBytes(Scratch["picture.png"]);
+        }
+        byte[] wanted = Picture(Scratch["served/" + target]);
+        RemoteStatistics.Reset();
+        Assert.That(Picture($"https://127.0.0.1:{m_nginx.TlsPort}/{target}").AsSpan().SequenceEqual(wanted));
+        Assert.That(RemoteStatistics.Requests, Is.Positive);
+        Assert.That(RemoteStatistics.Waits, Is.Zero);
     }
 
     [Test]
@@ -64,8 +88,7 @@ sealed class NginxTests : RemoteFixture
         File.WriteAllBytes(Scratch["served/a.txt"], bytes);
         Begin("gzip on; gzip_min_length 1; gzip_types *;");
         string address = $"http://127.0.0.1:{m_nginx.Port}/a.txt";
-        using var client = new HttpClient(new HttpClientHandler
-            { AutomaticDecompression = System.Net.DecompressionMethods.None });
+        using var client = new HttpClient();
         client.DefaultRequestHeaders.TryAddWithoutValidation("Accept-Encoding", "gzip");
         Assert.That(client.GetAsync(address).Result.Content.Headers.ContentEncoding, Is.EqualTo(new[] { "gzip" }));
 
@@ -77,7 +100,7 @@ sealed class NginxTests : RemoteFixture
     {
         byte[] bytes = Make("a.las", 8_000_000);
         Begin("limit_req_zone $host zone=all:1m rate=20r/s; limit_req zone=all burst=1 nodelay; limit_req_status 429;");
-        RemoteSettings.Current.RetryMs = 100;
+        (RemoteSettings.Current.RetryMs, RemoteSettings.Current.MaxTries) = (100, 6);
         var file = RemoteFile.Open($"http://127.0.0.1:{m_nginx.Port}/a.las");
 
         Assert.That(Read(file, 0, bytes.Length).AsSpan().SequenceEqual(bytes));
@@ -86,8 +109,13 @@ sealed class NginxTests : RemoteFixture
     }
 
     // 40 ranges with gaps between that no request may span, 3 MB: in what the line takes for them, and a few round trips.
-    [TestCase(20, 10, true), TestCase(20, 100, true), TestCase(50, 10, true), TestCase(50, 100, true), TestCase(150, 10, true),
-        TestCase(150, 100, true), TestCase(50, 100, false)]
+    [TestCase(50, 100, true)]
+    [TestCase(150, 100, true)]
+    [TestCase(150, 100, false)]
+    [TestCase(20, 10, true, Category = "Long")]
+    [TestCase(20, 100, true, Category = "Long")]
+    [TestCase(50, 10, true, Category = "Long")]
+    [TestCase(150, 10, true, Category = "Long")]
     public void Reads_OverALink_TakeItsTimeAndFewRoundTrips(int roundTripMs, int megabits, bool isTls)
     {
         const int Ranges = 40, Bytes = 75_000, Apart = 1_300_000;
@@ -109,8 +137,8 @@ sealed class NginxTests : RemoteFixture
             using (reads[i])
                 AssertSame(reads[i], bytes.AsSpan(Apart * i + 100_000, Bytes));
         Assert.That(link.Connections, Is.LessThanOrEqualTo(6));
-        // Seven rounds of six, five of them with a new connection of two or three trips before.
-        Assert.That(seconds, Is.LessThan(1.2 * wire + (Ranges / 6 + 1 + 3) * trips + 0.5));
+        // Seven rounds of six, the first with new connections of two or three trips before; the rest is for busy machines.
+        Assert.That(seconds, Is.LessThan(1.2 * wire + (Ranges / 6 + 1 + 3) * trips + 1.5));
     }
 
     static unsafe void AssertSame(RemoteRead read, ReadOnlySpan<byte> bytes) =>

@@ -6,8 +6,8 @@ using FastPoints.Cli.Draw;
 
 namespace FastPoints.HostTests.Remote;
 
-// How Potree's viewer asks for a cloud's nodes: one request each, four under way, in the order of levels. It is let off
-// waiting for a node's parent, and decodes in no time.
+// How Potree's viewer asks for a cloud's nodes: one request each, four under way, in the order of levels. It is let off waiting
+// for a node's parent, and decodes in no time.
 sealed class OneRangeANode
 {
     const int RequestsUnderWay = 4;
@@ -64,8 +64,10 @@ sealed class OneRangeANode
         {
             int Int(int from) => BinaryPrimitives.ReadInt32LittleEndian(file.AsSpan(entry + from));
             if (Int(28) > 0)
-                nodes.Add((Int(0),
-                    new Piece(name, BinaryPrimitives.ReadInt64LittleEndian(file.AsSpan(entry + 16)), Int(24), Int(28))));
+            {
+                long offset = BinaryPrimitives.ReadInt64LittleEndian(file.AsSpan(entry + 16));
+                nodes.Add((Int(0), new Piece(name, offset, Int(24), Int(28))));
+            }
         }
         policy.m_nodes.AddRange(nodes.OrderBy(n => n.Level).Select(n => n.Piece));
         return policy;

@@ -114,7 +114,7 @@ sealed class RemoteCacheTests : RemoteFixture
 
     void Kill(int kills)
     {
-        byte[] bytes = Make("a.bin", 4_000_000);
+        byte[] bytes = Make("a.bin", 100_000_000);
         RemoteAccess.CacheBytes = 1L << 30;
         string address = Server.Of("a.bin");
         var random = new System.Random(1);
@@ -134,7 +134,7 @@ sealed class RemoteCacheTests : RemoteFixture
             }
             Assert.That(Server.Requests, Is.Empty, $"kill {kill}");
         }
-        Assert.That(Read(RemoteFile.Open(address), 0, bytes.Length), Is.EqualTo(bytes));
+        Assert.That(Read(RemoteFile.Open(address), 0, bytes.Length).AsSpan().SequenceEqual(bytes));
     }
 
     List<string> FillUntilKilled(string address, int seed, int ms)
@@ -173,9 +173,12 @@ sealed class RemoteCacheTests : RemoteFixture
     Process Fill(string address, int reads, int seed)
     {
         var start = new ProcessStartInfo("dotnet") { RedirectStandardOutput = true, RedirectStandardError = true };
-        foreach (string arg in new[] { "exec", typeof(CacheFiller).Assembly.Location,
-            Scratch["cache"], address, Scratch["served/a.bin"],
-            RemoteAccess.CacheBytes.ToString(), reads.ToString(), seed.ToString() })
+        string[] args =
+        {
+            "exec", typeof(CacheFiller).Assembly.Location, Scratch["cache"], address, Scratch["served/a.bin"],
+            RemoteAccess.CacheBytes.ToString(), reads.ToString(), seed.ToString(),
+        };
+        foreach (string arg in args)
             start.ArgumentList.Add(arg);
         return Process.Start(start);
     }

@@ -5,7 +5,7 @@ namespace FastPoints.HostTests.Remote;
 
 sealed class RemoteFaultTests : RemoteFixture
 {
-    // A stalled answer is waited for twice a try at most, four times.
+    // A stalled answer is waited for twice a try at most, three times.
     const double MaxSeconds = 10;
 
     // One such answer ends a read: asking again would bring the same, or other bytes of another version.
@@ -146,8 +146,7 @@ sealed class RemoteFaultTests : RemoteFixture
                 if (failure != null)
                     AssertOneLine(failure, address);
                 else
-                    Assert.That(read.AsSpan().SequenceEqual(bytes[name].AsSpan(offset, count)),
-                        $"{round} {i}: {address} {offset}");
+                    Assert.That(read.AsSpan().SequenceEqual(bytes[name].AsSpan(offset, count)), $"{round} {i}: {offset}");
                 Interlocked.Increment(ref failure == null ? ref right : ref failed);
             });
             met += Server.Requests.Count(r => r.Fault != Fault.None);

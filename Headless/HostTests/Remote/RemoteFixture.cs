@@ -17,7 +17,12 @@ abstract class RemoteFixture
         Directory.CreateDirectory(Scratch["served"]);
         RemoteSettings.Current = new RemoteSettings
         {
-            StallMs = 400, RetryMs = 2, MaxRetryAfterMs = 20, MinBytesPerSecond = 4096, ConfirmedMs = 0,
+            StallMs = 400,
+            MaxTries = 3,
+            RetryMs = 2,
+            MaxRetryAfterMs = 20,
+            MinBytesPerSecond = 4096,
+            ConfirmedMs = 0,
         };
         RemoteAccess.CacheFolder = Scratch["cache"];
         RemoteAccess.CacheBytes = 64 << 20;

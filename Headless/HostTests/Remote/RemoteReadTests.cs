@@ -41,13 +41,13 @@ sealed class RemoteReadTests : RemoteFixture
         var random = new System.Random(1);
         int[] ranks = Enumerable.Range(0, 40).OrderBy(_ => random.Next()).ToArray();
         // Too far apart for one request.
-        RemoteRead[] reads = ranks.Select(rank =>
-            file.Begin(600_000L * (rank % 13) + 65_536 + 150_000 * (rank / 13), 100, rank)).ToArray();
+        static long OffsetOf(int rank) => 600_000L * (rank % 13) + 65_536 + 150_000 * (rank / 13);
+        RemoteRead[] reads = ranks.Select(rank => file.Begin(OffsetOf(rank), 100, rank)).ToArray();
 
         Await(reads);
 
-        int[] firsts = Server.Requests.Select(r => ranks.Single(rank =>
-            r.Header("Range").StartsWith($"bytes={600_000L * (rank % 13) + 65_536 + 150_000 * (rank / 13)}-"))).ToArray();
+        int[] firsts = Server.Requests
+            .Select(r => ranks.Single(rank => r.Header("Range").StartsWith($"bytes={OffsetOf(rank)}-"))).ToArray();
         // Six may be under way before all are known.
         Assert.That(firsts.Skip(6).Zip(firsts.Skip(7)).Count(pair => pair.First > pair.Second + 6), Is.Zero,
             string.Join(" ", firsts));
