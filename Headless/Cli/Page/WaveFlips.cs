@@ -3,14 +3,11 @@ using FastPoints.Drawing;
 
 namespace FastPoints.Cli.Page;
 
-/// <summary>FLIP of the waves' pictures against a smooth one of the octree, and of that with one sample a pixel: the error of
-/// the pixels alone. Half the size of the picture.</summary>
+/// <summary>FLIP of the waves' pictures against a smooth one of the octree (all points up to a picture's budget, else what it
+/// has for this camera), and of that with one sample a pixel: the error of the pixels alone. Half the size of the
+/// picture.</summary>
 sealed record WaveFlips(List<double> OfWave, double Floor)
 {
-    /// <summary>Of the reference, so that memory does not follow the cloud: all of a smaller one, else what the octree has for
-    /// this camera.</summary>
-    const long MaxReferencePoints = 5_000_000;
-
     public static WaveFlips Measure(string cloud, MeasuredSample taken, PictureOptions options, CliRun run)
     {
         run.Progress.Begin("FLIP of the waves");
@@ -21,7 +18,7 @@ sealed record WaveFlips(List<double> OfWave, double Floor)
         run.RunSteps(LoadNodes.MeasureRanges(folder, selection, schema, options.UpAxis, ranges));
         int width = Math.Max(1, options.WidthPx / 2), height = Math.Max(1, options.HeightPx / 2);
         int samples = PictureCanvas.MaxSamplesPerEdge;
-        selection.Choose(options.Camera!.Value.ToStreamView(width * samples, height * samples), MaxReferencePoints);
+        selection.Choose(options.Camera!.Value.ToStreamView(width * samples, height * samples), DrawStored.DefaultBudget);
         using var all = new PointBatch(schema, selection.CheckedPoints, Allocator.Persistent);
         run.RunSteps(LoadNodes.Run(folder, selection, all, null));
 

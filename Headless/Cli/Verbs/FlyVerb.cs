@@ -238,7 +238,8 @@ public sealed class FlyVerb : Verb
                 + (toFull < 0 ? "never 95 % drawn" : $"95 % drawn after {toFull} frames; "
                 + $"its {Human.Bytes(bytes)} need {(bytes + uploadBytes - 1) / uploadBytes}"));
         if (run.Inputs.Any(SourcePath.IsRemote))
-            run.Out.WriteLine("95 % drawn " + (double.IsNaN(log.SecondsTo95) ? "never" : Ms(log.SecondsTo95) + " s after the start")
+            run.Out.WriteLine("95 % drawn "
+                + (double.IsNaN(log.SecondsTo95) ? "never" : Ms(log.SecondsTo95) + " s after the start")
                 + "; " + Human.Count(RemoteStatistics.Requests, "request") + " for " + Human.Bytes(RemoteStatistics.BytesFetched)
                 + ", " + Human.Bytes(RemoteStatistics.BytesUnused) + " of it unused; "
                 + Human.Count(RemoteStatistics.CacheHits, "range") + " from this machine's cache");

@@ -284,7 +284,8 @@ public sealed class InspectorTests
             Assert.That(made.name, Is.EqualTo("old town.fastpoints"));
             var cloud = made.GetComponent<FastPoints.Entities.PointCloud>();
             Assert.That(cloud.Path, Is.EqualTo("https://127.0.0.1:1/old%20town.fastpoints?sig=x"));
-            Assert.That(PointCloudEditor.RemoteNote(cloud), Does.StartWith("Remote: read from https://127.0.0.1:1/old%20town.fastpoints,"));
+            Assert.That(PointCloudEditor.RemoteNote(cloud),
+                Does.StartWith("Remote: read from https://127.0.0.1:1/old%20town.fastpoints,"));
             cloud.Path = "town.fastpoints";
             Assert.That(PointCloudEditor.RemoteNote(cloud), Is.Null);
             Object.DestroyImmediate(made);

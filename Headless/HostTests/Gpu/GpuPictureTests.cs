@@ -255,13 +255,13 @@ public sealed class GpuPictureTests : GraphicsFixture
         var camera = streams.Plan.Camera;
         int Covered(RgbaImage image) => Enumerable.Range(0, 320 * 180).Count(i => image[i % 320, i / 320] != options.Background);
         int all = Covered(streams.Draw(camera).Gpu);
-        streams.BeginFade(camera, Points / 8, 0.4f);
+        streams.BeginFade(camera, Points / 8, 0.25f);
         Compare(streams, camera, "fading-" + size + (canCompute ? "" : "-primitives"));
         if (size == "adaptive")
             return;
-        int some = Covered(streams.Draw(camera).Gpu), whole = Covered(streams.Draw(camera).Gpu);
-        Assert.That(some, Is.InRange(all / 2, all - 50));
-        Assert.That(whole, Is.EqualTo(all));
+        int[] covered = Enumerable.Range(0, 3).Select(_ => Covered(streams.Draw(camera).Gpu)).ToArray();
+        Assert.That(covered[0], Is.InRange(all / 2, all - 50));
+        Assert.That(covered[2], Is.EqualTo(all));
     }
 
     /// <summary>A camera 1 cm from a point whose coordinates are millions of metres, with points near and far in view.</summary>

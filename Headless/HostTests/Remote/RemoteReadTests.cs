@@ -77,6 +77,20 @@ sealed class RemoteReadTests : RemoteFixture
     }
 
     [Test]
+    public unsafe void Take_AfterCancel_WritesNothing()
+    {
+        byte* memory = stackalloc byte[8];
+        var command = new ReadCommand { Buffer = memory, Offset = 0, Size = 8 };
+        using var read = new RemoteRead(null, &command, 1, 0);
+        read.Take(0, 0, new byte[] { 1, 2 });
+        read.Cancel();
+        read.Take(0, 2, new byte[] { 3, 4, 5, 6, 7, 8 });
+
+        Assert.That(new ReadOnlySpan<byte>(memory, 8).ToArray(), Is.EqualTo(new byte[] { 1, 2, 0, 0, 0, 0, 0, 0 }));
+        Assert.That(read.IsDone && read.IsCancelled);
+    }
+
+    [Test]
     public void Reads_CancelledBeforeTheyWereAsked_AreNotAsked()
     {
         Make("a.bin", 4_000_000);

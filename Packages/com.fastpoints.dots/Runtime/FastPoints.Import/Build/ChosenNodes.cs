@@ -11,7 +11,7 @@ namespace FastPoints.Build
     {
         public const int UpperFile = -1;
 
-        const int TablesAhead = 16;
+        const int MaxTableFetches = 16;
 
         protected CloudFolder Folder { get; }
         readonly Dictionary<int, NodeTable> m_tables = new Dictionary<int, NodeTable>();
@@ -33,6 +33,8 @@ namespace FastPoints.Build
         public List<int> NodesOf(int file) => m_nodesOfFile[file];
 
         public NodeTable TableOf(int file) => file == UpperFile ? Folder.Upper : m_tables[file];
+
+        public RemoteFile RemoteOf(int file) => Folder.RemoteOf(file == UpperFile ? 0 : 1 + file);
 
         public string PathOf(int file) => file == UpperFile ? Folder.UpperPath : Folder.ChunkPath(file);
 
@@ -122,13 +124,13 @@ namespace FastPoints.Build
         // The tables of the chunks that come next, if they are on a web server.
         void FetchSoon(SortedSet<(float Narrowness, int File, int Node)> next)
         {
-            int ahead = 0;
+            int count = 0;
             foreach (var soon in next)
             {
-                if (ahead++ == TablesAhead)
+                if (count++ == MaxTableFetches)
                     break;
                 if (soon.Node < 0)
-                    Folder.IsTableNear(soon.File);
+                    Folder.IsTableFetched(soon.File);
             }
         }
 

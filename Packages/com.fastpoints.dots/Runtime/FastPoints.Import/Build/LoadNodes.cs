@@ -65,7 +65,7 @@ namespace FastPoints.Build
 
             bool IsAnyDecoding()
             {
-                while (fetched.Count > 0 && fetched.Peek().Read.IsNear)
+                while (fetched.Count > 0 && fetched.Peek().Read.IsFetched)
                 {
                     var (load, part, read) = fetched.Dequeue();
                     decoded = load.Schedule(part, read.Bytes, JobHandle.CombineDependencies(decoded, read.Done));
@@ -150,7 +150,6 @@ namespace FastPoints.Build
         {
             readonly ChosenNodes m_selection;
             readonly int m_file;
-            readonly RemoteFile m_remote;
             readonly PointBatch m_batch;
 
             /// <summary>Index among the chosen nodes, in the order of their bytes.</summary>
@@ -168,7 +167,6 @@ namespace FastPoints.Build
             {
                 m_selection = selection;
                 m_file = file;
-                m_remote = folder.RemoteOf(file + 1);
                 m_batch = batch;
                 var planes = new List<int> { StoreLayout.PositionPlane };
                 var shapes = new List<PlaneShape>();
@@ -253,7 +251,8 @@ namespace FastPoints.Build
             public void Begin(int number, StoreRead read)
             {
                 var part = Parts[number];
-                if (m_remote == null)
+                var remote = m_selection.RemoteOf(m_file);
+                if (remote == null)
                 {
                     read.Begin(m_selection.PathOf(m_file), part.FirstByte, part.ByteCount);
                     return;
@@ -264,7 +263,7 @@ namespace FastPoints.Build
                 for (int i = part.FirstNode; i < part.FirstNode + part.NodeCount; i++)
                     for (int p = 0; p < planes; p++)
                         pieces.Add(m_ranges[m_nodes[i].FirstRange + p]);
-                read.Begin(m_remote, part.FirstByte, part.ByteCount, pieces);
+                read.Begin(remote, part.FirstByte, part.ByteCount, pieces);
             }
 
             public JobHandle Schedule(int number, NativeArray<byte> bytes, JobHandle inputDeps)

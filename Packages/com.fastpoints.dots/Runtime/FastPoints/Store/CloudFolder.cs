@@ -10,7 +10,7 @@ namespace FastPoints.Store
     /// Everything is checked before it is used.</summary>
     public sealed unsafe class CloudFolder : IDisposable
     {
-        const int TablesAhead = 32;
+        const int MaxTableFetches = 32;
 
         CloudFolder(string path, CloudManifest manifest)
         {
@@ -144,7 +144,7 @@ namespace FastPoints.Store
         {
             if (m_remote == null)
                 return LoadTable(ChunkPath(chunk), Chunks[chunk]);
-            IsTableNear(chunk);
+            IsTableFetched(chunk);
             using var fetched = m_fetched[chunk];
             m_fetched.Remove(chunk);
             fetched.Await();
@@ -156,12 +156,12 @@ namespace FastPoints.Store
         // For callers that load all tables in this order.
         internal void FetchTablesFrom(int chunk)
         {
-            for (int c = chunk; m_remote != null && c < Math.Min(chunk + TablesAhead, Chunks.Length); c++)
-                IsTableNear(c);
+            for (int c = chunk; m_remote != null && c < Math.Min(chunk + MaxTableFetches, Chunks.Length); c++)
+                IsTableFetched(c);
         }
 
         // Whether LoadTable does not wait for a web server. Begins to fetch the table if not.
-        internal bool IsTableNear(int chunk)
+        internal bool IsTableFetched(int chunk)
         {
             if (m_remote == null)
                 return true;

@@ -336,7 +336,7 @@ namespace FastPoints
         // For messages.
         public string Address { get; }
 
-        public string Host => m_uri.Scheme + "://" + m_uri.Authority;
+        public string Server => m_uri.Scheme + "://" + m_uri.Authority;
 
         // Forgotten when it fails.
         public volatile Uri Resolved;

@@ -55,12 +55,12 @@ namespace FastPoints
                 Read.Rank != other.Read.Rank ? Read.Rank < other.Read.Rank : Number < other.Number;
         }
 
-        public static RangeQueue Of(string host)
+        public static RangeQueue Of(string server)
         {
             lock (s_queues)
             {
-                if (!s_queues.TryGetValue(host, out var queue))
-                    s_queues.Add(host, queue = new RangeQueue());
+                if (!s_queues.TryGetValue(server, out var queue))
+                    s_queues.Add(server, queue = new RangeQueue());
                 return queue;
             }
         }

@@ -34,7 +34,7 @@ namespace FastPoints
             m_target = target;
             m_identity = identity;
             m_head = head;
-            m_queue = RangeQueue.Of(target.Host);
+            m_queue = RangeQueue.Of(target.Server);
             m_key = key;
         }
 
@@ -262,7 +262,7 @@ namespace FastPoints
         {
             bool isCheck = known != null && known.Length > HeadBytes;
             using var exchange = await RangeExchange.Begin(target, 0, isCheck ? 1 : headBytes, null).ConfigureAwait(false);
-            RangeQueue.Of(target.Host).Measure(exchange.SecondsToHeaders);
+            RangeQueue.Of(target.Server).Measure(exchange.SecondsToHeaders);
             var head = new byte[exchange.Count];
             await exchange.Read(head, 0, all => true).ConfigureAwait(false);
             RemoteStatistics.AddFetched(head.Length, 0);

@@ -76,7 +76,8 @@ namespace FastPoints.Drawing
                 if (sources.Count > 0)
                     return new FileFeed(path, sources, OpenSource(sources), new FolderFeed(new GenerationPoller(path)),
                         OpenSource);
-                if (SourcePath.IsRemote(path) || !path.EndsWith(StoreFormat.FolderExtension, StringComparison.OrdinalIgnoreCase) &&
+                if (SourcePath.IsRemote(path) ||
+                    !path.EndsWith(StoreFormat.FolderExtension, StringComparison.OrdinalIgnoreCase) &&
                     (File.Exists(path) || Directory.Exists(path)))
                     return OpenSource(new[] { path });
             }

@@ -168,7 +168,7 @@ namespace FastPoints.Streaming
             outcome = default;
             failure = default;
             bytes = 0;
-            if (!m_transcoder.IsNear || !JobCoroutine.HasEnded(m_transcoder.Done))
+            if (!m_transcoder.IsFetched || !JobCoroutine.HasEnded(m_transcoder.Done))
                 return false;
             outcome = m_transcoder.End(out failure);
             bytes = m_transcoder.BytesRead;
