@@ -78,11 +78,15 @@ static class Faults
             case Fault.RedirectToNowhere: answer.Redirect("http://127.0.0.1:1/" + request.Name); break;
             case Fault.Redirect: answer.Redirect("/redirected/" + request.Target.TrimStart('/')); break;
             case Fault.StallHead: (answer.RawHead, answer.End) = ("", AnswerEnd.Stall); break;
-            case Fault.EndlessHead: (answer.RawHead, answer.End) = ("HTTP/1.1 206 Partial Content\r\n", AnswerEnd.EndlessHead); break;
+            case Fault.EndlessHead:
+                (answer.RawHead, answer.End) = ("HTTP/1.1 206 Partial Content\r\n", AnswerEnd.EndlessHead);
+                break;
             case Fault.NotHttp: (answer.RawHead, answer.End) = ("220 mail.example.org ESMTP\r\n\r\n", AnswerEnd.Close); break;
             case Fault.ResetHead: (answer.RawHead, answer.End) = ("", AnswerEnd.Reset); break;
             case Fault.CloseHead: (answer.RawHead, answer.End) = ("", AnswerEnd.Close); break;
-            case Fault.CutChunks: (answer.IsChunked, answer.SentBytes, answer.End) = (true, answer.Bytes / 2, AnswerEnd.Close); break;
+            case Fault.CutChunks:
+                (answer.IsChunked, answer.SentBytes, answer.End) = (true, answer.Bytes / 2, AnswerEnd.Close);
+                break;
             case Fault.Http10: (answer.Version, answer.End) = ("1.0", AnswerEnd.Close); break;
             case Fault.Chunked: answer.IsChunked = true; break;
             case Fault.ClosesAfter:

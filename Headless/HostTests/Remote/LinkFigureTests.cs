@@ -13,7 +13,8 @@ sealed class LinkFigureTests : RemoteFixture
     const string FromTheSouth = "0 693907 3915200 500 693907 3915870 40", LoneStar = "0 515385 4918310 2350 515385 4918360 2330",
         Lion = "0 -2 -8 2 -2 4 0";
 
-    static readonly (int RoundTripMs, double Megabits)[] s_links = { (20, 100), (50, 100), (150, 100), (20, 10), (50, 10), (150, 10) };
+    static readonly (int RoundTripMs, double Megabits)[] s_links =
+        { (20, 100), (50, 100), (150, 100), (20, 10), (50, 10), (150, 10) };
 
     static readonly string s_table = Environment.GetEnvironmentVariable("FASTPOINTS_FIGURES");
     static readonly int s_repeats = s_table == null ? 1 : 3;
@@ -35,7 +36,8 @@ sealed class LinkFigureTests : RemoteFixture
     public void Converted_OfAMillionPoints_IsThereInTime()
     {
         Begin();
-        Assert.That(CliCall.Of("convert", TestData.PathOrIgnore("data/ca13_d.laz"), "-o", Path.Combine(m_served, "ca13.fastpoints"),
+        Assert.That(CliCall.Of("convert", TestData.PathOrIgnore("data/ca13_d.laz"), "-o",
+            Path.Combine(m_served, "ca13.fastpoints"),
             "--quiet").Status, Is.Zero);
         File.WriteAllText(Scratch["path.txt"], FromTheSouth);
         var camera = CameraPath.Read(Scratch["path.txt"], new double3(0, 0, 1), 45);
@@ -92,7 +94,8 @@ sealed class LinkFigureTests : RemoteFixture
                     leastPolicy = Math.Min(leastPolicy, policy.Seconds($"http://127.0.0.1:{link.Port}", points));
             }
             long Number(string key) => best.GetProperty(key).GetInt64();
-            Say($"  {roundTripMs,3} ms {megabits,3} Mbit/s: {least:0.00} s, {Number("requests")} requests, {Number("bytesFetched")} bytes, " +
+            Say($"  {roundTripMs,3} ms {megabits,3} Mbit/s: {least:0.00} s, {Number("requests")} requests, " +
+                $"{Number("bytesFetched")} bytes, " +
                 $"{100.0 * Number("bytesUnused") / Number("bytesFetched"):0.0} % unused; a range a node {leastPolicy:0.00} s, " +
                 $"{policy.Requests} requests; {least / leastPolicy:0.00} of it");
             Assert.That(Number("pointsDrawn"), Is.EqualTo(local.GetProperty("pointsDrawn").GetInt64()).Within(1).Percent);
@@ -102,7 +105,8 @@ sealed class LinkFigureTests : RemoteFixture
     JsonElement Fly(string target, double megabits)
     {
         int frames = megabits < 50 ? 900 : 240;
-        var call = CliCall.Of("fly", target, "--frames", frames.ToString(), "--path", Scratch["path.txt"], "--budget", Budget.ToString(),
+        var call = CliCall.Of("fly", target, "--frames", frames.ToString(), "--path", Scratch["path.txt"],
+            "--budget", Budget.ToString(),
             "--fade", "0", "--json", "-", "--quiet");
         Assert.That(call.Status, Is.EqualTo(ExitStatus.Done), call.Error);
         return call.Json;

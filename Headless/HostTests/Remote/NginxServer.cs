@@ -27,7 +27,8 @@ sealed class NginxServer : IDisposable
         (TlsPort, Port) = (FreePort(), FreePort());
         File.WriteAllText(Path.Combine(folder, "nginx.conf"), Configuration(served, more));
         var start = new ProcessStartInfo(Program) { RedirectStandardError = true };
-        foreach (string arg in new[] { "-p", folder, "-c", Path.Combine(folder, "nginx.conf"), "-e", Path.Combine(folder, "error.log") })
+        foreach (string arg in new[]
+            { "-p", folder, "-c", Path.Combine(folder, "nginx.conf"), "-e", Path.Combine(folder, "error.log") })
             start.ArgumentList.Add(arg);
         m_process = Process.Start(start);
         AwaitPort();
@@ -94,7 +95,8 @@ sealed class NginxServer : IDisposable
         names.AddIpAddress(IPAddress.Loopback);
         names.AddDnsName("localhost");
         request.CertificateExtensions.Add(names.Build());
-        using X509Certificate2 certificate = request.Create(authority, now.AddDays(-1), now.AddDays(20), new byte[] { 1, 2, 3, 4 });
+        using X509Certificate2 certificate = request.Create(authority, now.AddDays(-1), now.AddDays(20),
+            new byte[] { 1, 2, 3, 4 });
         File.WriteAllText(AuthorityPath, authority.ExportCertificatePem());
         File.WriteAllText(Path.Combine(m_folder, "server.pem"), certificate.ExportCertificatePem());
         File.WriteAllText(Path.Combine(m_folder, "server.key"), key.ExportPkcs8PrivateKeyPem());

@@ -33,7 +33,8 @@ sealed class NginxTests : RemoteFixture
         Assert.That(Read(RemoteFile.Open(address), 0, 3_000_000).AsSpan().SequenceEqual(bytes));
         int requests = m_nginx.AccessLog.Length;
         StartAnew();
-        Assert.That(Read(RemoteFile.Open(address), 1_000_000, 1_000_000).AsSpan().SequenceEqual(bytes.AsSpan(1_000_000, 1_000_000)));
+        Assert.That(Read(RemoteFile.Open(address), 1_000_000, 1_000_000).AsSpan()
+            .SequenceEqual(bytes.AsSpan(1_000_000, 1_000_000)));
 
         Assert.That(m_nginx.AccessLog, Has.Length.EqualTo(requests + 1));
         Assert.That(m_nginx.AccessLog.Take(requests), Has.All.Contains(" 206 "));
@@ -63,7 +64,8 @@ sealed class NginxTests : RemoteFixture
         File.WriteAllBytes(Scratch["served/a.txt"], bytes);
         Begin("gzip on; gzip_min_length 1; gzip_types *;");
         string address = $"http://127.0.0.1:{m_nginx.Port}/a.txt";
-        using var client = new HttpClient(new HttpClientHandler { AutomaticDecompression = System.Net.DecompressionMethods.None });
+        using var client = new HttpClient(new HttpClientHandler
+            { AutomaticDecompression = System.Net.DecompressionMethods.None });
         client.DefaultRequestHeaders.TryAddWithoutValidation("Accept-Encoding", "gzip");
         Assert.That(client.GetAsync(address).Result.Content.Headers.ContentEncoding, Is.EqualTo(new[] { "gzip" }));
 

@@ -6,8 +6,8 @@ using FastPoints.Cli.Draw;
 
 namespace FastPoints.HostTests.Remote;
 
-// How Potree's viewer asks for a cloud's nodes: one request each, four under way, in the order of levels. It is let off waiting for
-// a node's parent, and decodes in no time.
+// How Potree's viewer asks for a cloud's nodes: one request each, four under way, in the order of levels. It is let off
+// waiting for a node's parent, and decodes in no time.
 sealed class OneRangeANode
 {
     const int RequestsUnderWay = 4;
@@ -39,7 +39,8 @@ sealed class OneRangeANode
             Thread.Sleep(1);
         foreach (var node in stream.Drawn.AsArray())
         {
-            var ranges = Enumerable.Range(0, source.Planes.Length).Select(p => stream.Clouds[cloud].RangeOf(node.Page, node.Node, p));
+            var ranges = Enumerable.Range(0, source.Planes.Length)
+                .Select(p => stream.Clouds[cloud].RangeOf(node.Page, node.Node, p));
             policy.m_nodes.Add(new Piece(Path.GetRelativePath(served, source.PathOf(node.Page)), ranges.Min(r => r.OffsetBytes),
                 stream.Clouds[cloud].BytesOf(node.Page, node.Node), PointsOf(stream, cloud, node.Page, node.Node)));
         }
@@ -63,7 +64,8 @@ sealed class OneRangeANode
         {
             int Int(int from) => BinaryPrimitives.ReadInt32LittleEndian(file.AsSpan(entry + from));
             if (Int(28) > 0)
-                nodes.Add((Int(0), new Piece(name, BinaryPrimitives.ReadInt64LittleEndian(file.AsSpan(entry + 16)), Int(24), Int(28))));
+                nodes.Add((Int(0),
+                    new Piece(name, BinaryPrimitives.ReadInt64LittleEndian(file.AsSpan(entry + 16)), Int(24), Int(28))));
         }
         policy.m_nodes.AddRange(nodes.OrderBy(n => n.Level).Select(n => n.Piece));
         return policy;

@@ -9,7 +9,8 @@ sealed class RangeAnswer
 {
     static readonly Dictionary<int, string> s_reasons = new()
     {
-        [200] = "OK", [206] = "Partial Content", [302] = "Found", [304] = "Not Modified", [404] = "Not Found", [405] = "Method Not Allowed",
+        [200] = "OK", [206] = "Partial Content", [302] = "Found", [304] = "Not Modified", [404] = "Not Found",
+        [405] = "Method Not Allowed",
         [412] = "Precondition Failed", [416] = "Range Not Satisfiable",
     };
 

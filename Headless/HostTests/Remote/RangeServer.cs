@@ -9,8 +9,8 @@ using Microsoft.Extensions.DependencyInjection;
 
 namespace FastPoints.HostTests.Remote;
 
-// Serves the files of a folder by ranges, by HTTP/1.1 on a free port of the loopback. Kestrel has the connections; the answers are
-// written here byte by byte, for Kestrel would let none be wrong.
+// Serves the files of a folder by ranges, by HTTP/1.1 on a free port of the loopback. Kestrel has the connections; the
+// answers are written here byte by byte, for Kestrel would let none be wrong.
 sealed class RangeServer : IDisposable
 {
     readonly string m_folder;

@@ -173,7 +173,8 @@ sealed class RemoteCacheTests : RemoteFixture
     Process Fill(string address, int reads, int seed)
     {
         var start = new ProcessStartInfo("dotnet") { RedirectStandardOutput = true, RedirectStandardError = true };
-        foreach (string arg in new[] { "exec", typeof(CacheFiller).Assembly.Location, Scratch["cache"], address, Scratch["served/a.bin"],
+        foreach (string arg in new[] { "exec", typeof(CacheFiller).Assembly.Location,
+            Scratch["cache"], address, Scratch["served/a.bin"],
             RemoteAccess.CacheBytes.ToString(), reads.ToString(), seed.ToString() })
             start.ArgumentList.Add(arg);
         return Process.Start(start);

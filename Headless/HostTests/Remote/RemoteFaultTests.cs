@@ -11,7 +11,8 @@ sealed class RemoteFaultTests : RemoteFixture
     // One such answer ends a read: asking again would bring the same, or other bytes of another version.
     static readonly Fault[] s_final =
     {
-        Fault.WholeBody, Fault.WrongTotal, Fault.OtherTag, Fault.Compressed, Fault.Refused403, Fault.Missing404, Fault.RedirectToHttp,
+        Fault.WholeBody, Fault.WrongTotal, Fault.OtherTag, Fault.Compressed, Fault.Refused403, Fault.Missing404,
+        Fault.RedirectToHttp,
     };
 
     // What a client cannot know from one answer is no fault to it.
@@ -145,7 +146,8 @@ sealed class RemoteFaultTests : RemoteFixture
                 if (failure != null)
                     AssertOneLine(failure, address);
                 else
-                    Assert.That(read.AsSpan().SequenceEqual(bytes[name].AsSpan(offset, count)), $"{round} {i}: {address} {offset}");
+                    Assert.That(read.AsSpan().SequenceEqual(bytes[name].AsSpan(offset, count)),
+                        $"{round} {i}: {address} {offset}");
                 Interlocked.Increment(ref failure == null ? ref right : ref failed);
             });
             met += Server.Requests.Count(r => r.Fault != Fault.None);

@@ -41,7 +41,8 @@ sealed class RemoteReadTests : RemoteFixture
         var random = new System.Random(1);
         int[] ranks = Enumerable.Range(0, 40).OrderBy(_ => random.Next()).ToArray();
         // Too far apart for one request.
-        RemoteRead[] reads = ranks.Select(rank => file.Begin(600_000L * (rank % 13) + 65_536 + 150_000 * (rank / 13), 100, rank)).ToArray();
+        RemoteRead[] reads = ranks.Select(rank =>
+            file.Begin(600_000L * (rank % 13) + 65_536 + 150_000 * (rank / 13), 100, rank)).ToArray();
 
         Await(reads);
 

@@ -168,34 +168,7 @@ namespace FastPoints.Build
                 m_selection = selection;
                 m_file = file;
                 m_batch = batch;
-                var planes = new List<int> { StoreLayout.PositionPlane };
-                var shapes = new List<PlaneShape>();
-                var columns = new List<StoredColumn>();
-                var targets = new List<PointColumn>();
-                for (int p = 1; p < folder.Layout.Planes.Count; p++)
-                {
-                    var plane = folder.Layout.Planes[p];
-                    if (plane.AverageOf >= 0)
-                        continue;
-                    // A plane is wanted if all its attributes are.
-                    int first = targets.Count;
-                    for (int c = plane.FirstColumn; c < plane.FirstColumn + plane.ColumnCount; c++)
-                    {
-                        int column = batch.Schema.IndexOf(folder.Layout.Attributes[folder.Layout.AttributeOfColumn[c]].Name);
-                        if (column >= 0)
-                            targets.Add(batch.Column(column));
-                    }
-                    if (targets.Count - first < plane.ColumnCount)
-                    {
-                        targets.RemoveRange(first, targets.Count - first);
-                        continue;
-                    }
-                    planes.Add(p);
-                    shapes.Add(plane.Shape);
-                    for (int c = plane.FirstColumn; c < plane.FirstColumn + plane.ColumnCount; c++)
-                        columns.Add(folder.Layout.Columns[c]);
-                }
-
+                var planes = ListPlanes(folder.Layout);
                 var table = selection.TableOf(file);
                 var chosen = selection.NodesOf(file);
                 var nodes = new ChosenNode[chosen.Count];
@@ -237,10 +210,42 @@ namespace FastPoints.Build
                 Parts = Cut(m_order, begins, ends, maxBytes);
                 m_nodes = new NativeArray<ChosenNode>(Array.ConvertAll(m_order, i => nodes[i]), Allocator.Persistent);
                 m_ranges = new NativeArray<PlaneRange>(ranges, Allocator.Persistent);
+                m_isDamaged = new NativeArray<bool>[Parts.Count];
+            }
+
+            // Those whose attributes are all in the batch, and the positions.
+            List<int> ListPlanes(StoreLayout layout)
+            {
+                var planes = new List<int> { StoreLayout.PositionPlane };
+                var shapes = new List<PlaneShape>();
+                var columns = new List<StoredColumn>();
+                var targets = new List<PointColumn>();
+                for (int p = 1; p < layout.Planes.Count; p++)
+                {
+                    var plane = layout.Planes[p];
+                    if (plane.AverageOf >= 0)
+                        continue;
+                    int first = targets.Count;
+                    for (int c = plane.FirstColumn; c < plane.FirstColumn + plane.ColumnCount; c++)
+                    {
+                        int column = m_batch.Schema.IndexOf(layout.Attributes[layout.AttributeOfColumn[c]].Name);
+                        if (column >= 0)
+                            targets.Add(m_batch.Column(column));
+                    }
+                    if (targets.Count - first < plane.ColumnCount)
+                    {
+                        targets.RemoveRange(first, targets.Count - first);
+                        continue;
+                    }
+                    planes.Add(p);
+                    shapes.Add(plane.Shape);
+                    for (int c = plane.FirstColumn; c < plane.FirstColumn + plane.ColumnCount; c++)
+                        columns.Add(layout.Columns[c]);
+                }
                 m_shapes = new NativeArray<PlaneShape>(shapes.ToArray(), Allocator.Persistent);
                 m_columns = new NativeArray<StoredColumn>(columns.ToArray(), Allocator.Persistent);
                 m_targets = new NativeArray<PointColumn>(targets.ToArray(), Allocator.Persistent);
-                m_isDamaged = new NativeArray<bool>[Parts.Count];
+                return planes;
             }
 
             public List<Part> Parts { get; }

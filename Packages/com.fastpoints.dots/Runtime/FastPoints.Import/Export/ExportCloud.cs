@@ -261,7 +261,7 @@ namespace FastPoints.Export
             var inFlight = new Queue<Slot>();
             var last = default(JobHandle);
             long pointsInFlight = 0, read = 0, filled = 0, bytes = 0;
-            using var prefetch = m_reader.CreatePrefetch(0, m_ranges.Count, n => m_ranges[n].Range);
+            using var window = m_reader.WindowOf(0, m_ranges.Count, n => m_ranges[n].Range);
             try
             {
                 for (int next = 0; next < m_ranges.Count || inFlight.Count > 0;)
@@ -276,10 +276,10 @@ namespace FastPoints.Export
                             all.Add(new Slot(m_reader, wanted, maxPoints, m_format, m_settings.Filter));
                             idle.Push(all[all.Count - 1]);
                         }
-                        while (prefetch != null && !prefetch.IsNextReady)
+                        while (window != null && !window.IsNextFetched)
                             yield return default;
                         var slot = idle.Pop();
-                        slot.Read.Fetched = prefetch?.Take();
+                        slot.Read.Fetched = window?.Take();
                         last = slot.Begin(m_ranges[next], JobOf(buffers), last);
                         pointsInFlight += m_ranges[next++].Range.Count;
                         inFlight.Enqueue(slot);

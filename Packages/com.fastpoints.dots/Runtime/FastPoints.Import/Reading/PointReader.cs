@@ -76,9 +76,9 @@ namespace FastPoints.Reading
             return new FetchedBytes(pieces, rank);
         }
 
-        // The ranges from first to before end, fetched ahead; null for local files.
-        internal RangePrefetch CreatePrefetch(int first, int end, Func<int, BlockRange> rangeOf) =>
-            IsRemote ? new RangePrefetch(first, end, (n, pieces) => ListPieces(rangeOf(n), pieces)) : null;
+        // The ranges from first to before end, fetched in advance; null for local files.
+        internal FetchWindow WindowOf(int first, int end, Func<int, BlockRange> rangeOf) =>
+            IsRemote ? new FetchWindow(first, end, (n, pieces) => ListPieces(rangeOf(n), pieces)) : null;
 
         /// <summary>Whether a range costs what it holds, wherever it lies in its block. Otherwise only prefixes are
         /// cheap.</summary>

@@ -131,7 +131,7 @@ namespace FastPoints.Reading
             StageProgress progress)
         {
             int first = ranges.First, end = ranges.End;
-            using var prefetch = m_reader.CreatePrefetch(first, end, ranges.RangeOf);
+            using var window = m_reader.WindowOf(first, end, ranges.RangeOf);
             long pointsDone = 0, bytesDone = 0;
             var throttle = consumer as IThrottledConsumer;
             var newest = default(JobHandle);
@@ -154,7 +154,7 @@ namespace FastPoints.Reading
                     progress?.Report((next - first - m_inFlight.Count) / (double)(end - first), pointsDone, bytesDone);
                     continue;
                 }
-                while (throttle != null && !throttle.IsReady || prefetch != null && !prefetch.IsNextReady)
+                while (throttle != null && !throttle.IsReady || window != null && !window.IsNextFetched)
                     yield return default;
                 if (m_idle.Count == 0)
                 {
@@ -165,7 +165,7 @@ namespace FastPoints.Reading
                 int slot = m_idle.Pop();
                 if (m_last.Length > 0)
                     m_reads[slot].Dependency = m_last[next % m_last.Length];
-                m_reads[slot].Fetched = prefetch?.Take();
+                m_reads[slot].Fetched = window?.Take();
                 begin(m_reads[slot], next);
                 m_consumed[slot] = newest = consumer.Schedule(m_reads[slot], slot, m_reads[slot].Decoded);
                 if (m_last.Length > 0)
@@ -239,7 +239,7 @@ namespace FastPoints.Reading
         }
 
         public static IEnumerator<JobStep> Run(int slots, int things, Func<int, int, JobHandle> begin, Action<int> end,
-            RangePrefetch prefetch = null)
+            FetchWindow window = null)
         {
             var ring = new SlotRing(slots);
             var handles = new JobHandle[slots];
@@ -247,7 +247,7 @@ namespace FastPoints.Reading
             {
                 if (next < things && !ring.IsFull)
                 {
-                    while (prefetch != null && !prefetch.IsNextReady)
+                    while (window != null && !window.IsNextFetched)
                         yield return default;
                     int slot = ring.Begin();
                     handles[slot] = begin(slot, next++);

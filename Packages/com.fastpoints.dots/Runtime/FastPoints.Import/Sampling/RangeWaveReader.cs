@@ -171,7 +171,7 @@ namespace FastPoints.Sampling
                 ? m_pace.RangesPerRequest(ranges.Length, m_reads.Length, MinRangesPerRequest, MaxRangesPerRequest)
                 : Reader.TakesFewRanges ? 1 : RangesPerFetch;
             int slotBytes = Math.Max(SlotBytes, m_plan.MaxSegmentPoints * Reader.Info.RecordBytes * (Reader.IsRemote ? max : 1));
-            using var prefetch = ((RecordReader)Reader).CreatePrefetch(ranges, max);
+            using var window = ((RecordReader)Reader).WindowOf(ranges, max);
             m_waveBegun = m_waveEnded = ReadClock.Now;
             m_segments = 0;
             for (int next = 0; next < ranges.Length;)
@@ -182,12 +182,12 @@ namespace FastPoints.Sampling
                     EndRead();
                     continue;
                 }
-                while (prefetch != null && !prefetch.IsNextReady)
+                while (window != null && !window.IsNextFetched)
                     yield return default;
                 int slot = m_ring.Begin();
                 var read = m_reads[slot] ??= ((RecordReader)Reader).CreateStridedRead(Buffer.Points, MaxRangesPerRequest,
                     slotBytes, Allocator.Persistent);
-                read.Fetched = prefetch?.Take();
+                read.Fetched = window?.Take();
                 next += read.Begin(ranges, next, max, m_gapBytes);
                 Filling = JobHandle.CombineDependencies(Filling, read.Decoded);
                 JobHandle.ScheduleBatchedJobs();

@@ -173,7 +173,7 @@ namespace FastPoints.Reading
         readonly List<SegmentBlock> m_blocks = new List<SegmentBlock>();
 
         // Null for a local file.
-        readonly RangePrefetch m_prefetch;
+        readonly FetchWindow m_window;
         long m_offset;
         SlotRing m_ring;
         ulong m_rows;
@@ -195,7 +195,7 @@ namespace FastPoints.Reading
             long bytes = Math.Min(blockBytes, fileBytes);
             m_ring = new SlotRing(m_slots.Length);
             if (reader.IsRemote)
-                m_prefetch = new RangePrefetch(0, (int)Math.Min(segments, int.MaxValue), (n, pieces) => pieces.Add(new FilePiece
+                m_window = new FetchWindow(0, (int)Math.Min(segments, int.MaxValue), (n, pieces) => pieces.Add(new FilePiece
                 {
                     Path = file.Path,
                     OffsetBytes = offset + (long)n * blockBytes,
@@ -218,7 +218,7 @@ namespace FastPoints.Reading
             handle = default;
             if (m_rows >= m_rowsEnd)
                 return false;
-            while (!m_ring.IsFull && m_offset < m_fileBytes && (m_prefetch == null || m_prefetch.IsNextReady))
+            while (!m_ring.IsFull && m_offset < m_fileBytes && (m_window == null || m_window.IsNextFetched))
                 Start(m_slots[m_ring.Begin()]);
             if (m_ring.IsEmpty)
                 return m_offset < m_fileBytes;
@@ -229,7 +229,7 @@ namespace FastPoints.Reading
         void Start(AsciiSlot slot)
         {
             int bytes = (int)Math.Min(m_blockBytes, m_fileBytes - m_offset);
-            slot.Begin(m_file, m_offset, bytes, m_prefetch?.Take());
+            slot.Begin(m_file, m_offset, bytes, m_window?.Take());
             m_offset += bytes;
         }
 
@@ -259,7 +259,7 @@ namespace FastPoints.Reading
 
         public void Dispose()
         {
-            m_prefetch?.Dispose();
+            m_window?.Dispose();
             foreach (var slot in m_slots)
                 slot.Dispose();
         }

@@ -72,7 +72,7 @@ namespace FastPoints.Reading
             var order = new SampleOrder(Count, OrderSeed);
             var slots = new AsciiSlot[Math.Min(Slots, wanted)];
             var parts = new int[slots.Length];
-            using var prefetch = !m_file.IsRemote ? null : new RangePrefetch(0, wanted, (i, pieces) => pieces.Add(new FilePiece
+            using var window = !m_file.IsRemote ? null : new FetchWindow(0, wanted, (i, pieces) => pieces.Add(new FilePiece
             {
                 Path = m_file.Path,
                 OffsetBytes = OffsetOf(order.StratumAt(first + i)),
@@ -85,10 +85,10 @@ namespace FastPoints.Reading
                 yield return JobStep.Of(SlotRing.Run(slots.Length, wanted, (slot, i) =>
                 {
                     parts[slot] = order.StratumAt(first + i);
-                    var counted = slots[slot].Begin(m_file, OffsetOf(parts[slot]), SegmentBytes, prefetch?.Take());
+                    var counted = slots[slot].Begin(m_file, OffsetOf(parts[slot]), SegmentBytes, window?.Take());
                     JobHandle.ScheduleBatchedJobs();
                     return counted;
-                }, slot => Take(slots[slot], parts[slot]), prefetch));
+                }, slot => Take(slots[slot], parts[slot]), window));
             }
             finally
             {

@@ -89,9 +89,9 @@ namespace FastPoints.Reading
             LengthBytes = StridedRead.BytesOf(range, m_recordBytes),
         };
 
-        // Fetches strided ranges ahead, so many a read, with what lies between them; null for a local file.
-        internal RangePrefetch CreatePrefetch(NativeArray<StridedRange> ranges, int perRead) => !IsRemote ? null
-            : new RangePrefetch(0, (ranges.Length + perRead - 1) / perRead, (read, pieces) =>
+        // Fetches strided ranges in advance, so many a read, with what lies between them; null for a local file.
+        internal FetchWindow WindowOf(NativeArray<StridedRange> ranges, int perRead) => !IsRemote ? null
+            : new FetchWindow(0, (ranges.Length + perRead - 1) / perRead, (read, pieces) =>
             {
                 var piece = PieceOf(ranges[read * perRead]);
                 var last = PieceOf(ranges[Math.Min(ranges.Length, (read + 1) * perRead) - 1]);
@@ -120,7 +120,7 @@ namespace FastPoints.Reading
             var reads = new StridedRead[Slots];
             var ring = new SlotRing(Slots);
             var behind = default(JobHandle);
-            RangePrefetch prefetch = null;
+            FetchWindow window = null;
             try
             {
                 int index = 0, longest = 1;
@@ -134,7 +134,7 @@ namespace FastPoints.Reading
                 }
                 if (count == 0)
                     behind = then(default);
-                prefetch = CreatePrefetch(strided, rangesPerRequest);
+                window = WindowOf(strided, rangesPerRequest);
                 for (int next = 0; next < count || !ring.IsEmpty;)
                 {
                     if (next == count || ring.IsFull)
@@ -143,13 +143,13 @@ namespace FastPoints.Reading
                         reads[ring.End()].Complete();
                         continue;
                     }
-                    while (prefetch != null && !prefetch.IsNextReady)
+                    while (window != null && !window.IsNextFetched)
                         yield return default;
                     int slot = ring.Begin();
                     reads[slot] ??= CreateStridedRead(target, rangesPerRequest,
                         Math.Max(BytesPerRequest, longest * m_recordBytes * (IsRemote ? rangesPerRequest : 1)),
                         Allocator.Persistent);
-                    reads[slot].Fetched = prefetch?.Take();
+                    reads[slot].Fetched = window?.Take();
                     next += reads[slot].Begin(strided, next, rangesPerRequest, 0);
                     behind = JobHandle.CombineDependencies(behind, reads[slot].Decoded);
                     if (next == count)
@@ -163,7 +163,7 @@ namespace FastPoints.Reading
             finally
             {
                 behind.Complete();
-                prefetch?.Dispose();
+                window?.Dispose();
                 foreach (var read in reads)
                     read?.Dispose();
                 strided.Dispose();

@@ -170,21 +170,21 @@ namespace FastPoints.Sources
             var top = new PointBatch(schema, Math.Max(1, points), Allocator.Persistent);
             var slots = new BlockRead[Math.Min(MaxSlots, blocks.Count)];
             BlockRange RangeOf(int i) => new BlockRange(blocks[i], 0, reader.PointsInBlock(blocks[i]));
-            using var prefetch = reader.CreatePrefetch(0, blocks.Count, RangeOf);
+            using var window = reader.WindowOf(0, blocks.Count, RangeOf);
             bool isDone = false;
             try
             {
                 yield return JobStep.Of(SlotRing.Run(slots.Length, blocks.Count, (slot, i) =>
                 {
                     slots[slot] ??= reader.CreateRead(schema, max, Allocator.Persistent);
-                    slots[slot].Fetched = prefetch?.Take();
+                    slots[slot].Fetched = window?.Take();
                     slots[slot].Begin(RangeOf(i));
                     return slots[slot].Decoded;
                 }, slot =>
                 {
                     slots[slot].Complete();
                     Append(slots[slot].Points, top);
-                }, prefetch));
+                }, window));
                 isDone = true;
             }
             finally

@@ -216,7 +216,8 @@ namespace FastPoints
                     return new RemoteFault(FailureCode.NotFound, m_address, -1, what + ": no such file");
                 case 416:
                     long? length = m_response.Content.Headers.ContentRange?.Length;
-                    return length == 0 ? new RemoteFault(FailureCode.Truncated, m_address, -1, "wanted a point cloud, got 0 bytes")
+                    return length == 0
+                        ? new RemoteFault(FailureCode.Truncated, m_address, -1, "wanted a point cloud, got 0 bytes")
                         : Fault(0, what + ": it has no such range, of " + (length == null ? "?" : NumberText.Of(length.Value)) +
                             " bytes");
                 case 408:

@@ -155,7 +155,8 @@ namespace FastPoints
             long began = Stopwatch.GetTimestamp();
             try
             {
-                await batch.File.Fetch(batch.Begin, batch.Bytes, buffer, bytes => batch.Take(buffer, bytes)).ConfigureAwait(false);
+                await batch.File.Fetch(batch.Begin, batch.Bytes, buffer, bytes => batch.Take(buffer, bytes))
+                    .ConfigureAwait(false);
             }
             catch (Exception e)
             {

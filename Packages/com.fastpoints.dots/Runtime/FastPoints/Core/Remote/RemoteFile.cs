@@ -43,8 +43,8 @@ namespace FastPoints
         public static RemoteFile Of(string address, long length, string version)
         {
             var identity = new RemoteIdentity(length, null, null);
-            return new RemoteFile(address, new RemoteTarget(address), identity, RangeKey.Of(RemoteKey.Of(address) + "\n" + version),
-                null);
+            return new RemoteFile(address, new RemoteTarget(address), identity,
+                RangeKey.Of(RemoteKey.Of(address) + "\n" + version), null);
         }
 
         public string Address { get; }

@@ -12,12 +12,12 @@ namespace FastPoints
         // For messages.
         string Name { get; }
 
-        // Fills the buffer from its start. arrived is called with the number of bytes so far, and returns whether more are wanted.
+        // Fills the buffer from its start. arrived is called with the number of bytes so far; it returns whether more are wanted.
         Task Fetch(long offset, long count, byte[] into, Func<int, bool> arrived);
     }
 
-    // Some bytes of a remote file, on their way to memory. Any thread may ask whether they have come; nothing waits but Await. After
-    // Cancel no more is written: its memory may be freed at once.
+    // Some bytes of a remote file, on their way to memory. Any thread may ask whether they have come; nothing waits but Await.
+    // After Cancel no more is written: its memory may be freed at once.
     internal sealed unsafe class RemoteRead : IDisposable
     {
         readonly object m_lock = new object();

@@ -3,10 +3,10 @@ using System.Collections.Generic;
 
 namespace FastPoints
 {
-    // Fetches what is read next of remote files, several in flight and in their order, so that none waits. Main thread.
-    internal sealed class RangePrefetch : IDisposable
+    // Fetches of remote files what the next reads need, several at once and in their order, so that none waits. Main thread.
+    internal sealed class FetchWindow : IDisposable
     {
-        // Bytes in flight or fetched, and not taken; one read is always begun, however long. At 100 Mbit/s they take a second.
+        // Bytes on their way or here; one read is always begun, however long. At 100 Mbit/s they take a second.
         const long MaxBytes = 12 << 20;
 
         // Servers answer some at a time; the others wait here for connections.
@@ -19,7 +19,7 @@ namespace FastPoints
         int m_next;
 
         // Reads from first to before end; listPieces adds the pieces of one of them.
-        public RangePrefetch(int first, int end, Action<int, List<FilePiece>> listPieces)
+        public FetchWindow(int first, int end, Action<int, List<FilePiece>> listPieces)
         {
             m_next = first;
             m_end = end;
@@ -27,7 +27,7 @@ namespace FastPoints
         }
 
         // Whether the next read can be taken. It begins others behind it.
-        public bool IsNextReady
+        public bool IsNextFetched
         {
             get
             {
