@@ -56,7 +56,7 @@ public sealed class FailureTests : ScratchPerTest
     [Test]
     public void Info_OfAnUrlOrAFolderOfFolders_GivesAHint()
     {
-        Assert.That(CliCall.Of("info", "https://example.org/a.laz").Error, Does.Contain("download the file"));
+        Assert.That(CliCall.Of("info", "ftp://example.org/a.laz").Error, Does.Contain("download the file"));
         Directory.CreateDirectory(Scratch["all/tiles"]);
         Scratch.Demo("all/tiles/a.las", 10);
         var call = CliCall.Of("info", Scratch["all"]);

@@ -33,7 +33,9 @@ namespace FastPoints.Sampling
 
         public RangePlan(long points, int wanted, int recordBytes, uint seed, int pointsPerRange = PointsPerDefaultRange)
             : this(points, wanted, seed, pointsPerRange, Math.Max(pointsPerRange, Math.Min(MaxSpanPoints, SpanBytes
-                / Math.Max(1, recordBytes)) * Math.Max(1, pointsPerRange / PointsPerDefaultRange))) { }
+                / Math.Max(1, recordBytes)) * Math.Max(1, pointsPerRange / PointsPerDefaultRange)))
+        {
+        }
 
         /// <summary>For files of which each range costs a request: few, whose points follow each other.</summary>
         public static RangePlan OfRemote(long points, int wanted, uint seed)

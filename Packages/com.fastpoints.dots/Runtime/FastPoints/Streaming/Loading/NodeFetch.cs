@@ -153,7 +153,7 @@ namespace FastPoints.Streaming
 
         bool TryEndRemote(out ReadStatus status)
         {
-            status = ReadStatus.InProgress;
+            status = default;
             if (!m_remote.IsDone)
                 return false;
             Failure = m_remote.Failure;
