@@ -12,7 +12,7 @@ public sealed class SampleMethods(Func<PointReader> open, PreviewOptions options
     {
         var taken = new MeasuredSample(reader.Info.Transform);
         bool refines = PreviewSampling.Refines(reader);
-        int wanted = refines ? RefiningSampler.PointsBefore(reader, options.Points) : options.Points;
+        int wanted = refines ? RefiningSampler.FirstSamplePoints(reader, options.Points) : options.Points;
         var watch = Stopwatch.StartNew();
         using (var sampler = new PreviewSampler(reader, wanted, options.Seed))
         {

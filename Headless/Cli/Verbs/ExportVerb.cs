@@ -90,7 +90,7 @@ public sealed class ExportVerb : Verb
         if (parsed.GetValue(m_memory) is { } memory)
             settings.MemoryBytes = Memory.ForBuild(memory);
         clouds = run.Begin(clouds, output);
-        using var reader = clouds is [var only] && CloudFolder.IsCloud(only) ? StoredReader.Open(only)
+        using var reader = clouds is [var only] && CloudFolder.IsCloud(only) ? ConvertedReader.Open(only)
             : PointReaders.Open(clouds, m_source.Read(parsed));
         run.Warn(reader.Info);
         // Before the bytes of an octree are counted.

@@ -130,7 +130,7 @@ public sealed class PictureVerb : Verb
         var bounds = BoundsGeo.Empty;
         foreach (string cloud in clouds)
         {
-            using PointReader reader = CloudFolder.IsCloud(cloud) ? StoredReader.Open(cloud) : PointReaders.Open(cloud, source);
+            using PointReader reader = CloudFolder.IsCloud(cloud) ? ConvertedReader.Open(cloud) : PointReaders.Open(cloud, source);
             points += reader.Info.PointsReadable;
             bounds.Include(reader.Info.BoundsTrusted);
         }

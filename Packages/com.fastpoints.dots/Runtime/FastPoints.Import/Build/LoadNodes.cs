@@ -65,7 +65,7 @@ namespace FastPoints.Build
 
             bool IsAnyDecoding()
             {
-                while (fetched.Count > 0 && fetched.Peek().Read.IsNear)
+                while (fetched.Count > 0 && fetched.Peek().Read.IsFetched)
                 {
                     var (load, part, read) = fetched.Dequeue();
                     decoded = load.Schedule(part, read.Bytes, JobHandle.CombineDependencies(decoded, read.Done));

@@ -49,7 +49,9 @@ namespace FastPoints.Sampling
 
         public RangeWaveReader(PointReader reader, int wanted, uint seed)
             : this(reader, wanted, seed, reader.TakesFewRanges ? RangePlan.OfRemote(reader.PointCount, wanted, seed)
-                : new RangePlan(reader.PointCount, wanted, reader.Info.RecordBytes, seed)) { }
+                : new RangePlan(reader.PointCount, wanted, reader.Info.RecordBytes, seed))
+        {
+        }
 
         RangeWaveReader(PointReader reader, int wanted, uint seed, RangePlan plan)
             : base(reader, plan.EntryCount,
@@ -180,7 +182,7 @@ namespace FastPoints.Sampling
                     EndRead();
                     continue;
                 }
-                while (ahead != null && !ahead.IsNear)
+                while (ahead != null && !ahead.TryPrepareNext())
                     yield return default;
                 int slot = m_ring.Begin();
                 var read = m_reads[slot] ??= ((RecordReader)Reader).CreateStridedRead(Buffer.Points, MaxRangesPerRequest,

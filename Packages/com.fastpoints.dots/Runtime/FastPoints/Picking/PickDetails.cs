@@ -21,7 +21,7 @@ namespace FastPoints.Picking
 
         sealed class Plane
         {
-            public int Number; // Among the planes that are streamed or made.
+            public int Number; // Among the planes that are streamed or transcoded.
             public StoreLayout.Plane Layout;
             public StoreRead Read = new StoreRead();
             public NativeArray<ulong> Values;
@@ -45,7 +45,7 @@ namespace FastPoints.Picking
         // To await before the next call.
         public JobHandle Done => m_isTranscoding ? m_transcoder.Done : m_done;
 
-        public bool IsNear => m_isTranscoding ? m_transcoder.IsNear : m_planes.TrueForAll(plane => plane.Read.IsNear);
+        public bool IsFetched => m_isTranscoding ? m_transcoder.IsFetched : m_planes.TrueForAll(plane => plane.Read.IsFetched);
 
         NodeSource Source => m_cloud.Source;
 

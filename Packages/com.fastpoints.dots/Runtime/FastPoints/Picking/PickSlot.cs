@@ -37,7 +37,7 @@ namespace FastPoints.Picking
         NodeSource Source => m_cloud.Source;
 
         // Whether what Done leads to may be used: what is on a web server comes by itself.
-        public bool IsNear => m_first.IsNear && m_classes.IsNear && (!m_isTranscoding || m_transcoder.IsNear);
+        public bool IsFetched => m_first.IsFetched && m_classes.IsFetched && (!m_isTranscoding || m_transcoder.IsFetched);
 
         // Bytes of the last read.
         public long Bytes { get; private set; }

@@ -73,7 +73,7 @@ namespace FastPoints.Picking
                     while (!ArePagesKnown())
                         yield return Source.Reading;
                     bool hasMore = Begin(clips);
-                    while (!IsNear)
+                    while (!IsFetched)
                         yield return default;
                     yield return PendingJobs();
                     if (hasMore)
@@ -87,7 +87,7 @@ namespace FastPoints.Picking
                 if (m_best.IsFound)
                 {
                     m_details.Begin(m_best);
-                    while (!m_details.IsNear)
+                    while (!m_details.IsFetched)
                         yield return default;
                     yield return m_details.Done;
                     m_details.Continue();
@@ -162,12 +162,12 @@ namespace FastPoints.Picking
             return hasMore;
         }
 
-        bool IsNear
+        bool IsFetched
         {
             get
             {
                 for (int i = 0; i < m_taken.Count; i++)
-                    if (!m_slots[i].IsNear)
+                    if (!m_slots[i].IsFetched)
                         return false;
                 return true;
             }

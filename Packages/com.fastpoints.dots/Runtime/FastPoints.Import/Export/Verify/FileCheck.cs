@@ -50,7 +50,7 @@ namespace FastPoints.Export
         public IEnumerator<JobStep> Begin()
         {
             m_read.Begin(Path, 0, m_fileBytes, m_remote);
-            while (!m_read.IsNear)
+            while (!m_read.IsFetched)
                 yield return default;
             var job = new VerifyNodesJob
             {

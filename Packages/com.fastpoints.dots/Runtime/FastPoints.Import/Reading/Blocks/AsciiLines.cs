@@ -218,7 +218,7 @@ namespace FastPoints.Reading
             handle = default;
             if (m_rows >= m_rowsEnd)
                 return false;
-            while (!m_ring.IsFull && m_offset < m_fileBytes && (m_ahead == null || m_ahead.IsNear))
+            while (!m_ring.IsFull && m_offset < m_fileBytes && (m_ahead == null || m_ahead.TryPrepareNext()))
                 Start(m_slots[m_ring.Begin()]);
             if (m_ring.IsEmpty)
                 return m_offset < m_fileBytes;

@@ -31,7 +31,7 @@ namespace FastPoints.Reading
             new NativeArray<FieldCopy>(FieldCopyPlan.Make(Fields, batch, IsBigEndian), allocator);
     }
 
-    // Blocks of one number of points, but the last: records of one length, any of which can be read alone, or in scattered runs.
+    // Blocks of one number of points, but the last: records of one length, any of which can be read alone, or as strided ranges.
     internal abstract class RecordReader : PointReader
     {
         // Measured beside 16,384 and 65,536: blocks in flight stay in the caches, and there are not too many of them.
@@ -89,7 +89,7 @@ namespace FastPoints.Reading
             LengthBytes = StridedRead.BytesOf(range, m_recordBytes),
         };
 
-        // Fetches strided ranges ahead, so many a read, with what lies between them; null for a local file.
+        // Fetches strided ranges ahead, perRead of them with each read and what lies between them; null for a local file.
         internal ReadAhead AheadOf(NativeArray<StridedRange> ranges, int perRead) => !IsRemote ? null
             : new ReadAhead(0, (ranges.Length + perRead - 1) / perRead, (read, pieces) =>
             {
@@ -119,7 +119,7 @@ namespace FastPoints.Reading
             var strided = new NativeArray<StridedRange>(count, Allocator.Persistent);
             var reads = new StridedRead[Slots];
             var ring = new SlotRing(Slots);
-            var behind = default(JobHandle);
+            var decoded = default(JobHandle);
             ReadAhead ahead = null;
             try
             {
@@ -133,7 +133,7 @@ namespace FastPoints.Reading
                     longest = Math.Max(longest, range.Count);
                 }
                 if (count == 0)
-                    behind = then(default);
+                    decoded = then(default);
                 ahead = AheadOf(strided, rangesPerRequest);
                 for (int next = 0; next < count || !ring.IsEmpty;)
                 {
@@ -143,7 +143,7 @@ namespace FastPoints.Reading
                         reads[ring.End()].Complete();
                         continue;
                     }
-                    while (ahead != null && !ahead.IsNear)
+                    while (ahead != null && !ahead.TryPrepareNext())
                         yield return default;
                     int slot = ring.Begin();
                     reads[slot] ??= CreateStridedRead(target, rangesPerRequest,
@@ -151,18 +151,18 @@ namespace FastPoints.Reading
                         Allocator.Persistent);
                     reads[slot].Fetched = ahead?.Take();
                     next += reads[slot].Begin(strided, next, rangesPerRequest, 0);
-                    behind = JobHandle.CombineDependencies(behind, reads[slot].Decoded);
+                    decoded = JobHandle.CombineDependencies(decoded, reads[slot].Decoded);
                     if (next == count)
-                        behind = then(behind);
+                        decoded = then(decoded);
                     JobHandle.ScheduleBatchedJobs();
-                    // The coroutine checks its budget.
+                    // Lets JobCoroutine check its budget.
                     yield return default;
                 }
-                yield return behind;
+                yield return decoded;
             }
             finally
             {
-                behind.Complete();
+                decoded.Complete();
                 ahead?.Dispose();
                 foreach (var read in reads)
                     read?.Dispose();

@@ -85,7 +85,7 @@ namespace FastPoints.Sources
 
         BlockRange Range => new BlockRange(m_node.Block, 0, m_node.PointCount);
 
-        internal override bool IsNear
+        internal override bool IsFetched
         {
             get
             {

@@ -3,10 +3,10 @@ using System.Collections.Generic;
 
 namespace FastPoints
 {
-    // Fetches of remote files what is read next, several reads ahead and in their order, so that none waits. Main thread.
+    // Fetches what will be read next from remote files, in order and several reads early, so that no read waits. Main thread.
     internal sealed class ReadAhead : IDisposable
     {
-        // Bytes on their way or here; one read is always begun, however long. At 100 Mbit/s they take a second.
+        // Bytes in flight or fetched and not taken; one read is always begun, however long. At 100 Mbit/s they take a second.
         const long MaxBytes = 12 << 20;
 
         // Servers answer some at a time; the others wait here for connections.
@@ -27,14 +27,11 @@ namespace FastPoints
         }
 
         // Whether the next read can be taken. It begins others behind it.
-        public bool IsNear
+        public bool TryPrepareNext()
         {
-            get
-            {
-                while (m_next < m_end && m_begun.Count < MaxReads && BytesBegun < MaxBytes)
-                    Begin(m_next++);
-                return m_begun.Count == 0 || m_begun.Peek().IsDone;
-            }
+            while (m_next < m_end && m_begun.Count < MaxReads && BytesBegun < MaxBytes)
+                Begin(m_next++);
+            return m_begun.Count == 0 || m_begun.Peek().IsDone;
         }
 
         long BytesBegun

@@ -22,7 +22,7 @@ namespace FastPoints.Streaming
         public abstract void Begin(in HierarchyPage page, int node);
 
         // Whether Done is that of all jobs: of a remote source they begin when its bytes are here, which is seen here.
-        internal virtual bool IsNear => true;
+        internal virtual bool IsFetched => true;
 
         // What has not come need not come any more.
         internal virtual void Cancel() { }
