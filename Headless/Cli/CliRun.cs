@@ -127,9 +127,9 @@ public sealed class CliRun(TextWriter output, TextWriter error, RunSettings sett
             return new BoundsGeo(box.CenterWorld - half, box.CenterWorld + half);
         }
         IsEmpty = true;
-        Warn(output + ": no point is " + what + " of " + Human.Count(points) + ", which lie in " + Human.Box(bounds)
+        Warn(output + ": no point is " + what + " of " + NumberFormat.Count(points) + ", which lie in " + NumberFormat.Box(bounds)
             + (clips.Count == 0 ? "" : "; wanted "
-            + string.Join(", ", clips.Select(c => (c.Cuts ? "not " : "") + Human.Box(Of(c))))));
+            + string.Join(", ", clips.Select(c => (c.Cuts ? "not " : "") + NumberFormat.Box(Of(c))))));
     }
 
     public void Warn(string line, bool isShown = false)

@@ -8,8 +8,9 @@ namespace FastPoints.Cli;
 
 public static class CommandLine
 {
+    /// <param name="discardBuild">If cancelled, an interrupted build is not kept for a resume.</param>
     public static int Run(IReadOnlyList<string> args, TextWriter output, TextWriter error, bool errorIsTerminal,
-        CancellationToken cancellation, CancellationToken discard = default)
+        CancellationToken cancellation, CancellationToken discardBuild = default)
     {
         ZstandardDecompressor.Register();
         var verbs = AllVerbs();
@@ -46,7 +47,7 @@ public static class CommandLine
             });
         var run = new CliRun(output, error, common.Read(parsed), cancellation)
         {
-            Discard = discard,
+            Discard = discardBuild,
             CommandLine = "./fastpoints " + string.Join(" ", args.Select(SourcePath.WithoutQuery).Select(Quoted)),
         };
         return Run(chosen, parsed, common, run, error, errorIsTerminal);
@@ -77,11 +78,12 @@ public static class CommandLine
         if (parsed.Tokens.Any(t => t.Type == TokenType.Directive))
             return null;
         // After -- there are only files, whatever their names.
-        int plain = parsed.Tokens.SkipWhile(t => t.Type != TokenType.DoubleDash).Skip(1).Count();
+        int countAfterDashes = parsed.Tokens.SkipWhile(t => t.Type != TokenType.DoubleDash).Skip(1).Count();
         var words = command.Arguments.SelectMany(a => parsed.GetResult(a)?.Tokens ?? []).ToList();
         bool isWrong = parsed.Errors.Count > 0 && parsed.Action is ParseErrorAction or null;
         // Reported before missing arguments.
-        foreach (string word in words.SkipLast(plain).Select(t => t.Value).Concat(isWrong ? parsed.UnmatchedTokens : []))
+        foreach (string word in words.SkipLast(countAfterDashes).Select(t => t.Value)
+            .Concat(isWrong ? parsed.UnmatchedTokens : []))
             if (word.StartsWith('-') && !StandardStreams.IsInput(word))
                 return "unknown option " + word + Suggestion(word, command, parsed.RootCommandResult.Command);
         if (isWrong)
@@ -95,7 +97,7 @@ public static class CommandLine
             return root.Children.OfType<OptionResult>().FirstOrDefault(o => !o.Implicit && !o.Option.Recursive) is { } option
                 ? option.Option.Name + " stands before the verb " + command.Name + ", which takes what is behind it" : null;
         }
-        string? first = plain < words.Count ? words[0].Value : null;
+        string? first = countAfterDashes < words.Count ? words[0].Value : null;
         bool isName = first != null && first.All(c => char.IsAsciiLetterLower(c) || c == '-') && !Path.Exists(first);
         var names = verbs.Skip(1).Select(v => v.Command.Name).Concat(["help", "version"]);
         string suggestion = isName ? Suggestion(first!, names) : "";
@@ -117,16 +119,17 @@ public static class CommandLine
 
     static string Suggestion(string word, Command command, Command root)
     {
-        string plain = word.TrimStart('-').Split('=')[0];
+        string optionName = word.TrimStart('-').Split('=')[0];
         var options = root.Options.Where(o => o.Recursive).Concat(command.Options).Select(o => o.Name)
-            // Here --points is the number of generated points.
+            // The default verb's --points is the number of generated points.
             .Where(name => command != root || name != "--points").ToList();
-        string? meant = s_synonyms.FirstOrDefault(s => s.Words.Split(' ').Contains(plain)
+        string? meant = s_synonyms.FirstOrDefault(s => s.Words.Split(' ').Contains(optionName)
             && options.Contains(s.Meant.Split(' ')[0])).Meant;
-        return meant != null ? ": did you mean " + meant + "?" : Suggestion(plain, options.Select(o => o.TrimStart('-')), "--");
+        return meant != null ? ": did you mean " + meant + "?"
+            : Suggestion(optionName, options.Select(o => o.TrimStart('-')), "--");
     }
 
-    /// <summary>An edit distance below a third of its letters, or a prefix.</summary>
+    /// <summary>An edit distance of at most a third of its letters, or of 1; or a prefix.</summary>
     static string Suggestion(string word, IEnumerable<string> known, string before = "")
     {
         int DistanceTo(string name) =>

@@ -12,7 +12,7 @@ public sealed class Failure
 
     public static Failure? OfStrict(CliRun run)
     {
-        string lost = run.Points.Lost > 0 ? Human.Count(run.Points.Lost) + " points that are claimed are not there" : "";
+        string lost = run.Points.Lost > 0 ? NumberFormat.Count(run.Points.Lost) + " points that are claimed are not there" : "";
         string odd = run.HasSourceWarnings ? "a source is odd (see the warnings)" : "";
         string empty = run.IsEmpty ? "no point came out (see the warnings)" : "";
         return lost.Length + odd.Length + empty.Length == 0 ? null : new Failure

@@ -13,7 +13,7 @@ public static class BenchReport
             ("run", DateTimeOffset.FromUnixTimeMilliseconds(run.Date).ToString("yyyy-MM-dd HH:mm",
                 CultureInfo.InvariantCulture) + " UTC"),
             ("machine", Machine.Describe()),
-            ("made inputs", Human.Count(points, "point")),
+            ("made inputs", NumberFormat.Count(points, "point")),
             ("samples", samples.Max(s => s.Ms.Count) + " of each workload, in turns with its limit; short runs "
                 + "are repeated within one"),
         ]);
@@ -58,7 +58,7 @@ public static class BenchReport
         page.Chart(chart);
         for (int i = 0; i < rows.Count; i++)
             if (rows[i].Error is { } before && samples[i].HadInput && before != samples[i].MedianError)
-                page.Paragraph($"{rows[i].Name}: its error was {Human.FourDigits(before)}, now "
+                page.Paragraph($"{rows[i].Name}: its error was {NumberFormat.FourDigits(before)}, now "
                     + $"{BenchTable.Error(samples[i])}.");
     }
 

@@ -21,11 +21,11 @@ public static class BenchTable
                 s.Name,
                 s.MedianMs.ToString("0.000", CultureInfo.InvariantCulture),
                 Scatter(s),
-                s.Points > 0 ? Human.Short(s.MedianPointsPerSecond) : "",
+                s.Points > 0 ? NumberFormat.Short(s.MedianPointsPerSecond) : "",
                 s.Bytes > 0 ? (s.MedianBytesPerSecond / 1e6).ToString("N0", CultureInfo.InvariantCulture) : "",
                 s.HasLimit ? WorkloadSamples.Median(s.RatioToLimit).ToString("0.00", CultureInfo.InvariantCulture) : "",
                 Error(s),
-                Human.Bytes(s.MedianGarbageBytes),
+                NumberFormat.Bytes(s.MedianGarbageBytes),
             };
             if (baseline != null)
                 cells.AddRange([BaselineRow.Interval(baseline[i].Time), BaselineRow.Interval(baseline[i].Limit),
@@ -36,8 +36,8 @@ public static class BenchTable
     }
 
     public static string Error(WorkloadSamples samples) =>
-        samples.ErrorUnit != null ? Human.FourDigits(samples.MedianError) + " " + samples.ErrorUnit
-        : samples.MedianError == 0 ? "exact" : Human.FourDigits(samples.MedianError);
+        samples.ErrorUnit != null ? NumberFormat.FourDigits(samples.MedianError) + " " + samples.ErrorUnit
+        : samples.MedianError == 0 ? "exact" : NumberFormat.FourDigits(samples.MedianError);
 
     static string Scatter(WorkloadSamples samples) => samples.Ms.Count < 2 || samples.MedianMs <= 0 ? "" : string.Create(
         CultureInfo.InvariantCulture,

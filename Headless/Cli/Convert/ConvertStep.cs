@@ -6,14 +6,14 @@ namespace FastPoints.Cli.Convert;
 public sealed class ConvertStep(CliRun run)
 {
     public required ConvertResult Result { get; init; }
-    public required SliceLengths Slices { get; init; }
+    public required JobDurations Slices { get; init; }
     public required double Seconds { get; init; }
 
     public static ConvertStep Run(IReadOnlyList<PointReader> readers, string target, ConvertSettings settings, CliRun run)
     {
         double begin = run.Seconds;
         ConvertResult? result = null;
-        SliceLengths slices;
+        JobDurations slices;
         // RunToEnd waits for jobs, so none are scheduled ahead to fill the time between ticks.
         settings.InFlightMs = 0;
         if (run.IsDiscarding)
@@ -29,7 +29,7 @@ public sealed class ConvertStep(CliRun run)
         });
         try
         {
-            slices = SliceLengths.Measure(() => JobCoroutine.RunToEnd(
+            slices = JobDurations.Measure(() => JobCoroutine.RunToEnd(
                 ConvertCloud.Run(readers, target, settings, r => result = r, run.Progress), stop.Token));
         }
         catch (OperationCanceledException)
@@ -47,7 +47,7 @@ public sealed class ConvertStep(CliRun run)
             run.Report(reader.Info.Losses);
         }
         if (result!.Manifest.PointsLeftOut > 0)
-            run.Warn(readers[0].Info.ShownPath + ": " + Human.Count(result.Manifest.PointsLeftOut)
+            run.Warn(readers[0].Info.ShownPath + ": " + NumberFormat.Count(result.Manifest.PointsLeftOut)
                 + " points whose coordinates are no numbers are left out");
         return new ConvertStep(run) { Result = result, Slices = slices, Seconds = run.Seconds - begin };
     }
@@ -57,13 +57,13 @@ public sealed class ConvertStep(CliRun run)
     public string Describe()
     {
         var manifest = Result.Manifest;
-        string leftOut = manifest.PointsLeftOut > 0 ? ", " + Human.Count(manifest.PointsLeftOut) + " left out" : "";
+        string leftOut = manifest.PointsLeftOut > 0 ? ", " + NumberFormat.Count(manifest.PointsLeftOut) + " left out" : "";
         string perPoint = manifest.Points > 0
-            ? " (" + Human.Value(System.Math.Round(Result.BytesOnDisk / (double)manifest.Points, 2)) + " bytes a point)"
+            ? " (" + NumberFormat.Value(System.Math.Round(Result.BytesOnDisk / (double)manifest.Points, 2)) + " bytes a point)"
             : "";
         string note = Result.Note == null ? "" : " (" + Result.Note + ")";
-        return Human.Count(manifest.Points, "point") + leftOut + " in " + Human.Count(manifest.NodeCount, "node") + ", "
-            + Human.Bytes(Result.BytesOnDisk) + perPoint + ", in " + Human.Seconds(Seconds) + note;
+        return NumberFormat.Count(manifest.Points, "point") + leftOut + " in " + NumberFormat.Count(manifest.NodeCount, "node")
+            + ", " + NumberFormat.Bytes(Result.BytesOnDisk) + perPoint + ", in " + NumberFormat.Seconds(Seconds) + note;
     }
 
     public void WriteKeys(Utf8JsonWriter json)

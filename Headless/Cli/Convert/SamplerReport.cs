@@ -103,10 +103,10 @@ public sealed class SamplerReport(PointReader reader, string folder, ConvertSett
 
     static string Number(double value) => double.IsFinite(value) ? value.ToString("R", CultureInfo.InvariantCulture) : "";
 
-    static string Flip(Drawn drawn) => Human.Value(Math.Round(drawn.Error.Flip, 4));
+    static string Flip(Drawn drawn) => NumberFormat.Value(Math.Round(drawn.Error.Flip, 4));
 
     static string Decibels(Drawn drawn) =>
-        double.IsPositiveInfinity(drawn.Error.Psnr) ? "the same" : Human.Value(Math.Round(drawn.Error.Psnr, 2));
+        double.IsPositiveInfinity(drawn.Error.Psnr) ? "the same" : NumberFormat.Value(Math.Round(drawn.Error.Psnr, 2));
 
     void WriteLevels(List<Built> built)
     {
@@ -145,7 +145,7 @@ public sealed class SamplerReport(PointReader reader, string folder, ConvertSett
         var times = new TextTable("setting", "build, s", "bytes a point", "FLIP iso 1 M", "FLIP close 1 M", "PSNR iso 1 M, dB",
             "PSNR close 1 M, dB");
         foreach (var b in built)
-            times.Add(b.Name, Human.Value(Math.Round(b.Seconds, 2)), Human.Value(Math.Round(b.BytesPerPoint, 2)),
+            times.Add(b.Name, NumberFormat.Value(Math.Round(b.Seconds, 2)), NumberFormat.Value(Math.Round(b.BytesPerPoint, 2)),
                 Flip(At(b, "iso")), Flip(At(b, "close")), Decibels(At(b, "iso")), Decibels(At(b, "close")));
         times.Add(FloorName, "", "", Flip(m_views[0].Floor), Flip(m_views[1].Floor), Decibels(m_views[0].Floor),
             Decibels(m_views[1].Floor));

@@ -10,7 +10,7 @@ public static class LasTiling
 
     public static long Write(string source, string destination, int times, StageProgress progress, CancellationToken cancellation)
     {
-        long points, pointsAt;
+        long points, pointsOffset;
         int recordBytes;
         using (var reader = PointReaders.Open(source))
         {
@@ -25,20 +25,20 @@ public static class LasTiling
         using var input = new FileStream(source, FileMode.Open, FileAccess.Read, FileShare.Read, 1);
         var fixedPart = new byte[375];
         input.ReadAtLeast(fixedPart, fixedPart.Length, throwOnEndOfStream: false);
-        pointsAt = BinaryPrimitives.ReadUInt32LittleEndian(fixedPart.AsSpan(LasHeader.At.PointsOffset));
-        var head = new byte[pointsAt];
+        pointsOffset = BinaryPrimitives.ReadUInt32LittleEndian(fixedPart.AsSpan(LasHeader.At.PointsOffset));
+        var head = new byte[pointsOffset];
         input.Position = 0;
         input.ReadExactly(head);
 
         progress.Begin("measure");
-        var (minX, maxX) = MeasureX(input, pointsAt, points, recordBytes, progress, cancellation);
+        var (minX, maxX) = MeasureX(input, pointsOffset, points, recordBytes, progress, cancellation);
         long shift = (long)maxX - minX + 1;
         if (maxX + shift * (times - 1) > int.MaxValue)
             throw new UsageException(string.Create(CultureInfo.InvariantCulture,
                 $"--times {times}: beyond what 32-bit coordinates hold; this file has room for "
                     + $"{1 + (int.MaxValue - maxX) / shift}"));
         long total = checked(points * times);
-        long tailAt = PatchHeader(source, head, points, times, (pointsAt, recordBytes), shift * (times - 1));
+        long tailOffset = PatchHeader(source, head, points, times, (pointsOffset, recordBytes), shift * (times - 1));
 
         progress.Begin("tile");
         using var output = new OutputFile(destination);
@@ -46,9 +46,9 @@ public static class LasTiling
         {
             output.Stream.Write(head);
             var buffer = new byte[BufferBytes / recordBytes * recordBytes];
-            for (int time = 0; time < times; time++)
+            for (int copy = 0; copy < times; copy++)
             {
-                input.Position = pointsAt;
+                input.Position = pointsOffset;
                 for (long left = points * recordBytes; left > 0;)
                 {
                     cancellation.ThrowIfCancellationRequested();
@@ -58,17 +58,17 @@ public static class LasTiling
                     {
                         var x = buffer.AsSpan(at, 4);
                         BinaryPrimitives.WriteInt32LittleEndian(x,
-                            (int)(BinaryPrimitives.ReadInt32LittleEndian(x) + shift * time));
+                            (int)(BinaryPrimitives.ReadInt32LittleEndian(x) + shift * copy));
                     }
                     output.Stream.Write(buffer, 0, bytes);
                     left -= bytes;
-                    long done = points * (time + 1) - left / recordBytes;
+                    long done = points * (copy + 1) - left / recordBytes;
                     progress.Report((double)done / total, done, done * recordBytes);
                 }
             }
-            if (tailAt > 0)
+            if (tailOffset > 0)
             {
-                input.Position = tailAt;
+                input.Position = tailOffset;
                 input.CopyTo(output.Stream);
             }
         });
@@ -77,12 +77,12 @@ public static class LasTiling
         return total;
     }
 
-    static (int Min, int Max) MeasureX(FileStream input, long pointsAt, long points, int recordBytes, StageProgress progress,
+    static (int Min, int Max) MeasureX(FileStream input, long pointsOffset, long points, int recordBytes, StageProgress progress,
         CancellationToken cancellation)
     {
         var buffer = new byte[BufferBytes / recordBytes * recordBytes];
         int min = int.MaxValue, max = int.MinValue;
-        input.Position = pointsAt;
+        input.Position = pointsOffset;
         for (long left = points * recordBytes; left > 0;)
         {
             cancellation.ThrowIfCancellationRequested();
@@ -129,15 +129,15 @@ public static class LasTiling
             BinaryPrimitives.WriteUInt64LittleEndian(count, BinaryPrimitives.ReadUInt64LittleEndian(count) * (ulong)times);
         }
         long pointsEnd = records.At + points * records.Bytes;
-        long tailAt = 0;
+        long tailOffset = 0;
         foreach (int field in new[] { LasHeader.At.WaveformOffset, LasHeader.At.EvlrOffset })
         {
             long start = BinaryPrimitives.ReadInt64LittleEndian(head.AsSpan(field));
             if (start < pointsEnd)
                 continue;
             BinaryPrimitives.WriteInt64LittleEndian(head.AsSpan(field), start + (total - points) * records.Bytes);
-            tailAt = pointsEnd;
+            tailOffset = pointsEnd;
         }
-        return tailAt;
+        return tailOffset;
     }
 }

@@ -8,7 +8,7 @@ namespace FastPoints.Cli.Demo;
 public static class LazTiling
 {
     /// <summary>Offset of the points per chunk in the payload of the LASzip VLR.</summary>
-    const int ChunkPointsAt = 12;
+    const int ChunkPointsOffset = 12;
 
     public static long Write(string path, string destination, int times, StageProgress progress, CancellationToken cancellation)
     {
@@ -17,15 +17,15 @@ public static class LazTiling
         var format = LazFormat.Read(las);
         if (format.Compressor != LazCompressor.PointwiseChunked && !format.IsLayered)
             throw new PointCloudException(FailureCode.Unsupported, path, -1, "only LAZ files of chunks are tiled to LAZ");
-        long pointsAt = (long)las.Header.PointsOffset;
-        var table = LazChunkTable.Read(source, format, las.Info, pointsAt);
+        long pointsOffset = (long)las.Header.PointsOffset;
+        var table = LazChunkTable.Read(source, format, las.Info, pointsOffset);
         if (table.IsLost || table.Chunks.Count == 0)
-            throw new PointCloudException(FailureCode.BadInput, path, pointsAt, "has no chunk table, or no points to repeat");
+            throw new PointCloudException(FailureCode.BadInput, path, pointsOffset, "has no chunk table, or no points to repeat");
         long points = table.Chunks.PointCount, bytes = 0;
         for (int c = 0; c < table.Chunks.Count; c++)
             bytes += table.Chunks[c].Bytes;
 
-        byte[] head = source.Read(0, checked((int)pointsAt), "header").Bytes;
+        byte[] head = source.Read(0, checked((int)pointsOffset), "header").Bytes;
         double scale = las.Header.Scale.x;
         long shift = 1 + (long)Math.Ceiling((las.Header.Max.x - las.Header.Min.x) / Math.Abs(scale));
         double farthest = Math.Abs((las.Header.Max.x - las.Header.Offset.x) / scale) + shift * (times - 1.0);
@@ -38,8 +38,8 @@ public static class LazTiling
             Array.Clear(head, LasHeader.At.EvlrOffset, LasHeader.At.Count - LasHeader.At.EvlrOffset);
         long total = checked(points * times);
         LasTiling.PatchHeader(path, head, points, times, default, shift * (times - 1));
-        int vlrAt = (int)las.Vlrs.Find(LazFormat.UserId, LazFormat.RecordId).DataOffset;
-        BinaryPrimitives.WriteUInt32LittleEndian(head.AsSpan(vlrAt + ChunkPointsAt), LazFormat.VariableChunkPoints);
+        int vlrOffset = (int)las.Vlrs.Find(LazFormat.UserId, LazFormat.RecordId).DataOffset;
+        BinaryPrimitives.WriteUInt32LittleEndian(head.AsSpan(vlrOffset + ChunkPointsOffset), LazFormat.VariableChunkPoints);
 
         progress.Begin("tile");
         using var output = new OutputFile(destination);
@@ -49,7 +49,7 @@ public static class LazTiling
             output.Stream.Write(BitConverter.GetBytes(-1L));
             var bytesOfChunk = new List<int>();
             var pointsOfChunk = new List<int>();
-            for (int time = 0; time < times; time++)
+            for (int copy = 0; copy < times; copy++)
             {
                 for (int c = 0; c < table.Chunks.Count; c++)
                 {
@@ -57,17 +57,17 @@ public static class LazTiling
                     cancellation.ThrowIfCancellationRequested();
                     byte[] content = source.Read(chunk.Offset, checked((int)chunk.Bytes), "chunk").Bytes;
                     int x = BinaryPrimitives.ReadInt32LittleEndian(content);
-                    BinaryPrimitives.WriteInt32LittleEndian(content, checked((int)(x + shift * time * Math.Sign(scale))));
+                    BinaryPrimitives.WriteInt32LittleEndian(content, checked((int)(x + shift * copy * Math.Sign(scale))));
                     output.Stream.Write(content);
                     bytesOfChunk.Add(content.Length);
                     pointsOfChunk.Add(checked((int)chunk.Points));
                 }
-                progress.Report((time + 1.0) / times, points * (time + 1), bytes * (time + 1));
+                progress.Report((copy + 1.0) / times, points * (copy + 1), bytes * (copy + 1));
             }
-            long tableAt = output.Stream.Position;
+            long tableOffset = output.Stream.Position;
             output.Stream.Write(LazChunkTable.ToBytes(bytesOfChunk, pointsOfChunk));
-            output.Stream.Position = pointsAt;
-            output.Stream.Write(BitConverter.GetBytes(tableAt));
+            output.Stream.Position = pointsOffset;
+            output.Stream.Write(BitConverter.GetBytes(tableOffset));
         });
         output.Commit();
         progress.End();

@@ -32,7 +32,7 @@ public sealed class DrawStep
     }
 
     /// <param name="budget">Points to draw at most; 0 for the default.</param>
-    public static DrawStep RunStored(string path, PictureOptions options, long budget, CliRun run)
+    public static DrawStep RunConverted(string path, PictureOptions options, long budget, CliRun run)
     {
         double begin = run.Seconds;
         using var folder = CloudFolder.Open(path);
@@ -54,14 +54,14 @@ public sealed class DrawStep
     /// <param name="budget">Points to draw at most; 0 for the default.</param>
     public static DrawStep RunOnGpu(string[] paths, PictureOptions options, long budget, CliRun run)
     {
-        const int Bank = 16 << 20;
+        const int BankBytes = 16 << 20;
         double begin = run.Seconds;
         run.Progress.Begin("stream");
         var shaders = new GpuShaders();
-        using var stream = new StreamContext(shaders.CreatePool(1L << 30, Bank));
+        using var stream = new StreamContext(shaders.CreatePool(1L << 30, BankBytes));
         stream.SetClipBoxes(options.ClipBoxes);
         stream.Settings.Selection.PointBudget = budget > 0 ? budget : DrawStored.DefaultBudget;
-        using var picture = new GpuFlightRenderer(shaders, stream, options);
+        using var renderer = new GpuFlightRenderer(shaders, stream, options);
         var assumptions = new List<string>();
         Camera? camera = options.Camera;
         Legend? legend = null;
@@ -70,13 +70,13 @@ public sealed class DrawStep
             var added = FlightCloud.Add(path, stream, options, run.Cancellation);
             var (plan, _, number) = added;
             legend ??= Legend.Of(plan, options, added.Crs);
-            picture.Add(number, plan);
+            renderer.Add(number, plan);
             assumptions.AddRange(plan.Assumptions);
             camera ??= plan.Camera;
         }
-        var stats = Settle(stream, picture, camera!.Value, options, run);
+        var stats = Settle(stream, renderer, camera!.Value, options, run);
         run.Progress.Begin("draw");
-        var image = picture.Draw(camera.Value);
+        var image = renderer.Draw(camera.Value);
         run.Progress.End();
         run.WarnOfFailures(stream);
         return new DrawStep
@@ -91,7 +91,7 @@ public sealed class DrawStep
         };
     }
 
-    static FrameStats Settle(StreamContext stream, GpuFlightRenderer picture, Camera camera, PictureOptions options, CliRun run)
+    static FrameStats Settle(StreamContext stream, GpuFlightRenderer renderer, Camera camera, PictureOptions options, CliRun run)
     {
         using var views = new NativeArray<StreamView>(1, Allocator.Persistent);
         var view = views;
@@ -101,7 +101,7 @@ public sealed class DrawStep
             run.Cancellation.ThrowIfCancellationRequested();
             var stats = FrameStep.Run(stream, views);
             JobHandle.ScheduleBatchedJobs();
-            picture.EndFrame();
+            renderer.EndFrame();
             run.Progress.Report(stats.DrawnPoints / (double)Math.Max(1, stats.SelectedPoints), stats.DrawnPoints, 0);
             if (stats.IsSettled)
                 return stats;
@@ -111,16 +111,16 @@ public sealed class DrawStep
 
     public RgbaImage ToImage(bool isPlain) => isPlain ? Image : Legend.DrawOn(Image);
 
-    public string Describe() => Human.Count(Points, "point")
-        + (Nodes is { } nodes ? " of " + Human.Count(nodes, "node") : "") + " in " + Human.Seconds(Seconds);
+    public string Describe() => NumberFormat.Count(Points, "point")
+        + (Nodes is { } nodes ? " of " + NumberFormat.Count(nodes, "node") : "") + " in " + NumberFormat.Seconds(Seconds);
 
     public void Compare(RgbaImage image, RgbaImage reference, uint background) =>
         Error = ImageError.Compare(image, reference, background);
 
     public string? DescribeError() => Error is not { } error ? null
-        : "PSNR " + Human.Value(error.Psnr) + " dB, SSIM " + Human.Value(error.Ssim)
-            + ", FLIP " + Human.Value(error.Flip) + " (" + Math.Round(FlipMap.DefaultPixelsPerDegree) + " pixels per degree)"
-            + ", uncovered " + Human.Value(100 * error.Uncovered) + "%";
+        : "PSNR " + NumberFormat.Value(error.Psnr) + " dB, SSIM " + NumberFormat.Value(error.Ssim)
+            + ", FLIP " + NumberFormat.Value(error.Flip) + " (" + Math.Round(FlipMap.DefaultPixelsPerDegree)
+            + " pixels per degree), uncovered " + NumberFormat.Value(100 * error.Uncovered) + "%";
 
     /// <summary>The keys of <c>picture</c> except <c>seconds</c>, into an open object.</summary>
     public void WriteKeys(Utf8JsonWriter json)

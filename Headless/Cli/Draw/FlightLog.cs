@@ -143,7 +143,7 @@ public sealed record PoppingSummary(double Mean, double Max, int FrameOfMax)
     }
 
     public override string ToString() =>
-        $"FLIP {Human.Value(Mean)} on average, at most {Human.Value(Max)}, in frame {FrameOfMax}";
+        $"FLIP {NumberFormat.Value(Mean)} on average, at most {NumberFormat.Value(Max)}, in frame {FrameOfMax}";
 
     public void WriteKey(Utf8JsonWriter json, string name)
     {

@@ -70,9 +70,9 @@ public sealed class Legend(ColorMode mode, DisplayRanges ranges, Camera camera, 
             return;
         using var palette = Palettes.Create(mode, Allocator.Persistent, options.Gradient);
         double step = low % 1 == 0 && high % 1 == 0 ? 0.9 : (high - low) / Palettes.Length;
-        string lowest = Human.Coordinate(low, step), highest = Human.Coordinate(high, step)
+        string lowest = NumberFormat.Coordinate(low, step), highest = NumberFormat.Coordinate(high, step)
             + (isHeight && ranges.UpAxis == UpAxis.Z
-                ? " " + Human.Unit(ranges.Units.Vertical > 0 ? ranges.Units.Vertical : ranges.Units.Horizontal) : "");
+                ? " " + NumberFormat.Unit(ranges.Units.Vertical > 0 ? ranges.Units.Vertical : ranges.Units.Horizontal) : "");
         int width = Math.Max(128 * dot, WidthOf(lowest + "   " + highest, dot)), text = bottom - 2 * row - dot;
         Panel(image, dot, left, text - row, width, bottom - text + row);
         for (int x = 0; x < width; x++)
@@ -99,7 +99,7 @@ public sealed class Legend(ColorMode mode, DisplayRanges ranges, Camera camera, 
         double ten = Math.Pow(10, Math.Floor(Math.Log10(max)));
         double units = max >= 5 * ten ? 5 * ten : max >= 2 * ten ? 2 * ten : ten;
         int width = (int)Math.Round(units * pxPerUnit), top = bottom - 2 * dot, text = top - 4 * dot - row;
-        string label = Human.FourDigits(units) + " " + Human.Unit(ranges.Units.Horizontal)
+        string label = NumberFormat.FourDigits(units) + " " + NumberFormat.Unit(ranges.Units.Horizontal)
             + (camera.IsOrthographic ? "" : " in the middle");
         int wide = Math.Max(width, WidthOf(label, dot));
         Panel(image, dot, right - wide, text, wide, bottom - text);

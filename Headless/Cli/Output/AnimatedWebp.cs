@@ -35,14 +35,14 @@ sealed unsafe class AnimatedWebp(string path, int widthPx, int heightPx, int pic
         {
             // The file's length comes last.
             Stream.Write([.. "RIFF"u8, 0, 0, 0, 0, .. "WEBPVP8X"u8, 10, 0, 0, 0, 1 << 1, 0, 0, 0,
-                .. Little(WidthPx - 1, 3), .. Little(HeightPx - 1, 3)]);
+                .. LittleEndian(WidthPx - 1, 3), .. LittleEndian(HeightPx - 1, 3)]);
             // A background and how often to play: 0 is for ever. Then a chunk of ours, by which the file is known again.
             Stream.Write([.. "ANIM"u8, 6, 0, 0, 0, 0, 0, 0, 255, 0, 0, .. "MADE"u8, 10, 0, 0, 0, .. "FastPoints"u8]);
         }
-        byte[] packed = Pack(image);
-        Stream.Write([.. "ANMF"u8, .. Little(16 + packed.Length, 4), 0, 0, 0, 0, 0, 0, .. Little(WidthPx - 1, 3),
-            .. Little(HeightPx - 1, 3), .. Little(delayMs, 3), 1 << 1]);
-        Stream.Write(packed);
+        byte[] encoded = Encode(image);
+        Stream.Write([.. "ANMF"u8, .. LittleEndian(16 + encoded.Length, 4), 0, 0, 0, 0, 0, 0, .. LittleEndian(WidthPx - 1, 3),
+            .. LittleEndian(HeightPx - 1, 3), .. LittleEndian(delayMs, 3), 1 << 1]);
+        Stream.Write(encoded);
     }
 
     protected override void End()
@@ -50,10 +50,10 @@ sealed unsafe class AnimatedWebp(string path, int widthPx, int heightPx, int pic
         if (Stream.Length > uint.MaxValue)
             throw new IOException("a WebP file holds 4 GB at most");
         Stream.Position = 4;
-        Stream.Write(Little(Stream.Length - 8, 4));
+        Stream.Write(LittleEndian(Stream.Length - 8, 4));
     }
 
-    static byte[] Pack(RgbaImage image)
+    static byte[] Encode(RgbaImage image)
     {
         byte[] rgba = (byte[])image.Rgba.Clone();
         for (int i = 3; i < rgba.Length; i += 4)
@@ -64,11 +64,11 @@ sealed unsafe class AnimatedWebp(string path, int widthPx, int heightPx, int pic
             nuint bytes = s_encode(pixels, image.Width, image.Height, 4 * image.Width, Quality, &file);
             if (bytes <= HeadBytes)
                 throw new IOException("libwebp cannot pack a picture");
-            byte[] packed = new ReadOnlySpan<byte>(file + HeadBytes, (int)bytes - HeadBytes).ToArray();
+            byte[] encoded = new ReadOnlySpan<byte>(file + HeadBytes, (int)bytes - HeadBytes).ToArray();
             s_free(file);
-            return packed;
+            return encoded;
         }
     }
 
-    static byte[] Little(long value, int bytes) => BitConverter.GetBytes(value)[..bytes];
+    static byte[] LittleEndian(long value, int bytes) => BitConverter.GetBytes(value)[..bytes];
 }

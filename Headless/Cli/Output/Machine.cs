@@ -20,7 +20,7 @@ public static class Machine
         }
         catch (IOException)
         {
-            // Its name below identifies it.
+            // The environment variable below names it.
         }
         return Environment.GetEnvironmentVariable("PROCESSOR_IDENTIFIER") ?? "unnamed processor";
     }

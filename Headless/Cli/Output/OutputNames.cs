@@ -157,7 +157,7 @@ static class OutputNames
         && (a.HeadHash == b.HeadHash || a.HeadHash == 0);
 
     static string Describe(List<CloudManifest.Source> sources) => SourcePath.NameOf(sources[0].Name)
-        + (sources[0].FileBytes > 0 ? " (" + Human.Count(sources[0].FileBytes) + " bytes)" : "")
+        + (sources[0].FileBytes > 0 ? " (" + NumberFormat.Count(sources[0].FileBytes) + " bytes)" : "")
         + (sources.Count > 1 ? " and " + (sources.Count - 1) + " more" : "");
 
     /// <summary>Like clouds: files of other sources, and edited ones, are not replaced.</summary>

@@ -29,9 +29,9 @@ public sealed class ProgressDisplay : IDisposable
             return;
         m_sinceReport.Restart();
         // Some work counts no points.
-        string speed = progress.Points > 0 ? Human.Short(progress.PointsPerSecond) + " points/s  " : "";
+        string speed = progress.Points > 0 ? NumberFormat.Short(progress.PointsPerSecond) + " points/s  " : "";
         string line = string.Format(CultureInfo.InvariantCulture, "{0,3:0}%  {1}{2} left", 100 * progress.Share, speed,
-            Human.Duration(progress.SecondsLeft));
+            NumberFormat.Duration(progress.SecondsLeft));
         if (!m_isTerminal)
         {
             m_error.WriteLine(progress.Current + ": " + line.TrimStart());

@@ -10,8 +10,8 @@ public static class StageTable
         {
             seconds += stage.Seconds;
             table.Add(stage.Name, stage.Seconds.ToString("0.000", CultureInfo.InvariantCulture),
-                stage.Points > 0 ? Human.Count(stage.Points) : "",
-                stage.Points > 0 && stage.Seconds > 0 ? Human.Short(stage.Points / stage.Seconds) : "",
+                stage.Points > 0 ? NumberFormat.Count(stage.Points) : "",
+                stage.Points > 0 && stage.Seconds > 0 ? NumberFormat.Short(stage.Points / stage.Seconds) : "",
                 stage.Bytes > 0 && stage.Seconds > 0
                     ? (stage.Bytes / stage.Seconds / 1e6).ToString("N0", CultureInfo.InvariantCulture)
                     : "");

@@ -46,12 +46,12 @@ public sealed class StandardStreams : IDisposable
             run.Progress.Report(0, 0, spool.Bytes);
             if (spool.Bytes > limit)
                 throw new PointCloudException(FailureCode.DiskFull, path, -1, "standard input has more than "
-                    + Human.Bytes(limit) + ", half of what is free there: write it into a file, or set TMPDIR");
+                    + NumberFormat.Bytes(limit) + ", half of what is free there: write it into a file, or set TMPDIR");
         }
         run.Progress.End();
         if (spool.Bytes == 0)
             throw new PointCloudException(FailureCode.Truncated, Name, -1, "standard input is empty, wanted a point cloud");
-        run.Warn("standard input is kept in " + path + " until the end: " + Human.Bytes(spool.Bytes));
+        run.Warn("standard input is kept in " + path + " until the end: " + NumberFormat.Bytes(spool.Bytes));
         return path;
     }
 

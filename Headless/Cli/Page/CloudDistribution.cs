@@ -7,7 +7,7 @@ sealed class CloudDistribution(ViewCloud view, UpAxis upAxis, long points, Bound
 
     public IEnumerable<(string, string)> Tiles()
     {
-        yield return ("points", Human.Count(points));
+        yield return ("points", NumberFormat.Count(points));
         if (!bounds.IsEmpty)
         {
             double3 size = bounds.Size * view.Ranges.LengthsPerUnit;
@@ -16,7 +16,8 @@ sealed class CloudDistribution(ViewCloud view, UpAxis upAxis, long points, Bound
         yield return ("median density", m_density.HasArea ? Amount(m_density.Quartiles[1]) + " /" + view.Unit + "²" : "no area");
     }
 
-    static string Amount(double value) => value >= 1000 ? Human.Count((long)Math.Round(value)) : Human.FourDigits(value);
+    static string Amount(double value) =>
+        value >= 1000 ? NumberFormat.Count((long)Math.Round(value)) : NumberFormat.FourDigits(value);
 
     /// <summary>Whatever is not as a user would expect.</summary>
     public IEnumerable<string> Remarks(string? crs, PointSchema schema)
@@ -32,10 +33,10 @@ sealed class CloudDistribution(ViewCloud view, UpAxis upAxis, long points, Bound
             yield return char.ToUpperInvariant(assumption[0]) + assumption[1..] + ".";
     }
 
-    public static void Write(ReportPage page, IReadOnlyCollection<string> odd) =>
-        page.Html(odd.Count == 0 ? "<p class=\"note\">Nothing odd was found in it.</p>"
+    public static void Write(ReportPage page, IReadOnlyCollection<string> remarks) =>
+        page.Html(remarks.Count == 0 ? "<p class=\"note\">Nothing odd was found in it.</p>"
             : "<ul class=\"odd\" aria-label=\"What is odd\">"
-                + string.Concat(odd.Select(o => $"<li>{ReportPage.Escape(o)}</li>")) + "</ul>");
+                + string.Concat(remarks.Select(o => $"<li>{ReportPage.Escape(o)}</li>")) + "</ul>");
 
     public IEnumerable<string> Charts() => m_density.HasArea ? Histograms().Append(m_density.ToHtml(view.Unit)) : Histograms();
 

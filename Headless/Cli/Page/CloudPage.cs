@@ -33,13 +33,13 @@ sealed class CloudPage
         var page = new ReportPage(Name, Facts.Kind + " · " + UnitOf(Info.Crs.Units) + " · made by FastPoints " + Version
             + " on " + Today);
         page.Tiles(distribution.Tiles().Concat([("coordinates", Info.Crs.Summary ?? "unknown"),
-            ("size", Human.Bytes(Info.FileBytes)), ("as an octree", Human.Bytes(Convert.Result.BytesOnDisk))]));
+            ("size", NumberFormat.Bytes(Info.FileBytes)), ("as an octree", NumberFormat.Bytes(Convert.Result.BytesOnDisk))]));
         CloudDistribution.Write(page, Remarks(distribution).ToList());
         var pictures = Pictures().ToList();
         byte[] preview = Preview.ToPng(isPlain: false);
         int others = pictures.Sum(p => p.Length) + 4 * preview.Length / 3 + 200_000;
         string json = View.ToJson(Math.Max(MaxBytes - others, MaxBytes / 8), out int shown);
-        page.View(json, preview, Name + ": " + Human.Count(shown) + " of its points", "Waves of the preview", Note(shown),
+        page.View(json, preview, Name + ": " + NumberFormat.Count(shown) + " of its points", "Waves of the preview", Note(shown),
             View.Unit);
         page.Heading("Facts");
         page.Html("<div class=\"row two\"><div>");
@@ -62,7 +62,7 @@ sealed class CloudPage
         page.Commands(NextLines());
         page.Html("<footer class=\"note\">");
         page.Facts([("command", Command), ("version", "FastPoints " + Version), ("machine", Machine.Describe()), ("date", Today),
-            ("memory", "at most " + Human.Bytes(PeakMemory.ResidentBytes) + " resident")]);
+            ("memory", "at most " + NumberFormat.Bytes(PeakMemory.ResidentBytes) + " resident")]);
         page.Html("</footer>");
         return page.ToBytes();
     }
@@ -77,10 +77,11 @@ sealed class CloudPage
             yield return warning.ToString();
         long found = Manifest.Points + Manifest.PointsLeftOut;
         if (Info.HasPointsClaimed && Info.PointsClaimed != (ulong)found)
-            yield return "The header claims " + Human.Count(Info.PointsClaimed) + " points; " + Human.Count(found)
+            yield return "The header claims " + NumberFormat.Count(Info.PointsClaimed) + " points; " + NumberFormat.Count(found)
                 + " were found.";
         if (Manifest.PointsLeftOut > 0)
-            yield return Human.Count(Manifest.PointsLeftOut, "point") + " have no position that is a number: they are left out.";
+            yield return NumberFormat.Count(Manifest.PointsLeftOut, "point")
+                + " have no position that is a number: they are left out.";
         if (Info.HasBoundsClaimed && !Manifest.BoundsGeo.IsEmpty)
             for (int axis = 0; axis < 3; axis++)
                 foreach (var (claimed, real, end) in new[]
@@ -90,8 +91,8 @@ sealed class CloudPage
                 })
                     // Writers round them in many ways, by a step or two.
                     if (!(Math.Abs(claimed - real) <= Math.Max(2 * Math.Abs(Info.Transform.Scale[axis]), 1e-9 * Math.Abs(real))))
-                        yield return $"Bounds: by the header the {end} {"xyz"[axis]} is {Human.Value(claimed)}; "
-                            + $"of the points it is {Human.Value(real)}.";
+                        yield return $"Bounds: by the header the {end} {"xyz"[axis]} is {NumberFormat.Value(claimed)}; "
+                            + $"of the points it is {NumberFormat.Value(real)}.";
         foreach (string remark in distribution.Remarks(Info.Crs.IsKnown ? Info.Crs.Summary ?? "" : null, Info.Schema))
             yield return remark;
     }
@@ -105,7 +106,7 @@ sealed class CloudPage
             int i = Manifest.Attributes.IndexOf(attribute.Name), axis = "XYZ".IndexOf(attribute.Name, StringComparison.Ordinal);
             bool isPosition = axis >= 0 && attribute.Name.Length == 1;
             double step = isPosition && !attribute.Type.IsFloat() ? Info.Transform.Scale[axis] : 0.001;
-            string Text(double value) => isPosition ? Human.Coordinate(value, step) : ViewColumn.NameOf("", value);
+            string Text(double value) => isPosition ? NumberFormat.Coordinate(value, step) : ViewColumn.NameOf("", value);
             table.Add(attribute.Name, attribute.Type.ToString(),
                 isPosition ? Text(Manifest.BoundsGeo.Min[axis]) : i >= 0 ? Text(Manifest.Ranges[i].Min) : "",
                 isPosition ? Text(Manifest.BoundsGeo.Max[axis]) : i >= 0 ? Text(Manifest.Ranges[i].Max) : "");
@@ -115,7 +116,7 @@ sealed class CloudPage
 
     string Note(int shown)
     {
-        return ReportPage.Escape(Human.Count(shown) + " of " + Human.Count(Manifest.Points, "point")
+        return ReportPage.Escape(NumberFormat.Count(shown) + " of " + NumberFormat.Count(Manifest.Points, "point")
             + ", as the preview chooses them, with all attributes as the file has them.");
     }
 
@@ -127,16 +128,16 @@ sealed class CloudPage
         distances.Add("preview", View.Waves.Where(_ => isMeasured).Select(w => (w.Seconds, w.Rms)));
         var flips = WaveChart("FLIP of the preview against time", "FLIP", false);
         flips.Add("preview", View.Waves.Select(w => (w.Seconds, w.Flip)));
-        var stages = Stages.Select(s => (s.Name, s.Seconds, Human.Seconds(s.Seconds))).ToList();
+        var stages = Stages.Select(s => (s.Name, s.Seconds, NumberFormat.Seconds(s.Seconds))).ToList();
         page.Html("<div class=\"row\"><figure id=\"error-chart\" class=\"waves\">" + distances.ToSvg() + "<figcaption>"
             + (isMeasured ? "How far 100,000 points, chosen evenly from the whole cloud, are from the nearest point of each wave "
                 + "of the preview above. A hollow mark on the lower edge is an error of zero: all points are shown."
                 : "Not measured: coordinates are degrees.")
             + "</figcaption></figure><figure id=\"flip-chart\" class=\"waves\">" + flips.ToSvg() + "<figcaption>"
             + "What an eye sees of the difference between each wave's picture and a smooth one of the octree, from 0 to 1. "
-            + "The octree's own points, with one sample a pixel, have " + Human.FourDigits(View.FlipFloor) + "."
+            + "The octree's own points, with one sample a pixel, have " + NumberFormat.FourDigits(View.FlipFloor) + "."
             + "</figcaption></figure><figure>" + BarChart.Rows("What took how long", stages) + "<figcaption>"
-            + ReportPage.Escape(Threads.InUse + " threads; " + Human.Seconds(Stages.Sum(s => s.Seconds)) + " together.")
+            + ReportPage.Escape(Threads.InUse + " threads; " + NumberFormat.Seconds(Stages.Sum(s => s.Seconds)) + " together.")
             + "</figcaption></figure></div>");
     }
 

@@ -32,16 +32,16 @@ sealed class ConvertedCloudReport
         var view = ViewCloud.OfFlight([path], options, [options.Camera!.Value], 0, run);
         run.Progress.Group = null;
         string name = CloudName.Of(path);
-        var page = new ReportPage(name, "Converted cloud · " + CloudPage.UnitOf(report.m_facts.Cloud.Crs.Units)
+        var page = new ReportPage(name, "Converted cloud · " + CloudPage.UnitOf(report.m_facts.Manifest.Crs.Units)
             + " · made by FastPoints " + CloudPage.Version + " on " + CloudPage.Today);
-        var cloud = report.m_facts.Cloud;
+        var cloud = report.m_facts.Manifest;
         var distribution = new CloudDistribution(view, options.UpAxis, cloud.Points, cloud.BoundsGeo);
         page.Tiles(distribution.Tiles().Concat([("coordinates", cloud.CrsName ?? "unknown"),
-            ("size", Human.Bytes(report.m_facts.Bytes)), ("nodes", Human.Count(cloud.NodeCount))]));
+            ("size", NumberFormat.Bytes(report.m_facts.Bytes)), ("nodes", NumberFormat.Count(cloud.NodeCount))]));
         CloudDistribution.Write(page, distribution.Remarks(cloud.CrsName, cloud.Attributes).ToList());
         string json = view.ToJson(ViewBytes, out int shown);
-        page.View(json, Png.Encode(drawn.ToImage(false)), name + ": " + Human.Count(shown) + " of its points", "",
-            Human.Count(shown) + " of " + Human.Count(cloud.Points, "point")
+        page.View(json, Png.Encode(drawn.ToImage(false)), name + ": " + NumberFormat.Count(shown) + " of its points", "",
+            NumberFormat.Count(shown) + " of " + NumberFormat.Count(cloud.Points, "point")
             + ", those of the upper levels, with all attributes.",
             view.Unit);
         page.Heading("Facts");

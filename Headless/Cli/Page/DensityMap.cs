@@ -52,10 +52,10 @@ sealed class DensityMap
         string squared = "points/" + unit + "²";
         return "<h3>Density from above</h3><div class=\"map\"><img alt=\"Map of the density of points, seen from above\" "
             + $"src=\"data:image/png;base64,{System.Convert.ToBase64String(Png.Encode(m_image))}\"></div>"
-            + $"<div class=\"scale\">0<b style=\"background:linear-gradient(90deg,{colors})\"></b>{Human.FourDigits(High)} "
-            + squared + "</div>"
-            + $"<figcaption>Squares of {Human.FourDigits(CellSize)} {unit}. Where there are points: a quarter of the squares "
-            + $"below {Human.FourDigits(Quartiles[0])}, half below {Human.FourDigits(Quartiles[1])}, three quarters below "
-            + $"{Human.FourDigits(Quartiles[2])} {squared}; from the sample, scaled up.</figcaption>";
+            + $"<div class=\"scale\">0<b style=\"background:linear-gradient(90deg,{colors})\"></b>"
+            + $"{NumberFormat.FourDigits(High)} {squared}</div>"
+            + $"<figcaption>Squares of {NumberFormat.FourDigits(CellSize)} {unit}. Where there are points: a quarter of the "
+            + $"squares below {NumberFormat.FourDigits(Quartiles[0])}, half below {NumberFormat.FourDigits(Quartiles[1])}, "
+            + $"three quarters below {NumberFormat.FourDigits(Quartiles[2])} {squared}; from the sample, scaled up.</figcaption>";
     }
 }

@@ -21,18 +21,19 @@ static class FlightPage
         var page = new ReportPage("Flight over " + name, "Made by FastPoints " + CloudPage.Version + " on " + CloudPage.Today);
         page.Tiles(
         [
-            ("frames", Human.Count(log.Count)),
+            ("frames", NumberFormat.Count(log.Count)),
             ("main thread, p99", Ms(log.MainThreadMs[1])),
             ("main thread, most", Ms(log.MainThreadMs[2])),
-            ("points in the last frame", Human.Count(log.Last.DrawnPoints)),
-            ("read", Human.Bytes(log.BytesRead)),
-            ("pool, most", Human.Bytes(log.PoolBytesPeak)),
+            ("points in the last frame", NumberFormat.Count(log.Last.DrawnPoints)),
+            ("read", NumberFormat.Bytes(log.BytesRead)),
+            ("pool, most", NumberFormat.Bytes(log.PoolBytesPeak)),
         ]);
         string json = view.ToJson(ViewBytes, out int shown);
-        string note = ReportPage.Escape(Human.Count(shown, "point") + " stand for the clouds here: the upper levels of "
+        string note = ReportPage.Escape(NumberFormat.Count(shown, "point") + " stand for the clouds here: the upper levels of "
             + "octrees, previews of files. "
             + "The flight itself streamed others, as each frame needed them.");
-        page.View(json, Png.Encode(last), name + ": " + Human.Count(shown, "point"), "Frames of the flight", note, view.Unit);
+        page.View(json, Png.Encode(last), name + ": " + NumberFormat.Count(shown, "point"), "Frames of the flight", note,
+            view.Unit);
         page.Heading("Each frame");
         page.Charts([Chart("Points drawn", "points", log.Of(s => s.DrawnPoints)),
             Chart("Main thread", "milliseconds", log.MainThreadByFrame), Chart("Read", "MB", log.Of(s => s.ReadBytes / 1e6)),
@@ -40,7 +41,7 @@ static class FlightPage
         if (log.Popping != null)
             page.Charts([Chart("Popping: what the level of detail changes in each frame", "FLIP", log.PoppingByFrame)]);
         page.Facts([("machine", Machine.Describe()),
-            ("memory", "at most " + Human.Bytes(PeakMemory.ResidentBytes) + " resident")]);
+            ("memory", "at most " + NumberFormat.Bytes(PeakMemory.ResidentBytes) + " resident")]);
         return page.ToBytes();
     }
 

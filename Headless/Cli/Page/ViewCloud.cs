@@ -26,7 +26,7 @@ sealed class ViewCloud
     ViewCloud(PictureOptions options, DisplayRanges ranges) => (m_options, Ranges) = (options, ranges);
 
     public DisplayRanges Ranges { get; }
-    public string Unit => Human.Unit(Ranges.Units.Horizontal);
+    public string Unit => NumberFormat.Unit(Ranges.Units.Horizontal);
     public List<ViewWave> Waves { get; } = [];
 
     /// <summary>FLIP of all points with one sample a pixel; see <see cref="WaveFlips"/>.</summary>
@@ -221,9 +221,10 @@ sealed class ViewCloud
         return Encoding.UTF8.GetString(stream.GetBuffer(), 0, (int)stream.Length);
     }
 
-    public string Describe(ViewWave wave) => Human.Count(wave.Points, "point") + " after " + Human.Seconds(wave.Seconds)
-        + (Ranges.IsInDegrees || double.IsNaN(wave.Rms) ? "" : ": RMS error " + Human.FourDigits(wave.Rms) + " " + Unit)
-        + ", FLIP " + Human.FourDigits(wave.Flip);
+    public string Describe(ViewWave wave) =>
+        NumberFormat.Count(wave.Points, "point") + " after " + NumberFormat.Seconds(wave.Seconds)
+        + (Ranges.IsInDegrees || double.IsNaN(wave.Rms) ? "" : ": RMS error " + NumberFormat.FourDigits(wave.Rms) + " " + Unit)
+        + ", FLIP " + NumberFormat.FourDigits(wave.Flip);
 
     bool IsInside(double3 geo) => math.all(geo >= Bounds.Min) && math.all(geo <= Bounds.Max);
 

@@ -4,10 +4,10 @@ public sealed record ErrorCurve(string Name, string Description)
 {
     public List<ErrorWave> Waves { get; } = [];
 
-    public void KeepFaster(IEnumerable<SampleWave> again)
+    public void KeepFaster(IEnumerable<SampleWave> rerun)
     {
         int i = 0;
-        foreach (var wave in again)
+        foreach (var wave in rerun)
         {
             if (wave.Seconds < Waves[i].Wave.Seconds)
                 Waves[i] = Waves[i] with { Wave = wave };

@@ -16,13 +16,13 @@ public static class ErrorReport
         {
             byte[] png = Png.Encode(step.FullViews[view]);
             OutputFile.Write(Path.Combine(folder, "full-" + s_viewNames[view] + ".png"), png);
-            pictures.Add((png, "all " + Human.Count(step.PointsInCloud, "point") + ", " + s_viewNames[view]));
+            pictures.Add((png, "all " + NumberFormat.Count(step.PointsInCloud, "point") + ", " + s_viewNames[view]));
         }
         string cloud = SourcePath.NameOf(Path.TrimEndingDirectorySeparator(info.Path));
         var page = new ReportPage("Preview of " + cloud + ": error against time");
         page.Facts([
-            ("cloud", cloud + ", " + info.Format + ", " + Human.Count(step.PointsInCloud, "point") + ", "
-                + Human.Bytes(info.FileBytes)),
+            ("cloud", cloud + ", " + info.Format + ", " + NumberFormat.Count(step.PointsInCloud, "point") + ", "
+                + NumberFormat.Bytes(info.FileBytes)),
             ("machine", Machine.Describe()),
             ("times", "from the open call, the file in the system's cache, the process warmed; the fastest of three runs, "
                 + "but one run of what takes more than a second"),
@@ -53,7 +53,7 @@ public static class ErrorReport
                 string name = string.Concat(curve.Name.Where(c => char.IsAsciiLetter(c) || c == ' ')).Replace(' ', '-');
                 OutputFile.Write(Path.Combine(folder, "iso-" + points + "-" + name + ".png"), wave.IsoPng);
                 yield return (wave.IsoPng,
-                    curve.Name + ": " + Human.Count(points, "point") + " in " + Human.Seconds(wave.Wave.Seconds));
+                    curve.Name + ": " + NumberFormat.Count(points, "point") + " in " + NumberFormat.Seconds(wave.Wave.Seconds));
             }
     }
 
@@ -103,7 +103,7 @@ public static class ErrorReport
     static IEnumerable<(string, string)> Definitions(ErrorStep step)
     {
         yield return ("distances", "From points of the full cloud (a uniform choice of "
-            + Human.Count(step.Last?.Error.Distance.Queries ?? 0) + ") to the nearest point of the sample, in units of "
+            + NumberFormat.Count(step.Last?.Error.Distance.Queries ?? 0) + ") to the nearest point of the sample, in units of "
             + "the diagonal of the robust bounds: root mean square, and the distances that 95 and 99 of 100 points do not "
             + "exceed. The symmetric distance takes the larger of both directions; from the sample to the cloud it is 0, "
             + "since a sample is a part of the cloud" + LookedUp(step));
@@ -127,7 +127,7 @@ public static class ErrorReport
     {
         var errors = step.Curves.SelectMany(c => c.Waves).Select(w => w.Error).ToList();
         long lookedUp = errors.Sum(e => (long)e.LookedUp), found = errors.Sum(e => (long)e.Found);
-        return " (" + Human.Count(found) + " of " + Human.Count(lookedUp) + " sampled points that were looked up are in "
-            + "it).";
+        return " (" + NumberFormat.Count(found) + " of " + NumberFormat.Count(lookedUp)
+            + " sampled points that were looked up are in it).";
     }
 }

@@ -180,7 +180,7 @@ public sealed class ErrorStep
             {
                 var error = wave.Error;
                 string AtSameCount(Func<ImageError, string> text) => error.PictureAtSameCount is { } same ? text(same) : "";
-                table.Add(curve.Name, Human.Count(wave.Wave.Points), Short(wave.Wave.Seconds),
+                table.Add(curve.Name, NumberFormat.Count(wave.Wave.Points), Short(wave.Wave.Seconds),
                     Percent(error.Distance.Rms), Percent(error.Distance.Ranked95), Percent(error.Distance.Ranked99),
                     Percent(error.Cells.Uncovered64), Percent(error.Cells.Uncovered128), Percent(error.Cells.Uncovered256),
                     Percent(error.Cells.Uncovered512),
@@ -191,7 +191,7 @@ public sealed class ErrorStep
                     AtSameCount(e => Short(e.Flip, "0.0000")),
                     AtSameCount(e => Percent(e.Uncovered)));
             }
-        table.Add(FloorName, Human.Count(PointsInCloud), "", "", "", "", "", "", "", "", "", "", Short(Floor.Psnr, "0.0"),
+        table.Add(FloorName, NumberFormat.Count(PointsInCloud), "", "", "", "", "", "", "", "", "", "", Short(Floor.Psnr, "0.0"),
             Short(Floor.Ssim), Short(Floor.Flip, "0.0000"), Percent(Floor.Uncovered), "", "", "");
         return table;
     }

@@ -10,7 +10,7 @@ public sealed class PreviewStep
     public required long BytesRead { get; init; }
     public required string Method { get; init; }
     public required IReadOnlyList<SampleWave> Waves { get; init; }
-    public required SliceLengths Slices { get; set; }
+    public required JobDurations Slices { get; set; }
     public required double Seconds { get; init; }
     public required RgbaImage Image { get; init; }
     public required Legend Legend { get; init; }
@@ -26,7 +26,7 @@ public sealed class PreviewStep
         double begin = run.Seconds;
         LookSettings.RequireColor(options.Picture, reader.Info.Schema, reader.Info.Path);
         using var preview = new PreviewCloud(reader, options);
-        var slices = SliceLengths.Measure(() => run.RunSteps(preview.Run(run.Progress)));
+        var slices = JobDurations.Measure(() => run.RunSteps(preview.Run(run.Progress)));
         run.Warn(reader.Info);
         return new PreviewStep
         {
@@ -47,8 +47,8 @@ public sealed class PreviewStep
 
     public byte[] ToPng(bool isPlain) => Png.Encode(isPlain ? Image : Legend.DrawOn(Image));
 
-    public string Describe() => Human.Count(Points, "point") + ", " + Human.Value(100 * Share) + "% of the cloud, from "
-        + Human.Bytes(BytesRead) + " read in " + Human.Seconds(Seconds) + " (" + Method + ")";
+    public string Describe() => NumberFormat.Count(Points, "point") + ", " + NumberFormat.Value(100 * Share) + "% of the cloud"
+        + ", from " + NumberFormat.Bytes(BytesRead) + " read in " + NumberFormat.Seconds(Seconds) + " (" + Method + ")";
 
     public void WriteKeys(Utf8JsonWriter json)
     {

@@ -8,52 +8,52 @@ public sealed class SampleMethods(Func<PointReader> open, PreviewOptions options
     const double QuickSeconds = 3;
     const int MaxSinglePoints = 20_000;
 
-    public MeasuredSample Ours() => Timed((reader, opened) =>
+    public MeasuredSample Ours() => Timed((reader, secondsToOpen) =>
     {
-        var taken = new MeasuredSample(reader.Info.Transform);
+        var measured = new MeasuredSample(reader.Info.Transform);
         bool refines = PreviewSampling.Refines(reader);
-        int wanted = refines ? RefiningSampler.PointsBefore(reader, options.Points) : options.Points;
+        int wanted = refines ? RefiningSampler.FirstSamplePoints(reader, options.Points) : options.Points;
         var watch = Stopwatch.StartNew();
         using (var sampler = new PreviewSampler(reader, wanted, options.Seed))
         {
             run.RunSteps(sampler.Run(0, run.Progress));
             var sample = sampler.TakeSample();
             foreach (var wave in sampler.Waves)
-                taken.Add(wave, opened, sample.Points);
+                measured.Add(wave, secondsToOpen, sample.Points);
             if (!refines || sample.IsWhole)
-                return taken;
+                return measured;
             var ranges = new DisplayRanges();
             run.RunSteps(ranges.Measure(sample.Points, sample.Transform, options.Picture.UpAxis));
             using var refining = new RefiningSampler(reader, options.Points, options.Seed, sample, ranges.Robust);
-            double before = opened + watch.Elapsed.TotalSeconds;
-            refining.WaveReady += wave => taken.Add(wave, before, refining.TakeSample().Points);
+            double secondsBefore = secondsToOpen + watch.Elapsed.TotalSeconds;
+            refining.WaveReady += wave => measured.Add(wave, secondsBefore, refining.TakeSample().Points);
             run.RunSteps(refining.Run(0, run.Progress));
         }
-        return taken;
+        return measured;
     });
 
-    public MeasuredSample FullScan(int points) => Timed((reader, opened) =>
+    public MeasuredSample FullScan(int points) => Timed((reader, secondsToOpen) =>
     {
         var watch = Stopwatch.StartNew();
         using var sampler = new UniformSampler(reader, points, options.Seed);
         run.RunSteps(sampler.Run(0, run.Progress));
-        double seconds = opened + watch.Elapsed.TotalSeconds;
+        double seconds = secondsToOpen + watch.Elapsed.TotalSeconds;
         var sample = sampler.TakeSample();
         return OneWave(sample.Points, reader, seconds, sample.BytesRead);
     });
 
-    public MeasuredSample EveryNth(int points) => Timed((reader, opened) => Ranges(reader, opened,
+    public MeasuredSample EveryNth(int points) => Timed((reader, secondsToOpen) => Ranges(reader, secondsToOpen,
         reader.HasFixedStride && points <= MaxSinglePoints && points <= reader.PointCount
             ? RangeSampler.Single(reader, points)
             : RangeSampler.Whole(reader), points));
 
     public MeasuredSample First(int points) =>
-        Timed((reader, opened) => Ranges(reader, opened, RangeSampler.First(reader, points), points));
+        Timed((reader, secondsToOpen) => Ranges(reader, secondsToOpen, RangeSampler.First(reader, points), points));
 
     public MeasuredSample Prefixes(double share, int points) =>
-        Timed((reader, opened) => Ranges(reader, opened, RangeSampler.Prefixes(reader, share), points));
+        Timed((reader, secondsToOpen) => Ranges(reader, secondsToOpen, RangeSampler.Prefixes(reader, share), points));
 
-    public MeasuredSample ThinnedPrefixes(int points, int times) => Timed((reader, opened) =>
+    public MeasuredSample ThinnedPrefixes(int points, int times) => Timed((reader, secondsToOpen) =>
     {
         var watch = Stopwatch.StartNew();
         var ranges = RangeSampler.Prefixes(reader, Math.Min(1, (double)times * points / reader.PointCount));
@@ -63,22 +63,22 @@ public sealed class SampleMethods(Func<PointReader> open, PreviewOptions options
         var display = new DisplayRanges();
         run.RunSteps(display.Measure(decoded, reader.Info.Transform, options.Picture.UpAxis));
         var thinned = CellThinning.Thin(decoded, reader.Info.Transform, display, points);
-        return OneWave(thinned, reader, opened + watch.Elapsed.TotalSeconds, sampler.BytesRead);
+        return OneWave(thinned, reader, secondsToOpen + watch.Elapsed.TotalSeconds, sampler.BytesRead);
     });
 
-    MeasuredSample Ranges(PointReader reader, double opened, List<BlockRange> ranges, int points)
+    MeasuredSample Ranges(PointReader reader, double secondsToOpen, List<BlockRange> ranges, int points)
     {
         var watch = Stopwatch.StartNew();
         using var sampler = new RangeSampler(reader, ranges, points);
         run.RunSteps(sampler.Run(run.Progress));
-        return OneWave(sampler.TakePoints(), reader, opened + watch.Elapsed.TotalSeconds, sampler.BytesRead);
+        return OneWave(sampler.TakePoints(), reader, secondsToOpen + watch.Elapsed.TotalSeconds, sampler.BytesRead);
     }
 
     static MeasuredSample OneWave(PointBatch points, PointReader reader, double seconds, long bytesRead)
     {
-        var taken = new MeasuredSample(reader.Info.Transform);
-        taken.Add(new SampleWave { Points = points.Count, BytesRead = bytesRead }, seconds, points);
-        return taken;
+        var measured = new MeasuredSample(reader.Info.Transform);
+        measured.Add(new SampleWave { Points = points.Count, BytesRead = bytesRead }, seconds, points);
+        return measured;
     }
 
     /// <param name="take">From an open reader whose blocks are known, and the seconds that this took.</param>
@@ -93,15 +93,15 @@ public sealed class SampleMethods(Func<PointReader> open, PreviewOptions options
             using var reader = open();
             if (!reader.BlocksAreKnown)
                 run.RunSteps(reader.FindBlocks());
-            var taken = take(reader, watch.Elapsed.TotalSeconds);
-            if (best == null || taken.Seconds < best.Seconds)
+            var measured = take(reader, watch.Elapsed.TotalSeconds);
+            if (best == null || measured.Seconds < best.Seconds)
             {
                 best?.Dispose();
-                best = taken;
+                best = measured;
             }
             else
             {
-                taken.Dispose();
+                measured.Dispose();
             }
             if (best.Seconds > QuickSeconds)
                 break;

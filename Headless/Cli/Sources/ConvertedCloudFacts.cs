@@ -13,7 +13,7 @@ public sealed class ConvertedCloudFacts
     const int NameWidth = 22;
 
     readonly string m_path;
-    readonly CloudManifest m_cloud;
+    readonly CloudManifest m_manifest;
     readonly SourceInfo m_source = new();
     readonly List<Level> m_levels = [];
     readonly List<(string Name, long Bytes)> m_planes = [];
@@ -23,10 +23,10 @@ public sealed class ConvertedCloudFacts
     {
         m_path = path;
         using var folder = CloudFolder.Open(path);
-        m_cloud = folder.Manifest;
+        m_manifest = folder.Manifest;
         StoredFacts.AddTo(m_source, folder);
         m_bytes = SourcePath.IsRemote(path)
-            ? m_cloud.HierarchyBytes + m_cloud.UpperBytes + folder.Chunks.Sum(chunk => chunk.FileBytes)
+            ? m_manifest.HierarchyBytes + m_manifest.UpperBytes + folder.Chunks.Sum(chunk => chunk.FileBytes)
             : Directory.GetFiles(folder.FolderPath, "*", SearchOption.AllDirectories).Sum(f => new FileInfo(f).Length);
         var bytesOfPlane = new long[folder.Layout.Planes.Count];
         Add(folder.Upper, bytesOfPlane);
@@ -39,23 +39,23 @@ public sealed class ConvertedCloudFacts
         m_planes.AddRange(folder.Layout.Planes.Select((plane, i) => (plane.Name, bytesOfPlane[i])));
     }
 
-    public PointCounts PointCounts => PointCounts.Of(new SourceInfo { HasPointsClaimed = false }, m_cloud.Points);
+    public PointCounts PointCounts => PointCounts.Of(new SourceInfo { HasPointsClaimed = false }, m_manifest.Points);
 
-    bool IsWhole => !m_cloud.IsBuilding;
+    bool IsWhole => !m_manifest.IsBuilding;
 
     void Add(NodeTable table, long[] bytesOfPlane)
     {
         for (int i = 0; i < table.Nodes.Length; i++)
         {
             var node = table.Nodes[i];
-            int at = m_cloud.Root.SideLog2 - node.SideLog2;
+            int at = m_manifest.Root.SideLog2 - node.SideLog2;
             while (m_levels.Count <= at)
                 m_levels.Add(new Level());
             var level = m_levels[at];
             level.Nodes++;
             level.Points += node.PointCount;
             level.MaxPoints = Math.Max(level.MaxPoints, node.PointCount);
-            double spacing = math.cmax(m_cloud.Grid.Step) * Math.Pow(2, node.CellLog2);
+            double spacing = math.cmax(m_manifest.Grid.Step) * Math.Pow(2, node.CellLog2);
             if (node.HasSpacing && (level.Spacing == 0 || spacing < level.Spacing))
                 level.Spacing = spacing;
         }
@@ -78,49 +78,51 @@ public sealed class ConvertedCloudFacts
     public IEnumerable<TextTable> Tables()
     {
         var attributes = new TextTable("attribute", "type", "min", "max");
-        for (int i = 0; i < m_cloud.Attributes.Count; i++)
-            attributes.Add(m_cloud.Attributes[i].Name, m_cloud.Attributes[i].Type.ToString(),
-                Human.Value(m_cloud.Ranges[i].Min), Human.Value(m_cloud.Ranges[i].Max));
+        for (int i = 0; i < m_manifest.Attributes.Count; i++)
+            attributes.Add(m_manifest.Attributes[i].Name, m_manifest.Attributes[i].Type.ToString(),
+                NumberFormat.Value(m_manifest.Ranges[i].Min), NumberFormat.Value(m_manifest.Ranges[i].Max));
         yield return attributes;
         var levels = new TextTable("level", "nodes", "points", "most in a node", "spacing");
         for (int i = 0; i < m_levels.Count; i++)
-            levels.Add(Human.Count(i), Human.Count(m_levels[i].Nodes), Human.Count(m_levels[i].Points),
-                Human.Count(m_levels[i].MaxPoints), m_levels[i].Spacing > 0 ? Human.Value(m_levels[i].Spacing) : "");
+            levels.Add(NumberFormat.Count(i), NumberFormat.Count(m_levels[i].Nodes), NumberFormat.Count(m_levels[i].Points),
+                NumberFormat.Count(m_levels[i].MaxPoints),
+                m_levels[i].Spacing > 0 ? NumberFormat.Value(m_levels[i].Spacing) : "");
         yield return levels;
         var planes = new TextTable("plane", "bytes", "bytes a point");
         foreach (var (name, bytes) in m_planes)
-            planes.Add(name, Human.Count(bytes), Human.Value(Math.Round(bytes / Math.Max(1.0, m_cloud.Points), 2)));
+            planes.Add(name, NumberFormat.Count(bytes),
+                NumberFormat.Value(Math.Round(bytes / Math.Max(1.0, m_manifest.Points), 2)));
         yield return planes;
     }
 
-    public CloudManifest Cloud => m_cloud;
+    public CloudManifest Manifest => m_manifest;
     public long Bytes => m_bytes;
 
     public IEnumerable<(string Name, string Value)> Lines()
     {
         yield return ("format", "converted cloud " + StoreFormat.Version + (IsWhole ? "" : ", being built"));
-        yield return ("size", Human.Count(m_bytes) + " bytes");
-        yield return ("points", Human.Count(m_cloud.Points)
-            + (m_cloud.PointsLeftOut > 0 ? ", " + Human.Count(m_cloud.PointsLeftOut) + " left out" : ""));
-        var bounds = m_cloud.BoundsGeo;
+        yield return ("size", NumberFormat.Count(m_bytes) + " bytes");
+        yield return ("points", NumberFormat.Count(m_manifest.Points)
+            + (m_manifest.PointsLeftOut > 0 ? ", " + NumberFormat.Count(m_manifest.PointsLeftOut) + " left out" : ""));
+        var bounds = m_manifest.BoundsGeo;
         for (int axis = 0; axis < 3 && !bounds.IsEmpty; axis++)
             yield return (axis == 0 ? "bounds" : "", "xyz"[axis] + "  "
-                + Human.Coordinate(bounds.Min[axis], m_cloud.Grid.Step[axis]) + " to "
-                + Human.Coordinate(bounds.Max[axis], m_cloud.Grid.Step[axis]));
-        yield return ("crs", m_cloud.CrsName ?? "unknown");
-        if (SourceFacts.AxesOf(m_cloud.Crs) is var (kind, axes))
+                + NumberFormat.Coordinate(bounds.Min[axis], m_manifest.Grid.Step[axis]) + " to "
+                + NumberFormat.Coordinate(bounds.Max[axis], m_manifest.Grid.Step[axis]));
+        yield return ("crs", m_manifest.CrsName ?? "unknown");
+        if (SourceFacts.AxesOf(m_manifest.Crs) is var (kind, axes))
             yield return ("axes", axes + ", " + kind + "; coordinates are never swapped for them");
-        yield return ("unit", SourceFacts.UnitOf(m_cloud.Crs.Units, m_cloud.BoundsGeo));
-        if (m_cloud.GpsTime.Kind != GpsTimeKind.Unknown)
-            yield return ("GPS times", m_cloud.GpsTime.ToString());
-        yield return ("octree", Human.Count(m_cloud.NodeCount, "node") + " on " + Human.Count(m_levels.Count, "level") + " in "
-            + Human.Count(m_cloud.ChunkCount, "chunk"));
-        yield return ("sampler", m_cloud.Sampler);
-        yield return ("checksum", m_cloud.Checksum.ToString("x16", CultureInfo.InvariantCulture));
+        yield return ("unit", SourceFacts.UnitOf(m_manifest.Crs.Units, m_manifest.BoundsGeo));
+        if (m_manifest.GpsTime.Kind != GpsTimeKind.Unknown)
+            yield return ("GPS times", m_manifest.GpsTime.ToString());
+        yield return ("octree", NumberFormat.Count(m_manifest.NodeCount, "node") + " on "
+            + NumberFormat.Count(m_levels.Count, "level") + " in " + NumberFormat.Count(m_manifest.ChunkCount, "chunk"));
+        yield return ("sampler", m_manifest.Sampler);
+        yield return ("checksum", m_manifest.Checksum.ToString("x16", CultureInfo.InvariantCulture));
         yield return ("whole", IsWhole ? "yes" : "no, it is being built");
-        foreach (var source in m_cloud.Sources)
-            yield return ("source", source.Name + ", " + Human.Count(source.FileBytes) + " bytes, "
-                + Human.Count(source.Points, "point") + (source.Crs?.Name is { } crs ? ", " + crs : ""));
+        foreach (var source in m_manifest.Sources)
+            yield return ("source", source.Name + ", " + NumberFormat.Count(source.FileBytes) + " bytes, "
+                + NumberFormat.Count(source.Points, "point") + (source.Crs?.Name is { } crs ? ", " + crs : ""));
         foreach (var fact in m_source.Facts)
             yield return (fact.Key, fact.Value);
     }
@@ -130,24 +132,24 @@ public sealed class ConvertedCloudFacts
         json.WriteString("format", "FastPoints");
         json.WriteString("version", StoreFormat.Version.ToString(CultureInfo.InvariantCulture));
         json.WriteNull("pointFormat");
-        json.WriteInteger("points", m_cloud.Points);
+        json.WriteInteger("points", m_manifest.Points);
         json.WriteString("pointsAre", "counted");
-        json.WriteInteger("pointsLeftOut", m_cloud.PointsLeftOut);
+        json.WriteInteger("pointsLeftOut", m_manifest.PointsLeftOut);
         json.WriteBoolean("isWhole", IsWhole);
         json.WriteBounds("boundsClaimed", BoundsGeo.Empty);
-        json.WriteBounds("bounds", m_cloud.BoundsGeo);
-        json.WriteVector("scale", m_cloud.Grid.Step);
-        json.WriteVector("offset", m_cloud.Grid.Origin);
+        json.WriteBounds("bounds", m_manifest.BoundsGeo);
+        json.WriteVector("scale", m_manifest.Grid.Step);
+        json.WriteVector("offset", m_manifest.Grid.Origin);
         json.WriteStartArray("attributes");
-        for (int i = 0; i < m_cloud.Attributes.Count; i++)
-            SourceFacts.WriteAttribute(json, m_cloud.Attributes[i], m_cloud.Ranges[i].Min, m_cloud.Ranges[i].Max);
+        for (int i = 0; i < m_manifest.Attributes.Count; i++)
+            SourceFacts.WriteAttribute(json, m_manifest.Attributes[i], m_manifest.Ranges[i].Min, m_manifest.Ranges[i].Max);
         json.WriteEndArray();
-        SourceFacts.WriteCrs(json, m_cloud.Crs, m_cloud.BoundsGeo);
-        SourceFacts.WriteGpsTime(json, m_cloud.GpsTime);
+        SourceFacts.WriteCrs(json, m_manifest.Crs, m_manifest.BoundsGeo);
+        SourceFacts.WriteGpsTime(json, m_manifest.GpsTime);
         SourceFacts.WriteFacts(json, m_source);
         json.WriteStartObject("tree");
-        json.WriteNumber("nodes", m_cloud.NodeCount);
-        json.WriteNumber("chunks", m_cloud.ChunkCount);
+        json.WriteNumber("nodes", m_manifest.NodeCount);
+        json.WriteNumber("chunks", m_manifest.ChunkCount);
         json.WriteBoolean("isWhole", IsWhole);
         json.WriteStartArray("levels");
         for (int i = 0; i < m_levels.Count; i++)
@@ -167,10 +169,10 @@ public sealed class ConvertedCloudFacts
         foreach (var (name, bytes) in m_planes)
             json.WriteInteger(name, bytes);
         json.WriteEndObject();
-        json.WriteString("sampler", m_cloud.Sampler);
-        json.WriteString("checksum", m_cloud.Checksum.ToString("x16", CultureInfo.InvariantCulture));
+        json.WriteString("sampler", m_manifest.Sampler);
+        json.WriteString("checksum", m_manifest.Checksum.ToString("x16", CultureInfo.InvariantCulture));
         json.WriteStartArray("sources");
-        foreach (var source in m_cloud.Sources)
+        foreach (var source in m_manifest.Sources)
         {
             json.WriteStartObject();
             json.WriteString("name", source.Name);

@@ -25,18 +25,18 @@ public sealed class SourceFacts(PointReader reader)
     public IEnumerable<(string Name, string Value)> Lines()
     {
         yield return ("format", Kind);
-        yield return ("size", Human.Count(Info.FileBytes) + " bytes");
+        yield return ("size", NumberFormat.Count(Info.FileBytes) + " bytes");
         string claimed = Info.HasPointsClaimed
-            ? Human.Count(Info.PointsClaimed) + " by the header"
+            ? NumberFormat.Count(Info.PointsClaimed) + " by the header"
             : "the file does not say how many";
         if (Found != null)
-            yield return ("points", Human.Count(Found.Points) + " found, " + claimed);
+            yield return ("points", NumberFormat.Count(Found.Points) + " found, " + claimed);
         else if (Info.PointsReadable >= 0 && (ulong)Info.PointsReadable != Info.PointsClaimed && Info.HasPointsClaimed)
-            yield return ("points", Human.Count(Info.PointsReadable) + " in the file, " + claimed);
+            yield return ("points", NumberFormat.Count(Info.PointsReadable) + " in the file, " + claimed);
         else
             yield return ("points", claimed);
         if (Found is { NonFinite: > 0 })
-            yield return ("not finite", Human.Count(Found.NonFinite, "point") + " have a coordinate that is no number");
+            yield return ("not finite", NumberFormat.Count(Found.NonFinite, "point") + " have a coordinate that is no number");
         if (Info.HasBoundsClaimed)
             foreach (var line in BoundsLines(Found == null ? "bounds" : "bounds (header)", Info.BoundsClaimed))
                 yield return line;
@@ -53,9 +53,10 @@ public sealed class SourceFacts(PointReader reader)
             yield return ("GPS times", Info.GpsTime.ToString());
         ReadTree();
         if (m_tree is { } tree)
-            yield return ("octree", Human.Count(tree.Nodes, "node") + " on " + Human.Count(tree.Levels.Count, "level")
-                + (tree.IsWhole ? "" : " so far") + ", " + Human.Count(tree.NodesWithoutPoints) + " of them without points"
-                + (tree.Pages > 0 ? ", " + Human.Count(tree.Pages, "page") + " of hierarchy" : ""));
+            yield return ("octree", NumberFormat.Count(tree.Nodes, "node") + " on "
+                + NumberFormat.Count(tree.Levels.Count, "level") + (tree.IsHierarchyRead ? "" : " so far") + ", "
+                + NumberFormat.Count(tree.NodesWithoutPoints) + " of them without points"
+                + (tree.Pages > 0 ? ", " + NumberFormat.Count(tree.Pages, "page") + " of hierarchy" : ""));
     }
 
     void ReadTree()
@@ -72,8 +73,9 @@ public sealed class SourceFacts(PointReader reader)
             return null;
         var table = new TextTable("level", "nodes", "points", "most in a node", "spacing");
         foreach (var level in tree.Levels)
-            table.Add(level.Level.ToString(CultureInfo.InvariantCulture), Human.Count(level.Nodes), Human.Count(level.Points),
-                Human.Count(level.MaxPoints), level.Spacing.ToString("G4", CultureInfo.InvariantCulture));
+            table.Add(level.Level.ToString(CultureInfo.InvariantCulture), NumberFormat.Count(level.Nodes),
+                NumberFormat.Count(level.Points), NumberFormat.Count(level.MaxPoints),
+                level.Spacing.ToString("G4", CultureInfo.InvariantCulture));
         return table;
     }
 
@@ -85,13 +87,13 @@ public sealed class SourceFacts(PointReader reader)
             yield return line;
         string per = " points/" + Spread.Unit + "²";
         yield return ("density", Spread.Quartiles is not [var low, var median, var high] ? "no area, seen from above"
-            : "median " + Human.FourDigits(median) + per + "; a quarter below " + Human.FourDigits(low)
-                + ", three quarters below " + Human.FourDigits(high)
-                + " (squares of " + Human.FourDigits(Spread.SquareEdge) + " " + Spread.Unit
+            : "median " + NumberFormat.FourDigits(median) + per + "; a quarter below " + NumberFormat.FourDigits(low)
+                + ", three quarters below " + NumberFormat.FourDigits(high)
+                + " (squares of " + NumberFormat.FourDigits(Spread.SquareEdge) + " " + Spread.Unit
                 + " with points, seen along z)");
         if (GpsTime is { } time)
-            yield return ("GPS time span", Human.FourDigits(time.Max - time.Min) + " s, " + Human.Value(time.Min) + " to "
-                + Human.Value(time.Max));
+            yield return ("GPS time span", NumberFormat.FourDigits(time.Max - time.Min) + " s, " + NumberFormat.Value(time.Min)
+                + " to " + NumberFormat.Value(time.Max));
     }
 
     ColumnSummary? GpsTime => Found != null && Info.Schema.IndexOf(AttributeNames.GpsTime) is >= 0 and var i
@@ -109,9 +111,9 @@ public sealed class SourceFacts(PointReader reader)
             double step = Info.Schema.Has(AttributeNames.X) &&
                 !Info.Schema[Info.Schema.IndexOf(AttributeNames.X)].Type.IsFloat()
                 ? Info.Transform.Scale[axis] : 0.001;
-            string low = Human.Coordinate(bounds.Min[axis], step), high = Human.Coordinate(bounds.Max[axis], step);
+            string low = NumberFormat.Coordinate(bounds.Min[axis], step), high = NumberFormat.Coordinate(bounds.Max[axis], step);
             yield return (axis == 0 ? name : "", "xyz"[axis] + "  " + low + " to " + high + "   ("
-                + Human.Coordinate(bounds.Max[axis] - bounds.Min[axis], step) + ")");
+                + NumberFormat.Coordinate(bounds.Max[axis] - bounds.Min[axis], step) + ")");
         }
     }
 
@@ -150,8 +152,8 @@ public sealed class SourceFacts(PointReader reader)
             var table = new TextTable(name, "points", "%");
             for (int i = 0; i < counts.Length; i++)
                 if (counts[i] > 0)
-                    table.Add(Human.Count(i), Human.Count(counts[i]),
-                        Human.Value(Math.Round(100.0 * counts[i] / Found!.Points, 2)));
+                    table.Add(NumberFormat.Count(i), NumberFormat.Count(counts[i]),
+                        NumberFormat.Value(Math.Round(100.0 * counts[i] / Found!.Points, 2)));
             table.Write(writer, "  ");
         }
         if (Info.Warnings.Count > 0)
@@ -235,7 +237,7 @@ public sealed class SourceFacts(PointReader reader)
         json.WriteStartObject("tree");
         json.WriteNumber("nodes", tree.Nodes);
         json.WriteNumber("nodesWithoutPoints", tree.NodesWithoutPoints);
-        json.WriteBoolean("isWhole", tree.IsWhole);
+        json.WriteBoolean("isWhole", tree.IsHierarchyRead);
         json.WriteNumber("pages", tree.Pages);
         json.WriteStartArray("levels");
         foreach (var level in tree.Levels)

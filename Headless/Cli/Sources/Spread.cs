@@ -41,7 +41,7 @@ sealed class Spread
         }
         var bounds = new BoundsGeo(low, high);
         var density = new DensityMap(points, bounds, ranges.LengthsPerUnit, UpAxis.Z, sample.Found);
-        return new Spread(bounds, density, Human.Unit(ranges.Units.Horizontal));
+        return new Spread(bounds, density, NumberFormat.Unit(ranges.Units.Horizontal));
     }
 
     public void WriteKeys(Utf8JsonWriter json)

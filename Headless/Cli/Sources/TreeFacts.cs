@@ -8,7 +8,7 @@ public sealed class TreeFacts
     /// <summary>Pages of the hierarchy; 0 if it has none.</summary>
     public required int Pages { get; init; }
 
-    public required bool IsWhole { get; init; }
+    public required bool IsHierarchyRead { get; init; }
     public required IReadOnlyList<TreeLevel> Levels { get; init; }
 
     internal static TreeFacts Of(SourceTree tree) => new()
@@ -16,7 +16,7 @@ public sealed class TreeFacts
         Nodes = tree.NodeCount,
         NodesWithoutPoints = tree.NodesWithoutPoints(),
         Pages = tree.PageCount,
-        IsWhole = tree.IsWhole,
+        IsHierarchyRead = tree.IsWhole,
         Levels = TreeLevel.Of(tree),
     };
 }

@@ -47,7 +47,7 @@ public static class StabilityTable
         {
             var cells = s_stages.Select(s => Describe(result.Stages.FirstOrDefault(r => r.Stage == s)));
             run.Out.WriteLine("| " + result.Name + " | " + string.Join(" | ", cells) + " | "
-                + Human.Bytes(result.Stages.Max(s => s.ResidentBytes)) + " | "
+                + NumberFormat.Bytes(result.Stages.Max(s => s.ResidentBytes)) + " | "
                 + (result.Problems.Count == 0 ? "yes" : "NO") + " |");
         }
         if (!HeadlessGraphics.IsAvailable)
@@ -68,6 +68,6 @@ public static class StabilityTable
             ? ", " + (100 * stage.Error).ToString("0.##", CultureInfo.InvariantCulture) + " % bare"
             : stage.Stage == "card" ? ", " + (100 * stage.Error).ToString("0.###", CultureInfo.InvariantCulture) + " % differ"
             : ", " + stage.Error.ToString("0", CultureInfo.InvariantCulture) + " points wrong";
-        return stage.Outcome + error + ", " + Human.Seconds(stage.Seconds);
+        return stage.Outcome + error + ", " + NumberFormat.Seconds(stage.Seconds);
     }
 }

@@ -27,7 +27,7 @@ public sealed class CacheVerb : Verb
             json.WriteInteger("bytes", cache.Bytes);
             json.WriteInteger("limitBytes", RemoteAccess.CacheBytes);
         };
-        run.Out.WriteLine(cache.Folder + ": " + Human.Count(cache.Count, "range") + ", " + Human.Bytes(cache.Bytes) + " of "
-            + Human.Bytes(RemoteAccess.CacheBytes));
+        run.Out.WriteLine(cache.Folder + ": " + NumberFormat.Count(cache.Count, "range") + ", " + NumberFormat.Bytes(cache.Bytes)
+            + " of " + NumberFormat.Bytes(RemoteAccess.CacheBytes));
     }
 }

@@ -92,8 +92,8 @@ public sealed class DefaultVerb : Verb
             if (files.Length == 0)
             {
                 Report.Mark(folders[0], demo);
-                run.Out.WriteLine("no file was named: scanning a street of " + Human.Count(points, "point") + " into " + demo
-                    + ", some " + Human.Bytes(points * (double)DemoBytesOfPoint) + " with its octree"
+                run.Out.WriteLine("no file was named: scanning a street of " + NumberFormat.Count(points, "point")
+                    + " into " + demo + ", some " + NumberFormat.Bytes(points * (double)DemoBytesOfPoint) + " with its octree"
                     + (keeps ? "" : "; only the page and its pictures stay (--keep keeps all)"));
                 run.Out.Flush();
                 DemoCloud.Write(demo, points, parsed.GetValue(m_seed), Scenes.ScanOrder.Strip, run);
@@ -128,7 +128,7 @@ public sealed class DefaultVerb : Verb
         if (!keeps)
             Report.ClearDemo(demo, before);
         StageTable.Of(run.Progress).Write(run.Out, "  ");
-        run.Out.WriteLine("  at most " + Human.Bytes(PeakMemory.ResidentBytes) + " of memory");
+        run.Out.WriteLine("  at most " + NumberFormat.Bytes(PeakMemory.ResidentBytes) + " of memory");
         foreach (string page in pages)
             run.Out.WriteLine(page);
     }
@@ -327,7 +327,7 @@ public sealed class DefaultVerb : Verb
         static DrawStep DrawOctree(string cloud, PictureOptions options, CliRun run)
         {
             FlightCloud.SetSize(options, cloud);
-            return options.ColorAttribute != null ? DrawStep.RunStored(cloud, options, GpuPoints, run)
+            return options.ColorAttribute != null ? DrawStep.RunConverted(cloud, options, GpuPoints, run)
                 : StreamedPictureStep.Run([cloud], options, GpuPoints, run);
         }
 

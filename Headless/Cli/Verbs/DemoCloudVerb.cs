@@ -74,7 +74,7 @@ public sealed class DemoCloudVerb : Verb
                 throw new UsageException("--order: wanted tile, strip, class or random, got " + parsed.GetValue(m_order));
             if (order != ScanOrder.Strip && written > DemoCloud.MaxOrderedPoints)
                 throw new UsageException("--order " + parsed.GetValue(m_order) + " keeps the points in memory: at most "
-                    + Human.Count(DemoCloud.MaxOrderedPoints));
+                    + NumberFormat.Count(DemoCloud.MaxOrderedPoints));
             if (!HasExtension(file, ".las") && !HasExtension(file, ".laz") && !HasExtension(file, ".ply"))
                 throw new UsageException("--output: wanted a name that ends in .las, .laz or .ply, got " + output);
             run.Begin([], output);
@@ -87,7 +87,7 @@ public sealed class DemoCloudVerb : Verb
             json.WriteInteger("points", written);
             json.WriteInteger("bytes", bytes);
         };
-        run.Out.WriteLine(output + ": " + Human.Count(written, "point") + ", " + Human.Bytes(bytes));
+        run.Out.WriteLine(output + ": " + NumberFormat.Count(written, "point") + ", " + NumberFormat.Bytes(bytes));
         StageTable.Of(run.Progress).Write(run.Out, "  ");
     }
 

@@ -90,7 +90,7 @@ public sealed class ExportVerb : Verb
         if (parsed.GetValue(m_memory) is { } memory)
             settings.MemoryBytes = Memory.ForBuild(memory);
         clouds = run.Begin(clouds, output);
-        using var reader = clouds is [var only] && CloudFolder.IsCloud(only) ? StoredReader.Open(only)
+        using var reader = clouds is [var only] && CloudFolder.IsCloud(only) ? ConvertedReader.Open(only)
             : PointReaders.Open(clouds, m_source.Read(parsed));
         run.Warn(reader.Info);
         // Before the bytes of an octree are counted.
@@ -138,7 +138,7 @@ public sealed class ExportVerb : Verb
             run.Warn(output + ": " + warning);
         run.Report(result.Losses);
         if (result.PointsLeftOut > 0)
-            run.Warn(output + ": " + Human.Count(result.PointsLeftOut)
+            run.Warn(output + ": " + NumberFormat.Count(result.PointsLeftOut)
                 + " points are left out, whose coordinates are no numbers or do not fit");
         // COPC's points are converted first.
         double seconds = CopcExport.IsNamed(output) ? run.Progress.Finished.Sum(stage => stage.Seconds)
@@ -152,9 +152,10 @@ public sealed class ExportVerb : Verb
             json.WriteReal("positionError", result.PositionError);
             run.WriteLosses(json);
         };
-        string moved = result.PositionError > 0 ? ", coordinates rounded by at most " + Human.Value(result.PositionError) : "";
-        run.Out.WriteLine(output + ": " + Human.Count(result.Points, "point") + ", " + Human.Bytes(result.Bytes) + moved
-            + (result.Note == null ? "" : ", " + result.Note));
+        string moved = result.PositionError > 0
+            ? ", coordinates rounded by at most " + NumberFormat.Value(result.PositionError) : "";
+        run.Out.WriteLine(output + ": " + NumberFormat.Count(result.Points, "point") + ", " + NumberFormat.Bytes(result.Bytes)
+            + moved + (result.Note == null ? "" : ", " + result.Note));
         StageTable.Of(run.Progress).Write(run.Out, "  ");
     }
 }

@@ -152,7 +152,8 @@ public sealed class FlyVerb : Verb
             OutputFile.Write(Path.Combine(folder, "report.html"), FlightPage.Make(clouds, path, log, options, last, run));
         }
         if (pictures?.CommittedPath is { } kept)
-            run.Out.WriteLine(kept + ": " + Human.Count(frames / every) + " pictures, " + Human.Bytes(pictures.Bytes));
+            run.Out.WriteLine(kept + ": " + NumberFormat.Count(frames / every) + " pictures, "
+                + NumberFormat.Bytes(pictures.Bytes));
         run.WarnOfFailures(stream);
         Describe(run, log, stream.Settings.UploadBytesPerFrame, disposeMs);
     }
@@ -225,24 +226,24 @@ public sealed class FlyVerb : Verb
     static void Describe(CliRun run, FlightLog log, int uploadBytes, double disposeMs)
     {
         static string Ms(double value) => value.ToString("0.00", CultureInfo.InvariantCulture);
-        run.Out.WriteLine("last frame: " + Human.Count(log.Last.DrawnPoints, "point") + " of "
-            + Human.Count(log.Last.DrawnNodes, "node") + ", "
-            + Human.Bytes(log.PoolBytesPeak) + " of pool at most, " + Human.Bytes(log.BytesRead) + " read");
+        run.Out.WriteLine("last frame: " + NumberFormat.Count(log.Last.DrawnPoints, "point") + " of "
+            + NumberFormat.Count(log.Last.DrawnNodes, "node") + ", "
+            + NumberFormat.Bytes(log.PoolBytesPeak) + " of pool at most, " + NumberFormat.Bytes(log.BytesRead) + " read");
         var main = log.MainThreadMs;
         run.Out.WriteLine($"main thread: {Ms(main[0])} ms, p99 {Ms(main[1])}, most {Ms(log.MaxLaterMs)} after the first frame, "
             + $"which took {Ms(log.FirstMs)} (selection p99 {Ms(log.SelectMs[1])}, requests p99 {Ms(log.RequestMs[1])}); "
-            + $"{log.Hitches} hitches; {Human.Bytes(log.GarbageBytes)} of garbage, "
-            + $"{Human.Bytes(log.GarbageBytesAfterWarmUp)} of it after 60 frames");
+            + $"{log.Hitches} hitches; {NumberFormat.Bytes(log.GarbageBytes)} of garbage, "
+            + $"{NumberFormat.Bytes(log.GarbageBytesAfterWarmUp)} of it after 60 frames");
         foreach (var (frame, toFull, bytes) in log.Cuts())
             run.Out.WriteLine($"from frame {frame}: "
                 + (toFull < 0 ? "never 95 % drawn" : $"95 % drawn after {toFull} frames; "
-                + $"its {Human.Bytes(bytes)} need {(bytes + uploadBytes - 1) / uploadBytes}"));
+                + $"its {NumberFormat.Bytes(bytes)} need {(bytes + uploadBytes - 1) / uploadBytes}"));
         if (run.Inputs.Any(SourcePath.IsRemote))
             run.Out.WriteLine("95 % drawn "
                 + (double.IsNaN(log.SecondsTo95) ? "never" : Ms(log.SecondsTo95) + " s after the start")
-                + "; " + Human.Count(RemoteStatistics.Requests, "request") + " for " + Human.Bytes(RemoteStatistics.BytesFetched)
-                + ", " + Human.Bytes(RemoteStatistics.BytesUnused) + " of it unused; "
-                + Human.Count(RemoteStatistics.CacheHits, "range") + " from this machine's cache");
+                + "; " + NumberFormat.Count(RemoteStatistics.Requests, "request") + " for " + NumberFormat.Bytes(RemoteStatistics.BytesFetched)
+                + ", " + NumberFormat.Bytes(RemoteStatistics.BytesUnused) + " of it unused; "
+                + NumberFormat.Count(RemoteStatistics.CacheHits, "range") + " from this machine's cache");
         run.Out.WriteLine($"ended in {Ms(disposeMs)} ms");
         if (log.Popping is { } popping)
             run.Out.WriteLine("popping: " + popping + (log.PoppingWhenLoaded is { } loaded ? "; once loaded, " + loaded : ""));

@@ -39,17 +39,17 @@ public sealed class InfoVerb : Verb
         var files = parsed.GetRequiredValue(m_files);
         bool scan = parsed.GetValue(m_scan);
         files = run.Begin(files);
-        var source = m_source.Read(parsed);
+        var options = m_source.Read(parsed);
         var clouds = parsed.GetValue(m_asOne) ? [files] : files.Select(f => new[] { f }).ToArray();
         var all = new InputResults(clouds.Select(c => c[0]));
         run.WriteKeys = all.WriteKeys;
         foreach (var cloud in clouds)
-            all.Run(run, () => Describe(cloud, source, scan, run));
+            all.Run(run, () => Describe(cloud, options, scan, run));
         if (scan)
             StageTable.Of(run.Progress).Write(run.Out, "  ");
     }
 
-    static (Action<Utf8JsonWriter>, PointCounts) Describe(string[] cloud, ReadOptions source, bool scan, CliRun run)
+    static (Action<Utf8JsonWriter>, PointCounts) Describe(string[] cloud, ReadOptions options, bool scan, CliRun run)
     {
         if (cloud is [var path] && CloudFolder.IsCloud(path))
         {
@@ -58,7 +58,7 @@ public sealed class InfoVerb : Verb
             run.Out.WriteLine();
             return (stored.WriteKeys, stored.PointCounts);
         }
-        using var reader = PointReaders.Open(cloud, source);
+        using var reader = PointReaders.Open(cloud, options);
         if (reader.Tree != null && !reader.BlocksAreKnown)
             run.RunSteps(reader.FindBlocks());
         var facts = new SourceFacts(reader);

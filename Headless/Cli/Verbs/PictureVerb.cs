@@ -87,7 +87,7 @@ public sealed class PictureVerb : Verb
             FlightCloud.SetSize(options, clouds);
         var result = parsed.GetValue(m_gpu) ? DrawStep.RunOnGpu(clouds, options, budget, run)
             : clouds.Length == 1 && CloudFolder.IsCloud(clouds[0]) && !IsForStream(options)
-            ? DrawStep.RunStored(clouds[0], options, budget, run)
+            ? DrawStep.RunConverted(clouds[0], options, budget, run)
             : clouds.Any(CloudFolder.IsCloud)
                 || (budget > 0 && options.ColorAttribute == null || options.IsFiltered) && clouds.All(HasOctree)
             ? StreamedPictureStep.Run(clouds, options, budget, run)
@@ -130,7 +130,8 @@ public sealed class PictureVerb : Verb
         var bounds = BoundsGeo.Empty;
         foreach (string cloud in clouds)
         {
-            using PointReader reader = CloudFolder.IsCloud(cloud) ? StoredReader.Open(cloud) : PointReaders.Open(cloud, source);
+            using PointReader reader = CloudFolder.IsCloud(cloud) ? ConvertedReader.Open(cloud)
+                : PointReaders.Open(cloud, source);
             points += reader.Info.PointsReadable;
             bounds.Include(reader.Info.BoundsTrusted);
         }

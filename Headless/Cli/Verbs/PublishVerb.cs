@@ -40,11 +40,11 @@ public sealed class PublishVerb : Verb
             problems.Add("it is being built: its files will change their names");
         problems.AddRange(SourcePath.IsRemote(path) ? ProblemsOfServer(files) : ProblemsOfFolder(path, files));
         problems.ForEach(run.Out.WriteLine);
-        run.Out.WriteLine(SourcePath.WithoutQuery(path) + ": " + Human.Count(files.Count, "file") + ", " + Human.Bytes(bytes)
-            + ", the largest " + Human.Bytes(files.Max(f => f.Bytes)));
+        run.Out.WriteLine(SourcePath.WithoutQuery(path) + ": " + NumberFormat.Count(files.Count, "file") + ", "
+            + NumberFormat.Bytes(bytes) + ", the largest " + NumberFormat.Bytes(files.Max(f => f.Bytes)));
         if (problems.Count > 0)
             throw new PointCloudException(FailureCode.BadInput, SourcePath.WithoutQuery(path), -1,
-                Human.Count(problems.Count, "problem"));
+                NumberFormat.Count(problems.Count, "problem"));
         run.Out.WriteLine(SourcePath.IsRemote(path)
             ? "Ranges, lengths and versions are as they should be: give this address as the path of a cloud."
             : "Copy the folder as it is to any server that answers ranges and sends the files uncompressed.");
@@ -67,7 +67,7 @@ public sealed class PublishVerb : Verb
             if (!File.Exists(file))
                 yield return file + " is missing";
             else if (StoreFile.SizeOf(file) is var size && size != bytes)
-                yield return file + ": wanted " + Human.Count(bytes) + " bytes, got " + Human.Count(size);
+                yield return file + ": wanted " + NumberFormat.Count(bytes) + " bytes, got " + NumberFormat.Count(size);
         foreach (string other in Directory.EnumerateFiles(path, "*", SearchOption.AllDirectories)
             .Except(files.Select(f => f.Path)).Order(StringComparer.Ordinal))
             yield return other + " is no part of the cloud";
@@ -85,7 +85,7 @@ public sealed class PublishVerb : Verb
             {
                 var file = RemoteFile.Open(path);
                 if (file.Length != bytes)
-                    problem = "wanted " + Human.Count(bytes) + " bytes, got " + Human.Count(file.Length);
+                    problem = "wanted " + NumberFormat.Count(bytes) + " bytes, got " + NumberFormat.Count(file.Length);
                 else if (!file.HasVersion)
                     problem = "has neither ETag nor Last-Modified: what replaces it would be mixed with it";
                 else

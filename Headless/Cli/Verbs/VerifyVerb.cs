@@ -58,26 +58,26 @@ public sealed class VerifyVerb : Verb
         foreach (string problem in result.Problems)
             run.Out.WriteLine(problem);
         if (result.ProblemCount > result.Problems.Count)
-            run.Out.WriteLine("and " + Human.Count(result.ProblemCount - result.Problems.Count) + " more");
+            run.Out.WriteLine("and " + NumberFormat.Count(result.ProblemCount - result.Problems.Count) + " more");
         var table = new TextTable("level", "nodes", "points", "spacing", "minimum distance", "across chunks", "share too near");
         for (int level = 0; level < result.Levels.Count; level++)
         {
             var at = result.Levels[level];
             var near = SpacingOf(spacings, level);
             if (at.Nodes > 0)
-                table.Add(Human.Count(level), Human.Count(at.Nodes), Human.Count(at.Points),
-                    at.Spacing > 0 ? Human.Value(at.Spacing) : "",
-                    double.IsFinite(near.MinDistance) ? Human.Value(near.MinDistance) : "",
-                    double.IsFinite(near.MinDistanceAcrossChunks) ? Human.Value(near.MinDistanceAcrossChunks) : "",
+                table.Add(NumberFormat.Count(level), NumberFormat.Count(at.Nodes), NumberFormat.Count(at.Points),
+                    at.Spacing > 0 ? NumberFormat.Value(at.Spacing) : "",
+                    double.IsFinite(near.MinDistance) ? NumberFormat.Value(near.MinDistance) : "",
+                    double.IsFinite(near.MinDistanceAcrossChunks) ? NumberFormat.Value(near.MinDistanceAcrossChunks) : "",
                     at.SampledPoints > 0
-                        ? Human.Value(Math.Round(100.0 * near.NearAcrossChunks / at.SampledPoints, 3)) + " %"
+                        ? NumberFormat.Value(Math.Round(100.0 * near.NearAcrossChunks / at.SampledPoints, 3)) + " %"
                         : "");
         }
         table.Write(run.Out, "  ");
         if (!result.Ok)
             throw new PointCloudException(FailureCode.BadInput, cloud, -1,
-                result.ProblemCount == 1 ? "1 problem" : Human.Count(result.ProblemCount) + " problems");
-        run.Out.WriteLine(cloud + ": " + Human.Count(result.Points)
+                result.ProblemCount == 1 ? "1 problem" : NumberFormat.Count(result.ProblemCount) + " problems");
+        run.Out.WriteLine(cloud + ": " + NumberFormat.Count(result.Points)
             + (result.IsBuilding ? " points so far (it is being built), all there" : " points, all there")
             + (readers.Count > 0 ? ", the same as in the source" : ""));
     }

@@ -194,8 +194,8 @@ namespace FastPoints.Evaluation
             {
                 From = (byte*)Range.GetUnsafeReadOnlyPtr(),
                 To = (byte*)Sample.GetUnsafePtr(),
-                ColumnsOfFrom = ColumnsOfRange,
-                ColumnsOfTo = ColumnsOfSample,
+                ColumnsOfSource = ColumnsOfRange,
+                ColumnsOfTarget = ColumnsOfSample,
             };
             int* from = stackalloc int[BatchLength];
             int* to = stackalloc int[BatchLength];

@@ -162,7 +162,7 @@ namespace FastPoints.Picture
                 m_colors.Reinterpret<byte>(sizeof(uint)).CopyTo(image.Rgba);
                 return image;
             }
-            using var light = Drawing.Palettes.CreateLight(Allocator.TempJob);
+            using var light = Drawing.Palettes.CreateSrgbToLinear(Allocator.TempJob);
             using var means = new NativeArray<uint>(image.Rgba.Length / sizeof(uint), Allocator.TempJob);
             new AverageSamplesJob
             {
@@ -221,7 +221,7 @@ namespace FastPoints.Picture
             }
         }
 
-        static byte Encoded(float light) => (byte)(Drawing.Palettes.EncodedOf(light) * 255 + 0.5);
+        static byte Encoded(float light) => (byte)(Drawing.Palettes.LinearToSrgb(light) * 255 + 0.5);
     }
 
     // Draws a range of a batch's points; index i is its i-th piece of PointsPerPiece points.

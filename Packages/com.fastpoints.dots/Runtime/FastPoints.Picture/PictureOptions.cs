@@ -26,7 +26,7 @@ namespace FastPoints.Picture
         /// <summary>Replaces a standard view.</summary>
         public Camera? Camera;
 
-        /// <summary>Points of the outline that a standard view frames: all take ten milliseconds.</summary>
+        /// <summary>How many points of the cloud's outline a standard view is fitted to. All of them cost 10 ms.</summary>
         public int OutlinePoints = int.MaxValue;
 
         public double FovDegrees = DefaultFovDegrees;

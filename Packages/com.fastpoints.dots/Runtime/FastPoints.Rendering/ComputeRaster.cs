@@ -58,8 +58,8 @@ namespace FastPoints.Rendering
         }
 
         // chosen: which points a progressive picture draws, marked afterwards; null for all.
-        public void Record(CommandBuffer commands, in RenderView view, DrawList list, ListBuffer lists, GraphicsNodePool pool,
-            VisiblePoints chosen)
+        public void Record(CommandBuffer commands, in RenderView view, DrawList list, ListBuffer listBuffer,
+            GraphicsNodePool pool, VisiblePoints chosen)
         {
             EnsurePixels(view, chosen != null ? MaxBytesPerPixel : BytesPerPixel);
             commands.SetComputeVectorParam(m_shader, ShaderNames.ScreenPx, new Vector4(view.WidthPx, view.HeightPx, 0, 0));
@@ -75,7 +75,7 @@ namespace FastPoints.Rendering
             {
                 int kernel = pass < 2 ? m_kernels[pass] : m_numberKernel;
                 commands.SetComputeBufferParam(m_shader, kernel, ShaderNames.PixelsOut, Pixels);
-                lists.Set(commands, m_shader, kernel);
+                listBuffer.Set(commands, m_shader, kernel);
                 chosen?.Set(commands, kernel);
                 for (int i = 0; i < list.Draws.Length; i++)
                 {

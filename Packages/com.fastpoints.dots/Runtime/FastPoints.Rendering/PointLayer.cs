@@ -30,7 +30,7 @@ namespace FastPoints.Rendering
             commands.ClearRenderTarget(true, true, UnityEngine.Color.clear);
         }
 
-        // What is read is no longer drawn into.
+        // Unbinds the numbers, which MarkTexels reads.
         public void EndNumbers(CommandBuffer commands, in RenderView view, VisiblePoints chosen)
         {
             commands.SetRenderTarget(ShaderNames.LayerDepth, ShaderNames.LayerDevice);

@@ -37,7 +37,7 @@ namespace FastPoints.Evaluation
             using var filters = new FlipFilters(pixelsPerDegree, Allocator.Persistent);
             using var pixels = new NativeArray<byte>(picture.Rgba, Allocator.Persistent);
             using var pixelsOfReference = new NativeArray<byte>(reference.Rgba, Allocator.Persistent);
-            using var light = Palettes.CreateLight(Allocator.Persistent);
+            using var light = Palettes.CreateSrgbToLinear(Allocator.Persistent);
             int tiles = ComputeFlipJob.TileCount(picture.Width, picture.Height);
             using var errors = new NativeArray<float>(picture.Width * picture.Height, Allocator.Persistent,
                 NativeArrayOptions.UninitializedMemory);

@@ -129,7 +129,7 @@ namespace FastPoints.Build
                     var indexer = inWork.Dequeue();
                     spare.Push(indexer);
                     indexer.Job.Complete();
-                    m_build.Slices.Take(indexer.Slices);
+                    m_build.Slices.Take(indexer.SliceTimes);
                     int c = indexer.Number;
                     results[c] = ChunkResult.OfTop(indexer);
                     results[c].Checksum = indexer.Checksum;

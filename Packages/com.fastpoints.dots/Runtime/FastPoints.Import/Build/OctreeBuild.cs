@@ -253,7 +253,7 @@ namespace FastPoints.Build
                 slot.Outside.Value = 0;
                 ready = CheckRecordsJob.Schedule(new CheckRecordsJob
                 {
-                    Slices = slot.Indexer.Slices,
+                    Slices = slot.Indexer.SliceTimes,
                     Pages = chunk.Pages,
                     Layout = m_build.Records,
                     Cube = chunk.Cube,
@@ -335,7 +335,7 @@ namespace FastPoints.Build
         {
             var indexer = slot.Indexer;
             var result = ChunkResult.Of(indexer);
-            m_build.Slices.Take(indexer.Slices);
+            m_build.Slices.Take(indexer.SliceTimes);
             m_results[slot.Chunk] = result;
             var pages = indexer.Pages;
             RecordPagePool.Of(m_build.Pool).Return(ref pages);

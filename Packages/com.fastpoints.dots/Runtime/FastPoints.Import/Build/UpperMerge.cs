@@ -127,7 +127,7 @@ namespace FastPoints.Build
                 m_indexer.BeginUpper(records, tops, cube, isRoot, m_workspace);
                 yield return m_indexer.Job;
                 m_indexer.Job.Complete();
-                m_build.Slices.Take(m_indexer.Slices);
+                m_build.Slices.Take(m_indexer.SliceTimes);
 
                 var region = TakeRegion();
                 bool hasNodes = Attach(members, tops, region) || region.NodeCount > 0;

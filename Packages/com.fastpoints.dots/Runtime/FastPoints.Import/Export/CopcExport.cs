@@ -26,7 +26,7 @@ namespace FastPoints.Export
         /// smaller than a step either.</summary>
         const double Margin = 1.0 / 3;
 
-        readonly StoredReader m_reader;
+        readonly ConvertedReader m_reader;
         readonly GridCube m_root;
         readonly CopcEntry[] m_keyOfBlock;
         readonly List<int> m_blockOfNode = new List<int>();
@@ -38,7 +38,7 @@ namespace FastPoints.Export
         int m_rootPageBytes;
 
         /// <exception cref="PointCloudException">More points lie at one place than the levels of COPC hold.</exception>
-        public CopcExport(StoredReader reader, string[] chosen)
+        public CopcExport(ConvertedReader reader, string[] chosen)
             : base(reader, chosen, reader.PointCount, Math.Max(StoreFormat.MaxPointsPerNode, reader.MaxPointsPerBlock))
         {
             m_reader = reader;
@@ -57,7 +57,7 @@ namespace FastPoints.Export
 
         /// <summary>Whether the source is a converted cloud with one grid step for all axes: its cubes are COPC's.</summary>
         public static bool CanExport(PointReader reader) =>
-            reader is StoredReader stored && math.all(stored.Manifest.Grid.Step == stored.Manifest.Grid.Step.x);
+            reader is ConvertedReader stored && math.all(stored.Manifest.Grid.Step == stored.Manifest.Grid.Step.x);
 
         protected override void ChooseFormat(PointSchema schema, string[] chosen)
         {

@@ -114,13 +114,13 @@ namespace FastPoints.Export
             };
             if (settings.MemoryBytes > 0)
                 build.MemoryBytes = settings.MemoryBytes;
-            StoredReader stored = null;
+            ConvertedReader stored = null;
             long leftOut = 0;
             try
             {
                 yield return JobStep.Of(ConvertCloud.Run(new[] { reader }, octree, build,
                     result => leftOut = result.Manifest.PointsLeftOut, progress));
-                yield return JobStep.Of(PoolTask.Run(octree, () => StoredReader.Open(octree), opened => stored = opened,
+                yield return JobStep.Of(PoolTask.Run(octree, () => ConvertedReader.Open(octree), opened => stored = opened,
                     unwanted => unwanted.DisposeUnread()));
                 // Errors and losses name the source.
                 stored.Info.Path = reader.Info.Path;
@@ -165,7 +165,7 @@ namespace FastPoints.Export
             return Path.GetExtension(path).ToLowerInvariant() switch
             {
                 ".ply" => new PlyExport(reader, attributes),
-                ".laz" when CopcExport.IsNamed(path) => new CopcExport((StoredReader)reader, attributes),
+                ".laz" when CopcExport.IsNamed(path) => new CopcExport((ConvertedReader)reader, attributes),
                 ".laz" => new LazExport(reader, attributes, reader.PointCount),
                 ".las" => (ExportFormat)new LasExport(reader, attributes, reader.PointCount),
                 _ => throw new PointCloudException(FailureCode.Unsupported, path, -1,
@@ -187,7 +187,7 @@ namespace FastPoints.Export
             if (!m_format.NeedsBounds)
                 yield break;
             var measured = ExportState.None;
-            if (m_reader is StoredReader stored)
+            if (m_reader is ConvertedReader stored)
             {
                 measured.MinStored = stored.Manifest.BoundsMin;
                 measured.MaxStored = stored.Manifest.BoundsMax;
@@ -276,7 +276,7 @@ namespace FastPoints.Export
                             all.Add(new Slot(m_reader, wanted, maxPoints, m_format, m_settings.Filter));
                             idle.Push(all[all.Count - 1]);
                         }
-                        while (window != null && !window.IsNextFetched)
+                        while (window != null && !window.TryPrepareNext())
                             yield return default;
                         var slot = idle.Pop();
                         slot.Read.Fetched = window?.Take();

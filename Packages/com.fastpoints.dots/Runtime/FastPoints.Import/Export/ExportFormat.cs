@@ -79,7 +79,7 @@ namespace FastPoints.Export
         {
             try
             {
-                return reader is StoredReader stored ? LasRecords.Read(stored.RecordsPath)
+                return reader is ConvertedReader stored ? LasRecords.Read(stored.RecordsPath)
                     : reader is TiledReader tiles ? LasRecords.CommonTo(tiles.Paths, Losses) : null;
             }
             catch (PointCloudException e)

@@ -97,7 +97,7 @@ namespace FastPoints.Export
 
         static List<ExportRange> All(PointReader reader, LocalClip[] clips, out bool hasLevels)
         {
-            var stored = reader as StoredReader;
+            var stored = reader as ConvertedReader;
             hasLevels = stored != null || reader.Tree != null;
             var nodeOfBlock = new int[reader.BlockCount];
             for (int block = 0; block < nodeOfBlock.Length; block++)

@@ -454,9 +454,9 @@ namespace FastPoints.Export
             // Of a file that has both, the keys are for readers that know no WKT.
             if (hasWkt && (isExtended || crs.GeoKeys == null))
                 m_header.GlobalEncoding |= LasHeader.WktBit;
-            for (int i = 0; crs.GeoKeys != null && i < LasGeoKeys.Records.Length; i++)
+            for (int i = 0; crs.GeoKeys != null && i < LasGeoKeys.RecordIds.Length; i++)
                 if (crs.GeoKeys[i].Length > 0)
-                    m_vlrs.Add(LasWriter.Vlr(LasVlr.ProjectionUser, LasGeoKeys.Records[i], "GeoTIFF keys", crs.GeoKeys[i]));
+                    m_vlrs.Add(LasWriter.Vlr(LasVlr.ProjectionUser, LasGeoKeys.RecordIds[i], "GeoTIFF keys", crs.GeoKeys[i]));
             if (hasWkt || crs.GeoKeys != null)
             {
                 WarnOfKeysAlone(hasWkt ? crs : new CoordinateSystem { GeoKeys = crs.GeoKeys });

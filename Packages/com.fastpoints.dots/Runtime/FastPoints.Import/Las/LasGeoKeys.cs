@@ -25,7 +25,7 @@ namespace FastPoints.Las
         const int UserDefined = 32767;
         const int EntryBytes = 8;
 
-        public static readonly ushort[] Records =
+        public static readonly ushort[] RecordIds =
             { LasVlr.GeoKeyDirectoryRecord, LasVlr.GeoDoubleParamsRecord, LasVlr.GeoAsciiParamsRecord };
 
         public static void Read(LasVlrTable vlrs, SourceInfo info, CoordinateSystem crs)
@@ -45,17 +45,17 @@ namespace FastPoints.Las
             var keys = new Keys { VerticalEpsg = crs.VerticalEpsg };
             for (int i = 1; i <= count; i++)
                 keys.Read(new Key(i, directory, record.DataOffset, info), doubles, text);
-            if (keys.Empty > 0)
-                info.Warn(record.DataOffset, "GeoTIFF key 0, which there is none of, stands " + NumberText.Of(keys.Empty)
+            if (keys.EmptyKeys > 0)
+                info.Warn(record.DataOffset, "GeoTIFF key 0, which there is none of, stands " + NumberText.Of(keys.EmptyKeys)
                     + " times among " + NumberText.Of(count) + " keys: left out");
             keys.Fill(crs);
         }
 
         /// <summary>The three records unchanged, empty if missing. Null without a directory, or if one is too long to
         /// be written again.</summary>
-        public static byte[][] Bytes(LasVlrTable vlrs)
+        public static byte[][] ReadRecords(LasVlrTable vlrs)
         {
-            var records = System.Array.ConvertAll(Records, id => vlrs.Find(LasVlr.ProjectionUser, id));
+            var records = System.Array.ConvertAll(RecordIds, id => vlrs.Find(LasVlr.ProjectionUser, id));
             if (!(records[0]?.DataBytes > 0) || System.Array.Exists(records, r => r?.DataBytes > ushort.MaxValue))
                 return null;
             return System.Array.ConvertAll(records, r => r != null ? vlrs.Payload(r).Bytes : System.Array.Empty<byte>());
@@ -102,7 +102,7 @@ namespace FastPoints.Las
         // 0 and null where the keys say nothing.
         struct Keys
         {
-            public int Empty;
+            public int EmptyKeys;
             public int VerticalEpsg;
             int m_model;
             int m_geographic;
@@ -120,7 +120,7 @@ namespace FastPoints.Las
                 switch (key.Id)
                 {
                     case 0:
-                        Empty++;
+                        EmptyKeys++;
                         break;
                     case ModelTypeKey:
                         m_model = key.Code();
@@ -170,22 +170,22 @@ namespace FastPoints.Las
                 crs.Kind = m_model == GeocentricModel ? CrsKind.Geocentric : m_isProjected || m_model == ProjectedModel
                     ? CrsKind.Projected : m_geographic != 0 || m_model == GeographicModel ? CrsKind.Geographic : CrsKind.Unknown;
                 double linear = m_unitSize > 0 && !double.IsInfinity(m_unitSize) ? m_unitSize : 0;
-                linear = EpsgTable.UnitOf(m_unit) is double metres && metres > 0 ? metres : linear;
+                linear = EpsgTable.MetresPerUnit(m_unit) is double metres && metres > 0 ? metres : linear;
                 if (m_model == GeographicModel || !isDerived && m_geographic != 0 && linear == 0)
-                    crs.MetresPerUnit = m_angularUnit == 0 ? double.NaN : EpsgTable.UnitOf(m_angularUnit);
+                    crs.MetresPerUnit = m_angularUnit == 0 ? double.NaN : EpsgTable.MetresPerUnit(m_angularUnit);
                 else
                     crs.MetresPerUnit = linear == 0 && m_model == GeocentricModel ? 1 : linear;
-                double vertical = EpsgTable.UnitOf(m_verticalUnit);
+                double vertical = EpsgTable.MetresPerUnit(m_verticalUnit);
                 crs.VerticalMetresPerUnit = vertical > 0 ? vertical : 0;
             }
         }
 
-        static ByteReader PayloadOf(LasVlrTable vlrs, ushort recordId, ByteReader fallback)
+        static ByteReader PayloadOf(LasVlrTable vlrs, ushort recordId, ByteReader directory)
         {
             var record = vlrs.Find(LasVlr.ProjectionUser, recordId);
             return record != null
                 ? vlrs.Payload(record)
-                : new ByteReader(System.Array.Empty<byte>(), fallback.Path, fallback.FileOffset);
+                : new ByteReader(System.Array.Empty<byte>(), directory.Path, directory.FileOffset);
         }
 
         readonly struct Key

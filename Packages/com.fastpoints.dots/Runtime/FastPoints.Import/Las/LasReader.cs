@@ -56,7 +56,7 @@ namespace FastPoints.Las
         // WKT if it is readable, otherwise GeoTIFF keys: files with both have the keys for programs that cannot read WKT.
         static void ReadCrs(LasVlrTable vlrs, SourceInfo info)
         {
-            info.Crs.GeoKeys = LasGeoKeys.Bytes(vlrs);
+            info.Crs.GeoKeys = LasGeoKeys.ReadRecords(vlrs);
             var record = vlrs.Find(LasVlr.ProjectionUser, LasVlr.WktRecord);
             if (record != null && record.DataBytes > 0)
             {

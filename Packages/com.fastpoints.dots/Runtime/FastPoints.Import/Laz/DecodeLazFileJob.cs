@@ -211,13 +211,13 @@ namespace FastPoints.Laz
                 at += LasVlr.HeaderBytes + bytes;
                 // "laszip encoded" is the only user id that begins and ends so and has this record id.
                 bool isLaszip = *(ushort*)(vlr + 18) == LazFormat.RecordId && vlr[UserId] == 'l' && vlr[LastOfUserId] == 'd';
-                if (!isLaszip || at > end || bytes < LazFormat.ItemsAt + Items.Length)
+                if (!isLaszip || at > end || bytes < LazFormat.ItemsOffset + Items.Length)
                     continue;
                 uint chunkPoints = *(uint*)(data + 12);
                 state.PointsOfChunks = Compressor == LazCompressor.Pointwise || chunkPoints == LazFormat.VariableChunkPoints
                     ? 0 : chunkPoints;
                 return *(ushort*)data == (int)Compressor && *(ushort*)(data + 2) == 0
-                    && UnsafeUtility.MemCmp(data + LazFormat.ItemsAt, Items.GetUnsafeReadOnlyPtr(), Items.Length) == 0;
+                    && UnsafeUtility.MemCmp(data + LazFormat.ItemsOffset, Items.GetUnsafeReadOnlyPtr(), Items.Length) == 0;
             }
             return false;
         }

@@ -34,9 +34,9 @@ namespace FastPoints.Laz
         public const int MaxExtraBytes = 4096;
 
         // Of the number of items in the VLR's data; the items follow it.
-        public const int ItemsAt = 32;
+        public const int ItemsOffset = 32;
 
-        const int FixedBytes = ItemsAt + 2;
+        const int FixedBytes = ItemsOffset + 2;
         public const int ItemBytes = 6;
 
         public LazCompressor Compressor;
@@ -226,7 +226,7 @@ namespace FastPoints.Laz
         public static byte[] Vlr(LazItem[] items, LazCompressor compressor, uint chunkPoints)
         {
             var list = ToBytes(items);
-            var payload = new byte[LazFormat.ItemsAt + list.Length];
+            var payload = new byte[LazFormat.ItemsOffset + list.Length];
             LasHeader.Put(payload, 0, 2, (ulong)compressor);
             // As LASzip 3.4 writes it.
             payload[4] = 3;
@@ -235,7 +235,7 @@ namespace FastPoints.Laz
             // The number of special EVLRs, and where they begin: none.
             LasHeader.Put(payload, 16, 8, ulong.MaxValue);
             LasHeader.Put(payload, 24, 8, ulong.MaxValue);
-            list.CopyTo(payload, LazFormat.ItemsAt);
+            list.CopyTo(payload, LazFormat.ItemsOffset);
             return LasWriter.Vlr(LazFormat.UserId, LazFormat.RecordId, "", payload);
         }
 

@@ -140,12 +140,13 @@ namespace FastPoints.Laz
     [BurstCompile]
     unsafe struct WalkLazJob : IJob
     {
-        // The input from where the state's stream has been consumed up to, with PaddingBytes of RangeCoder behind InputEnd.
+        // The window, with PaddingBytes of RangeCoder behind InputEnd.
         [ReadOnly] public NativeArray<byte> Input;
 
         public NativeArray<byte> State;
         public NativeArray<byte> Tile;
         public NativeReference<LazWalkStep> Result;
+        // Up to here the state's stream has been consumed.
         public int InputStart;
         public int InputEnd;
 

@@ -54,7 +54,8 @@ namespace FastPoints.Ply
 
         public SegmentBlock[] TakeBlocks() => m_blocks.AsArray().ToArray();
 
-        // Closes the previous window, whose handle must be complete, and starts the next. False at the end.
+        // Closes the previous window, whose handle must be complete, and starts the next. False at the end. While the next one
+        // is fetched from a server, true with a default handle, and nothing starts.
         public bool Next(out JobHandle handle)
         {
             m_walked.Complete();
@@ -95,7 +96,7 @@ namespace FastPoints.Ply
         }
     }
 
-    // Steps through elements with lists as far as one segment of the file reaches, reading only the lists' counts, and records a
+    // Steps through elements with lists as far as the window reaches, reading only the lists' counts, and records a
     // block for every MaxBlockPoints points or MaxBlockBytes.
     [BurstCompile]
     unsafe struct WalkPlyElementsJob : IJob
@@ -128,8 +129,8 @@ namespace FastPoints.Ply
                     break;
                 }
                 var element = Elements[state.Element];
-                bool isPassed = element.FixedBytes >= 0 ? PassFixed(ref state, element) : PassLists(ref state, element);
-                if (!isPassed)
+                bool isSkipped = element.FixedBytes >= 0 ? SkipFixed(ref state, element) : SkipLists(ref state, element);
+                if (!isSkipped)
                     break;
                 if (element.IsIndexed)
                     CloseBlock(ref state, state.Position);
@@ -140,7 +141,7 @@ namespace FastPoints.Ply
             State.Value = state;
         }
 
-        bool PassFixed(ref PlyWalkState state, in PlyWalkElement element)
+        bool SkipFixed(ref PlyWalkState state, in PlyWalkElement element)
         {
             if (element.FixedBytes == 0 || element.Count == 0)
                 return true;
@@ -151,7 +152,7 @@ namespace FastPoints.Ply
         }
 
         // False if the walk needs other bytes or is over.
-        bool PassLists(ref PlyWalkState state, in PlyWalkElement element)
+        bool SkipLists(ref PlyWalkState state, in PlyWalkElement element)
         {
             byte* input = (byte*)Input.GetUnsafeReadOnlyPtr();
             while (state.Instance < element.Count)

@@ -123,7 +123,8 @@ namespace FastPoints.Ply
             if (header.UnknownLines > 0)
                 info.Warn(header.UnknownOffset,
                     "header line: wanted format, element, property, comment, obj_info or end_header, " +
-                    "got " + PlyHeaderParser.Quote(header.UnknownLine) + " (" + header.UnknownLines + " such lines): left out");
+                    "got " + PlyHeaderParser.Quote(header.UnknownKeyword) + " (" + header.UnknownLines +
+                    " such lines): left out");
             for (int i = header.VertexIndex + 1; i < header.Elements.Count; i++)
                 if (header.Elements[i].Name == "vertex")
                     info.Warn(header.Elements[i].LineOffset, "a second vertex element: it is left out");
@@ -143,7 +144,7 @@ namespace FastPoints.Ply
             Info.Warn(endOffset, text);
         }
 
-        // The points of a broken range are kept; the file's first range must have some.
+        // The points before the fault are kept; the file's first range must have some.
         public void WarnBroken(BlockRange range, DecodeResult result, bool areBlocksKnown)
         {
             string text = PlyError.Text(result.Error);

@@ -122,7 +122,7 @@ namespace FastPoints.Ply
                 default:
                     if (!LooksLikeDeclaration(words))
                     {
-                        m_header.UnknownLine ??= words[0];
+                        m_header.UnknownKeyword ??= words[0];
                         if (m_header.UnknownLines++ == 0)
                             m_header.UnknownOffset = offset;
                         break;
@@ -242,7 +242,7 @@ namespace FastPoints.Ply
         public readonly List<KeyValuePair<string, string>> Comments = new List<KeyValuePair<string, string>>();
 
         // First word of the first line that is unknown and declares nothing.
-        public string UnknownLine;
+        public string UnknownKeyword;
         public long UnknownOffset;
         public int UnknownLines;
         public long DataOffset;

@@ -12,19 +12,19 @@ namespace FastPoints.Reading
     {
         const int CompoundKind = byte.MaxValue;
 
-        static readonly Lazy<Dictionary<int, double>> s_units = new Lazy<Dictionary<int, double>>(ReadUnits);
+        static readonly Lazy<Dictionary<int, double>> s_metresOfUnit = new Lazy<Dictionary<int, double>>(ReadUnits);
         static readonly Lazy<byte[]> s_codes = new Lazy<byte[]>(() => Convert.FromBase64String(Codes));
         static readonly Lazy<string[]> s_names = new Lazy<string[]>(ReadNames);
         static readonly string[] s_kinds = Kinds.Split(';');
 
         /// <summary>Length of EPSG's unit of a code in metres: NaN for degrees, 0 for unknown units and other
         /// angles.</summary>
-        public static double UnitOf(int code) => s_units.Value.TryGetValue(code, out double metres) ? metres : 0;
+        public static double MetresPerUnit(int code) => s_metresOfUnit.Value.TryGetValue(code, out double metres) ? metres : 0;
 
         /// <summary>Null if there is no such system.</summary>
         public static EpsgSystem Find(int code)
         {
-            // A chain, not a table: only a few codes are looked up, at 10 us each.
+            // Searched from the start, code by code: only a few are looked up, at 10 us each.
             byte[] codes = s_codes.Value;
             int current = 0, index = 0;
             for (int at = 0; at < codes.Length; index++)
@@ -36,7 +36,7 @@ namespace FastPoints.Reading
                 }
                 int kind = codes[at++];
                 if (current == code)
-                    return kind != CompoundKind ? Of(s_kinds[kind], index)
+                    return kind != CompoundKind ? Parse(s_kinds[kind], index)
                         : Join(Find(codes[at] | codes[at + 1] << 8), Find(codes[at + 2] | codes[at + 3] << 8), index);
                 at += kind == CompoundKind ? 4 : 0;
             }
@@ -45,10 +45,10 @@ namespace FastPoints.Reading
 
         public static string NameOf(EpsgSystem system) => s_names.Value[system.Index];
 
-        static EpsgSystem Of(string text, int index)
+        static EpsgSystem Parse(string text, int index)
         {
             string[] parts = text.Split(' ');
-            double unit = UnitOf(int.Parse(parts[1]));
+            double unit = MetresPerUnit(int.Parse(parts[1]));
             bool isVertical = parts[0] == "V";
             return new EpsgSystem
             {
@@ -56,7 +56,7 @@ namespace FastPoints.Reading
                 Kind = parts[0] == "P" ? CrsKind.Projected : parts[0] == "G" ? CrsKind.Geographic
                     : isVertical ? CrsKind.Vertical : CrsKind.Geocentric,
                 MetresPerUnit = isVertical ? 0 : unit,
-                VerticalMetresPerUnit = isVertical ? unit : parts.Length > 4 ? UnitOf(int.Parse(parts[4])) : 0,
+                VerticalMetresPerUnit = isVertical ? unit : parts.Length > 4 ? MetresPerUnit(int.Parse(parts[4])) : 0,
                 Axes = isVertical ? parts[2] : parts[2] + parts[3],
             };
         }

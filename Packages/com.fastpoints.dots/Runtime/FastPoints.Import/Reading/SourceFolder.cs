@@ -14,8 +14,8 @@ namespace FastPoints.Reading
 
         /// <summary>Possible tiles below a folder, by name.</summary>
         /// <param name="paths">Receives files and, of folders in it, octrees.</param>
-        /// <param name="left">Receives the names of folders that are not entered: all, or converted clouds and links.</param>
-        public static void List(string folder, bool isRecursive, List<string> paths, List<string> left)
+        /// <param name="skipped">Receives the names of folders that are not entered: all, or converted clouds and links.</param>
+        public static void List(string folder, bool isRecursive, List<string> paths, List<string> skipped)
         {
             try
             {
@@ -25,11 +25,11 @@ namespace FastPoints.Reading
                     string index = isRecursive ? FindIndex(inner) : null;
                     bool isLink = (File.GetAttributes(inner) & FileAttributes.ReparsePoint) != 0;
                     if (!isRecursive || isLink || index != null && Path.GetFileName(index) == StoreFormat.ManifestName)
-                        left.Add(Path.GetFileName(inner));
+                        skipped.Add(Path.GetFileName(inner));
                     else if (index != null)
                         paths.Add(inner);
                     else
-                        List(inner, true, paths, left);
+                        List(inner, true, paths, skipped);
                 }
             }
             catch (Exception e) when (FileFailures.IsFileFailure(e))
@@ -37,7 +37,7 @@ namespace FastPoints.Reading
                 throw FileFailures.ReadFailure(folder, e);
             }
             paths.Sort(string.CompareOrdinal);
-            left.Sort(string.CompareOrdinal);
+            skipped.Sort(string.CompareOrdinal);
         }
 
         public static string FindIndex(string folder)

@@ -154,7 +154,7 @@ namespace FastPoints.Reading
                     progress?.Report((next - first - m_inFlight.Count) / (double)(end - first), pointsDone, bytesDone);
                     continue;
                 }
-                while (throttle != null && !throttle.IsReady || window != null && !window.IsNextFetched)
+                while (throttle != null && !throttle.IsReady || window != null && !window.TryPrepareNext())
                     yield return default;
                 if (m_idle.Count == 0)
                 {
@@ -247,7 +247,7 @@ namespace FastPoints.Reading
             {
                 if (next < things && !ring.IsFull)
                 {
-                    while (window != null && !window.IsNextFetched)
+                    while (window != null && !window.TryPrepareNext())
                         yield return default;
                     int slot = ring.Begin();
                     handles[slot] = begin(slot, next++);

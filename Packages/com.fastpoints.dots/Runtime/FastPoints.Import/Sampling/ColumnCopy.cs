@@ -2,22 +2,23 @@ using Unity.Collections;
 
 namespace FastPoints.Sampling
 {
-    /// <summary>Moves points from one batch to another of the same attributes, by the size of their values.</summary>
+    /// <summary>Copies points from one batch to another of the same attributes: values by their size, whatever
+    /// their type.</summary>
     unsafe struct ColumnCopy
     {
         public byte* From;
         public byte* To;
-        public NativeArray<PointColumn> ColumnsOfFrom;
-        public NativeArray<PointColumn> ColumnsOfTo;
+        public NativeArray<PointColumn> ColumnsOfSource;
+        public NativeArray<PointColumn> ColumnsOfTarget;
 
         /// <summary>Point toIndex[i] becomes point fromIndex[i]. A batch may be its own target if points only ever move down, and
         /// in order.</summary>
         public void Scatter(int* fromIndex, int* toIndex, int count)
         {
-            for (int column = 0; count > 0 && column < ColumnsOfTo.Length; column++)
+            for (int column = 0; count > 0 && column < ColumnsOfTarget.Length; column++)
             {
-                byte* from = From + ColumnsOfFrom[column].OffsetBytes, to = To + ColumnsOfTo[column].OffsetBytes;
-                switch (ColumnsOfTo[column].Type.SizeOf())
+                byte* from = From + ColumnsOfSource[column].OffsetBytes, to = To + ColumnsOfTarget[column].OffsetBytes;
+                switch (ColumnsOfTarget[column].Type.SizeOf())
                 {
                     case 1:
                         for (int i = 0; i < count; i++)

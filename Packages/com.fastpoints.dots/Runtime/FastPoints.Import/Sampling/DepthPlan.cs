@@ -9,14 +9,14 @@ namespace FastPoints.Sampling
     /// blocks are read, spread over the source.</summary>
     /// <remarks>Ranges come in rounds, whatever the number of slots and threads. Continuing with the blocks that found most empty
     /// cells was tried: at half of ca13_d's points, which are in the order of an octree, its sample leaves 39 % of the 512th
-    /// cells bare, that of equal depths 49 %, but its distances are longer (RMS 0.0092 of the diagonal against 0.0078), and on
+    /// cells empty, that of equal depths 49 %, but its distances are longer (RMS 0.0092 of the diagonal against 0.0078), and on
     /// lion they are longer for as many empty cells. Its many slices took twice the time.</remarks>
     internal sealed class DepthPlan
     {
         /// <summary>A LAZ decoder's state takes about 0.3 MB.</summary>
         public const int MaxSlicedBlocks = 128;
 
-        /// <summary>Ranges in a round, after which others can be thinned.</summary>
+        /// <summary>Ranges in a round, after which placeholders can be thinned.</summary>
         const int RangesPerRound = 32;
 
         readonly PointReader m_reader;

@@ -47,7 +47,7 @@ namespace FastPoints.Sampling
         const int BatchLength = ColumnValues.BatchLength;
 
         [NativeDisableContainerSafetyRestriction] public NativeArray<byte> From;
-        [ReadOnly] public NativeArray<PointColumn> ColumnsOfFrom;
+        [ReadOnly] public NativeArray<PointColumn> ColumnsOfSource;
         [ReadOnly] public NativeReference<DecodeResult> Result;
 
         /// <summary>The points from <see cref="First"/> to before <see cref="End"/>.</summary>
@@ -67,7 +67,7 @@ namespace FastPoints.Sampling
 
         /// <summary>May be the points themselves, if they are kept from the first on.</summary>
         [NativeDisableContainerSafetyRestriction] public NativeArray<byte> To;
-        [ReadOnly, NativeDisableContainerSafetyRestriction] public NativeArray<PointColumn> ColumnsOfTo;
+        [ReadOnly, NativeDisableContainerSafetyRestriction] public NativeArray<PointColumn> ColumnsOfTarget;
         public int Capacity;
         public NativeReference<int> Kept;
 
@@ -82,8 +82,8 @@ namespace FastPoints.Sampling
             {
                 From = (byte*)NativeArrayUnsafeUtility.GetUnsafeBufferPointerWithoutChecks(From),
                 To = (byte*)NativeArrayUnsafeUtility.GetUnsafeBufferPointerWithoutChecks(To),
-                ColumnsOfFrom = ColumnsOfFrom,
-                ColumnsOfTo = ColumnsOfTo,
+                ColumnsOfSource = ColumnsOfSource,
+                ColumnsOfTarget = ColumnsOfTarget,
             };
             var table = (ulong*)Table.GetUnsafePtr();
             int end = math.min(End, Result.Value.Points);

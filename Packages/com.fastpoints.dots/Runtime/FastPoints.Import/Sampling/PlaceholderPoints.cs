@@ -59,7 +59,7 @@ namespace FastPoints.Sampling
                 decoded = ScheduleKeep(new KeepEmptyCellsJob
                 {
                     From = read.Points.Bytes,
-                    ColumnsOfFrom = columns,
+                    ColumnsOfSource = columns,
                     Result = read.Result,
                     First = first,
                     End = first + SampleBuffer.PointsPerSlice,
@@ -76,7 +76,7 @@ namespace FastPoints.Sampling
             job.Cells = m_cells;
             job.Table = m_table;
             job.To = m_points.Points.Bytes;
-            job.ColumnsOfTo = m_points.Columns;
+            job.ColumnsOfTarget = m_points.Columns;
             job.Capacity = m_points.EntryCount;
             job.Kept = m_count;
             return m_lastAppended = job.Schedule(JobHandle.CombineDependencies(inputDeps, m_lastAppended));
@@ -95,7 +95,7 @@ namespace FastPoints.Sampling
                     ScheduleKeep(new KeepEmptyCellsJob
                     {
                         From = points.Bytes,
-                        ColumnsOfFrom = columns,
+                        ColumnsOfSource = columns,
                         Result = all,
                         First = first,
                         End = end,

@@ -98,7 +98,7 @@ namespace FastPoints.Sampling
         IEnumerator<JobStep> TakeWaves(StageProgress progress)
         {
             bool refines = !IsQuick && Refines(m_reader);
-            int wanted = refines ? RefiningSampler.PointsBefore(m_reader, m_options.Points) : m_options.Points;
+            int wanted = refines ? RefiningSampler.FirstSamplePoints(m_reader, m_options.Points) : m_options.Points;
             if (Sample == null)
                 yield return JobStep.Of(Take(wanted, progress));
             if (!refines || Sample.IsWhole)

@@ -182,7 +182,7 @@ namespace FastPoints.Sampling
                     EndRead();
                     continue;
                 }
-                while (window != null && !window.IsNextFetched)
+                while (window != null && !window.TryPrepareNext())
                     yield return default;
                 int slot = m_ring.Begin();
                 var read = m_reads[slot] ??= ((RecordReader)Reader).CreateStridedRead(Buffer.Points, MaxRangesPerRequest,

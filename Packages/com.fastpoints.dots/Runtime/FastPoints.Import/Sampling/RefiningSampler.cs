@@ -20,14 +20,14 @@ namespace FastPoints.Sampling
         /// for keeping states and composing the sample: one more, at a fifteenth, delayed all others.</summary>
         static readonly double[] s_shares = { 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1 };
 
-        /// <summary>From this share on, waves always come; before it, only after decoding this many points, which takes
-        /// half a second.</summary>
-        const double FirstShareOfAny = 0.2;
-        const long MinPointsBeforeFifth = 2_000_000;
+        /// <summary>From this share on, waves always come. Before it they come only if blocks are read whole, and after this many
+        /// points, whose decoding takes half a second.</summary>
+        const double FirstCertainShare = 0.2;
+        const long MinPointsOfEarlierWaves = 2_000_000;
 
         /// <summary>A first sample of this many points is always worth its time; one in this many if there are too many blocks to
         /// reach together.</summary>
-        const int MinPointsBefore = 20_000, PointsPerPointBefore = 25;
+        const int MinFirstSamplePoints = 20_000, PointsPerFirstSamplePoint = 25;
 
         readonly PointReader m_reader;
         readonly PointSchema m_schema;
@@ -44,22 +44,22 @@ namespace FastPoints.Sampling
         ReadSlots m_slots;
         PlaceholderPoints m_placeholders;
         StageProgress m_progress;
-        readonly PreviewSample m_before;
+        readonly PreviewSample m_firstSample;
         PreviewSample m_sample;
-        long m_pointsFound;
+        long m_pointsRead;
         long m_bytesRead;
         int m_rangesRead;
         bool m_isLastWave;
 
         /// <param name="reader">A reader whose blocks are known.</param>
         /// <param name="wanted">Number of points, limited to <see cref="PreviewSample.MaxPoints"/>.</param>
-        /// <param name="before">A first sample, shown where nothing else has been reached; the caller owns it and keeps it
+        /// <param name="firstSample">A first sample, shown where nothing else has been reached; the caller owns it and keeps it
         /// until the first wave.</param>
         /// <param name="bounds">The bounds of nearly all points, by that sample.</param>
         /// <exception cref="PointCloudException">The source has no positions.</exception>
-        public RefiningSampler(PointReader reader, int wanted, uint seed, PreviewSample before, BoundsGeo bounds)
+        public RefiningSampler(PointReader reader, int wanted, uint seed, PreviewSample firstSample, BoundsGeo bounds)
         {
-            m_before = before;
+            m_firstSample = firstSample;
             m_reader = reader;
             m_seed = seed;
             m_schema = SampleSchema.Of(reader.Info);
@@ -68,9 +68,9 @@ namespace FastPoints.Sampling
         }
 
         /// <summary>Points of the first sample before this one: what it decodes is decoded again.</summary>
-        public static int PointsBefore(PointReader reader, int wanted) => (int)Math.Min(wanted,
-            reader.BlockCount <= DepthPlan.MaxSlicedBlocks ? MinPointsBefore
-                : Math.Max(MinPointsBefore, reader.PointCount / PointsPerPointBefore));
+        public static int FirstSamplePoints(PointReader reader, int wanted) => (int)Math.Min(wanted,
+            reader.BlockCount <= DepthPlan.MaxSlicedBlocks ? MinFirstSamplePoints
+                : Math.Max(MinFirstSamplePoints, reader.PointCount / PointsPerFirstSamplePoint));
 
         public event Action<SampleWave> WaveReady;
 
@@ -92,14 +92,14 @@ namespace FastPoints.Sampling
             try
             {
                 Allocate(slots);
-                if (!m_plan.IsSliced && m_before != null)
-                    yield return JobStep.Of(m_placeholders.Append(m_before));
+                if (!m_plan.IsSliced && m_firstSample != null)
+                    yield return JobStep.Of(m_placeholders.Append(m_firstSample));
                 foreach (double share in s_shares)
                 {
-                    if (share < FirstShareOfAny && (m_plan.IsSliced || share * m_reader.PointCount < MinPointsBeforeFifth))
+                    if (share < FirstCertainShare && (m_plan.IsSliced || share * m_reader.PointCount < MinPointsOfEarlierWaves))
                         continue;
                     // A wave never shows less than the one before.
-                    if (share < 1 && m_plan.IsSliced && m_before != null && share * m_strata.Count < m_before.Count)
+                    if (share < 1 && m_plan.IsSliced && m_firstSample != null && share * m_strata.Count < m_firstSample.Count)
                         continue;
                     m_isLastWave = share == 1;
                     m_progress = progress;
@@ -113,7 +113,7 @@ namespace FastPoints.Sampling
                     }
                     if (m_isLastWave)
                         yield return JobStep.Of(m_slots.Free());
-                    yield return JobStep.Of(m_isLastWave ? Close() : Compose());
+                    yield return JobStep.Of(m_isLastWave ? ComposeLast() : Compose());
                     RaiseWave();
                     // The wave belongs to the code that steps the work until the next step.
                     yield return default;
@@ -137,8 +137,8 @@ namespace FastPoints.Sampling
             m_placeholders = new PlaceholderPoints(m_schema, m_reader.Info.Transform, m_strata.Count, m_bounds);
         }
 
-        /// <summary>A round of the wave, after which others can be thinned. In the last wave there are none: it is one round,
-        /// since reads run out at the end of each.</summary>
+        /// <summary>A round of the wave, after which placeholders can be thinned. In the last wave there are none: it is one
+        /// round, since reads run out at the end of each.</summary>
         List<BlockRange> NextRanges(double share)
         {
             var ranges = m_plan.Next(share);
@@ -177,40 +177,40 @@ namespace FastPoints.Sampling
         void IBlockConsumer.Completed(BlockRead read, int slot)
         {
             int block = read.Range.Block;
-            m_pointsFound += read.Points.Count;
+            m_pointsRead += read.Points.Count;
             m_rangesRead++;
             m_bytesRead += m_reader.BytesOfRange(read.Range) - (read.Range.First == 0 ? 0
                 : m_reader.BytesOfRange(new BlockRange(block, 0, read.Range.First)));
             m_plan.Add(read.Range, read.Points.Count);
             if (m_plan.IsSliced && !m_plan.IsTaken(block))
                 m_stateOfBlock[block] = read.KeepState(m_freeStates.Count > 0 ? m_freeStates.Pop() : null);
-            m_progress?.Report(m_pointsFound / (double)Math.Max(1, m_reader.PointCount), m_pointsFound, m_bytesRead);
+            m_progress?.Report(m_pointsRead / (double)Math.Max(1, m_reader.PointCount), m_pointsRead, m_bytesRead);
         }
 
-        /// <summary>Composes a sample of the points so far: its own points, and others if there are none.</summary>
+        /// <summary>Composes a sample of the points so far: its own, and placeholders in the entries that are left.</summary>
         IEnumerator<JobStep> Compose()
         {
             // A point of the first sample may have been reached again.
             if (!m_plan.IsSliced)
                 yield return JobStep.Of(m_placeholders.Thin(m_buffer));
             // Consecutive points are chosen from at most as many strata as they span, plus one at either end.
-            long own = m_pointsFound * m_strata.Count / Math.Max(1, m_reader.PointCount) + 2L * m_rangesRead;
-            using var drawn = new SampleBuffer(m_schema, m_reader.Info.Transform,
+            long own = m_pointsRead * m_strata.Count / Math.Max(1, m_reader.PointCount) + 2L * m_rangesRead;
+            using var composed = new SampleBuffer(m_schema, m_reader.Info.Transform,
                 (int)Math.Min(m_strata.Count, own + m_placeholders.Count));
-            yield return JobStep.Of(drawn.Append(m_buffer, 0, m_strata.Count));
-            int others = Math.Min(m_placeholders.Count, drawn.EntryCount - drawn.Closed);
-            yield return JobStep.Of(drawn.Append(m_placeholders.Points, 0, others));
-            Replace(drawn.ShareSample());
+            yield return JobStep.Of(composed.Append(m_buffer, 0, m_strata.Count));
+            int placeholders = Math.Min(m_placeholders.Count, composed.EntryCount - composed.Closed);
+            yield return JobStep.Of(composed.Append(m_placeholders.Points, 0, placeholders));
+            Replace(composed.ShareSample());
             m_sample.PointsInSource = m_reader.PointCount;
-            m_sample.Placeholders = others;
+            m_sample.Placeholders = placeholders;
             m_sample.Method = "points of a full scan as far as it has come, and others where a region would be bare";
         }
 
-        IEnumerator<JobStep> Close()
+        IEnumerator<JobStep> ComposeLast()
         {
             yield return JobStep.Of(m_buffer.Close(0, m_buffer.EntryCount));
             Replace(m_buffer.ShareSample());
-            m_sample.PointsInSource = m_pointsFound;
+            m_sample.PointsInSource = m_pointsRead;
             m_sample.IsFullScan = true;
             m_sample.Method = "full scan, one point of each stratum";
         }

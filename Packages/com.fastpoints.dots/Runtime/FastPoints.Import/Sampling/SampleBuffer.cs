@@ -187,8 +187,8 @@ namespace FastPoints.Sampling
             {
                 From = (byte*)NativeArrayUnsafeUtility.GetUnsafeBufferPointerWithoutChecks(Sample),
                 To = (byte*)NativeArrayUnsafeUtility.GetUnsafeBufferPointerWithoutChecks(Target),
-                ColumnsOfFrom = Columns,
-                ColumnsOfTo = ColumnsOfTarget,
+                ColumnsOfSource = Columns,
+                ColumnsOfTarget = ColumnsOfTarget,
             };
             var state = State.Value;
             for (int done = 0; done < Count; done += BatchLength)
@@ -261,8 +261,8 @@ namespace FastPoints.Sampling
             {
                 From = (byte*)Block.GetUnsafeReadOnlyPtr(),
                 To = (byte*)NativeArrayUnsafeUtility.GetUnsafeBufferPointerWithoutChecks(Sample),
-                ColumnsOfFrom = ColumnsOfBlock,
-                ColumnsOfTo = ColumnsOfSample,
+                ColumnsOfSource = ColumnsOfBlock,
+                ColumnsOfTarget = ColumnsOfSample,
             };
             byte* filled = (byte*)NativeArrayUnsafeUtility.GetUnsafeBufferPointerWithoutChecks(Filled);
             int chosen = 0;

@@ -18,7 +18,7 @@ namespace FastPoints.Sampling
         readonly SampleStrata m_strata;
         SampleBuffer m_buffer;
         NativeArray<PointColumn>[] m_columnsOfSlot;
-        long m_pointsFound;
+        long m_pointsRead;
         long m_bytesRead;
         PreviewSample m_sample;
 
@@ -44,7 +44,7 @@ namespace FastPoints.Sampling
                 yield return JobStep.Of(SourceScan.Run(m_reader, m_schema, this, slots, progress));
                 yield return JobStep.Of(m_buffer.Close(0, m_buffer.EntryCount));
                 m_sample = m_buffer.ShareSample();
-                m_sample.PointsInSource = m_pointsFound;
+                m_sample.PointsInSource = m_pointsRead;
                 m_sample.BytesRead = m_bytesRead;
                 m_sample.IsFullScan = true;
                 m_sample.Method = "full scan, one point of each stratum";
@@ -69,7 +69,7 @@ namespace FastPoints.Sampling
 
         public void Completed(BlockRead read, int slot)
         {
-            m_pointsFound += read.Points.Count;
+            m_pointsRead += read.Points.Count;
             m_bytesRead += m_reader.BytesOfRange(read.Range);
         }
 

@@ -36,8 +36,8 @@ namespace FastPoints.Sampling
 
         protected PointReader Reader { get; }
 
-        /// <summary>Reads in flight: this many, or at first as many as a coroutine needs that awaits each, and more if frames
-        /// are so far apart that workers run out of them.</summary>
+        /// <summary>Reads in flight: <c>slots</c> if that is not 0; otherwise <c>first</c>, growing while long frames leave
+        /// workers idle.</summary>
         public static InFlightLimit LimitFor(PointReader reader, PointSchema schema, int slots, int first) => slots > 0
             ? new InFlightLimit(slots, slots, () => 0)
             : new InFlightLimit(first, SourceScan.SlotsIn(reader, schema, 0, SourceScan.MaxSlotBytes), () => MaxFrameMs);

@@ -11,12 +11,12 @@ namespace FastPoints.Rendering.BuiltIn
     // before each picture. The second draws into the camera's current target: the screen, a part of it or a texture.
     internal static class BuiltInPass
     {
-        const CameraEvent Before = CameraEvent.BeforeForwardOpaque, Into = CameraEvent.AfterForwardOpaque;
+        const CameraEvent BeforeOpaque = CameraEvent.BeforeForwardOpaque, AfterOpaque = CameraEvent.AfterForwardOpaque;
         const string Name = "FastPoints";
 
         static readonly List<Camera> s_cameras = new List<Camera>();
-        static readonly List<(CommandBuffer Before, CommandBuffer Into)> s_commands =
-            new List<(CommandBuffer Before, CommandBuffer Into)>();
+        static readonly List<(CommandBuffer BeforeOpaque, CommandBuffer AfterOpaque)> s_commands =
+            new List<(CommandBuffer BeforeOpaque, CommandBuffer AfterOpaque)>();
 
         // Works with domain reload off, too: adding twice is harmless.
         [BeginsPass]
@@ -37,8 +37,8 @@ namespace FastPoints.Rendering.BuiltIn
             {
                 if (s_cameras[i] != null)
                 {
-                    s_cameras[i].RemoveCommandBuffer(Before, s_commands[i].Before);
-                    s_cameras[i].RemoveCommandBuffer(Into, s_commands[i].Into);
+                    s_cameras[i].RemoveCommandBuffer(BeforeOpaque, s_commands[i].BeforeOpaque);
+                    s_cameras[i].RemoveCommandBuffer(AfterOpaque, s_commands[i].AfterOpaque);
                 }
                 Dispose(i);
             }
@@ -46,10 +46,10 @@ namespace FastPoints.Rendering.BuiltIn
             s_commands.Clear();
         }
 
-        // Eyes that are drawn in turn are culled once, with the left one: the right one's commands would be the left one's.
+        // With multi-pass rendering both eyes are culled once, with the left one: the right one's commands would be the left's.
         static void DrawRightEye(Camera camera)
         {
-            if (camera.stereoEnabled && camera.stereoActiveEye == Camera.MonoOrStereoscopicEye.Right && !IsEyeTextureForBoth)
+            if (camera.stereoEnabled && camera.stereoActiveEye == Camera.MonoOrStereoscopicEye.Right && !IsSinglePass)
                 Draw(camera);
         }
 
@@ -62,28 +62,28 @@ namespace FastPoints.Rendering.BuiltIn
             // A camera that no longer draws clouds would repeat its last commands.
             if (!isDrawn && !s_cameras.Contains(camera))
                 return;
-            var (before, into) = CommandsFor(camera);
-            before.Clear();
-            into.Clear();
+            var (beforeOpaque, afterOpaque) = CommandsFor(camera);
+            beforeOpaque.Clear();
+            afterOpaque.Clear();
             var scene = PointScene.Current;
             if (scene == null || !isDrawn)
                 return;
             scene.AddView(camera);
-            RenderTargetIdentifier set = BuiltinRenderTextureType.CameraTarget;
-            var target = CameraTarget.Of(camera, set, set, camera.stereoEnabled && IsEyeTextureForBoth);
+            RenderTargetIdentifier current = BuiltinRenderTextureType.CameraTarget;
+            var target = CameraTarget.Of(camera, current, current, camera.stereoEnabled && IsSinglePass);
             target.MayBeScreen = true;
-            scene.Record(before, into, camera, target);
+            scene.Record(beforeOpaque, afterOpaque, camera, target);
         }
 
         // A headset's eyes are drawn at once, into the slices of one texture. Unity 6.5 has this in another module.
-        static bool IsEyeTextureForBoth =>
+        static bool IsSinglePass =>
 #if FASTPOINTS_VR || FASTPOINTS_XR && UNITY_6000_5_OR_NEWER
             XRSettings.eyeTextureDesc.dimension == TextureDimension.Tex2DArray;
 #else
             false;
 #endif
 
-        static (CommandBuffer Before, CommandBuffer Into) CommandsFor(Camera camera)
+        static (CommandBuffer BeforeOpaque, CommandBuffer AfterOpaque) CommandsFor(Camera camera)
         {
             for (int i = s_cameras.Count - 1; i >= 0; i--)
             {
@@ -95,7 +95,7 @@ namespace FastPoints.Rendering.BuiltIn
                 s_commands.RemoveAt(i);
                 s_cameras.RemoveAt(i);
             }
-            var commands = (AddTo(camera, Before), AddTo(camera, Into));
+            var commands = (AddTo(camera, BeforeOpaque), AddTo(camera, AfterOpaque));
             s_cameras.Add(camera);
             s_commands.Add(commands);
             return commands;
@@ -114,8 +114,8 @@ namespace FastPoints.Rendering.BuiltIn
 
         static void Dispose(int camera)
         {
-            s_commands[camera].Before.Dispose();
-            s_commands[camera].Into.Dispose();
+            s_commands[camera].BeforeOpaque.Dispose();
+            s_commands[camera].AfterOpaque.Dispose();
         }
     }
 }

@@ -44,15 +44,15 @@ namespace FastPoints.Picking
         public double LengthGeo => math.length(DeltaGeo);
 
         /// <summary>Distance on the map in CRS units, without the difference in height.</summary>
-        public double HorizontalGeo => math.length(Across(DeltaGeo));
+        public double HorizontalGeo => math.length(Horizontal(DeltaGeo));
 
         /// <summary>Length in metres; NaN if <see cref="MetresPerUnit"/> is.</summary>
         public double LengthMetres => math.length(DeltaGeo * MetresPerUnit);
 
         /// <summary>The same on the map.</summary>
-        public double HorizontalMetres => math.length(Across(DeltaGeo * MetresPerUnit));
+        public double HorizontalMetres => math.length(Horizontal(DeltaGeo * MetresPerUnit));
 
-        double3 Across(double3 delta)
+        double3 Horizontal(double3 delta)
         {
             delta[Up.Index()] = 0;
             return delta;

@@ -21,7 +21,7 @@ namespace FastPoints.Picking
 
         sealed class Plane
         {
-            public int Number; // Among the planes that are streamed or made.
+            public int Number; // Among the planes that are streamed or transcoded.
             public StoreLayout.Plane Layout;
             public StoreRead Read = new StoreRead();
             public NativeArray<ulong> Values;

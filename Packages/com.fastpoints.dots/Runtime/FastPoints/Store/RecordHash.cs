@@ -7,9 +7,9 @@ namespace FastPoints.Store
     /// hashes modulo 2^64 is the cloud's checksum, which does not depend on the order. The hash also decides which point
     /// represents a cell.</summary>
     /// <remarks>The record as it is hashed: X, Y, Z as three 64-bit numbers, then the attributes' bytes in the schema's order
-    /// without gaps, filled up with zeros to whole 32-bit words, taken two words at a time; a last single word counts as one,
-    /// none as a zero. Two numbers at a time are multiplied and folded, as wyhash does: its quality at a third of the
-    /// instructions of XXH64's tail. Different seeds give independent hashes.</remarks>
+    /// without gaps, filled up with zeros to whole 32-bit words, taken two words at a time; an odd last word is
+    /// zero-extended; without attributes the word is zero. Two numbers at a time are multiplied and folded, as wyhash does:
+    /// its quality at a third of the instructions of XXH64's tail. Different seeds give independent hashes.</remarks>
     internal static unsafe class RecordHash
     {
         // No position equals one of them (K2 with either seed): the product would be 0 and lose the other factor.

@@ -25,7 +25,7 @@ namespace FastPoints.Streaming
         {
             long start = Stopwatch.GetTimestamp();
             stream.Pool.BeginFrame();
-            stream.Uploads.TryEnd(ref stats);
+            stream.Uploads.EndIfCompleted(ref stats);
             stream.Trim();
             stream.UpdateSources();
             stream.Reads.Receive(ref stats);

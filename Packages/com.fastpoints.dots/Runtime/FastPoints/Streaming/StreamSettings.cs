@@ -33,7 +33,7 @@ namespace FastPoints.Streaming
         /// <summary>Points that are read ahead, as a share of the budget.</summary>
         public float PrefetchShare = 0.25f;
 
-        // Of scenes.
+        // What scenes and the fly verb set; FadeSeconds itself starts at 0.
         internal const float DefaultFadeSeconds = 0.25f;
 
         /// <summary>How long a node takes to appear or to leave, point by point; 0 for at once. The pace is that of

@@ -113,7 +113,7 @@ namespace FastPoints.Tests.Evaluation
         // Of light: with several samples a pixel may be covered in part.
         static double Covered(RgbaImage image)
         {
-            using var light = Palettes.CreateLight(Allocator.Persistent);
+            using var light = Palettes.CreateSrgbToLinear(Allocator.Persistent);
             double sum = 0;
             for (int i = 1; i < image.Rgba.Length; i += 4)
                 sum += light[image.Rgba[i]];

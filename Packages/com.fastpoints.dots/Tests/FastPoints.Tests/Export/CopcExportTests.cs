@@ -32,11 +32,11 @@ namespace FastPoints.Tests.Export
             return result;
         }
 
-        StoredReader Convert(PointReader reader, ConvertSettings settings = null)
+        ConvertedReader Convert(PointReader reader, ConvertSettings settings = null)
         {
             string target = Folder.File("cloud.fastpoints");
             JobCoroutine.RunToEnd(ConvertCloud.Run(new[] { reader }, target, settings ?? new ConvertSettings(), _ => { }, null));
-            return StoredReader.Open(target);
+            return ConvertedReader.Open(target);
         }
 
         /// <summary>The points as sorted text of the named attributes; scan angles as formats 6 to 8 count them.</summary>

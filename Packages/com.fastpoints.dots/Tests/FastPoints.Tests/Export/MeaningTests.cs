@@ -66,7 +66,7 @@ namespace FastPoints.Tests.Export
             string cloud;
             using (var reader = PointReaders.Open(source))
                 cloud = Convert(reader);
-            using (var stored = StoredReader.Open(cloud))
+            using (var stored = ConvertedReader.Open(cloud))
                 warnings = Export(stored);
             using var file = RandomAccessFile.Open(m_folder.File("out.las"));
             return LasFile.Read(file);
@@ -113,7 +113,7 @@ namespace FastPoints.Tests.Export
             using var some = PointReaders.Open(Source("b.las", 2, 1, 1));
             string target = m_folder.File("cloud.fastpoints");
             JobCoroutine.RunToEnd(ConvertCloud.Run(new[] { none, some }, target, new ConvertSettings(), _ => { }, null));
-            using var stored = StoredReader.Open(target);
+            using var stored = ConvertedReader.Open(target);
             Assert.That(stored.Info.GpsTime.Kind, Is.EqualTo(GpsTimeKind.AdjustedStandard));
         }
 
@@ -133,7 +133,7 @@ namespace FastPoints.Tests.Export
             using (var reader = PointReaders.Open(Source("a.las", 5, 6, 65, file => file.TimeOffset = offset)))
                 cloud = Convert(reader);
             File.Delete(Path.Combine(cloud, StoreFormat.RecordsName));
-            using (var stored = StoredReader.Open(cloud))
+            using (var stored = ConvertedReader.Open(cloud))
                 Assert.That(Export(stored), offset == 1000 ? Is.Empty
                     : Has.Exactly(1).Contains("GPS time less 1100 million seconds"));
             using var file = RandomAccessFile.Open(m_folder.File("out.las"));
@@ -249,7 +249,7 @@ namespace FastPoints.Tests.Export
                 Assert.That(tiles.Info.Losses.Select(l => l.ToString()), Has.Exactly(1).Contains("someone/77: lost"));
                 Assert.That(Export(tiles, "tiles.las"), Has.Exactly(1).Contains("someone/77: lost"));
             }
-            using (var stored = StoredReader.Open(cloud))
+            using (var stored = ConvertedReader.Open(cloud))
                 Assert.That(Export(stored), Is.Empty);
             foreach (string output in new[] { "out.las", "tiles.las" })
                 Assert.That(Records(m_folder.File(output)), Is.EqualTo(Records(a, v => v.RecordId != 77)));
@@ -269,7 +269,7 @@ namespace FastPoints.Tests.Export
             string a = Source("a.las", 2, 1, 1, AddKeys), b = Source("b.las", 2, 1, 1, AddWkt);
             using var tiles = PointReaders.Open(new[] { a, b });
             Assert.That(tiles.Info.Warnings.Select(w => w.Text), Has.Exactly(1).Contains("2229").And.Exactly(1).Contains("site"));
-            using var stored = StoredReader.Open(Convert(tiles));
+            using var stored = ConvertedReader.Open(Convert(tiles));
             var sources = stored.Manifest.Sources;
             Assert.That(sources.Select(s => s.Crs.Epsg), Is.EqualTo(new[] { 2229, 0 }));
             Assert.That(sources[0].Crs.GeoKeys, Is.EqualTo(new[] { s_keys, s_doubles, s_text }));
@@ -295,7 +295,7 @@ namespace FastPoints.Tests.Export
                 cloud = Convert(reader);
                 Assert.That(reader.Info.Losses.Select(l => l.What), Is.EqualTo(new[] { lost }));
             }
-            using var stored = StoredReader.Open(cloud);
+            using var stored = ConvertedReader.Open(cloud);
             Assert.That(stored.Info.Facts.Select(f => f.Value), Has.Some.Contains(fact));
             foreach (string output in new[] { "out.las", "out.ply" })
                 Assert.That(Export(stored, output), Has.Exactly(1).Contains(told + ": lost"));
@@ -305,7 +305,7 @@ namespace FastPoints.Tests.Export
         public void Export_HeaderSystemAndTimesToPly_AreNamedLosses()
         {
             using var reader = PointReaders.Open(Source("a.las", 2, 1, 1, AddKeys));
-            using var stored = StoredReader.Open(Convert(reader));
+            using var stored = ConvertedReader.Open(Convert(reader));
             foreach (var source in new[] { reader, stored })
                 Assert.That(Export(source, "out.ply"), Has.Exactly(1).Contains("header and records of LAS files: lost")
                     .And.Exactly(1).Contains("the definition of the coordinate system: lost").And.Exactly(1).Contains(
@@ -319,7 +319,7 @@ namespace FastPoints.Tests.Export
             using (var reader = PointReaders.Open(Source("a.las", 2, 1, 1, AddKeys)))
                 cloud = Convert(reader);
             File.WriteAllText(Path.Combine(cloud, StoreFormat.RecordsName), "nothing");
-            using var stored = StoredReader.Open(cloud);
+            using var stored = ConvertedReader.Open(cloud);
             Assert.That(Export(stored), Has.Exactly(1).Contains("header and records of LAS files: lost"));
             using var file = RandomAccessFile.Open(m_folder.File("out.las"));
             Assert.That(LasFile.Read(file).Header.PointsClaimed, Is.EqualTo(200));

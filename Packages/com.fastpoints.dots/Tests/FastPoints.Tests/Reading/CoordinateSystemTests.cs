@@ -76,7 +76,7 @@ namespace FastPoints.Tests.Reading
             string path = Path.Combine(folder.Path, "a.xyz");
             File.WriteAllText(path, "1 2 3\n4 5 6\n");
             using (var reader = PointReaders.Open(path, new ReadOptions { CoordinateSystem = "EPSG:2229+5703" }))
-                Assert.That(reader.Info.Crs.Units, Is.EqualTo(new CloudUnits(EpsgTable.UnitOf(9003), 1)));
+                Assert.That(reader.Info.Crs.Units, Is.EqualTo(new CloudUnits(EpsgTable.MetresPerUnit(9003), 1)));
             using (var reader = PointReaders.Open(path, new ReadOptions { CoordinateSystem = "EPSG:2229", MetresPerUnit = 0.5 }))
                 Assert.That(reader.Info.Crs.Units, Is.EqualTo(new CloudUnits(0.5, 0.5)));
             Assert.That(() => PointReaders.Open(path, new ReadOptions { CoordinateSystem = "feet" }),

@@ -17,21 +17,21 @@ namespace FastPoints.Laz
     /// </remarks>
     internal static unsafe class IntegerModel
     {
-        const int BitModelAt = 8;
-        const int ContextsAt = 64;
+        const int BitModelOffset = 8;
+        const int ContextsOffset = 64;
         const int ModelledBits = 8;
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static int BytesOf(int bits, int contexts) =>
-            ContextsAt + contexts * SymbolModel.BytesOf(bits + 1) + (bits < 32 ? bits : 31) * SymbolModel.Bytes256;
+            ContextsOffset + contexts * SymbolModel.BytesOf(bits + 1) + (bits < 32 ? bits : 31) * SymbolModel.Bytes256;
 
         public static void Initialize(byte* model, int bits, int contexts)
         {
             *(uint*)model = 0;
-            ((BitModel*)(model + BitModelAt))->Initialize();
+            ((BitModel*)(model + BitModelOffset))->Initialize();
             int stride = SymbolModel.BytesOf(bits + 1);
             for (int i = 0; i < contexts; i++)
-                SymbolModel.Initialize(model + ContextsAt + i * stride, bits + 1);
+                SymbolModel.Initialize(model + ContextsOffset + i * stride, bits + 1);
         }
 
         /// <summary>The difference from the prediction, and <paramref name="k"/>, which other models take for a
@@ -41,14 +41,14 @@ namespace FastPoints.Laz
         public static int Decode(byte* model, int bits, int contexts, int context, out int k,
             ref uint value, ref uint length, ref byte* next)
         {
-            byte* kModel = model + ContextsAt + context * SymbolModel.BytesOf(bits + 1);
+            byte* kModel = model + ContextsOffset + context * SymbolModel.BytesOf(bits + 1);
             k = (int)SymbolModel.Decode(kModel, bits + 1, ref value, ref length, ref next);
             if (k == 0)
-                return (int)BitModel.Decode((BitModel*)(model + BitModelAt), ref value, ref length, ref next);
+                return (int)BitModel.Decode((BitModel*)(model + BitModelOffset), ref value, ref length, ref next);
             if (bits == 32 && k == 32)
                 return int.MinValue;
 
-            byte* corrector = model + ContextsAt + contexts * SymbolModel.BytesOf(bits + 1) + (k - 1) * SymbolModel.Bytes256;
+            byte* corrector = model + ContextsOffset + contexts * SymbolModel.BytesOf(bits + 1) + (k - 1) * SymbolModel.Bytes256;
             if ((*(uint*)model >> k & 1) == 0)
                 InitializeCorrector(model, corrector, k);
             int c = (int)SymbolModel.Decode(corrector, 256, ref value, ref length, ref next);
@@ -90,16 +90,16 @@ namespace FastPoints.Laz
             // The sign is as good as random: no branch asks for it.
             long less = difference - 1L, isLower = less >> 63;
             k = 32 - math.lzcnt((uint)(less ^ isLower));
-            byte* kModel = model + ContextsAt + context * SymbolModel.BytesOf(bits + 1);
+            byte* kModel = model + ContextsOffset + context * SymbolModel.BytesOf(bits + 1);
             SymbolModel.Encode(kModel, bits + 1, (uint)k, ref low, ref length, ref next);
             if (k == 0)
             {
-                BitModel.Encode((BitModel*)(model + BitModelAt), (uint)difference, ref low, ref length, ref next);
+                BitModel.Encode((BitModel*)(model + BitModelOffset), (uint)difference, ref low, ref length, ref next);
                 return;
             }
             if (k == 32)
                 return;
-            byte* corrector = model + ContextsAt + contexts * SymbolModel.BytesOf(bits + 1) + (k - 1) * SymbolModel.Bytes256;
+            byte* corrector = model + ContextsOffset + contexts * SymbolModel.BytesOf(bits + 1) + (k - 1) * SymbolModel.Bytes256;
             if ((*(uint*)model >> k & 1) == 0)
                 InitializeCorrector(model, corrector, k);
             uint rank = (uint)less + ((uint)isLower & 1u << k);

@@ -2,7 +2,7 @@ using System.Runtime.CompilerServices;
 
 namespace FastPoints.Laz
 {
-    /// <summary>An adaptive model of an alphabet of up to 1,024 symbols: a header in front of its tables, all in one segment of
+    /// <summary>An adaptive model of an alphabet of up to 1,024 symbols: a header in front of its tables, all in one piece of
     /// native memory without pointers, so that a decoder's state can be copied as bytes. HPC#.</summary>
     /// <remarks><code>
     /// byte   0  header (this struct)
@@ -100,7 +100,8 @@ namespace FastPoints.Laz
             var model = (SymbolModel*)memory;
             ushort* starts = Distribution(model);
             uint unit = length >> LengthBits;
-            // Behind the last symbol stand 65,535: 32,768 without a branch, and what the division by that leaves over.
+            // The entry after the last symbol is 65,535, whose top bit marks it: the mask makes it 32,768, and the last symbol
+            // also gets the division's remainder.
             uint start = starts[symbol], end = starts[symbol + 1], isLast = end >> LengthBits;
             end &= MaxTotal - 1 + isLast;
             RangeCoder.Narrow(start * unit, (end - start) * unit + (length & MaxTotal - 1 & 0 - isLast), ref low, ref length,
@@ -118,7 +119,7 @@ namespace FastPoints.Laz
             ushort* starts = Distribution(model);
             ushort* count = Counts(model, model->m_capacity);
             ushort* first = FirstSymbols(model, model->m_capacity);
-            uint scale = Tally(model);
+            uint scale = RescaleCounts(model);
             int shift = model->m_cellShift;
             uint sum = 0;
             int cell = 0;
@@ -137,13 +138,13 @@ namespace FastPoints.Laz
                 first[cell++] = (ushort)(symbols - 1);
         }
 
-        /// <summary>The distribution alone: encoders find no symbols.</summary>
+        /// <summary>The distribution alone: encoders do not look symbols up.</summary>
         [MethodImpl(MethodImplOptions.NoInlining)]
         static void UpdateStarts(SymbolModel* model)
         {
             ushort* starts = Distribution(model) + 1;
             ushort* count = Counts(model, model->m_capacity);
-            uint scale = Tally(model), sum = 0;
+            uint scale = RescaleCounts(model), sum = 0;
             for (int i = 0; i < model->m_lastSymbol; i++)
             {
                 sum += count[i];
@@ -152,8 +153,8 @@ namespace FastPoints.Laz
         }
 
         /// <summary>Halves counts that have grown too large, and says when the next update is.</summary>
-        /// <returns>What makes a sum of counts its part of 2^31.</returns>
-        static uint Tally(SymbolModel* model)
+        /// <returns>The factor that scales a sum of counts to 2^31.</returns>
+        static uint RescaleCounts(SymbolModel* model)
         {
             int symbols = model->m_lastSymbol + 1;
             ushort* count = Counts(model, model->m_capacity);

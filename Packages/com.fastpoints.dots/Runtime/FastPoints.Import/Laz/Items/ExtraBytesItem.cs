@@ -7,16 +7,16 @@ namespace FastPoints.Laz
     /// <remarks>Records may have thousands of them, so this decoder looks at the input's end after every byte.</remarks>
     internal static unsafe class ExtraBytesItem
     {
-        static int ModelsAt(int bytes) => (bytes + 63) / 64 * 64;
+        static int ModelsOffset(int bytes) => (bytes + 63) / 64 * 64;
 
-        public static int StateBytes(int bytes) => ModelsAt(bytes) + bytes * SymbolModel.Bytes256;
+        public static int StateBytes(int bytes) => ModelsOffset(bytes) + bytes * SymbolModel.Bytes256;
 
         public static void Start(byte* state, int bytes, byte* record)
         {
             for (int i = 0; i < bytes; i++)
             {
                 state[i] = record[i];
-                SymbolModel.Initialize(state + ModelsAt(bytes) + i * SymbolModel.Bytes256, 256);
+                SymbolModel.Initialize(state + ModelsOffset(bytes) + i * SymbolModel.Bytes256, 256);
             }
         }
 
@@ -26,7 +26,7 @@ namespace FastPoints.Laz
             uint value = stream->Value, length = stream->Length;
             byte* next = stream->Next;
             byte* end = stream->End;
-            byte* model = state + ModelsAt(bytes);
+            byte* model = state + ModelsOffset(bytes);
             for (int i = 0; i < bytes && next <= end; i++)
             {
                 state[i] += (byte)SymbolModel.Decode(model, 256, ref value, ref length, ref next);
@@ -43,7 +43,7 @@ namespace FastPoints.Laz
         {
             uint low = stream->Value, length = stream->Length;
             byte* next = stream->Next;
-            byte* model = state + ModelsAt(bytes);
+            byte* model = state + ModelsOffset(bytes);
             for (int i = 0; i < bytes; i++, model += SymbolModel.Bytes256)
             {
                 SymbolModel.Encode(model, 256, (uint)(record[i] - state[i] & 255), ref low, ref length, ref next);
@@ -54,13 +54,13 @@ namespace FastPoints.Laz
             stream->Next = next;
         }
 
-        public static int StateBytesV1(int bytes) => ModelsAt(bytes) + IntegerModel.BytesOf(8, bytes);
+        public static int StateBytesV1(int bytes) => ModelsOffset(bytes) + IntegerModel.BytesOf(8, bytes);
 
         public static void StartV1(byte* state, int bytes, byte* record)
         {
             for (int i = 0; i < bytes; i++)
                 state[i] = record[i];
-            IntegerModel.Initialize(state + ModelsAt(bytes), 8, bytes);
+            IntegerModel.Initialize(state + ModelsOffset(bytes), 8, bytes);
         }
 
         [MethodImpl(MethodImplOptions.NoInlining)]
@@ -68,7 +68,7 @@ namespace FastPoints.Laz
         {
             for (int i = 0; i < bytes && !stream->IsBeyondEnd; i++)
             {
-                state[i] += (byte)IntegerModel.Decode(state + ModelsAt(bytes), 8, bytes, i, stream);
+                state[i] += (byte)IntegerModel.Decode(state + ModelsOffset(bytes), 8, bytes, i, stream);
                 record[i] = state[i];
             }
         }

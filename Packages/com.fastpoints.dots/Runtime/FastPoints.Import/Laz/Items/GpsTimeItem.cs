@@ -28,10 +28,10 @@ namespace FastPoints.Laz
 
         const int IntegerContexts = 9;
 
-        const int MultiplierAt = 128;
-        const int ZeroAt = MultiplierAt + SymbolModel.Bytes516;
-        const int IntegerAt = ZeroAt + SymbolModel.Bytes6;
-        public const int StateBytes = IntegerAt + 64 + IntegerContexts * SymbolModel.Bytes33 + 31 * SymbolModel.Bytes256;
+        const int MultiplierOffset = 128;
+        const int ZeroOffset = MultiplierOffset + SymbolModel.Bytes516;
+        const int IntegerOffset = ZeroOffset + SymbolModel.Bytes6;
+        public const int StateBytes = IntegerOffset + 64 + IntegerContexts * SymbolModel.Bytes33 + 31 * SymbolModel.Bytes256;
 
         int m_sequence;
         int m_newest;
@@ -48,9 +48,9 @@ namespace FastPoints.Laz
             state->m_last[0] = first;
             byte* memory = (byte*)state;
             int fewer = state->m_isLayer;
-            SymbolModel.Initialize((SymbolModel*)(memory + MultiplierAt), MultiplierSymbols - fewer, MultiplierSymbols);
-            SymbolModel.Initialize((SymbolModel*)(memory + ZeroAt), ZeroSymbols - fewer, ZeroSymbols);
-            IntegerModel.Initialize(memory + IntegerAt, 32, IntegerContexts);
+            SymbolModel.Initialize((SymbolModel*)(memory + MultiplierOffset), MultiplierSymbols - fewer, MultiplierSymbols);
+            SymbolModel.Initialize((SymbolModel*)(memory + ZeroOffset), ZeroSymbols - fewer, ZeroSymbols);
+            IntegerModel.Initialize(memory + IntegerOffset, 32, IntegerContexts);
         }
 
         [MethodImpl(MethodImplOptions.NoInlining)]
@@ -58,7 +58,7 @@ namespace FastPoints.Laz
         {
             uint value = stream->Value, length = stream->Length;
             byte* next = stream->Next;
-            byte* integers = (byte*)state + IntegerAt;
+            byte* integers = (byte*)state + IntegerOffset;
             int sequence = state->m_sequence;
 
             for (int change = 0; change < MaxSequenceChanges; change++)
@@ -67,7 +67,7 @@ namespace FastPoints.Laz
                 int symbol, context, prediction;
                 if (last == 0)
                 {
-                    symbol = (int)SymbolModel.Decode((byte*)state + ZeroAt, ZeroSymbols, ref value, ref length, ref next);
+                    symbol = (int)SymbolModel.Decode((byte*)state + ZeroOffset, ZeroSymbols, ref value, ref length, ref next);
                     symbol += state->m_isLayer;
                     if (symbol == 0)
                         break;
@@ -81,7 +81,7 @@ namespace FastPoints.Laz
                 }
                 else
                 {
-                    symbol = (int)SymbolModel.Decode((byte*)state + MultiplierAt, MultiplierSymbols,
+                    symbol = (int)SymbolModel.Decode((byte*)state + MultiplierOffset, MultiplierSymbols,
                         ref value, ref length, ref next);
                     if (symbol >= Unchanged)
                         symbol += state->m_isLayer;
@@ -150,7 +150,7 @@ namespace FastPoints.Laz
         {
             uint low = stream->Value, length = stream->Length;
             byte* next = stream->Next;
-            byte* integers = (byte*)state + IntegerAt;
+            byte* integers = (byte*)state + IntegerOffset;
             int sequence = state->m_sequence, last = state->m_difference[sequence];
             long difference = time - state->m_last[sequence];
             if (difference != (int)difference)
@@ -207,11 +207,11 @@ namespace FastPoints.Laz
             double ratio = (float)difference / (float)last;
             int multiplier = (int)math.clamp(ratio >= 0 ? math.floor(ratio + 0.5) : math.ceil(ratio - 0.5), LowestMultiplier,
                 Multiplier);
-            SymbolModel.Encode((byte*)state + MultiplierAt, MultiplierSymbols,
+            SymbolModel.Encode((byte*)state + MultiplierOffset, MultiplierSymbols,
                 (uint)(multiplier >= 0 ? multiplier : Multiplier - multiplier), ref low, ref length, ref next);
             int context = multiplier == 1 ? 1 : multiplier == 0 ? 7 : multiplier == Multiplier ? 4
                 : multiplier == LowestMultiplier ? 6 : multiplier < 0 ? 5 : multiplier < 10 ? 2 : 3;
-            IntegerModel.Encode((byte*)state + IntegerAt, 32, IntegerContexts, context, difference - multiplier * last, out _,
+            IntegerModel.Encode((byte*)state + IntegerOffset, 32, IntegerContexts, context, difference - multiplier * last, out _,
                 ref low, ref length, ref next);
             if (multiplier == 1)
                 state->m_extremes[sequence] = 0;
@@ -227,10 +227,10 @@ namespace FastPoints.Laz
             ref byte* next)
         {
             if (last == 0)
-                SymbolModel.Encode((byte*)state + ZeroAt, ZeroSymbols, (uint)(ofZero - state->m_isLayer), ref low, ref length,
+                SymbolModel.Encode((byte*)state + ZeroOffset, ZeroSymbols, (uint)(ofZero - state->m_isLayer), ref low, ref length,
                     ref next);
             else
-                SymbolModel.Encode((byte*)state + MultiplierAt, MultiplierSymbols, (uint)(ofMultiplier - state->m_isLayer),
+                SymbolModel.Encode((byte*)state + MultiplierOffset, MultiplierSymbols, (uint)(ofMultiplier - state->m_isLayer),
                     ref low, ref length, ref next);
         }
     }

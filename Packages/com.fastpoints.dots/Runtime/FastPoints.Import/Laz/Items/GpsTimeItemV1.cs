@@ -14,10 +14,10 @@ namespace FastPoints.Laz
         const int ExtremesBeforeChange = 3;
         const int IntegerContexts = 6;
 
-        const int MultiplierAt = 64;
-        const int ZeroAt = MultiplierAt + SymbolModel.Bytes512;
-        const int IntegerAt = ZeroAt + SymbolModel.Bytes4;
-        public const int StateBytes = IntegerAt + 64 + IntegerContexts * SymbolModel.Bytes33 + 31 * SymbolModel.Bytes256;
+        const int MultiplierOffset = 64;
+        const int ZeroOffset = MultiplierOffset + SymbolModel.Bytes512;
+        const int IntegerOffset = ZeroOffset + SymbolModel.Bytes4;
+        public const int StateBytes = IntegerOffset + 64 + IntegerContexts * SymbolModel.Bytes33 + 31 * SymbolModel.Bytes256;
 
         long m_last;
         int m_difference;
@@ -28,9 +28,9 @@ namespace FastPoints.Laz
             *state = default;
             state->m_last = first;
             byte* memory = (byte*)state;
-            SymbolModel.Initialize(memory + MultiplierAt, MaxMultiplier);
-            SymbolModel.Initialize((SymbolModel*)(memory + ZeroAt), ZeroSymbols, 4);
-            IntegerModel.Initialize(memory + IntegerAt, 32, IntegerContexts);
+            SymbolModel.Initialize(memory + MultiplierOffset, MaxMultiplier);
+            SymbolModel.Initialize((SymbolModel*)(memory + ZeroOffset), ZeroSymbols, 4);
+            IntegerModel.Initialize(memory + IntegerOffset, 32, IntegerContexts);
         }
 
         [MethodImpl(MethodImplOptions.NoInlining)]
@@ -44,13 +44,13 @@ namespace FastPoints.Laz
             int symbol;
             if (last == 0)
             {
-                symbol = (int)SymbolModel.Decode(memory + ZeroAt, 4, ref value, ref length, ref next);
+                symbol = (int)SymbolModel.Decode(memory + ZeroOffset, 4, ref value, ref length, ref next);
                 isUnchanged = symbol == 0;
                 isFull = symbol == 2;
             }
             else
             {
-                symbol = (int)SymbolModel.Decode(memory + MultiplierAt, MaxMultiplier, ref value, ref length, ref next);
+                symbol = (int)SymbolModel.Decode(memory + MultiplierOffset, MaxMultiplier, ref value, ref length, ref next);
                 isUnchanged = symbol > Full;
                 isFull = symbol == Full;
             }
@@ -65,7 +65,7 @@ namespace FastPoints.Laz
                 int context = last == 0 ? 0 : symbol == 1 ? 1 : symbol == 0 ? 2 : symbol < 10 ? 3 : symbol < 50 ? 4 : 5;
                 int prediction = symbol == 0 ? last / 4 : symbol * last;
                 int difference = prediction
-                    + IntegerModel.Decode(memory + IntegerAt, 32, IntegerContexts, context, ref value, ref length, ref next);
+                    + IntegerModel.Decode(memory + IntegerOffset, 32, IntegerContexts, context, ref value, ref length, ref next);
                 state->m_last += difference;
                 bool becomesLast = context < 2;
                 if (context == 1)

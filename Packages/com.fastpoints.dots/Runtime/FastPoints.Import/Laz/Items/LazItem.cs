@@ -37,7 +37,7 @@ namespace FastPoints.Laz
             _ => 0,
         };
 
-        // Besides 0, uncompressed.
+        // Versions of compressed items; 0 stands for uncompressed ones.
         public static bool IsVersionKnown(LazItemType type, int version)
         {
             switch (type)

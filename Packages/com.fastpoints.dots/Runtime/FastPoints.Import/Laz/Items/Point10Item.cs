@@ -25,17 +25,17 @@ namespace FastPoints.Laz
         const int SourceChangedBit = 1;
 
         // Places of the models, from the state's start.
-        const int ChangedAt = 1024;
-        const int AngleAt = ChangedAt + SymbolModel.Bytes64;
-        const int XAt = AngleAt + 2 * SymbolModel.Bytes256;
-        const int YAt = XAt + 64 + XContexts * SymbolModel.Bytes33 + 31 * SymbolModel.Bytes256;
-        const int ZAt = YAt + 64 + YContexts * SymbolModel.Bytes33 + 31 * SymbolModel.Bytes256;
-        const int IntensityAt = ZAt + 64 + ZContexts * SymbolModel.Bytes33 + 31 * SymbolModel.Bytes256;
-        const int SourceAt = IntensityAt + 64 + IntensityContexts * SymbolModel.Bytes17 + 16 * SymbolModel.Bytes256;
-        const int FlagsAt = SourceAt + 64 + SymbolModel.Bytes17 + 16 * SymbolModel.Bytes256;
-        const int ClassAt = FlagsAt + 256 * SymbolModel.Bytes256;
-        const int UserDataAt = ClassAt + 256 * SymbolModel.Bytes256;
-        public const int StateBytes = UserDataAt + 256 * SymbolModel.Bytes256;
+        const int ChangedOffset = 1024;
+        const int AngleOffset = ChangedOffset + SymbolModel.Bytes64;
+        const int XOffset = AngleOffset + 2 * SymbolModel.Bytes256;
+        const int YOffset = XOffset + 64 + XContexts * SymbolModel.Bytes33 + 31 * SymbolModel.Bytes256;
+        const int ZOffset = YOffset + 64 + YContexts * SymbolModel.Bytes33 + 31 * SymbolModel.Bytes256;
+        const int IntensityOffset = ZOffset + 64 + ZContexts * SymbolModel.Bytes33 + 31 * SymbolModel.Bytes256;
+        const int SourceOffset = IntensityOffset + 64 + IntensityContexts * SymbolModel.Bytes17 + 16 * SymbolModel.Bytes256;
+        const int FlagsOffset = SourceOffset + 64 + SymbolModel.Bytes17 + 16 * SymbolModel.Bytes256;
+        const int ClassOffset = FlagsOffset + 256 * SymbolModel.Bytes256;
+        const int UserDataOffset = ClassOffset + 256 * SymbolModel.Bytes256;
+        public const int StateBytes = UserDataOffset + 256 * SymbolModel.Bytes256;
 
         // The last point, laid out as its record.
         int m_x;
@@ -71,14 +71,14 @@ namespace FastPoints.Laz
                 Median5.Initialize(state->m_medianY + i * Median5.Ints);
             }
             byte* memory = (byte*)state;
-            SymbolModel.Initialize(memory + ChangedAt, 64);
-            SymbolModel.Initialize(memory + AngleAt, 256);
-            SymbolModel.Initialize(memory + AngleAt + SymbolModel.Bytes256, 256);
-            IntegerModel.Initialize(memory + XAt, 32, XContexts);
-            IntegerModel.Initialize(memory + YAt, 32, YContexts);
-            IntegerModel.Initialize(memory + ZAt, 32, ZContexts);
-            IntegerModel.Initialize(memory + IntensityAt, 16, IntensityContexts);
-            IntegerModel.Initialize(memory + SourceAt, 16, 1);
+            SymbolModel.Initialize(memory + ChangedOffset, 64);
+            SymbolModel.Initialize(memory + AngleOffset, 256);
+            SymbolModel.Initialize(memory + AngleOffset + SymbolModel.Bytes256, 256);
+            IntegerModel.Initialize(memory + XOffset, 32, XContexts);
+            IntegerModel.Initialize(memory + YOffset, 32, YContexts);
+            IntegerModel.Initialize(memory + ZOffset, 32, ZContexts);
+            IntegerModel.Initialize(memory + IntensityOffset, 16, IntensityContexts);
+            IntegerModel.Initialize(memory + SourceOffset, 16, 1);
         }
 
         void SetLast(byte* record)
@@ -101,38 +101,38 @@ namespace FastPoints.Laz
             byte* next = stream->Next;
             byte* memory = (byte*)state;
 
-            uint changed = SymbolModel.Decode(memory + ChangedAt, 64, ref value, ref length, ref next);
+            uint changed = SymbolModel.Decode(memory + ChangedOffset, 64, ref value, ref length, ref next);
             int contexts = state->m_contextsOfReturns[state->m_flags & 63];
             if (changed != 0)
             {
                 if ((changed & FlagsChangedBit) != 0)
                 {
-                    byte* model = ModelOfByte(memory + FlagsAt, state->m_flagsMade, state->m_flags);
+                    byte* model = ModelOfByte(memory + FlagsOffset, state->m_flagsMade, state->m_flags);
                     state->m_flags = (byte)SymbolModel.Decode(model, 256, ref value, ref length, ref next);
                     contexts = state->m_contextsOfReturns[state->m_flags & 63];
                 }
                 int ofReturn = contexts & ReturnContexts.MapMask;
                 if ((changed & IntensityChangedBit) != 0)
                 {
-                    int difference = IntegerModel.Decode(memory + IntensityAt, 16, IntensityContexts, ofReturn < 3 ? ofReturn : 3,
-                        ref value, ref length, ref next);
+                    int difference = IntegerModel.Decode(memory + IntensityOffset, 16, IntensityContexts,
+                        ofReturn < 3 ? ofReturn : 3, ref value, ref length, ref next);
                     state->m_lastIntensity[ofReturn] = (ushort)(state->m_lastIntensity[ofReturn] + difference);
                 }
                 state->m_intensity = state->m_lastIntensity[ofReturn];
                 if ((changed & ClassChangedBit) != 0)
                 {
-                    byte* model = ModelOfByte(memory + ClassAt, state->m_classMade, state->m_class);
+                    byte* model = ModelOfByte(memory + ClassOffset, state->m_classMade, state->m_class);
                     state->m_class = (byte)SymbolModel.Decode(model, 256, ref value, ref length, ref next);
                 }
                 if ((changed & AngleChangedBit) != 0)
                 {
                     int scanDirection = state->m_flags >> 6 & 1;
-                    state->m_angle += (byte)SymbolModel.Decode(memory + AngleAt + scanDirection * SymbolModel.Bytes256, 256,
+                    state->m_angle += (byte)SymbolModel.Decode(memory + AngleOffset + scanDirection * SymbolModel.Bytes256, 256,
                         ref value, ref length, ref next);
                 }
                 if ((changed & UserDataChangedBit) != 0)
                 {
-                    byte* model = ModelOfByte(memory + UserDataAt, state->m_userDataMade, state->m_userData);
+                    byte* model = ModelOfByte(memory + UserDataOffset, state->m_userDataMade, state->m_userData);
                     state->m_userData = (byte)SymbolModel.Decode(model, 256, ref value, ref length, ref next);
                 }
                 if ((changed & SourceChangedBit) != 0)
@@ -141,7 +141,7 @@ namespace FastPoints.Laz
                     stream->Value = value;
                     stream->Length = length;
                     stream->Next = next;
-                    state->m_source = (ushort)(state->m_source + IntegerModel.Decode(memory + SourceAt, 16, 1, 0, stream));
+                    state->m_source = (ushort)(state->m_source + IntegerModel.Decode(memory + SourceOffset, 16, 1, 0, stream));
                     value = stream->Value;
                     length = stream->Length;
                     next = stream->Next;
@@ -154,20 +154,20 @@ namespace FastPoints.Laz
             int* medianY = state->m_medianY + map * Median5.Ints;
 
             int xDifference = Median5.Get(medianX)
-                + IntegerModel.Decode(memory + XAt, 32, XContexts, isSingle, out int kx, ref value, ref length, ref next);
+                + IntegerModel.Decode(memory + XOffset, 32, XContexts, isSingle, out int kx, ref value, ref length, ref next);
             state->m_x += xDifference;
             Median5.Add(medianX, xDifference);
 
             int yContext = isSingle + (kx < 20 ? kx & ~1 : 20);
             int yDifference = Median5.Get(medianY)
-                + IntegerModel.Decode(memory + YAt, 32, YContexts, yContext, out int ky, ref value, ref length, ref next);
+                + IntegerModel.Decode(memory + YOffset, 32, YContexts, yContext, out int ky, ref value, ref length, ref next);
             state->m_y += yDifference;
             Median5.Add(medianY, yDifference);
 
             int k = (kx + ky) >> 1;
             int zContext = isSingle + (k < 18 ? k & ~1 : 18);
             int* lastHeight = state->m_lastHeight + (contexts >> ReturnContexts.LevelShift & ReturnContexts.LevelMask);
-            int z = *lastHeight + IntegerModel.Decode(memory + ZAt, 32, ZContexts, zContext, ref value, ref length, ref next);
+            int z = *lastHeight + IntegerModel.Decode(memory + ZOffset, 32, ZContexts, zContext, ref value, ref length, ref next);
             *lastHeight = z;
             state->m_z = z;
 
@@ -192,17 +192,17 @@ namespace FastPoints.Laz
             int* medianX = state->m_medianX + map * Median5.Ints;
             int* medianY = state->m_medianY + map * Median5.Ints;
             int dx = *(int*)record - state->m_x, dy = *(int*)(record + 4) - state->m_y;
-            IntegerModel.Encode(memory + XAt, 32, XContexts, isSingle, dx - Median5.Get(medianX), out int kx, ref low, ref length,
-                ref next);
+            IntegerModel.Encode(memory + XOffset, 32, XContexts, isSingle, dx - Median5.Get(medianX), out int kx, ref low,
+                ref length, ref next);
             Median5.Add(medianX, dx);
-            IntegerModel.Encode(memory + YAt, 32, YContexts, isSingle + (kx < 20 ? kx & ~1 : 20), dy - Median5.Get(medianY),
+            IntegerModel.Encode(memory + YOffset, 32, YContexts, isSingle + (kx < 20 ? kx & ~1 : 20), dy - Median5.Get(medianY),
                 out int ky, ref low, ref length, ref next);
             Median5.Add(medianY, dy);
             int k = (kx + ky) >> 1;
             int* lastHeight = state->m_lastHeight + (contexts >> ReturnContexts.LevelShift & ReturnContexts.LevelMask);
             int z = *(int*)(record + 8);
-            IntegerModel.Encode(memory + ZAt, 32, ZContexts, isSingle + (k < 18 ? k & ~1 : 18), z - *lastHeight, out _, ref low,
-                ref length, ref next);
+            IntegerModel.Encode(memory + ZOffset, 32, ZContexts, isSingle + (k < 18 ? k & ~1 : 18), z - *lastHeight, out _,
+                ref low, ref length, ref next);
             *lastHeight = z;
             stream->Value = low;
             stream->Length = length;
@@ -223,30 +223,30 @@ namespace FastPoints.Laz
             changed |= record[16] != state->m_angle ? (uint)AngleChangedBit : 0;
             changed |= record[17] != state->m_userData ? (uint)UserDataChangedBit : 0;
             changed |= *(ushort*)(record + 18) != state->m_source ? (uint)SourceChangedBit : 0;
-            SymbolModel.Encode(memory + ChangedAt, 64, changed, ref low, ref length, ref next);
+            SymbolModel.Encode(memory + ChangedOffset, 64, changed, ref low, ref length, ref next);
             if ((changed & FlagsChangedBit) != 0)
-                SymbolModel.Encode(ModelOfByte(memory + FlagsAt, state->m_flagsMade, state->m_flags), 256, record[14],
+                SymbolModel.Encode(ModelOfByte(memory + FlagsOffset, state->m_flagsMade, state->m_flags), 256, record[14],
                     ref low, ref length, ref next);
             if ((changed & IntensityChangedBit) != 0)
             {
-                IntegerModel.Encode(memory + IntensityAt, 16, IntensityContexts, map < 3 ? map : 3,
+                IntegerModel.Encode(memory + IntensityOffset, 16, IntensityContexts, map < 3 ? map : 3,
                     intensity - state->m_lastIntensity[map], out _, ref low, ref length, ref next);
                 state->m_lastIntensity[map] = (ushort)intensity;
             }
             if ((changed & ClassChangedBit) != 0)
-                SymbolModel.Encode(ModelOfByte(memory + ClassAt, state->m_classMade, state->m_class), 256, record[15],
+                SymbolModel.Encode(ModelOfByte(memory + ClassOffset, state->m_classMade, state->m_class), 256, record[15],
                     ref low, ref length, ref next);
             if ((changed & AngleChangedBit) != 0)
-                SymbolModel.Encode(memory + AngleAt + (record[14] >> 6 & 1) * SymbolModel.Bytes256, 256,
+                SymbolModel.Encode(memory + AngleOffset + (record[14] >> 6 & 1) * SymbolModel.Bytes256, 256,
                     (uint)(record[16] - state->m_angle & 255), ref low, ref length, ref next);
             if ((changed & UserDataChangedBit) != 0)
-                SymbolModel.Encode(ModelOfByte(memory + UserDataAt, state->m_userDataMade, state->m_userData), 256, record[17],
-                    ref low, ref length, ref next);
+                SymbolModel.Encode(ModelOfByte(memory + UserDataOffset, state->m_userDataMade, state->m_userData), 256,
+                    record[17], ref low, ref length, ref next);
             stream->Value = low;
             stream->Length = length;
             stream->Next = next;
             if ((changed & SourceChangedBit) != 0)
-                IntegerModel.Encode(memory + SourceAt, 16, 1, 0, *(ushort*)(record + 18) - state->m_source, stream);
+                IntegerModel.Encode(memory + SourceOffset, 16, 1, 0, *(ushort*)(record + 18) - state->m_source, stream);
         }
 
         // After the value "last", made on first use.

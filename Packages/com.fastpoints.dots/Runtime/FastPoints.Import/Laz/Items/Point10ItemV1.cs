@@ -18,17 +18,17 @@ namespace FastPoints.Laz
         const int UserDataChangedBit = 2;
         const int SourceChangedBit = 1;
 
-        const int ChangedAt = 192;
-        const int XAt = ChangedAt + SymbolModel.Bytes64;
-        const int YAt = XAt + 64 + SymbolModel.Bytes33 + 31 * SymbolModel.Bytes256;
-        const int ZAt = YAt + 64 + YContexts * SymbolModel.Bytes33 + 31 * SymbolModel.Bytes256;
-        const int IntensityAt = ZAt + 64 + ZContexts * SymbolModel.Bytes33 + 31 * SymbolModel.Bytes256;
-        const int AngleAt = IntensityAt + 64 + SymbolModel.Bytes17 + 16 * SymbolModel.Bytes256;
-        const int SourceAt = AngleAt + 64 + AngleContexts * SymbolModel.Bytes9 + 8 * SymbolModel.Bytes256;
-        const int FlagsAt = SourceAt + 64 + SymbolModel.Bytes17 + 16 * SymbolModel.Bytes256;
-        const int ClassAt = FlagsAt + 256 * SymbolModel.Bytes256;
-        const int UserDataAt = ClassAt + 256 * SymbolModel.Bytes256;
-        public const int StateBytes = UserDataAt + 256 * SymbolModel.Bytes256;
+        const int ChangedOffset = 192;
+        const int XOffset = ChangedOffset + SymbolModel.Bytes64;
+        const int YOffset = XOffset + 64 + SymbolModel.Bytes33 + 31 * SymbolModel.Bytes256;
+        const int ZOffset = YOffset + 64 + YContexts * SymbolModel.Bytes33 + 31 * SymbolModel.Bytes256;
+        const int IntensityOffset = ZOffset + 64 + ZContexts * SymbolModel.Bytes33 + 31 * SymbolModel.Bytes256;
+        const int AngleOffset = IntensityOffset + 64 + SymbolModel.Bytes17 + 16 * SymbolModel.Bytes256;
+        const int SourceOffset = AngleOffset + 64 + AngleContexts * SymbolModel.Bytes9 + 8 * SymbolModel.Bytes256;
+        const int FlagsOffset = SourceOffset + 64 + SymbolModel.Bytes17 + 16 * SymbolModel.Bytes256;
+        const int ClassOffset = FlagsOffset + 256 * SymbolModel.Bytes256;
+        const int UserDataOffset = ClassOffset + 256 * SymbolModel.Bytes256;
+        public const int StateBytes = UserDataOffset + 256 * SymbolModel.Bytes256;
 
         int m_x;
         int m_y;
@@ -61,13 +61,13 @@ namespace FastPoints.Laz
             state->m_source = *(ushort*)(record + 18);
 
             byte* memory = (byte*)state;
-            SymbolModel.Initialize(memory + ChangedAt, 64);
-            IntegerModel.Initialize(memory + XAt, 32, 1);
-            IntegerModel.Initialize(memory + YAt, 32, YContexts);
-            IntegerModel.Initialize(memory + ZAt, 32, ZContexts);
-            IntegerModel.Initialize(memory + IntensityAt, 16, 1);
-            IntegerModel.Initialize(memory + AngleAt, 8, AngleContexts);
-            IntegerModel.Initialize(memory + SourceAt, 16, 1);
+            SymbolModel.Initialize(memory + ChangedOffset, 64);
+            IntegerModel.Initialize(memory + XOffset, 32, 1);
+            IntegerModel.Initialize(memory + YOffset, 32, YContexts);
+            IntegerModel.Initialize(memory + ZOffset, 32, ZContexts);
+            IntegerModel.Initialize(memory + IntensityOffset, 16, 1);
+            IntegerModel.Initialize(memory + AngleOffset, 8, AngleContexts);
+            IntegerModel.Initialize(memory + SourceOffset, 16, 1);
         }
 
         [MethodImpl(MethodImplOptions.NoInlining)]
@@ -80,19 +80,19 @@ namespace FastPoints.Laz
             int* dx = state->m_xDifferences;
             int* dy = state->m_yDifferences;
             int xDifference = Median(dx[0], dx[1], dx[2])
-                + IntegerModel.Decode(memory + XAt, 32, 1, 0, out int kx, ref value, ref length, ref next);
+                + IntegerModel.Decode(memory + XOffset, 32, 1, 0, out int kx, ref value, ref length, ref next);
             int yDifference = Median(dy[0], dy[1], dy[2])
-                + IntegerModel.Decode(memory + YAt, 32, YContexts, kx < 19 ? kx : 19, out int ky, ref value, ref length,
+                + IntegerModel.Decode(memory + YOffset, 32, YContexts, kx < 19 ? kx : 19, out int ky, ref value, ref length,
                     ref next);
             int k = (kx + ky) >> 1;
             state->m_x += xDifference;
             state->m_y += yDifference;
-            state->m_z += IntegerModel.Decode(memory + ZAt, 32, ZContexts, k < 19 ? k : 19, ref value, ref length, ref next);
+            state->m_z += IntegerModel.Decode(memory + ZOffset, 32, ZContexts, k < 19 ? k : 19, ref value, ref length, ref next);
             dx[state->m_oldest] = xDifference;
             dy[state->m_oldest] = yDifference;
             state->m_oldest = state->m_oldest == 2 ? 0 : state->m_oldest + 1;
 
-            uint changed = SymbolModel.Decode(memory + ChangedAt, 64, ref value, ref length, ref next);
+            uint changed = SymbolModel.Decode(memory + ChangedOffset, 64, ref value, ref length, ref next);
             stream->Value = value;
             stream->Length = length;
             stream->Next = next;
@@ -109,18 +109,19 @@ namespace FastPoints.Laz
         {
             byte* memory = (byte*)state;
             if ((changed & IntensityChangedBit) != 0)
-                state->m_intensity = (ushort)(state->m_intensity + IntegerModel.Decode(memory + IntensityAt, 16, 1, 0, stream));
+                state->m_intensity = (ushort)(state->m_intensity
+                    + IntegerModel.Decode(memory + IntensityOffset, 16, 1, 0, stream));
             if ((changed & FlagsChangedBit) != 0)
-                state->m_flags = DecodeByte(memory + FlagsAt, state->m_flagsMade, state->m_flags, stream);
+                state->m_flags = DecodeByte(memory + FlagsOffset, state->m_flagsMade, state->m_flags, stream);
             if ((changed & ClassChangedBit) != 0)
-                state->m_class = DecodeByte(memory + ClassAt, state->m_classMade, state->m_class, stream);
+                state->m_class = DecodeByte(memory + ClassOffset, state->m_classMade, state->m_class, stream);
             if ((changed & AngleChangedBit) != 0)
                 state->m_angle = (byte)(state->m_angle
-                    + IntegerModel.Decode(memory + AngleAt, 8, AngleContexts, k < 3 ? 1 : 0, stream));
+                    + IntegerModel.Decode(memory + AngleOffset, 8, AngleContexts, k < 3 ? 1 : 0, stream));
             if ((changed & UserDataChangedBit) != 0)
-                state->m_userData = DecodeByte(memory + UserDataAt, state->m_userDataMade, state->m_userData, stream);
+                state->m_userData = DecodeByte(memory + UserDataOffset, state->m_userDataMade, state->m_userData, stream);
             if ((changed & SourceChangedBit) != 0)
-                state->m_source = (ushort)(state->m_source + IntegerModel.Decode(memory + SourceAt, 16, 1, 0, stream));
+                state->m_source = (ushort)(state->m_source + IntegerModel.Decode(memory + SourceOffset, 16, 1, 0, stream));
         }
 
         static byte DecodeByte(byte* models, ulong* made, int last, RangeStream* stream)

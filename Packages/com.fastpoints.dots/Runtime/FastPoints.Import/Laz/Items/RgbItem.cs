@@ -11,9 +11,9 @@ namespace FastPoints.Laz
     {
         const int IsColorBit = 64;
 
-        const int UsedAt = 64;
-        const int ByteAt = UsedAt + SymbolModel.Bytes128;
-        public const int StateBytes = ByteAt + 6 * SymbolModel.Bytes256;
+        const int UsedOffset = 64;
+        const int ByteOffset = UsedOffset + SymbolModel.Bytes128;
+        public const int StateBytes = ByteOffset + 6 * SymbolModel.Bytes256;
 
         public fixed ushort Last[4];
 
@@ -23,9 +23,9 @@ namespace FastPoints.Laz
             state->Last[1] = *(ushort*)(record + 2);
             state->Last[2] = *(ushort*)(record + 4);
             byte* memory = (byte*)state;
-            SymbolModel.Initialize(memory + UsedAt, 128);
+            SymbolModel.Initialize(memory + UsedOffset, 128);
             for (int i = 0; i < 6; i++)
-                SymbolModel.Initialize(memory + ByteAt + i * SymbolModel.Bytes256, 256);
+                SymbolModel.Initialize(memory + ByteOffset + i * SymbolModel.Bytes256, 256);
         }
 
         [MethodImpl(MethodImplOptions.NoInlining)]
@@ -43,8 +43,8 @@ namespace FastPoints.Laz
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static void Decode(byte* memory, ushort* last, byte* record, ref uint value, ref uint length, ref byte* next)
         {
-            byte* models = memory + ByteAt;
-            int used = (int)SymbolModel.Decode(memory + UsedAt, 128, ref value, ref length, ref next);
+            byte* models = memory + ByteOffset;
+            int used = (int)SymbolModel.Decode(memory + UsedOffset, 128, ref value, ref length, ref next);
             int redLow = last[0] & 255, redHigh = last[0] >> 8;
             int lowChange = -redLow, highChange = -redHigh;
             if ((used & 1) != 0)
@@ -99,14 +99,14 @@ namespace FastPoints.Laz
         public static void Encode(byte* memory, ushort* last, byte* record, ref uint low, ref uint length, ref byte* next)
         {
             // Bytes: red low and high, green low and high, blue low and high.
-            byte* models = memory + ByteAt;
+            byte* models = memory + ByteOffset;
             byte* was = (byte*)last;
             uint used = 0;
             for (int i = 0; i < 6; i++)
                 used |= record[i] != was[i] ? 1u << i : 0;
             bool isGrey = record[0] == record[2] && record[0] == record[4] && record[1] == record[3] && record[1] == record[5];
             used |= isGrey ? 0 : (uint)IsColorBit;
-            SymbolModel.Encode(memory + UsedAt, 128, used, ref low, ref length, ref next);
+            SymbolModel.Encode(memory + UsedOffset, 128, used, ref low, ref length, ref next);
             if ((used & 1) != 0)
                 Put(models, 0, record[0] - was[0], ref low, ref length, ref next);
             if ((used & 2) != 0)
@@ -142,9 +142,9 @@ namespace FastPoints.Laz
     [StructLayout(LayoutKind.Sequential)]
     internal unsafe struct RgbItemV1
     {
-        const int UsedAt = 64;
-        const int IntegerAt = UsedAt + SymbolModel.Bytes64;
-        public const int StateBytes = IntegerAt + 64 + 6 * SymbolModel.Bytes9 + 8 * SymbolModel.Bytes256;
+        const int UsedOffset = 64;
+        const int IntegerOffset = UsedOffset + SymbolModel.Bytes64;
+        public const int StateBytes = IntegerOffset + 64 + 6 * SymbolModel.Bytes9 + 8 * SymbolModel.Bytes256;
 
         fixed byte m_last[8];
 
@@ -152,8 +152,8 @@ namespace FastPoints.Laz
         {
             for (int i = 0; i < 6; i++)
                 state->m_last[i] = record[i];
-            SymbolModel.Initialize((byte*)state + UsedAt, 64);
-            IntegerModel.Initialize((byte*)state + IntegerAt, 8, 6);
+            SymbolModel.Initialize((byte*)state + UsedOffset, 64);
+            IntegerModel.Initialize((byte*)state + IntegerOffset, 8, 6);
         }
 
         [MethodImpl(MethodImplOptions.NoInlining)]
@@ -162,12 +162,12 @@ namespace FastPoints.Laz
             uint value = stream->Value, length = stream->Length;
             byte* next = stream->Next;
             byte* memory = (byte*)state;
-            uint used = SymbolModel.Decode(memory + UsedAt, 64, ref value, ref length, ref next);
+            uint used = SymbolModel.Decode(memory + UsedOffset, 64, ref value, ref length, ref next);
             for (int i = 0; i < 6; i++)
             {
                 if ((used >> i & 1) != 0)
                     state->m_last[i] = (byte)(state->m_last[i]
-                        + IntegerModel.Decode(memory + IntegerAt, 8, 6, i, ref value, ref length, ref next));
+                        + IntegerModel.Decode(memory + IntegerOffset, 8, 6, i, ref value, ref length, ref next));
                 record[i] = state->m_last[i];
             }
             stream->Value = value;

@@ -10,14 +10,14 @@ namespace FastPoints.Laz
     {
         public const int RecordBytes = 29;
 
-        const int IndexAt = 64;
-        const int OffsetKindAt = IndexAt + SymbolModel.Bytes256;
-        const int OffsetAt = OffsetKindAt + 4 * SymbolModel.Bytes4;
+        const int IndexOffset = 64;
+        const int OffsetKindOffset = IndexOffset + SymbolModel.Bytes256;
+        const int OffsetModelOffset = OffsetKindOffset + 4 * SymbolModel.Bytes4;
         const int OneIntegerBytes = 64 + SymbolModel.Bytes33 + 31 * SymbolModel.Bytes256;
-        const int SizeAt = OffsetAt + OneIntegerBytes;
-        const int LocationAt = SizeAt + OneIntegerBytes;
-        const int DirectionAt = LocationAt + OneIntegerBytes;
-        public const int StateBytes = DirectionAt + 64 + 3 * SymbolModel.Bytes33 + 31 * SymbolModel.Bytes256;
+        const int SizeOffset = OffsetModelOffset + OneIntegerBytes;
+        const int LocationOffset = SizeOffset + OneIntegerBytes;
+        const int DirectionOffset = LocationOffset + OneIntegerBytes;
+        public const int StateBytes = DirectionOffset + 64 + 3 * SymbolModel.Bytes33 + 31 * SymbolModel.Bytes256;
 
         const int SameOffset = 0;
         const int FollowingOffset = 1;
@@ -34,13 +34,13 @@ namespace FastPoints.Laz
             for (int i = 0; i < RecordBytes - 1; i++)
                 state->Last[i] = record[i + 1];
             byte* memory = (byte*)state;
-            SymbolModel.Initialize(memory + IndexAt, 256);
+            SymbolModel.Initialize(memory + IndexOffset, 256);
             for (int i = 0; i < 4; i++)
-                SymbolModel.Initialize(memory + OffsetKindAt + i * SymbolModel.Bytes4, 4);
-            IntegerModel.Initialize(memory + OffsetAt, 32, 1);
-            IntegerModel.Initialize(memory + SizeAt, 32, 1);
-            IntegerModel.Initialize(memory + LocationAt, 32, 1);
-            IntegerModel.Initialize(memory + DirectionAt, 32, 3);
+                SymbolModel.Initialize(memory + OffsetKindOffset + i * SymbolModel.Bytes4, 4);
+            IntegerModel.Initialize(memory + OffsetModelOffset, 32, 1);
+            IntegerModel.Initialize(memory + SizeOffset, 32, 1);
+            IntegerModel.Initialize(memory + LocationOffset, 32, 1);
+            IntegerModel.Initialize(memory + DirectionOffset, 32, 3);
         }
 
         // "last" (28 bytes) becomes the packet.
@@ -51,11 +51,11 @@ namespace FastPoints.Laz
             byte* next = stream->Next;
             byte* memory = (byte*)state;
 
-            record[0] = (byte)SymbolModel.Decode(memory + IndexAt, 256, ref value, ref length, ref next);
+            record[0] = (byte)SymbolModel.Decode(memory + IndexOffset, 256, ref value, ref length, ref next);
 
             ulong lastOffset = *(ulong*)last;
             uint lastSize = *(uint*)(last + 8);
-            state->m_offsetKind = (int)SymbolModel.Decode(memory + OffsetKindAt + state->m_offsetKind * SymbolModel.Bytes4, 4,
+            state->m_offsetKind = (int)SymbolModel.Decode(memory + OffsetKindOffset + state->m_offsetKind * SymbolModel.Bytes4, 4,
                 ref value, ref length, ref next);
             ulong offset;
             if (state->m_offsetKind == SameOffset)
@@ -68,7 +68,7 @@ namespace FastPoints.Laz
             }
             else if (state->m_offsetKind == SteppedOffset)
             {
-                state->m_step += IntegerModel.Decode(memory + OffsetAt, 32, 1, 0, ref value, ref length, ref next);
+                state->m_step += IntegerModel.Decode(memory + OffsetModelOffset, 32, 1, 0, ref value, ref length, ref next);
                 offset = lastOffset + (ulong)(long)state->m_step;
             }
             else
@@ -81,10 +81,10 @@ namespace FastPoints.Laz
             stream->Next = next;
 
             *(ulong*)last = offset;
-            *(uint*)(last + 8) = lastSize + (uint)IntegerModel.Decode(memory + SizeAt, 32, 1, 0, stream);
-            *(int*)(last + 12) += IntegerModel.Decode(memory + LocationAt, 32, 1, 0, stream);
+            *(uint*)(last + 8) = lastSize + (uint)IntegerModel.Decode(memory + SizeOffset, 32, 1, 0, stream);
+            *(int*)(last + 12) += IntegerModel.Decode(memory + LocationOffset, 32, 1, 0, stream);
             for (int i = 0; i < 3; i++)
-                *(int*)(last + 16 + 4 * i) += IntegerModel.Decode(memory + DirectionAt, 32, 3, i, stream);
+                *(int*)(last + 16 + 4 * i) += IntegerModel.Decode(memory + DirectionOffset, 32, 3, i, stream);
             for (int i = 0; i < RecordBytes - 1; i++)
                 record[i + 1] = last[i];
         }
@@ -96,17 +96,17 @@ namespace FastPoints.Laz
             byte* next = stream->Next;
             byte* memory = (byte*)state;
             byte* packet = record + 1;
-            SymbolModel.Encode(memory + IndexAt, 256, record[0], ref low, ref length, ref next);
+            SymbolModel.Encode(memory + IndexOffset, 256, record[0], ref low, ref length, ref next);
             long difference = *(long*)packet - *(long*)last;
             int kind = difference == 0 ? SameOffset : difference == *(uint*)(last + 8) ? FollowingOffset
                 : difference == (int)difference ? SteppedOffset : SteppedOffset + 1;
-            SymbolModel.Encode(memory + OffsetKindAt + state->m_offsetKind * SymbolModel.Bytes4, 4, (uint)kind, ref low,
+            SymbolModel.Encode(memory + OffsetKindOffset + state->m_offsetKind * SymbolModel.Bytes4, 4, (uint)kind, ref low,
                 ref length, ref next);
             state->m_offsetKind = kind;
             if (kind == SteppedOffset)
             {
-                IntegerModel.Encode(memory + OffsetAt, 32, 1, 0, (int)difference - state->m_step, out _, ref low, ref length,
-                    ref next);
+                IntegerModel.Encode(memory + OffsetModelOffset, 32, 1, 0, (int)difference - state->m_step, out _, ref low,
+                    ref length, ref next);
                 state->m_step = (int)difference;
             }
             else if (kind > SteppedOffset)
@@ -117,10 +117,11 @@ namespace FastPoints.Laz
             stream->Value = low;
             stream->Length = length;
             stream->Next = next;
-            IntegerModel.Encode(memory + SizeAt, 32, 1, 0, *(int*)(packet + 8) - *(int*)(last + 8), stream);
-            IntegerModel.Encode(memory + LocationAt, 32, 1, 0, *(int*)(packet + 12) - *(int*)(last + 12), stream);
+            IntegerModel.Encode(memory + SizeOffset, 32, 1, 0, *(int*)(packet + 8) - *(int*)(last + 8), stream);
+            IntegerModel.Encode(memory + LocationOffset, 32, 1, 0, *(int*)(packet + 12) - *(int*)(last + 12), stream);
             for (int i = 16; i < RecordBytes - 1; i += 4)
-                IntegerModel.Encode(memory + DirectionAt, 32, 3, (i - 16) / 4, *(int*)(packet + i) - *(int*)(last + i), stream);
+                IntegerModel.Encode(memory + DirectionOffset, 32, 3, (i - 16) / 4, *(int*)(packet + i) - *(int*)(last + i),
+                    stream);
             for (int i = 0; i < RecordBytes - 1; i++)
                 last[i] = packet[i];
         }

@@ -6,19 +6,19 @@ namespace FastPoints.Laz
     {
         public const int RgbContextBytes = RgbItem.StateBytes;
 
-        const int InfraredUsedAt = 64;
-        const int InfraredByteAt = InfraredUsedAt + SymbolModel.Bytes4;
-        public const int InfraredContextBytes = InfraredByteAt + 2 * SymbolModel.Bytes256;
+        const int InfraredUsedOffset = 64;
+        const int InfraredByteOffset = InfraredUsedOffset + SymbolModel.Bytes4;
+        public const int InfraredContextBytes = InfraredByteOffset + 2 * SymbolModel.Bytes256;
 
         public static void StartInfraredContext(byte* memory, ushort last)
         {
             *(ushort*)memory = last;
-            SymbolModel.Initialize(memory + InfraredUsedAt, 4);
-            SymbolModel.Initialize(memory + InfraredByteAt, 256);
-            SymbolModel.Initialize(memory + InfraredByteAt + SymbolModel.Bytes256, 256);
+            SymbolModel.Initialize(memory + InfraredUsedOffset, 4);
+            SymbolModel.Initialize(memory + InfraredByteOffset, 256);
+            SymbolModel.Initialize(memory + InfraredByteOffset + SymbolModel.Bytes256, 256);
         }
 
-        public static int DecodeRgb(LayerState* layer, byte* contexts, uint* points, byte* field, int stride, int count)
+        public static int DecodeRgb(LayerState* layer, byte* contexts, uint* pointContexts, byte* field, int stride, int count)
         {
             uint value = layer->Stream.Value, length = layer->Stream.Length;
             byte* next = layer->Stream.Next;
@@ -28,7 +28,7 @@ namespace FastPoints.Laz
             int done = 0;
             for (; done < count; done++)
             {
-                int context = PointContext.Of(points[done], layer->FollowsChannel);
+                int context = PointContext.Of(pointContexts[done], layer->FollowsChannel);
                 ushort* last = ((RgbItem*)memory)->Last;
                 if (context != current)
                 {
@@ -49,7 +49,8 @@ namespace FastPoints.Laz
             return done;
         }
 
-        public static int DecodeInfrared(LayerState* layer, byte* contexts, uint* points, byte* field, int stride, int count)
+        public static int DecodeInfrared(LayerState* layer, byte* contexts, uint* pointContexts, byte* field, int stride,
+            int count)
         {
             uint value = layer->Stream.Value, length = layer->Stream.Length;
             byte* next = layer->Stream.Next;
@@ -59,7 +60,7 @@ namespace FastPoints.Laz
             int done = 0;
             for (; done < count; done++)
             {
-                int context = PointContext.Of(points[done], layer->FollowsChannel);
+                int context = PointContext.Of(pointContexts[done], layer->FollowsChannel);
                 ushort* last = (ushort*)memory;
                 if (context != current)
                 {
@@ -71,12 +72,12 @@ namespace FastPoints.Laz
                     if (isNew || layer->FollowsChannel != 0)
                         last = (ushort*)memory;
                 }
-                uint used = SymbolModel.Decode(memory + InfraredUsedAt, 4, ref value, ref length, ref next);
+                uint used = SymbolModel.Decode(memory + InfraredUsedOffset, 4, ref value, ref length, ref next);
                 int low = *last & 255, high = *last >> 8;
                 if ((used & 1) != 0)
-                    low = low + (int)SymbolModel.Decode(memory + InfraredByteAt, 256, ref value, ref length, ref next) & 255;
+                    low = low + (int)SymbolModel.Decode(memory + InfraredByteOffset, 256, ref value, ref length, ref next) & 255;
                 if ((used & 2) != 0)
-                    high = high + (int)SymbolModel.Decode(memory + InfraredByteAt + SymbolModel.Bytes256, 256,
+                    high = high + (int)SymbolModel.Decode(memory + InfraredByteOffset + SymbolModel.Bytes256, 256,
                         ref value, ref length, ref next) & 255;
                 if (next > end)
                     break;
@@ -88,7 +89,7 @@ namespace FastPoints.Laz
             return done;
         }
 
-        public static void EncodeRgb(LayerState* layer, byte* contexts, uint* points, byte* field, int stride, int count)
+        public static void EncodeRgb(LayerState* layer, byte* contexts, uint* pointContexts, byte* field, int stride, int count)
         {
             uint low = layer->Stream.Value, length = layer->Stream.Length;
             byte* next = layer->Stream.Next;
@@ -96,7 +97,7 @@ namespace FastPoints.Laz
             byte* memory = contexts + (long)current * RgbContextBytes;
             for (int i = 0; i < count; i++, field += stride)
             {
-                int context = PointContext.Of(points[i], layer->FollowsChannel);
+                int context = PointContext.Of(pointContexts[i], layer->FollowsChannel);
                 ushort* last = ((RgbItem*)memory)->Last;
                 if (context != current)
                 {
@@ -113,7 +114,8 @@ namespace FastPoints.Laz
             layer->SaveState(current, low, length, next);
         }
 
-        public static void EncodeInfrared(LayerState* layer, byte* contexts, uint* points, byte* field, int stride, int count)
+        public static void EncodeInfrared(LayerState* layer, byte* contexts, uint* pointContexts, byte* field, int stride,
+            int count)
         {
             uint low = layer->Stream.Value, length = layer->Stream.Length;
             byte* next = layer->Stream.Next;
@@ -121,7 +123,7 @@ namespace FastPoints.Laz
             byte* memory = contexts + (long)current * InfraredContextBytes;
             for (int i = 0; i < count; i++, field += stride)
             {
-                int context = PointContext.Of(points[i], layer->FollowsChannel);
+                int context = PointContext.Of(pointContexts[i], layer->FollowsChannel);
                 byte* last = memory;
                 if (context != current)
                 {
@@ -134,11 +136,11 @@ namespace FastPoints.Laz
                         last = memory;
                 }
                 uint used = (field[0] != last[0] ? 1u : 0) | (field[1] != last[1] ? 2u : 0);
-                SymbolModel.Encode(memory + InfraredUsedAt, 4, used, ref low, ref length, ref next);
+                SymbolModel.Encode(memory + InfraredUsedOffset, 4, used, ref low, ref length, ref next);
                 for (int b = 0; b < 2; b++)
                 {
                     if ((used >> b & 1) != 0)
-                        SymbolModel.Encode(memory + InfraredByteAt + b * SymbolModel.Bytes256, 256,
+                        SymbolModel.Encode(memory + InfraredByteOffset + b * SymbolModel.Bytes256, 256,
                             (uint)(field[b] - last[b] & 255), ref low, ref length, ref next);
                     last[b] = field[b];
                 }

@@ -9,8 +9,8 @@ namespace FastPoints.Laz
     unsafe struct Integer16Layer
     {
         const int MaxContexts = 4;
-        const int IntegerAt = 64;
-        public const int ContextBytes = IntegerAt + 64 + MaxContexts * SymbolModel.Bytes17 + 16 * SymbolModel.Bytes256;
+        const int IntegerOffset = 64;
+        public const int ContextBytes = IntegerOffset + 64 + MaxContexts * SymbolModel.Bytes17 + 16 * SymbolModel.Bytes256;
 
         int m_last;
         fixed ushort m_lastOfReturnKind[8];
@@ -21,29 +21,29 @@ namespace FastPoints.Laz
             context->m_last = field;
             for (int i = 0; i < 8; i++)
                 context->m_lastOfReturnKind[i] = field;
-            IntegerModel.Initialize(memory + IntegerAt, 16, MaxContexts);
+            IntegerModel.Initialize(memory + IntegerOffset, 16, MaxContexts);
         }
 
-        public static int Decode(LayerState* layer, byte* contexts, uint* points, byte* field, int stride, int count)
+        public static int Decode(LayerState* layer, byte* contexts, uint* pointContexts, byte* field, int stride, int count)
         {
             uint value = layer->Stream.Value, length = layer->Stream.Length;
             byte* next = layer->Stream.Next;
             byte* end = layer->Stream.End;
             var kind = layer->Kind;
             uint changedBit = kind == LazLayerKind.ScanAngle ? PointContext.AngleChangedBit : PointContext.SourceChangedBit;
-            int channel = layer->Current;
-            byte* memory = contexts + (long)channel * ContextBytes;
+            int current = layer->Current;
+            byte* memory = contexts + (long)current * ContextBytes;
             int done = 0;
             for (; done < count; done++)
             {
-                uint point = points[done];
+                uint point = pointContexts[done];
                 int context = (int)(point & PointContext.ChannelMask);
-                if (context != channel)
+                if (context != current)
                 {
                     int last = ((Integer16Layer*)memory)->m_last;
-                    channel = context;
-                    memory = contexts + (long)channel * ContextBytes;
-                    if (layer->TryAddContext(channel))
+                    current = context;
+                    memory = contexts + (long)current * ContextBytes;
+                    if (layer->TryAddContext(current))
                         StartContext(memory, (ushort)last);
                 }
 
@@ -53,60 +53,62 @@ namespace FastPoints.Laz
                     ushort* last = ((Integer16Layer*)memory)->m_lastOfReturnKind
                         + (returnKind * 2 + (int)(point >> PointContext.TimeShift & 1));
                     *last = (ushort)(*last
-                        + IntegerModel.Decode(memory + IntegerAt, 16, MaxContexts, returnKind, ref value, ref length, ref next));
+                        + IntegerModel.Decode(memory + IntegerOffset, 16, MaxContexts, returnKind, ref value, ref length,
+                            ref next));
                     ((Integer16Layer*)memory)->m_last = *last;
                 }
                 else if ((point & changedBit) != 0)
                 {
-                    int ofTime = kind == LazLayerKind.ScanAngle ? (int)(point >> PointContext.TimeShift & 1) : 0;
+                    int timeChanged = kind == LazLayerKind.ScanAngle ? (int)(point >> PointContext.TimeShift & 1) : 0;
                     ((Integer16Layer*)memory)->m_last = (ushort)(((Integer16Layer*)memory)->m_last
-                        + IntegerModel.Decode(memory + IntegerAt, 16, MaxContexts, ofTime, ref value, ref length, ref next));
+                        + IntegerModel.Decode(memory + IntegerOffset, 16, MaxContexts, timeChanged, ref value, ref length,
+                            ref next));
                 }
                 if (next > end)
                     break;
                 *(ushort*)field = (ushort)((Integer16Layer*)memory)->m_last;
                 field += stride;
             }
-            layer->SaveState(channel, value, length, next);
+            layer->SaveState(current, value, length, next);
             return done;
         }
 
-        public static void Encode(LayerState* layer, byte* contexts, uint* points, byte* field, int stride, int count)
+        public static void Encode(LayerState* layer, byte* contexts, uint* pointContexts, byte* field, int stride, int count)
         {
             uint low = layer->Stream.Value, length = layer->Stream.Length;
             byte* next = layer->Stream.Next;
             bool isIntensity = layer->Kind == LazLayerKind.Intensity, isAngle = layer->Kind == LazLayerKind.ScanAngle;
             uint changedBit = isAngle ? PointContext.AngleChangedBit : PointContext.SourceChangedBit;
-            int channel = layer->Current;
-            byte* memory = contexts + (long)channel * ContextBytes;
+            int current = layer->Current;
+            byte* memory = contexts + (long)current * ContextBytes;
             for (int i = 0; i < count; i++, field += stride)
             {
-                uint point = points[i];
-                int ofTime = (int)(point >> PointContext.TimeShift & 1);
-                if ((int)(point & PointContext.ChannelMask) != channel)
+                uint point = pointContexts[i];
+                int timeChanged = (int)(point >> PointContext.TimeShift & 1);
+                if ((int)(point & PointContext.ChannelMask) != current)
                 {
-                    int left = ((Integer16Layer*)memory)->m_last;
-                    channel = (int)(point & PointContext.ChannelMask);
-                    memory = contexts + (long)channel * ContextBytes;
-                    if (layer->TryAddContext(channel))
-                        StartContext(memory, (ushort)left);
+                    int last = ((Integer16Layer*)memory)->m_last;
+                    current = (int)(point & PointContext.ChannelMask);
+                    memory = contexts + (long)current * ContextBytes;
+                    if (layer->TryAddContext(current))
+                        StartContext(memory, (ushort)last);
                 }
                 if (isIntensity)
                 {
                     int returnKind = PointContext.ReturnKind(point);
-                    ushort* last = ((Integer16Layer*)memory)->m_lastOfReturnKind + (returnKind * 2 + ofTime);
-                    IntegerModel.Encode(memory + IntegerAt, 16, MaxContexts, returnKind, *(ushort*)field - *last, out _, ref low,
-                        ref length, ref next);
+                    ushort* last = ((Integer16Layer*)memory)->m_lastOfReturnKind + (returnKind * 2 + timeChanged);
+                    IntegerModel.Encode(memory + IntegerOffset, 16, MaxContexts, returnKind, *(ushort*)field - *last, out _,
+                        ref low, ref length, ref next);
                     *last = *(ushort*)field;
                 }
                 else if ((point & changedBit) != 0)
                 {
-                    IntegerModel.Encode(memory + IntegerAt, 16, MaxContexts, isAngle ? ofTime : 0,
+                    IntegerModel.Encode(memory + IntegerOffset, 16, MaxContexts, isAngle ? timeChanged : 0,
                         *(ushort*)field - ((Integer16Layer*)memory)->m_last, out _, ref low, ref length, ref next);
                 }
                 ((Integer16Layer*)memory)->m_last = *(ushort*)field;
             }
-            layer->SaveState(channel, low, length, next);
+            layer->SaveState(current, low, length, next);
         }
     }
 }

@@ -22,7 +22,7 @@ namespace FastPoints.Laz
         uint m_pointsInChunk;
         int m_firstRecordOffset;
         fixed ushort m_returnContexts[256];
-        fixed uint m_points[TilePoints];
+        fixed uint m_pointContexts[TilePoints];
 
         static int LayersOffset => (UnsafeUtility.SizeOf<LayeredChunk>() + 63) / 64 * 64;
 
@@ -251,34 +251,35 @@ namespace FastPoints.Laz
         static int DecodeLayer(LayeredChunk* chunk, LayerState* layer, byte* tile, int count)
         {
             byte* contexts = (byte*)chunk + layer->ContextsOffset;
-            uint* points = chunk->m_points;
+            uint* pointContexts = chunk->m_pointContexts;
             byte* field = tile + layer->RecordOffset;
             int stride = chunk->m_recordBytes;
             switch (layer->Kind)
             {
                 case LazLayerKind.ReturnsAndXY:
                     int flags = ((byte*)chunk + chunk->m_firstRecordOffset)[layer->RecordOffset + 15] & 0xCF;
-                    return ReturnsLayer.Decode(layer, contexts, chunk->m_returnContexts, points, flags, field, stride, count);
+                    return ReturnsLayer.Decode(layer, contexts, chunk->m_returnContexts, pointContexts, flags, field, stride,
+                        count);
                 case LazLayerKind.Z:
-                    return ZLayer.Decode(layer, contexts, points, field, stride, count);
+                    return ZLayer.Decode(layer, contexts, pointContexts, field, stride, count);
                 case LazLayerKind.Classification:
                 case LazLayerKind.Flags:
                 case LazLayerKind.UserData:
-                    return SymbolLayer.Decode(layer, contexts, points, field, stride, count);
+                    return SymbolLayer.Decode(layer, contexts, pointContexts, field, stride, count);
                 case LazLayerKind.Intensity:
                 case LazLayerKind.ScanAngle:
                 case LazLayerKind.PointSource:
-                    return Integer16Layer.Decode(layer, contexts, points, field, stride, count);
+                    return Integer16Layer.Decode(layer, contexts, pointContexts, field, stride, count);
                 case LazLayerKind.GpsTime:
-                    return GpsTimeLayer.Decode(layer, contexts, points, field, stride, count);
+                    return GpsTimeLayer.Decode(layer, contexts, pointContexts, field, stride, count);
                 case LazLayerKind.Rgb:
-                    return ColorLayer.DecodeRgb(layer, contexts, points, field, stride, count);
+                    return ColorLayer.DecodeRgb(layer, contexts, pointContexts, field, stride, count);
                 case LazLayerKind.NearInfrared:
-                    return ColorLayer.DecodeInfrared(layer, contexts, points, field, stride, count);
+                    return ColorLayer.DecodeInfrared(layer, contexts, pointContexts, field, stride, count);
                 case LazLayerKind.WavePacket:
-                    return WaveAndByteLayers.DecodeWaves(layer, contexts, points, field, stride, count);
+                    return WaveAndByteLayers.DecodeWaves(layer, contexts, pointContexts, field, stride, count);
                 default:
-                    return WaveAndByteLayers.DecodeBytes(layer, contexts, points, field, stride, count);
+                    return WaveAndByteLayers.DecodeBytes(layer, contexts, pointContexts, field, stride, count);
             }
         }
 

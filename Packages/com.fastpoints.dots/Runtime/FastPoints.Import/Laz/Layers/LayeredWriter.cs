@@ -20,9 +20,9 @@ namespace FastPoints.Laz
         fixed byte m_lastRecordOfChannel[4 * 32];
         LayerState m_state;
 
-        static int PointsOffset => (UnsafeUtility.SizeOf<LayeredWriter>() + 63) / 64 * 64;
+        static int PointContextsOffset => (UnsafeUtility.SizeOf<LayeredWriter>() + 63) / 64 * 64;
 
-        static long ContextsOffset(int points) => (PointsOffset + 4L * points + 63) / 64 * 64;
+        static long ContextsOffset(int points) => (PointContextsOffset + 4L * points + 63) / 64 * 64;
 
         public static long StateBytes(LazLayer[] layers, int points)
         {
@@ -142,42 +142,42 @@ namespace FastPoints.Laz
         {
             LayerState* layer = &writer->m_state;
             byte* contexts = (byte*)writer + writer->m_contextsOffset;
-            uint* points = (uint*)((byte*)writer + PointsOffset) + writer->m_done;
+            uint* pointContexts = (uint*)((byte*)writer + PointContextsOffset) + writer->m_done;
             byte* field = records + layer->RecordOffset;
             int stride = writer->m_recordBytes;
             switch (layer->Kind)
             {
                 case LazLayerKind.ReturnsAndXY:
-                    ReturnsLayer.Encode(layer, contexts, writer->m_returnContexts, points, writer->m_lastRecordOfChannel,
+                    ReturnsLayer.Encode(layer, contexts, writer->m_returnContexts, pointContexts, writer->m_lastRecordOfChannel,
                         field, stride, count);
                     break;
                 case LazLayerKind.Z:
-                    ZLayer.Encode(layer, contexts, points, field, stride, count);
+                    ZLayer.Encode(layer, contexts, pointContexts, field, stride, count);
                     break;
                 case LazLayerKind.Classification:
                 case LazLayerKind.Flags:
                 case LazLayerKind.UserData:
-                    SymbolLayer.Encode(layer, contexts, points, field, stride, count);
+                    SymbolLayer.Encode(layer, contexts, pointContexts, field, stride, count);
                     break;
                 case LazLayerKind.Intensity:
                 case LazLayerKind.ScanAngle:
                 case LazLayerKind.PointSource:
-                    Integer16Layer.Encode(layer, contexts, points, field, stride, count);
+                    Integer16Layer.Encode(layer, contexts, pointContexts, field, stride, count);
                     break;
                 case LazLayerKind.GpsTime:
-                    GpsTimeLayer.Encode(layer, contexts, points, field, stride, count);
+                    GpsTimeLayer.Encode(layer, contexts, pointContexts, field, stride, count);
                     break;
                 case LazLayerKind.Rgb:
-                    ColorLayer.EncodeRgb(layer, contexts, points, field, stride, count);
+                    ColorLayer.EncodeRgb(layer, contexts, pointContexts, field, stride, count);
                     break;
                 case LazLayerKind.NearInfrared:
-                    ColorLayer.EncodeInfrared(layer, contexts, points, field, stride, count);
+                    ColorLayer.EncodeInfrared(layer, contexts, pointContexts, field, stride, count);
                     break;
                 case LazLayerKind.WavePacket:
-                    WaveAndByteLayers.EncodeWaves(layer, contexts, points, field, stride, count);
+                    WaveAndByteLayers.EncodeWaves(layer, contexts, pointContexts, field, stride, count);
                     break;
                 default:
-                    WaveAndByteLayers.EncodeBytes(layer, contexts, points, field, stride, count);
+                    WaveAndByteLayers.EncodeBytes(layer, contexts, pointContexts, field, stride, count);
                     break;
             }
         }

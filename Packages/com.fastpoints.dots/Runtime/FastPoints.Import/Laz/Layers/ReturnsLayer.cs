@@ -21,14 +21,14 @@ namespace FastPoints.Laz
         const uint AngleChangedBit = 8;
         const uint ReturnsChangedBit = 4;
 
-        const int ChangedAt = 640;
-        const int ChannelAt = ChangedAt + 8 * SymbolModel.Bytes128;
-        const int ReturnStepAt = ChannelAt + SymbolModel.Bytes4;
-        const int NumberOfReturnsAt = ReturnStepAt + SymbolModel.Bytes13;
-        const int ReturnNumberAt = NumberOfReturnsAt + 16 * SymbolModel.Bytes16;
-        const int XAt = ReturnNumberAt + 16 * SymbolModel.Bytes16;
-        const int YAt = XAt + 64 + XContexts * SymbolModel.Bytes33 + 31 * SymbolModel.Bytes256;
-        public const int ContextBytes = YAt + 64 + YContexts * SymbolModel.Bytes33 + 31 * SymbolModel.Bytes256;
+        const int ChangedOffset = 640;
+        const int ChannelOffset = ChangedOffset + 8 * SymbolModel.Bytes128;
+        const int ReturnStepOffset = ChannelOffset + SymbolModel.Bytes4;
+        const int NumberOfReturnsOffset = ReturnStepOffset + SymbolModel.Bytes13;
+        const int ReturnNumberOffset = NumberOfReturnsOffset + 16 * SymbolModel.Bytes16;
+        const int XOffset = ReturnNumberOffset + 16 * SymbolModel.Bytes16;
+        const int YOffset = XOffset + 64 + XContexts * SymbolModel.Bytes33 + 31 * SymbolModel.Bytes256;
+        public const int ContextBytes = YOffset + 64 + YContexts * SymbolModel.Bytes33 + 31 * SymbolModel.Bytes256;
 
         int m_x;
         int m_y;
@@ -59,17 +59,17 @@ namespace FastPoints.Laz
                 Median5.Initialize(context->m_medianY + i * Median5.Ints);
             }
             for (int i = 0; i < 8; i++)
-                SymbolModel.Initialize(memory + ChangedAt + i * SymbolModel.Bytes128, 128);
-            SymbolModel.Initialize((SymbolModel*)(memory + ChannelAt), ChannelSymbols, 4);
-            SymbolModel.Initialize(memory + ReturnStepAt, ReturnStepSymbols);
-            IntegerModel.Initialize(memory + XAt, 32, XContexts);
-            IntegerModel.Initialize(memory + YAt, 32, YContexts);
+                SymbolModel.Initialize(memory + ChangedOffset + i * SymbolModel.Bytes128, 128);
+            SymbolModel.Initialize((SymbolModel*)(memory + ChannelOffset), ChannelSymbols, 4);
+            SymbolModel.Initialize(memory + ReturnStepOffset, ReturnStepSymbols);
+            IntegerModel.Initialize(memory + XOffset, 32, XContexts);
+            IntegerModel.Initialize(memory + YOffset, 32, YContexts);
         }
 
         /// <param name="returnContexts">256 entries of <see cref="ReturnContexts.WriteExtended"/>.</param>
-        /// <param name="points">Gets a <see cref="PointContext"/> a point.</param>
+        /// <param name="pointContexts">Gets a <see cref="PointContext"/> a point.</param>
         /// <param name="flags">Bits 0-3 and 6-7 of the record's flag byte, until the flags' layer overwrites them.</param>
-        public static int Decode(LayerState* layer, byte* contexts, ushort* returnContexts, uint* points, int flags,
+        public static int Decode(LayerState* layer, byte* contexts, ushort* returnContexts, uint* pointContexts, int flags,
             byte* record, int stride, int count)
         {
             uint value = layer->Stream.Value, length = layer->Stream.Length;
@@ -83,11 +83,11 @@ namespace FastPoints.Laz
             {
                 int returns = context->m_returns;
                 int lastKind = returnContexts[returns] >> ReturnContexts.ExtendedLastReturnKindShift;
-                uint changed = SymbolModel.Decode(memory + ChangedAt
+                uint changed = SymbolModel.Decode(memory + ChangedOffset
                     + (lastKind + context->m_timeChanged * 4) * SymbolModel.Bytes128, 128, ref value, ref length, ref next);
                 if ((changed & ChannelChangedBit) != 0)
                 {
-                    uint step = SymbolModel.Decode(memory + ChannelAt, 4, ref value, ref length, ref next);
+                    uint step = SymbolModel.Decode(memory + ChannelOffset, 4, ref value, ref length, ref next);
                     channel = (int)((uint)channel + step + 1) & 3;
                     memory = contexts + (long)channel * ContextBytes;
                     if (layer->TryAddContext(channel))
@@ -102,7 +102,7 @@ namespace FastPoints.Laz
                     int lastReturns = returns;
                     if ((changed & ReturnsChangedBit) != 0)
                     {
-                        byte* model = ModelOf(memory + NumberOfReturnsAt, &context->m_numberOfReturnsMade, returns >> 4);
+                        byte* model = ModelOf(memory + NumberOfReturnsOffset, &context->m_numberOfReturnsMade, returns >> 4);
                         returns = (int)SymbolModel.Decode(model, 16, ref value, ref length, ref next) << 4 | returns & 15;
                     }
                     uint step = changed & 3;
@@ -110,12 +110,12 @@ namespace FastPoints.Laz
                     {
                         if (timeChanged != 0)
                         {
-                            byte* model = ModelOf(memory + ReturnNumberAt, &context->m_returnNumberMade, lastReturns & 15);
+                            byte* model = ModelOf(memory + ReturnNumberOffset, &context->m_returnNumberMade, lastReturns & 15);
                             returns = returns & 0xF0 | (int)SymbolModel.Decode(model, 16, ref value, ref length, ref next);
                         }
                         else
                         {
-                            int more = (int)SymbolModel.Decode(memory + ReturnStepAt, ReturnStepSymbols,
+                            int more = (int)SymbolModel.Decode(memory + ReturnStepOffset, ReturnStepSymbols,
                                 ref value, ref length, ref next) + 2;
                             returns = returns & 0xF0 | returns + more & 15;
                         }
@@ -135,19 +135,19 @@ namespace FastPoints.Laz
                 int* medianY = context->m_medianY + median;
 
                 int xDifference = Median5.Get(medianX)
-                    + IntegerModel.Decode(memory + XAt, 32, XContexts, isSingle, out int kx, ref value, ref length, ref next);
+                    + IntegerModel.Decode(memory + XOffset, 32, XContexts, isSingle, out int kx, ref value, ref length, ref next);
                 context->m_x += xDifference;
                 Median5.Add(medianX, xDifference);
 
                 int yContext = isSingle + (kx < 20 ? kx & ~1 : 20);
                 int yDifference = Median5.Get(medianY)
-                    + IntegerModel.Decode(memory + YAt, 32, YContexts, yContext, out int ky, ref value, ref length, ref next);
+                    + IntegerModel.Decode(memory + YOffset, 32, YContexts, yContext, out int ky, ref value, ref length, ref next);
                 context->m_y += yDifference;
                 Median5.Add(medianY, yDifference);
                 if (next > end)
                     break;
 
-                points[done] = Describe(changed, channel, ofReturns, isSingle, (kx + ky) >> 1);
+                pointContexts[done] = Describe(changed, channel, ofReturns, isSingle, (kx + ky) >> 1);
                 *(int*)record = context->m_x;
                 *(int*)(record + 4) = context->m_y;
                 record[14] = (byte)returns;
@@ -171,7 +171,7 @@ namespace FastPoints.Laz
 
         /// <summary>Codes points and leaves their contexts.</summary>
         /// <param name="lasts">For each channel the last record's first 30 bytes, each in 32.</param>
-        public static void Encode(LayerState* layer, byte* contexts, ushort* returnContexts, uint* points, byte* lasts,
+        public static void Encode(LayerState* layer, byte* contexts, ushort* returnContexts, uint* pointContexts, byte* lasts,
             byte* record, int stride, int count)
         {
             uint low = layer->Stream.Value, length = layer->Stream.Length;
@@ -181,9 +181,9 @@ namespace FastPoints.Laz
             var context = (ReturnsLayer*)memory;
             for (int i = 0; i < count; i++, record += stride)
             {
-                byte* changedModel = memory + ChangedAt + ((returnContexts[context->m_returns]
+                byte* changedModel = memory + ChangedOffset + ((returnContexts[context->m_returns]
                     >> ReturnContexts.ExtendedLastReturnKindShift) + context->m_timeChanged * 4) * SymbolModel.Bytes128;
-                byte* channelModel = memory + ChannelAt;
+                byte* channelModel = memory + ChannelOffset;
                 int to = record[15] >> 4 & 3, from = channel;
                 if (to != from)
                 {
@@ -209,13 +209,14 @@ namespace FastPoints.Laz
                 if (to != from)
                     SymbolModel.Encode(channelModel, 4, (uint)(to - from - 1 & 3), ref low, ref length, ref next);
                 if ((changed & ReturnsChangedBit) != 0)
-                    SymbolModel.Encode(ModelOf(memory + NumberOfReturnsAt, &context->m_numberOfReturnsMade,
+                    SymbolModel.Encode(ModelOf(memory + NumberOfReturnsOffset, &context->m_numberOfReturnsMade,
                         context->m_returns >> 4), 16, (uint)returns >> 4, ref low, ref length, ref next);
                 if ((changed & 3) == 3 && timeChanged != 0)
-                    SymbolModel.Encode(ModelOf(memory + ReturnNumberAt, &context->m_returnNumberMade, context->m_returns & 15),
-                        16, (uint)returns & 15, ref low, ref length, ref next);
+                    SymbolModel.Encode(ModelOf(memory + ReturnNumberOffset, &context->m_returnNumberMade, context->m_returns
+                        & 15), 16, (uint)returns & 15, ref low, ref length, ref next);
                 else if ((changed & 3) == 3)
-                    SymbolModel.Encode(memory + ReturnStepAt, ReturnStepSymbols, (uint)step - 2, ref low, ref length, ref next);
+                    SymbolModel.Encode(memory + ReturnStepOffset, ReturnStepSymbols, (uint)step - 2, ref low, ref length,
+                        ref next);
                 context->m_returns = returns;
                 context->m_timeChanged = (int)timeChanged;
                 UnsafeUtility.MemCpy(before, record, 30);
@@ -223,15 +224,15 @@ namespace FastPoints.Laz
                 int ofReturns = returnContexts[returns], isSingle = ofReturns >> ReturnContexts.ExtendedSingleShift & 1;
                 int median = ((ofReturns & ReturnContexts.ExtendedMapMask) * 2 + (int)timeChanged) * Median5.Ints;
                 int dx = *(int*)record - context->m_x, dy = *(int*)(record + 4) - context->m_y;
-                IntegerModel.Encode(memory + XAt, 32, XContexts, isSingle, dx - Median5.Get(context->m_medianX + median),
+                IntegerModel.Encode(memory + XOffset, 32, XContexts, isSingle, dx - Median5.Get(context->m_medianX + median),
                     out int kx, ref low, ref length, ref next);
                 Median5.Add(context->m_medianX + median, dx);
-                IntegerModel.Encode(memory + YAt, 32, YContexts, isSingle + (kx < 20 ? kx & ~1 : 20),
+                IntegerModel.Encode(memory + YOffset, 32, YContexts, isSingle + (kx < 20 ? kx & ~1 : 20),
                     dy - Median5.Get(context->m_medianY + median), out int ky, ref low, ref length, ref next);
                 Median5.Add(context->m_medianY + median, dy);
                 context->m_x = *(int*)record;
                 context->m_y = *(int*)(record + 4);
-                points[i] = Describe(changed, channel, ofReturns, isSingle, (kx + ky) >> 1);
+                pointContexts[i] = Describe(changed, channel, ofReturns, isSingle, (kx + ky) >> 1);
             }
             layer->SaveState(channel, low, length, next);
         }

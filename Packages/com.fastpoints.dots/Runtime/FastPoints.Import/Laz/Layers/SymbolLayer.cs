@@ -9,8 +9,8 @@ namespace FastPoints.Laz
     unsafe struct SymbolLayer
     {
         const int FlagSymbols = 64;
-        const int ModelsAt = 64;
-        public const int ContextBytes = ModelsAt + 64 * SymbolModel.Bytes256;
+        const int ModelsOffset = 64;
+        public const int ContextBytes = ModelsOffset + 64 * SymbolModel.Bytes256;
 
         int m_last;
         ulong m_made;
@@ -25,25 +25,25 @@ namespace FastPoints.Laz
         /// <summary>The flag byte without the channel: bits 0-3 and 6-7 as bits 0-5.</summary>
         static int ToSymbol(byte flags) => flags & 15 | flags >> 6 << 4;
 
-        public static int Decode(LayerState* layer, byte* contexts, uint* points, byte* field, int stride, int count)
+        public static int Decode(LayerState* layer, byte* contexts, uint* pointContexts, byte* field, int stride, int count)
         {
             uint value = layer->Stream.Value, length = layer->Stream.Length;
             byte* next = layer->Stream.Next;
             byte* end = layer->Stream.End;
             var kind = layer->Kind;
-            int channel = layer->Current;
-            byte* memory = contexts + (long)channel * ContextBytes;
+            int current = layer->Current;
+            byte* memory = contexts + (long)current * ContextBytes;
             int done = 0;
             for (; done < count; done++)
             {
-                uint point = points[done];
+                uint point = pointContexts[done];
                 int context = (int)(point & PointContext.ChannelMask);
                 int last = ((SymbolLayer*)memory)->m_last;
-                if (context != channel)
+                if (context != current)
                 {
-                    channel = context;
-                    memory = contexts + (long)channel * ContextBytes;
-                    if (layer->TryAddContext(channel))
+                    current = context;
+                    memory = contexts + (long)current * ContextBytes;
+                    if (layer->TryAddContext(current))
                         *(SymbolLayer*)memory = new SymbolLayer { m_last = last };
                 }
                 byte* model = ModelOf((SymbolLayer*)memory, kind, point);
@@ -54,26 +54,26 @@ namespace FastPoints.Laz
                 *field = kind == LazLayerKind.Flags ? (byte)(symbol & 15 | symbol >> 4 << 6 | *field & 0x30) : (byte)symbol;
                 field += stride;
             }
-            layer->SaveState(channel, value, length, next);
+            layer->SaveState(current, value, length, next);
             return done;
         }
 
-        public static void Encode(LayerState* layer, byte* contexts, uint* points, byte* field, int stride, int count)
+        public static void Encode(LayerState* layer, byte* contexts, uint* pointContexts, byte* field, int stride, int count)
         {
             uint low = layer->Stream.Value, length = layer->Stream.Length;
             byte* next = layer->Stream.Next;
             var kind = layer->Kind;
-            int channel = layer->Current;
-            byte* memory = contexts + (long)channel * ContextBytes;
+            int current = layer->Current;
+            byte* memory = contexts + (long)current * ContextBytes;
             for (int i = 0; i < count; i++, field += stride)
             {
-                uint point = points[i];
-                if ((int)(point & PointContext.ChannelMask) != channel)
+                uint point = pointContexts[i];
+                if ((int)(point & PointContext.ChannelMask) != current)
                 {
                     int left = ((SymbolLayer*)memory)->m_last;
-                    channel = (int)(point & PointContext.ChannelMask);
-                    memory = contexts + (long)channel * ContextBytes;
-                    if (layer->TryAddContext(channel))
+                    current = (int)(point & PointContext.ChannelMask);
+                    memory = contexts + (long)current * ContextBytes;
+                    if (layer->TryAddContext(current))
                         *(SymbolLayer*)memory = new SymbolLayer { m_last = left };
                 }
                 byte* model = ModelOf((SymbolLayer*)memory, kind, point);
@@ -81,7 +81,7 @@ namespace FastPoints.Laz
                 SymbolModel.Encode(model, 256, (uint)symbol, ref low, ref length, ref next);
                 ((SymbolLayer*)memory)->m_last = symbol;
             }
-            layer->SaveState(channel, low, length, next);
+            layer->SaveState(current, low, length, next);
         }
 
         /// <summary>The model by the last symbol, made on first use.</summary>
@@ -93,7 +93,7 @@ namespace FastPoints.Laz
                 index = (index & 31) << 1 | (PointContext.ReturnKind(point) == 3 ? 1 : 0);
             else if (kind == LazLayerKind.UserData)
                 index >>= 2;
-            byte* model = (byte*)context + ModelsAt + index * SymbolModel.Bytes256;
+            byte* model = (byte*)context + ModelsOffset + index * SymbolModel.Bytes256;
             if ((context->m_made >> index & 1) == 0)
             {
                 context->m_made |= 1ul << index;

@@ -1,27 +1,28 @@
 namespace FastPoints.Laz
 {
-    /// <summary>The layers of wave packets, and of each extra byte. HPC#. Version 3 mixes up contexts as colours do.</summary>
+    /// <summary>The layers of wave packets, and of each extra byte. HPC#. In version 3 a change of channel predicts from
+    /// the channel that is left: see <see cref="ColorLayer"/>.</summary>
     static unsafe class WaveAndByteLayers
     {
         public const int WaveContextBytes = (WavePacketItem.StateBytes + 63) / 64 * 64;
 
-        const int ByteModelAt = 64;
-        public const int ByteContextBytes = ByteModelAt + SymbolModel.Bytes256;
+        const int ByteModelOffset = 64;
+        public const int ByteContextBytes = ByteModelOffset + SymbolModel.Bytes256;
 
         public static void StartByteContext(byte* memory, byte last)
         {
             *memory = last;
-            SymbolModel.Initialize(memory + ByteModelAt, 256);
+            SymbolModel.Initialize(memory + ByteModelOffset, 256);
         }
 
-        public static int DecodeWaves(LayerState* layer, byte* contexts, uint* points, byte* field, int stride, int count)
+        public static int DecodeWaves(LayerState* layer, byte* contexts, uint* pointContexts, byte* field, int stride, int count)
         {
             int current = layer->Current;
             byte* memory = contexts + (long)current * WaveContextBytes;
             int done = 0;
             for (; done < count; done++)
             {
-                int context = PointContext.Of(points[done], layer->FollowsChannel);
+                int context = PointContext.Of(pointContexts[done], layer->FollowsChannel);
                 byte* last = ((WavePacketItem*)memory)->Last;
                 if (context != current)
                 {
@@ -43,7 +44,7 @@ namespace FastPoints.Laz
             return done;
         }
 
-        public static int DecodeBytes(LayerState* layer, byte* contexts, uint* points, byte* field, int stride, int count)
+        public static int DecodeBytes(LayerState* layer, byte* contexts, uint* pointContexts, byte* field, int stride, int count)
         {
             uint value = layer->Stream.Value, length = layer->Stream.Length;
             byte* next = layer->Stream.Next;
@@ -53,7 +54,7 @@ namespace FastPoints.Laz
             int done = 0;
             for (; done < count; done++)
             {
-                int context = PointContext.Of(points[done], layer->FollowsChannel);
+                int context = PointContext.Of(pointContexts[done], layer->FollowsChannel);
                 byte* last = memory;
                 if (context != current)
                 {
@@ -65,7 +66,7 @@ namespace FastPoints.Laz
                     if (isNew || layer->FollowsChannel != 0)
                         last = memory;
                 }
-                *last += (byte)SymbolModel.Decode(memory + ByteModelAt, 256, ref value, ref length, ref next);
+                *last += (byte)SymbolModel.Decode(memory + ByteModelOffset, 256, ref value, ref length, ref next);
                 if (next > end)
                     break;
                 *field = *last;
@@ -75,13 +76,13 @@ namespace FastPoints.Laz
             return done;
         }
 
-        public static void EncodeWaves(LayerState* layer, byte* contexts, uint* points, byte* field, int stride, int count)
+        public static void EncodeWaves(LayerState* layer, byte* contexts, uint* pointContexts, byte* field, int stride, int count)
         {
             int current = layer->Current;
             byte* memory = contexts + (long)current * WaveContextBytes;
             for (int i = 0; i < count; i++, field += stride)
             {
-                int context = PointContext.Of(points[i], layer->FollowsChannel);
+                int context = PointContext.Of(pointContexts[i], layer->FollowsChannel);
                 byte* last = ((WavePacketItem*)memory)->Last;
                 if (context != current)
                 {
@@ -98,7 +99,7 @@ namespace FastPoints.Laz
             layer->Current = current;
         }
 
-        public static void EncodeBytes(LayerState* layer, byte* contexts, uint* points, byte* field, int stride, int count)
+        public static void EncodeBytes(LayerState* layer, byte* contexts, uint* pointContexts, byte* field, int stride, int count)
         {
             uint low = layer->Stream.Value, length = layer->Stream.Length;
             byte* next = layer->Stream.Next;
@@ -106,7 +107,7 @@ namespace FastPoints.Laz
             byte* memory = contexts + (long)current * ByteContextBytes;
             for (int i = 0; i < count; i++, field += stride)
             {
-                int context = PointContext.Of(points[i], layer->FollowsChannel);
+                int context = PointContext.Of(pointContexts[i], layer->FollowsChannel);
                 byte* last = memory;
                 if (context != current)
                 {
@@ -118,7 +119,7 @@ namespace FastPoints.Laz
                     if (isNew || layer->FollowsChannel != 0)
                         last = memory;
                 }
-                SymbolModel.Encode(memory + ByteModelAt, 256, (uint)(*field - *last & 255), ref low, ref length, ref next);
+                SymbolModel.Encode(memory + ByteModelOffset, 256, (uint)(*field - *last & 255), ref low, ref length, ref next);
                 *last = *field;
             }
             layer->SaveState(current, low, length, next);

@@ -7,8 +7,8 @@ namespace FastPoints.Laz
     unsafe struct ZLayer
     {
         const int Contexts = 20;
-        const int ZAt = 64;
-        public const int ContextBytes = ZAt + 64 + Contexts * SymbolModel.Bytes33 + 31 * SymbolModel.Bytes256;
+        const int ZOffset = 64;
+        public const int ContextBytes = ZOffset + 64 + Contexts * SymbolModel.Bytes33 + 31 * SymbolModel.Bytes256;
 
         int m_last;
         fixed int m_lastOfLevel[8];
@@ -19,31 +19,31 @@ namespace FastPoints.Laz
             context->m_last = z;
             for (int i = 0; i < 8; i++)
                 context->m_lastOfLevel[i] = z;
-            IntegerModel.Initialize(memory + ZAt, 32, Contexts);
+            IntegerModel.Initialize(memory + ZOffset, 32, Contexts);
         }
 
-        public static int Decode(LayerState* layer, byte* contexts, uint* points, byte* field, int stride, int count)
+        public static int Decode(LayerState* layer, byte* contexts, uint* pointContexts, byte* field, int stride, int count)
         {
             uint value = layer->Stream.Value, length = layer->Stream.Length;
             byte* next = layer->Stream.Next;
             byte* end = layer->Stream.End;
-            int channel = layer->Current;
-            byte* memory = contexts + (long)channel * ContextBytes;
+            int current = layer->Current;
+            byte* memory = contexts + (long)current * ContextBytes;
             int done = 0;
             for (; done < count; done++)
             {
-                uint point = points[done];
+                uint point = pointContexts[done];
                 int context = (int)(point & PointContext.ChannelMask);
-                if (context != channel)
+                if (context != current)
                 {
                     int z = ((ZLayer*)memory)->m_last;
-                    channel = context;
-                    memory = contexts + (long)channel * ContextBytes;
-                    if (layer->TryAddContext(channel))
+                    current = context;
+                    memory = contexts + (long)current * ContextBytes;
+                    if (layer->TryAddContext(current))
                         StartContext(memory, z);
                 }
                 int* last = ((ZLayer*)memory)->m_lastOfLevel + PointContext.Level(point);
-                int added = *last + IntegerModel.Decode(memory + ZAt, 32, Contexts, (int)(point >> PointContext.ZShift),
+                int added = *last + IntegerModel.Decode(memory + ZOffset, 32, Contexts, (int)(point >> PointContext.ZShift),
                     ref value, ref length, ref next);
                 if (next > end)
                     break;
@@ -52,33 +52,33 @@ namespace FastPoints.Laz
                 *(int*)field = added;
                 field += stride;
             }
-            layer->SaveState(channel, value, length, next);
+            layer->SaveState(current, value, length, next);
             return done;
         }
 
-        public static void Encode(LayerState* layer, byte* contexts, uint* points, byte* field, int stride, int count)
+        public static void Encode(LayerState* layer, byte* contexts, uint* pointContexts, byte* field, int stride, int count)
         {
             uint low = layer->Stream.Value, length = layer->Stream.Length;
             byte* next = layer->Stream.Next;
-            int channel = layer->Current;
-            byte* memory = contexts + (long)channel * ContextBytes;
+            int current = layer->Current;
+            byte* memory = contexts + (long)current * ContextBytes;
             for (int i = 0; i < count; i++, field += stride)
             {
-                uint point = points[i];
-                if ((int)(point & PointContext.ChannelMask) != channel)
+                uint point = pointContexts[i];
+                if ((int)(point & PointContext.ChannelMask) != current)
                 {
                     int z = ((ZLayer*)memory)->m_last;
-                    channel = (int)(point & PointContext.ChannelMask);
-                    memory = contexts + (long)channel * ContextBytes;
-                    if (layer->TryAddContext(channel))
+                    current = (int)(point & PointContext.ChannelMask);
+                    memory = contexts + (long)current * ContextBytes;
+                    if (layer->TryAddContext(current))
                         StartContext(memory, z);
                 }
                 int* last = ((ZLayer*)memory)->m_lastOfLevel + PointContext.Level(point);
-                IntegerModel.Encode(memory + ZAt, 32, Contexts, (int)(point >> PointContext.ZShift), *(int*)field - *last, out _,
-                    ref low, ref length, ref next);
+                IntegerModel.Encode(memory + ZOffset, 32, Contexts, (int)(point >> PointContext.ZShift), *(int*)field - *last,
+                    out _, ref low, ref length, ref next);
                 *last = ((ZLayer*)memory)->m_last = *(int*)field;
             }
-            layer->SaveState(channel, low, length, next);
+            layer->SaveState(current, low, length, next);
         }
     }
 }

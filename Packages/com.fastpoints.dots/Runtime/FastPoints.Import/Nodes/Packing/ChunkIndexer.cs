@@ -22,7 +22,7 @@ namespace FastPoints.Nodes
         NativeArray<ChunkTop> m_tops;
         NativeReference<ulong> m_checksum;
         NativeArray<long> m_bytesOfPlane;
-        SliceTimes m_slices;
+        SliceTimes m_sliceTimes;
 
         public ChunkIndexer(RecordLayout records, NativeStoreLayout store, Grid3 rootCorner, ulong cloudId, Sampler sampler,
             NodeSizes sizes)
@@ -33,7 +33,7 @@ namespace FastPoints.Nodes
             m_cloudId = cloudId;
             m_sampler = sampler;
             m_sizes = sizes;
-            m_slices = new SliceTimes(Allocator.Persistent);
+            m_sliceTimes = new SliceTimes(Allocator.Persistent);
             m_tops = new NativeArray<ChunkTop>(0, Allocator.Persistent);
             m_checksum = new NativeReference<ulong>(Allocator.Persistent);
             m_bytesOfPlane = new NativeArray<long>(store.Layout.Planes.Count, Allocator.Persistent);
@@ -65,7 +65,7 @@ namespace FastPoints.Nodes
         public ulong Checksum => m_checksum.Value;
 
         /// <summary>Times of the jobs so far; taking them clears them.</summary>
-        public SliceTimes Slices => m_slices;
+        public SliceTimes SliceTimes => m_sliceTimes;
 
         public NativeArray<long> BytesOfPlane => m_bytesOfPlane;
 
@@ -122,7 +122,7 @@ namespace FastPoints.Nodes
             var prepared = workspace.Begin(count, default);
             var prepare = new PrepareUpperJob
             {
-                Slices = m_slices,
+                Slices = m_sliceTimes,
                 Layout = layout,
                 Corner = m_rootCorner,
                 Records = records,
@@ -154,7 +154,7 @@ namespace FastPoints.Nodes
                 return;
             m_tops.Dispose();
             m_checksum.Dispose();
-            m_slices.Dispose();
+            m_sliceTimes.Dispose();
             m_bytesOfPlane.Dispose();
             Drafts.Dispose();
             File.Dispose();
@@ -167,7 +167,7 @@ namespace FastPoints.Nodes
         {
             var job = new OrderChunkJob
             {
-                Slices = m_slices,
+                Slices = m_sliceTimes,
                 Pages = pages,
                 Layout = m_records,
                 Cube = cube,
@@ -192,7 +192,7 @@ namespace FastPoints.Nodes
             bool isRandom = m_sampler == Sampler.Random;
             var job = new SampleNodesJob
             {
-                Slices = m_slices,
+                Slices = m_sliceTimes,
                 Count = count,
                 RootSideLog2 = cube.SideLog2,
                 Sizes = m_sizes,
@@ -220,7 +220,7 @@ namespace FastPoints.Nodes
 
         JobHandle Write(WriteNodesJob job, JobHandle inputDeps)
         {
-            job.Slices = m_slices;
+            job.Slices = m_sliceTimes;
             job.CloudId = m_cloudId;
             job.Number = Number;
             job.NodeOfPoint = m_workspace.NodeOfPoint;

@@ -300,7 +300,7 @@ namespace FastPoints.Nodes
             public fixed int EndOfPart[8];
 
             /// <summary>log2 of the spacing.</summary>
-            public int Cell;
+            public int CellLog2;
 
             /// <summary>The part whose candidates are read, the next of them, and how many the range has taken.</summary>
             public int Part;
@@ -317,7 +317,10 @@ namespace FastPoints.Nodes
             public int Darts;
             public int Dart;
 
-            /// <summary>The best candidate of the current cell: its priority above its number.</summary>
+            /// <summary>While points are compared with samples, without darts: whether a tile has begun.</summary>
+            public bool HasTile;
+
+            /// <summary>The best candidate of the current cell: its rank.</summary>
             public long Best;
         }
 

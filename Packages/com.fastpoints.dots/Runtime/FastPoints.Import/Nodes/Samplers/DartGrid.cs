@@ -141,10 +141,10 @@ namespace FastPoints.Nodes
             int spacing = 1 << m_cell - m_dropped, size = spacing << TileSpacingsLog2, middle = size / 2;
             uint farX = (ushort)((int)tile.X * size + size + middle), y0 = (ushort)((int)tile.Y * size + middle);
             uint* bucket = m_buckets.GetUnsafePtr();
-            for (int workspace = 0; workspace < Lanes; workspace++)
+            for (int lane = 0; lane < Lanes; lane++)
             {
-                bucket[workspace] = farX | y0 << 16;
-                bucket[Lanes + workspace] = (ushort)((int)tile.Z * size + middle);
+                bucket[lane] = farX | y0 << 16;
+                bucket[Lanes + lane] = (ushort)((int)tile.Z * size + middle);
             }
             return isKnown;
         }
@@ -211,8 +211,8 @@ namespace FastPoints.Nodes
                 {
                     short* sample = (short*)(m_buckets.GetUnsafePtr() + (long)bucket * WordsOfBucket);
                     bool isNear = false;
-                    for (int workspace = 0; workspace < Lanes; workspace++)
-                        isNear |= DistanceSq(sample + 2 * workspace, dart) < m_nearSq;
+                    for (int lane = 0; lane < Lanes; lane++)
+                        isNear |= DistanceSq(sample + 2 * lane, dart) < m_nearSq;
                     if (isNear)
                         return true;
                 }
@@ -235,10 +235,10 @@ namespace FastPoints.Nodes
                 for (; bucket != 0; bucket = links[2 * bucket + 1])
                 {
                     short* sample = (short*)(buckets + (long)bucket * WordsOfBucket);
-                    for (int workspace = 0; workspace < links[2 * bucket]; workspace++)
+                    for (int lane = 0; lane < links[2 * bucket]; lane++)
                     {
-                        int other = pointOfLane[bucket * Lanes + workspace],
-                            distanceSq = DistanceSq(sample + 2 * workspace, dart);
+                        int other = pointOfLane[bucket * Lanes + lane],
+                            distanceSq = DistanceSq(sample + 2 * lane, dart);
                         if (distanceSq > nearest || distanceSq == nearest && (point < 0 || other > point))
                             continue;
                         nearest = distanceSq;
@@ -260,12 +260,12 @@ namespace FastPoints.Nodes
                     m_links[1] = 1;
                 cell = fresh;
             }
-            int workspace = m_links[2 * cell]++;
+            int lane = m_links[2 * cell]++;
             uint* bucket = m_buckets.GetUnsafePtr() + (long)cell * WordsOfBucket;
-            bucket[workspace] = (uint)dart;
-            bucket[Lanes + workspace] = (uint)(dart >> 32 & 0xFFFF);
+            bucket[lane] = (uint)dart;
+            bucket[Lanes + lane] = (uint)(dart >> 32 & 0xFFFF);
             if (m_hasPoints)
-                m_pointOfLane[cell * Lanes + workspace] = point;
+                m_pointOfLane[cell * Lanes + lane] = point;
         }
 
         public void Dispose()
@@ -290,10 +290,10 @@ namespace FastPoints.Nodes
                 m_pointOfLane.ResizeUninitialized((number + 1) * Lanes);
             uint* bucket = m_buckets.GetUnsafePtr() + (long)number * WordsOfBucket;
             uint far = (ushort)(dart + (1 << 14)) | (uint)dart & 0xFFFF0000;
-            for (int workspace = 0; workspace < Lanes; workspace++)
+            for (int lane = 0; lane < Lanes; lane++)
             {
-                bucket[workspace] = far;
-                bucket[Lanes + workspace] = (uint)(dart >> 32 & 0xFFFF);
+                bucket[lane] = far;
+                bucket[Lanes + lane] = (uint)(dart >> 32 & 0xFFFF);
             }
             return number;
         }

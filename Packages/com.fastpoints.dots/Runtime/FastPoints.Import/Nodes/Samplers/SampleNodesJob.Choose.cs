@@ -8,7 +8,8 @@ namespace FastPoints.Nodes
     /// <summary>How points are chosen at one spacing: by cells, or by darts.</summary>
     internal unsafe partial struct SampleNodesJob
     {
-        /// <summary>A point's priority above its number: of equal priorities the first on the curve is the best.</summary>
+        /// <summary>Bits 31 to 62: the point's priority; 0 to 30: its inverted index, so that of equal priorities the first on
+        /// the curve is the best.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         long RankOf(int point) => (long)m_priority[point] << 31 | (uint)(int.MaxValue - point);
 
@@ -21,8 +22,8 @@ namespace FastPoints.Nodes
             ref var range = ref Scratch.Ranges.ElementAt(m_state.Range);
             int* offered = Scratch.Offered.GetUnsafePtr();
             byte* offeredCommon = Scratch.OfferedCommon.GetUnsafePtr();
-            int cell = m_state.Cell, to = range.First + m_state.Taken - 1;
-            int commonOfCell = to < range.First ? 0 : offeredCommon[to];
+            int cellLog2 = m_state.CellLog2, last = range.First + m_state.Taken - 1;
+            int commonOfCell = last < range.First ? 0 : offeredCommon[last];
             long best = m_state.Best;
             while (m_state.Part < range.FirstPart + range.PartCount && m_budget > 0)
             {
@@ -31,14 +32,14 @@ namespace FastPoints.Nodes
                 for (int k = first + m_state.Candidate; k < first + end; k++)
                 {
                     int point = part.OffersAll ? k : offered[k], common = part.OffersAll ? m_common[k] : offeredCommon[k];
-                    int isNew = cell - common >> 31;
-                    to -= isNew;
-                    best &= ~(long)isNew;
-                    long rank = RankOf(point), isBetter = best - rank >> 63;
-                    best ^= (best ^ rank) & isBetter;
-                    commonOfCell ^= (commonOfCell ^ common) & isNew;
-                    offered[to] = PointOf(best);
-                    offeredCommon[to] = (byte)commonOfCell;
+                    int newMask = cellLog2 - common >> 31;
+                    last -= newMask;
+                    best &= ~(long)newMask;
+                    long rank = RankOf(point), betterMask = best - rank >> 63;
+                    best ^= (best ^ rank) & betterMask;
+                    commonOfCell ^= (commonOfCell ^ common) & newMask;
+                    offered[last] = PointOf(best);
+                    offeredCommon[last] = (byte)commonOfCell;
                 }
                 m_state.Candidate = end;
                 if (end < part.OfferedCount)
@@ -47,7 +48,7 @@ namespace FastPoints.Nodes
                 m_state.Candidate = 0;
             }
             m_state.Best = best;
-            m_state.Taken = to + 1 - range.First;
+            m_state.Taken = last + 1 - range.First;
             if (m_state.Part < range.FirstPart + range.PartCount)
                 return;
             EndRange(ref range);
@@ -69,7 +70,7 @@ namespace FastPoints.Nodes
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         Grid3 PositionAt(int point) => Layout.PositionOf(m_records + (long)point * Layout.StrideBytes) - Corner;
 
-        DartGrid Grid => Scratch.Grid.For(m_state.Cell, Averaged.HasColumns);
+        DartGrid Grid => Scratch.Grid.For(m_state.CellLog2, Averaged.HasColumns);
 
         void Gather()
         {
@@ -80,11 +81,11 @@ namespace FastPoints.Nodes
             while (m_state.Part < endPart)
             {
                 var part = Scratch.Ranges[m_state.Part];
-                int end = Spend(m_state.Candidate, part.OfferedCount, CostOfGather), darts = m_state.Darts;
+                int end = Spend(m_state.Candidate, part.OfferedCount, CostOfGather), dartCount = m_state.Darts;
                 // Capacity for all that may follow.
-                ReserveDarts(darts + end - m_state.Candidate);
+                ReserveDarts(dartCount + end - m_state.Candidate);
                 long strip = FaceStrip;
-                ulong* dartList = Scratch.Darts.GetUnsafePtr();
+                ulong* darts = Scratch.Darts.GetUnsafePtr();
                 int* points = Scratch.PointOfDart.GetUnsafePtr();
                 for (; m_state.Candidate < end; m_state.Candidate++)
                 {
@@ -93,22 +94,22 @@ namespace FastPoints.Nodes
                         continue;
                     var position = PositionAt(point);
                     var tile = grid.TileOf(position);
-                    if (darts == 0)
+                    if (dartCount == 0)
                     {
                         m_state.Tile = tile;
                     }
                     else if ((tile.X ^ m_state.Tile.X | tile.Y ^ m_state.Tile.Y | tile.Z ^ m_state.Tile.Z) != 0)
                     {
-                        m_state.Darts = darts;
+                        m_state.Darts = dartCount;
                         m_budget += (long)(end - m_state.Candidate) * CostOfGather;
                         BeginThrows();
                         return;
                     }
-                    int last = IsAtFace(position, strip) ? PoissonPriority.Classes : 0;
-                    dartList[darts] = grid.DartOf(position, PoissonPriority.ClassOf(m_priority[point]) + last);
-                    points[darts++] = point;
+                    int classOffset = IsAtFace(position, strip) ? PoissonPriority.Classes : 0;
+                    darts[dartCount] = grid.DartOf(position, PoissonPriority.ClassOf(m_priority[point]) + classOffset);
+                    points[dartCount++] = point;
                 }
-                m_state.Darts = darts;
+                m_state.Darts = dartCount;
                 if (end < part.OfferedCount)
                     return;
                 m_state.Part++;
@@ -126,7 +127,7 @@ namespace FastPoints.Nodes
         /// face. So what is within half a spacing of a face is tried last, and taken only if no sample is near, and none is near
         /// to where it is when moved inward by 7/8 of the spacing: 0.1 %. A surface along a face keeps its points.</summary>
         long FaceStrip =>
-            Tops.Length > 0 || m_state.Cell + DartGrid.TileSpacingsLog2 > RootSideLog2 ? 0 : 1L << m_state.Cell >> 1;
+            Tops.Length > 0 || m_state.CellLog2 + DartGrid.TileSpacingsLog2 > RootSideLog2 ? 0 : 1L << m_state.CellLog2 >> 1;
 
         bool IsAtFace(in Grid3 position, long strip)
         {
@@ -216,49 +217,50 @@ namespace FastPoints.Nodes
 
         /// <summary>Begins the next range whose points are candidates of a wider spacing but not of this one, or ends
         /// after the last.</summary>
-        void BeginExclusion(int number)
+        void BeginExclusion(int previous)
         {
             var ranges = Scratch.Ranges.GetUnsafePtr();
-            for (number++; number < Scratch.Ranges.Length && !IsRandom; number++)
+            for (int number = previous + 1; number < Scratch.Ranges.Length && !IsRandom; number++)
             {
-                if (!IsOutsideSpacing(ranges, number))
+                if (!NeedsExclusion(ranges, number))
                     continue;
                 m_state.Range = number;
-                m_state.Candidate = m_state.Darts = 0;
+                m_state.Candidate = 0;
+                m_state.HasTile = false;
                 m_state.Stage = Stage.Exclude;
                 return;
             }
             BeginAverages(-1);
         }
 
-        bool IsOutsideSpacing(SampledRange* ranges, int number)
+        bool NeedsExclusion(SampledRange* ranges, int number)
         {
             ref var range = ref ranges[number];
-            bool isSampled = range.Kind == RangeKind.Sampled && range.CellLog2 >= m_state.Cell;
+            bool isSampled = range.Kind == RangeKind.Sampled && range.CellLog2 >= m_state.CellLog2;
             if (isSampled || range.Kind == RangeKind.Passed || range.Parent < 0 ||
-                ranges[range.Parent].CellLog2 <= m_state.Cell || IsFixed(ranges, number))
+                ranges[range.Parent].CellLog2 <= m_state.CellLog2 || IsFixed(ranges, number))
                 return false;
             m_budget -= Scratch.Ranges.Length;
             for (int r = 0; r < Scratch.Ranges.Length; r++)
-                if (IsOfSpacing(ranges[r]) && IsWithinSpacing(range, ranges[r]))
+                if (IsOfSpacing(ranges[r]) && AreWithinSpacing(range, ranges[r]))
                     return true;
             return false;
         }
 
         /// <summary>Whether the cubes of two ranges are no farther apart than the spacing.</summary>
-        bool IsWithinSpacing(in SampledRange a, in SampledRange b)
+        bool AreWithinSpacing(in SampledRange a, in SampledRange b)
         {
-            long near = 1L << m_state.Cell, wholeA = -1L << a.SideLog2, wholeB = -1L << b.SideLog2;
+            long near = 1L << m_state.CellLog2, cornerMaskA = -1L << a.SideLog2, cornerMaskB = -1L << b.SideLog2;
             Grid3 p = PositionAt(a.First), q = PositionAt(b.First);
-            return IsWithin((p.X & wholeA) - (q.X & wholeB), near, ~wholeA, ~wholeB) &&
-                IsWithin((p.Y & wholeA) - (q.Y & wholeB), near, ~wholeA, ~wholeB) &&
-                IsWithin((p.Z & wholeA) - (q.Z & wholeB), near, ~wholeA, ~wholeB);
+            return IsWithin((p.X & cornerMaskA) - (q.X & cornerMaskB), near, ~cornerMaskA, ~cornerMaskB) &&
+                IsWithin((p.Y & cornerMaskA) - (q.Y & cornerMaskB), near, ~cornerMaskA, ~cornerMaskB) &&
+                IsWithin((p.Z & cornerMaskA) - (q.Z & cornerMaskB), near, ~cornerMaskA, ~cornerMaskB);
         }
 
-        static bool IsWithin(long apart, long near, long a, long b) => apart <= b + near && -apart <= a + near;
+        static bool IsWithin(long apart, long near, long lastA, long lastB) => apart <= lastB + near && -apart <= lastA + near;
 
-        /// <summary>Excludes points nearer than this spacing to one of its samples from the nodes above, whose points would
-        /// otherwise be too near to those below.</summary>
+        /// <summary>Excludes from the nodes above each point that is nearer than this spacing to one of its samples: points of
+        /// those nodes would otherwise be too near to points below.</summary>
         void ExcludePoints()
         {
             var range = Scratch.Ranges[m_state.Range];
@@ -270,10 +272,10 @@ namespace FastPoints.Nodes
                 i = range.OffersAll ? i : Scratch.Offered[i];
                 var position = PositionAt(i);
                 var tile = grid.TileOf(position);
-                if (m_state.Darts == 0 || (tile.X ^ m_state.Tile.X | tile.Y ^ m_state.Tile.Y | tile.Z ^ m_state.Tile.Z) != 0)
+                if (!m_state.HasTile || (tile.X ^ m_state.Tile.X | tile.Y ^ m_state.Tile.Y | tile.Z ^ m_state.Tile.Z) != 0)
                     m_state.IsEmpty = !grid.BeginTile(tile);
                 m_state.Tile = tile;
-                m_state.Darts = 1;
+                m_state.HasTile = true;
                 if (!m_state.IsEmpty && m_rangeOfPoint[i] >= 0 && grid.IsNear(grid.DartOf(position, 0)))
                     m_rangeOfPoint[i] = ~m_state.Range;
             }
@@ -284,8 +286,8 @@ namespace FastPoints.Nodes
 
     /// <summary>The order in which points are tried. Only the share of points with a higher priority matters, so priorities are
     /// classed by its magnitude: the exponent and two bits below it. Points of one class follow the Morton curve, which keeps the
-    /// hash grid's neighbourhood in the cache; by chance alone, at least four times as many points come before each
-    /// class.</summary>
+    /// hash grid's neighbourhood in the cache; the classes before a class hold, on average, at least four times its
+    /// points.</summary>
     internal static class PoissonPriority
     {
         const int Octaves = 16;
@@ -299,11 +301,11 @@ namespace FastPoints.Nodes
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static int ClassOf(uint priority)
         {
-            uint rank = ~priority;
-            int zeros = math.lzcnt(rank);
+            uint inverted = ~priority;
+            int zeros = math.lzcnt(inverted);
             if (zeros >= Octaves)
                 return 0;
-            return (Octaves - 1 - zeros) * 4 + (int)(rank >> (29 - zeros) & 3) + 1;
+            return (Octaves - 1 - zeros) * 4 + (int)(inverted >> (29 - zeros) & 3) + 1;
         }
     }
 }

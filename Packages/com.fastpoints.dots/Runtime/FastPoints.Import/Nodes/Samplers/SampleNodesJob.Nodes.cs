@@ -24,7 +24,7 @@ namespace FastPoints.Nodes
                     continue;
                 m_state.Range = number;
                 m_state.Point = Scratch.Ranges[number].First;
-                m_state.Darts = 0;
+                m_state.HasTile = false;
                 m_state.Stage = Stage.Average;
                 return;
             }
@@ -44,10 +44,10 @@ namespace FastPoints.Nodes
                 m_budget -= CostOfAverage;
                 var position = PositionAt(i);
                 var tile = grid.TileOf(position);
-                if (m_state.Darts == 0 || (tile.X ^ m_state.Tile.X | tile.Y ^ m_state.Tile.Y | tile.Z ^ m_state.Tile.Z) != 0)
+                if (!m_state.HasTile || (tile.X ^ m_state.Tile.X | tile.Y ^ m_state.Tile.Y | tile.Z ^ m_state.Tile.Z) != 0)
                     grid.BeginTile(tile);
                 m_state.Tile = tile;
-                m_state.Darts = 1;
+                m_state.HasTile = true;
                 if (grid.Nearest(grid.DartOf(position, 0), out int nearest) && nearest >= 0)
                     AddAverage(i, nearest);
             }

@@ -176,7 +176,7 @@ namespace FastPoints.Nodes
         void BeginPlan(int range)
         {
             m_state.Range = range;
-            m_state.Cell = -1;
+            m_state.CellLog2 = -1;
             if (range >= Scratch.Ranges.Length)
             {
                 m_state.Stage = m_state.Stage == Stage.Done ? Stage.Done : Stage.NextSpacing;
@@ -310,10 +310,10 @@ namespace FastPoints.Nodes
             var ranges = Scratch.Ranges.GetUnsafePtr();
             int next = int.MaxValue, count = Scratch.Ranges.Length;
             for (int r = 0; r < count; r++)
-                if (ranges[r].Kind == RangeKind.Sampled && ranges[r].CellLog2 > m_state.Cell)
+                if (ranges[r].Kind == RangeKind.Sampled && ranges[r].CellLog2 > m_state.CellLog2)
                     next = math.min(next, ranges[r].CellLog2);
             m_budget -= count;
-            m_state.Cell = next;
+            m_state.CellLog2 = next;
             m_state.Point = 0;
             m_state.Stage = Stage.Count;
             if (next == int.MaxValue)
@@ -372,14 +372,14 @@ namespace FastPoints.Nodes
             m_state.Stage = IsRandom ? Stage.ChooseCells : Stage.Gather;
         }
 
-        bool IsOfSpacing(in SampledRange range) => range.Kind == RangeKind.Sampled && range.CellLog2 == m_state.Cell;
+        bool IsOfSpacing(in SampledRange range) => range.Kind == RangeKind.Sampled && range.CellLog2 == m_state.CellLog2;
 
         /// <summary>Whether remaining points of a chunk's top bar others at this spacing.</summary>
         bool IsFixed(SampledRange* ranges, int number)
         {
             ref var range = ref ranges[number];
-            return range.Kind == RangeKind.Top && range.CellLog2 >= m_state.Cell && range.Parent >= 0 &&
-                ranges[range.Parent].CellLog2 > m_state.Cell && !Tops[TopOf(range.First)].IsLeaf;
+            return range.Kind == RangeKind.Top && range.CellLog2 >= m_state.CellLog2 && range.Parent >= 0 &&
+                ranges[range.Parent].CellLog2 > m_state.CellLog2 && !Tops[TopOf(range.First)].IsLeaf;
         }
     }
 

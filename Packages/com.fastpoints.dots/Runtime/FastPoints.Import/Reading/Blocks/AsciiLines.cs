@@ -218,7 +218,7 @@ namespace FastPoints.Reading
             handle = default;
             if (m_rows >= m_rowsEnd)
                 return false;
-            while (!m_ring.IsFull && m_offset < m_fileBytes && (m_window == null || m_window.IsNextFetched))
+            while (!m_ring.IsFull && m_offset < m_fileBytes && (m_window == null || m_window.TryPrepareNext()))
                 Start(m_slots[m_ring.Begin()]);
             if (m_ring.IsEmpty)
                 return m_offset < m_fileBytes;

@@ -31,7 +31,7 @@ namespace FastPoints.Reading
             new NativeArray<FieldCopy>(FieldCopyPlan.Make(Fields, batch, IsBigEndian), allocator);
     }
 
-    // Blocks of one number of points, but the last: records of one length, any of which can be read alone, or in scattered runs.
+    // Blocks of one number of points, but the last: records of one length, any of which can be read alone, or as strided ranges.
     internal abstract class RecordReader : PointReader
     {
         // Measured beside 16,384 and 65,536: blocks in flight stay in the caches, and there are not too many of them.
@@ -143,7 +143,7 @@ namespace FastPoints.Reading
                         reads[ring.End()].Complete();
                         continue;
                     }
-                    while (window != null && !window.IsNextFetched)
+                    while (window != null && !window.TryPrepareNext())
                         yield return default;
                     int slot = ring.Begin();
                     reads[slot] ??= CreateStridedRead(target, rangesPerRequest,
@@ -151,14 +151,14 @@ namespace FastPoints.Reading
                         Allocator.Persistent);
                     reads[slot].Fetched = window?.Take();
                     next += reads[slot].Begin(strided, next, rangesPerRequest, 0);
-                    behind = JobHandle.CombineDependencies(behind, reads[slot].Decoded);
+                    decoded = JobHandle.CombineDependencies(decoded, reads[slot].Decoded);
                     if (next == count)
-                        behind = then(behind);
+                        decoded = then(decoded);
                     JobHandle.ScheduleBatchedJobs();
-                    // The coroutine checks its budget.
+                    // Lets JobCoroutine check its budget.
                     yield return default;
                 }
-                yield return behind;
+                yield return decoded;
             }
             finally
             {

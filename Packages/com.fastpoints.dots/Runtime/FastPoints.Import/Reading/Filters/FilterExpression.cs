@@ -35,9 +35,9 @@ namespace FastPoints.Reading
         public FilterOperand Left;
         public FilterOperand Right;
 
-        /// <summary>Values that differ only by rounding of the scale are equal: relative and absolute tolerance.</summary>
-        public double Rounding;
-        public double RoundingOfOffsets;
+        /// <summary>Values that differ only by rounding of the scale are equal.</summary>
+        public double RelativeTolerance;
+        public double AbsoluteTolerance;
     }
 
     /// <summary>A condition on attributes, such as <c>Intensity > 100 &amp;&amp; !(Classification == 2)</c>: comparisons of

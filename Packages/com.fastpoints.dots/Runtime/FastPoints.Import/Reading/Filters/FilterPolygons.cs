@@ -99,8 +99,8 @@ namespace FastPoints.Reading
                         AddGeoJson(geometry, depth + 1);
                     break;
                 case "Feature":
-                    if (members.TryGetValue("geometry", out object of) && of != null)
-                        AddGeoJson(of, depth + 1);
+                    if (members.TryGetValue("geometry", out object featureGeometry) && featureGeometry != null)
+                        AddGeoJson(featureGeometry, depth + 1);
                     break;
                 case "Polygon":
                     AddRings(ListOf(members, "coordinates"));
@@ -154,7 +154,7 @@ namespace FastPoints.Reading
         {
             int slabs = math.clamp(m_edges.Count, 1, 1 << 16);
             // Long edges are in many slabs: their lists stay a small multiple of the edges.
-            while (slabs > 1 && CountIn(slabs) > 8L * m_edges.Count + 64)
+            while (slabs > 1 && EntriesWith(slabs) > 8L * m_edges.Count + 64)
                 slabs /= 2;
             var first = new NativeArray<int>(slabs + 1, Allocator.Persistent);
             var next = new int[slabs + 1];
@@ -177,7 +177,7 @@ namespace FastPoints.Reading
             m_edges.Clear();
         }
 
-        long CountIn(int slabs)
+        long EntriesWith(int slabs)
         {
             long count = 0;
             foreach (var edge in m_edges)

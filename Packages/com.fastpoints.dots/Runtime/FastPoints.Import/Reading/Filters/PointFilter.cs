@@ -81,8 +81,8 @@ namespace FastPoints.Reading
                     RoundLike(step.Left, ref step.Right);
                     RoundLike(step.Right, ref step.Left);
                     bool isScaled = IsScaled(step.Left) || IsScaled(step.Right);
-                    step.Rounding = isScaled ? 4.5e-16 : 0;
-                    step.RoundingOfOffsets = 4.5e-16 * (math.abs(step.Left.Offset) + math.abs(step.Right.Offset));
+                    step.RelativeTolerance = isScaled ? 4.5e-16 : 0;
+                    step.AbsoluteTolerance = 4.5e-16 * (math.abs(step.Left.Offset) + math.abs(step.Right.Offset));
                     steps.Add(step);
                 }
                 if (expression != m_expressions[0])
@@ -293,10 +293,10 @@ namespace FastPoints.Reading
         /// <summary>NaN is not equal, less or greater.</summary>
         static void Compare(in FilterStep step, int points, double* left, double* right, byte* to)
         {
-            if (step.Rounding > 0)
+            if (step.RelativeTolerance > 0)
                 for (int i = 0; i < points; i++)
                 {
-                    double reach = step.RoundingOfOffsets + step.Rounding * (math.abs(left[i]) + math.abs(right[i]));
+                    double reach = step.AbsoluteTolerance + step.RelativeTolerance * (math.abs(left[i]) + math.abs(right[i]));
                     left[i] = math.abs(left[i] - right[i]) <= reach ? right[i] : left[i];
                 }
             switch (step.Op)

@@ -17,7 +17,7 @@ namespace FastPoints.Sources
         public const int LevelsPerPage = 4;
 
         // Read before the first page is built: its own, and one more to know whether there are others.
-        public const int FirstLevels = LevelsPerPage + 1;
+        public const int LevelsToKnow = LevelsPerPage + 1;
 
         const int Unnumbered = -1;
         const int None = -1;
@@ -25,7 +25,7 @@ namespace FastPoints.Sources
         readonly PointReader m_reader;
         readonly TreeGrid m_grid;
         readonly List<int4> m_rootOfPage = new List<int4> { default };
-        readonly List<int> m_firstPendingOfPage = new List<int> { Unnumbered };
+        readonly List<int> m_firstAttachedOfPage = new List<int> { Unnumbered };
         readonly List<bool> m_isPageKnown = new List<bool> { true };
         NativeParallelHashMap<int4, int> m_nodeOfKey;
         CoroutineStack m_reading;
@@ -37,15 +37,15 @@ namespace FastPoints.Sources
         bool m_isBroken;
 
         // The first page that was requested since the last update, and the one being read; or None.
-        int m_wanted = None;
-        int m_read = None;
+        int m_requestedPage = None;
+        int m_pageInFlight = None;
 
         public TreePages(PointReader reader, TreeGrid grid)
         {
             m_reader = reader;
             m_grid = grid;
             m_nodeOfKey = new NativeParallelHashMap<int4, int>(Math.Max(64, reader.Tree.NodeCount), Allocator.Persistent);
-            TakeNodes();
+            MapNewNodes();
             if (m_nodeOfKey.ContainsKey(default))
                 return;
             Dispose();
@@ -54,17 +54,17 @@ namespace FastPoints.Sources
 
         public int Count => m_rootOfPage.Count;
         public JobHandle Step => m_step;
-        public bool IsReading => m_reading != null || m_wanted != None;
+        public bool IsReading => m_reading != null || m_requestedPage != None;
 
         // The page's levels, and the one below, are known. The first requested page that is not is read next.
-        public bool IsKnown(int page)
+        public bool IsKnownOrRequest(int page)
         {
-            if (!m_isPageKnown[page] && m_wanted == None)
-                m_wanted = page;
+            if (!m_isPageKnown[page] && m_requestedPage == None)
+                m_requestedPage = page;
             return m_isPageKnown[page];
         }
 
-        // The failure, after which requested pages are built from the known part; or null.
+        // Goes on with reading. Returns the failure, after which requested pages are built from the known part; or null.
         public PointCloudException Update()
         {
             // Jobs that build pages read the lists that would grow.
@@ -76,10 +76,10 @@ namespace FastPoints.Sources
             {
                 if (m_reading == null)
                 {
-                    m_read = m_wanted;
-                    m_wanted = None;
-                    var root = m_rootOfPage[m_read];
-                    m_reading = new CoroutineStack(m_reader.FindBelow(root, LevelsOf(root)));
+                    m_pageInFlight = m_requestedPage;
+                    m_requestedPage = None;
+                    var root = m_rootOfPage[m_pageInFlight];
+                    m_reading = new CoroutineStack(m_reader.FindBelow(root, EndLevelOf(root)));
                 }
                 if (m_reading.MoveNext())
                 {
@@ -87,14 +87,14 @@ namespace FastPoints.Sources
                     return null;
                 }
                 EndReading();
-                TakeNodes();
-                m_isPageKnown[m_read] = true;
+                MapNewNodes();
+                m_isPageKnown[m_pageInFlight] = true;
                 return null;
             }
             catch (PointCloudException failure)
             {
                 EndReading();
-                TakeNodes();
+                MapNewNodes();
                 m_isBroken = true;
                 for (int page = 0; page < m_isPageKnown.Count; page++)
                     m_isPageKnown[page] = true;
@@ -121,14 +121,14 @@ namespace FastPoints.Sources
         // Numbers the pages attached to one; the same each time it is built.
         public unsafe void Number(int page, in HierarchyPage built, int planeCount)
         {
-            if (m_firstPendingOfPage[page] == Unnumbered)
+            if (m_firstAttachedOfPage[page] == Unnumbered)
             {
-                m_firstPendingOfPage[page] = m_rootOfPage.Count;
+                m_firstAttachedOfPage[page] = m_rootOfPage.Count;
                 for (int n = 0; n < built.NodeCount; n++)
                     if (built.Nodes[n].ChunkCount > 0)
-                        AddPending(m_reader.Tree[(int)built.Planes[n * planeCount].OffsetBytes].Key);
+                        AddAttached(m_reader.Tree[(int)built.Planes[n * planeCount].OffsetBytes].Key);
             }
-            int next = m_firstPendingOfPage[page];
+            int next = m_firstAttachedOfPage[page];
             for (int n = 0; n < built.NodeCount; n++)
             {
                 // Chunk 0 is page 1.
@@ -137,7 +137,7 @@ namespace FastPoints.Sources
             }
         }
 
-        public HierarchyPage Empty(int page)
+        public HierarchyPage CreateEmpty(int page)
         {
             var empty = new HierarchyPage();
             m_grid.BoxOf(m_rootOfPage[page], out empty.Center, out empty.Half);
@@ -159,7 +159,7 @@ namespace FastPoints.Sources
             m_reading = null;
         }
 
-        void AddPending(int4 key)
+        void AddAttached(int4 key)
         {
             for (int octant = 0; octant < 8; octant++)
             {
@@ -167,12 +167,12 @@ namespace FastPoints.Sources
                 if (!m_nodeOfKey.ContainsKey(child))
                     continue;
                 m_rootOfPage.Add(child);
-                m_firstPendingOfPage.Add(Unnumbered);
-                m_isPageKnown.Add(m_isBroken || m_reader.IsKnownBelow(child, LevelsOf(child)));
+                m_firstAttachedOfPage.Add(Unnumbered);
+                m_isPageKnown.Add(m_isBroken || m_reader.IsKnownBelow(child, EndLevelOf(child)));
             }
         }
 
-        void TakeNodes()
+        void MapNewNodes()
         {
             var tree = m_reader.Tree;
             for (; m_nodes < tree.NodeCount; m_nodes++)
@@ -180,7 +180,7 @@ namespace FastPoints.Sources
         }
 
         // Its own, and one more to know whether there are others.
-        static int LevelsOf(int4 root) => root.w + FirstLevels;
+        static int EndLevelOf(int4 root) => root.w + LevelsToKnow;
     }
 
     // A page of the hierarchy: a node of a source's own octree and what is below it, some levels deep.
@@ -255,7 +255,7 @@ namespace FastPoints.Sources
                 Spacing = (float)Grid.SpacingOf(source.Level),
                 FirstChild = firstChild,
                 ChildCount = endOfChildren - firstChild,
-                // A node without points would be an inlined leaf: one that only holds others together is a hole.
+                // A count of 0 would mark an inlined leaf; a node without points gets 1 and is marked as a hole.
                 PointCount = hasPoints ? source.PointCount : 1,
                 BlockCount = hasPoints ? PlaneShape.BlocksOf(source.PointCount) : 0,
             };
@@ -274,12 +274,12 @@ namespace FastPoints.Sources
                 page.Planes[n * Shapes.Length + p] = new PlaneRange
                 {
                     OffsetBytes = index,
-                    LengthBytes = LongestOf(p, source.Level, node.BlockCount, source.PointCount),
+                    LengthBytes = MaxBytesOf(p, source.Level, node.BlockCount, source.PointCount),
                 };
         }
 
-        // If all points lie in their cube.
-        long LongestOf(int plane, int level, int blocks, int points)
+        // Upper bound of a plane's bytes if all points lie in the node's cube.
+        long MaxBytesOf(int plane, int level, int blocks, int points)
         {
             long bits = BitsOfPlane[plane];
             if (plane == 0)

@@ -77,7 +77,7 @@ namespace FastPoints.Sources
 
         /// <summary>Coroutine, needed before a source is made: reads the upper levels of the hierarchy.</summary>
         /// <exception cref="PointCloudException">They cannot be read.</exception>
-        public static IEnumerator<JobStep> FindTop(PointReader reader) => reader.FindLevels(TreePages.FirstLevels);
+        public static IEnumerator<JobStep> FindTop(PointReader reader) => reader.FindLevels(TreePages.LevelsToKnow);
 
         public override unsafe void CreatePages(HierarchyPage* pages)
         {
@@ -95,7 +95,7 @@ namespace FastPoints.Sources
 
         internal override FilePiece TableOf(int page) => new FilePiece { Path = Path };
 
-        public override bool CanBuild(int page) => m_pages.IsKnown(page);
+        public override bool CanBuild(int page) => m_pages.IsKnownOrRequest(page);
 
         public override JobHandle ScheduleBuild(int page, NativeArray<byte> table, NativeReference<HierarchyPage> built,
             NativeReference<TableProblem> problem) => m_pages.Schedule(JobFor(page, built, problem));
@@ -104,7 +104,7 @@ namespace FastPoints.Sources
 
         public override void RegisterPage(int page, in HierarchyPage built) => m_pages.Number(page, built, m_planes.Count);
 
-        public override HierarchyPage EmptyPage(int page) => m_pages.Empty(page);
+        public override HierarchyPage EmptyPage(int page) => m_pages.CreateEmpty(page);
 
         public override PointCloudException Update() => m_pages.Update();
 

@@ -22,12 +22,12 @@ namespace FastPoints.Text
         PcdHeader(string path) => m_path = path;
 
         public readonly List<PcdField> Fields = new List<PcdField>();
-        public string UnknownLine;
+        public string UnknownKeyword;
         public int UnknownLines;
         public int UnknownOffset;
 
         public ulong Points;
-        public ulong? GridPoints;
+        public ulong? OrganizedPoints;
         public string Data;
         public long DataOffset;
 
@@ -57,7 +57,7 @@ namespace FastPoints.Text
             string keyword = words[0];
             if (Array.IndexOf(s_keywords, keyword) < 0)
             {
-                UnknownLine ??= keyword;
+                UnknownKeyword ??= keyword;
                 if (UnknownLines++ == 0)
                     UnknownOffset = offset;
                 return;
@@ -95,10 +95,10 @@ namespace FastPoints.Text
             if (m_words.ContainsKey("WIDTH") && m_words.ContainsKey("HEIGHT"))
             {
                 ulong width = Number("WIDTH", Words("WIDTH", 1)[0]), height = Number("HEIGHT", Words("HEIGHT", 1)[0]);
-                GridPoints = height != 0 && width > ulong.MaxValue / height ? ulong.MaxValue : width * height;
+                OrganizedPoints = height != 0 && width > ulong.MaxValue / height ? ulong.MaxValue : width * height;
             }
             Points = m_words.ContainsKey("POINTS") ? Number("POINTS", Words("POINTS", 1)[0])
-                : GridPoints ?? throw new PointCloudException(FailureCode.BadInput, m_path, -1,
+                : OrganizedPoints ?? throw new PointCloudException(FailureCode.BadInput, m_path, -1,
                     "the header says neither POINTS nor WIDTH and HEIGHT");
         }
 
@@ -225,12 +225,12 @@ namespace FastPoints.Text
             info.OnlyInFacts = pcd["VIEWPOINT"] is { } view && view != "0 0 0 1 0 0 0" ? "the viewpoint" : null;
             if (pcd["HEIGHT"] is { } height && height != "1")
                 info.Losses.Add(new Loss("the scan's grid", info.Path, "points are kept without their neighbours in it"));
-            if (pcd.GridPoints is { } gridPoints && gridPoints != pcd.Points)
-                info.Warn(0, "WIDTH times HEIGHT is " + NumberText.Of(gridPoints) + ", POINTS " + NumberText.Of(pcd.Points) +
+            if (pcd.OrganizedPoints is { } organizedPoints && organizedPoints != pcd.Points)
+                info.Warn(0, "WIDTH times HEIGHT is " + NumberText.Of(organizedPoints) + ", POINTS " + NumberText.Of(pcd.Points) +
                     ": the latter is believed");
             if (pcd.UnknownLines > 0)
                 info.Warn(pcd.UnknownOffset,
-                    "header line: wanted a keyword of PCD, got " + PlyHeaderParser.Quote(pcd.UnknownLine) +
+                    "header line: wanted a keyword of PCD, got " + PlyHeaderParser.Quote(pcd.UnknownKeyword) +
                     " (" + NumberText.Of(pcd.UnknownLines) + " such lines): left out");
         }
     }

@@ -6,7 +6,7 @@ namespace FastPoints
     // Fetches of remote files what the next reads need, several at once and in their order, so that none waits. Main thread.
     internal sealed class FetchWindow : IDisposable
     {
-        // Bytes on their way or here; one read is always begun, however long. At 100 Mbit/s they take a second.
+        // Bytes in flight or fetched and not taken; one read is always begun, however long. At 100 Mbit/s they take a second.
         const long MaxBytes = 12 << 20;
 
         // Servers answer some at a time; the others wait here for connections.
@@ -26,15 +26,12 @@ namespace FastPoints
             m_listPieces = listPieces;
         }
 
-        // Whether the next read can be taken. It begins others behind it.
-        public bool IsNextFetched
+        // Begins the next reads; whether the first of them can be taken.
+        public bool TryPrepareNext()
         {
-            get
-            {
-                while (m_next < m_end && m_begun.Count < MaxReads && BytesBegun < MaxBytes)
-                    Begin(m_next++);
-                return m_begun.Count == 0 || m_begun.Peek().IsDone;
-            }
+            while (m_next < m_end && m_begun.Count < MaxReads && BytesBegun < MaxBytes)
+                Begin(m_next++);
+            return m_begun.Count == 0 || m_begun.Peek().IsDone;
         }
 
         long BytesBegun

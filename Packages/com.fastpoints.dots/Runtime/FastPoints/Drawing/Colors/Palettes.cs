@@ -7,12 +7,12 @@ namespace FastPoints.Drawing
     internal static class Palettes
     {
         public const int Length = 256;
-        public const int Count = 6; // Three ramps, three of categories.
+        public const int Count = 6; // Three gradients, three of categories.
 
-        // Where ramps start: darker values would be lost against a dark background.
-        const double DarkestShare = 0.12, DarkestLight = 0.03;
+        // Where gradients start: darker values would be lost against a dark background.
+        const double ViridisStart = 0.12, GrayStart = 0.03;
 
-        // Grey for Rgb, which needs none. The gradient is for amounts alone.
+        // Grey for Rgb, which needs none. The gradient is for continuous attributes alone.
         public static NativeArray<uint> Create(ColorMode mode, Allocator allocator, Gradient gradient = Gradient.Auto)
         {
             gradient = Resolve(mode, gradient);
@@ -22,10 +22,10 @@ namespace FastPoints.Drawing
                 palette[i] = mode switch
                 {
                     ColorMode.Classification => s_classes[Math.Min(i, s_classes.Length - 1)],
-                    ColorMode.ReturnNumber => Hue(0.1 + 0.13 * i, 0.75, 0.95),
+                    ColorMode.ReturnNumber => FromHsv(0.1 + 0.13 * i, 0.75, 0.95),
                     // Steps of the golden ratio make neighbours differ, and no hue comes twice.
-                    ColorMode.PointSource => Hue(i * 0.6180339887, 0.45 + 0.4 * (i % 3) / 2, 0.95 - 0.3 * (i % 2)),
-                    _ => Ramp(gradient, i / (Length - 1.0)),
+                    ColorMode.PointSource => FromHsv(i * 0.6180339887, 0.45 + 0.4 * (i % 3) / 2, 0.95 - 0.3 * (i % 2)),
+                    _ => ColorAt(gradient, i / (Length - 1.0)),
                 };
             }
             return palette;
@@ -58,16 +58,16 @@ namespace FastPoints.Drawing
         static Gradient Resolve(ColorMode mode, Gradient gradient) => gradient != Gradient.Auto ? gradient
             : mode == ColorMode.Elevation ? Gradient.Viridis : Gradient.Gray;
 
-        static uint Ramp(Gradient gradient, double share) => gradient switch
+        static uint ColorAt(Gradient gradient, double t) => gradient switch
         {
-            Gradient.Viridis => Viridis(DarkestShare + (1 - DarkestShare) * share),
-            Gradient.Turbo => Turbo(share),
-            _ => Gray(DarkestLight + (1 - DarkestLight) * share),
+            Gradient.Viridis => Viridis(ViridisStart + (1 - ViridisStart) * t),
+            Gradient.Turbo => Turbo(t),
+            _ => Gray(GrayStart + (1 - GrayStart) * t),
         };
 
         // The hue circle (Smith, "Color gamut transform pairs", 1978): a turn is red, green at a third, blue at two; saturation
         // 0 is grey, value that of the brightest channel, sRGB.
-        static uint Hue(double turns, double saturation, double value)
+        static uint FromHsv(double turns, double saturation, double value)
         {
             byte Channel(double shift)
             {
@@ -81,56 +81,56 @@ namespace FastPoints.Drawing
         public static uint Pack(byte red, byte green, byte blue, byte alpha = 255) =>
             red | (uint)green << 8 | (uint)blue << 16 | (uint)alpha << 24;
 
-        // Linear in light, then encoded.
-        public static uint Gray(double light)
+        // Grey of a linear value.
+        public static uint Gray(double linear)
         {
-            byte value = ToByte(EncodedOf(light));
+            byte value = ToByte(LinearToSrgb(linear));
             return Pack(value, value, value);
         }
 
         // sRGB (IEC 61966-2-1), both from 0 to 1.
-        public static double EncodedOf(double light) =>
-            light <= 0.0031308 ? 12.92 * light : 1.055 * Math.Pow(light, 1 / 2.4) - 0.055;
+        public static double LinearToSrgb(double linear) =>
+            linear <= 0.0031308 ? 12.92 * linear : 1.055 * Math.Pow(linear, 1 / 2.4) - 0.055;
 
-        // Indexed by encoded byte.
-        public static NativeArray<float> CreateLight(Allocator allocator)
+        // Indexed by sRGB byte.
+        public static NativeArray<float> CreateSrgbToLinear(Allocator allocator)
         {
-            var light = new NativeArray<float>(256, allocator, NativeArrayOptions.UninitializedMemory);
-            for (int i = 0; i < light.Length; i++)
-                light[i] = (float)(i <= 10 ? i / 255.0 / 12.92 : Math.Pow((i / 255.0 + 0.055) / 1.055, 2.4));
-            return light;
+            var linear = new NativeArray<float>(256, allocator, NativeArrayOptions.UninitializedMemory);
+            for (int i = 0; i < linear.Length; i++)
+                linear[i] = (float)(i <= 10 ? i / 255.0 / 12.92 : Math.Pow((i / 255.0 + 0.055) / 1.055, 2.4));
+            return linear;
         }
 
         // Viridis (Smith and van der Walt, 2015): even steps of lightness and hue in CAM02-UCS. Polynomials of degree six over
         // its sRGB values (fit by M. Zucker, CC0), at most 5 of 255 off; evaluated at each entry, so nothing is interpolated.
-        public static uint Viridis(double share)
+        public static uint Viridis(double t)
         {
-            double red = Polynomial(share, 0.27772733, 0.10509304, -0.33086183, -4.63423050, 6.22826994, 4.77638500, -5.43545586);
-            double green = Polynomial(share, 0.00540734, 1.40461353, 0.21484756, -5.79910097, 14.17993337, -13.74514538,
+            double red = Polynomial(t, 0.27772733, 0.10509304, -0.33086183, -4.63423050, 6.22826994, 4.77638500, -5.43545586);
+            double green = Polynomial(t, 0.00540734, 1.40461353, 0.21484756, -5.79910097, 14.17993337, -13.74514538,
                 4.64585261);
-            double blue = Polynomial(share, 0.33409981, 1.38459016, 0.09509516, -19.33244096, 56.69055260, -65.35303263,
+            double blue = Polynomial(t, 0.33409981, 1.38459016, 0.09509516, -19.33244096, 56.69055260, -65.35303263,
                 26.31243525);
             return Pack(ToByte(red), ToByte(green), ToByte(blue));
         }
 
         // Turbo (Mikhailov, 2019): the rainbow with smooth lightness. Polynomials of degree five over its sRGB values (fit by
         // R. Du), at most an eighth off, at the ends.
-        public static uint Turbo(double share)
+        public static uint Turbo(double t)
         {
-            double red = Polynomial(share, 0.13572138, 4.61539260, -42.66032258, 132.13108234, -152.94239396, 59.28637943);
-            double green = Polynomial(share, 0.09140261, 2.19418839, 4.84296658, -14.18503333, 4.27729857, 2.82956604);
-            double blue = Polynomial(share, 0.10667330, 12.64194608, -60.58204836, 110.36276771, -89.90310912, 27.34824973);
+            double red = Polynomial(t, 0.13572138, 4.61539260, -42.66032258, 132.13108234, -152.94239396, 59.28637943);
+            double green = Polynomial(t, 0.09140261, 2.19418839, 4.84296658, -14.18503333, 4.27729857, 2.82956604);
+            double blue = Polynomial(t, 0.10667330, 12.64194608, -60.58204836, 110.36276771, -89.90310912, 27.34824973);
             return Pack(ToByte(red), ToByte(green), ToByte(blue));
         }
 
         // Magma (Smith and van der Walt, 2015): as even, from black to light yellow. As Viridis', at most 5 of 255 off.
-        public static uint Magma(double share)
+        public static uint Magma(double t)
         {
-            double red = Polynomial(share, -0.00213649, 0.25166054, 8.35371728, -27.66873309, 52.17613981, -50.76852537,
+            double red = Polynomial(t, -0.00213649, 0.25166054, 8.35371728, -27.66873309, 52.17613981, -50.76852537,
                 18.65570507);
-            double green = Polynomial(share, -0.00074966, 0.67752324, -3.57771951, 14.26473078, -27.94360607, 29.04658282,
+            double green = Polynomial(t, -0.00074966, 0.67752324, -3.57771951, 14.26473078, -27.94360607, 29.04658282,
                 -11.48977352);
-            double blue = Polynomial(share, -0.00538613, 2.49402660, 0.31446790, -13.64921319, 12.94416944, 4.23415299,
+            double blue = Polynomial(t, -0.00538613, 2.49402660, 0.31446790, -13.64921319, 12.94416944, 4.23415299,
                 -5.60196151);
             return Pack(ToByte(red), ToByte(green), ToByte(blue));
         }
@@ -143,7 +143,7 @@ namespace FastPoints.Drawing
             return sum;
         }
 
-        static byte ToByte(double share) => (byte)Math.Min(255, Math.Max(0, share * 255 + 0.5));
+        static byte ToByte(double channel) => (byte)Math.Min(255, Math.Max(0, channel * 255 + 0.5));
 
         // Common colours of ASPRS classes (LAS 1.4 R15, table 17); the last is for all others.
         static readonly uint[] s_classes =
@@ -175,7 +175,7 @@ namespace FastPoints.Drawing
         };
     }
 
-    /// <summary>The ramp that amounts are coloured by.</summary>
+    /// <summary>The gradient of continuous attributes.</summary>
     public enum Gradient
     {
         /// <summary>Viridis for elevation, grey for intensity.</summary>

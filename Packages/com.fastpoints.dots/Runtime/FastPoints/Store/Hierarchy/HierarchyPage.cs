@@ -24,7 +24,7 @@ namespace FastPoints.Store
         public double3 Center;
         public float3 Half;
 
-        /// <summary>Frame of the last selection that saw its box and chose the node that it is attached to.</summary>
+        /// <summary>Frame of the last selection whose frustum its box intersected and that chose the node above.</summary>
         public uint VisitedFrame;
 
         /// <summary>Number of its nodes in flight or in the cache.</summary>
@@ -101,7 +101,7 @@ namespace FastPoints.Store
         public int Page;
     }
 
-    /// <summary>Where a node lies: the corner that its blocks' positions count from. Drawing asks for it.</summary>
+    /// <summary>Where a node lies: the corner that its blocks' positions count from.</summary>
     public struct NodeAddress
     {
         /// <summary>Corner of the node's cube relative to that of the root cube, in grid steps.</summary>
@@ -123,10 +123,10 @@ namespace FastPoints.Store
         /// <summary>Frame of the last selection that chose the node.</summary>
         public uint SelectedFrame;
 
-        /// <summary>Frame of the last selection that saw it and chose its parent.</summary>
+        /// <summary>Frame of the last selection whose frustum its box intersected and that chose its parent.</summary>
         public uint VisitedFrame;
 
-        /// <summary>Frame of the first selection of all those without a gap that saw it, the last one included.</summary>
+        /// <summary>First frame of the current unbroken run of selections whose frustum its box intersected.</summary>
         public uint InViewSinceFrame;
 
         /// <summary>Its slot in the cache, or <see cref="NoSlot"/>.</summary>
@@ -153,7 +153,8 @@ namespace FastPoints.Store
         public int FirstChild;
         public int ChildCount;
 
-        /// <summary>Chunks attached to the node, as pages from <see cref="FirstChunk"/> + 1 on; in page 0 only.</summary>
+        /// <summary>Pages attached to the node, from <see cref="FirstChunk"/> + 1 on: of a converted cloud its chunks, in page 0
+        /// only.</summary>
         public int FirstChunk;
         public int ChunkCount;
 

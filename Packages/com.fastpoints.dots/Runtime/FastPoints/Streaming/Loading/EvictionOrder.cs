@@ -38,10 +38,10 @@ namespace FastPoints.Streaming
         {
             var ends = m_ends.Value;
             ref var added = ref Slots.ElementAt(slot);
-            added.EvictedBefore = ends.Last;
-            added.EvictedAfter = NodeCache.None;
+            added.Previous = ends.Last;
+            added.Next = NodeCache.None;
             if (ends.Last != NodeCache.None)
-                Slots.ElementAt(ends.Last).EvictedAfter = slot;
+                Slots.ElementAt(ends.Last).Next = slot;
             else
                 ends.First = slot;
             ends.Last = slot;
@@ -52,14 +52,14 @@ namespace FastPoints.Streaming
         {
             var ends = m_ends.Value;
             var removed = Slots[slot];
-            if (removed.EvictedBefore != NodeCache.None)
-                Slots.ElementAt(removed.EvictedBefore).EvictedAfter = removed.EvictedAfter;
+            if (removed.Previous != NodeCache.None)
+                Slots.ElementAt(removed.Previous).Next = removed.Next;
             else
-                ends.First = removed.EvictedAfter;
-            if (removed.EvictedAfter != NodeCache.None)
-                Slots.ElementAt(removed.EvictedAfter).EvictedBefore = removed.EvictedBefore;
+                ends.First = removed.Next;
+            if (removed.Next != NodeCache.None)
+                Slots.ElementAt(removed.Next).Previous = removed.Previous;
             else
-                ends.Last = removed.EvictedBefore;
+                ends.Last = removed.Previous;
             m_ends.Value = ends;
         }
 
@@ -98,8 +98,8 @@ namespace FastPoints.Streaming
         public uint Tint;
 
         // Its neighbours in the eviction order, or NodeCache.None.
-        public int EvictedBefore;
-        public int EvictedAfter;
+        public int Previous;
+        public int Next;
     }
 
     internal enum CachePhase : byte

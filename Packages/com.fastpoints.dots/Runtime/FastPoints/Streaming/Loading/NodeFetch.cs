@@ -8,10 +8,10 @@ using Unity.Jobs;
 namespace FastPoints.Streaming
 {
     // One read, from its beginning until its memory can be reused: a page's table, some nodes of one file, whose planes are
-    // read in as few pieces as possible, or a node that is transcoded. Main thread; where there are workers, only Await waits.
+    // read in as few pieces as possible, or a node that is transcoded. Main thread; where there are workers, only Abandon waits.
     internal sealed unsafe class NodeFetch : IDisposable
     {
-        public const int TableRank = -1; // Before all nodes, of which no table knows yet.
+        public const int TableRank = -1; // Before all nodes: none is known until its table is read.
 
         readonly StreamState m_state;
         NativeArray<byte> m_bytes;
@@ -33,7 +33,7 @@ namespace FastPoints.Streaming
         public NodeFetch(StreamState state) => m_state = state;
 
         public FetchPhase Phase { get; private set; }
-        public long Number { get; private set; }
+        public long SequenceNumber { get; private set; }
         public StreamedCloud Cloud { get; private set; }
         public int Page { get; private set; }
         public bool IsTable { get; private set; }
@@ -48,9 +48,9 @@ namespace FastPoints.Streaming
 
         public NativeArray<FetchedNode> Nodes => m_nodes.AsArray();
 
-        public void BeginTable(long number, StreamedCloud cloud, int page, int rank)
+        public void BeginTable(long sequenceNumber, StreamedCloud cloud, int page, int rank)
         {
-            Begin(number, cloud, page, true);
+            Begin(sequenceNumber, cloud, page, true);
             if (cloud.Source.TranscodesNodes)
             {
                 Build();
@@ -62,14 +62,14 @@ namespace FastPoints.Streaming
         }
 
         // Begins an empty read: Add some nodes, then call ReadNodes.
-        public void BeginNodes(long number, StreamedCloud cloud, int page) =>
-            Begin(number, cloud, page, false);
+        public void BeginNodes(long sequenceNumber, StreamedCloud cloud, int page) =>
+            Begin(sequenceNumber, cloud, page, false);
 
         // The transcoder is of the cloud's source; this fetch gives it back.
-        public void BeginTranscoding(long number, StreamedCloud cloud, int page, FetchedNode node,
+        public void BeginTranscoding(long sequenceNumber, StreamedCloud cloud, int page, FetchedNode node,
             NodeTranscoder transcoder)
         {
-            Begin(number, cloud, page, false);
+            Begin(sequenceNumber, cloud, page, false);
             m_nodes.Add(node);
             m_transcoder = transcoder;
             transcoder.Begin(cloud.Pages[page], node.Node);
@@ -234,7 +234,7 @@ namespace FastPoints.Streaming
             Cloud = null;
         }
 
-        public void Await()
+        public void Abandon()
         {
             if (Phase == FetchPhase.Reading && m_remote != null)
             {
@@ -265,7 +265,7 @@ namespace FastPoints.Streaming
         {
             if (!m_commands.IsCreated)
                 return;
-            Await();
+            Abandon();
             if (m_bytes.IsCreated)
                 m_bytes.Dispose();
             m_commands.Dispose();
@@ -279,7 +279,7 @@ namespace FastPoints.Streaming
 
         NativeArray<byte> Table => m_readBytes > 0 ? m_bytes.GetSubArray(0, (int)m_readBytes) : default;
 
-        // By offset in the file. It merges, since nodes come in sequences that are already sorted.
+        // By offset in the file: a stable merge sort.
         void SortParts()
         {
             int count = m_parts.Length;
@@ -301,9 +301,9 @@ namespace FastPoints.Streaming
                 UnsafeUtility.MemCpy(to, from, (long)count * sizeof(FetchPart));
         }
 
-        void Begin(long number, StreamedCloud cloud, int page, bool isTable)
+        void Begin(long sequenceNumber, StreamedCloud cloud, int page, bool isTable)
         {
-            Number = number;
+            SequenceNumber = sequenceNumber;
             Cloud = cloud;
             Page = page;
             IsTable = isTable;

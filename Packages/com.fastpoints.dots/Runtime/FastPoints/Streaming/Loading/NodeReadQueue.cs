@@ -137,7 +137,7 @@ namespace FastPoints.Streaming
         {
             foreach (var fetch in m_fetches)
                 if (fetch.Phase != FetchPhase.Idle)
-                    fetch.Await();
+                    fetch.Abandon();
         }
 
         public void Dispose()

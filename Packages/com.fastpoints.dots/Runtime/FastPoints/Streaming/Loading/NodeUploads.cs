@@ -22,7 +22,7 @@ namespace FastPoints.Streaming
 
         public bool IsInFlight { get; private set; }
 
-        public void TryEnd(ref FrameStats stats)
+        public void EndIfCompleted(ref FrameStats stats)
         {
             if (IsInFlight && JobCoroutine.HasEnded(m_job))
                 End(ref stats);
@@ -123,7 +123,7 @@ namespace FastPoints.Streaming
             {
                 var fetch = fetches[i];
                 if (fetch.Phase == FetchPhase.Arrived && fetch.FirstWaiting < fetch.Nodes.Length &&
-                    (oldest == null || fetch.Number < oldest.Number))
+                    (oldest == null || fetch.SequenceNumber < oldest.SequenceNumber))
                     oldest = fetch;
             }
             return oldest;

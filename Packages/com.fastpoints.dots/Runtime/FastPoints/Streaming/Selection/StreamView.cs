@@ -2,8 +2,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Streaming
 {
-    /// <summary>One camera as the selection sees it, in world space: what it sees, and how large things are on its screen. Planes
-    /// face inwards and count from the eye, so that nothing is lost far from the world's origin.</summary>
+    /// <summary>One camera for the selection, in world space: its frustum, and how large things are on its screen. Planes face
+    /// inwards and count from the eye, so that nothing is lost far from the world's origin.</summary>
     public unsafe struct StreamView
     {
         public const int MaxFrustumPlanes = 6;
@@ -27,7 +27,7 @@ namespace FastPoints.Streaming
 
         internal ViewMask Mask;
 
-        /// <summary>A view without a position that sees everything; a length of one unit has this many pixels.</summary>
+        /// <summary>Without a position; its frustum contains everything. A length of one unit has this many pixels.</summary>
         public static StreamView Everything(double scalePx) => new StreamView { IsOrthographic = true, ScalePx = scalePx };
 
         /// <summary>Unit vectors, forward into the picture; the field of view is vertical.</summary>
@@ -44,7 +44,7 @@ namespace FastPoints.Streaming
             return view;
         }
 
-        /// <summary>Sees everything along the axis, behind the eye too; the height is that of what the picture shows.</summary>
+        /// <summary>Its frustum is endless along the axis, behind the eye too; the height is the picture's.</summary>
         public static StreamView Orthographic(double3 eyeWorld, double3 right, double3 up, double heightWorld, double2 sizePx)
         {
             double halfHeight = heightWorld / 2, halfWidth = halfHeight * sizePx.x / sizePx.y;

@@ -2,7 +2,7 @@ using FastPoints.Cli.Output;
 
 namespace FastPoints.HostTests.Cli;
 
-public sealed class HumanTests
+public sealed class NumberFormatTests
 {
     [TestCase(0, ExpectedResult = "0")]
     [TestCase(5.96851, ExpectedResult = "5.969")]
@@ -13,5 +13,5 @@ public sealed class HumanTests
     [TestCase(2.34567e9, ExpectedResult = "2.346e9")]
     [TestCase(double.PositiveInfinity, ExpectedResult = "Infinity")]
     [TestCase(double.NaN, ExpectedResult = "NaN")]
-    public string Measured_Value_HasFourDigits(double value) => Human.FourDigits(value);
+    public string Measured_Value_HasFourDigits(double value) => NumberFormat.FourDigits(value);
 }

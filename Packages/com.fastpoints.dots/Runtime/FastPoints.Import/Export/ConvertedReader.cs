@@ -14,17 +14,17 @@ namespace FastPoints.Export
 {
     /// <summary>A converted cloud as a source: positions are in grid steps, a block is a node with its inlined leaves,
     /// in the order of the files.</summary>
-    internal sealed class StoredReader : PointReader
+    internal sealed class ConvertedReader : PointReader
     {
         readonly CloudFolder m_folder;
 
         /// <summary>The upper nodes, then those of each chunk.</summary>
         readonly List<NodeTable> m_tables = new List<NodeTable>();
         readonly List<string> m_paths = new List<string>();
-        readonly List<StoredBlock> m_blocks = new List<StoredBlock>();
+        readonly List<ConvertedBlock> m_blocks = new List<ConvertedBlock>();
         int m_maxPoints = 1;
 
-        StoredReader(CloudFolder folder) => m_folder = folder;
+        ConvertedReader(CloudFolder folder) => m_folder = folder;
 
         void Load()
         {
@@ -48,7 +48,7 @@ namespace FastPoints.Export
                     bool isInlined = node.PlaneNode != n;
                     blockOfNode[n] = isInlined ? blockOfNode[node.PlaneNode] : m_blocks.Count;
                     if (!isInlined)
-                        m_blocks.Add(new StoredBlock { File = file, Node = n, OwnPoints = node.PointCount });
+                        m_blocks.Add(new ConvertedBlock { File = file, Node = n, OwnPoints = node.PointCount });
                     var block = m_blocks[blockOfNode[n]];
                     block.Points += node.PointCount;
                     m_blocks[blockOfNode[n]] = block;
@@ -67,9 +67,9 @@ namespace FastPoints.Export
         }
 
         /// <exception cref="PointCloudException">It is no cloud, is still being built, or is damaged.</exception>
-        public static StoredReader Open(string path)
+        public static ConvertedReader Open(string path)
         {
-            var reader = new StoredReader(CloudFolder.Open(path));
+            var reader = new ConvertedReader(CloudFolder.Open(path));
             try
             {
                 if (reader.Manifest.IsBuilding)
@@ -135,7 +135,7 @@ namespace FastPoints.Export
         }
 
         public override BlockRead CreateRead(PointSchema wanted, int capacity, Allocator allocator) =>
-            new StoredRead(this, wanted, capacity, allocator);
+            new ConvertedRead(this, wanted, capacity, allocator);
 
         public override void DisposeUnread()
         {
@@ -181,7 +181,7 @@ namespace FastPoints.Export
             };
         }
 
-        struct StoredBlock
+        struct ConvertedBlock
         {
             public int File;
             public int Node;
@@ -190,21 +190,21 @@ namespace FastPoints.Export
             public long FirstPoint;
         }
 
-        /// <summary>Reads the wanted planes of a node, which are consecutive in the file, at once.</summary>
-        sealed class StoredRead : SlotRead
+        /// <summary>One read, from a node's first wanted plane to its last.</summary>
+        sealed class ConvertedRead : SlotRead
         {
-            readonly StoredReader m_reader;
+            readonly ConvertedReader m_reader;
             readonly List<int> m_planes = new List<int> { StoreLayout.PositionPlane };
             NativeArray<PlaneShape> m_shapes;
             NativeArray<PlaneRange> m_ranges;
-            NativeArray<StoredTarget> m_targets;
+            NativeArray<ConvertedTarget> m_targets;
 
-            public StoredRead(StoredReader reader, PointSchema wanted, int capacity, Allocator allocator)
+            public ConvertedRead(ConvertedReader reader, PointSchema wanted, int capacity, Allocator allocator)
                 : base(reader, wanted, capacity, allocator)
             {
                 m_reader = reader;
                 var layout = reader.m_folder.Layout;
-                var targets = new List<StoredTarget>();
+                var targets = new List<ConvertedTarget>();
                 for (int axis = 0; axis < 3; axis++)
                     AddTarget(targets, 0, axis, new StoredColumn { Type = AttributeType.Int64, Divisor = 1 },
                         reader.Info.Schema[axis].Name);
@@ -219,16 +219,22 @@ namespace FastPoints.Export
                         m_planes.Add(p);
                 }
                 OwnFile(0, allocator);
-                m_targets = Own(new NativeArray<StoredTarget>(targets.ToArray(), allocator));
+                m_targets = Own(new NativeArray<ConvertedTarget>(targets.ToArray(), allocator));
                 m_shapes = Own(new NativeArray<PlaneShape>(m_planes.Count, allocator));
                 m_ranges = Own(new NativeArray<PlaneRange>(m_planes.Count, allocator));
             }
 
-            void AddTarget(List<StoredTarget> targets, int plane, int column, StoredColumn stored, string name)
+            void AddTarget(List<ConvertedTarget> targets, int plane, int column, StoredColumn stored, string name)
             {
                 int index = Points.Schema.IndexOf(name);
                 if (index >= 0)
-                    targets.Add(new StoredTarget { Plane = plane, Column = column, Stored = stored, To = Points.Column(index) });
+                    targets.Add(new ConvertedTarget
+                    {
+                        Plane = plane,
+                        Column = column,
+                        Stored = stored,
+                        To = Points.Column(index),
+                    });
             }
 
             protected override JobHandle Schedule(BlockRange range)
@@ -245,7 +251,7 @@ namespace FastPoints.Export
                 var last = m_ranges[m_planes.Count - 1];
                 long bytes = last.OffsetBytes + last.LengthBytes - first;
                 File.Reserve(bytes);
-                return new DecodeStoredJob
+                return new DecodeConvertedJob
                 {
                     File = File.Buffer,
                     FileOffset = first,
@@ -274,7 +280,7 @@ namespace FastPoints.Export
         }
     }
 
-    internal struct StoredTarget
+    internal struct ConvertedTarget
     {
         /// <summary>Among the wanted planes; 0 for the position.</summary>
         public int Plane;
@@ -285,14 +291,14 @@ namespace FastPoints.Export
 
     /// <summary>Checks the planes of a node, and unpacks some of its points into columns.</summary>
     [BurstCompile]
-    internal unsafe struct DecodeStoredJob : IJob
+    internal unsafe struct DecodeConvertedJob : IJob
     {
         [ReadOnly] public NativeArray<byte> File;
 
         public long FileOffset;
         [ReadOnly] public NativeArray<PlaneRange> Ranges;
         [ReadOnly] public NativeArray<PlaneShape> Shapes;
-        [ReadOnly] public NativeArray<StoredTarget> Targets;
+        [ReadOnly] public NativeArray<ConvertedTarget> Targets;
         public int PlaneBlocks;
         public Grid3 Corner;
         public int First;
@@ -317,7 +323,7 @@ namespace FastPoints.Export
             Result.Value = new DecodeResult { Points = Count };
         }
 
-        void Unpack(byte* file, in StoredTarget target)
+        void Unpack(byte* file, in ConvertedTarget target)
         {
             ulong* wide = stackalloc ulong[PlaneShape.MaxPointsPerBlock];
             uint* narrow = stackalloc uint[PlaneShape.MaxPointsPerBlock];

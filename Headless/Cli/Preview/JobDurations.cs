@@ -2,15 +2,15 @@ using StandIns.Scheduling;
 
 namespace FastPoints.Cli.Preview;
 
-public sealed class SliceLengths
+public sealed class JobDurations
 {
     const int KindsNamed = 8;
 
     readonly Dictionary<Type, JobRuns> m_runsOfKind;
 
-    SliceLengths(Dictionary<Type, JobRuns> runsOfKind) => m_runsOfKind = runsOfKind;
+    JobDurations(Dictionary<Type, JobRuns> runsOfKind) => m_runsOfKind = runsOfKind;
 
-    public static SliceLengths Measure(Action work)
+    public static JobDurations Measure(Action work)
     {
         JobTimes.Begin();
         Dictionary<Type, JobRuns> taken;
@@ -22,7 +22,7 @@ public sealed class SliceLengths
         {
             taken = JobTimes.End();
         }
-        return new SliceLengths(taken);
+        return new JobDurations(taken);
     }
 
     double MaxMs => m_runsOfKind.Values.Select(r => r.MaxMs).DefaultIfEmpty().Max();

@@ -1,6 +1,6 @@
 namespace FastPoints.Cli.Output;
 
-public static class Human
+public static class NumberFormat
 {
     public static string Count(long value) => value.ToString("N0", CultureInfo.InvariantCulture);
 
@@ -19,7 +19,7 @@ public static class Human
             + " " + units[unit];
     }
 
-    /// <summary>12.3 M, 45 k, 678.</summary>
+    /// <summary>12.3 M, 45.0 k, 678.</summary>
     public static string Short(double value)
     {
         string[] units = ["", " k", " M", " G"];
