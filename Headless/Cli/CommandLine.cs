@@ -13,6 +13,7 @@ public static class CommandLine
         CancellationToken cancellation, CancellationToken discardBuild = default)
     {
         ZstandardDecompressor.Register();
+        HttpFile.Register();
         var verbs = AllVerbs();
         var root = verbs[0].Command;
         foreach (var verb in verbs.Skip(1))

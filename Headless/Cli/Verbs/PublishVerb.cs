@@ -59,6 +59,10 @@ public sealed class PublishVerb : Verb
             yield return (cloud.UpperPath, cloud.Manifest.UpperBytes);
         for (int chunk = 0; chunk < cloud.Chunks.Length; chunk++)
             yield return (cloud.ChunkPath(chunk), cloud.Chunks[chunk].FileBytes);
+        // What the source's headers said: not every cloud has it, and a server is not asked for what may be missing.
+        foreach (string name in new[] { StoreFormat.FactsName, StoreFormat.RecordsName })
+            if (Path.Combine(cloud.FolderPath, name) is var path && File.Exists(path))
+                yield return (path, StoreFile.SizeOf(path));
     }
 
     static IEnumerable<string> ProblemsOfFolder(string path, List<(string Path, long Bytes)> files)

@@ -7,6 +7,7 @@ static class CacheFiller
     static int Main(string[] args)
     {
         (string cache, string address, string original) = (args[0], args[1], args[2]);
+        HttpFile.Register();
         RemoteAccess.CacheFolder = cache;
         RemoteAccess.CacheBytes = long.Parse(args[3], CultureInfo.InvariantCulture);
         int reads = int.Parse(args[4], CultureInfo.InvariantCulture);

@@ -14,8 +14,15 @@ public sealed class PublishTests : ScratchTests
         RemoteAccess.CacheBytes = 0;
         m_cloud = Scratch["cloud.fastpoints"];
         if (!Directory.Exists(m_cloud))
-            Assert.That(CliCall.Of("convert", Scratch.Demo(points: 20_000), "-o", m_cloud).Status, Is.Zero);
+            Convert();
         m_server = new RangeServer(Path.GetDirectoryName(m_cloud));
+    }
+
+    void Convert()
+    {
+        var settings = new ConvertSettings { PointsPerChunk = 6000, CellsLog2 = 4, MaxPointsPerLeaf = 500 };
+        using var reader = PointReaders.Open(Scratch.Demo(points: 20_000));
+        JobCoroutine.RunToEnd(ConvertCloud.Run([reader], m_cloud, settings, _ => { }, null));
     }
 
     [TearDown]
@@ -23,21 +30,23 @@ public sealed class PublishTests : ScratchTests
     {
         m_server.Dispose();
         RemoteAccess.CacheBytes = 4L << 30;
-        RemoteFile.Forget();
+        HttpFile.Forget();
     }
 
     string Address => m_server.Of("cloud.fastpoints");
 
     [Test]
-    public void Publish_OfAFolderAndOfItsAddress_HaveTheSameFiles()
+    public void Publish_OfAFolderAndOfItsAddress_CountTheirFiles()
     {
-        var files = Directory.GetFiles(m_cloud, "*", SearchOption.AllDirectories);
+        string[] files = Directory.GetFiles(m_cloud, "*", SearchOption.AllDirectories);
         foreach (string path in new[] { m_cloud, Address })
         {
             var call = CliCall.Of("publish", path, "--json", "-");
             Assert.That(call.Status, Is.Zero, call.Error);
-            Assert.That(call.Json.GetProperty("files").GetInt64(), Is.EqualTo(files.Length));
-            Assert.That(call.Json.GetProperty("bytes").GetInt64(), Is.EqualTo(files.Sum(f => new FileInfo(f).Length)));
+            // A server is not asked for what not every cloud has.
+            var counted = files.Where(f => path == m_cloud || Path.GetFileName(f) is not ("facts.json" or "records.las")).ToArray();
+            Assert.That(call.Json.GetProperty("files").GetInt64(), Is.EqualTo(counted.Length));
+            Assert.That(call.Json.GetProperty("bytes").GetInt64(), Is.EqualTo(counted.Sum(f => new FileInfo(f).Length)));
             Assert.That(call.Json.GetProperty("problems").GetArrayLength(), Is.Zero);
         }
     }

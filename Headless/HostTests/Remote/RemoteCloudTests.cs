@@ -45,7 +45,7 @@ public sealed class RemoteCloudTests : ScratchTests
     {
         m_server.Dispose();
         RemoteAccess.CacheBytes = m_cacheBytes;
-        RemoteFile.Forget();
+        HttpFile.Forget();
     }
 
     string Address => m_server.Of("scan.fastpoints");
@@ -183,7 +183,7 @@ public sealed class RemoteCloudTests : ScratchTests
         try
         {
             var drawn = DrawnOf(Address);
-            RemoteFile.Forget();
+            HttpFile.Forget();
             m_server.Dispose();
             Assert.That(DrawnOf(Address), Is.EquivalentTo(drawn));
         }

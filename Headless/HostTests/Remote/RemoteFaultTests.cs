@@ -36,7 +36,7 @@ sealed class RemoteFaultTests : RemoteFixture
         if (failure == null)
             Assert.That(read, Is.EqualTo(bytes[100_000..250_000]));
         else
-            AssertOneLine(failure, file.Address);
+            AssertOneLine(failure, file.Name);
     }
 
     [TestCaseSource(typeof(Faults), nameof(Faults.All))]
@@ -52,7 +52,7 @@ sealed class RemoteFaultTests : RemoteFixture
 
         Assert.That(failure == null, Is.EqualTo(IsBorne(fault)), failure?.Message);
         if (failure != null)
-            AssertOneLine(failure, file.Address);
+            AssertOneLine(failure, file.Name);
         else
             Assert.That(read, Is.EqualTo(bytes[100_000..250_000]));
         if (failure is PointCloudException { Code: FailureCode.ReadFailed } line)

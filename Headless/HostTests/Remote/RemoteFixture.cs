@@ -37,6 +37,7 @@ abstract class RemoteFixture
         Server.Dispose();
         Scratch.Dispose();
         RemoteSettings.Current = new RemoteSettings();
+        RemoteFile.MaxSmallFileBytes = 32 << 20;
         RemoteAccess.CacheFolder = null;
         RemoteAccess.CacheBytes = 4L << 30;
     }
@@ -44,7 +45,7 @@ abstract class RemoteFixture
     // As another process would, that begins now.
     protected void StartAnew()
     {
-        RemoteFile.Forget();
+        HttpFile.Forget();
         RangeExchange.CloseClient();
         RemoteStatistics.Reset();
         (string folder, RemoteAccess.CacheFolder) = (RemoteAccess.CacheFolder, Scratch["no cache"]);

@@ -84,7 +84,7 @@ sealed class RemoteReaderTests : RemoteFixture
     {
         const int Points = 400_000, Wanted = 50_000, Parts = 8;
         string path = Demo(name, Points);
-        RemoteSettings.Current.MaxSmallFileBytes = 0;
+        RemoteFile.MaxSmallFileBytes = 0;
         RemoteAccess.CacheBytes = 0;
         SampleOf(AddressOf(path), Wanted, out var sample);
         // Where there are few blocks, short ones give less than their share.

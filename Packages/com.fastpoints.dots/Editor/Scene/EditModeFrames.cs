@@ -20,6 +20,7 @@ namespace FastPoints.Editor
         {
             if (AssetDatabase.IsAssetImportWorkerProcess())
                 return;
+            HttpFile.Register();
             EditorApplication.update += Update;
             // Components notice in their updates how their fields have changed.
             Undo.undoRedoPerformed += EditorApplication.QueuePlayerLoopUpdate;

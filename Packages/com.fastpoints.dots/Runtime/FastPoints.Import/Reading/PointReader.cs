@@ -64,7 +64,7 @@ namespace FastPoints.Reading
         internal virtual bool IsRemote => SourcePath.IsRemote(Info.Path);
 
         // Of a large remote file each range costs a request: samples then have few and long ones.
-        internal bool TakesFewRanges => IsRemote && Info.FileBytes > RemoteSettings.Current.MaxSmallFileBytes;
+        internal bool TakesFewRanges => IsRemote && Info.FileBytes > RemoteFile.MaxSmallFileBytes;
 
         // Adds what reading a range takes of remote files; a piece of negative length is its whole file.
         internal virtual void ListPieces(BlockRange range, List<FilePiece> pieces) { }

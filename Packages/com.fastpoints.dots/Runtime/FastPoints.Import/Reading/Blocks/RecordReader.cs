@@ -119,7 +119,7 @@ namespace FastPoints.Reading
             var strided = new NativeArray<StridedRange>(count, Allocator.Persistent);
             var reads = new StridedRead[Slots];
             var ring = new SlotRing(Slots);
-            var behind = default(JobHandle);
+            var decoded = default(JobHandle);
             FetchWindow window = null;
             try
             {
@@ -133,7 +133,7 @@ namespace FastPoints.Reading
                     longest = Math.Max(longest, range.Count);
                 }
                 if (count == 0)
-                    behind = then(default);
+                    decoded = then(default);
                 window = WindowOf(strided, rangesPerRequest);
                 for (int next = 0; next < count || !ring.IsEmpty;)
                 {
@@ -162,7 +162,7 @@ namespace FastPoints.Reading
             }
             finally
             {
-                behind.Complete();
+                decoded.Complete();
                 window?.Dispose();
                 foreach (var read in reads)
                     read?.Dispose();

@@ -45,9 +45,6 @@ namespace FastPoints
         public int MaxRedirects = 5;
         public int MaxConnections = 6;
 
-        // Smaller files are soon here as a whole: they are sampled like those of this machine.
-        public long MaxSmallFileBytes = 32 << 20;
-
         // An answer that confirmed a file's identity counts for so long when it is opened again.
         public int ConfirmedMs = 10000;
     }

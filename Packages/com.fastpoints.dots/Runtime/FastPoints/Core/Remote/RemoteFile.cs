@@ -1,97 +1,57 @@
 using System;
-using System.Buffers;
-using System.Collections.Generic;
-using System.Diagnostics;
-using System.Text;
-using System.Threading;
 using System.Threading.Tasks;
 using Unity.IO.LowLevel.Unsafe;
 
 namespace FastPoints
 {
-    // One file of a web server, as it was when it was opened: what comes from another version of it is refused. Its first bytes
-    // come with opening it.
-    internal sealed class RemoteFile : IRangeSource
+    // One file that is not on this machine, as it was when it was opened: what comes from another version of it is refused.
+    internal abstract class RemoteFile : IRangeSource
     {
         public const int HeadBytes = 64 << 10;
 
-        // Many files may be opened at once: to wait for a connection must not look like a slow server.
-        static readonly SemaphoreSlim s_opening = new SemaphoreSlim(new RemoteSettings().MaxConnections);
+        // Smaller files are soon here as a whole: they are sampled like those of this machine. Of larger ones a range costs a
+        // request.
+        public static long MaxSmallFileBytes = 32 << 20;
 
-        // The one that was opened last, by address.
-        static readonly Dictionary<string, RemoteFile> s_opened = new Dictionary<string, RemoteFile>();
+        // Who opens addresses: HttpFile, which registers itself.
+        public static IRemoteFiles Files;
 
-        readonly RemoteTarget m_target;
-        readonly RemoteIdentity m_identity;
-        readonly RangeQueue m_queue;
-        readonly RangeKey m_key;
-        volatile byte[] m_head;
-        long m_confirmed = Stopwatch.GetTimestamp();
+        // For messages: signatures are left out.
+        public abstract string Name { get; }
 
-        RemoteFile(string address, RemoteTarget target, RemoteIdentity identity, RangeKey key, byte[] head)
-        {
-            Address = address;
-            m_target = target;
-            m_identity = identity;
-            m_head = head;
-            m_queue = RangeQueue.Of(target.Server);
-            m_key = key;
-        }
+        public abstract long Length { get; }
+
+        // Another value, another version of the file.
+        public abstract string Identity { get; }
+
+        // Without, only another length tells that it is another file.
+        public abstract bool HasVersion { get; }
+
+        // Seconds that an answer takes to begin; 0 if none was seen yet.
+        public abstract double RoundTrip { get; }
+
+        // Ranges no farther apart are brought sooner by one request than by two.
+        public abstract int GapBytes { get; }
+
+        // Waits: on pool threads and in the command line alone. headBytes: so many of a new file come with it.
+        public static RemoteFile Open(string address, int headBytes = HeadBytes) => FilesFor(address).Open(address, headBytes);
+
+        // The one that was opened last, or null.
+        public static RemoteFile Find(string address) => FilesFor(address).Find(address);
 
         // A file that another describes, so that nothing is asked before its first range: its length, and a text that is another
         // for other content. Any thread; it does not wait.
-        public static RemoteFile Of(string address, long length, string version)
-        {
-            var identity = new RemoteIdentity(length, null, null);
-            return new RemoteFile(address, new RemoteTarget(address), identity,
-                RangeKey.Of(RemoteKey.Of(address) + "\n" + version), null);
-        }
-
-        public string Address { get; }
-
-        // For messages: signatures are left out.
-        public string Name => m_target.Address;
-
-        public long Length => m_identity.Length;
-
-        // Another value, another version of the file.
-        public string Identity => m_identity.ToString();
-
-        // Without, only another length tells that it is another file.
-        public bool HasVersion => m_identity.Tag.Length + m_identity.Modified.Length > 0;
-
-        // Seconds that an answer takes to begin; 0 if none was seen yet.
-        public double RoundTrip => m_queue.RoundTrip;
-
-        // Ranges no farther apart are brought sooner by one request than by two.
-        public int GapBytes => m_queue.GapBytes;
-
-        // Asks the server whether it still has that version, unless it said so a moment ago; without any answer, what the cache
-        // has of it is good enough. Waits: on pool threads and in the command line alone. headBytes: so many of a new file come
-        // with it.
-        public static RemoteFile Open(string address, int headBytes = HeadBytes)
-        {
-            var opened = Find(address);
-            if (opened != null && opened.IsConfirmed)
-                return opened;
-            return Task.Run(() => OpenNow(address, opened, headBytes)).GetAwaiter().GetResult();
-        }
-
-        // The one that was opened last, or null.
-        public static RemoteFile Find(string address)
-        {
-            lock (s_opened)
-                return s_opened.TryGetValue(address, out var file) ? file : null;
-        }
+        public static RemoteFile Of(string address, long length, string version) =>
+            FilesFor(address).Of(address, length, version);
 
         // Frees what came with opening it.
-        public void DropHead() => m_head = null;
+        public abstract void DropHead();
 
         // The next Open asks the server.
-        public void Doubt() => Interlocked.Exchange(ref m_confirmed, long.MinValue / 2);
+        public abstract void Doubt();
 
         // What came of it was wrong: it is asked for again.
-        public void DropCached() => RangeCache.Current?.Drop(m_key);
+        public abstract void DropCached();
 
         // Into memory of the read's own, which the caller disposes. Any thread.
         public RemoteRead Begin(long offset, long bytes, int rank = 0) => Begin(new RemoteRead(this, offset, bytes, rank));
@@ -113,217 +73,22 @@ namespace FastPoints
             }
         }
 
-        async Task IRangeSource.Fetch(long offset, long count, byte[] into, Func<int, bool> arrived)
-        {
-            int got = 0;
-            bool isWanted = true;
-            bool Arrived(int bytes) => isWanted = arrived(bytes);
-            await Retry(m_target, false, async () =>
-            {
-                if (got >= count || !isWanted)
-                    return true;
-                int before = got;
-                using var exchange = await Begin(offset + got, count - got).ConfigureAwait(false);
-                m_queue.Measure(exchange.SecondsToHeaders);
-                if (exchange.Count < count - before)
-                    throw new RemoteFault(FailureCode.Truncated, Name, offset + before, "wanted " +
-                        NumberText.Of(count - before) + " bytes, got the file's end after " + NumberText.Of(exchange.Count));
-                await exchange.Read(into, before, all => Arrived(got = before + all)).ConfigureAwait(false);
-                Interlocked.Exchange(ref m_confirmed, Stopwatch.GetTimestamp());
-                return true;
-            }).ConfigureAwait(false);
-            RangeCache.Current?.Add(m_key, offset, new ReadOnlySpan<byte>(into, 0, got));
-        }
+        public abstract Task Fetch(long offset, long count, byte[] into, Func<int, bool> arrived);
 
-        async Task<RangeExchange> Begin(long offset, long count)
-        {
-            try
-            {
-                return await RangeExchange.Begin(m_target, offset, count, m_identity).ConfigureAwait(false);
-            }
-            catch (RemoteFault e) when (e.IsChanged)
-            {
-                Doubt();
-                throw;
-            }
-        }
+        protected abstract RemoteRead Begin(RemoteRead read);
 
-        bool IsConfirmed => (Stopwatch.GetTimestamp() - Interlocked.Read(ref m_confirmed)) * 1000.0 / Stopwatch.Frequency <
-            RemoteSettings.Current.ConfirmedMs;
+        protected abstract bool TryReadHead(long offset, Span<byte> into);
 
-        RemoteRead Begin(RemoteRead read)
-        {
-            for (int part = 0; part < read.PartCount; part++)
-            {
-                var command = read.PartAt(part);
-                if (command.Offset >= 0 && command.Size >= 0 && command.Offset <= Length - command.Size)
-                    continue;
-                Doubt();
-                read.Fail(PointCloudException.Wanted(FailureCode.Truncated, Name, Math.Max(0, command.Offset), "bytes",
-                    command.Size, Math.Max(0, Length - command.Offset) + " before the end of the file"));
-            }
-            if (!read.IsDone)
-                Task.Run(() => FindNear(read));
-            return read;
-        }
+        static IRemoteFiles FilesFor(string address) => Files ?? throw new PointCloudException(FailureCode.Unsupported,
+            SourcePath.WithoutQuery(address), -1, "this program reads no files of web servers");
+    }
 
-        // What is on this machine is taken from there; the rest is asked for.
-        void FindNear(RemoteRead read)
-        {
-            try
-            {
-                var missing = new List<RangePiece>();
-                var cache = RangeCache.Current;
-                var bytes = ArrayPool<byte>.Shared.Rent(RangeQueue.MaxRequestBytes);
-                for (int part = 0; part < read.PartCount; part++)
-                {
-                    var command = read.PartAt(part);
-                    for (long at = 0; at < command.Size && !read.IsDone; at += RangeQueue.MaxRequestBytes)
-                    {
-                        int count = (int)Math.Min(RangeQueue.MaxRequestBytes, command.Size - at);
-                        var piece = bytes.AsSpan(0, count);
-                        if (TryReadHead(command.Offset + at, piece) || TryReadCache(cache, command.Offset + at, piece))
-                            read.Take(part, at, piece);
-                        else
-                            missing.Add(new RangePiece(part, at, count));
-                    }
-                }
-                ArrayPool<byte>.Shared.Return(bytes);
-                if (missing.Count > 0)
-                    m_queue.Add(read, missing);
-            }
-            catch (Exception e)
-            {
-                read.Fail(PointCloudException.Of(Name, e));
-            }
-        }
+    internal interface IRemoteFiles
+    {
+        RemoteFile Open(string address, int headBytes);
 
-        bool TryReadCache(RangeCache cache, long offset, Span<byte> into)
-        {
-            bool has = cache != null && cache.TryRead(m_key, offset, into);
-            if (has)
-                RemoteStatistics.AddCacheHit();
-            return has;
-        }
+        RemoteFile Find(string address);
 
-        bool TryReadHead(long offset, Span<byte> into)
-        {
-            byte[] head = m_head;
-            if (head == null || offset < 0 || offset + into.Length > head.Length)
-                return false;
-            head.AsSpan((int)offset, into.Length).CopyTo(into);
-            return true;
-        }
-
-        static async Task<RemoteFile> OpenNow(string address, RemoteFile opened, int headBytes)
-        {
-            var target = opened?.m_target ?? new RemoteTarget(address);
-            var cache = RangeCache.Current;
-            string key = RemoteKey.Of(address);
-            var known = opened?.m_identity ?? FindIdentity(cache, key);
-            byte[] head = opened?.m_head;
-            RemoteIdentity identity;
-            try
-            {
-                await s_opening.WaitAsync().ConfigureAwait(false);
-                (identity, head) = await Retry(target, known != null, () => ReadHead(target, known, head, headBytes))
-                    .ConfigureAwait(false);
-            }
-            catch (RemoteFault e) when (e.IsUnreachable && known != null)
-            {
-                identity = known;
-            }
-            finally
-            {
-                s_opening.Release();
-            }
-            lock (s_opened)
-            {
-                if (opened != null && opened.m_identity.Fits(identity))
-                {
-                    Interlocked.Exchange(ref opened.m_confirmed, Stopwatch.GetTimestamp());
-                    return opened;
-                }
-                opened = s_opened[address] =
-                    new RemoteFile(address, target, identity, RangeKey.Of(key + "\n" + identity), head);
-            }
-            if (cache != null && head != null && known?.ToString() != identity.ToString())
-            {
-                cache.Add(opened.m_key, 0, head);
-                cache.Add(RangeKey.Of(key), 0, Encoding.UTF8.GetBytes(identity.ToString()));
-            }
-            return opened;
-        }
-
-        // Of a version that is known one byte tells whether it is the server's still, and how long the file is. An answer by
-        // If-None-Match would not: a length that was told wrong once would stay so.
-        static async Task<(RemoteIdentity, byte[])> ReadHead(RemoteTarget target, RemoteIdentity known, byte[] knownHead,
-            int headBytes)
-        {
-            bool isCheck = known != null && known.Length > HeadBytes;
-            using var exchange = await RangeExchange.Begin(target, 0, isCheck ? 1 : headBytes, null).ConfigureAwait(false);
-            RangeQueue.Of(target.Server).Measure(exchange.SecondsToHeaders);
-            var head = new byte[exchange.Count];
-            await exchange.Read(head, 0, all => true).ConfigureAwait(false);
-            RemoteStatistics.AddFetched(head.Length, 0);
-            if (!isCheck)
-                return (exchange.Identity, head);
-            return known.Fits(exchange.Identity) ? (known, knownHead)
-                : await ReadHead(target, null, null, headBytes).ConfigureAwait(false);
-        }
-
-        static RemoteIdentity FindIdentity(RangeCache cache, string key)
-        {
-            byte[] text = cache?.Find(RangeKey.Of(key));
-            return text == null ? null : RemoteIdentity.Parse(Encoding.UTF8.GetString(text));
-        }
-
-        // Tries again what may succeed then. isSpare: there is something else if the server is not there at all.
-        static async Task<T> Retry<T>(RemoteTarget target, bool isSpare, Func<Task<T>> attempt)
-        {
-            var settings = RemoteSettings.Current;
-            bool isSigned = false;
-            for (int tries = 1; ; tries++)
-            {
-                int delay;
-                try
-                {
-                    return await attempt().ConfigureAwait(false);
-                }
-                catch (RemoteFault e)
-                {
-                    bool wasRedirected = target.Resolved != null;
-                    target.Resolved = null;
-                    if (e.IsDenied && !isSigned && (wasRedirected || RemoteAccess.Sign != null))
-                    {
-                        isSigned = true;
-                        target.Signed(true);
-                        continue;
-                    }
-                    if (isSpare && e.IsUnreachable)
-                        throw;
-                    if (!e.CanRetry || tries >= settings.MaxTries)
-                        throw e.ToFailure();
-                    int backOff = settings.RetryMs << (tries - 1);
-                    delay = Math.Max(e.RetryAfterMs, backOff / 2 + Jitter(backOff / 2));
-                }
-                await Task.Delay(delay).ConfigureAwait(false);
-            }
-        }
-
-        static int Jitter(int max)
-        {
-            lock (s_opened)
-                return s_random.Next(max + 1);
-        }
-
-        static readonly System.Random s_random = new System.Random();
-
-        // Forgets what was opened: for tests.
-        internal static void Forget()
-        {
-            lock (s_opened)
-                s_opened.Clear();
-        }
+        RemoteFile Of(string address, long length, string version);
     }
 }
