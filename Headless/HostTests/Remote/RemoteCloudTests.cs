@@ -393,6 +393,9 @@ public sealed class RemoteCloudTests : ScratchTests
         var call = CliCall.Of("verify", Address, "--json", "-");
         Assert.That(call.Status, Is.EqualTo(ExitStatus.Done), call.Error);
         Assert.That(call.Json.GetProperty("points").GetInt64(), Is.EqualTo(Points));
+        // The hierarchy says how long they are.
+        Assert.That(m_server.Requests.Where(r => r.Header("Range") == "bytes=0-65535").Select(r => r.Name),
+            Has.None.Contains(StoreFormat.ChunkFolderName));
     }
 
     [Test]

@@ -76,7 +76,7 @@ namespace FastPoints.Picture
                 do
                 {
                     foreach (var missing in m_selector.Missing)
-                        Folder.IsTableFetched(missing.Page - 1);
+                        Fetch(missing.Page - 1);
                     foreach (var missing in m_selector.Missing)
                         Build(missing.Page - 1, Load(missing.Page - 1));
                     m_selector.Begin();

@@ -24,8 +24,8 @@ namespace FastPoints.Entities
         PointCloudAsset m_cloud;
 
         [SerializeField]
-        [Tooltip("Without a cloud above, the .fastpoints folder: absolute, or below StreamingAssets. Where readers are " +
-            "loaded, any point cloud.")]
+        [Tooltip("Without a cloud above, the .fastpoints folder: absolute, below StreamingAssets, or a web server's " +
+            "address. Where readers are loaded, any point cloud.")]
         string m_path;
 
         [SerializeField]
@@ -63,9 +63,9 @@ namespace FastPoints.Entities
             set => Set(ref m_cloud, value);
         }
 
-        /// <summary>Used if <see cref="Cloud"/> is null: the <c>.fastpoints</c> folder, absolute or below StreamingAssets. If
-        /// readers are loaded (FastPoints.Import), it may be any point cloud: COPC, Potree and EPT are streamed directly, of
-        /// others a preview is shown.</summary>
+        /// <summary>Used if <see cref="Cloud"/> is null: the <c>.fastpoints</c> folder, absolute or below StreamingAssets, or
+        /// its address on a web server. If readers are loaded (FastPoints.Import), it may be any point cloud: COPC, Potree and
+        /// EPT are streamed directly, of others a preview is shown.</summary>
         public string Path
         {
             get => m_path;

@@ -16,7 +16,7 @@ namespace FastPoints.Entities
         [Tooltip("The cloud: what the editor makes of a file that is dropped into the project.")]
         public PointCloudAsset Cloud;
 
-        [Tooltip("Without a cloud above, the .fastpoints folder: absolute, or below StreamingAssets.")]
+        [Tooltip("Without a cloud above, the .fastpoints folder: absolute, below StreamingAssets, or a web server's address.")]
         public string Path;
 
         [Tooltip("What points are coloured by; another where the cloud has nothing for it.")]

@@ -85,6 +85,8 @@ namespace FastPoints.Build
             Clear();
             for (int file = firstFile; file <= lastFile && file < Folder.Chunks.Length; file++)
             {
+                for (int next = Math.Max(0, file); next < Math.Min(file + MaxTableFetches, Folder.Chunks.Length); next++)
+                    Fetch(next);
                 var nodes = (file == UpperFile ? Folder.Upper : Load(file)).Nodes;
                 for (int n = 0; n < nodes.Length; n++)
                 {
@@ -130,8 +132,15 @@ namespace FastPoints.Build
                 if (count++ == MaxTableFetches)
                     break;
                 if (soon.Node < 0)
-                    Folder.IsTableFetched(soon.File);
+                    Fetch(soon.File);
             }
+        }
+
+        // Begins to, if it is on a web server: Load then waits less.
+        protected void Fetch(int chunk)
+        {
+            if (!m_tables.ContainsKey(chunk))
+                Folder.IsTableFetched(chunk);
         }
 
         protected NodeTable Load(int chunk)

@@ -172,10 +172,13 @@ namespace FastPoints.Store
         }
 
         // On any thread, even while the folder is disposed.
-        internal NodeTable LoadTable(string path, in ChunkRecord record)
+        internal NodeTable LoadTable(string path, in ChunkRecord record, RemoteFile remote = null)
         {
-            CheckHeader(path, record);
-            using var bytes = StoreFile.Read(path, record.TableOffset, TableBytes(record), Allocator.Persistent);
+            if (remote == null)
+                CheckHeader(path, record);
+            using var bytes = remote != null
+                ? StoreFile.Read(remote, record.TableOffset, TableBytes(record), Allocator.Persistent)
+                : StoreFile.Read(path, record.TableOffset, TableBytes(record), Allocator.Persistent);
             return TableOf(path, record, bytes);
         }
 

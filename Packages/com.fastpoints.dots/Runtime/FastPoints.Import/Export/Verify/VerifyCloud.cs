@@ -146,7 +146,8 @@ namespace FastPoints.Export
             var folder = m_folder;
             var record = folder.Chunks[chunk];
             string path = folder.ChunkPath(chunk);
-            return PoolTask.Begin(path, () => folder.LoadTable(path, record), table => table.Dispose());
+            var remote = folder.RemoteOf(1 + chunk);
+            return PoolTask.Begin(path, () => folder.LoadTable(path, record, remote), table => table.Dispose());
         }
 
         void Add(FileCheck check)
