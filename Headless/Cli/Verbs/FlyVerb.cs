@@ -241,7 +241,8 @@ public sealed class FlyVerb : Verb
         if (run.Inputs.Any(SourcePath.IsRemote))
             run.Out.WriteLine("95 % drawn "
                 + (double.IsNaN(log.SecondsTo95) ? "never" : Ms(log.SecondsTo95) + " s after the start")
-                + "; " + NumberFormat.Count(RemoteStatistics.Requests, "request") + " for " + NumberFormat.Bytes(RemoteStatistics.BytesFetched)
+                + "; " + NumberFormat.Count(RemoteStatistics.Requests, "request") + " for "
+                + NumberFormat.Bytes(RemoteStatistics.BytesFetched)
                 + ", " + NumberFormat.Bytes(RemoteStatistics.BytesUnused) + " of it unused; "
                 + NumberFormat.Count(RemoteStatistics.CacheHits, "range") + " from this machine's cache");
         run.Out.WriteLine($"ended in {Ms(disposeMs)} ms");

@@ -37,6 +37,13 @@ namespace FastPoints
             return new FileStream(path, mode, FileAccess.Write, mode == FileMode.CreateNew ? FileShare.None : FileShare.Read, 1);
         }
 
+        // A new file that others may read, and delete, while it grows.
+        public static FileStream CreateShared(string path)
+        {
+            Intercept?.Invoke(FileChange.Write, path, null);
+            return new FileStream(path, FileMode.CreateNew, FileAccess.ReadWrite, FileShare.ReadWrite | FileShare.Delete);
+        }
+
         public static void Replace(string from, string to)
         {
             Intercept?.Invoke(FileChange.Replace, from, to);

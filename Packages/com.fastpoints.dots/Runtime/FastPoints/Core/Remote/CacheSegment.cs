@@ -3,6 +3,7 @@ using System.Diagnostics;
 using System.Globalization;
 using System.IO;
 using System.Runtime.InteropServices;
+using System.Text;
 using System.Threading;
 
 namespace FastPoints
@@ -52,8 +53,7 @@ namespace FastPoints
                 Process.GetCurrentProcess().Id.ToString(CultureInfo.InvariantCulture) + "-" +
                 Interlocked.Increment(ref s_number).ToString(CultureInfo.InvariantCulture);
             string path = System.IO.Path.Combine(folder, name + extension);
-            return new CacheSegment(path, new FileStream(path, FileMode.CreateNew, FileAccess.ReadWrite,
-                FileShare.ReadWrite | FileShare.Delete));
+            return new CacheSegment(path, FileChanges.CreateShared(path));
         }
 
         public static bool TryOpen(string path, out CacheSegment segment)
@@ -188,5 +188,23 @@ namespace FastPoints
         static ulong HashOf(ref Header header) => ContentHash.Of(AsBytes(ref header).Slice(0, HeaderBytes - 8));
 
         static Span<byte> AsBytes(ref Header header) => MemoryMarshal.AsBytes(MemoryMarshal.CreateSpan(ref header, 1));
+    }
+
+    // The hash of an address and a version.
+    internal readonly struct RangeKey : IEquatable<RangeKey>
+    {
+        public readonly ulong A;
+        public readonly ulong B;
+
+        public RangeKey(ulong a, ulong b) => (A, B) = (a, b);
+
+        public static RangeKey Of(string text) => new RangeKey(ContentHash.Of(Encoding.UTF8.GetBytes("A" + text)),
+            ContentHash.Of(Encoding.UTF8.GetBytes("B" + text)));
+
+        public bool Equals(RangeKey other) => A == other.A && B == other.B;
+
+        public override bool Equals(object obj) => obj is RangeKey other && Equals(other);
+
+        public override int GetHashCode() => A.GetHashCode();
     }
 }

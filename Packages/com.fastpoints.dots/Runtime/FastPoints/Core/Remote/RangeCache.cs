@@ -1,7 +1,6 @@
 using System;
 using System.Collections.Generic;
 using System.IO;
-using System.Text;
 
 namespace FastPoints
 {
@@ -67,7 +66,8 @@ namespace FastPoints
         {
             get
             {
-                string data = Environment.GetFolderPath(Environment.SpecialFolder.LocalApplicationData);
+                string data = Environment.GetFolderPath(Environment.SpecialFolder.LocalApplicationData,
+                    Environment.SpecialFolderOption.Create);
                 return Path.Combine(data.Length > 0 ? data : Path.GetTempPath(), "FastPoints", "remote");
             }
         }
@@ -290,7 +290,7 @@ namespace FastPoints
             Forget(index);
             try
             {
-                File.Delete(segment.Path);
+                FileChanges.Delete(segment.Path);
             }
             catch (Exception e) when (e is IOException || e is UnauthorizedAccessException)
             {
@@ -320,23 +320,5 @@ namespace FastPoints
                 sum += segment.Bytes;
             return sum;
         }
-    }
-
-    // The hash of an address and a version.
-    internal readonly struct RangeKey : IEquatable<RangeKey>
-    {
-        public readonly ulong A;
-        public readonly ulong B;
-
-        public RangeKey(ulong a, ulong b) => (A, B) = (a, b);
-
-        public static RangeKey Of(string text) => new RangeKey(ContentHash.Of(Encoding.UTF8.GetBytes("A" + text)),
-            ContentHash.Of(Encoding.UTF8.GetBytes("B" + text)));
-
-        public bool Equals(RangeKey other) => A == other.A && B == other.B;
-
-        public override bool Equals(object obj) => obj is RangeKey other && Equals(other);
-
-        public override int GetHashCode() => A.GetHashCode();
     }
 }

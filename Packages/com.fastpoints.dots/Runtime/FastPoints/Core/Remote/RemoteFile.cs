@@ -1,5 +1,8 @@
 using System;
+using System.Threading;
 using System.Threading.Tasks;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
 using Unity.IO.LowLevel.Unsafe;
 
 namespace FastPoints
@@ -90,5 +93,167 @@ namespace FastPoints
         RemoteFile Find(string address);
 
         RemoteFile Of(string address, long length, string version);
+    }
+
+    internal interface IRangeSource
+    {
+        // For messages.
+        string Name { get; }
+
+        // Fills the buffer from its start. arrived is called with the number of bytes so far; it returns whether more are wanted.
+        Task Fetch(long offset, long count, byte[] into, Func<int, bool> arrived);
+    }
+
+    // Some bytes of a remote file, on their way to memory. Any thread may ask whether they have come; nothing waits but Await.
+    // After Cancel no more is written: its memory may be freed at once.
+    internal sealed unsafe class RemoteRead : IDisposable
+    {
+        readonly object m_lock = new object();
+        readonly ReadCommand[] m_parts;
+        byte* m_owned;
+        long m_missing;
+        bool m_isCancelled;
+        volatile bool m_isDone;
+        PointCloudException m_failure;
+
+        // Into memory of the caller, which lives until the read is done or cancelled.
+        internal RemoteRead(IRangeSource file, ReadCommand* parts, int count, int rank)
+        {
+            File = file;
+            Rank = rank;
+            m_parts = new ReadCommand[count];
+            for (int i = 0; i < count; i++)
+                m_missing += (m_parts[i] = parts[i]).Size;
+            m_isDone = m_missing == 0;
+        }
+
+        // Into memory of its own.
+        internal RemoteRead(IRangeSource file, long offset, long bytes, int rank)
+        {
+            File = file;
+            Rank = rank;
+            m_owned = (byte*)UnsafeUtility.Malloc(Math.Max(1, bytes), 16, Allocator.Persistent);
+            m_parts = new[] { new ReadCommand { Buffer = m_owned, Offset = offset, Size = bytes } };
+            m_missing = bytes;
+            m_isDone = bytes == 0;
+        }
+
+        public IRangeSource File { get; }
+
+        // What has the lowest rank is fetched first.
+        public int Rank { get; }
+
+        public bool IsDone => m_isDone;
+        public bool IsCancelled => m_isCancelled;
+
+        // Once it is done: null if all bytes have come.
+        public PointCloudException Failure => m_failure;
+
+        public long Offset => m_parts[0].Offset;
+        public long Bytes => m_parts[0].Size;
+
+        // Of a read into memory of its own, once it is done: until Dispose.
+        public byte* Data => m_owned;
+
+        internal int PartCount => m_parts.Length;
+
+        internal ReadCommand PartAt(int part) => m_parts[part];
+
+        // On pool threads and in the command line alone. Throws the failure.
+        public void Await()
+        {
+            lock (m_lock)
+                while (!m_isDone)
+                    Monitor.Wait(m_lock);
+            if (m_failure != null)
+                throw m_failure;
+        }
+
+        public void Cancel()
+        {
+            lock (m_lock)
+            {
+                m_isCancelled |= !m_isDone;
+                End();
+            }
+        }
+
+        public void Dispose()
+        {
+            Cancel();
+            if (m_owned != null)
+                UnsafeUtility.Free(m_owned, Allocator.Persistent);
+            m_owned = null;
+        }
+
+        // Takes bytes of a part, from an offset in it on; none may come twice. On the thread that has fetched them.
+        internal void Take(int part, long at, ReadOnlySpan<byte> bytes)
+        {
+            lock (m_lock)
+            {
+                if (m_isDone)
+                    return;
+                bytes.CopyTo(new Span<byte>((byte*)m_parts[part].Buffer + at, bytes.Length));
+                m_missing -= bytes.Length;
+                if (m_missing == 0)
+                    End();
+            }
+        }
+
+        internal void Fail(PointCloudException failure)
+        {
+            lock (m_lock)
+            {
+                if (m_isDone)
+                    return;
+                m_failure = failure;
+                End();
+            }
+        }
+
+        void End()
+        {
+            m_isDone = true;
+            Monitor.PulseAll(m_lock);
+        }
+    }
+
+    // Since the process began, or Reset.
+    internal static class RemoteStatistics
+    {
+        static long s_requests, s_bytesFetched, s_bytesUnused, s_cacheHits, s_waits;
+
+        public static long Requests => Interlocked.Read(ref s_requests);
+        public static long BytesFetched => Interlocked.Read(ref s_bytesFetched);
+
+        // Fetched beside what was asked for: gaps between ranges, and what was cancelled on its way.
+        public static long BytesUnused => Interlocked.Read(ref s_bytesUnused);
+
+        // Ranges that the disk's cache had.
+        public static long CacheHits => Interlocked.Read(ref s_cacheHits);
+
+        // Reads that waited for bytes that nobody had fetched ahead.
+        public static long Waits => Interlocked.Read(ref s_waits);
+
+        internal static void AddRequest() => Interlocked.Increment(ref s_requests);
+
+        internal static void AddFetched(long bytes, long unused)
+        {
+            Interlocked.Add(ref s_bytesFetched, bytes);
+            Interlocked.Add(ref s_bytesUnused, unused);
+        }
+
+        internal static void AddCacheHit() => Interlocked.Increment(ref s_cacheHits);
+
+        internal static void AddWait() => Interlocked.Increment(ref s_waits);
+
+        public static void Reset()
+        {
+            Interlocked.Exchange(ref s_requests, 0);
+            Interlocked.Exchange(ref s_bytesFetched, 0);
+            Interlocked.Exchange(ref s_bytesUnused, 0);
+            Interlocked.Exchange(ref s_cacheHits, 0);
+            Interlocked.Exchange(ref s_waits, 0);
+        }
     }
 }
