@@ -98,7 +98,8 @@ sealed class LinkFigureTests : RemoteFixture
             Say($"  {roundTripMs,3} ms {megabits,3} Mbit/s: {least:0.00} s, {Number("requests")} requests, " +
                 $"{Number("bytesFetched")} bytes, {100.0 * Number("bytesUnused") / Number("bytesFetched"):0.0} % unused; " +
                 $"a range a node {leastPolicy:0.00} s, {policy.Requests} requests; {least / leastPolicy:0.00} of it");
-            Assert.That(Number("pointsDrawn"), Is.EqualTo(local.GetProperty("pointsDrawn").GetInt64()).Within(1).Percent);
+            // The last ones may still be on their way.
+            Assert.That(Number("pointsDrawn"), Is.InRange(points, local.GetProperty("pointsDrawn").GetInt64()));
         }
     }
 

@@ -1,4 +1,8 @@
 using System.Runtime.CompilerServices;
+using UnityEngine.Scripting;
+
+// HttpFile registers itself.
+[assembly: AlwaysLinkAssembly]
 
 // The public types are for users; the package, its tests and its command line share the rest.
 [assembly: InternalsVisibleTo("FastPoints.Import")]
