@@ -40,7 +40,7 @@ namespace FastPoints
         public static RemoteFile Open(string address, int headBytes = HeadBytes) => FilesFor(address).Open(address, headBytes);
 
         // The one that was opened last, or null.
-        public static RemoteFile Find(string address) => FilesFor(address).Find(address);
+        public static RemoteFile Find(string address) => Files?.Find(address);
 
         // A file that another describes, so that nothing is asked before its first range: its length, and a text that is another
         // for other content. Any thread; it does not wait.
