@@ -4,21 +4,23 @@ namespace FastPoints.Cli;
 
 public static class Program
 {
+    // Until the process has ended: a signal that comes behind the work changes nothing any more.
+    static readonly CancellationTokenSource s_cancellation = new(), s_discard = new();
+    static PosixSignalRegistration? s_interrupt, s_terminate;
+
     public static int Main(string[] args)
     {
-        using var cancellation = new CancellationTokenSource();
-        using var discard = new CancellationTokenSource();
         // The first signal ends the work cleanly, so that a build can go on; with the second nothing is kept; the third one
         // kills, in case the others cannot get through.
         void Cancel(PosixSignalContext signal)
         {
-            signal.Cancel = !discard.IsCancellationRequested;
-            if (cancellation.IsCancellationRequested)
-                discard.Cancel();
-            cancellation.Cancel();
+            signal.Cancel = !s_discard.IsCancellationRequested;
+            if (s_cancellation.IsCancellationRequested)
+                s_discard.Cancel();
+            s_cancellation.Cancel();
         }
-        using var interrupt = PosixSignalRegistration.Create(PosixSignal.SIGINT, Cancel);
-        using var terminate = PosixSignalRegistration.Create(PosixSignal.SIGTERM, Cancel);
+        s_interrupt = PosixSignalRegistration.Create(PosixSignal.SIGINT, Cancel);
+        s_terminate = PosixSignalRegistration.Create(PosixSignal.SIGTERM, Cancel);
         var utf8 = new UTF8Encoding(false);
         // Not disposed: that would write once more what a full disk has refused.
         var output = new StreamWriter(Console.OpenStandardOutput(), utf8, 4096);
@@ -26,8 +28,8 @@ public static class Program
         int status = ExitStatus.Failed;
         try
         {
-            status = CommandLine.Run(FileNames.Readable(args), output, error, !Console.IsErrorRedirected, cancellation.Token,
-                discard.Token);
+            status = CommandLine.Run(FileNames.Readable(args), output, error, !Console.IsErrorRedirected, s_cancellation.Token,
+                s_discard.Token);
             output.Flush();
         }
         catch (UsageException e)
