@@ -3,7 +3,7 @@ using FastPoints.Cli.Draw;
 namespace FastPoints.HostTests.Remote;
 
 /// <summary>Time against latency, over nginx without TLS. FASTPOINTS_FIGURES names a file for the table; then each is the best of
-/// three. Built for Release they are the figures of the page of remote clouds.</summary>
+/// three, and lines are not one but six. Built for Release they are the figures of the page of remote clouds.</summary>
 [Category("Long")]
 sealed class LinkFigureTests : RemoteFixture
 {
@@ -13,12 +13,11 @@ sealed class LinkFigureTests : RemoteFixture
     const string FromTheSouth = "0 693907 3915200 500 693907 3915870 40", LoneStar = "0 515385 4918310 2350 515385 4918360 2330",
         Lion = "0 -2 -8 2 -2 4 0";
 
-    static readonly (int RoundTripMs, double Megabits)[] s_links =
-    {
-        (20, 100), (50, 100), (150, 100), (20, 10), (50, 10), (150, 10),
-    };
-
     static readonly string s_table = Environment.GetEnvironmentVariable("FASTPOINTS_FIGURES");
+
+    static readonly (int RoundTripMs, double Megabits)[] s_links = s_table == null ? [(50, 100)]
+        : [(20, 100), (50, 100), (150, 100), (20, 10), (50, 10), (150, 10)];
+
     static readonly int s_repeats = s_table == null ? 1 : 3;
 
     NginxServer m_nginx;
