@@ -50,7 +50,8 @@ sealed class RemoteCacheTests : RemoteFixture
 
         Assert.That(most, Is.InRange(3 << 20, (4 << 20) + 200_000));
         Server.ResetCounts();
-        Read(file, 19_000_000, 1_000_000);
+        // What came last may not be written yet.
+        Read(file, 19_000_000, 600_000);
         Assert.That(Server.Requests, Is.Empty);
         Read(file, 10_000_000, 1000);
         Assert.That(Server.Requests, Has.Count.EqualTo(1));
