@@ -18,6 +18,7 @@ public sealed class ConvertedCloudFacts
     readonly List<Level> m_levels = [];
     readonly List<(string Name, long Bytes)> m_planes = [];
     readonly long m_bytes;
+    readonly List<CloudSource> m_sources;
 
     public ConvertedCloudFacts(string path)
     {
@@ -25,17 +26,12 @@ public sealed class ConvertedCloudFacts
         using var folder = CloudFolder.Open(path);
         m_manifest = folder.Manifest;
         StoredFacts.AddTo(m_source, folder);
-        m_bytes = SourcePath.IsRemote(path)
-            ? m_manifest.HierarchyBytes + m_manifest.UpperBytes + folder.Chunks.Sum(chunk => chunk.FileBytes)
-            : Directory.GetFiles(folder.FolderPath, "*", SearchOption.AllDirectories).Sum(f => new FileInfo(f).Length);
         var bytesOfPlane = new long[folder.Layout.Planes.Count];
-        Add(folder.Upper, bytesOfPlane);
-        for (int chunk = 0; chunk < folder.Chunks.Length; chunk++)
-        {
-            folder.FetchTablesFrom(chunk);
-            using var table = folder.LoadTable(chunk);
+        foreach (var table in folder.LoadAll())
             Add(table, bytesOfPlane);
-        }
+        m_bytes = SourcePath.IsRemote(path) ? folder.Files().Sum(file => file.Bytes)
+            : Directory.GetFiles(folder.FolderPath, "*", SearchOption.AllDirectories).Sum(f => new FileInfo(f).Length);
+        m_sources = CloudSources.Read(folder.FolderPath);
         m_planes.AddRange(folder.Layout.Planes.Select((plane, i) => (plane.Name, bytesOfPlane[i])));
     }
 
@@ -120,7 +116,7 @@ public sealed class ConvertedCloudFacts
         yield return ("sampler", m_manifest.Sampler);
         yield return ("checksum", m_manifest.Checksum.ToString("x16", CultureInfo.InvariantCulture));
         yield return ("whole", IsWhole ? "yes" : "no, it is being built");
-        foreach (var source in m_manifest.Sources)
+        foreach (var source in m_sources)
             yield return ("source", source.Name + ", " + NumberFormat.Count(source.FileBytes) + " bytes, "
                 + NumberFormat.Count(source.Points, "point") + (source.Crs?.Name is { } crs ? ", " + crs : ""));
         foreach (var fact in m_source.Facts)
@@ -172,7 +168,7 @@ public sealed class ConvertedCloudFacts
         json.WriteString("sampler", m_manifest.Sampler);
         json.WriteString("checksum", m_manifest.Checksum.ToString("x16", CultureInfo.InvariantCulture));
         json.WriteStartArray("sources");
-        foreach (var source in m_manifest.Sources)
+        foreach (var source in m_sources)
         {
             json.WriteStartObject();
             json.WriteString("name", source.Name);

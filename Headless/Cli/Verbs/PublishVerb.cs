@@ -54,13 +54,12 @@ public sealed class PublishVerb : Verb
     {
         string manifest = SourcePath.Combine(cloud.FolderPath, StoreFormat.ManifestName);
         yield return (manifest, StoreFile.SizeOf(manifest));
-        yield return (SourcePath.Combine(cloud.FolderPath, cloud.Manifest.HierarchyName), cloud.Manifest.HierarchyBytes);
-        if (cloud.Manifest.UpperBytes > 0)
-            yield return (cloud.UpperPath, cloud.Manifest.UpperBytes);
-        for (int chunk = 0; chunk < cloud.Chunks.Length; chunk++)
-            yield return (cloud.ChunkPath(chunk), cloud.Chunks[chunk].FileBytes);
+        // All containers are known with the pages.
+        _ = cloud.LoadAll().Count();
+        foreach (var file in cloud.Files())
+            yield return file;
         // What the source's headers said: not every cloud has it, and a server is not asked for what may be missing.
-        foreach (string name in new[] { StoreFormat.FactsName, StoreFormat.RecordsName })
+        foreach (string name in new[] { StoreFormat.SourcesName, StoreFormat.FactsName, StoreFormat.RecordsName })
             if (Path.Combine(cloud.FolderPath, name) is var path && File.Exists(path))
                 yield return (path, StoreFile.SizeOf(path));
     }

@@ -55,7 +55,7 @@ namespace FastPoints.Evaluation
         {
             using var folder = CloudFolder.Open(cloud);
             using var measure = new MeasureSpacing(folder, levels);
-            yield return JobStep.Of(CoroutineGroup.Run(measure.Files(), JobsUtility.JobWorkerCount + 1));
+            yield return JobStep.Of(CoroutineGroup.Run(measure.Containers(), JobsUtility.JobWorkerCount + 1));
             for (int level = 0; level < levels.Count; level++)
             {
                 var found = levels[level];
@@ -72,22 +72,30 @@ namespace FastPoints.Evaluation
             m_atSides.Clear();
         }
 
-        IEnumerable<IEnumerator<JobStep>> Files()
+        IEnumerable<IEnumerator<JobStep>> Containers()
         {
-            for (int file = ChosenNodes.UpperFile; file < m_folder.Chunks.Length; file++)
-                yield return Measure(file);
+            var pagesOfContainer = new SortedDictionary<string, List<int>>(StringComparer.Ordinal);
+            int page = 0;
+            foreach (var table in m_folder.LoadAll())
+            {
+                if (!pagesOfContainer.TryGetValue(m_folder.PathOf(page), out var pages))
+                    pagesOfContainer.Add(m_folder.PathOf(page), pages = new List<int>());
+                pages.Add(page++);
+            }
+            foreach (var pages in pagesOfContainer.Values)
+                yield return Measure(pages);
         }
 
         /// <summary>Coroutine: one file's points.</summary>
-        IEnumerator<JobStep> Measure(int file)
+        IEnumerator<JobStep> Measure(List<int> pages)
         {
             using var nodes = new ChosenNodes(m_folder);
-            nodes.ChooseSampled(0, int.MaxValue, file, file);
+            nodes.ChooseSampled(0, int.MaxValue, pages);
             if (nodes.NodeCount == 0)
                 yield break;
             using var batch = new PointBatch(LoadNodes.SchemaFor(m_folder), nodes.CheckedPoints, Allocator.Persistent);
             yield return JobStep.Of(LoadNodes.Run(m_folder, nodes, batch, null));
-            var job = JobFor(file, nodes, batch);
+            var job = JobFor(nodes, batch);
             var done = job.Schedule();
             try
             {
@@ -104,13 +112,16 @@ namespace FastPoints.Evaluation
 
         /// <summary>What was sampled together: points of a level, and those that upper levels left of other nodes' tops
         /// apart.</summary>
-        MeasureGroupsJob JobFor(int file, ChosenNodes nodes, PointBatch batch)
+        MeasureGroupsJob JobFor(ChosenNodes nodes, PointBatch batch)
         {
+            var container = default(ContainerRecord);
             var ranges = new SortedDictionary<(int Level, bool IsTop, int SampledWith), List<NodeRange>>();
             int at = 0;
-            foreach (int n in nodes.NodesOf(file))
+            foreach (int page in nodes.Pages)
+            foreach (int n in nodes.NodesOf(page))
             {
-                var node = nodes.TableOf(file).Nodes[n];
+                container = m_folder.ContainerOf(page);
+                var node = nodes.TableOf(page).Nodes[n];
                 var key = (m_folder.Manifest.Root.SideLog2 - node.SideLog2, (node.Flags & NodeRecord.IsTop) != 0,
                     node.SampledWith);
                 if (!ranges.TryGetValue(key, out var ofGroup))
@@ -132,9 +143,8 @@ namespace FastPoints.Evaluation
                 }
                 groups.Add(group);
             }
-            bool isUpper = file == ChosenNodes.UpperFile;
             var root = m_folder.Manifest.Root;
-            var cube = isUpper ? root : m_folder.Chunks[file].Cube;
+            var cube = container.Cube;
             var corner = cube.Corner - root.Corner;
             var step = m_folder.Manifest.Grid.Step;
             var min = new double3(corner.X, corner.Y, corner.Z) * step;
@@ -151,7 +161,7 @@ namespace FastPoints.Evaluation
                 Scratch = new NativeArray<int>(NeighbourGrid.ScratchOf(at), Allocator.Persistent),
                 CubeMin = min,
                 CubeMax = min + step * (double)cube.Side,
-                IsWhole = isUpper,
+                IsWhole = cube.SideLog2 == root.SideLog2,
                 AtSides = new NativeList<double3>(Allocator.Persistent),
             };
         }

@@ -10,56 +10,54 @@ namespace FastPoints.Picture
     /// (<see cref="SelectNodesJob"/>), but completely.</summary>
     internal sealed unsafe class NodeSelection : ChosenNodes
     {
-        /// <summary>The selection restarts when it lacks this many chunks: a smaller number would cost more turns, a larger one
+        /// <summary>The selection restarts when it lacks this many pages: a smaller number would cost more turns, a larger one
         /// would load what the budget does not reach.</summary>
-        const int ChunksPerRound = 16;
+        const int PagesPerRound = 16;
 
         readonly LodSelector m_selector = new LodSelector();
-        NativeArray<HierarchyPage> m_pages;
+        NativeList<HierarchyPage> m_pages = new NativeList<HierarchyPage>(Allocator.Persistent);
         bool m_hasView;
 
         public NodeSelection(CloudFolder folder) : base(folder)
         {
-            var grid = new HierarchyGrid(folder.Manifest);
-            m_pages = new NativeArray<HierarchyPage>(1 + folder.Chunks.Length, Allocator.Persistent);
-            for (int chunk = 0; chunk < folder.Chunks.Length; chunk++)
-                m_pages[1 + chunk] = HierarchyPage.OfChunk(folder.Chunks[chunk], grid);
-            Build(UpperFile, folder.Upper);
+            AddPages();
+            Build(0, folder.Root);
         }
 
         /// <summary>Valid after <see cref="Choose"/>.</summary>
-        public override bool IsRefined(int file, int node)
+        public override bool IsRefined(int page, int node)
         {
             if (!m_hasView)
-                return base.IsRefined(file, node);
-            var record = TableOf(file).Nodes[node];
+                return base.IsRefined(page, node);
+            var record = TableOf(page).Nodes[node];
             for (int child = record.FirstChild; child < record.FirstChild + record.ChildCount; child++)
-                if (!IsResolved(file, child))
+                if (!IsResolved(page, child))
                     return false;
-            for (int chunk = record.FirstChunk; chunk < record.FirstChunk + record.ChunkCount; chunk++)
+            for (int link = record.FirstLink; link < record.FirstLink + record.LinkCount; link++)
             {
-                var page = m_pages[1 + chunk];
-                if (page.VisitedFrame != m_selector.Frame)
+                int number = Folder.FirstBelow(page) + link;
+                var below = m_pages[number];
+                if (below.VisitedFrame != m_selector.Frame)
                     continue;
-                if (!page.IsLoaded)
+                if (!below.IsLoaded)
                     return false;
-                for (int n = 0; n < page.RootCount; n++)
-                    if (!IsResolved(chunk, n))
+                for (int n = 0; n < below.RootCount; n++)
+                    if (!IsResolved(number, n))
                         return false;
             }
             return true;
         }
 
         /// <summary>Whether it is chosen, its parent is chosen if it is an inlined leaf, or it is out of view.</summary>
-        bool IsResolved(int file, int node)
+        bool IsResolved(int page, int node)
         {
-            var state = m_pages[1 + file].States[TableOf(file).Nodes[node].PlaneNode];
+            var state = m_pages[page].States[TableOf(page).Nodes[node].PlaneNode];
             return state.SelectedFrame == m_selector.Frame || state.VisitedFrame != m_selector.Frame;
         }
 
         /// <summary>Chooses for a view in georeferenced space, or, without one, evenly from the root down.</summary>
         /// <param name="budget">The most points, except that the root is always chosen.</param>
-        /// <exception cref="PointCloudException">A chunk's table is damaged.</exception>
+        /// <exception cref="PointCloudException">A page is damaged.</exception>
         public void Choose(StreamView? camera, long budget)
         {
             m_hasView = camera.HasValue;
@@ -76,19 +74,19 @@ namespace FastPoints.Picture
                 do
                 {
                     foreach (var missing in m_selector.Missing)
-                        Fetch(missing.Page - 1);
+                        Fetch(missing.Page);
                     foreach (var missing in m_selector.Missing)
-                        Build(missing.Page - 1, Load(missing.Page - 1));
+                        Build(missing.Page, Load(missing.Page));
                     m_selector.Begin();
-                    m_selector.Add(0, (HierarchyPage*)m_pages.GetUnsafePtr(), CloudPlacement.Geo(Folder.Manifest.Grid,
+                    m_selector.Add(0, m_pages.GetUnsafePtr(), CloudPlacement.Geo(Folder.Manifest.Grid,
                         Folder.Manifest.Root));
-                    m_selector.Choose(views, settings, ChunksPerRound);
+                    m_selector.Choose(views, settings, PagesPerRound);
                 }
                 while (m_selector.Missing.Length > 0);
             }
             Clear();
             foreach (var chosen in m_selector.Selected)
-                AddWithLeaves(chosen.Page - 1, chosen.Node);
+                AddWithLeaves(chosen.Page, chosen.Node);
             SortNodes();
         }
 
@@ -98,21 +96,24 @@ namespace FastPoints.Picture
                 return;
             m_selector.Dispose();
             for (int p = 0; p < m_pages.Length; p++)
-            {
-                var page = m_pages[p];
-                page.Free();
-            }
+                m_pages.ElementAt(p).Free();
             m_pages.Dispose();
             base.Dispose();
         }
 
-        void Build(int file, NodeTable table)
+        void Build(int number, NodeTable table)
         {
-            var page = m_pages[1 + file];
-            var chunks = (HierarchyPage*)m_pages.GetUnsafePtr() + 1;
-            HierarchyPageBuilding.Build(table.View, default, new HierarchyGrid(Folder.Manifest),
-                file == UpperFile ? chunks : null, ref page);
-            m_pages[1 + file] = page;
+            HierarchyPageBuilding.Build(table.View, default, Folder.Grid, ref m_pages.ElementAt(number));
+            AddPages();
+            var page = m_pages[number];
+            for (int n = 0; n < page.NodeCount; n++)
+                page.Nodes[n].FirstPage += Folder.FirstBelow(number);
+        }
+
+        void AddPages()
+        {
+            while (m_pages.Length < Folder.PageCount)
+                m_pages.Add(HierarchyPage.OfLink(Folder.LinkOf(m_pages.Length), Folder.Grid));
         }
     }
 }

@@ -71,7 +71,7 @@ namespace FastPoints.Build
                     if (result == null)
                         continue;
                     chunks.Add(result);
-                    manifest.Points += result.TopPoints + result.Record.PointCount;
+                    manifest.Points += result.TopPoints + result.PointCount;
                     manifest.Checksum += result.Checksum;
                 }
                 using var merge = new UpperMerge(m_build, store, manifest);

@@ -9,22 +9,34 @@ namespace FastPoints.Build
     /// <summary>What remains of a chunk when its nodes are written: its top node's points, and what the merge and the hierarchy
     /// need to know. Until the merge it is kept in memory, or in a file that also shows, after a kill, that the chunk is
     /// done.</summary>
-    internal sealed unsafe class ChunkResult
+    internal sealed unsafe class ChunkResult : IDisposable
     {
         struct Header
         {
             public ulong Hash;
             public ulong CloudId;
             public ulong Checksum;
-            public ChunkRecord Record;
-            public ChunkTop Top;
+            public ContainerRecord Container;
+            public long PointCount;
+            public int NodeCount;
             public int LowestSideLog2;
+            public ChunkTop Top;
             public int TopPoints;
             public int PlaneCount;
         }
 
-        /// <summary>The chunk's cube, its number and its file, if it has one.</summary>
-        public ChunkRecord Record;
+        /// <summary>Number among the build's chunks.</summary>
+        public int Number;
+
+        /// <summary>The chunk's file; of 0 bytes if all points are in its top.</summary>
+        public ContainerRecord Container;
+
+        /// <summary>Nodes of the file, and their points.</summary>
+        public int NodeCount;
+        public long PointCount;
+
+        /// <summary>The file's nodes, as the indexer left them; not created where they are in a file.</summary>
+        public NativeArray<byte> Table;
         public ChunkTop Top;
 
         public int TopPoints;
@@ -46,11 +58,9 @@ namespace FastPoints.Build
             if (!result.Top.HasNodes)
                 return result;
             var header = *(FileHeader*)indexer.File.GetUnsafeReadOnlyPtr();
-            result.Record.NodeCount = header.NodeCount;
-            result.Record.PointCount = header.PointCount;
-            result.Record.FileBytes = header.FileBytes;
-            result.Record.TableOffset = header.TableOffset;
-            result.Record.TableHash = header.TableHash;
+            result.Container = header.Container;
+            result.PointCount = header.PointCount;
+            result.NodeCount = indexer.Table.Length / BytesPerNode(result.BytesOfPlane.Length);
             return result;
         }
 
@@ -70,20 +80,17 @@ namespace FastPoints.Build
                     IsLeaf = top.IsLeaf,
                     AttachNode = -1,
                 },
-                Record = new ChunkRecord
-                {
-                    Corner = indexer.Cube.Corner,
-                    SideLog2 = indexer.Cube.SideLog2,
-                    Number = indexer.Number,
-                },
+                Number = indexer.Number,
+                Container = new ContainerRecord { Cube = indexer.Cube, Kind = ContainerKind.Chunk },
             };
         }
 
+        public static int BytesPerNode(int planeCount) => NodeRecord.SizeBytes + planeCount * sizeof(PlaneRange);
+
         /// <summary>The bytes of its file; the caller disposes them.</summary>
-        public NativeArray<byte> ToBytes(NativeArray<byte> topRecords, ulong cloudId)
+        public NativeArray<byte> ToBytes(NativeArray<byte> table, NativeArray<byte> topRecords, ulong cloudId)
         {
-            int planeBytes = BytesOfPlane.Length * sizeof(long);
-            var file = new NativeArray<byte>(sizeof(Header) + planeBytes + topRecords.Length, Allocator.Persistent,
+            var file = new NativeArray<byte>(RecordsOffset + topRecords.Length, Allocator.Persistent,
                 NativeArrayOptions.UninitializedMemory);
             var start = (byte*)file.GetUnsafePtr();
             var header = (Header*)start;
@@ -91,7 +98,9 @@ namespace FastPoints.Build
             {
                 CloudId = cloudId,
                 Checksum = Checksum,
-                Record = Record,
+                Container = Container,
+                PointCount = PointCount,
+                NodeCount = NodeCount,
                 Top = Top,
                 LowestSideLog2 = LowestSideLog2,
                 TopPoints = TopPoints,
@@ -99,7 +108,8 @@ namespace FastPoints.Build
             };
             for (int p = 0; p < BytesOfPlane.Length; p++)
                 ((long*)(start + sizeof(Header)))[p] = BytesOfPlane[p];
-            UnsafeUtility.MemCpy(start + sizeof(Header) + planeBytes, topRecords.GetUnsafeReadOnlyPtr(), topRecords.Length);
+            UnsafeUtility.MemCpy(start + TableOffset, table.GetUnsafeReadOnlyPtr(), TableBytes);
+            UnsafeUtility.MemCpy(start + RecordsOffset, topRecords.GetUnsafeReadOnlyPtr(), topRecords.Length);
             header->Hash = ContentHash.Of(start + sizeof(ulong), file.Length - sizeof(ulong));
             return file;
         }
@@ -107,30 +117,45 @@ namespace FastPoints.Build
         /// <summary>Reads the file of a finished chunk.</summary>
         /// <param name="strideBytes">Bytes of a record.</param>
         /// <returns>Null if the bytes are not such a file, or belong to another cloud.</returns>
-        public static ChunkResult FromBytes(NativeArray<byte> file, ulong cloudId, int planeCount, int strideBytes)
+        public static ChunkResult FromBytes(NativeArray<byte> file, int number, ulong cloudId, int planeCount, int strideBytes)
         {
             var start = (byte*)file.GetUnsafeReadOnlyPtr();
             var header = (Header*)start;
             if (file.Length < sizeof(Header) || header->Hash != ContentHash.Of(start + sizeof(ulong),
                 file.Length - sizeof(ulong)) ||
-                header->CloudId != cloudId || header->PlaneCount != planeCount || header->TopPoints < 0 ||
-                file.Length != RecordsOffset(planeCount) + (long)header->TopPoints * strideBytes)
+                header->CloudId != cloudId || header->PlaneCount != planeCount || header->TopPoints < 0)
                 return null;
             var result = new ChunkResult
             {
-                Record = header->Record,
+                Number = number,
+                Container = header->Container,
+                NodeCount = header->NodeCount,
+                PointCount = header->PointCount,
                 Top = header->Top,
                 TopPoints = header->TopPoints,
                 Checksum = header->Checksum,
                 LowestSideLog2 = header->LowestSideLog2,
                 BytesOfPlane = new long[planeCount],
             };
+            if (file.Length != result.RecordsOffset + (long)header->TopPoints * strideBytes)
+                return null;
             for (int p = 0; p < planeCount; p++)
                 result.BytesOfPlane[p] = ((long*)(start + sizeof(Header)))[p];
             return result;
         }
 
+        /// <summary>Where the nodes are in the file, and their bytes.</summary>
+        public int TableOffset => sizeof(Header) + BytesOfPlane.Length * sizeof(long);
+        public int TableBytes => NodeCount * BytesPerNode(BytesOfPlane.Length);
+
         /// <summary>Where the top's records begin in the file.</summary>
-        public static int RecordsOffset(int planeCount) => sizeof(Header) + planeCount * sizeof(long);
+        public int RecordsOffset => TableOffset + TableBytes;
+
+        public void Dispose()
+        {
+            if (Table.IsCreated)
+                Table.Dispose();
+            Table = default;
+        }
     }
 }

@@ -186,6 +186,7 @@ namespace FastPoints.Build
                     yield return JobStep.Of(folder.Write(StoreFormat.RecordsName, m_records));
                 if (m_build.Readers.Count == 1)
                     yield return JobStep.Of(folder.WriteText(StoreFormat.FactsName, StoredFacts.ToJson(m_build.Readers[0].Info)));
+                yield return JobStep.Of(folder.WriteText(StoreFormat.SourcesName, CloudSources.ToJson(m_sources)));
                 yield return JobStep.Of(folder.WriteText(StoreFormat.ManifestName, manifest.ToJson()));
                 yield return JobStep.Of(m_checkpoints.Finish(m_octree.LevelCount, m_octree.BytesOfPlane));
             }

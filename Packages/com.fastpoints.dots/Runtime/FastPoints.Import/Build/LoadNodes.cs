@@ -13,7 +13,7 @@ namespace FastPoints.Build
     internal static class LoadNodes
     {
         /// <summary>The most bytes of a file that are read at once, unless one node has more. The nodes of a few points may be
-        /// scattered over upper.bin, which grows with the cloud.</summary>
+        /// scattered over a file.</summary>
         public const long MaxBytesPerRead = 4 << 20;
 
         const int PointsToMeasure = 200_000;
@@ -57,10 +57,10 @@ namespace FastPoints.Build
         public static IEnumerator<JobStep> Run(CloudFolder folder, ChosenNodes selection, PointBatch batch,
             StageProgress progress, long maxBytes = MaxBytesPerRead)
         {
-            var fetched = new Queue<(FileLoad Load, int Part, StoreRead Read)>();
-            var inFlight = new Queue<(FileLoad Load, int Part, StoreRead Read, JobHandle Decoded)>();
-            int max = folder.RemoteOf(0) != null ? RemotePartsInFlight : PartsInFlight;
-            var loads = new List<FileLoad>();
+            var fetched = new Queue<(PageLoad Load, int Part, StoreRead Read)>();
+            var inFlight = new Queue<(PageLoad Load, int Part, StoreRead Read, JobHandle Decoded)>();
+            int max = folder.RemoteOfTable(0) != null ? RemotePartsInFlight : PartsInFlight;
+            var loads = new List<PageLoad>();
             var decoded = default(JobHandle);
 
             bool IsAnyDecoding()
@@ -77,9 +77,9 @@ namespace FastPoints.Build
             try
             {
                 int points = 0;
-                foreach (int file in selection.Files)
+                foreach (int page in selection.Pages)
                 {
-                    var load = new FileLoad(folder, selection, file, batch, points, maxBytes);
+                    var load = new PageLoad(folder, selection, page, batch, points, maxBytes);
                     loads.Add(load);
                     points += load.Points;
                     for (int part = 0; part < load.Parts.Count; part++)
@@ -121,7 +121,7 @@ namespace FastPoints.Build
 
         /// <summary>Ends the oldest part.</summary>
         /// <returns>Its read, which is free.</returns>
-        static StoreRead Complete(Queue<(FileLoad Load, int Part, StoreRead Read, JobHandle Decoded)> inFlight,
+        static StoreRead Complete(Queue<(PageLoad Load, int Part, StoreRead Read, JobHandle Decoded)> inFlight,
             ChosenNodes selection, StageProgress progress)
         {
             // It stays in the queue, whose reads are disposed, until it has been checked.
@@ -146,10 +146,10 @@ namespace FastPoints.Build
             public long ByteCount;
         }
 
-        sealed class FileLoad : IDisposable
+        sealed class PageLoad : IDisposable
         {
             readonly ChosenNodes m_selection;
-            readonly int m_file;
+            readonly int m_page;
             readonly PointBatch m_batch;
 
             /// <summary>Index among the chosen nodes, in the order of their bytes.</summary>
@@ -162,15 +162,15 @@ namespace FastPoints.Build
 
             readonly NativeArray<bool>[] m_isDamaged;
 
-            public FileLoad(CloudFolder folder, ChosenNodes selection, int file, PointBatch batch, int firstPoint,
+            public PageLoad(CloudFolder folder, ChosenNodes selection, int page, PointBatch batch, int firstPoint,
                 long maxBytes)
             {
                 m_selection = selection;
-                m_file = file;
+                m_page = page;
                 m_batch = batch;
                 var planes = ListPlanes(folder.Layout);
-                var table = selection.TableOf(file);
-                var chosen = selection.NodesOf(file);
+                var table = selection.TableOf(page);
+                var chosen = selection.NodesOf(page);
                 var nodes = new ChosenNode[chosen.Count];
                 var ranges = new PlaneRange[chosen.Count * planes.Count];
                 var begins = new long[nodes.Length];
@@ -192,7 +192,7 @@ namespace FastPoints.Build
                     };
                     Points += node.PointCount;
                     // Points that represent others show their average, which has the same shape and types.
-                    bool isRefined = selection.IsRefined(file, chosen[i]);
+                    bool isRefined = selection.IsRefined(page, chosen[i]);
                     for (int p = 0; p < planes.Count; p++)
                     {
                         int average = isRefined ? -1 : folder.Layout.AverageOf(planes[p]);
@@ -256,10 +256,10 @@ namespace FastPoints.Build
             public void Begin(int number, StoreRead read)
             {
                 var part = Parts[number];
-                var remote = m_selection.RemoteOf(m_file);
+                var remote = m_selection.RemoteOf(m_page);
                 if (remote == null)
                 {
-                    read.Begin(m_selection.PathOf(m_file), part.FirstByte, part.ByteCount);
+                    read.Begin(m_selection.PathOf(m_page), part.FirstByte, part.ByteCount);
                     return;
                 }
                 // What lies between the planes stays on the server.
@@ -299,9 +299,9 @@ namespace FastPoints.Build
                 var part = Parts[number];
                 for (int i = 0; i < part.NodeCount; i++)
                     if (m_isDamaged[number][i])
-                        throw new PointCloudException(FailureCode.BadInput, m_selection.PathOf(m_file),
+                        throw new PointCloudException(FailureCode.BadInput, m_selection.PathOf(m_page),
                             m_ranges[m_nodes[part.FirstNode + i].FirstRange].OffsetBytes,
-                            "node " + m_selection.NodesOf(m_file)[m_order[part.FirstNode + i]] + " is damaged");
+                            "node " + m_selection.NodesOf(m_page)[m_order[part.FirstNode + i]] + " is damaged");
             }
 
             public void Dispose()

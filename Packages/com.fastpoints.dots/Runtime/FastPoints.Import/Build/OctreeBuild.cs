@@ -130,6 +130,8 @@ namespace FastPoints.Build
             m_writes?.Dispose();
             m_merge?.Dispose();
             m_store.Dispose();
+            foreach (var result in m_results)
+                result?.Dispose();
             for (int i = 0; i < m_topRecords.Length; i++)
             {
                 if (m_topRecords[i].IsCreated)
@@ -260,8 +262,19 @@ namespace FastPoints.Build
                     Outside = slot.Outside,
                 }, slot.Load.Done);
             }
-            slot.Indexer.Begin(chunk.Cube, chunk.Pages, number, slot.Workspace, ready);
+            var container = new ContainerRecord { Cube = chunk.Cube, Part = PartOf(number), Kind = ContainerKind.Chunk };
+            slot.Indexer.Begin(container, chunk.Pages, number, slot.Workspace, ready);
             m_newest = slot.Indexer.Job;
+        }
+
+        /// <summary>Chunks of one cube have points at one place.</summary>
+        int PartOf(int number)
+        {
+            int part = 0;
+            while (number > part && m_chunks.Chunks[number - part - 1].Cube.Corner == m_chunks.Chunks[number].Cube.Corner &&
+                m_chunks.Chunks[number - part - 1].Cube.SideLog2 == m_chunks.Chunks[number].Cube.SideLog2)
+                part++;
+            return part;
         }
 
         /// <summary>Not often, not much of the time, and only if there is memory for it beside the chunks in progress.</summary>
@@ -298,12 +311,12 @@ namespace FastPoints.Build
             if (!System.IO.File.Exists(path))
                 return null;
             using var bytes = StoreFile.Read(path, 0, StoreFile.SizeOf(path), Allocator.Persistent);
-            var result = ChunkResult.FromBytes(bytes, Manifest.CloudId, BytesOfPlane.Length, stride);
-            if (result == null || result.Record.Number != chunk)
+            var result = ChunkResult.FromBytes(bytes, chunk, Manifest.CloudId, BytesOfPlane.Length, stride);
+            if (result == null)
                 return null;
-            string file = m_build.Folder.PathOf(StoreFormat.ChunkPath(chunk));
+            string file = m_build.Folder.PathOf(StoreFormat.PathOf(result.Container));
             bool isWhole = !result.Top.HasNodes ||
-                System.IO.File.Exists(file) && StoreFile.SizeOf(file) == result.Record.FileBytes;
+                System.IO.File.Exists(file) && StoreFile.SizeOf(file) == result.Container.FileBytes;
             return isWhole ? result : null;
         }
 
@@ -341,9 +354,12 @@ namespace FastPoints.Build
             RecordPagePool.Of(m_build.Pool).Return(ref pages);
             m_chunks.Chunks[slot.Chunk].Pages = default;
             if (m_build.Files == null)
+            {
                 m_topRecords[slot.Chunk] = new NativeArray<byte>(indexer.Top.AsArray(), Allocator.Persistent);
-            indexer.File = m_writes.Write(slot.Chunk, indexer.File,
-                m_build.Files == null ? default : result.ToBytes(indexer.Top.AsArray(), Manifest.CloudId));
+                result.Table = new NativeArray<byte>(indexer.Table.AsArray(), Allocator.Persistent);
+            }
+            indexer.File = m_writes.Write(result, indexer.File, m_build.Files == null ? default
+                : result.ToBytes(indexer.Table.AsArray(), indexer.Top.AsArray(), Manifest.CloudId));
         }
     }
 
@@ -384,14 +400,14 @@ namespace FastPoints.Build
         /// <param name="file">The chunk's file; nothing is written if it is empty.</param>
         /// <param name="top">The chunk's top, or not created; this object takes it over.</param>
         /// <returns>An empty list in exchange for the file.</returns>
-        public NativeList<byte> Write(int chunk, NativeList<byte> file, NativeArray<byte> top)
+        public NativeList<byte> Write(ChunkResult chunk, NativeList<byte> file, NativeArray<byte> top)
         {
-            var pending = new Pending { Chunk = chunk, File = file, Top = top };
+            var pending = new Pending { Chunk = chunk.Number, File = file, Top = top };
             if (file.Length > 0)
-                pending.Written = m_folder.Write(StoreFormat.ChunkPath(chunk), file.AsArray());
+                pending.Written = m_folder.Write(StoreFormat.PathOf(chunk.Container), file.AsArray());
             // This comes after the chunk's own file: once it exists, the chunk is done.
             if (top.IsCreated)
-                pending.Written = m_folder.Write(BuildFiles.TopPath(chunk), top);
+                pending.Written = m_folder.Write(BuildFiles.TopPath(chunk.Number), top);
             if (pending.Written == null)
                 return file;
             m_pending.Enqueue(pending);

@@ -24,9 +24,7 @@ namespace FastPoints.Build
         readonly List<UpperItem> m_items = new List<UpperItem>();
         ChunkIndexer m_indexer;
         IndexWorkspace m_workspace;
-        UpperRegion[] m_regionOfChunk;
-        int[] m_draftOfChunk;
-        WriteTicket m_whole;
+        readonly List<UpperItem> m_attached = new List<UpperItem>(); // Chunks with nodes.
         long m_upperBytes;
         long m_upperPoints;
 
@@ -44,32 +42,29 @@ namespace FastPoints.Build
         public int LowestSideLog2 { get; private set; } = int.MaxValue;
         public long[] BytesOfPlane { get; }
 
-        /// <summary>Coroutine: writes upper.bin and hierarchy.bin, and adds them to the manifest.</summary>
+        /// <summary>Coroutine: writes the upper levels' containers and the hierarchy's pages, and adds them to the
+        /// manifest.</summary>
         /// <param name="chunks">In Morton order, with rising numbers; all, or those that are finished.</param>
         /// <param name="topRecords">By chunk; if there are none, they are in the chunk's file. They stay the caller's.</param>
         public IEnumerator<JobStep> Run(IReadOnlyList<ChunkResult> chunks, NativeArray<byte>[] topRecords, StageProgress progress)
         {
             m_indexer = m_build.CreateIndexer(m_store, m_manifest);
             m_workspace = m_build.CreateWorkspace(m_store);
-            int last = chunks.Count > 0 ? chunks[chunks.Count - 1].Record.Number : -1;
-            m_regionOfChunk = new UpperRegion[last + 1];
-            m_draftOfChunk = new int[last + 1];
             long left = 0;
             for (int i = 0; i < chunks.Count; i++)
             {
                 left += chunks[i].TopPoints;
                 m_items.Add(new UpperItem
                 {
-                    Cube = chunks[i].Record.Cube,
+                    Cube = chunks[i].Container.Cube,
                     Top = chunks[i].Top,
                     TopPoints = chunks[i].TopPoints,
-                    Chunk = chunks[i].Record.Number,
-                    Records = topRecords[chunks[i].Record.Number],
+                    Chunk = chunks[i],
+                    Records = topRecords[chunks[i].Number],
                 });
             }
 
             long pointsPerRegion = Math.Max(m_build.Plan.PointsPerRegion, MinPointsPerRegion);
-            m_upperBytes = FileHeader.SizeBytes;
             while (left > MaxPointsInFlight(pointsPerRegion))
             {
                 var groups = CubeGroups.Of(m_manifest.Root, m_items, i => i.Cube, i => i.TopPoints, pointsPerRegion);
@@ -95,13 +90,12 @@ namespace FastPoints.Build
             }
             if (m_items.Count > 0)
                 yield return JobStep.Of(MergeRegion(new List<UpperItem>(m_items), m_manifest.Root, true));
-            yield return JobStep.Of(WriteHierarchy(chunks));
+            yield return JobStep.Of(WriteHierarchy());
             progress?.Report(1, m_upperPoints, m_upperBytes);
         }
 
         public void Dispose()
         {
-            m_whole?.Wait();
             m_indexer?.Dispose();
             m_workspace?.Dispose();
             foreach (var region in m_regions)
@@ -124,16 +118,19 @@ namespace FastPoints.Build
             try
             {
                 yield return JobStep.Of(GatherTops(members, records, tops));
-                m_indexer.BeginUpper(records, tops, cube, isRoot, m_workspace);
+                var container = new ContainerRecord { Cube = cube, Kind = ContainerKind.Upper };
+                if (m_manifest.IsBuilding)
+                    container.Part = checked((int)m_manifest.Generation);
+                m_indexer.BeginUpper(records, tops, container, isRoot, m_workspace);
                 yield return m_indexer.Job;
                 m_indexer.Job.Complete();
                 m_build.Slices.Take(m_indexer.SliceTimes);
 
-                var region = TakeRegion();
-                bool hasNodes = Attach(members, tops, region) || region.NodeCount > 0;
+                var region = TakeRegion(container);
+                bool hasNodes = Attach(members, tops, region) || region.Part.NodeCount > 0;
                 if (!isRoot)
                     m_items.Add(TopOf(region, cube, hasNodes));
-                yield return JobStep.Of(WriteNodes(region, isRoot));
+                yield return JobStep.Of(WriteNodes(region.Part));
             }
             finally
             {
@@ -193,7 +190,7 @@ namespace FastPoints.Build
             if (member.Records.IsCreated)
                 return null;
             var read = new StoreRead();
-            read.Begin(m_build.Folder.PathOf(BuildFiles.TopPath(member.Chunk)), ChunkResult.RecordsOffset(BytesOfPlane.Length),
+            read.Begin(m_build.Folder.PathOf(BuildFiles.TopPath(member.Chunk.Number)), member.Chunk.RecordsOffset,
                 member.TopPoints * TopStride);
             return read;
         }
@@ -206,79 +203,45 @@ namespace FastPoints.Build
             for (int i = 0; i < members.Count; i++)
             {
                 hasNodes |= tops[i].HasNodes;
-                if (members[i].Region != null)
-                {
-                    members[i].Region.Above = region;
-                    members[i].Region.AttachDraft = tops[i].AttachNode;
-                }
-                else
-                {
-                    m_regionOfChunk[members[i].Chunk] = region;
-                    m_draftOfChunk[members[i].Chunk] = tops[i].AttachNode;
-                }
+                var attach = members[i].Region ?? members[i].Above;
+                attach.Above = region;
+                attach.AttachDraft = tops[i].AttachNode;
+                if (members[i].Chunk != null && members[i].Top.HasNodes)
+                    m_attached.Add(members[i]);
             }
             return hasNodes;
         }
 
-        /// <summary>Appends the region's nodes to those of upper.bin. The root comes last and completes the
-        /// header.</summary>
-        IEnumerator<JobStep> WriteNodes(UpperRegion region, bool isRoot)
+        /// <summary>Writes a region's container, unless it has no nodes.</summary>
+        IEnumerator<JobStep> WriteNodes(HierarchyPart part)
         {
-            WriteTicket ticket = null;
+            var file = m_indexer.File.AsArray();
+            if (part.NodeCount == 0)
+                yield break;
+            var ticket = m_build.Folder.Write(StoreFormat.PathOf(part.Container), file);
             try
             {
-                var file = m_indexer.File.AsArray();
-                if (isRoot && m_upperPoints == 0)
-                {
-                    m_upperBytes = file.Length;
-                    m_upperPoints = file.Length > 0 ? PointsOf(file) : 0;
-                    // The hierarchy is queued after it, and awaited.
-                    m_whole = m_build.Folder.Write(m_manifest.UpperName, file);
-                    yield break;
-                }
-                if (file.Length > 0)
-                {
-                    region.PlaneShift = m_upperBytes - FileHeader.SizeBytes;
-                    var planes = file.GetSubArray(FileHeader.SizeBytes, file.Length - FileHeader.SizeBytes);
-                    ticket = m_build.Folder.WritePiece(m_manifest.UpperName, planes, m_upperBytes);
-                    m_upperBytes += planes.Length;
-                    m_upperPoints += PointsOf(file);
-                }
-                while (ticket != null && !ticket.IsDone(1))
-                    yield return default;
-                if (!isRoot || region.PlaneShift == 0)
-                    yield break;
-                DescribeAll(file);
-                ticket = m_build.Folder.Seal(m_manifest.UpperName, file.GetSubArray(0, FileHeader.SizeBytes));
                 while (!ticket.IsDone(1))
                     yield return default;
+                m_upperBytes += file.Length;
+                m_upperPoints += PointsOf(file);
             }
             finally
             {
-                ticket?.Wait();
+                ticket.Wait();
             }
         }
 
         static long PointsOf(NativeArray<byte> file) => ((FileHeader*)file.GetUnsafeReadOnlyPtr())->PointCount;
 
-        /// <summary>Turns the header of one region's file into that of the whole file.</summary>
-        void DescribeAll(NativeArray<byte> file)
+        UpperRegion TakeRegion(ContainerRecord container)
         {
-            var header = (FileHeader*)file.GetUnsafePtr();
-            header->PointCount = m_upperPoints;
-            header->TableOffset = header->FileBytes = m_upperBytes;
-            header->HeaderHash = ContentHash.Of(header, FileHeader.SizeBytes - sizeof(ulong));
-        }
-
-        UpperRegion TakeRegion()
-        {
-            var region = new UpperRegion
-            {
-                Table = new NativeArray<byte>(m_indexer.Table.AsArray(), Allocator.Persistent),
-                NodeOfDraft = m_indexer.NodeOfDraft.AsArray().ToArray(),
-            };
-            foreach (int node in region.NodeOfDraft)
-                region.NodeCount += node >= 0 ? 1 : 0;
+            var region = new UpperRegion { NodeOfDraft = m_indexer.NodeOfDraft.AsArray().ToArray() };
+            region.Part.Cube = container.Cube;
+            region.Part.Table = new NativeArray<byte>(m_indexer.Table.AsArray(), Allocator.Persistent);
+            region.Part.NodeCount = m_indexer.Table.Length / ChunkResult.BytesPerNode(BytesOfPlane.Length);
+            if (region.Part.NodeCount > 0)
+                region.Part.Container = ((FileHeader*)m_indexer.File.GetUnsafeReadOnlyPtr())->Container;
             foreach (var draft in m_indexer.Drafts.AsArray())
                 LowestSideLog2 = Math.Min(LowestSideLog2, draft.SideLog2);
             for (int p = 0; p < BytesOfPlane.Length; p++)
@@ -307,41 +270,134 @@ namespace FastPoints.Build
             };
         }
 
-        IEnumerator<JobStep> WriteHierarchy(IReadOnlyList<ChunkResult> chunks)
+        IEnumerator<JobStep> WriteHierarchy()
+        {
+            var folder = m_build.Folder;
+            string name = m_manifest.HierarchyName;
+            IEnumerator<JobStep> WritePiece(NativeArray<byte> bytes, long offset) =>
+                CloudFolderWriter.Await(folder.WritePiece(name, bytes, offset));
+            using var writer =
+                new HierarchyWriter(BytesOfPlane.Length, m_manifest.CloudId, FileHeader.SizeBytes, LoadTable, WritePiece);
+            yield return JobStep.Of(writer.Write(JoinParts(), root =>
+            {
+                m_manifest.NodeCount = root.NodeCount;
+                m_manifest.RootOffset = root.OffsetBytes;
+                m_manifest.RootBytes = root.LengthBytes;
+                m_manifest.RootHash = root.Hash;
+            }));
+            m_manifest.HierarchyBytes = writer.Offset;
+            m_manifest.ChunkCount = m_attached.Count;
+            using var header = new NativeArray<byte>(HeaderOfHierarchy(), Allocator.Persistent);
+            yield return JobStep.Of(CloudFolderWriter.Await(folder.Seal(name, header)));
+        }
+
+        /// <summary>Hangs chunks and regions on the nodes that they are attached to.</summary>
+        /// <returns>The root.</returns>
+        HierarchyPart JoinParts()
         {
             // The last one is the root: others come after what is above them.
             m_regions.Reverse();
-            int planeCount = BytesOfPlane.Length;
-            var table = UpperTable.Join(m_regions, planeCount, out int[] indexOfNode);
-            var hierarchy = default(NativeArray<byte>);
-            WriteTicket ticket = null;
-            try
+            for (int r = 0; r < m_regions.Count; r++)
             {
-                m_manifest.NodeCount = indexOfNode.Length;
-                m_manifest.UpperBytes = indexOfNode.Length > 0 ? m_upperBytes : 0;
-                var records = new List<ChunkRecord>();
-                foreach (var chunk in chunks)
+                var region = m_regions[r];
+                region.Part.SampledWith = r;
+                if (r > 0 && region.Part.NodeCount > 0)
+                    region.Attach(region.Part);
+            }
+            foreach (var item in m_attached)
+                item.Above.Attach(new HierarchyPart
                 {
-                    if (!chunk.Top.HasNodes)
-                        continue;
-                    var record = chunk.Record;
-                    record.AttachNode = indexOfNode[m_regionOfChunk[record.Number].NodeOf(m_draftOfChunk[record.Number])];
-                    m_manifest.NodeCount += record.NodeCount;
-                    records.Add(record);
-                }
-                m_manifest.ChunkCount = records.Count;
-                hierarchy = HierarchyFile.Create(table, indexOfNode.Length, planeCount, records, m_manifest);
-                ticket = m_build.Folder.Write(m_manifest.HierarchyName, hierarchy);
-                while (!ticket.IsDone(1))
-                    yield return default;
-            }
-            finally
-            {
-                ticket?.Wait();
-                if (hierarchy.IsCreated)
-                    hierarchy.Dispose();
-                table.Dispose();
-            }
+                    Cube = item.Cube,
+                    Container = item.Chunk.Container,
+                    NodeCount = item.Chunk.NodeCount,
+                    Table = item.Chunk.Table,
+                    Chunk = item.Chunk,
+                });
+            var root = m_manifest.Root.Corner;
+            foreach (var region in m_regions)
+                region.Part.Below.Sort((a, b) => a.Node != b.Node ? a.Node.CompareTo(b.Node)
+                    : a.Part.Cube.Corner != b.Part.Cube.Corner
+                        ? MortonOrder.Compare(a.Part.Cube.Corner - root, b.Part.Cube.Corner - root)
+                    : a.Part.Cube.SideLog2 != b.Part.Cube.SideLog2 ? b.Part.Cube.SideLog2.CompareTo(a.Part.Cube.SideLog2)
+                    : a.Part.Container.Part.CompareTo(b.Part.Container.Part));
+            return m_regions.Count > 0 ? m_regions[0].Part : new HierarchyPart();
         }
+
+        /// <summary>Reads a chunk's nodes back.</summary>
+        IEnumerator<JobStep> LoadTable(HierarchyPart part)
+        {
+            using var read = new StoreRead();
+            read.Begin(m_build.Folder.PathOf(BuildFiles.TopPath(part.Chunk.Number)), part.Chunk.TableOffset, part.Chunk.TableBytes);
+            yield return read.Done;
+            read.Complete();
+            part.Table = new NativeArray<byte>(read.Bytes, Allocator.Persistent);
+        }
+
+        byte[] HeaderOfHierarchy()
+        {
+            var header = new FileHeader
+            {
+                Magic = StoreFormat.HierarchyMagic,
+                Version = StoreFormat.Version,
+                PlaneCount = BytesOfPlane.Length,
+                Container = new ContainerRecord
+                {
+                    Cube = m_manifest.Root,
+                    Kind = ContainerKind.Hierarchy,
+                    FileBytes = m_manifest.HierarchyBytes,
+                    Hash = m_manifest.RootHash,
+                },
+                PointCount = m_manifest.Points,
+                CloudId = m_manifest.CloudId,
+            };
+            header.HeaderHash = StoreFile.HashOf(header);
+            return new ReadOnlySpan<byte>(&header, FileHeader.SizeBytes).ToArray();
+        }
+    }
+
+    /// <summary>Where the nodes of a chunk or a region are attached: to a draft of the region above.</summary>
+    internal class UpperPlace
+    {
+        public UpperRegion Above;
+        public int AttachDraft;
+
+        /// <summary>Hangs a part on its node, possibly in a region further above.</summary>
+        public void Attach(HierarchyPart part)
+        {
+            var place = this;
+            while (place.Above.NodeOfDraft[place.AttachDraft] < 0)
+                place = place.Above;
+            place.Above.Part.Below.Add((place.Above.NodeOfDraft[place.AttachDraft], part));
+        }
+    }
+
+    /// <summary>Upper nodes of one merge: those above a few chunks, or above other regions. The top node of a
+    /// region, like a chunk's, belongs to the region above; the root's has none above. Owns its table.</summary>
+    internal sealed class UpperRegion : UpperPlace, IDisposable
+    {
+        public readonly HierarchyPart Part = new HierarchyPart();
+
+        /// <summary>For each draft, its node in the table, or -1 for the top that belongs to the region above.</summary>
+        public int[] NodeOfDraft;
+
+        public void Dispose() => Part.DisposeTable();
+    }
+
+    /// <summary>The merge's next input: a chunk's top, or a region's.</summary>
+    internal sealed class UpperItem
+    {
+        public GridCube Cube;
+        public ChunkTop Top;
+        public int TopPoints;
+
+        /// <summary>The chunk or the region whose top it is; the other is null.</summary>
+        public ChunkResult Chunk;
+        public UpperRegion Region;
+
+        /// <summary>Of a chunk.</summary>
+        public readonly UpperPlace Above = new UpperPlace();
+
+        /// <summary>The top's records, if they are in memory.</summary>
+        public NativeArray<byte> Records;
     }
 }

@@ -123,7 +123,7 @@ namespace FastPoints.Drawing
         // often on a surface or a line; its gap is the larger of what the box's largest face and longest edge give.
         static float GapOf(in StreamNode node, in SizeTreeCloud cloud)
         {
-            if (node.ChildCount + node.ChunkCount > 0 || node.PointCount == 0)
+            if (node.ChildCount + node.PageCount > 0 || node.PointCount == 0)
                 return node.Spacing * cloud.SpacingScale;
             var edges = 2 * node.Half * cloud.AxisScale;
             float area = math.max(edges.x * edges.y, math.max(edges.y * edges.z, edges.z * edges.x));

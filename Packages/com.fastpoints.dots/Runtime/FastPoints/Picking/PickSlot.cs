@@ -59,7 +59,8 @@ namespace FastPoints.Picking
             if (Source.TranscodesNodes)
                 return;
             var table = Source.TableOf(m_candidate.Page);
-            m_first.Begin(table.Path, table.OffsetBytes, Bytes = table.LengthBytes, Source.RemoteOf(m_candidate.Page));
+            m_first.Begin(table.Path, table.OffsetBytes, Bytes = table.LengthBytes,
+                Source.RemoteOfTable(m_candidate.Page));
             Done = m_first.Done;
         }
 
@@ -78,9 +79,12 @@ namespace FastPoints.Picking
         {
             Done.Complete();
             if (!m_problem.Value.IsNone)
-                throw new PointCloudException(FailureCode.BadInput, Source.PathOf(m_candidate.Page),
-                    Source.TableOf(m_candidate.Page).OffsetBytes, Source.Describe(m_candidate.Page, Table, m_problem.Value));
-            m_cloud.Load(m_candidate.Page, m_built.Value);
+            {
+                var table = Source.TableOf(m_candidate.Page);
+                throw new PointCloudException(FailureCode.BadInput, table.Path, table.OffsetBytes,
+                    Source.Describe(m_candidate.Page, Table, m_problem.Value));
+            }
+            m_cloud.Load(m_candidate.Page, m_built.Value, Table);
             m_built.Value = default;
         }
 

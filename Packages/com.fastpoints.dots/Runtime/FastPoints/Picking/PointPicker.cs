@@ -205,8 +205,8 @@ namespace FastPoints.Picking
             var node = m_cloud.Pages[page].Nodes[index];
             for (int child = node.FirstChild; child < node.FirstChild + node.ChildCount; child++)
                 PushNode(page, child, node.Spacing);
-            for (int chunk = 1 + node.FirstChunk; chunk < 1 + node.FirstChunk + node.ChunkCount; chunk++)
-                PushPage(chunk, node.Spacing);
+            for (int below = node.FirstPage; below < node.FirstPage + node.PageCount; below++)
+                PushPage(below, node.Spacing);
         }
 
         unsafe void PushPage(int page, double spacingAbove)

@@ -4,81 +4,61 @@ using System.IO;
 
 namespace FastPoints.Store
 {
-    // Which planes of a cloud's files had the bytes that were written, so that each is hashed once in a run of the application,
-    // also if the cloud is opened again, as long as the files' sizes and times are the same.
+    // Which planes of a cloud had the bytes that were written, so that each is hashed once in a run of the application, also if
+    // the cloud is opened again, as long as its files are not written to.
     internal sealed class CheckedPlanes
     {
         // Finished clouds that were opened, by folder.
         static readonly Dictionary<string, CheckedPlanes> s_opened = new Dictionary<string, CheckedPlanes>();
 
-        readonly ulong m_cloudId;
-        readonly int m_planeCount;
-        readonly CheckedFile[] m_files;
+        readonly ulong m_rootHash;
+        readonly DateTime m_openedUtc = DateTime.UtcNow;
+        readonly Dictionary<ulong, CheckedPage> m_pages = new Dictionary<ulong, CheckedPage>(); // By hash.
 
-        struct CheckedFile
+        sealed class CheckedPage
         {
-            public long Bytes;
-            public DateTime WrittenUtc;
+            public string Path;
             public ulong[] Bits;
         }
 
-        CheckedPlanes(ulong cloudId, int planeCount, IReadOnlyList<(string Path, int Nodes)> files)
-        {
-            m_cloudId = cloudId;
-            m_planeCount = planeCount;
-            m_files = new CheckedFile[files.Count];
-            for (int file = 0; file < m_files.Length; file++)
-            {
-                var info = new FileInfo(files[file].Path);
-                // A missing file is noticed when it is read.
-                m_files[file] = new CheckedFile
-                {
-                    Bytes = info.Exists ? info.Length : -1,
-                    WrittenUtc = info.Exists ? info.LastWriteTimeUtc : default,
-                    Bits = new ulong[((long)files[file].Nodes * m_planeCount + 63) / 64],
-                };
-            }
-        }
+        CheckedPlanes(ulong rootHash) => m_rootHash = rootHash;
 
-        // The first file is that of the upper levels; planes of a null folder are not remembered. Any thread: a plane
-        // checked later was written before this call or has changed the file's time.
-        public static CheckedPlanes Of(ulong cloudId, int planeCount, IReadOnlyList<(string Path, int Nodes)> files,
-            string folder)
+        // Any thread: a plane checked later was written before this call or has changed the file's time.
+        public static CheckedPlanes Of(CloudFolder folder)
         {
-            var now = new CheckedPlanes(cloudId, planeCount, files);
-            if (folder == null)
+            var now = new CheckedPlanes(folder.Manifest.RootHash);
+            if (folder.IsUnfinished)
                 return now;
             lock (s_opened)
             {
-                if (s_opened.TryGetValue(folder, out var before) && before.m_cloudId == now.m_cloudId &&
-                    before.m_planeCount == now.m_planeCount && before.m_files.Length == now.m_files.Length)
-                    now.KeepUnchanged(before.m_files);
-                s_opened[folder] = now;
+                if (s_opened.TryGetValue(folder.FolderPath, out var before) && before.m_rootHash == now.m_rootHash)
+                    now.KeepUnchanged(before);
+                s_opened[folder.FolderPath] = now;
             }
             return now;
         }
 
-        public bool Has(int file, int node, int plane) => (m_files[file].Bits[WordOf(node, plane)] & BitOf(node, plane)) != 0;
-
         // Main thread, as other streams may show the same cloud.
-        public void Add(int file, int node, int plane) => m_files[file].Bits[WordOf(node, plane)] |= BitOf(node, plane);
-
-        // Has a file checked again, since something in it was damaged.
-        public void Forget(int file) => Array.Clear(m_files[file].Bits, 0, m_files[file].Bits.Length);
-
-        long WordOf(int node, int plane) => ((long)node * m_planeCount + plane) >> 6;
-
-        ulong BitOf(int node, int plane) => 1UL << (int)(((long)node * m_planeCount + plane) & 63);
-
-        void KeepUnchanged(CheckedFile[] before)
+        public ulong[] BitsOf(in PageLink page, string path, long planes)
         {
-            for (int file = 0; file < m_files.Length; file++)
+            lock (m_pages)
             {
-                ref var now = ref m_files[file];
-                if (before[file].Bytes == now.Bytes && before[file].WrittenUtc == now.WrittenUtc &&
-                    before[file].Bits.Length == now.Bits.Length)
-                    now.Bits = before[file].Bits;
+                if (!m_pages.TryGetValue(page.Hash, out var known))
+                    m_pages.Add(page.Hash, known = new CheckedPage { Path = path, Bits = new ulong[(planes + 63) / 64] });
+                return known.Bits;
             }
+        }
+
+        public static bool Has(ulong[] bits, long plane) => (bits[plane >> 6] & 1UL << (int)(plane & 63)) != 0;
+
+        public static void Add(ulong[] bits, long plane) => bits[plane >> 6] |= 1UL << (int)(plane & 63);
+
+        void KeepUnchanged(CheckedPlanes before)
+        {
+            lock (before.m_pages)
+                foreach (var page in before.m_pages)
+                    if (File.GetLastWriteTimeUtc(page.Value.Path) < before.m_openedUtc)
+                        m_pages.Add(page.Key, page.Value);
         }
     }
 }

@@ -6,21 +6,50 @@ using Unity.Collections.LowLevel.Unsafe;
 
 namespace FastPoints.Store
 {
-    /// <summary>An opened cloud: its manifest, its upper nodes and a record for each chunk, whose tables are loaded on request.
-    /// Everything is checked before it is used.</summary>
-    public sealed unsafe class CloudFolder : IDisposable
+    /// <summary>An opened cloud: its manifest and the first page of its hierarchy. The other pages are loaded on request, and
+    /// numbered as those that link to them are. Everything is checked before it is used.</summary>
+    public sealed class CloudFolder : IDisposable
     {
-        const int MaxTableFetches = 32;
+        // What is begun for callers that load page by page.
+        const int MaxPagesInFlight = 32;
+
+        const int Unknown = -1;
+
+        readonly List<Page> m_pages = new List<Page>();
+        readonly List<Container> m_containers = new List<Container>();
+        readonly Dictionary<string, int> m_containerOfPath = new Dictionary<string, int>();
+        readonly Dictionary<int, RemoteRead> m_fetched = new Dictionary<int, RemoteRead>(); // By page.
+        readonly bool m_isRemote;
+
+        struct Page
+        {
+            public PageLink Link;
+            public int Table; // Number of the container that it lies in.
+            public int Planes; // Of that of its nodes' planes; unknown until it was loaded, as the next.
+            public int FirstBelow;
+        }
+
+        struct Container
+        {
+            public ContainerRecord Record;
+            public string Path;
+            public RemoteFile Remote;
+        }
 
         CloudFolder(string path, CloudManifest manifest)
         {
             FolderPath = path;
             Manifest = manifest;
             Layout = manifest.CreateLayout();
+            m_isRemote = SourcePath.IsRemote(path);
+            var hierarchy = new ContainerRecord
+            {
+                Kind = manifest.IsWhole ? ContainerKind.Whole : ContainerKind.Hierarchy,
+                FileBytes = manifest.HierarchyBytes,
+                Hash = manifest.RootHash,
+            };
+            Add(manifest.RootPage, AddContainer(SourcePath.Combine(path, manifest.HierarchyName), hierarchy));
         }
-
-        readonly Dictionary<int, RemoteRead> m_fetched = new Dictionary<int, RemoteRead>(); // By chunk: tables.
-        RemoteFile[] m_remote; // By page; null on this machine's disk.
 
         public string FolderPath { get; }
         public CloudManifest Manifest { get; }
@@ -29,31 +58,42 @@ namespace FastPoints.Store
         public bool IsUnfinished => Manifest.IsBuilding || FolderPath.EndsWith(StoreFormat.PartSuffix, StringComparison.Ordinal);
         public StoreLayout Layout { get; }
 
-        /// <summary>The nodes of the upper levels; their planes are in upper.bin.</summary>
-        public NodeTable Upper { get; private set; }
+        /// <summary>The nodes of page 0.</summary>
+        public NodeTable Root { get; private set; }
 
         // Null unless the folder was opened to be shown.
         internal CheckedPlanes Checked { get; private set; }
 
-        /// <summary>Chunk records, in the order of the upper nodes that they are attached to.</summary>
-        public NativeArray<ChunkRecord> Chunks { get; private set; }
+        /// <summary>The pages that are known so far: page 0, and those that a loaded page links to.</summary>
+        public int PageCount => m_pages.Count;
 
-        public string UpperPath => SourcePath.Combine(FolderPath, Manifest.UpperName);
+        internal HierarchyGrid Grid => new HierarchyGrid(Manifest);
 
-        public string ChunkPath(int chunk) => SourcePath.Combine(FolderPath, StoreFormat.ChunkPath(Chunks[chunk].Number));
+        public PageLink LinkOf(int page) => m_pages[page].Link;
 
-        // upper.bin (0) or a chunk's file (from 1 on) on a web server; null on this machine's disk. The hierarchy has the hashes
-        // of all that is read of it, so that no request goes before the first range.
-        internal RemoteFile RemoteOf(int page)
+        /// <summary>The number of the first page that a loaded page links to; the others follow in the order of the
+        /// links.</summary>
+        public int FirstBelow(int page) => m_pages[page].FirstBelow;
+
+        /// <summary>The container of the planes of a loaded page's nodes.</summary>
+        public ContainerRecord ContainerOf(int page) => m_containers[m_pages[page].Planes].Record;
+
+        /// <summary>The path of <see cref="ContainerOf"/>.</summary>
+        public string PathOf(int page) => m_containers[m_pages[page].Planes].Path;
+
+        // On a web server; null on this machine's disk.
+        internal RemoteFile RemoteOf(int page) =>
+            m_pages[page].Planes == Unknown ? null : RemoteOfContainer(m_pages[page].Planes);
+
+        internal RemoteFile RemoteOfTable(int page) => RemoteOfContainer(m_pages[page].Table);
+
+        // Where a page itself is.
+        internal FilePiece TableOf(int page) => new FilePiece
         {
-            if (m_remote == null)
-                return null;
-            return m_remote[page] ??= page == 0
-                ? RemoteFile.Of(UpperPath, Manifest.UpperBytes, VersionOf(Manifest.HierarchyHash))
-                : RemoteFile.Of(ChunkPath(page - 1), Chunks[page - 1].FileBytes, VersionOf(Chunks[page - 1].TableHash));
-        }
-
-        string VersionOf(ulong hash) => Manifest.CloudId.ToString("x16") + hash.ToString("x16");
+            Path = m_containers[m_pages[page].Table].Path,
+            OffsetBytes = m_pages[page].Link.OffsetBytes,
+            LengthBytes = m_pages[page].Link.LengthBytes,
+        };
 
         /// <summary>Whether a path looks like a cloud's folder. Of an address the name alone says so.</summary>
         public static bool IsCloud(string path) => SourcePath.IsRemote(path)
@@ -89,9 +129,8 @@ namespace FastPoints.Store
         // The next Open asks a web server what it has by then.
         internal static void Doubt(string path)
         {
-            foreach (string name in new[] { StoreFormat.ManifestName, StoreFormat.HierarchyName })
-                if (SourcePath.IsRemote(path))
-                    RemoteFile.Find(SourcePath.Combine(path, name))?.Doubt();
+            if (SourcePath.IsRemote(path))
+                RemoteFile.Find(SourcePath.Combine(path, StoreFormat.ManifestName))?.Doubt();
         }
 
         static CloudFolder OpenOnce(string path)
@@ -99,16 +138,8 @@ namespace FastPoints.Store
             string manifestPath = SourcePath.Combine(path, StoreFormat.ManifestName);
             var folder = Open(path, CloudManifest.FromJson(StoreFile.ReadText(manifestPath), manifestPath));
             // What comes from elsewhere is hashed each time.
-            if (SourcePath.IsRemote(path))
-            {
-                folder.m_remote = new RemoteFile[1 + folder.Chunks.Length];
-                return folder;
-            }
-            var files = new List<(string, int)> { (folder.UpperPath, folder.Upper.Nodes.Length) };
-            for (int chunk = 0; chunk < folder.Chunks.Length; chunk++)
-                files.Add((folder.ChunkPath(chunk), folder.Chunks[chunk].NodeCount));
-            folder.Checked = CheckedPlanes.Of(folder.Manifest.CloudId, folder.Layout.Planes.Count, files,
-                folder.IsUnfinished ? null : folder.FolderPath);
+            if (!folder.m_isRemote)
+                folder.Checked = CheckedPlanes.Of(folder);
             return folder;
         }
 
@@ -118,7 +149,7 @@ namespace FastPoints.Store
             var folder = new CloudFolder(path, manifest);
             try
             {
-                folder.ReadHierarchy();
+                folder.Root = folder.LoadPage(0);
                 return folder;
             }
             catch
@@ -130,167 +161,141 @@ namespace FastPoints.Store
 
         public void Dispose()
         {
-            Upper?.Dispose();
+            Root?.Dispose();
+            Root = null;
             foreach (var fetched in m_fetched.Values)
                 fetched.Dispose();
             m_fetched.Clear();
-            if (Chunks.IsCreated)
-                Chunks.Dispose();
-            Chunks = default;
         }
 
-        /// <summary>The nodes of one chunk; the caller disposes the table.</summary>
-        public NodeTable LoadTable(int chunk)
+        /// <summary>The nodes of one page, other than the first; the caller disposes the table. The pages below get their
+        /// numbers.</summary>
+        public NodeTable LoadPage(int page)
         {
-            if (m_remote == null)
-                return LoadTable(ChunkPath(chunk), Chunks[chunk]);
-            IsTableFetched(chunk);
-            using var fetched = m_fetched[chunk];
-            m_fetched.Remove(chunk);
-            fetched.Await();
-            using var bytes = new NativeArray<byte>((int)fetched.Bytes, Allocator.Persistent);
-            UnsafeUtility.MemCpy(bytes.GetUnsafePtr(), fetched.Data, bytes.Length);
-            return TableOf(ChunkPath(chunk), Chunks[chunk], bytes);
+            var piece = TableOf(page);
+            var table = Check(piece.Path, LinkOf(page), Grid, Layout, m_isRemote ? Fetched(page) : ReadLocal(piece));
+            Register(page, table.View);
+            return table;
         }
 
-        // For callers that load all tables in this order.
-        internal void FetchTablesFrom(int chunk)
+        // Every page, each after the one that links to it; its table lasts until the next.
+        internal IEnumerable<NodeTable> LoadAll()
         {
-            for (int c = chunk; m_remote != null && c < Math.Min(chunk + MaxTableFetches, Chunks.Length); c++)
-                IsTableFetched(c);
+            yield return Root;
+            for (int page = 1; page < PageCount; page++)
+            {
+                FetchFrom(page);
+                using var table = LoadPage(page);
+                yield return table;
+            }
         }
 
-        // Whether LoadTable does not wait for a web server. Begins to fetch the table if not.
-        internal bool IsTableFetched(int chunk)
+        // The files of planes and pages, as far as pages are known.
+        internal IEnumerable<(string Path, long Bytes)> Files()
         {
-            if (m_remote == null)
+            foreach (var container in m_containers)
+                yield return (container.Path, container.Record.FileBytes);
+        }
+
+        // For callers that load all pages in this order.
+        internal void FetchFrom(int page)
+        {
+            for (int p = page; m_isRemote && p < Math.Min(page + MaxPagesInFlight, PageCount); p++)
+                IsFetched(p);
+        }
+
+        // Whether LoadPage does not wait for a web server. Begins to fetch the page if not.
+        internal bool IsFetched(int page)
+        {
+            if (!m_isRemote)
                 return true;
-            if (!m_fetched.TryGetValue(chunk, out var fetched))
-                m_fetched.Add(chunk, fetched =
-                    RemoteOf(1 + chunk).Begin(Chunks[chunk].TableOffset, TableBytes(Chunks[chunk]), chunk));
+            if (!m_fetched.TryGetValue(page, out var fetched))
+                m_fetched.Add(page, fetched = RemoteOfTable(page).Begin(m_pages[page].Link.OffsetBytes,
+                    m_pages[page].Link.LengthBytes, page));
             return fetched.IsDone;
         }
 
-        // On any thread, even while the folder is disposed.
-        internal NodeTable LoadTable(string path, in ChunkRecord record, RemoteFile remote = null)
+        // Begins to read a page, on any thread, even while the folder is disposed. Whoever takes it registers it.
+        internal PoolTask<NodeTable> BeginPage(int page)
         {
-            if (remote == null)
-                CheckHeader(path, record);
-            using var bytes = remote != null
-                ? StoreFile.Read(remote, record.TableOffset, TableBytes(record), Allocator.Persistent)
-                : StoreFile.Read(path, record.TableOffset, TableBytes(record), Allocator.Persistent);
-            return TableOf(path, record, bytes);
+            var piece = TableOf(page);
+            var remote = RemoteOfTable(page);
+            var (link, grid, layout) = (LinkOf(page), Grid, Layout);
+            return PoolTask.Begin(piece.Path, () => Check(piece.Path, link, grid, layout, remote == null ? ReadLocal(piece)
+                : StoreFile.Read(remote, piece.OffsetBytes, piece.LengthBytes, Allocator.Persistent)), table => table.Dispose());
         }
 
-        void CheckHeader(string path, in ChunkRecord record)
+        // Numbers the pages that a page without problems links to, once.
+        internal unsafe void Register(int page, in PageView view)
         {
-            var header = StoreFile.ReadHeader(path, StoreFormat.ChunkMagic);
-            if (header.CloudId != Manifest.CloudId || header.Number != record.Number || header.NodeCount != record.NodeCount ||
-                header.PointCount != record.PointCount || header.FileBytes != record.FileBytes ||
-                    header.PlaneCount != Layout.Planes.Count ||
-                header.TableOffset != record.TableOffset || header.TableHash != record.TableHash || header.ChunkCount != 0)
-                throw new PointCloudException(FailureCode.BadInput, path, 0, "is not the file that the hierarchy means");
-        }
-
-        long TableBytes(in ChunkRecord record) =>
-            record.NodeCount * (NodeRecord.SizeBytes + (long)Layout.Planes.Count * PlaneRange.SizeBytes);
-
-        NodeTable TableOf(string path, in ChunkRecord record, NativeArray<byte> bytes)
-        {
-            ulong hash = ContentHash.Of(bytes.GetUnsafeReadOnlyPtr(), bytes.Length);
-            if (hash != record.TableHash)
-                throw new PointCloudException(FailureCode.BadInput, path, record.TableOffset,
-                    "the node table is damaged: " + StoreFile.HashProblem(record.TableHash, hash));
-            var table = Take(bytes, record.NodeCount, Layout.Planes.Count);
-            string problem = table.FindProblem(record.Cube, record.TableOffset, Layout, true) ?? FindCountProblem(table,
-                record.PointCount);
-            if (problem == null)
-                return table;
-            table.Dispose();
-            throw new PointCloudException(FailureCode.BadInput, path, record.TableOffset, problem);
-        }
-
-        void ReadHierarchy()
-        {
-            string path = SourcePath.Combine(FolderPath, Manifest.HierarchyName);
-            using var bytes = StoreFile.ReadWhole(path, StoreFormat.HierarchyMagic, out var header);
-            if (header.CloudId != Manifest.CloudId || header.PointCount != Manifest.Points ||
-                header.FileBytes != Manifest.HierarchyBytes ||
-                header.PlaneCount != Layout.Planes.Count || header.ChunkCount != Manifest.ChunkCount ||
-                    header.TableOffset != FileHeader.SizeBytes)
-                throw new PointCloudException(FailureCode.BadInput, path, 0, "is not the file that " +
-                    StoreFormat.ManifestName + " means");
-            // A request less: what is read of a remote file is hashed each time.
-            long upperBytes = SourcePath.IsRemote(path) ? Manifest.UpperBytes
-                : header.NodeCount == 0 ? 0 : StoreFile.ReadHeader(UpperPath, StoreFormat.UpperMagic).FileBytes;
-            if (upperBytes != Manifest.UpperBytes)
-                throw PointCloudException.Wanted(FailureCode.BadInput, UpperPath, -1, "size", Manifest.UpperBytes, upperBytes);
-            var start = (byte*)bytes.GetUnsafeReadOnlyPtr();
-            ulong hash = ContentHash.Of(start, bytes.Length);
-            if (hash != Manifest.HierarchyHash)
-                throw new PointCloudException(FailureCode.BadInput, path, 0,
-                    "is damaged: " + StoreFile.HashProblem(Manifest.HierarchyHash, hash));
-            hash = ContentHash.Of(start + FileHeader.SizeBytes, bytes.Length - FileHeader.SizeBytes);
-            if (hash != header.TableHash)
-                throw new PointCloudException(FailureCode.BadInput, path, FileHeader.SizeBytes,
-                    "is damaged: " + StoreFile.HashProblem(header.TableHash, hash));
-            var table = bytes.GetSubArray(FileHeader.SizeBytes, bytes.Length - FileHeader.SizeBytes);
-            Upper = Take(table, header.NodeCount, header.PlaneCount);
-            int chunkBytes = header.ChunkCount * ChunkRecord.SizeBytes;
-            var chunks = new NativeArray<ChunkRecord>(header.ChunkCount, Allocator.Persistent);
-            UnsafeUtility.MemCpy(chunks.GetUnsafePtr(), start + bytes.Length - chunkBytes, chunkBytes);
-            Chunks = chunks;
-            string problem = Upper.FindProblem(Manifest.Root, upperBytes, Layout, false) ?? FindChunkProblem();
-            if (problem != null)
-                throw new PointCloudException(FailureCode.BadInput, path, -1, problem);
-        }
-
-        static NodeTable Take(NativeArray<byte> bytes, int nodeCount, int planeCount)
-        {
-            var nodes = new NativeArray<NodeRecord>(nodeCount, Allocator.Persistent, NativeArrayOptions.UninitializedMemory);
-            var planes = new NativeArray<PlaneRange>(nodeCount * planeCount, Allocator.Persistent,
-                NativeArrayOptions.UninitializedMemory);
-            var start = (byte*)bytes.GetUnsafeReadOnlyPtr();
-            long nodeBytes = (long)nodeCount * NodeRecord.SizeBytes;
-            UnsafeUtility.MemCpy(nodes.GetUnsafePtr(), start, nodeBytes);
-            UnsafeUtility.MemCpy(planes.GetUnsafePtr(), start + nodeBytes, (long)planes.Length * PlaneRange.SizeBytes);
-            return new NodeTable(nodes, planes, planeCount);
-        }
-
-        static string FindCountProblem(NodeTable table, long points)
-        {
-            long sum = 0;
-            foreach (var node in table.Nodes)
-                sum += node.PointCount;
-            return sum == points ? null : "wanted " + points + " points in all nodes, got " + sum;
-        }
-
-        string FindChunkProblem()
-        {
-            long points = 0, nodes = Upper.Nodes.Length;
-            var numbers = new HashSet<int>();
-            int at = 0;
-            for (int n = 0; n < Upper.Nodes.Length; n++)
+            var known = m_pages[page];
+            if (known.FirstBelow != Unknown)
+                return;
+            var header = view.Header;
+            known.FirstBelow = m_pages.Count;
+            known.Planes = header.NodeCount == 0 ? known.Table : NumberOf(view.Containers[view.ContainerOfPlane[0]]);
+            m_pages[page] = known;
+            for (int l = 0; l < header.LinkCount; l++)
             {
-                var node = Upper.Nodes[n];
-                points += node.PointCount;
-                if (node.ChunkCount < 0 || (node.ChunkCount > 0 && node.FirstChunk != at) || node.ChunkCount > Chunks.Length - at)
-                    return "node " + n + ": chunks " + node.FirstChunk + " to " + ((long)node.FirstChunk + node.ChunkCount);
-                for (int end = at + node.ChunkCount; at < end; at++)
-                {
-                    var chunk = Chunks[at];
-                    if (chunk.AttachNode != n || chunk.SideLog2 < 0 || chunk.SideLog2 > GridCube.MaxSideLog2 ||
-                        !Manifest.Root.Contains(chunk.Cube) || chunk.Number < 0 || !numbers.Add(chunk.Number))
-                        return "chunk " + at + ": number " + chunk.Number + " at " + chunk.Cube + " on node " + chunk.AttachNode;
-                    points += chunk.PointCount;
-                    nodes += chunk.NodeCount;
-                }
+                var link = view.Links[l];
+                Add(link, link.Container < 0 ? known.Table : NumberOf(view.Containers[link.Container]));
             }
-            if (at != Chunks.Length)
-                return "chunks " + at + " and on hang on no node";
-            if (nodes != Manifest.NodeCount)
-                return "wanted " + Manifest.NodeCount + " nodes, got " + nodes;
-            return points == Manifest.Points ? null : "wanted " + Manifest.Points + " points, got " + points;
+        }
+
+        void Add(in PageLink link, int container) => m_pages.Add(new Page
+        {
+            Link = link,
+            Table = container,
+            Planes = Unknown,
+            FirstBelow = Unknown,
+        });
+
+        int NumberOf(in ContainerRecord record) =>
+            AddContainer(SourcePath.Combine(FolderPath, StoreFormat.PathOf(record)), record);
+
+        int AddContainer(string path, in ContainerRecord record)
+        {
+            if (m_containerOfPath.TryGetValue(path, out int number))
+                return number;
+            m_containerOfPath.Add(path, m_containers.Count);
+            m_containers.Add(new Container { Record = record, Path = path });
+            return m_containers.Count - 1;
+        }
+
+        // Pages have the hashes of all that is read of it, so that no request goes before the first range.
+        RemoteFile RemoteOfContainer(int number)
+        {
+            var container = m_containers[number];
+            if (!m_isRemote || container.Remote != null)
+                return container.Remote;
+            container.Remote = RemoteFile.Of(container.Path, container.Record.FileBytes,
+                Manifest.CloudId.ToString("x16") + container.Record.Hash.ToString("x16"));
+            m_containers[number] = container;
+            return container.Remote;
+        }
+
+        unsafe NativeArray<byte> Fetched(int page)
+        {
+            IsFetched(page);
+            using var fetched = m_fetched[page];
+            m_fetched.Remove(page);
+            fetched.Await();
+            var bytes = new NativeArray<byte>((int)fetched.Bytes, Allocator.Persistent);
+            UnsafeUtility.MemCpy(bytes.GetUnsafePtr(), fetched.Data, bytes.Length);
+            return bytes;
+        }
+
+        static NativeArray<byte> ReadLocal(in FilePiece piece) =>
+            StoreFile.Read(piece.Path, piece.OffsetBytes, piece.LengthBytes, Allocator.Persistent);
+
+        // Takes over the bytes.
+        static NodeTable Check(string path, in PageLink link, in HierarchyGrid grid, StoreLayout layout, NativeArray<byte> bytes)
+        {
+            string problem = NodeTable.FindProblem(bytes, link, grid, layout);
+            if (problem == null)
+                return new NodeTable(bytes);
+            bytes.Dispose();
+            throw new PointCloudException(FailureCode.BadInput, path, link.OffsetBytes, problem);
         }
     }
 }

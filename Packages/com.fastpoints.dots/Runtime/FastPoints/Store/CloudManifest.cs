@@ -9,25 +9,6 @@ namespace FastPoints.Store
     {
         const string FormatName = "fastpoints";
 
-        // Sources with more coordinate systems than this share the last one.
-        internal const int MaxSystems = 64;
-
-        /// <summary>One file that the cloud was made from.</summary>
-        public struct Source
-        {
-            /// <summary>The file's name, without its folder.</summary>
-            public string Name;
-            public long FileBytes;
-            public long Points;
-
-            // 0 in clouds of earlier versions: see SourceInfo.
-            internal ulong HeadHash;
-
-            /// <summary>The file's own coordinate system, where files of several make one cloud; null if it is the
-            /// cloud's.</summary>
-            public CloudCrs Crs;
-        }
-
         /// <summary>Smallest and largest value of an attribute, scaled as <see cref="PointAttribute"/> says.</summary>
         public struct Range
         {
@@ -71,8 +52,8 @@ namespace FastPoints.Store
         // Null in unfinished clouds, and in those of older versions.
         internal StoredDisplayRanges? Shown;
 
-        public int NodeCount;
-        public int ChunkCount;
+        public long NodeCount;
+        public long ChunkCount;
         public string Sampler = "random";
 
         /// <summary>Planes with averages follow the others: see <see cref="StoreLayout"/>.</summary>
@@ -112,18 +93,33 @@ namespace FastPoints.Store
                     value.GeoKeys);
         }
 
-        public readonly List<Source> Sources = new List<Source>();
-
-        /// <summary>Sizes of the two files beside the chunks, and the hash of all of hierarchy.bin.</summary>
+        /// <summary>Sizes and place of the hierarchy: of all its pages, and of the one that all others are below.</summary>
         public long HierarchyBytes;
-        public ulong HierarchyHash;
-        public long UpperBytes;
+        public long RootOffset;
+        public int RootBytes;
 
-        /// <summary>A generation of an unfinished cloud has its own files, so that none changes under a reader.</summary>
-        public string HierarchyName => IsBuilding ? StoreFormat.GenerationName(StoreFormat.HierarchyName, Generation)
-            : StoreFormat.HierarchyName;
-        public string UpperName => IsBuilding ? StoreFormat.GenerationName(StoreFormat.UpperName, Generation)
-            : StoreFormat.UpperName;
+        /// <summary>Covers all that the cloud consists of: pages have the hashes of what is below them.</summary>
+        public ulong RootHash;
+
+        /// <summary>Planes and pages are one file, for hosts that limit the number of objects.</summary>
+        public bool IsWhole;
+
+        /// <summary>A generation of an unfinished cloud has its own, so that none changes under a reader.</summary>
+        public string HierarchyName => IsWhole ? StoreFormat.WholeName
+            : IsBuilding ? StoreFormat.GenerationName(StoreFormat.HierarchyName, Generation) : StoreFormat.HierarchyName;
+
+        internal PageLink RootPage => new PageLink
+        {
+            Corner = Root.Corner,
+            SideLog2 = Root.SideLog2,
+            AttachNode = -1,
+            PointCount = Points,
+            NodeCount = NodeCount,
+            OffsetBytes = RootOffset,
+            LengthBytes = RootBytes,
+            Container = -1,
+            Hash = RootHash,
+        };
 
         public BoundsGeo BoundsGeo => Points == 0 ? BoundsGeo.Empty : new BoundsGeo(Grid.ToGeo(BoundsMin), Grid.ToGeo(BoundsMax));
 
@@ -168,44 +164,12 @@ namespace FastPoints.Store
                 json.BeginObject("gpsTime").Add("kind", GpsTime.Kind.ToString()).Add("offsetMegaseconds",
                     GpsTime.OffsetMegaseconds).EndObject();
             json.BeginObject("settings").Add("sampler", Sampler).EndObject();
-            WriteSources(json);
-            json.BeginObject("files").Add("hierarchyBytes", HierarchyBytes).AddHex("hierarchyHash", HierarchyHash)
-                .Add("upperBytes", UpperBytes).EndObject();
+            json.BeginObject("hierarchy").Add("whole", IsWhole).Add("bytes", HierarchyBytes).Add("rootOffset", RootOffset)
+                .Add("rootBytes", RootBytes).AddHex("rootHash", RootHash).EndObject();
             return json.EndObject().ToString();
         }
 
-        void WriteSources(JsonWriter json)
-        {
-            var systems = new List<CloudCrs>();
-            var ofSource = Sources.ConvertAll(source =>
-            {
-                int index = systems.FindIndex(s => s == source.Crs || s != null && s.IsSameEntryAs(source.Crs));
-                if (index < 0 && systems.Count <= MaxSystems)
-                    systems.Add(source.Crs);
-                return index < 0 ? systems.Count - 1 : index;
-            });
-            if (systems.Count > 1)
-            {
-                json.BeginArray("systems");
-                foreach (var system in systems)
-                    Write(json.BeginObject(), system ?? new CloudCrs());
-                json.EndArray();
-            }
-            json.BeginArray("sources");
-            for (int i = 0; i < Sources.Count; i++)
-            {
-                json.BeginObject().Add("name", Sources[i].Name).Add("bytes", Sources[i].FileBytes)
-                    .Add("points", Sources[i].Points);
-                if (Sources[i].HeadHash != 0)
-                    json.AddHex("head", Sources[i].HeadHash);
-                if (systems.Count > 1)
-                    json.Add("system", ofSource[i]);
-                json.EndObject();
-            }
-            json.EndArray();
-        }
-
-        static void Write(JsonWriter json, CloudCrs crs)
+        internal static void Write(JsonWriter json, CloudCrs crs)
         {
             json.Add("name", crs.Name).Add("epsg", crs.Epsg).Add("verticalEpsg", crs.VerticalEpsg)
                 .Add("metresPerUnit", crs.MetresPerUnit).Add("wkt", crs.Wkt);
@@ -218,7 +182,7 @@ namespace FastPoints.Store
             json.EndObject();
         }
 
-        static CloudCrs ReadCrs(JsonMembers crs) => new CloudCrs
+        internal static CloudCrs ReadCrs(JsonMembers crs) => new CloudCrs
         {
             Name = crs.TextOrNull("name"),
             Wkt = crs.TextOrNull("wkt"),
@@ -237,7 +201,7 @@ namespace FastPoints.Store
             if (json.Text("format") != FormatName)
                 throw json.Bad("format", "\"" + FormatName + "\"");
             json.RequireVersion(StoreFormat.Version);
-            var files = json.Object("files");
+            var hierarchy = json.Object("hierarchy");
             var result = new CloudManifest
             {
                 CloudId = json.Hex("id"),
@@ -246,11 +210,13 @@ namespace FastPoints.Store
                 Points = json.Count("points"),
                 PointsLeftOut = json.Count("pointsLeftOut"),
                 Checksum = json.Hex("checksum"),
-                NodeCount = (int)json.Count("nodes", int.MaxValue),
-                ChunkCount = (int)json.Count("chunks", int.MaxValue),
-                HierarchyBytes = files.Count("hierarchyBytes"),
-                HierarchyHash = files.Hex("hierarchyHash"),
-                UpperBytes = files.Count("upperBytes"),
+                NodeCount = json.Count("nodes"),
+                ChunkCount = json.Count("chunks"),
+                IsWhole = hierarchy.Flag("whole"),
+                HierarchyBytes = hierarchy.Count("bytes"),
+                RootOffset = hierarchy.Count("rootOffset"),
+                RootBytes = (int)hierarchy.Count("rootBytes", StoreFormat.MaxPageBytesToRead),
+                RootHash = hierarchy.Hex("rootHash"),
             };
             result.ReadGridAndBounds(json);
             result.ReadAttributes(json.Objects("attributes"));
@@ -314,18 +280,6 @@ namespace FastPoints.Store
                 GpsTime = new GpsTime(kind, (int)time.Count("offsetMegaseconds", ushort.MaxValue));
             }
             Sampler = json.Object("settings").Text("sampler");
-            var systems = json.Has("systems") ? json.Objects("systems").ConvertAll(ReadCrs) : null;
-            foreach (var source in json.Objects("sources"))
-            {
-                Sources.Add(new Source
-                {
-                    Name = source.Text("name"),
-                    FileBytes = source.Count("bytes"),
-                    Points = source.Count("points"),
-                    HeadHash = source.Has("head") ? source.Hex("head") : 0,
-                    Crs = systems?[(int)source.Count("system", systems.Count - 1)],
-                });
-            }
         }
 
         static byte[] Base64(JsonMembers json, string name)

@@ -28,14 +28,15 @@ namespace FastPoints.Store
         [FieldOffset(40)] public uint MaxY;
         [FieldOffset(44)] public uint MaxZ;
 
-        /// <summary>The nearest node above in this table, or -1 if that is the chunk's attach node, or there is none.</summary>
+        /// <summary>The nearest node above in this page, or -1 if that is the node that the page is linked from, or there is
+        /// none.</summary>
         [FieldOffset(48)] public int Parent;
         [FieldOffset(52)] public int FirstChild;
         [FieldOffset(56)] public int ChildCount;
 
-        /// <summary>Chunk records attached to this node, in hierarchy.bin only.</summary>
-        [FieldOffset(60)] public int FirstChunk;
-        [FieldOffset(64)] public int ChunkCount;
+        /// <summary>Links of the page to pages below this node.</summary>
+        [FieldOffset(60)] public int FirstLink;
+        [FieldOffset(64)] public int LinkCount;
 
         /// <summary>Points of this node alone.</summary>
         [FieldOffset(68)] public int PointCount;
@@ -73,40 +74,140 @@ namespace FastPoints.Store
         public int BoundsShift => IsWide ? SideLog2 - 32 : 0;
     }
 
-    /// <summary>The location of one plane of one node in its file.</summary>
-    [DiskFormat]
-    [StructLayout(LayoutKind.Explicit, Size = SizeBytes)]
+    /// <summary>The location of one plane of one node in its container.</summary>
     public struct PlaneRange
     {
-        public const int SizeBytes = 24;
-
-        [FieldOffset(0)] public long OffsetBytes;
-        [FieldOffset(8)] public long LengthBytes;
-        [FieldOffset(16)] public ulong Hash;
+        public long OffsetBytes;
+        public long LengthBytes;
+        public ulong Hash;
     }
 
-    /// <summary>What hierarchy.bin knows of one chunk. Records are in the order of the nodes that they are attached to.</summary>
+    // The same in a page: 16 TiB of a container, 256 MiB of a plane.
     [DiskFormat]
     [StructLayout(LayoutKind.Explicit, Size = SizeBytes)]
-    public struct ChunkRecord
+    internal struct PackedRange
+    {
+        public const int SizeBytes = 16;
+
+        const int LengthBits = 24;
+
+        [FieldOffset(0)] public ulong Place;
+        [FieldOffset(8)] public ulong Hash;
+
+        public PackedRange(in PlaneRange range)
+        {
+            Place = (ulong)(range.OffsetBytes / PlaneShape.AlignmentBytes) << LengthBits |
+                (ulong)(range.LengthBytes / PlaneShape.AlignmentBytes);
+            Hash = range.Hash;
+        }
+
+        public PlaneRange Range => new PlaneRange
+        {
+            OffsetBytes = (long)(Place >> LengthBits) * PlaneShape.AlignmentBytes,
+            LengthBytes = (long)(Place & ((1 << LengthBits) - 1)) * PlaneShape.AlignmentBytes,
+            Hash = Hash,
+        };
+    }
+
+    /// <summary>What a page knows of one below it. Links are in the order of the nodes that they hang on.</summary>
+    [DiskFormat]
+    [StructLayout(LayoutKind.Explicit, Size = SizeBytes)]
+    public struct PageLink
     {
         public const int SizeBytes = 72;
 
-        /// <summary>The chunk's cube: all its nodes lie inside.</summary>
+        /// <summary>Holds all nodes of the page and below.</summary>
         [FieldOffset(0)] public Grid3 Corner;
         [FieldOffset(24)] public int SideLog2;
 
-        /// <summary>Number of the file.</summary>
-        [FieldOffset(28)] public int Number;
+        /// <summary>The node of this page that is the parent of that page's parentless nodes.</summary>
+        [FieldOffset(28)] public int AttachNode;
 
-        /// <summary>The upper node that is the parent of the chunk's parentless nodes.</summary>
-        [FieldOffset(32)] public int AttachNode;
-        [FieldOffset(36)] public int NodeCount;
-        [FieldOffset(40)] public long PointCount;
-        [FieldOffset(48)] public long FileBytes;
-        [FieldOffset(56)] public long TableOffset;
-        [FieldOffset(64)] public ulong TableHash;
+        /// <summary>With those of all pages below it.</summary>
+        [FieldOffset(32)] public long PointCount;
+        [FieldOffset(40)] public long NodeCount;
+
+        [FieldOffset(48)] public long OffsetBytes;
+        [FieldOffset(56)] public int LengthBytes;
+
+        /// <summary>Number of the container among this page's; -1 for that of this page itself.</summary>
+        [FieldOffset(60)] public int Container;
+        [FieldOffset(64)] public ulong Hash;
 
         public GridCube Cube => new GridCube(Corner, SideLog2);
+    }
+
+    /// <summary>A file of a cloud, by what is in it: its name follows.</summary>
+    [DiskFormat]
+    [StructLayout(LayoutKind.Explicit, Size = SizeBytes)]
+    public struct ContainerRecord
+    {
+        public const int SizeBytes = 56;
+
+        /// <summary>The cube of the chunk, or of the upper nodes that were made together.</summary>
+        [FieldOffset(0)] public Grid3 Corner;
+        [FieldOffset(24)] public int SideLog2;
+
+        /// <summary>Tells containers of one cube apart: parts of more points than a chunk has at one place, and generations of
+        /// upper nodes while a cloud is built.</summary>
+        [FieldOffset(28)] public int Part;
+        [FieldOffset(32)] public ContainerKind Kind;
+
+        /// <summary>0 for what the cloud was built with; planes that were computed later lie in layers of their own.</summary>
+        [FieldOffset(34)] public ushort Layer;
+        [FieldOffset(36)] public int Reserved;
+        [FieldOffset(40)] public long FileBytes;
+
+        /// <summary>Of the hashes of all planes in it, in their order.</summary>
+        [FieldOffset(48)] public ulong Hash;
+
+        public GridCube Cube
+        {
+            get => new GridCube(Corner, SideLog2);
+            set => (Corner, SideLog2) = (value.Corner, value.SideLog2);
+        }
+
+        internal bool IsSameFileAs(in ContainerRecord other) => Corner == other.Corner && SideLog2 == other.SideLog2 &&
+            Part == other.Part && Kind == other.Kind && Layer == other.Layer;
+    }
+
+    public enum ContainerKind : ushort
+    {
+        /// <summary>All of the cloud but its texts: planes and pages.</summary>
+        Whole = 0,
+        /// <summary>The nodes of one region, but its top node.</summary>
+        Chunk = 1,
+        /// <summary>Upper nodes that were made together.</summary>
+        Upper = 2,
+        /// <summary>Pages alone.</summary>
+        Hierarchy = 3,
+    }
+
+    // The head of a page. Behind it come the containers, by plane the number of its container (4 bytes each, filled up to 8), the
+    // nodes, their planes' ranges, the links.
+    [DiskFormat]
+    [StructLayout(LayoutKind.Explicit, Size = SizeBytes)]
+    internal struct PageHeader
+    {
+        public const int SizeBytes = 48;
+
+        [FieldOffset(0)] public ulong Magic;
+        [FieldOffset(8)] public uint Version;
+        [FieldOffset(12)] public int PlaneCount;
+        [FieldOffset(16)] public int NodeCount;
+        [FieldOffset(20)] public int LinkCount;
+        [FieldOffset(24)] public int ContainerCount;
+        [FieldOffset(28)] public int Reserved;
+
+        // Of its own nodes.
+        [FieldOffset(32)] public long PointCount;
+        [FieldOffset(40)] public ulong CloudId;
+
+        public readonly int ContainersOffset => SizeBytes;
+        public readonly long PlanesOffset => ContainersOffset + (long)ContainerCount * ContainerRecord.SizeBytes;
+        public readonly long NodesOffset => PlanesOffset + (4L * PlaneCount + 7) / 8 * 8;
+        public readonly long RangesOffset => NodesOffset + (long)NodeCount * NodeRecord.SizeBytes;
+        public readonly long LinksOffset => RangesOffset + (long)NodeCount * PlaneCount * PackedRange.SizeBytes;
+        public readonly long LengthBytes => LinksOffset + (long)LinkCount * PageLink.SizeBytes;
     }
 }

@@ -4,78 +4,85 @@ using Unity.Collections.LowLevel.Unsafe;
 
 namespace FastPoints.Store
 {
-    /// <summary>The nodes of one file with the locations of their planes, as they lie in its table. Owns its memory.</summary>
-    public sealed class NodeTable : IDisposable
+    /// <summary>The nodes of one page of a hierarchy, with the locations of their planes. Owns its memory.</summary>
+    public sealed unsafe class NodeTable : IDisposable
     {
-        NativeArray<NodeRecord> m_nodes;
+        NativeArray<byte> m_bytes;
         NativeArray<PlaneRange> m_planes;
+        readonly PageView m_view;
 
-        public NodeTable(NativeArray<NodeRecord> nodes, NativeArray<PlaneRange> planes, int planeCount) =>
-            (m_nodes, m_planes, PlaneCount) = (nodes, planes, planeCount);
+        // Takes over the bytes of a page without problems.
+        internal NodeTable(NativeArray<byte> bytes)
+        {
+            m_bytes = bytes;
+            m_view = PageView.Of(bytes);
+            m_planes = new NativeArray<PlaneRange>(m_view.NodeCount * PlaneCount, Allocator.Persistent,
+                NativeArrayOptions.UninitializedMemory);
+            for (int i = 0; i < m_planes.Length; i++)
+                m_planes[i] = m_view.Ranges[i].Range;
+        }
 
-        public int PlaneCount { get; }
-        public NativeArray<NodeRecord> Nodes => m_nodes;
+        public int PlaneCount => m_view.Header.PlaneCount;
+        public NativeArray<NodeRecord> Nodes =>
+            Part<NodeRecord>(m_view.Header.NodesOffset, (long)m_view.NodeCount * NodeRecord.SizeBytes);
 
         /// <summary>By node times PlaneCount, plus plane. Those of an inlined leaf are empty: its parent's apply.</summary>
         public NativeArray<PlaneRange> Planes => m_planes;
 
-        internal unsafe TableCheck View => new TableCheck
-        {
-            Nodes = (NodeRecord*)m_nodes.GetUnsafeReadOnlyPtr(),
-            Planes = (PlaneRange*)m_planes.GetUnsafeReadOnlyPtr(),
-            NodeCount = m_nodes.Length,
-            PlaneCount = PlaneCount,
-        };
+        /// <summary>Links to the pages below.</summary>
+        public NativeArray<PageLink> Links =>
+            Part<PageLink>(m_view.Header.LinksOffset, (long)m_view.Header.LinkCount * PageLink.SizeBytes);
+
+        internal PageView View => m_view;
 
         public void Dispose()
         {
-            if (!m_nodes.IsCreated)
+            if (!m_bytes.IsCreated)
                 return;
-            m_nodes.Dispose();
+            m_bytes.Dispose();
             m_planes.Dispose();
         }
 
-        /// <summary>What is wrong with the table, or null: check this before using it. On any thread.</summary>
-        public unsafe string FindProblem(GridCube region, long dataBytes, StoreLayout layout, bool isChunk)
+        // What is wrong with a page, or null: to be checked before it is used. On any thread.
+        internal static string FindProblem(NativeArray<byte> bytes, in PageLink link, in HierarchyGrid grid, StoreLayout layout)
         {
             using var shapes = layout.CreateShapes(Allocator.Persistent);
-            var check = View;
-            check.Shapes = (PlaneShape*)shapes.GetUnsafeReadOnlyPtr();
-            check.Region = region;
-            check.DataBytes = dataBytes;
-            check.IsChunk = isChunk;
+            var check = new TableCheck(bytes, link, grid, (PlaneShape*)shapes.GetUnsafeReadOnlyPtr(), shapes.Length);
             var problem = check.FindProblem();
             return problem.IsNone ? null : Describe(problem, check);
         }
 
         // Describes what check found; its memory must still exist.
-        internal static unsafe string Describe(TableProblem problem, in TableCheck check)
+        internal static string Describe(TableProblem problem, in TableCheck check)
         {
             return problem.Fault switch
             {
                 TableFault.Hash => "the node table is damaged: " + StoreFile.HashProblem((ulong)problem.Wanted,
                     (ulong)problem.Got),
-                TableFault.Roots => "wanted " + (check.IsChunk ? "nodes" : "one node") +
+                TableFault.Head => "is no page of " + problem.Wanted + " bytes of this cloud",
+                TableFault.Roots => "wanted " + (check.IsRoot ? "one node" : "nodes") +
                     " without a parent at the table's start, got " + problem.Got,
                 TableFault.Orphans => "nodes " + problem.Node + " and on are no node's children",
+                TableFault.Link => "link " + problem.Node + " is not one of its nodes', or leads nowhere",
                 TableFault.PointSum => "wanted " + problem.Wanted + " points in all nodes, got " + problem.Got,
-                _ => "node " + problem.Node + ": " + DescribeNode(problem, check, check.Nodes[problem.Node]),
+                TableFault.NodeSum => "wanted " + problem.Wanted + " nodes, got " + problem.Got,
+                _ => "node " + problem.Node + ": " + DescribeNode(problem, check, check.Page.Nodes[problem.Node]),
             };
         }
 
-        static unsafe string DescribeNode(TableProblem problem, in TableCheck check, NodeRecord node)
+        static string DescribeNode(TableProblem problem, in TableCheck check, NodeRecord node)
         {
-            var range = problem.Fault == TableFault.Plane
-                ? check.Planes[(long)problem.Node * check.PlaneCount + problem.Got] : default;
+            var range = problem.Fault == TableFault.Plane ? check.Page.RangeOf(problem.Node, (int)problem.Got) : default;
             return problem.Fault switch
             {
                 TableFault.Side => "side 2^" + node.SideLog2 + " with cells of 2^" + node.CellLog2,
-                TableFault.OutsideRegion => "cube " + node.Cube + " outside of " + check.Region,
-                TableFault.NotOfOctree => "cube " + node.Cube + " is not of the octree of " + check.Region,
+                TableFault.OutsideRegion => "cube " + node.Cube + " outside of " + check.Link.Cube,
+                TableFault.NotOfOctree => "cube " + node.Cube + " is not of the octree of " + check.Link.Cube,
                 TableFault.Parent => "parent " + node.Parent,
-                TableFault.ParentCube => "cube " + node.Cube + " in a parent of " + check.Nodes[node.Parent].Cube,
+                TableFault.ParentCube => "cube " + node.Cube + " in a parent of " + check.Page.Nodes[node.Parent].Cube,
                 TableFault.NotAChild => "is none of its parent's children",
                 TableFault.Children => "children " + node.FirstChild + " to " + ((long)node.FirstChild + node.ChildCount),
+                TableFault.Links => "links " + node.FirstLink + " to " + ((long)node.FirstLink + node.LinkCount),
                 TableFault.PointCount => "wanted 1 to " + StoreFormat.MaxPointsPerNode + " points, got " + node.PointCount,
                 TableFault.BlockCount => "wanted " + PlaneShape.BlocksOf(node.PointCount) + " blocks, got " + node.BlockCount,
                 TableFault.Bounds => "bounds are turned round",
@@ -85,8 +92,31 @@ namespace FastPoints.Store
                 TableFault.PlaneBlocks => "wanted " + problem.Wanted + " hosted blocks, got " + problem.Got,
                 TableFault.InlinedPlane => "a guest with a plane of its own",
                 _ => "plane " + problem.Got + ": " + range.LengthBytes + " bytes from " + range.OffsetBytes +
-                    " in a file with room to " + check.DataBytes,
+                    " in a file of " + problem.Wanted,
             };
         }
+
+        NativeArray<T> Part<T>(long offset, long bytes) where T : unmanaged =>
+            m_bytes.GetSubArray((int)offset, (int)bytes).Reinterpret<T>(1);
+    }
+
+    // Where the parts of a page's bytes are.
+    internal unsafe struct PageView
+    {
+        [NativeDisableUnsafePtrRestriction] public byte* Bytes;
+
+        public static PageView Of(NativeArray<byte> bytes) => new PageView { Bytes = (byte*)bytes.GetUnsafeReadOnlyPtr() };
+
+        public readonly PageHeader Header => *(PageHeader*)Bytes;
+        public readonly int NodeCount => ((PageHeader*)Bytes)->NodeCount;
+        public readonly NodeRecord* Nodes => (NodeRecord*)(Bytes + Header.NodesOffset);
+        public readonly PackedRange* Ranges => (PackedRange*)(Bytes + Header.RangesOffset);
+        public readonly PageLink* Links => (PageLink*)(Bytes + Header.LinksOffset);
+        public readonly ContainerRecord* Containers => (ContainerRecord*)(Bytes + Header.ContainersOffset);
+
+        // By plane: the number of the container that all its nodes have it in.
+        public readonly int* ContainerOfPlane => (int*)(Bytes + Header.PlanesOffset);
+
+        public readonly PlaneRange RangeOf(int node, int plane) => Ranges[(long)node * Header.PlaneCount + plane].Range;
     }
 }

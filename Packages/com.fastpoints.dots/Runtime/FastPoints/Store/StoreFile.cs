@@ -98,58 +98,24 @@ namespace FastPoints.Store
                     Math.Max(0, fileBytes - offset) + " before the end of the file");
         }
 
-        public static FileHeader ReadHeader(string path, ulong magic)
-        {
-            using var bytes = Read(path, 0, FileHeader.SizeBytes, Allocator.Persistent);
-            return HeaderOf(path, bytes, magic, SizeOf(path));
-        }
-
-        // All of a file that has a header.
-        public static NativeArray<byte> ReadWhole(string path, ulong magic, out FileHeader header)
-        {
-            long size = SizeOf(path);
-            var bytes = Read(path, 0, Math.Max(FileHeader.SizeBytes, size), Allocator.Persistent);
-            try
-            {
-                header = HeaderOf(path, bytes, magic, size);
-                return bytes;
-            }
-            catch
-            {
-                bytes.Dispose();
-                throw;
-            }
-        }
-
-        static FileHeader HeaderOf(string path, NativeArray<byte> bytes, ulong magic, long fileBytes)
-        {
-            var header = *(FileHeader*)bytes.GetUnsafeReadOnlyPtr();
-            string problem = FindProblem(header, magic, fileBytes);
-            if (problem != null)
-                throw new PointCloudException(FailureCode.BadInput, path, 0, problem);
-            return header;
-        }
-
-        public static string FindProblem(FileHeader header, ulong magic, long fileBytes)
+        // What is wrong with the head of a container, or null.
+        public static string FindProblem(FileHeader header, ulong magic, ulong cloudId, long fileBytes)
         {
             if (header.Magic != magic)
                 return "not the file that its name says: wanted magic " + magic.ToString("x16") + ", got " +
                     header.Magic.ToString("x16");
             if (header.Version != StoreFormat.Version)
                 return "version: wanted " + StoreFormat.Version + ", got " + header.Version;
-            ulong hash = ContentHash.Of(&header, FileHeader.SizeBytes - sizeof(ulong));
+            ulong hash = HashOf(header);
             if (header.HeaderHash != hash)
                 return "the header is damaged: " + HashProblem(header.HeaderHash, hash);
-            if (header.FileBytes != fileBytes)
-                return "wanted " + header.FileBytes + " bytes, got " + fileBytes;
-            long table = (long)header.NodeCount * (NodeRecord.SizeBytes + (long)header.PlaneCount * PlaneRange.SizeBytes) +
-                (long)header.ChunkCount * ChunkRecord.SizeBytes;
-            if (header.NodeCount < 0 || header.ChunkCount < 0 || header.PlaneCount < 1 || header.PlaneCount > 4096 ||
-                header.PointCount < 0 || header.TableOffset < FileHeader.SizeBytes || header.TableOffset != fileBytes - table)
-                return "a table of " + header.NodeCount + " nodes, " + header.ChunkCount + " chunks and " + header.PlaneCount +
-                    " planes at " + header.TableOffset + " does not end the file";
-            return null;
+            if (header.CloudId != cloudId)
+                return "is of another cloud";
+            return header.Container.FileBytes == fileBytes ? null
+                : "wanted " + header.Container.FileBytes + " bytes, got " + fileBytes;
         }
+
+        public static ulong HashOf(FileHeader header) => ContentHash.Of(&header, FileHeader.SizeBytes - sizeof(ulong));
 
         public static string HashProblem(ulong wanted, ulong got) =>
             "its hash does not fit: wanted " + wanted.ToString("x16") + ", got " + got.ToString("x16");

@@ -1,29 +1,49 @@
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
 using Unity.Mathematics;
 
 namespace FastPoints.Store
 {
-    // Whether a table of nodes is consistent, before anything in it is used. Reads memory alone: for jobs as well.
+    // Whether a page is consistent, before anything in it is used. Reads memory alone: for jobs as well.
     internal unsafe struct TableCheck
     {
-        public NodeRecord* Nodes;
-        public PlaneRange* Planes; // By node times PlaneCount, plus plane.
-        public int NodeCount;
-        public int PlaneCount;
-        public PlaneShape* Shapes; // The position's is that of nodes that are not wide.
-        public GridCube Region;
-        public long DataBytes; // Planes lie between the header and this offset.
-        public bool IsChunk; // Several nodes may have no parent.
+        public PageView Page;
+        public PageLink Link; // The page above wants it to be so.
+        public bool IsRoot; // One node has no parent; elsewhere several may have none.
+        readonly long m_bytes;
+        readonly ulong m_cloudId;
+        readonly PlaneShape* m_shapes; // The position's is that of nodes that are not wide.
+        readonly int m_planeCount;
+        PageHeader m_header;
+
+        public TableCheck(NativeArray<byte> bytes, in PageLink link, in HierarchyGrid grid, PlaneShape* shapes, int planeCount)
+        {
+            Page = PageView.Of(bytes);
+            Link = link;
+            IsRoot = link.AttachNode < 0;
+            m_bytes = bytes.Length;
+            m_cloudId = grid.CloudId;
+            m_shapes = shapes;
+            m_planeCount = planeCount;
+            m_header = default;
+        }
 
         public TableProblem FindProblem()
         {
+            ulong hash = ContentHash.Of(Page.Bytes, m_bytes);
+            if (hash != Link.Hash)
+                return new TableProblem(TableFault.Hash, 0, (long)Link.Hash, (long)hash);
+            if (!HasHead())
+                return new TableProblem(TableFault.Head, 0, m_bytes);
             long nextChild = 0;
-            while (nextChild < NodeCount && Nodes[nextChild].Parent == -1)
+            while (nextChild < m_header.NodeCount && Page.Nodes[nextChild].Parent == -1)
                 nextChild++;
-            if (NodeCount > 0 && (nextChild == 0 || (!IsChunk && nextChild != 1)))
+            if (m_header.NodeCount > 0 && (nextChild == 0 || (IsRoot && nextChild != 1)))
                 return new TableProblem(TableFault.Roots, 0, 1, nextChild);
-            for (int i = 0; i < NodeCount; i++)
+            long nextLink = 0;
+            for (int i = 0; i < m_header.NodeCount; i++)
             {
-                var problem = FindInTree(i, ref nextChild);
+                var problem = FindInTree(i, ref nextChild, ref nextLink);
                 if (problem.IsNone)
                     problem = FindInPlaneNode(i);
                 if (problem.IsNone)
@@ -31,33 +51,63 @@ namespace FastPoints.Store
                 if (!problem.IsNone)
                     return problem;
             }
-            return nextChild == NodeCount ? default : new TableProblem(TableFault.Orphans, (int)nextChild);
+            if (nextChild != m_header.NodeCount)
+                return new TableProblem(TableFault.Orphans, (int)nextChild);
+            return nextLink == m_header.LinkCount ? FindInSums() : new TableProblem(TableFault.Link, (int)nextLink);
         }
 
-        TableProblem FindInTree(int index, ref long nextChild)
+        bool HasHead()
         {
-            var node = Nodes[index];
+            if (m_bytes < PageHeader.SizeBytes)
+                return false;
+            m_header = Page.Header;
+            if (m_header.Magic != StoreFormat.PageMagic || m_header.Version != StoreFormat.Version ||
+                m_header.CloudId != m_cloudId || m_header.PlaneCount != m_planeCount || m_header.NodeCount < 0 ||
+                m_header.LinkCount < 0 || m_header.ContainerCount < 0 || m_header.LengthBytes != m_bytes)
+                return false;
+            for (int p = 0; p < m_planeCount; p++)
+                // Readers of this version take all planes of a page from one container.
+                if (Page.ContainerOfPlane[p] < 0 || Page.ContainerOfPlane[p] >= m_header.ContainerCount ||
+                    Page.ContainerOfPlane[p] != Page.ContainerOfPlane[0])
+                    return m_header.NodeCount == 0;
+            for (int c = 0; c < m_header.ContainerCount; c++)
+                if (Page.Containers[c].SideLog2 < 0 || Page.Containers[c].SideLog2 > GridCube.MaxSideLog2 ||
+                    Page.Containers[c].FileBytes < 0 || Page.Containers[c].Kind > ContainerKind.Hierarchy)
+                    return false;
+            return true;
+        }
+
+        TableProblem FindInTree(int index, ref long nextChild, ref long nextLink)
+        {
+            var nodes = Page.Nodes;
+            var node = nodes[index];
             if (node.SideLog2 > GridCube.MaxSideLog2 || node.CellLog2 > node.SideLog2)
                 return new TableProblem(TableFault.Side, index);
-            if (!Region.Contains(node.Cube))
+            if (!Link.Cube.Contains(node.Cube))
                 return new TableProblem(TableFault.OutsideRegion, index);
-            var from = node.Corner - Region.Corner;
+            var from = node.Corner - Link.Corner;
             if ((from.X | from.Y | from.Z) << (64 - node.SideLog2) != 0 && node.SideLog2 > 0)
                 return new TableProblem(TableFault.NotOfOctree, index);
             if (node.Parent >= index || node.Parent < -1)
                 return new TableProblem(TableFault.Parent, index);
             if (node.Parent >= 0)
             {
-                var parent = Nodes[node.Parent];
+                var parent = nodes[node.Parent];
                 if (!parent.Cube.Contains(node.Cube) || (parent.SideLog2 == node.SideLog2 && node.SideLog2 != 0))
                     return new TableProblem(TableFault.ParentCube, index);
                 if (index < parent.FirstChild || index >= (long)parent.FirstChild + parent.ChildCount)
                     return new TableProblem(TableFault.NotAChild, index);
             }
             if (node.ChildCount < 0 || (node.ChildCount > 0 && node.FirstChild != nextChild) ||
-                node.ChildCount > NodeCount - nextChild)
+                node.ChildCount > m_header.NodeCount - nextChild)
                 return new TableProblem(TableFault.Children, index);
             nextChild += node.ChildCount;
+            if (node.LinkCount < 0 || (node.LinkCount > 0 && node.FirstLink != nextLink) ||
+                node.LinkCount > m_header.LinkCount - nextLink)
+                return new TableProblem(TableFault.Links, index);
+            for (long end = nextLink + node.LinkCount; nextLink < end; nextLink++)
+                if (!IsLinkRight(Page.Links[nextLink], index))
+                    return new TableProblem(TableFault.Link, (int)nextLink);
             if (node.PointCount < 1 || node.PointCount > StoreFormat.MaxPointsPerNode)
                 return new TableProblem(TableFault.PointCount, index);
             if (node.BlockCount != PlaneShape.BlocksOf(node.PointCount))
@@ -67,28 +117,36 @@ namespace FastPoints.Store
             return default;
         }
 
+        // A page has fewer points than the one above it: no circle of links is followed for ever.
+        bool IsLinkRight(in PageLink link, int node) => link.AttachNode == node && link.SideLog2 >= 0 &&
+            link.SideLog2 <= GridCube.MaxSideLog2 && Link.Cube.Contains(link.Cube) &&
+            link.PointCount > 0 && link.PointCount < Link.PointCount && link.NodeCount > 0 &&
+            link.LengthBytes >= PageHeader.SizeBytes && link.LengthBytes <= StoreFormat.MaxPageBytesToRead &&
+            link.OffsetBytes >= FileHeader.SizeBytes && link.OffsetBytes <= long.MaxValue - link.LengthBytes &&
+            link.Container >= -1 && link.Container < m_header.ContainerCount;
+
         TableProblem FindInPlaneNode(int index)
         {
-            var node = Nodes[index];
+            var nodes = Page.Nodes;
+            var node = nodes[index];
             if (node.PlaneNode != index)
             {
                 bool isInlined = node.PlaneNode == node.Parent && node.PlaneNode >= 0 && node.ChildCount == 0 &&
-                    node.PlaneBlocks == 0 &&
-                    node.ChunkCount == 0 && Nodes[node.PlaneNode].PlaneNode == node.PlaneNode;
+                    node.PlaneBlocks == 0 && node.LinkCount == 0 && nodes[node.PlaneNode].PlaneNode == node.PlaneNode;
                 return isInlined ? default : new TableProblem(TableFault.InlinedLeaf, index);
             }
             if (node.FirstBlock != 0)
                 return new TableProblem(TableFault.FirstBlock, index);
             // The children are not checked yet, but they are in the table.
             long blocks = node.BlockCount;
-            long end = math.min(NodeCount, (long)node.FirstChild + node.ChildCount);
+            long end = math.min(m_header.NodeCount, (long)node.FirstChild + node.ChildCount);
             for (long child = node.FirstChild; child < end; child++)
             {
-                if (Nodes[child].PlaneNode != index)
+                if (nodes[child].PlaneNode != index)
                     continue;
-                if (Nodes[child].FirstBlock != blocks)
-                    return new TableProblem(TableFault.InlinedBlocks, (int)child, blocks, Nodes[child].FirstBlock);
-                blocks += Nodes[child].BlockCount;
+                if (nodes[child].FirstBlock != blocks)
+                    return new TableProblem(TableFault.InlinedBlocks, (int)child, blocks, nodes[child].FirstBlock);
+                blocks += nodes[child].BlockCount;
             }
             return blocks == node.PlaneBlocks ? default
                 : new TableProblem(TableFault.PlaneBlocks, index, blocks, node.PlaneBlocks);
@@ -96,24 +154,42 @@ namespace FastPoints.Store
 
         TableProblem FindInPlanes(int index)
         {
-            var node = Nodes[index];
-            for (int p = 0; p < PlaneCount; p++)
+            var node = Page.Nodes[index];
+            for (int p = 0; p < m_planeCount; p++)
             {
-                var range = Planes[(long)index * PlaneCount + p];
+                var range = Page.RangeOf(index, p);
                 if (node.PlaneNode != index)
                 {
                     if (range.LengthBytes != 0)
                         return new TableProblem(TableFault.InlinedPlane, index);
                     continue;
                 }
-                var shape = p == StoreLayout.PositionPlane && node.IsWide ? new PlaneShape(3, 7) : Shapes[p];
+                var shape = p == StoreLayout.PositionPlane && node.IsWide ? new PlaneShape(3, 7) : m_shapes[p];
                 long shortest = PlaneShape.LengthBytes((long)node.PlaneBlocks * shape.DescriptorWords);
-                if (range.OffsetBytes < FileHeader.SizeBytes || range.OffsetBytes % PlaneShape.AlignmentBytes != 0 ||
-                    range.LengthBytes < shortest || range.LengthBytes % PlaneShape.AlignmentBytes != 0 ||
-                    range.OffsetBytes > DataBytes - range.LengthBytes)
-                    return new TableProblem(TableFault.Plane, index, 0, p);
+                long fileBytes = Page.Containers[Page.ContainerOfPlane[p]].FileBytes;
+                if (range.OffsetBytes < FileHeader.SizeBytes || range.LengthBytes < shortest ||
+                    range.OffsetBytes > fileBytes - range.LengthBytes)
+                    return new TableProblem(TableFault.Plane, index, fileBytes, p);
             }
             return default;
+        }
+
+        TableProblem FindInSums()
+        {
+            long points = 0, nodes = m_header.NodeCount;
+            for (int n = 0; n < m_header.NodeCount; n++)
+                points += Page.Nodes[n].PointCount;
+            if (points != m_header.PointCount)
+                return new TableProblem(TableFault.PointSum, 0, m_header.PointCount, points);
+            // Claims of up to 2^63 points in many links.
+            for (int l = 0; l < m_header.LinkCount && points <= Link.PointCount && nodes <= Link.NodeCount; l++)
+            {
+                points += Page.Links[l].PointCount;
+                nodes += Page.Links[l].NodeCount;
+            }
+            if (points != Link.PointCount)
+                return new TableProblem(TableFault.PointSum, 0, Link.PointCount, points);
+            return nodes == Link.NodeCount ? default : new TableProblem(TableFault.NodeSum, 0, Link.NodeCount, nodes);
         }
     }
 
@@ -133,15 +209,19 @@ namespace FastPoints.Store
         public bool IsNone => Fault == TableFault.None;
     }
 
-    /// <summary>The faults that a file's table of nodes can have.</summary>
+    /// <summary>The faults that a page of a hierarchy can have.</summary>
     public enum TableFault : byte
     {
         None,
         /// <summary>The bytes differ from those that were written.</summary>
         Hash,
+        Head,
         Roots,
         Orphans,
+        Link,
+        Links,
         PointSum,
+        NodeSum,
         Side,
         OutsideRegion,
         NotOfOctree,

@@ -11,7 +11,7 @@ namespace FastPoints.Streaming
     {
         readonly CloudFolder m_folder;
         readonly HierarchyGrid m_grid;
-        readonly string[] m_pathOfPage; // Made once: a new path for each read would be garbage.
+        readonly List<ulong[]> m_checked = new List<ulong[]>(); // By page, once registered: see CheckedPlanes.
         NativeArray<int> m_planes;
         NativeArray<PlaneShape> m_shapes;
 
@@ -20,10 +20,6 @@ namespace FastPoints.Streaming
         {
             m_folder = folder;
             m_grid = new HierarchyGrid(folder.Manifest);
-            m_pathOfPage = new string[1 + folder.Chunks.Length];
-            m_pathOfPage[0] = folder.UpperPath;
-            for (int chunk = 0; chunk < folder.Chunks.Length; chunk++)
-                m_pathOfPage[1 + chunk] = folder.ChunkPath(chunk);
             var wanted = new SortedSet<int> { StoreLayout.PositionPlane };
             foreach (string name in planes)
                 if (folder.Layout.PlaneOf(name) >= 0)
@@ -34,7 +30,7 @@ namespace FastPoints.Streaming
             m_shapes = folder.Layout.CreateShapes(Allocator.Persistent);
         }
 
-        /// <summary>Opens a folder with all planes except averages: two small files, on any thread.</summary>
+        /// <summary>Opens a folder with all planes except averages: a small file and a page, on any thread.</summary>
         public static FolderSource OpenWhole(string path)
         {
             var folder = CloudFolder.Open(path);
@@ -57,51 +53,59 @@ namespace FastPoints.Streaming
         public override StoreLayout Layout => m_folder.Layout;
         public override NativeArray<int> Planes => m_planes;
         public override NativeArray<PlaneShape> Shapes => m_shapes;
-        public override int PageCount => m_pathOfPage.Length;
+        public override int PageCount => m_folder.PageCount;
 
         public override unsafe void CreatePages(HierarchyPage* pages)
         {
-            for (int chunk = 0; chunk < m_folder.Chunks.Length; chunk++)
-                pages[1 + chunk] = HierarchyPage.OfChunk(m_folder.Chunks[chunk], m_grid);
+            for (int page = 1; page < PageCount; page++)
+                pages[page] = EmptyPage(page);
             pages[0] = default;
-            HierarchyPageBuilding.Build(m_folder.Upper.View, m_planes, m_grid, pages + 1, ref pages[0]);
+            HierarchyPageBuilding.Build(m_folder.Root.View, m_planes, m_grid, ref pages[0]);
+            Number(0, pages[0]);
+        }
+
+        public override HierarchyPage EmptyPage(int page) => HierarchyPage.OfLink(m_folder.LinkOf(page), m_grid);
+
+        public override void RegisterPage(int page, in HierarchyPage built, NativeArray<byte> table)
+        {
+            m_folder.Register(page, PageView.Of(table));
+            Number(page, built);
         }
 
         internal override bool KeepsFilesOpen => !m_folder.IsUnfinished;
 
-        public override string PathOf(int page) => m_pathOfPage[page];
+        public override string PathOf(int page) => m_folder.PathOf(page);
 
         internal override bool IsChecked(int page, int node, int plane) =>
-            m_folder.Checked != null && m_folder.Checked.Has(page, node, m_planes[plane]);
+            m_checked[page] != null && CheckedPlanes.Has(m_checked[page], BitOf(node, plane));
 
-        internal override void SetChecked(int page, int node, int plane) => m_folder.Checked?.Add(page, node, m_planes[plane]);
+        internal override void SetChecked(int page, int node, int plane)
+        {
+            if (m_checked[page] != null)
+                CheckedPlanes.Add(m_checked[page], BitOf(node, plane));
+        }
 
         internal override void Distrust(int page)
         {
-            m_folder.Checked?.Forget(page);
+            if (page < m_checked.Count && m_checked[page] != null)
+                Array.Clear(m_checked[page], 0, m_checked[page].Length);
+            RemoteOfTable(page)?.DropCached();
             RemoteOf(page)?.DropCached();
             Doubt();
         }
 
         internal override RemoteFile RemoteOf(int page) => m_folder.RemoteOf(page);
 
-        internal override double RoundTrip => m_folder.RemoteOf(0)?.RoundTrip ?? 0;
+        internal override RemoteFile RemoteOfTable(int page) => m_folder.RemoteOfTable(page);
+
+        internal override double RoundTrip => m_folder.RemoteOfTable(0)?.RoundTrip ?? 0;
 
         internal override void Doubt() => Doubted?.Invoke();
 
         // Set by whoever would open it again.
         internal Action Doubted { get; set; }
 
-        internal override FilePiece TableOf(int page)
-        {
-            var chunk = m_folder.Chunks[page - 1];
-            return new FilePiece
-            {
-                Path = m_pathOfPage[page],
-                OffsetBytes = chunk.TableOffset,
-                LengthBytes = chunk.NodeCount * (NodeRecord.SizeBytes + (long)m_shapes.Length * PlaneRange.SizeBytes),
-            };
-        }
+        internal override FilePiece TableOf(int page) => m_folder.TableOf(page);
 
         public override JobHandle ScheduleBuild(int page, NativeArray<byte> table, NativeReference<HierarchyPage> built,
             NativeReference<TableProblem> problem) => JobFor(page, table, built, problem).Schedule();
@@ -124,11 +128,25 @@ namespace FastPoints.Streaming
             m_shapes.Dispose();
         }
 
+        long BitOf(int node, int plane) => (long)node * m_shapes.Length + m_planes[plane];
+
+        // Its nodes' pages below, as the folder numbers them.
+        unsafe void Number(int page, in HierarchyPage built)
+        {
+            for (int n = 0; n < built.NodeCount; n++)
+                built.Nodes[n].FirstPage += m_folder.FirstBelow(page);
+            while (m_checked.Count < PageCount)
+                m_checked.Add(null);
+            if (m_folder.Checked != null && built.NodeCount > 0)
+                m_checked[page] ??= m_folder.Checked.BitsOf(m_folder.LinkOf(page), PathOf(page),
+                    (long)built.NodeCount * m_shapes.Length);
+        }
+
         BuildHierarchyPageJob JobFor(int page, NativeArray<byte> table, NativeReference<HierarchyPage> built,
             NativeReference<TableProblem> problem) => new BuildHierarchyPageJob
             {
                 Table = table,
-                Chunk = m_folder.Chunks[page - 1],
+                Link = m_folder.LinkOf(page),
                 Grid = m_grid,
                 Shapes = m_shapes,
                 Wanted = m_planes,

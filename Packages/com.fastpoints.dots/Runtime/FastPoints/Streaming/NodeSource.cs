@@ -30,7 +30,7 @@ namespace FastPoints.Streaming
         /// <summary>One for each plane of <see cref="Layout"/>; the position's is that of nodes that are not wide.</summary>
         public abstract NativeArray<PlaneShape> Shapes { get; }
 
-        /// <summary>If nodes are transcoded, building a page may discover more, after the others.</summary>
+        /// <summary>Registering a page may discover more, after the others.</summary>
         public abstract int PageCount { get; }
 
         /// <summary>Whether nodes are transcoded on demand, from pages of the part of the hierarchy that the source has read so
@@ -63,8 +63,10 @@ namespace FastPoints.Streaming
         // What was read of a page's file was wrong: it is checked, or fetched, again.
         internal virtual void Distrust(int page) { }
 
-        // The page's file if it is on a web server, or null.
+        // The file of the planes of a page's nodes if it is on a web server, or null; and that of the page itself.
         internal virtual RemoteFile RemoteOf(int page) => null;
+
+        internal virtual RemoteFile RemoteOfTable(int page) => null;
 
         // Seconds until a web server's answer begins; 0 for files.
         internal virtual double RoundTrip => 0;
@@ -75,10 +77,11 @@ namespace FastPoints.Streaming
         /// <summary>For sources that transcode: if a page cannot be built now, the source reads what is missing.</summary>
         public virtual bool CanBuild(int page) => true;
 
-        /// <summary>For sources that transcode: registers a page that was built, and numbers the pages attached to it.</summary>
-        public virtual void RegisterPage(int page, in HierarchyPage built) { }
+        /// <summary>Registers a page that was built, and numbers the pages attached to it.</summary>
+        /// <param name="table">What it was built from.</param>
+        public virtual void RegisterPage(int page, in HierarchyPage built, NativeArray<byte> table) { }
 
-        /// <summary>For sources that transcode: the box of a page that was not built yet.</summary>
+        /// <summary>The box of a page that was not built yet.</summary>
         public virtual HierarchyPage EmptyPage(int page) => default;
 
         /// <summary>Called once a frame; it never waits. Returns the failure, or null.</summary>

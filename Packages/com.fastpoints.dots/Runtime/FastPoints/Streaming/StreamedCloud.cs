@@ -61,9 +61,9 @@ namespace FastPoints.Streaming
             Pages[page].States[node].WasTranscoded = true;
         }
 
-        public void Load(int page, in HierarchyPage built)
+        public void Load(int page, in HierarchyPage built, NativeArray<byte> table)
         {
-            Source.RegisterPage(page, built);
+            Source.RegisterPage(page, built, table);
             var to = Pages + page;
             to->Nodes = built.Nodes;
             to->States = built.States;

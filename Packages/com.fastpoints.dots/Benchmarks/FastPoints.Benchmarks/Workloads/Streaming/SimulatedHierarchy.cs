@@ -85,8 +85,8 @@ namespace FastPoints.Benchmarks
                     }
                     else if (firstChunk >= 0)
                     {
-                        node.FirstChunk = firstChunk + 4 * i;
-                        node.ChunkCount = 4;
+                        node.FirstPage = 1 + firstChunk + 4 * i;
+                        node.PageCount = 4;
                     }
                     else if (hasDenseParts && IsDense(topLevel, top, i))
                     {

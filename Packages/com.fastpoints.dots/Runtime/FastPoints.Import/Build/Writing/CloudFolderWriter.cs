@@ -143,8 +143,14 @@ namespace FastPoints.Build
 
         public void DeleteGeneration(long generation)
         {
-            Delete(StoreFormat.GenerationName(StoreFormat.UpperName, generation));
             Delete(StoreFormat.GenerationName(StoreFormat.HierarchyName, generation));
+            string folder = PathOf(StoreFormat.UpperFolderName), names = "*" + StoreFormat.PartSuffixOf((int)generation) + ".bin";
+            if (generation > 0)
+                m_queue.Run(folder, () =>
+                {
+                    foreach (string file in Directory.GetFiles(folder, names))
+                        FileChanges.TryDelete(file, () => false);
+                });
         }
 
         /// <summary>Bytes of the cloud when it is complete.</summary>
@@ -270,9 +276,10 @@ namespace FastPoints.Build
         {
             FileChanges.DeleteFolder(PathOf(BuildFiles.RecordFolderName));
             FileChanges.DeleteFolder(PathOf(BuildFiles.TopFolderName));
-            foreach (string name in new[] { StoreFormat.UpperName, StoreFormat.HierarchyName })
-                foreach (string file in Directory.GetFiles(m_part, name.Replace(".bin", "-*.bin")))
-                    FileChanges.Delete(file);
+            foreach (string file in Directory.GetFiles(m_part, StoreFormat.HierarchyName.Replace(".bin", "-*.bin")))
+                FileChanges.Delete(file);
+            foreach (string file in Directory.GetFiles(PathOf(StoreFormat.UpperFolderName), "*.*.bin"))
+                FileChanges.Delete(file);
             if (Directory.Exists(m_target))
             {
                 FileChanges.DeleteFolder(old);
@@ -284,14 +291,23 @@ namespace FastPoints.Build
         void MakeFolders()
         {
             Directory.CreateDirectory(PathOf(StoreFormat.ChunkFolderName));
+            Directory.CreateDirectory(PathOf(StoreFormat.UpperFolderName));
             Directory.CreateDirectory(PathOf(BuildFiles.RecordFolderName));
             Directory.CreateDirectory(PathOf(BuildFiles.TopFolderName));
         }
 
-        static IEnumerator<JobStep> Await(WriteTicket ticket)
+        /// <summary>Coroutine; also where it is cancelled, the bytes are free at its end.</summary>
+        public static IEnumerator<JobStep> Await(WriteTicket ticket)
         {
-            while (!ticket.IsDone(1))
-                yield return default;
+            try
+            {
+                while (!ticket.IsDone(1))
+                    yield return default;
+            }
+            finally
+            {
+                ticket.Wait();
+            }
         }
 
         void CheckReplaceable(string target)

@@ -5,11 +5,12 @@ using FastPoints.Build;
 using FastPoints.Nodes;
 using FastPoints.Reading;
 using FastPoints.Store;
+using Unity.Collections;
 using Unity.Mathematics;
 
 namespace FastPoints.Export
 {
-    /// <summary>Verifies a converted cloud: every file and table, every hash, every point in its cube, the counts and the
+    /// <summary>Verifies a converted cloud: every file and page, every hash, every point in its cube, the counts and the
     /// checksum. Compared with its sources, it also proves that the points are the same as a multiset, over position and every
     /// attribute.</summary>
     public sealed class VerifyCloud : IDisposable
@@ -58,7 +59,8 @@ namespace FastPoints.Export
             using (var verify = new VerifyCloud(folder, result))
             {
                 progress?.Begin("verify");
-                yield return JobStep.Of(verify.CheckFiles(progress));
+                yield return JobStep.Of(verify.CheckPages(progress));
+                yield return JobStep.Of(verify.CheckHeaders());
                 verify.CheckTotals();
                 if (against.Count > 0)
                 {
@@ -71,31 +73,33 @@ namespace FastPoints.Export
 
         public void Dispose() => m_store.Dispose();
 
-        /// <summary>Coroutine: checks the files, several in flight, and adds their results in order.</summary>
-        IEnumerator<JobStep> CheckFiles(StageProgress progress)
+        /// <summary>Coroutine: checks the pages, several in flight, and adds their results in order.</summary>
+        IEnumerator<JobStep> CheckPages(StageProgress progress)
         {
             var tables = new Queue<PoolTask<NodeTable>>();
-            var inFlight = new Queue<(FileCheck Check, string Problem)>();
-            FileCheck next = null;
-            int file = m_folder.Upper.Nodes.Length > 0 ? -1 : 0, requested = 0, done = file;
+            var inFlight = new Queue<(PageCheck Check, string Problem)>();
+            PageCheck next = null;
+            int page = 0, requested = 1, done = 0;
             long bytes = 0;
             try
             {
-                while (done < m_folder.Chunks.Length)
+                while (done < m_folder.PageCount)
                 {
-                    for (; requested < m_folder.Chunks.Length && tables.Count < MaxTablesInFlight; requested++)
-                        tables.Enqueue(Load(requested));
-                    if (next == null && file < m_folder.Chunks.Length && (file < 0 || tables.Peek().IsDone))
+                    for (; requested < m_folder.PageCount && tables.Count < MaxTablesInFlight; requested++)
+                        tables.Enqueue(m_folder.BeginPage(requested));
+                    if (next == null && page < m_folder.PageCount && (page == 0 || tables.Peek().IsDone))
                     {
                         try
                         {
-                            next = new FileCheck(m_folder, file, m_store, file < 0 ? m_folder.Upper : tables.Dequeue().Take());
+                            var table = page == 0 ? m_folder.Root : tables.Dequeue().Take();
+                            m_folder.Register(page, table.View);
+                            next = new PageCheck(m_folder, page, m_store, table);
                         }
                         catch (PointCloudException e)
                         {
                             inFlight.Enqueue((null, e.Message));
                         }
-                        file++;
+                        page++;
                     }
                     if (next != null && (inFlight.Count == 0 || bytes + next.Bytes <= MaxBytes))
                     {
@@ -125,8 +129,7 @@ namespace FastPoints.Export
                     }
                     inFlight.Dequeue();
                     done++;
-                    if (done > 0)
-                        progress?.Report(done / (double)m_folder.Chunks.Length, m_result.Points, 0);
+                    progress?.Report(m_result.Points / Math.Max(1.0, m_folder.Manifest.Points), m_result.Points, 0);
                     // What was freed took milliseconds, as the next check's memory does.
                     yield return default;
                 }
@@ -141,25 +144,43 @@ namespace FastPoints.Export
             }
         }
 
-        PoolTask<NodeTable> Load(int chunk)
+        /// <summary>Coroutine: the heads of all files that the pages named.</summary>
+        IEnumerator<JobStep> CheckHeaders()
         {
-            var folder = m_folder;
-            var record = folder.Chunks[chunk];
-            string path = folder.ChunkPath(chunk);
-            var remote = folder.RemoteOf(1 + chunk);
-            return PoolTask.Begin(path, () => folder.LoadTable(path, record, remote), table => table.Dispose());
+            var files = new List<(string Path, long Bytes)>(m_folder.Files());
+            string hierarchy = m_folder.TableOf(0).Path;
+            foreach (var (path, bytes) in files)
+                if (m_folder.Manifest.NodeCount > 0)
+                    yield return JobStep.Of(PoolTask.Run(path, () => FindProblem(path, bytes,
+                        path == hierarchy ? StoreFormat.HierarchyMagic : StoreFormat.PlanesMagic), problem =>
+                    {
+                        if (problem != null)
+                            m_result.Add(problem);
+                    }));
         }
 
-        void Add(FileCheck check)
+        /// <returns>What is wrong with the head of a file, or null. Any thread.</returns>
+        string FindProblem(string path, long bytes, ulong magic)
         {
             try
             {
-                string problem = check.FindProblem();
-                if (problem != null)
-                {
-                    m_result.Add(check.Path + ": " + problem);
-                    return;
-                }
+                using var head = StoreFile.Read(path, 0, FileHeader.SizeBytes, Allocator.Persistent);
+                long size = StoreFile.SizeOf(path);
+                string problem = size != bytes ? "wanted " + bytes + " bytes, got " + size
+                    : StoreFile.FindProblem(head.Reinterpret<FileHeader>(1)[0], magic, m_folder.Manifest.CloudId, size);
+                return problem == null ? null : path + ": " + problem;
+            }
+            catch (PointCloudException e)
+            {
+                return e.Message;
+            }
+        }
+
+        void Add(PageCheck check)
+        {
+            try
+            {
+                check.End();
             }
             catch (PointCloudException e)
             {

@@ -24,6 +24,7 @@ namespace FastPoints.Export
         public int End;
 
         [ReadOnly] public NativeArray<byte> File;
+        public long FileOffset;
         [ReadOnly] public NativeArray<NodeRecord> Nodes;
         [ReadOnly] public NativeArray<PlaneRange> Planes;
         public int PlaneCount;
@@ -57,7 +58,7 @@ namespace FastPoints.Export
         PlaneView ViewOf(int planeNode, int plane)
         {
             var node = Nodes[planeNode];
-            return new PlaneView((byte*)File.GetUnsafeReadOnlyPtr() + Planes[planeNode * PlaneCount + plane].OffsetBytes,
+            return new PlaneView((byte*)File.GetUnsafeReadOnlyPtr() - FileOffset + Planes[planeNode * PlaneCount + plane].OffsetBytes,
                 ShapeOf(plane, node.IsWide), node.PlaneBlocks);
         }
 
@@ -66,7 +67,7 @@ namespace FastPoints.Export
             var result = NodeCheckResult.Empty;
             if (Nodes[index].PlaneNode != index)
                 return result;
-            var file = (byte*)File.GetUnsafeReadOnlyPtr();
+            var file = (byte*)File.GetUnsafeReadOnlyPtr() - FileOffset;
             for (int p = 0; p < PlaneCount && result.Fault == NodeFault.None; p++)
             {
                 var range = Planes[index * PlaneCount + p];

@@ -71,9 +71,11 @@ namespace FastPoints.Nodes
 
         /// <summary>Begins a chunk after the others of the workspace. The caller owns its pages again when the job is
         /// done.</summary>
+        /// <param name="container">The chunk's file and, with it, its cube.</param>
         /// <param name="ready">Completes when the pages have their records.</param>
-        public void Begin(GridCube cube, RecordPages pages, int number, IndexWorkspace workspace, JobHandle ready)
+        public void Begin(ContainerRecord container, RecordPages pages, int number, IndexWorkspace workspace, JobHandle ready)
         {
+            var cube = container.Cube;
             Cube = cube;
             Pages = pages;
             Number = number;
@@ -86,7 +88,7 @@ namespace FastPoints.Nodes
                 Count = count,
                 Layout = m_records,
                 Corner = cube.Corner,
-                IsChunk = true,
+                Container = container,
                 OmitsTop = true,
                 Records = workspace.Sorted,
             }, sampled);
@@ -96,7 +98,7 @@ namespace FastPoints.Nodes
         /// <summary>The same where only the top is kept: <see cref="Checksum"/> is the top's.</summary>
         public void BeginTop(GridCube cube, RecordPages pages, int number, IndexWorkspace workspace)
         {
-            Begin(cube, pages, number, workspace, default);
+            Begin(new ContainerRecord { Cube = cube, Kind = ContainerKind.Chunk }, pages, number, workspace, default);
             Job = workspace.Last = new SumTopJob
             {
                 Records = Top,
@@ -110,9 +112,10 @@ namespace FastPoints.Nodes
         /// <param name="tops">One for each chunk or region; receives the attach nodes as drafts.</param>
         /// <param name="isRoot">Whether it is the root; otherwise the top node goes to <see cref="Top"/>, as a chunk's
         /// does.</param>
-        public void BeginUpper(NativeArray<byte> records, NativeArray<ChunkTop> tops, GridCube cube, bool isRoot,
+        public void BeginUpper(NativeArray<byte> records, NativeArray<ChunkTop> tops, ContainerRecord container, bool isRoot,
             IndexWorkspace workspace)
         {
+            var cube = container.Cube;
             m_workspace = workspace;
             Number = 0;
             Cube = cube;
@@ -141,6 +144,7 @@ namespace FastPoints.Nodes
                 Count = count,
                 Layout = layout,
                 Corner = m_rootCorner,
+                Container = container,
                 OmitsTop = !isRoot,
                 Records = records,
             }, sampled);
@@ -222,7 +226,6 @@ namespace FastPoints.Nodes
         {
             job.Slices = m_sliceTimes;
             job.CloudId = m_cloudId;
-            job.Number = Number;
             job.NodeOfPoint = m_workspace.NodeOfPoint;
             job.Drafts = Drafts;
             job.Columns = m_store.Columns;

@@ -30,10 +30,9 @@ namespace FastPoints.Nodes
         /// <summary>The corner of any cube of the octree that contains all the points.</summary>
         public Grid3 Corner;
         public ulong CloudId;
-        public int Number;
 
-        /// <summary>For a chunk, the table goes into the file.</summary>
-        public bool IsChunk;
+        /// <summary>What the file is; the job adds its size and hash.</summary>
+        public ContainerRecord Container;
 
         /// <summary>Whether the first node goes to <see cref="Top"/> instead of the file.</summary>
         public bool OmitsTop;
@@ -62,10 +61,10 @@ namespace FastPoints.Nodes
         /// <summary>About this many values are written in one group; grouping a point costs as much as one.</summary>
         public int CostPerSlice;
 
-        /// <summary>Out: the file. Empty if a chunk has no node except its top.</summary>
+        /// <summary>Out: the container. Empty if a chunk has no node except its top.</summary>
         public NativeList<byte> File;
 
-        /// <summary>Out: the upper levels' table.</summary>
+        /// <summary>Out: the nodes, then their planes' ranges.</summary>
         public NativeList<byte> Table;
 
         /// <summary>Out: the top's points as records, in order.</summary>
@@ -279,25 +278,21 @@ namespace FastPoints.Nodes
             long points = 0;
             for (int node = 0; node < m_state.NodeCount; node++)
                 points += nodes[node].PointCount;
+            Table.AddRange(nodes, m_state.NodeCount * sizeof(NodeRecord));
+            Table.AddRange(ranges, m_state.NodeCount * planes * sizeof(PlaneRange));
+            var container = Container;
+            container.FileBytes = File.Length;
+            container.Hash = ContentHash.Of(ranges, (long)m_state.NodeCount * planes * sizeof(PlaneRange));
             var header = new FileHeader
             {
-                Magic = IsChunk ? StoreFormat.ChunkMagic : StoreFormat.UpperMagic,
+                Magic = StoreFormat.PlanesMagic,
                 Version = StoreFormat.Version,
-                Number = Number,
                 PlaneCount = planes,
-                NodeCount = IsChunk ? m_state.NodeCount : 0,
+                Container = container,
                 PointCount = points,
-                TableOffset = File.Length,
                 CloudId = CloudId,
             };
-            var table = IsChunk ? File : Table;
-            int tableStart = table.Length;
-            table.AddRange(nodes, m_state.NodeCount * sizeof(NodeRecord));
-            table.AddRange(ranges, m_state.NodeCount * planes * sizeof(PlaneRange));
-            if (IsChunk)
-                header.TableHash = ContentHash.Of(table.GetUnsafePtr() + tableStart, table.Length - tableStart);
-            header.FileBytes = File.Length;
-            header.HeaderHash = ContentHash.Of(&header, FileHeader.SizeBytes - sizeof(ulong));
+            header.HeaderHash = StoreFile.HashOf(header);
             *(FileHeader*)File.GetUnsafePtr() = header;
         }
 

@@ -125,15 +125,14 @@ namespace FastPoints.Sources
             {
                 m_firstAttachedOfPage[page] = m_rootOfPage.Count;
                 for (int n = 0; n < built.NodeCount; n++)
-                    if (built.Nodes[n].ChunkCount > 0)
+                    if (built.Nodes[n].PageCount > 0)
                         AddAttached(m_reader.Tree[(int)built.Planes[n * planeCount].OffsetBytes].Key);
             }
             int next = m_firstAttachedOfPage[page];
             for (int n = 0; n < built.NodeCount; n++)
             {
-                // Chunk 0 is page 1.
-                built.Nodes[n].FirstChunk = next - 1;
-                next += built.Nodes[n].ChunkCount;
+                built.Nodes[n].FirstPage = next;
+                next += built.Nodes[n].PageCount;
             }
         }
 
@@ -202,7 +201,7 @@ namespace FastPoints.Sources
         public int LastLevel;
         public TreeGrid Grid;
 
-        // Its memory belongs to the code that takes it. ChunkCount of a node is the number of pages attached to it; OffsetBytes
+        // Its memory belongs to the code that takes it. PageCount of a node is the number of pages attached to it; OffsetBytes
         // is the number of the source's node, in every plane of a node.
         public NativeReference<HierarchyPage> Built;
         public NativeReference<TableProblem> Problem;
@@ -260,7 +259,7 @@ namespace FastPoints.Sources
                 BlockCount = hasPoints ? PlaneShape.BlocksOf(source.PointCount) : 0,
             };
             for (int octant = 0; octant < 8 && source.Level == LastLevel && NodeOfKey[source.Key] == index; octant++)
-                node.ChunkCount += NodeOfKey.ContainsKey(ChildKey(source.Key, octant)) ? 1 : 0;
+                node.PageCount += NodeOfKey.ContainsKey(ChildKey(source.Key, octant)) ? 1 : 0;
             Grid.BoxOf(source.Key, out node.Center, out node.Half);
             page.Nodes[n] = node;
             page.States[n] = new NodeState { Slot = NodeState.NoSlot, Failures = hasPoints ? 0 : NodeState.IsHole };

@@ -88,7 +88,7 @@ namespace FastPoints.Sources
                 job.Run();
                 pages[0] = built.Value;
             }
-            RegisterPage(0, pages[0]);
+            RegisterPage(0, pages[0], default);
         }
 
         public override string PathOf(int page) => Path;
@@ -102,7 +102,8 @@ namespace FastPoints.Sources
 
         public override string Describe(int page, NativeArray<byte> table, TableProblem problem) => "its hierarchy is damaged";
 
-        public override void RegisterPage(int page, in HierarchyPage built) => m_pages.Number(page, built, m_planes.Count);
+        public override void RegisterPage(int page, in HierarchyPage built, NativeArray<byte> table) =>
+            m_pages.Number(page, built, m_planes.Count);
 
         public override HierarchyPage EmptyPage(int page) => m_pages.CreateEmpty(page);
 

@@ -129,7 +129,7 @@ namespace FastPoints.Store
                 bool isOther = known == null || manifest.CloudId != known.CloudId;
                 // A finished cloud under its temporary name is about to be renamed: wait for that.
                 bool isNewer = manifest.IsBuilding ? isOther || manifest.Generation > known.Generation
-                    : !folder.IsUnfinished && (wasBuilding || isOther || manifest.HierarchyHash != known.HierarchyHash);
+                    : !folder.IsUnfinished && (wasBuilding || isOther || manifest.RootHash != known.RootHash);
                 if (isNewer)
                 {
                     look.Newer = folder;

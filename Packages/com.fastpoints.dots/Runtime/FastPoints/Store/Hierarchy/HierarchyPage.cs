@@ -4,8 +4,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Store
 {
-    /// <summary>A part of a hierarchy that is loaded as a whole: the upper levels (page 0), or one chunk. Its box is known
-    /// before its nodes are. Owns its memory.</summary>
+    /// <summary>A part of a hierarchy that is loaded as a whole; page 0 has the root. Its box is known before its nodes are. Owns
+    /// its memory.</summary>
     public unsafe struct HierarchyPage
     {
         /// <summary>Null while the page is not loaded, as are the other pointers.</summary>
@@ -73,13 +73,11 @@ namespace FastPoints.Store
             Status = HierarchyPageStatus.Absent;
         }
 
-        // The chunk's box is cut to the cloud's bounds.
-        internal static HierarchyPage OfChunk(in ChunkRecord chunk, in HierarchyGrid grid)
+        // The cube of what is below the link, cut to the cloud's bounds.
+        internal static HierarchyPage OfLink(in PageLink link, in HierarchyGrid grid)
         {
             var page = new HierarchyPage();
-            long last = chunk.Cube.Side - 1;
-            var max = Grid3.Min(chunk.Corner + new Grid3(last, last, last), grid.BoundsMax);
-            grid.Box(Grid3.Max(chunk.Corner, grid.BoundsMin), max, out page.Center, out page.Half);
+            grid.BoxOf(link, out page.Center, out page.Half);
             return page;
         }
     }
@@ -153,10 +151,9 @@ namespace FastPoints.Store
         public int FirstChild;
         public int ChildCount;
 
-        /// <summary>Pages attached to the node, from <see cref="FirstChunk"/> + 1 on: of a converted cloud its chunks, in page 0
-        /// only.</summary>
-        public int FirstChunk;
-        public int ChunkCount;
+        /// <summary>Number of the first page below the node, once its own page is registered; the others follow.</summary>
+        public int FirstPage;
+        public int PageCount;
 
         /// <summary>With inlined leaves; 0 for an inlined leaf, which is read, kept and drawn with its parent.</summary>
         public int PointCount;
@@ -173,9 +170,11 @@ namespace FastPoints.Store
         public int RootSideLog2;
         public Grid3 BoundsMin;
         public Grid3 BoundsMax;
+        public ulong CloudId;
 
         public HierarchyGrid(CloudManifest manifest)
         {
+            CloudId = manifest.CloudId;
             Corner = manifest.Root.Corner;
             Step = manifest.Grid.Step;
             RootSideLog2 = manifest.Root.SideLog2;
@@ -187,6 +186,13 @@ namespace FastPoints.Store
         {
             var from = position - Corner;
             return new double3(from.X, from.Y, from.Z) * Step;
+        }
+
+        public void BoxOf(in PageLink link, out double3 center, out float3 half)
+        {
+            long last = link.Cube.Side - 1;
+            var max = Grid3.Min(link.Corner + new Grid3(last, last, last), BoundsMax);
+            Box(Grid3.Max(link.Corner, BoundsMin), max, out center, out half);
         }
 
         // Both ends are included; rounded outwards.

@@ -8,12 +8,12 @@ namespace FastPoints.Store
 {
     internal static unsafe class HierarchyPageBuilding
     {
-        // From a table without problems. The pages of all chunks, whose boxes are read, are null if it has no chunks.
-        public static void Build(in TableCheck table, NativeArray<int> wanted, in HierarchyGrid grid, HierarchyPage* chunks,
-            ref HierarchyPage page)
+        // From a page without problems. Its nodes number the pages below from 0 on, until they are registered.
+        public static void Build(in PageView stored, NativeArray<int> wanted, in HierarchyGrid grid, ref HierarchyPage page)
         {
-            int nodeCount = table.NodeCount;
-            var records = table.Nodes;
+            int nodeCount = stored.NodeCount, planeCount = stored.Header.PlaneCount;
+            var records = stored.Nodes;
+            var ranges = stored.Ranges;
             page.Allocate(nodeCount, wanted.Length);
             var boxes = new NativeArray<LocalBox>(nodeCount, Allocator.Temp, NativeArrayOptions.UninitializedMemory);
             for (int n = 0; n < nodeCount; n++)
@@ -23,8 +23,11 @@ namespace FastPoints.Store
             {
                 var node = records[n];
                 var box = boxes[n];
-                for (int c = node.FirstChunk; chunks != null && c < node.FirstChunk + node.ChunkCount; c++)
-                    box = Union(box, new LocalBox(chunks[c].Center - chunks[c].Half, chunks[c].Center + chunks[c].Half));
+                for (int l = node.FirstLink; l < node.FirstLink + node.LinkCount; l++)
+                {
+                    grid.BoxOf(stored.Links[l], out var center, out var half);
+                    box = Union(box, new LocalBox(center - half, center + half));
+                }
                 boxes[n] = box;
                 if (node.Parent >= 0)
                     boxes[node.Parent] = Union(boxes[node.Parent], box);
@@ -33,8 +36,6 @@ namespace FastPoints.Store
             {
                 page.RootCount += records[n].Parent < 0 ? 1 : 0;
                 page.Nodes[n] = NodeOf(records, n, boxes[n], grid);
-                // Only chunks attached to the upper levels have pages of their own.
-                page.Nodes[n].ChunkCount = chunks != null ? page.Nodes[n].ChunkCount : 0;
                 page.States[n] = new NodeState { Slot = NodeState.NoSlot };
                 page.Addresses[n] = new NodeAddress
                 {
@@ -43,7 +44,7 @@ namespace FastPoints.Store
                     Level = (byte)(grid.RootSideLog2 - records[n].SideLog2),
                 };
                 for (int p = 0; p < wanted.Length; p++)
-                    page.Planes[n * wanted.Length + p] = table.Planes[(long)n * table.PlaneCount + wanted[p]];
+                    page.Planes[n * wanted.Length + p] = ranges[(long)n * planeCount + wanted[p]].Range;
             }
             boxes.Dispose();
             page.Status = HierarchyPageStatus.Loaded;
@@ -57,8 +58,8 @@ namespace FastPoints.Store
                 Spacing = (float)(math.cmax(grid.Step) * math.pow(2.0, record.CellLog2)),
                 FirstChild = record.FirstChild,
                 ChildCount = record.ChildCount,
-                FirstChunk = record.FirstChunk,
-                ChunkCount = record.ChunkCount,
+                FirstPage = record.FirstLink,
+                PageCount = record.LinkCount,
                 PointCount = record.PlaneNode == n ? record.PointCount : 0,
                 BlockCount = record.PlaneBlocks,
             };
@@ -90,12 +91,12 @@ namespace FastPoints.Store
         }
     }
 
-    // Checks everything of a chunk's table before it builds a page.
+    // Checks everything of a page before it builds it.
     [BurstCompile]
     internal unsafe struct BuildHierarchyPageJob : IJob
     {
-        [ReadOnly] public NativeArray<byte> Table; // Node records, then each node's plane ranges.
-        public ChunkRecord Chunk;
+        [ReadOnly] public NativeArray<byte> Table;
+        public PageLink Link;
         public HierarchyGrid Grid;
         [ReadOnly] public NativeArray<PlaneShape> Shapes;
         [ReadOnly] public NativeArray<int> Wanted;
@@ -104,41 +105,17 @@ namespace FastPoints.Store
         public NativeReference<HierarchyPage> Built;
         public NativeReference<TableProblem> Problem;
 
-        public TableCheck Check => new TableCheck
-        {
-            Nodes = (NodeRecord*)Table.GetUnsafeReadOnlyPtr(),
-            Planes = (PlaneRange*)((byte*)Table.GetUnsafeReadOnlyPtr() + (long)Chunk.NodeCount * NodeRecord.SizeBytes),
-            NodeCount = Chunk.NodeCount,
-            PlaneCount = Shapes.Length,
-            Shapes = (PlaneShape*)Shapes.GetUnsafeReadOnlyPtr(),
-            Region = Chunk.Cube,
-            DataBytes = Chunk.TableOffset,
-            IsChunk = true,
-        };
+        public TableCheck Check =>
+            new TableCheck(Table, Link, Grid, (PlaneShape*)Shapes.GetUnsafeReadOnlyPtr(), Shapes.Length);
 
         public void Execute()
         {
-            var check = Check;
-            Problem.Value = FindProblem(check);
+            Problem.Value = Check.FindProblem();
             if (!Problem.Value.IsNone)
                 return;
             var page = new HierarchyPage();
-            HierarchyPageBuilding.Build(check, Wanted, Grid, null, ref page);
+            HierarchyPageBuilding.Build(PageView.Of(Table), Wanted, Grid, ref page);
             Built.Value = page;
-        }
-
-        TableProblem FindProblem(in TableCheck check)
-        {
-            ulong hash = ContentHash.Of(Table.GetUnsafeReadOnlyPtr(), Table.Length);
-            if (hash != Chunk.TableHash)
-                return new TableProblem(TableFault.Hash, 0, (long)Chunk.TableHash, (long)hash);
-            var problem = check.FindProblem();
-            long points = 0;
-            for (int n = 0; problem.IsNone && n < check.NodeCount; n++)
-                points += check.Nodes[n].PointCount;
-            if (problem.IsNone && points != Chunk.PointCount)
-                problem = new TableProblem(TableFault.PointSum, 0, Chunk.PointCount, points);
-            return problem;
         }
     }
 }

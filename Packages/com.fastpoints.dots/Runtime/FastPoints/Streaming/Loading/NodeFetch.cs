@@ -277,7 +277,8 @@ namespace FastPoints.Streaming
             m_problem.Dispose();
         }
 
-        NativeArray<byte> Table => m_readBytes > 0 ? m_bytes.GetSubArray(0, (int)m_readBytes) : default;
+        // Of a page that was read.
+        public NativeArray<byte> Table => m_readBytes > 0 ? m_bytes.GetSubArray(0, (int)m_readBytes) : default;
 
         // By offset in the file: a stable merge sort.
         void SortParts()
@@ -332,7 +333,7 @@ namespace FastPoints.Streaming
                 m_commands.ElementAt(i).Buffer = to;
                 to += m_commands[i].Size;
             }
-            var remote = Cloud.Source.RemoteOf(Page);
+            var remote = IsTable ? Cloud.Source.RemoteOfTable(Page) : Cloud.Source.RemoteOf(Page);
             if (remote != null)
                 m_remote = remote.Begin(m_commands.GetUnsafePtr(), m_commands.Length, rank);
             else

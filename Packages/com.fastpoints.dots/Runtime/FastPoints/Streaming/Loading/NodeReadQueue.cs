@@ -101,7 +101,7 @@ namespace FastPoints.Streaming
             {
                 var cloud = m_state.Clouds[missing.Cloud];
                 var page = cloud.Pages + missing.Page;
-                if (rank == FirstPrefetchRank && cloud.Source.RemoteOf(missing.Page) == null)
+                if (rank == FirstPrefetchRank && cloud.Source.RemoteOfTable(missing.Page) == null)
                     continue;
                 if (rank == FirstPrefetchRank)
                     page->VisitedFrame = m_state.Selector.Frame;
@@ -121,7 +121,7 @@ namespace FastPoints.Streaming
         int MaxTables(in MissingHierarchyPage missing)
         {
             int max = m_state.Settings.MaxReads;
-            bool isRemote = m_state.Clouds[missing.Cloud].Source.RemoteOf(missing.Page) != null;
+            bool isRemote = m_state.Clouds[missing.Cloud].Source.RemoteOfTable(missing.Page) != null;
             return Math.Max(1, isRemote ? max - max / 4 : max / 2);
         }
 
@@ -342,7 +342,7 @@ namespace FastPoints.Streaming
             }
             else if (problem.IsNone)
             {
-                fetch.Cloud.Load(fetch.Page, built);
+                fetch.Cloud.Load(fetch.Page, built, fetch.Table);
             }
             else
             {

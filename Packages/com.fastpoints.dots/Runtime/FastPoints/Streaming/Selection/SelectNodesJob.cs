@@ -74,8 +74,8 @@ namespace FastPoints.Streaming
                     break;
                 for (int i = 0; i < node->ChildCount; i++)
                     PushNode(best.Cloud, page, best.Page, node->FirstChild + i, node->Spacing, index);
-                for (int i = 0; i < node->ChunkCount; i++)
-                    PushPage(best.Cloud, cloud.Pages, 1 + node->FirstChunk + i, node->Spacing, index);
+                for (int i = 0; i < node->PageCount; i++)
+                    PushPage(best.Cloud, cloud.Pages, node->FirstPage + i, node->Spacing, index);
             }
             Points.Value = points;
         }
@@ -185,7 +185,7 @@ namespace FastPoints.Streaming
 
     internal unsafe struct SelectionCloud
     {
-        /// <summary>Page 0, then one page for each chunk.</summary>
+        /// <summary>All pages known so far.</summary>
         public HierarchyPage* Pages;
         public int Cloud;
 

@@ -7,15 +7,14 @@ using Unity.Jobs;
 
 namespace FastPoints.Export
 {
-    /// <summary>Checks all nodes of one file: one chain of jobs behind the read.</summary>
-    sealed class FileCheck : IDisposable
+    /// <summary>Checks all nodes of one page: one chain of jobs behind the read of their planes.</summary>
+    sealed class PageCheck : IDisposable
     {
-        readonly CloudManifest m_manifest;
         readonly NativeStoreLayout m_store;
-
-        readonly bool m_isUpper;
+        readonly bool m_isRoot;
         readonly RemoteFile m_remote;
-        readonly long m_fileBytes;
+        readonly long m_firstByte = long.MaxValue;
+        readonly long m_endByte;
         readonly StoreRead m_read = new StoreRead();
         NativeArray<NodePart> m_parts;
         NativeArray<NodeCheckResult> m_planeResults;
@@ -24,17 +23,21 @@ namespace FastPoints.Export
         /// <summary>Where slices of nodes, and of parts, begin; then their end.</summary>
         readonly List<int> m_nodeSlices = new List<int> { 0 }, m_partSlices = new List<int> { 0 };
 
-        /// <param name="chunk">Negative for the upper levels.</param>
-        /// <param name="table">The file's table, which this owns unless it is that of the upper levels.</param>
-        public FileCheck(CloudFolder folder, int chunk, NativeStoreLayout store, NodeTable table)
+        /// <param name="table">The page's table, which this owns unless it is the folder's.</param>
+        public PageCheck(CloudFolder folder, int page, NativeStoreLayout store, NodeTable table)
         {
             Table = table;
-            m_manifest = folder.Manifest;
             m_store = store;
-            m_isUpper = chunk < 0;
-            m_remote = folder.RemoteOf(chunk < 0 ? 0 : 1 + chunk);
-            Path = m_isUpper ? folder.UpperPath : folder.ChunkPath(chunk);
-            m_fileBytes = m_isUpper ? m_manifest.UpperBytes : folder.Chunks[chunk].FileBytes;
+            m_isRoot = page == 0;
+            m_remote = folder.RemoteOf(page);
+            Path = folder.PathOf(page);
+            foreach (var range in table.Planes)
+                if (range.LengthBytes > 0)
+                {
+                    m_firstByte = Math.Min(m_firstByte, range.OffsetBytes);
+                    m_endByte = Math.Max(m_endByte, range.OffsetBytes + range.LengthBytes);
+                }
+            m_firstByte = Math.Min(m_firstByte, m_endByte);
             ListParts();
             m_planeResults = new NativeArray<NodeCheckResult>(table.Nodes.Length, Allocator.Persistent);
             m_results = new NativeArray<NodeCheckResult>(m_parts.Length, Allocator.Persistent);
@@ -44,17 +47,18 @@ namespace FastPoints.Export
         public NodeTable Table { get; }
         public JobHandle Done { get; private set; }
 
-        public long Bytes => m_fileBytes;
+        public long Bytes => Math.Max(0, m_endByte - m_firstByte);
 
         /// <summary>Coroutine: begins the read and schedules all jobs; <see cref="Done"/> is theirs afterwards.</summary>
         public IEnumerator<JobStep> Begin()
         {
-            m_read.Begin(Path, 0, m_fileBytes, m_remote);
+            m_read.Begin(Path, m_firstByte, Bytes, m_remote);
             while (!m_read.IsFetched)
                 yield return default;
             var job = new VerifyNodesJob
             {
                 File = m_read.Bytes,
+                FileOffset = m_firstByte,
                 Nodes = Table.Nodes,
                 Planes = Table.Planes,
                 PlaneCount = Table.PlaneCount,
@@ -82,16 +86,11 @@ namespace FastPoints.Export
         }
 
         /// <summary>Ends the read, after <see cref="Done"/>.</summary>
-        /// <returns>What is wrong with the file as a whole, or null.</returns>
         /// <exception cref="PointCloudException">The file cannot be read.</exception>
-        public string FindProblem()
+        public void End()
         {
             Done.Complete();
             m_read.Complete();
-            var header = m_read.Bytes.GetSubArray(0, FileHeader.SizeBytes).Reinterpret<FileHeader>(1)[0];
-            ulong magic = m_isUpper ? StoreFormat.UpperMagic : StoreFormat.ChunkMagic;
-            return StoreFile.FindProblem(header, magic, m_fileBytes) ??
-                (header.CloudId != m_manifest.CloudId ? "is of another cloud" : null);
         }
 
         public IEnumerable<NodeCheckResult> NodeResults()
@@ -117,7 +116,7 @@ namespace FastPoints.Export
             m_parts.Dispose();
             m_planeResults.Dispose();
             m_results.Dispose();
-            if (!m_isUpper)
+            if (!m_isRoot)
                 Table.Dispose();
         }
 

@@ -1,0 +1,350 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Nodes;
+using FastPoints.Store;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+
+namespace FastPoints.Build
+{
+    /// <summary>Nodes that were made together: those of a chunk, or of upper levels above some chunks or other parts. The top node
+    /// of a part belongs to the part above; the root's has none above.</summary>
+    internal sealed class HierarchyPart
+    {
+        public GridCube Cube;
+        public ContainerRecord Container;
+
+        /// <summary>Node records, then their planes' ranges, by node and plane; breadth first. Not created if they are to be
+        /// loaded.</summary>
+        public NativeArray<byte> Table;
+        public int NodeCount;
+
+        /// <summary>The chunk whose nodes they are; null for upper ones.</summary>
+        public ChunkResult Chunk;
+
+        /// <summary>Stored with each node: see <see cref="NodeRecord.SampledWith"/>.</summary>
+        public int SampledWith;
+
+        /// <summary>The parts that hang on its nodes, in the order of the nodes, then along the Morton curve.</summary>
+        public readonly List<(int Node, HierarchyPart Part)> Below = new List<(int, HierarchyPart)>();
+
+        public void DisposeTable()
+        {
+            if (Table.IsCreated)
+                Table.Dispose();
+            Table = default;
+        }
+    }
+
+    /// <summary>Cuts the nodes of a cloud into pages, and writes them to one file: the pages of what hangs on the same part one after
+    /// the other, so that one read gets many, each page after those that it links to.</summary>
+    internal sealed unsafe class HierarchyWriter : IDisposable
+    {
+        const int BytesPerPiece = 4 << 20;
+
+        readonly int m_planeCount;
+        readonly ulong m_cloudId;
+        readonly Func<HierarchyPart, IEnumerator<JobStep>> m_load;
+        readonly Func<NativeArray<byte>, long, IEnumerator<JobStep>> m_writePiece;
+        NativeList<byte> m_bytes = new NativeList<byte>(1 << 16, Allocator.Persistent);
+        long m_written;
+
+        /// <param name="load">Coroutine: makes the table of a part that has none.</param>
+        /// <param name="writePiece">Coroutine: writes bytes at an offset.</param>
+        public HierarchyWriter(int planeCount, ulong cloudId, long firstOffset, Func<HierarchyPart, IEnumerator<JobStep>> load,
+            Func<NativeArray<byte>, long, IEnumerator<JobStep>> writePiece)
+        {
+            m_planeCount = planeCount;
+            m_cloudId = cloudId;
+            m_load = load;
+            m_writePiece = writePiece;
+            m_written = firstOffset;
+        }
+
+        /// <summary>Where the file ends so far.</summary>
+        public long Offset => m_written + m_bytes.Length;
+
+        /// <summary>Coroutine: writes all pages, the root's last.</summary>
+        /// <param name="take">Receives the link to the root's page.</param>
+        public IEnumerator<JobStep> Write(HierarchyPart root, Action<PageLink> take)
+        {
+            var cut = new PartPages(root, m_planeCount);
+            yield return JobStep.Of(WriteBelow(cut));
+            take(WriteRoots(cut)[0]);
+            yield return JobStep.Of(Flush());
+        }
+
+        public void Dispose()
+        {
+            if (m_bytes.IsCreated)
+                m_bytes.Dispose();
+        }
+
+        IEnumerator<JobStep> WriteBelow(PartPages cut)
+        {
+            var below = new List<(int Node, PartPages Cut)>();
+            var loaded = new List<HierarchyPart>();
+            try
+            {
+                foreach (var (node, part) in cut.Part.Below)
+                {
+                    if (!part.Table.IsCreated)
+                    {
+                        loaded.Add(part);
+                        yield return JobStep.Of(m_load(part));
+                    }
+                    below.Add((node, new PartPages(part, m_planeCount)));
+                    yield return JobStep.Of(WriteBelow(below[below.Count - 1].Cut));
+                }
+                foreach (var (node, part) in below)
+                    foreach (var link in WriteRoots(part))
+                        cut.AddLink(node, link, part.Part.Cube);
+            }
+            finally
+            {
+                foreach (var part in loaded)
+                    part.DisposeTable();
+            }
+            // The roots are written with those of what hangs on the same part.
+            for (int page = cut.Pages.Count - 1; page >= cut.RootPages; page--)
+                cut.AddLink(cut.Pages[page].Above, WritePage(cut, page), cut.CubeOf(cut.Pages[page].Above));
+            if (m_bytes.Length >= BytesPerPiece)
+                yield return JobStep.Of(Flush());
+            yield return default;
+        }
+
+        List<PageLink> WriteRoots(PartPages cut)
+        {
+            var links = new List<PageLink>();
+            for (int page = 0; page < cut.RootPages; page++)
+                links.Add(WritePage(cut, page));
+            return links;
+        }
+
+        PageLink WritePage(PartPages cut, int page)
+        {
+            long offset = Offset;
+            int length = cut.Write(page, m_cloudId, m_bytes, out var link);
+            link.OffsetBytes = offset;
+            link.LengthBytes = length;
+            link.Container = -1;
+            link.Hash = ContentHash.Of(m_bytes.GetUnsafePtr() + m_bytes.Length - length, length);
+            return link;
+        }
+
+        IEnumerator<JobStep> Flush()
+        {
+            if (m_bytes.Length == 0)
+                yield break;
+            yield return JobStep.Of(m_writePiece(m_bytes.AsArray(), m_written));
+            m_written += m_bytes.Length;
+            m_bytes.Clear();
+        }
+    }
+
+    /// <summary>How the nodes of a part are cut into pages. A node's children are all in its page, or only the inlined leaves among
+    /// them: the others are in pages below.</summary>
+    sealed unsafe class PartPages
+    {
+        public struct Page
+        {
+            /// <summary>Nodes of the part: roots, then children, each after its parent.</summary>
+            public List<int> Nodes;
+
+            /// <summary>The node of the part that the roots are children of, or -1.</summary>
+            public int Above;
+        }
+
+        readonly int m_planeCount;
+        readonly int m_room;
+        readonly int[] m_partsBelow; // By node: how many hang on it.
+        readonly bool[] m_isCut; // By node.
+        readonly int[] m_indexInPage; // By node.
+        readonly Dictionary<int, List<PageLink>> m_links = new Dictionary<int, List<PageLink>>(); // By node.
+
+        public PartPages(HierarchyPart part, int planeCount)
+        {
+            Part = part;
+            m_planeCount = planeCount;
+            m_room = StoreFormat.MaxPageBytes - (int)HeaderFor(0, 0).LengthBytes;
+            m_partsBelow = new int[part.NodeCount];
+            m_isCut = new bool[part.NodeCount];
+            m_indexInPage = new int[part.NodeCount];
+            foreach (var (node, _) in part.Below)
+                m_partsBelow[node]++;
+            int roots = 0;
+            while (roots < part.NodeCount && Nodes[roots].Parent < 0)
+                roots++;
+            Cut(0, roots, -1);
+            // An empty cloud has a page, too.
+            if (Pages.Count == 0)
+                Pages.Add(new Page { Nodes = new List<int>(), Above = -1 });
+            RootPages = Pages.Count;
+            for (int page = 0; page < Pages.Count; page++)
+                foreach (int node in Pages[page].Nodes)
+                    if (m_isCut[node])
+                        Cut(Nodes[node].FirstChild, Nodes[node].FirstChild + Nodes[node].ChildCount, node);
+        }
+
+        public HierarchyPart Part { get; }
+
+        /// <summary>Pages come after those that their roots hang on.</summary>
+        public List<Page> Pages { get; } = new List<Page>();
+
+        /// <summary>This many at the start have roots of the part.</summary>
+        public int RootPages { get; }
+
+        NodeRecord* Nodes => (NodeRecord*)Part.Table.GetUnsafeReadOnlyPtr();
+
+        PlaneRange* Ranges => (PlaneRange*)(Nodes + Part.NodeCount);
+
+        int BytesPerNode => NodeRecord.SizeBytes + m_planeCount * PackedRange.SizeBytes;
+
+        public GridCube CubeOf(int node) => Nodes[node].Cube;
+
+        /// <summary>Adds what a page needs before it is written: a link to a page that is.</summary>
+        public void AddLink(int node, PageLink link, GridCube cube)
+        {
+            (link.Corner, link.SideLog2) = (cube.Corner, cube.SideLog2);
+            if (!m_links.TryGetValue(node, out var links))
+                m_links.Add(node, links = new List<PageLink>());
+            links.Add(link);
+        }
+
+        /// <summary>Appends a page.</summary>
+        /// <param name="link">Receives its numbers of points and nodes, with those below.</param>
+        /// <returns>Its bytes.</returns>
+        public int Write(int page, ulong cloudId, NativeList<byte> to, out PageLink link)
+        {
+            var nodes = Pages[page].Nodes;
+            var links = new List<PageLink>();
+            var header = HeaderFor(nodes.Count, 0);
+            header.CloudId = cloudId;
+            var records = new NodeRecord[nodes.Count];
+            for (int i = 0; i < nodes.Count; i++)
+                m_indexInPage[nodes[i]] = i;
+            for (int i = 0, nextChild = RootsOf(nodes, Pages[page].Above); i < nodes.Count; i++)
+            {
+                records[i] = RecordOf(nodes[i], i, Pages[page].Above, ref nextChild, links);
+                header.PointCount += records[i].PointCount;
+            }
+            header.LinkCount = links.Count;
+            link = new PageLink { PointCount = header.PointCount, NodeCount = nodes.Count };
+            foreach (var below in links)
+            {
+                link.PointCount += below.PointCount;
+                link.NodeCount += below.NodeCount;
+            }
+            int start = to.Length, length = (int)header.LengthBytes;
+            to.Resize(start + length, NativeArrayOptions.ClearMemory);
+            byte* at = to.GetUnsafePtr() + start;
+            *(PageHeader*)at = header;
+            if (header.ContainerCount > 0)
+                *(ContainerRecord*)(at + header.ContainersOffset) = Part.Container;
+            for (int i = 0; i < nodes.Count; i++)
+            {
+                ((NodeRecord*)(at + header.NodesOffset))[i] = records[i];
+                for (int p = 0; p < m_planeCount; p++)
+                    ((PackedRange*)(at + header.RangesOffset))[i * m_planeCount + p] =
+                        new PackedRange(Ranges[(long)nodes[i] * m_planeCount + p]);
+            }
+            for (int l = 0; l < links.Count; l++)
+                ((PageLink*)(at + header.LinksOffset))[l] = links[l];
+            return length;
+        }
+
+        /// <summary>Makes pages of siblings, but inlined leaves if there is a page above, and of what is below them.</summary>
+        void Cut(int first, int end, int above)
+        {
+            for (int next = first; next < end;)
+            {
+                var nodes = new List<int>();
+                int room = m_room;
+                for (; next < end; next++)
+                {
+                    if (above >= 0 && IsInlined(next))
+                        continue;
+                    if (nodes.Count > 0 && CostOf(next) > room)
+                        break;
+                    room -= CostOf(next);
+                    nodes.Add(next);
+                }
+                for (int i = 0; i < nodes.Count; i++)
+                    AddChildren(nodes[i], nodes, ref room);
+                if (nodes.Count > 0)
+                    Pages.Add(new Page { Nodes = nodes, Above = above });
+            }
+        }
+
+        void AddChildren(int node, List<int> nodes, ref int room)
+        {
+            int first = Nodes[node].FirstChild, end = first + Nodes[node].ChildCount, cost = -PageLink.SizeBytes;
+            for (int child = first; child < end && cost <= room; child++)
+                cost += IsInlined(child) ? 0 : CostOf(child);
+            m_isCut[node] = cost > room;
+            // Without such children there was no link to leave out.
+            room -= cost > 0 && !m_isCut[node] ? cost : 0;
+            for (int child = first; child < end; child++)
+                if (!m_isCut[node] || IsInlined(child))
+                    nodes.Add(child);
+        }
+
+        bool IsInlined(int node) => Nodes[node].PlaneNode != node;
+
+        /// <summary>Bytes of a node, the leaves inlined in it, and the links that it may have.</summary>
+        int CostOf(int node)
+        {
+            int records = 1, others = 0;
+            for (int child = Nodes[node].FirstChild; child < Nodes[node].FirstChild + Nodes[node].ChildCount; child++)
+                if (IsInlined(child))
+                    records++;
+                else
+                    others = 1;
+            return records * BytesPerNode + (m_partsBelow[node] + others) * PageLink.SizeBytes;
+        }
+
+        int RootsOf(List<int> nodes, int above)
+        {
+            int roots = 0;
+            while (roots < nodes.Count && Nodes[nodes[roots]].Parent == above && !(above >= 0 && IsInlined(nodes[roots])))
+                roots++;
+            return roots;
+        }
+
+        NodeRecord RecordOf(int node, int index, int above, ref int nextChild, List<PageLink> links)
+        {
+            var record = Nodes[node];
+            int children = 0;
+            for (int child = record.FirstChild; child < record.FirstChild + record.ChildCount; child++)
+                children += !m_isCut[node] || IsInlined(child) ? 1 : 0;
+            record.Parent = record.Parent == above ? -1 : m_indexInPage[record.Parent];
+            record.PlaneNode = IsInlined(node) ? m_indexInPage[record.PlaneNode] : index;
+            record.FirstChild = children > 0 ? nextChild : 0;
+            record.ChildCount = children;
+            nextChild += children;
+            record.SampledWith = Part.SampledWith;
+            record.FirstLink = record.LinkCount = 0;
+            if (!m_links.TryGetValue(node, out var below))
+                return record;
+            record.FirstLink = links.Count;
+            record.LinkCount = below.Count;
+            foreach (var link in below)
+            {
+                var attached = link;
+                attached.AttachNode = index;
+                links.Add(attached);
+            }
+            return record;
+        }
+
+        PageHeader HeaderFor(int nodes, int links) => new PageHeader
+        {
+            Magic = StoreFormat.PageMagic,
+            Version = StoreFormat.Version,
+            PlaneCount = m_planeCount,
+            NodeCount = nodes,
+            LinkCount = links,
+            ContainerCount = Part.NodeCount > 0 ? 1 : 0,
+        };
+    }
+}
