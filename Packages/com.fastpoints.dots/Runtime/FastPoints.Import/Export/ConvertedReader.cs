@@ -7,6 +7,7 @@ using FastPoints.Store;
 using Unity.Burst;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
+using Unity.IO.LowLevel.Unsafe;
 using Unity.Jobs;
 using Unity.Mathematics;
 
@@ -23,6 +24,9 @@ namespace FastPoints.Export
         readonly List<string> m_paths = new List<string>();
         readonly List<ConvertedBlock> m_blocks = new List<ConvertedBlock>();
         int m_maxPoints = 1;
+
+        // On a disk, what lies between two planes is read along up to this: another read would take longer.
+        const int MaxGapBytes = 64 << 10;
 
         ConvertedReader(CloudFolder folder) => m_folder = folder;
 
@@ -112,26 +116,37 @@ namespace FastPoints.Export
 
         public override string FileOfBlock(int block, out long byteOffset)
         {
-            var stored = m_blocks[block];
-            byteOffset = m_tables[stored.File].Planes[stored.Node * m_tables[stored.File].PlaneCount].OffsetBytes;
-            return m_paths[stored.File];
+            byteOffset = RangeOf(block, StoreLayout.PositionPlane).OffsetBytes;
+            return m_paths[m_blocks[block].File];
+        }
+
+        PlaneRange RangeOf(int block, int plane)
+        {
+            var table = m_tables[m_blocks[block].File];
+            return table.Planes[m_blocks[block].Node * table.PlaneCount + plane];
         }
 
         public override long BytesOfRange(BlockRange range) => (long)range.Count * Info.Schema.BytesPerPoint / 2;
 
         internal override void ListPieces(BlockRange range, List<FilePiece> pieces)
         {
-            var place = m_blocks[range.Block];
-            var table = m_tables[place.File];
-            var first = table.Planes[place.Node * table.PlaneCount];
-            var last = table.Planes[(place.Node + 1) * table.PlaneCount - 1];
-            pieces.Add(new FilePiece
+            int first = pieces.Count, file = m_blocks[range.Block].File;
+            for (int p = 0; p < m_folder.Layout.Planes.Count; p++)
             {
-                Path = m_paths[place.File],
-                Remote = m_folder.RemoteOf(place.File),
-                OffsetBytes = first.OffsetBytes,
-                LengthBytes = last.OffsetBytes + last.LengthBytes - first.OffsetBytes,
-            });
+                if (m_folder.Layout.Planes[p].AverageOf >= 0)
+                    continue;
+                var plane = RangeOf(range.Block, p);
+                var last = pieces.Count > first ? pieces[pieces.Count - 1] : default;
+                if (pieces.Count == first || last.OffsetBytes + last.LengthBytes != plane.OffsetBytes)
+                    pieces.Add(last = new FilePiece
+                    {
+                        Path = m_paths[file],
+                        Remote = m_folder.RemoteOf(file),
+                        OffsetBytes = plane.OffsetBytes,
+                    });
+                last.LengthBytes = plane.OffsetBytes + plane.LengthBytes - last.OffsetBytes;
+                pieces[pieces.Count - 1] = last;
+            }
         }
 
         public override BlockRead CreateRead(PointSchema wanted, int capacity, Allocator allocator) =>
@@ -190,13 +205,14 @@ namespace FastPoints.Export
             public long FirstPoint;
         }
 
-        /// <summary>One read, from a node's first wanted plane to its last.</summary>
+        /// <summary>One read of the wanted planes of a node.</summary>
         sealed class ConvertedRead : SlotRead
         {
             readonly ConvertedReader m_reader;
             readonly List<int> m_planes = new List<int> { StoreLayout.PositionPlane };
             NativeArray<PlaneShape> m_shapes;
             NativeArray<PlaneRange> m_ranges;
+            NativeArray<long> m_places;
             NativeArray<ConvertedTarget> m_targets;
 
             public ConvertedRead(ConvertedReader reader, PointSchema wanted, int capacity, Allocator allocator)
@@ -218,10 +234,11 @@ namespace FastPoints.Export
                     if (targets.Count > before)
                         m_planes.Add(p);
                 }
-                OwnFile(0, allocator);
+                OwnFile(0, allocator, m_planes.Count);
                 m_targets = Own(new NativeArray<ConvertedTarget>(targets.ToArray(), allocator));
                 m_shapes = Own(new NativeArray<PlaneShape>(m_planes.Count, allocator));
                 m_ranges = Own(new NativeArray<PlaneRange>(m_planes.Count, allocator));
+                m_places = Own(new NativeArray<long>(m_planes.Count, allocator));
             }
 
             void AddTarget(List<ConvertedTarget> targets, int plane, int column, StoredColumn stored, string name)
@@ -240,22 +257,18 @@ namespace FastPoints.Export
             protected override JobHandle Schedule(BlockRange range)
             {
                 var block = m_reader.m_blocks[range.Block];
-                var table = m_reader.m_tables[block.File];
-                var node = table.Nodes[block.Node];
+                var node = m_reader.NodeOf(range.Block);
                 for (int p = 0; p < m_planes.Count; p++)
                 {
-                    m_ranges[p] = table.Planes[block.Node * table.PlaneCount + m_planes[p]];
+                    m_ranges[p] = m_reader.RangeOf(range.Block, m_planes[p]);
                     m_shapes[p] = m_reader.m_folder.Layout.ShapeOf(m_planes[p], node.IsWide);
                 }
-                long first = m_ranges[0].OffsetBytes;
-                var last = m_ranges[m_planes.Count - 1];
-                long bytes = last.OffsetBytes + last.LengthBytes - first;
-                File.Reserve(bytes);
+                int commands = PlaceInBuffer();
                 return new DecodeConvertedJob
                 {
                     File = File.Buffer,
-                    FileOffset = first,
                     Ranges = m_ranges,
+                    Places = m_places,
                     Shapes = m_shapes,
                     Targets = m_targets,
                     PlaneBlocks = node.PlaneBlocks,
@@ -264,7 +277,37 @@ namespace FastPoints.Export
                     Count = range.Count,
                     Columns = Points.Bytes,
                     Result = Result,
-                }.Schedule(DependencyOf(File.Begin(m_reader.m_paths[block.File], first, (int)bytes)));
+                }.Schedule(DependencyOf(File.Begin(m_reader.m_paths[block.File], commands)));
+            }
+
+            // Planes that lie together are one segment; of a remote file, segments are parts of what ListPieces names.
+            unsafe int PlaceInBuffer()
+            {
+                var commands = File.Commands;
+                int count = 0;
+                long bytes = 0, end = 0, maxGap = m_reader.m_folder.RemoteOf(0) != null ? 0 : MaxGapBytes;
+                for (int p = 0; p < m_planes.Count; p++)
+                {
+                    var plane = m_ranges[p];
+                    if (count == 0 || plane.OffsetBytes < end || plane.OffsetBytes > end + maxGap)
+                        commands[count++] = new ReadCommand { Offset = end = plane.OffsetBytes };
+                    m_places[p] = bytes + plane.OffsetBytes - end;
+                    bytes = m_places[p] + plane.LengthBytes;
+                    end = plane.OffsetBytes + plane.LengthBytes;
+                    var command = commands[count - 1];
+                    command.Size = end - command.Offset;
+                    commands[count - 1] = command;
+                }
+                File.Reserve(bytes);
+                var to = (byte*)File.Buffer.GetUnsafePtr();
+                for (int i = 0; i < count; i++)
+                {
+                    var command = commands[i];
+                    command.Buffer = to;
+                    to += command.Size;
+                    commands[i] = command;
+                }
+                return count;
             }
 
             protected override void EndRead()
@@ -295,8 +338,10 @@ namespace FastPoints.Export
     {
         [ReadOnly] public NativeArray<byte> File;
 
-        public long FileOffset;
         [ReadOnly] public NativeArray<PlaneRange> Ranges;
+
+        /// <summary>Where each plane lies among the bytes that are read.</summary>
+        [ReadOnly] public NativeArray<long> Places;
         [ReadOnly] public NativeArray<PlaneShape> Shapes;
         [ReadOnly] public NativeArray<ConvertedTarget> Targets;
         public int PlaneBlocks;
@@ -308,10 +353,10 @@ namespace FastPoints.Export
 
         public void Execute()
         {
-            var file = (byte*)File.GetUnsafeReadOnlyPtr() - FileOffset;
+            var file = (byte*)File.GetUnsafeReadOnlyPtr();
             for (int p = 0; p < Ranges.Length; p++)
             {
-                byte* plane = file + Ranges[p].OffsetBytes;
+                byte* plane = file + Places[p];
                 ulong hash = ContentHash.Of(plane, Ranges[p].LengthBytes);
                 if (hash == Ranges[p].Hash && PlaneView.IsValid(plane, Ranges[p].LengthBytes, Shapes[p], PlaneBlocks))
                     continue;
@@ -327,7 +372,7 @@ namespace FastPoints.Export
         {
             ulong* wide = stackalloc ulong[PlaneShape.MaxPointsPerBlock];
             uint* narrow = stackalloc uint[PlaneShape.MaxPointsPerBlock];
-            var view = new PlaneView(file + Ranges[target.Plane].OffsetBytes, Shapes[target.Plane], PlaneBlocks);
+            var view = new PlaneView(file + Places[target.Plane], Shapes[target.Plane], PlaneBlocks);
             bool isPosition = target.Plane == 0, isWide = view.Shape.IsWide(target.Column);
             byte* to = (byte*)Columns.GetUnsafePtr() + target.To.OffsetBytes;
             long corner = target.Column == 0 ? Corner.X : target.Column == 1 ? Corner.Y : Corner.Z;

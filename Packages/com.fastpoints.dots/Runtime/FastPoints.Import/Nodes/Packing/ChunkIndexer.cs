@@ -236,6 +236,7 @@ namespace FastPoints.Nodes
             job.Top = Top;
             job.NodeOfDraft = NodeOfDraft;
             job.AverageOf = m_store.AverageOf;
+            job.ColorPlane = m_store.ColorPlane;
             job.Averaged = Averaged;
             job.BytesOfPlane = m_bytesOfPlane;
             job.Points = m_workspace.Numbers;

@@ -119,6 +119,7 @@ namespace FastPoints.Nodes
             SortPoints,
             Plan,
             Write,
+            Append,
             Done,
         }
 
@@ -126,7 +127,7 @@ namespace FastPoints.Nodes
         {
             public Stage Stage;
 
-            /// <summary>The next point or node, and its next plane.</summary>
+            /// <summary>The next point, node or byte, and the node's next plane.</summary>
             public int At;
             public int Plane;
             public int NodeCount;
@@ -151,6 +152,9 @@ namespace FastPoints.Nodes
         public NativeList<NodeRecord> Nodes;
         public NativeList<PlaneRange> Ranges;
 
+        /// <summary>The planes that lie behind those of position and colour, until these are written.</summary>
+        public NativeList<byte> Behind;
+
         public WriteScratch(Allocator allocator)
         {
             Progress = new NativeReference<State>(allocator);
@@ -160,6 +164,7 @@ namespace FastPoints.Nodes
             ChildCount = new NativeList<int>(64, allocator);
             Nodes = new NativeList<NodeRecord>(64, allocator);
             Ranges = new NativeList<PlaneRange>(64, allocator);
+            Behind = new NativeList<byte>(64, allocator);
         }
 
         public bool IsDone => Progress.Value.Stage == Stage.Done;
@@ -175,6 +180,7 @@ namespace FastPoints.Nodes
             ChildCount.Dispose();
             Nodes.Dispose();
             Ranges.Dispose();
+            Behind.Dispose();
         }
     }
 

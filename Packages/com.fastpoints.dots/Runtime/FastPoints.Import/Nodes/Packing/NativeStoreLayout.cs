@@ -13,6 +13,7 @@ namespace FastPoints.Nodes
             Layout = layout;
             Columns = new NativeArray<StoredColumn>(layout.Columns, Allocator.Persistent);
             int planes = layout.Planes.Count - 1;
+            ColorPlane = layout.PlaneOf(StoreLayout.ColorName) - 1;
             AverageOf = new NativeArray<int>(planes, Allocator.Persistent);
             var averaged = new List<StoredColumn>();
             FirstColumnOfPlane = new NativeArray<int>(planes + 1, Allocator.Persistent);
@@ -44,6 +45,9 @@ namespace FastPoints.Nodes
 
         /// <summary>For each attribute plane, the one whose values it averages, or a negative number.</summary>
         public NativeArray<int> AverageOf { get; private set; }
+
+        /// <summary>The attribute plane that lies with the positions, or a negative number.</summary>
+        public int ColorPlane { get; }
 
         public NativeArray<StoredColumn> AveragedColumns { get; private set; }
 

@@ -8,8 +8,9 @@ using Stage = FastPoints.Nodes.WriteScratch.Stage;
 
 namespace FastPoints.Nodes
 {
-    /// <summary>Writes the file of a chunk or of the upper levels in memory: every node's planes, then the table. A chunk's top
-    /// node is not written: its points go to the merge of the upper levels.</summary>
+    /// <summary>Writes the file of a chunk or of the upper levels in memory: position and colour of every node, so that one read
+    /// gets what siblings show, then their other planes, then the table. A chunk's top node is not written: its points go to the
+    /// merge of the upper levels.</summary>
     /// <remarks>One run of the job is a slice; the job groups again until it is done. A plane of a node is written in one
     /// slice.</remarks>
     [BurstCompile]
@@ -20,6 +21,9 @@ namespace FastPoints.Nodes
 
         const int CostOfPosition = 4;
         const int CostOfAverage = 16;
+
+        /// <summary>Copied to pages that are new, these take as long as a value.</summary>
+        const int BytesPerCost = 8;
 
         /// <summary>Leaves with fewer points are inlined leaves in their parent's planes.</summary>
         public const int InlinedLeafPoints = PlaneShape.MaxPointsPerBlock;
@@ -48,6 +52,9 @@ namespace FastPoints.Nodes
 
         /// <summary>For each attribute plane, the one whose values it averages, or a negative number.</summary>
         [ReadOnly] public NativeArray<int> AverageOf;
+
+        /// <summary>The attribute plane that lies with the positions, or a negative number.</summary>
+        public int ColorPlane;
 
         /// <summary>The points as the sampler left them.</summary>
         [ReadOnly] public AveragedColumns Averaged;
@@ -98,7 +105,7 @@ namespace FastPoints.Nodes
         {
             get
             {
-                long ofPoint = 1 + CostOfPosition;
+                long ofPoint = 1 + CostOfPosition + BytesBehind / BytesPerCost;
                 for (int p = 0; p < Shapes.Length; p++)
                     ofPoint += CostOf(p);
                 return Count * ofPoint;
@@ -125,6 +132,8 @@ namespace FastPoints.Nodes
                 Plan();
             if (m_state.Stage == Stage.Write)
                 WritePlanes();
+            if (m_state.Stage == Stage.Append && m_budget > 0)
+                AppendBehind();
             Scratch.Progress.Value = m_state;
         }
 
@@ -134,6 +143,9 @@ namespace FastPoints.Nodes
             // A list that grows is copied whole, in one slice. Only written pages take memory.
             if (File.Capacity < Count * Layout.StrideBytes)
                 File.SetCapacity(Count * Layout.StrideBytes);
+            Scratch.Behind.Clear();
+            if (Scratch.Behind.Capacity < Count * BytesBehind)
+                Scratch.Behind.SetCapacity(Count * BytesBehind);
             Table.Clear();
             Top.Clear();
             for (int p = 0; p < BytesOfPlane.Length; p++)
@@ -269,7 +281,24 @@ namespace FastPoints.Nodes
                 if (m_state.Plane > 0)
                     return;
             }
-            WriteTable(planes, nodes, ranges);
+            m_state.At = 0;
+            m_state.Stage = Stage.Append;
+        }
+
+        void AppendBehind()
+        {
+            var behind = Scratch.Behind;
+            int count = (int)math.min(behind.Length - m_state.At, m_budget * BytesPerCost);
+            File.AddRange(behind.GetUnsafePtr() + m_state.At, count);
+            m_state.At += count;
+            if (m_state.At < behind.Length)
+                return;
+            int planes = Shapes.Length + 1;
+            var ranges = Scratch.Ranges.GetUnsafePtr();
+            for (int i = 0; i < m_state.NodeCount * planes; i++)
+                if (ranges[i].OffsetBytes < 0)
+                    ranges[i].OffsetBytes = File.Length - behind.Length + ~ranges[i].OffsetBytes;
+            WriteTable(planes, Scratch.Nodes.GetUnsafePtr(), ranges);
             m_state.Stage = Stage.Done;
         }
 
@@ -371,19 +400,36 @@ namespace FastPoints.Nodes
                     continue;
                 }
                 m_budget -= points * CostOf(p);
+                var to = p == ColorPlane ? File : Scratch.Behind;
                 if (AverageOf[p] >= 0)
                 {
-                    ranges[p + 1] = m_packer.WriteAverages(File, groups, groupCount, Shapes[p], Averaged, m_state.AveragedColumn);
+                    ranges[p + 1] = m_packer.WriteAverages(to, groups, groupCount, Shapes[p], Averaged, m_state.AveragedColumn);
                     m_state.AveragedColumn += Shapes[p].ColumnCount;
                 }
                 else
                 {
-                    ranges[p + 1] = m_packer.WriteAttributes(File, groups, groupCount, Shapes[p], FirstColumnOfPlane[p]);
+                    ranges[p + 1] = m_packer.WriteAttributes(to, groups, groupCount, Shapes[p], FirstColumnOfPlane[p]);
                 }
+                // The place in the file is not known yet; averages that share the range share this.
+                if (p != ColorPlane)
+                    ranges[p + 1].OffsetBytes = ~ranges[p + 1].OffsetBytes;
                 BytesOfPlane[p + 1] += ranges[p + 1].LengthBytes;
             }
             if (m_state.Plane > Shapes.Length)
                 m_state.Plane = 0;
+        }
+
+        // The most that a point has there, but for what blocks add.
+        int BytesBehind
+        {
+            get
+            {
+                int bytes = 0;
+                for (int p = 0; p < Shapes.Length; p++)
+                    for (int c = FirstColumnOfPlane[p]; p != ColorPlane && c < FirstColumnOfPlane[p + 1]; c++)
+                        bytes += Columns[c].Type.SizeOf();
+                return bytes;
+            }
         }
 
         int CostOf(int plane) => AverageOf[plane] >= 0 ? CostOfAverage : Shapes[plane].ColumnCount;

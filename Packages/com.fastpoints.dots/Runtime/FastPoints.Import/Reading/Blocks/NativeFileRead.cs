@@ -115,13 +115,19 @@ namespace FastPoints.Reading
         // The file is opened and closed for it; the path is absolute.
         public JobHandle Begin(string path, long offset, int bytes)
         {
-            m_path = path;
             m_commands[0] = new ReadCommand { Buffer = m_buffer.GetUnsafePtr(), Offset = offset, Size = bytes };
+            return Begin(path, bytes > 0 ? 1 : 0);
+        }
+
+        // The same of several segments, which are set.
+        public JobHandle Begin(string path, int commands)
+        {
+            m_path = path;
             if (SourcePath.IsRemote(path))
-                return CopyFetched(bytes > 0 ? 1 : 0);
-            if (bytes <= 0)
+                return CopyFetched(commands);
+            if (commands == 0)
                 return default;
-            m_handle = FileReads.BeginOneShot(path, (ReadCommand*)m_commands.GetUnsafePtr(), 1);
+            m_handle = FileReads.BeginOneShot(path, (ReadCommand*)m_commands.GetUnsafePtr(), commands);
             m_isReading = true;
             return m_handle.JobHandle;
         }
