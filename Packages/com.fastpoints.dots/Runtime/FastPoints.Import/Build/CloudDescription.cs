@@ -21,11 +21,7 @@ namespace FastPoints.Build
             AddSources(build.Readers, journal.Statistics, manifest);
             Warn(build.Readers, journal.Statistics, build.Grid.Grid);
             Describe(found, scatter.Attributes, build, manifest);
-            // Differs with content, attributes, partition and sampler: enough to distinguish one build's files from another's.
-            manifest.CloudId = found.Checksum ^ (ulong)found.Count * 0x9E3779B97F4A7C15UL ^
-                (ulong)build.Plan.PointsPerChunk << 40 ^ (ulong)build.Attributes.Count << 32 ^
-                (ulong)build.Settings.Sampler << 60 ^ (ulong)build.Settings.CellsLog2 << 56 ^
-                (ulong)build.Settings.MaxPointsPerLeaf ^ (ulong)NodeSizes.SamplingVersion << 24;
+            manifest.CloudId = build.CloudId;
             return manifest;
         }
 
@@ -73,25 +69,38 @@ namespace FastPoints.Build
             return paths;
         }
 
-        /// <summary>One entry a file, tiles of a reader apart.</summary>
+        /// <summary>One entry a file, tiles of a reader apart, by what is known before it is read.</summary>
+        public static IEnumerable<CloudManifest.Source> SourcesOf(PointReader reader)
+        {
+            var info = reader.Info;
+            var tiles = reader.Unfiltered as TiledReader;
+            for (int t = 0; t < (tiles?.TileCount ?? 1); t++)
+            {
+                var source = tiles != null ? tiles.TileOf(t) : new CloudManifest.Source
+                {
+                    Name = info.Path,
+                    FileBytes = info.FileBytes,
+                    HeadHash = info.HeadHash,
+                    Points = reader.PointCount,
+                    Crs = info.Crs.ToCloudCrs(),
+                };
+                source.Name = SourcePath.NameOf(source.Name);
+                yield return source;
+            }
+        }
+
         static void AddSources(IReadOnlyList<PointReader> readers, IReadOnlyList<PointStatistics> statistics,
             CloudManifest manifest)
         {
             for (int i = 0; i < readers.Count; i++)
             {
-                var info = readers[i].Info;
-                var tiles = readers[i].Unfiltered as TiledReader;
-                for (int t = 0; t < tiles?.TileCount; t++)
-                    AddSource(tiles.TileOf(t), manifest);
-                if (tiles == null)
-                    AddSource(new CloudManifest.Source
-                    {
-                        Name = info.Path,
-                        FileBytes = info.FileBytes,
-                        HeadHash = info.HeadHash,
-                        Points = statistics[i].Count + statistics[i].LeftOut,
-                        Crs = info.Crs.ToCloudCrs(),
-                    }, manifest);
+                foreach (var known in SourcesOf(readers[i]))
+                {
+                    var source = known;
+                    if (!(readers[i].Unfiltered is TiledReader))
+                        source.Points = statistics[i].Count + statistics[i].LeftOut;
+                    manifest.Sources.Add(source);
+                }
             }
         }
 
@@ -127,12 +136,6 @@ namespace FastPoints.Build
             AttributeSummary.Describe(build.Attributes, values, manifest);
             manifest.Crs = crs.ToCloudCrs();
             manifest.GpsTime = MeaningOf(build.Readers).GpsTime;
-        }
-
-        static void AddSource(CloudManifest.Source source, CloudManifest manifest)
-        {
-            source.Name = SourcePath.NameOf(source.Name);
-            manifest.Sources.Add(source);
         }
     }
 
