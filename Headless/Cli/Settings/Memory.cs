@@ -7,6 +7,12 @@ public static class Memory
     const long ProcessBytes = 96L << 20;
     const long MinBytes = ProcessBytes + (64L << 20);
 
+    public static void Limit(ConvertSettings settings, string text)
+    {
+        settings.ProcessBytes = ProcessBytes;
+        settings.MemoryBytes = ForBuild(text);
+    }
+
     public static long ForBuild(string text)
     {
         long bytes = Parse(text);

@@ -26,8 +26,8 @@ public sealed class ConvertVerb : Verb
     {
         HelpName = "SIZE",
         Description = "Resident memory that the process may take, such as 300MiB or 4GiB (default: 1GiB). "
-            + "What does not fit goes to temporary files beside the target; with little memory the "
-            + "stored chunks are smaller.",
+            + "What does not fit goes to temporary files beside the target; 300MiB are enough for any "
+            + "cloud, and what is stored is the same.",
     };
     readonly Option<string?> m_attributes = new("--attributes")
     {
@@ -83,7 +83,7 @@ public sealed class ConvertVerb : Verb
             Attributes = parsed.GetValue(m_attributes)?.Split(',', System.StringSplitOptions.RemoveEmptyEntries),
         };
         if (parsed.GetValue(m_memory) is { } memory)
-            settings.MemoryBytes = Memory.ForBuild(memory);
+            Memory.Limit(settings, memory);
         string output = parsed.GetRequiredValue(m_output);
         OutputNames.RequireFolderName(output);
         OutputNames.RefuseInputs(output, files);

@@ -143,30 +143,55 @@ namespace FastPoints.Build
         /// <summary>Hashes everything that the stored bytes and the temporary files depend on.</summary>
         public static unsafe ulong Of(BuildContext build)
         {
-            var plan = build.Plan;
             var map = build.Map;
-            var settings = build.Settings;
             var text = new StringBuilder();
             foreach (var reader in build.Readers)
-            {
-                string path = reader.Info.Path;
-                text.Append(SourcePath.WithoutQuery(SourcePath.Full(path))).Append('|').Append(reader.Info.FileBytes).Append('|')
-                    .Append(reader.PointCount).Append('|').Append(VersionOf(path));
-                if (reader.FilterHash != 0)
-                    text.Append('|').Append(reader.FilterHash);
-                text.Append('\n');
-            }
-            foreach (var attribute in build.Attributes)
-                text.Append(attribute).Append('\n');
-            text.Append(plan.PointsPerChunk).Append('|').Append(plan.PointsPerPartition).Append('|').Append(plan.IsStored)
-                .Append('|').Append(StoreFormat.Version).Append('|').Append(NodeSizes.SamplingVersion)
-                .Append('|').Append(build.Records.StrideBytes).Append('|').Append(map.Chunks.Length).Append('|').Append(map.Cube)
-                .Append('|').Append(settings.Sampler).Append('|').Append(settings.CellsLog2)
-                .Append('|').Append(settings.MaxPointsPerLeaf);
+                text.Append(SourcePath.WithoutQuery(SourcePath.Full(reader.Info.Path))).Append('|')
+                    .Append(VersionOf(reader.Info.Path)).Append('\n');
+            text.Append(build.CloudId).Append('|').Append(build.Plan.PointsPerPartition).Append('|').Append(build.Plan.IsStored)
+                .Append('|').Append(build.Records.StrideBytes).Append('|').Append(map.Chunks.Length);
             string all = text.ToString();
             fixed (char* first = all)
                 return ContentHash.Of(first, all.Length * sizeof(char)) ^
                     ContentHash.Of(map.ChunkOfCell.GetUnsafeReadOnlyPtr(), map.ChunkOfCell.Length * sizeof(int));
+        }
+    }
+
+    /// <summary>Distinguishes the files of one cloud from another's, and from those of other settings. It is known before the
+    /// points are read, and the same wherever the sources lie, for any memory and any number of machines.</summary>
+    internal static class CloudIdentity
+    {
+        /// <summary>Hashes the plan, the settings, and what is known of the sources: name, size, points, the head of the file, and
+        /// a sample of the positions. Values that change in place, outside of these, do not show.</summary>
+        public static ulong Of(BuildContext build)
+        {
+            using var bytes = new MemoryStream();
+            using var writer = new BinaryWriter(bytes);
+            foreach (var reader in build.Readers)
+            {
+                writer.Write(reader.FilterHash);
+                foreach (var source in CloudDescription.SourcesOf(reader))
+                {
+                    writer.Write(source.Name);
+                    writer.Write(source.FileBytes);
+                    writer.Write(source.Points);
+                    writer.Write(source.HeadHash);
+                }
+            }
+            writer.Write(build.Map.SampleHash);
+            foreach (var attribute in build.Attributes)
+                writer.Write(attribute.ToString());
+            foreach (var cell in build.Map.BaseCells)
+                writer.Write(cell.ToString());
+            writer.Write(build.Map.Cube.ToString());
+            var (origin, step) = (build.Grid.Grid.Origin, build.Grid.Grid.Step);
+            foreach (double value in new[] { origin.x, origin.y, origin.z, step.x, step.y, step.z })
+                writer.Write(value);
+            var sizes = build.Sizes;
+            foreach (long value in new[] { build.Plan.PointsPerChunk, (long)build.Settings.Sampler, sizes.CellsLog2,
+                sizes.MaxPointsPerLeaf, NodeSizes.SamplingVersion, StoreFormat.Version })
+                writer.Write(value);
+            return ContentHash.Of(new ReadOnlySpan<byte>(bytes.GetBuffer(), 0, (int)bytes.Length));
         }
     }
 }

@@ -52,6 +52,9 @@ namespace FastPoints.Build
         /// <summary>The first partition. Setting it hands it over.</summary>
         public PartitionMap Map { get; set; }
 
+        /// <summary>See <see cref="CloudIdentity"/>; known once there is a partition.</summary>
+        public ulong CloudId { get; set; }
+
         public NodeSizes Sizes
         {
             get
@@ -84,6 +87,10 @@ namespace FastPoints.Build
             Grid = GridChoice.Choose(infos, samples, Attributes.BytesPerPoint, Settings.HasCubes);
             int stride = Records.StrideBytes;
             Plan = MemoryPlan.For(Points, stride, Settings);
+            if (Settings.ProcessBytes > 0 && Plan.IsStored && Plan.MinMemoryBytes > Settings.MemoryBytes)
+                throw PointCloudException.Wanted(FailureCode.Unsupported, Target, -1, "memory for a chunk of this cloud",
+                    "at least " + ((Settings.ProcessBytes + Plan.MinMemoryBytes >> 20) + 1) + "MiB",
+                    (Settings.ProcessBytes + Settings.MemoryBytes >> 20) + "MiB");
             Pool = new NativeReference<RecordPagePool>(new RecordPagePool(stride, Points / RecordPages.RecordsPerPage),
                 Allocator.Persistent);
             if (Plan.IsStored)

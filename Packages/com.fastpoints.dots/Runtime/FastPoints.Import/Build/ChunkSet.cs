@@ -83,43 +83,30 @@ namespace FastPoints.Build
         }
 
         /// <summary>Coroutine: distributes the records outside the original root cube.</summary>
-        public IEnumerator<JobStep> SplitOutside(GridCube[] shells, Chunk outside)
-        {
-            var root = shells[shells.Length - 1];
-            var parts = new List<GridCube>();
-            var inner = outside.Cube;
-            foreach (var shell in shells)
-            {
-                for (int octant = 0; octant < 8; octant++)
-                    if (!shell.Child(octant).Contains(inner))
-                        parts.Add(shell.Child(octant));
-                inner = shell;
-            }
-            parts.Sort((a, b) => MortonOrder.Compare(a.Corner - root.Corner, b.Corner - root.Corner));
-            return Regroup(outside, parts.ToArray(), root.Corner);
-        }
+        public IEnumerator<JobStep> SplitOutside(BaseCells cells, Chunk outside) =>
+            Regroup(outside, cells.Around, cells.Root.Corner);
 
-        /// <summary>Coroutine: splits every chunk of more than <paramref name="limit"/> points until none is larger than
-        /// that. Points at one position are split by count, in their order.</summary>
-        /// <param name="target">The most points of a part.</param>
-        public IEnumerator<JobStep> SplitLarge(long limit, long target)
+        /// <summary>Coroutine: splits chunks that are larger than a base cell, or have more than <paramref name="target"/>
+        /// points, until none is left. Points at one position are split by count, in their order.</summary>
+        public IEnumerator<JobStep> SplitLarge(BaseCells cells, long target)
         {
             // Parts are added at the end and examined in turn.
             for (int i = 0; i < m_chunks.Count;)
             {
                 var chunk = m_chunks[i];
-                if (chunk.Count <= limit)
-                {
+                if (!cells.At(chunk.Cube.Corner).Contains(chunk.Cube))
+                    yield return JobStep.Of(Regroup(chunk, cells.In(chunk.Cube), chunk.Cube.Corner));
+                else if (chunk.Count > (chunk.Cube.SideLog2 == 0 ? RecordsPerPart(target) : target))
+                    yield return JobStep.Of(Split(chunk, target));
+                else
                     i++;
-                    continue;
-                }
-                yield return JobStep.Of(Split(chunk, target));
             }
         }
 
-        /// <summary>Joins chunks that have no more than <paramref name="target"/> points together in a cube, and puts all in
-        /// Morton order.</summary>
-        public void MergeSmall(GridCube root, long target)
+        /// <summary>Makes each chunk the largest cube of a base cell that has no more than <paramref name="target"/> points, and
+        /// puts all in Morton order.</summary>
+        /// <param name="root">The cube of all points.</param>
+        public void MergeSmall(GridCube root, BaseCells cells, long target)
         {
             // The order is stable: several chunks of one cube keep the order of their points.
             var order = new int[m_chunks.Count];
@@ -131,23 +118,31 @@ namespace FastPoints.Build
                     m_chunks[b].Cube.Corner - root.Corner);
                 return byPosition != 0 ? byPosition : a.CompareTo(b);
             });
-            var sorted = new List<Chunk>();
-            foreach (int i in order)
-                sorted.Add(m_chunks[i]);
-            var groups = CubeGroups.Of(root, sorted, c => c.Cube, c => c.Count, target);
+            var sorted = Array.ConvertAll(order, i => m_chunks[i]);
             m_chunks.Clear();
-            foreach (var group in groups)
+            for (int first = 0, end = 0; first < sorted.Length; first = end)
             {
-                var first = sorted[group.First];
-                if (group.Count > 1)
-                {
+                var cell = cells.At(sorted[first].Cube.Corner);
+                while (end < sorted.Length && cell.Contains(sorted[end].Cube.Corner))
+                    end++;
+                Merge(cell.Contains(root) ? root : cell, new ArraySegment<Chunk>(sorted, first, end - first), target);
+            }
+        }
+
+        /// <summary>Adds the chunks of one cube, of which small ones are joined.</summary>
+        void Merge(GridCube cube, IReadOnlyList<Chunk> parts, long target)
+        {
+            foreach (var group in CubeGroups.Of(cube, parts, c => c.Cube, c => c.Count, target))
+            {
+                var first = parts[group.First];
+                // Those that are split by count keep the cube of one position.
+                if (first.Count <= target && first.Cube.SideLog2 > 0)
                     first.Cube = group.Cube;
-                    for (int i = group.First + 1; i < group.First + group.Count; i++)
-                    {
-                        first.Add(ref sorted[i].Pages);
-                        foreach (var range in sorted[i].Ranges)
-                            first.Add(range);
-                    }
+                for (int i = group.First + 1; i < group.First + group.Count; i++)
+                {
+                    first.Add(ref parts[i].Pages);
+                    foreach (var range in parts[i].Ranges)
+                        first.Add(range);
                 }
                 m_chunks.Add(first);
             }
@@ -204,14 +199,14 @@ namespace FastPoints.Build
         /// <summary>Splits into parts of whole pages, so that they are the same in memory and in files.</summary>
         void SplitByCount(Chunk chunk, long target)
         {
-            int partPages = (int)Math.Max(1, target / RecordPages.RecordsPerPage);
+            int partPages = (int)(RecordsPerPart(target) / RecordPages.RecordsPerPage);
             m_chunks.Remove(chunk);
             while (chunk.Pages.Count > 0)
             {
                 var part = chunk.Pages.Cut(partPages);
                 Add(chunk.Cube, ref part);
             }
-            long partRecords = (long)partPages * RecordPages.RecordsPerPage, room = 0;
+            long partRecords = RecordsPerPart(target), room = 0;
             foreach (var range in chunk.Ranges)
             {
                 for (long done = 0; done < range.Count;)
@@ -231,6 +226,9 @@ namespace FastPoints.Build
                 Files.Release(range.File);
             }
         }
+
+        static long RecordsPerPart(long target) =>
+            Math.Max(1, target / RecordPages.RecordsPerPage) * RecordPages.RecordsPerPage;
 
         IEnumerator<JobStep> RunOnRebalanced()
         {

@@ -18,14 +18,9 @@ namespace FastPoints.Build
         {
             var found = scatter.Statistics;
             var manifest = new CloudManifest { Sampler = build.SamplerName, Root = journal.Root };
-            AddSources(build.Readers, journal.Statistics, manifest);
             Warn(build.Readers, journal.Statistics, build.Grid.Grid);
             Describe(found, scatter.Attributes, build, manifest);
-            // Differs with content, attributes, partition and sampler: enough to distinguish one build's files from another's.
-            manifest.CloudId = found.Checksum ^ (ulong)found.Count * 0x9E3779B97F4A7C15UL ^
-                (ulong)build.Plan.PointsPerChunk << 40 ^ (ulong)build.Attributes.Count << 32 ^
-                (ulong)build.Settings.Sampler << 60 ^ (ulong)build.Settings.CellsLog2 << 56 ^
-                (ulong)build.Settings.MaxPointsPerLeaf ^ (ulong)NodeSizes.SamplingVersion << 24;
+            manifest.CloudId = build.CloudId;
             return manifest;
         }
 
@@ -73,26 +68,41 @@ namespace FastPoints.Build
             return paths;
         }
 
-        /// <summary>One entry a file, tiles of a reader apart.</summary>
-        static void AddSources(IReadOnlyList<PointReader> readers, IReadOnlyList<PointStatistics> statistics,
-            CloudManifest manifest)
+        /// <summary>One entry a file, tiles of a reader apart, by what is known before it is read.</summary>
+        public static IEnumerable<CloudSource> SourcesOf(PointReader reader)
         {
+            var info = reader.Info;
+            var tiles = reader.Unfiltered as TiledReader;
+            for (int t = 0; t < (tiles?.TileCount ?? 1); t++)
+            {
+                var source = tiles != null ? tiles.TileOf(t) : new CloudSource
+                {
+                    Name = info.Path,
+                    FileBytes = info.FileBytes,
+                    HeadHash = info.HeadHash,
+                    Points = reader.PointCount,
+                    Crs = info.Crs.ToCloudCrs(),
+                };
+                source.Name = SourcePath.NameOf(source.Name);
+                yield return source;
+            }
+        }
+
+        /// <summary>The same with the points that were found.</summary>
+        public static List<CloudSource> SourcesOf(IReadOnlyList<PointReader> readers, IReadOnlyList<PointStatistics> statistics)
+        {
+            var sources = new List<CloudSource>();
             for (int i = 0; i < readers.Count; i++)
             {
-                var info = readers[i].Info;
-                var tiles = readers[i].Unfiltered as TiledReader;
-                for (int t = 0; t < tiles?.TileCount; t++)
-                    AddSource(tiles.TileOf(t), manifest);
-                if (tiles == null)
-                    AddSource(new CloudManifest.Source
-                    {
-                        Name = info.Path,
-                        FileBytes = info.FileBytes,
-                        HeadHash = info.HeadHash,
-                        Points = statistics[i].Count + statistics[i].LeftOut,
-                        Crs = info.Crs.ToCloudCrs(),
-                    }, manifest);
+                foreach (var known in SourcesOf(readers[i]))
+                {
+                    var source = known;
+                    if (!(readers[i].Unfiltered is TiledReader))
+                        source.Points = statistics[i].Count + statistics[i].LeftOut;
+                    sources.Add(source);
+                }
             }
+            return sources;
         }
 
         /// <summary>Warns about what is missing or inexact in the cloud, for each source.</summary>
@@ -127,12 +137,6 @@ namespace FastPoints.Build
             AttributeSummary.Describe(build.Attributes, values, manifest);
             manifest.Crs = crs.ToCloudCrs();
             manifest.GpsTime = MeaningOf(build.Readers).GpsTime;
-        }
-
-        static void AddSource(CloudManifest.Source source, CloudManifest manifest)
-        {
-            source.Name = SourcePath.NameOf(source.Name);
-            manifest.Sources.Add(source);
         }
     }
 

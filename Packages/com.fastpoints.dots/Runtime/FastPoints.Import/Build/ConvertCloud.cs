@@ -12,8 +12,8 @@ using Unity.Collections;
 namespace FastPoints.Build
 {
     /// <summary>Converts files to a stored octree. A sample estimates the density; one pass over the points distributes them over
-    /// chunks; chunks that became too large are split, small ones merged; each is turned into nodes; their tops become the upper
-    /// levels.</summary>
+    /// cubes; those that became too large are split, small ones joined to chunks; each is turned into nodes; their tops become the
+    /// upper levels.</summary>
     public sealed class ConvertCloud : IDisposable
     {
         readonly BuildContext m_build;
@@ -118,6 +118,7 @@ namespace FastPoints.Build
             var cube = RootCube.Guess(m_build.Readers, m_sampleStatistics, m_build.Grid);
             yield return JobStep.Of(PartitionPlan.Of(cube, m_samples, m_build.Grid, m_build.Plan, m_build.Slices,
                 map => m_build.Map = map));
+            m_build.CloudId = CloudIdentity.Of(m_build);
             foreach (var sample in m_samples)
                 sample.Dispose();
             m_samples.Clear();
@@ -186,7 +187,8 @@ namespace FastPoints.Build
                     yield return JobStep.Of(folder.Write(StoreFormat.RecordsName, m_records));
                 if (m_build.Readers.Count == 1)
                     yield return JobStep.Of(folder.WriteText(StoreFormat.FactsName, StoredFacts.ToJson(m_build.Readers[0].Info)));
-                yield return JobStep.Of(folder.WriteText(StoreFormat.SourcesName, CloudSources.ToJson(m_sources)));
+                yield return JobStep.Of(folder.WriteText(StoreFormat.SourcesName, CloudSources.ToJson(
+                    CloudDescription.SourcesOf(m_build.Readers, journal.Statistics))));
                 yield return JobStep.Of(folder.WriteText(StoreFormat.ManifestName, manifest.ToJson()));
                 yield return JobStep.Of(m_checkpoints.Finish(m_octree.LevelCount, m_octree.BytesOfPlane));
             }
@@ -248,11 +250,12 @@ namespace FastPoints.Build
             if (journal.CurrentStage == BuildJournal.Stage.Split)
             {
                 long target = m_build.Plan.PointsPerChunk;
-                yield return JobStep.Of(m_chunks.SplitLarge(2 * target, target));
+                var cells = Cells();
+                yield return JobStep.Of(m_chunks.SplitLarge(cells, target));
                 // The coroutine checks its budget.
                 yield return default;
                 journal.Root = RootCube.Shrink(journal.Root, found.Min, found.Max);
-                m_chunks.MergeSmall(journal.Root, target);
+                m_chunks.MergeSmall(journal.Root, cells, target);
                 journal.CurrentStage = BuildJournal.Stage.Index;
                 yield return JobStep.Of(m_checkpoints.Write());
             }
@@ -271,15 +274,14 @@ namespace FastPoints.Build
                 AddChunk(map.Chunks[c], lists, c);
             int inside = m_chunks.Chunks.Count;
             AddChunk(map.Cube, lists, map.Outside);
-            var root = map.Cube;
+            var cells = Cells();
             if (m_chunks.Chunks.Count > inside)
-            {
-                var shells = RootCube.Grow(root, m_scatter.Statistics.Min, m_scatter.Statistics.Max);
-                root = shells[shells.Length - 1];
-                yield return JobStep.Of(m_chunks.SplitOutside(shells, m_chunks.Chunks[inside]));
-            }
-            m_checkpoints.Journal.Root = root;
+                yield return JobStep.Of(m_chunks.SplitOutside(cells, m_chunks.Chunks[inside]));
+            m_checkpoints.Journal.Root = cells.Root;
         }
+
+        BaseCells Cells() => new BaseCells(m_build.Map,
+            RootCube.Grow(m_build.Map.Cube, m_scatter.Statistics.Min, m_scatter.Statistics.Max));
 
         void AddChunk(GridCube cube, NativeArray<RecordPages> lists, int chunk)
         {

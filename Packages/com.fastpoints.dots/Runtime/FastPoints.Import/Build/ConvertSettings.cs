@@ -20,13 +20,13 @@ namespace FastPoints.Build
         /// <see cref="NodeSizes"/>.</summary>
         public int MaxPointsPerLeaf;
 
-        /// <summary>Chunks have about this many points at most, and are no smaller than needed; 0 for a number that suits the
+        /// <summary>Chunks have this many points at most, and are no smaller than needed; 0 for a number that suits the
         /// cloud. The stored bytes depend on it, but not on anything about the machine.</summary>
         public long PointsPerChunk;
 
         /// <summary>Limit for everything that grows with the number of points: records, blocks being read, chunks in progress.
-        /// Points that do not fit go to temporary files in the target's folder. With little memory chunks become smaller, by
-        /// halves, and so other bytes are stored.</summary>
+        /// Points that do not fit go to temporary files in the target's folder. One chunk is always in progress, which may take
+        /// more. The stored bytes are the same.</summary>
         public long MemoryBytes = 928L << 20;
 
         /// <summary>A build with temporary files has a checkpoint after this many points, or after fewer if reading is slow: as
@@ -65,6 +65,10 @@ namespace FastPoints.Build
         /// <summary>Whether the grid has one step on all axes, so that the octree's cubes are cubes in the coordinates as
         /// well.</summary>
         internal bool HasCubes;
+
+        /// <summary>Memory of the process besides, if they are a limit together: less than a chunk takes is then an error. 0 for
+        /// none.</summary>
+        internal long ProcessBytes;
     }
 
     /// <summary>The result of a conversion.</summary>
@@ -77,7 +81,7 @@ namespace FastPoints.Build
         /// <summary>The largest size of temporary files; 0 if all points were in memory.</summary>
         public long TemporaryBytesPeak;
 
-        /// <summary>The number of points that chunks were planned for; the stored bytes depend on it.</summary>
+        /// <summary>The most points of a chunk; the stored bytes depend on it.</summary>
         public long PointsPerChunk;
 
         /// <summary>How long the octree's jobs took: median, 99th percentile, longest; in steps of 0.1

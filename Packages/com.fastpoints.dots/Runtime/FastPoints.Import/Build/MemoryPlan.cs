@@ -4,19 +4,22 @@ using FastPoints.Reading;
 
 namespace FastPoints.Build
 {
-    /// <summary>Divides up a build's memory. Chunks, and with them the stored bytes, depend on the number of points, the bytes of
-    /// a record and the memory limit, not on the number of threads.</summary>
+    /// <summary>Divides up a build's memory. What is stored depends on <see cref="PointsPerChunk"/> and
+    /// <see cref="PointsPerBaseCell"/>, which sources and settings determine alone; the rest says how it is made.</summary>
     internal sealed class MemoryPlan
     {
         const long MaxPointsPerChunk = 1000000;
 
-        // A chunk that a sample or a cube's octants made eight times smaller is still larger than a leaf.
+        // A chunk that a cube's octants made eight times smaller is still larger than a leaf.
         const long MinPointsPerChunk = 200000;
 
-        /// <summary>The smallest chunk for any amount of memory: smaller ones would consist of tops alone.</summary>
-        const long MinPlannedPointsPerChunk = 1 << 16;
+        /// <summary>The smallest chunk of records of any size: smaller ones would consist of tops alone.</summary>
+        const long MinPointsOfLargeRecords = 1 << 16;
 
-        const int ChunksPlanned = 2;
+        /// <summary>What a chunk may take while it is indexed.</summary>
+        const long MaxChunkBytes = 183 << 20;
+
+        const long ChunksPerBaseCell = 16;
 
         /// <summary>More points do not improve an overview; little memory means fewer.</summary>
         const long MaxPlaceholderPoints = 1 << 17;
@@ -33,11 +36,15 @@ namespace FastPoints.Build
 
         public long Points { get; private set; }
 
-        /// <summary>Chunks are planned for this many points, and have at most twice as many.</summary>
+        /// <summary>The most points of a chunk.</summary>
         public long PointsPerChunk { get; private set; }
 
-        /// <summary>The same for the upper levels, which are merged when most of the records are gone.</summary>
-        public long PointsPerRegion { get; private set; }
+        /// <summary>The most points of a base cell, by the estimate: see <see cref="BaseCells"/>.</summary>
+        public long PointsPerBaseCell { get; private set; }
+
+        /// <summary>Points that the first partition plans cubes for: half of a chunk's, since cubes with more than a chunk's must
+        /// be split, while joining costs nothing.</summary>
+        public long PointsPlanned => Math.Max(1, PointsPerChunk / 2);
 
         /// <summary>Whether points go to temporary files because not all of them fit.</summary>
         public bool IsStored { get; private set; }
@@ -56,7 +63,7 @@ namespace FastPoints.Build
         /// <summary>Bytes for chunks in progress, and for the merge of the upper levels.</summary>
         public long IndexBytes { get; private set; }
 
-        /// <summary>Points that the first partition plans chunks for: more if there would be too many to have a page
+        /// <summary>The most points that the first partition plans cubes for, if there would be too many to have a page
         /// each.</summary>
         public long PointsPerPartition { get; private set; }
 
@@ -64,6 +71,11 @@ namespace FastPoints.Build
         /// record in both orders, and what is written of it; or before that, if all points are in one bucket, keys twice and its
         /// record once more.</summary>
         public long IndexBytesPerPoint { get; private set; }
+
+        /// <summary>The least in which a chunk is indexed; less is exceeded by it.</summary>
+        public long MinMemoryBytes => ChunkBytes / 9 * 10;
+
+        long ChunkBytes => Math.Min(Points, PointsPerChunk) * IndexBytesPerPoint;
 
         /// <summary>Points of the sample that represents what is not built yet.</summary>
         public long PlaceholderPoints { get; private set; }
@@ -88,13 +100,12 @@ namespace FastPoints.Build
             };
             if (pointsPerChunk <= 0)
             {
-                plan.PointsPerChunk = Math.Max(MinPointsPerChunk, Math.Min(MaxPointsPerChunk, points / 16));
-                // Chunks are halved in size, so that about the same memory gives the very same chunks.
-                long max = MaxPointsPerChunk;
-                while (max > MinPlannedPointsPerChunk && 2 * max * ChunksPlanned * plan.IndexBytesPerPoint > memoryBytes / 4 * 3)
-                    max /= 2;
-                plan.PointsPerChunk = Math.Min(plan.PointsPerChunk, max);
+                plan.PointsPerChunk = Math.Max(MinPointsPerChunk, Math.Min(MaxPointsPerChunk, points / ChunksPerBaseCell));
+                while (plan.PointsPerChunk > MinPointsOfLargeRecords &&
+                    plan.PointsPerChunk * plan.IndexBytesPerPoint > MaxChunkBytes)
+                    plan.PointsPerChunk /= 2;
             }
+            plan.PointsPerBaseCell = ChunksPerBaseCell * (pointsPerChunk > 0 ? pointsPerChunk : MaxPointsPerChunk);
 
             plan.PlaceholderPoints = Math.Min(Math.Min(points, MaxPlaceholderPoints),
                 memoryBytes / PlaceholderShare / plan.IndexBytesPerPoint);
@@ -103,28 +114,16 @@ namespace FastPoints.Build
             // This counts all records, the unused ends of their pages, the tops that come while the first chunks are indexed,
             // and one of these chunks.
             long inMemory = points * strideBytes / 10 * 11;
-            bool Fits(long records, long ofChunk) => records + Math.Max(plan.ReadBytes,
-                Math.Min(points, 2 * ofChunk) * (plan.IndexBytesPerPoint - strideBytes)) <= memoryBytes;
-            plan.PointsPerRegion = plan.PointsPerChunk;
-            plan.IsStored = !Fits(inMemory, plan.PointsPerChunk);
-            // Chunks of half the size where these keep the points in memory: files take a quarter of the time. Twice as many tops
-            // take as much again; with averages they take more.
-            long half = plan.PointsPerChunk / 2, withTops = inMemory / 11 * 12;
-            if (plan.IsStored && pointsPerChunk <= 0 && half >= MinPointsPerChunk && settings.Sampler != Sampler.Average &&
-                Fits(withTops, half))
-            {
-                plan.PointsPerChunk = half;
-                plan.IsStored = false;
-                inMemory = withTops;
-            }
+            long inWork = plan.ChunkBytes - Math.Min(points, plan.PointsPerChunk) * strideBytes;
+            plan.IsStored = inMemory + Math.Max(plan.ReadBytes, inWork) > memoryBytes;
             plan.MaxPages = plan.IsStored ? Math.Max(8, (memoryBytes - plan.ReadBytes) / 2 / pageBytes) : long.MaxValue / 2;
             plan.MaxWaitingPages = Math.Max(4, plan.MaxPages / 4);
             if (!plan.IsStored)
                 plan.IndexBytes = Math.Max(0, memoryBytes - inMemory);
             // Half of the pages may be the chunks' last ones, which are not full; cubes are cut in eight.
             plan.PointsPerPartition = plan.IsStored
-                ? Math.Max(plan.PointsPerChunk, 16 * (points / Math.Max(1, plan.MaxPages)))
-                : plan.PointsPerChunk;
+                ? Math.Max(plan.PointsPlanned, 16 * (points / Math.Max(1, plan.MaxPages)))
+                : plan.PointsPlanned;
             return plan;
         }
     }

@@ -4,6 +4,7 @@ using FastPoints.Nodes;
 using FastPoints.Sampling;
 using Unity.Burst;
 using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
 using Unity.Jobs;
 using Unity.Mathematics;
 
@@ -28,6 +29,7 @@ namespace FastPoints.Build
             var codes = new NativeArray<uint>(Math.Max(1, sampled), Allocator.Persistent,
                 NativeArrayOptions.UninitializedMemory);
             var ranges = new NativeList<SampleRange>(Allocator.Persistent);
+            var hash = new NativeReference<ulong>(Allocator.Persistent);
             JobHandle coded = default;
             try
             {
@@ -43,6 +45,7 @@ namespace FastPoints.Build
                             Cube = cube,
                             CodeOfPoint = codes,
                             First = first + begin,
+                            Hash = hash,
                             Slices = slices,
                         }.Schedule(coded);
                     foreach (var range in samples[i].Ranges)
@@ -55,35 +58,40 @@ namespace FastPoints.Build
                     first += samples[i].Stored.Length;
                 }
                 double share = Math.Min(1, sampled / (double)Math.Max(1, plan.Points));
-                yield return JobStep.Of(DensityTree.Count(codes, ranges.AsArray(), share, plan.PointsPerChunk, coded,
-                    density => take(Partition(cube, density, plan))));
+                yield return JobStep.Of(DensityTree.Count(codes, ranges.AsArray(), share, plan.PointsPlanned, coded,
+                    density => take(Partition(cube, density, plan, hash.Value))));
             }
             finally
             {
                 coded.Complete();
                 codes.Dispose();
+                hash.Dispose();
                 ranges.Dispose();
             }
         }
 
-        /// <summary>Plans chunks of their final size if they are so few that each can have its pages, otherwise larger
+        /// <summary>Plans cubes smaller than chunks if they are so few that each can have its pages, otherwise larger
         /// ones.</summary>
-        static PartitionMap Partition(GridCube cube, DensityTree density, MemoryPlan plan)
+        static PartitionMap Partition(GridCube cube, DensityTree density, MemoryPlan plan, ulong sampleHash)
         {
             using (density)
             {
-                long target = plan.PointsPerChunk;
+                long target = plan.PointsPlanned;
                 while (target < plan.PointsPerPartition &&
                     PartitionMap.CountChunks(density, target) > plan.MaxPages / PagesPerChunk)
                     target *= 2;
-                return PartitionMap.Plan(cube, density, Math.Min(target, plan.PointsPerPartition));
+                var map = PartitionMap.Plan(cube, density, Math.Min(target, plan.PointsPerPartition));
+                map.BaseCells = PartitionMap.CellsOf(cube, density, plan.PointsPerBaseCell);
+                map.SampleHash = sampleHash;
+                return map;
             }
         }
     }
 
-    /// <summary>Finds the Morton codes of the cells of a <see cref="DensityTree"/> that contain a source's sample.</summary>
+    /// <summary>Finds the Morton codes of the cells of a <see cref="DensityTree"/> that contain a source's sample, and hashes the
+    /// sample.</summary>
     [BurstCompile]
-    internal struct CodeSampleJob : IJob
+    internal unsafe struct CodeSampleJob : IJob
     {
         public const int PointsPerSlice = 1 << 16;
 
@@ -94,11 +102,16 @@ namespace FastPoints.Build
         /// <summary>Codes of all sources' samples; this slice's begin at <see cref="First"/>.</summary>
         public NativeArray<uint> CodeOfPoint;
         public int First;
+
+        /// <summary>Of all slices until now, in their order.</summary>
+        public NativeReference<ulong> Hash;
         public SliceTimes Slices;
 
         public void Execute()
         {
             long begin = SliceTimes.Begin();
+            var hashes = stackalloc ulong[] { Hash.Value, ContentHash.Of(Stored.GetUnsafeReadOnlyPtr(), (long)Stored.Length * sizeof(double3)) };
+            Hash.Value = ContentHash.Of(hashes, 2 * sizeof(ulong));
             for (int i = 0; i < Stored.Length; i++)
             {
                 long x = SourceGrid.ToGrid(Grid.X, Stored[i].x);

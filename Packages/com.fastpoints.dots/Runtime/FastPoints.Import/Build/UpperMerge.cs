@@ -37,7 +37,7 @@ namespace FastPoints.Build
         }
 
         /// <summary>The most points of tops in one merge: more are merged in regions first.</summary>
-        public static long MaxPointsInFlight(long pointsPerRegion) => 2 * Math.Max(pointsPerRegion, MinPointsPerRegion);
+        public static long MaxPointsOf(MemoryPlan plan) => Math.Max(plan.PointsPerChunk, MinPointsPerRegion);
 
         public int LowestSideLog2 { get; private set; } = int.MaxValue;
         public long[] BytesOfPlane { get; }
@@ -64,8 +64,8 @@ namespace FastPoints.Build
                 });
             }
 
-            long pointsPerRegion = Math.Max(m_build.Plan.PointsPerRegion, MinPointsPerRegion);
-            while (left > MaxPointsInFlight(pointsPerRegion))
+            long pointsPerRegion = MaxPointsOf(m_build.Plan);
+            while (left > pointsPerRegion)
             {
                 var groups = CubeGroups.Of(m_manifest.Root, m_items, i => i.Cube, i => i.TopPoints, pointsPerRegion);
                 if (groups.Count == m_items.Count)

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Runtime.CompilerServices;
+using FastPoints.Nodes;
 using Unity.Collections;
 using Unity.Mathematics;
 
@@ -39,6 +40,12 @@ namespace FastPoints.Build
         public GridCube[] Chunks { get; }
 
         public int Outside => Chunks.Length;
+
+        /// <summary>See <see cref="Build.BaseCells"/>: those of the cube, in Morton order.</summary>
+        public GridCube[] BaseCells { get; set; }
+
+        /// <summary>A hash of the sample that it was planned by.</summary>
+        public ulong SampleHash { get; set; }
 
         /// <summary>Indexed by Morton number of the cell; ~i means that its parts' chunks begin at i, in Morton order.</summary>
         public NativeArray<int> ChunkOfCell => m_chunkOfCell;
@@ -113,6 +120,26 @@ namespace FastPoints.Build
                 }
                 for (int octant = 0; octant < 8; octant++)
                     Descend(part.Child(octant), level + 1, first + octant * (count / 8), below + octant);
+            }
+        }
+
+        /// <summary>The largest cubes with at most <paramref name="target"/> points by the estimate, whatever its error.</summary>
+        public static GridCube[] CellsOf(GridCube cube, DensityTree density, long target)
+        {
+            var cells = new List<GridCube>();
+            Descend(cube, DensityNumbers.Root);
+            return cells.ToArray();
+
+            void Descend(GridCube part, int cell)
+            {
+                int below = density.FirstPartOf(cell);
+                if (below < 0 || part.SideLog2 == 0 || density[cell].Points <= target)
+                {
+                    cells.Add(part);
+                    return;
+                }
+                for (int octant = 0; octant < 8; octant++)
+                    Descend(part.Child(octant), below + octant);
             }
         }
 
@@ -220,6 +247,63 @@ namespace FastPoints.Build
                 return -1;
             return Morton.EncodeShort((uint)(dx >> CellLog2), (uint)(dy >> CellLog2), (uint)(dz >> CellLog2));
         }
+    }
+
+    /// <summary>The cubes of the octree in which chunks are settled, each by its own points: the largest ones with few enough points
+    /// by the sample, and the octants around them if the root had to grow. They fill it.</summary>
+    internal sealed class BaseCells
+    {
+        readonly GridCube[] m_cells;
+
+        /// <param name="cells">Those of the partition's cube.</param>
+        /// <param name="shells">See <see cref="RootCube.Grow"/>.</param>
+        public BaseCells(PartitionMap map, GridCube[] shells)
+        {
+            Root = shells.Length > 0 ? shells[shells.Length - 1] : map.Cube;
+            var around = new List<GridCube>();
+            var inner = map.Cube;
+            foreach (var shell in shells)
+            {
+                for (int octant = 0; octant < 8; octant++)
+                    if (!shell.Child(octant).Contains(inner))
+                        around.Add(shell.Child(octant));
+                inner = shell;
+            }
+            around.Sort(Compare);
+            Around = around.ToArray();
+            around.AddRange(map.BaseCells);
+            around.Sort(Compare);
+            m_cells = around.ToArray();
+        }
+
+        /// <summary>The cube that they fill: the partition's, or the last shell.</summary>
+        public GridCube Root { get; }
+
+        /// <summary>The octants around the partition's cube, in Morton order.</summary>
+        public GridCube[] Around { get; }
+
+        /// <summary>The one that a position of the root is in.</summary>
+        public GridCube At(Grid3 position) => m_cells[IndexOf(position)];
+
+        /// <summary>Those in a larger cube, in Morton order.</summary>
+        public GridCube[] In(GridCube cube)
+        {
+            int first = IndexOf(cube.Corner), end = first;
+            while (end < m_cells.Length && cube.Contains(m_cells[end]))
+                end++;
+            var cells = new GridCube[end - first];
+            Array.Copy(m_cells, first, cells, 0, cells.Length);
+            return cells;
+        }
+
+        /// <summary>The last one whose corner does not come after the position.</summary>
+        int IndexOf(Grid3 position)
+        {
+            int found = Array.BinarySearch(m_cells, new GridCube(position, 0), Comparer<GridCube>.Create(Compare));
+            return found >= 0 ? found : ~found - 1;
+        }
+
+        int Compare(GridCube a, GridCube b) => MortonOrder.Compare(a.Corner - Root.Corner, b.Corner - Root.Corner);
     }
 
     /// <summary>Groups neighbours that are small enough to be one: cubes of the octree in Morton order, grouped by the largest
