@@ -117,7 +117,7 @@ static class OutputNames
                 continue;
             var wanted = SourcesOf(reader);
             // An unfinished cloud may not know its sources yet.
-            if (SourcesOf(file, folder == path) is not { } there
+            if (SourcesOf(folder, folder == path) is not { } there
                 || there.Count == wanted.Count && there.Zip(wanted, IsSame).All(same => same))
                 continue;
             throw new UsageException(folder + " holds " + (there.Count == 0 ? "something else" : "a cloud of " + Describe(there))
@@ -125,38 +125,30 @@ static class OutputNames
         }
     }
 
-    /// <summary>Reads any version. Empty if it cannot be read; null if unfinished and without sources.</summary>
-    static List<CloudManifest.Source>? SourcesOf(string manifest, bool isFinished)
+    /// <summary>Empty if they cannot be read; null if unfinished and without sources.</summary>
+    static List<CloudSource>? SourcesOf(string folder, bool isFinished)
     {
         try
         {
-            using var json = JsonDocument.Parse(File.ReadAllBytes(manifest));
-            var sources = json.RootElement.GetProperty("sources").EnumerateArray().Select(s => new CloudManifest.Source
-            {
-                Name = s.GetProperty("name").GetString(),
-                FileBytes = s.GetProperty("bytes").GetInt64(),
-                HeadHash = s.TryGetProperty("head", out var head) ? ulong.Parse(head.GetString()!, NumberStyles.HexNumber,
-                    CultureInfo.InvariantCulture) : 0,
-            }).ToList();
+            var sources = CloudSources.Read(folder);
             return isFinished || sources.Count > 0 ? sources : null;
         }
-        catch (Exception e) when (e is IOException or UnauthorizedAccessException or JsonException or KeyNotFoundException
-            or InvalidOperationException or FormatException or OverflowException)
+        catch (PointCloudException)
         {
             return isFinished ? [] : null;
         }
     }
 
-    static List<CloudManifest.Source> SourcesOf(PointReader reader) => reader is TiledReader tiles
+    static List<CloudSource> SourcesOf(PointReader reader) => reader is TiledReader tiles
         ? Enumerable.Range(0, tiles.TileCount).Select(tiles.TileOf).ToList()
         : [new() { Name = reader.Info.Path, FileBytes = reader.Info.FileBytes, HeadHash = reader.Info.HeadHash }];
 
     // Octrees count their bytes while they are read.
-    static bool IsSame(CloudManifest.Source a, CloudManifest.Source b) => SourcePath.NameOf(a.Name) == SourcePath.NameOf(b.Name)
+    static bool IsSame(CloudSource a, CloudSource b) => SourcePath.NameOf(a.Name) == SourcePath.NameOf(b.Name)
         && (a.FileBytes == b.FileBytes || SourceFolder.IsIndex(SourcePath.NameOf(b.Name)))
         && (a.HeadHash == b.HeadHash || a.HeadHash == 0);
 
-    static string Describe(List<CloudManifest.Source> sources) => SourcePath.NameOf(sources[0].Name)
+    static string Describe(List<CloudSource> sources) => SourcePath.NameOf(sources[0].Name)
         + (sources[0].FileBytes > 0 ? " (" + NumberFormat.Count(sources[0].FileBytes) + " bytes)" : "")
         + (sources.Count > 1 ? " and " + (sources.Count - 1) + " more" : "");
 

@@ -132,6 +132,11 @@ namespace FastPoints.Build
             if (m_checkpoints.MustClear)
                 yield return JobStep.Of(m_build.Folder.Clear());
             m_generations = new BuildGenerations(m_build);
+            // What the folder is for, if the build is killed.
+            var sources = new List<CloudSource>();
+            foreach (var reader in m_build.Readers)
+                sources.AddRange(CloudDescription.SourcesOf(reader));
+            yield return JobStep.Of(m_build.Folder.WriteText(StoreFormat.SourcesName, CloudSources.ToJson(sources)));
             if (m_build.Files == null || m_checkpoints.Journal.CurrentStage != BuildJournal.Stage.Read)
                 yield break;
             long needed = (m_build.Points - m_scatter.Statistics.Count) * m_build.Records.StrideBytes;

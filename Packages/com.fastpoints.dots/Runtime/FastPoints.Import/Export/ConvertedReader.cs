@@ -19,7 +19,7 @@ namespace FastPoints.Export
     {
         readonly CloudFolder m_folder;
 
-        /// <summary>The upper nodes, then those of each chunk.</summary>
+        /// <summary>Of all pages.</summary>
         readonly List<NodeTable> m_tables = new List<NodeTable>();
         readonly List<string> m_paths = new List<string>();
         readonly List<ConvertedBlock> m_blocks = new List<ConvertedBlock>();
@@ -33,26 +33,26 @@ namespace FastPoints.Export
         void Load()
         {
             var folder = m_folder;
-            m_tables.Add(folder.Upper);
-            m_paths.Add(SourcePath.Full(folder.UpperPath));
-            for (int chunk = 0; chunk < folder.Chunks.Length; chunk++)
+            m_tables.Add(folder.Root);
+            m_paths.Add(SourcePath.Full(folder.PathOf(0)));
+            for (int page = 1; page < folder.PageCount; page++)
             {
-                folder.FetchTablesFrom(chunk);
-                m_tables.Add(folder.LoadTable(chunk));
-                m_paths.Add(SourcePath.Full(folder.ChunkPath(chunk)));
+                folder.FetchFrom(page);
+                m_tables.Add(folder.LoadPage(page));
+                m_paths.Add(SourcePath.Full(folder.PathOf(page)));
             }
             long first = 0;
-            for (int file = 0; file < m_tables.Count; file++)
+            for (int page = 0; page < m_tables.Count; page++)
             {
                 int begin = m_blocks.Count;
-                var blockOfNode = new int[m_tables[file].Nodes.Length];
+                var blockOfNode = new int[m_tables[page].Nodes.Length];
                 for (int n = 0; n < blockOfNode.Length; n++)
                 {
-                    var node = m_tables[file].Nodes[n];
+                    var node = m_tables[page].Nodes[n];
                     bool isInlined = node.PlaneNode != n;
                     blockOfNode[n] = isInlined ? blockOfNode[node.PlaneNode] : m_blocks.Count;
                     if (!isInlined)
-                        m_blocks.Add(new ConvertedBlock { File = file, Node = n, OwnPoints = node.PointCount });
+                        m_blocks.Add(new ConvertedBlock { Page = page, Node = n, OwnPoints = node.PointCount });
                     var block = m_blocks[blockOfNode[n]];
                     block.Points += node.PointCount;
                     m_blocks[blockOfNode[n]] = block;
@@ -117,12 +117,12 @@ namespace FastPoints.Export
         public override string FileOfBlock(int block, out long byteOffset)
         {
             byteOffset = RangeOf(block, StoreLayout.PositionPlane).OffsetBytes;
-            return m_paths[m_blocks[block].File];
+            return m_paths[m_blocks[block].Page];
         }
 
         PlaneRange RangeOf(int block, int plane)
         {
-            var table = m_tables[m_blocks[block].File];
+            var table = m_tables[m_blocks[block].Page];
             return table.Planes[m_blocks[block].Node * table.PlaneCount + plane];
         }
 
@@ -130,7 +130,7 @@ namespace FastPoints.Export
 
         internal override void ListPieces(BlockRange range, List<FilePiece> pieces)
         {
-            int first = pieces.Count, file = m_blocks[range.Block].File;
+            int first = pieces.Count, page = m_blocks[range.Block].Page;
             for (int p = 0; p < m_folder.Layout.Planes.Count; p++)
             {
                 if (m_folder.Layout.Planes[p].AverageOf >= 0)
@@ -140,8 +140,8 @@ namespace FastPoints.Export
                 if (pieces.Count == first || last.OffsetBytes + last.LengthBytes != plane.OffsetBytes)
                     pieces.Add(last = new FilePiece
                     {
-                        Path = m_paths[file],
-                        Remote = m_folder.RemoteOf(file),
+                        Path = m_paths[page],
+                        Remote = m_folder.RemoteOf(page),
                         OffsetBytes = plane.OffsetBytes,
                     });
                 last.LengthBytes = plane.OffsetBytes + plane.LengthBytes - last.OffsetBytes;
@@ -155,13 +155,13 @@ namespace FastPoints.Export
         public override void DisposeUnread()
         {
             // The first table is the folder's.
-            for (int file = 1; file < m_tables.Count; file++)
-                m_tables[file].Dispose();
+            for (int page = 1; page < m_tables.Count; page++)
+                m_tables[page].Dispose();
             m_tables.Clear();
             m_folder.Dispose();
         }
 
-        public NodeRecord NodeOf(int block) => m_tables[m_blocks[block].File].Nodes[m_blocks[block].Node];
+        public NodeRecord NodeOf(int block) => m_tables[m_blocks[block].Page].Nodes[m_blocks[block].Node];
 
         static SourceInfo Describe(CloudFolder folder, long points)
         {
@@ -198,7 +198,7 @@ namespace FastPoints.Export
 
         struct ConvertedBlock
         {
-            public int File;
+            public int Page;
             public int Node;
             public int OwnPoints;
             public int Points;
@@ -277,7 +277,7 @@ namespace FastPoints.Export
                     Count = range.Count,
                     Columns = Points.Bytes,
                     Result = Result,
-                }.Schedule(DependencyOf(File.Begin(m_reader.m_paths[block.File], commands)));
+                }.Schedule(DependencyOf(File.Begin(m_reader.m_paths[block.Page], commands)));
             }
 
             // Planes that lie together are one segment; of a remote file, segments are parts of what ListPieces names.
@@ -285,7 +285,7 @@ namespace FastPoints.Export
             {
                 var commands = File.Commands;
                 int count = 0;
-                long bytes = 0, end = 0, maxGap = m_reader.m_folder.RemoteOf(0) != null ? 0 : MaxGapBytes;
+                long bytes = 0, end = 0, maxGap = m_reader.m_folder.RemoteOfTable(0) != null ? 0 : MaxGapBytes;
                 for (int p = 0; p < m_planes.Count; p++)
                 {
                     var plane = m_ranges[p];

@@ -94,7 +94,7 @@ namespace FastPoints.Reading
         public List<string> Paths => m_tiles.ConvertAll(tile => tile.Path);
 
         /// <summary>With its path as the name.</summary>
-        public CloudManifest.Source TileOf(int tile) => new CloudManifest.Source
+        public CloudSource TileOf(int tile) => new CloudSource
         {
             Name = m_tiles[tile].Path,
             FileBytes = m_tiles[tile].FileBytes,
