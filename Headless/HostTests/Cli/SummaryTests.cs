@@ -259,7 +259,7 @@ public sealed class SummaryTests : ScratchTests
     {
         string cloud = Scratch["damaged.fastpoints"];
         Assert.That(CliCall.Of("convert", m_demo, "-o", cloud).Status, Is.EqualTo(ExitStatus.Done));
-        string upper = Path.Combine(cloud, "upper.bin");
+        string upper = Directory.GetFiles(Path.Combine(cloud, "upper")).Single();
         byte[] bytes = File.ReadAllBytes(upper);
         bytes[bytes.Length / 2] ^= 4;
         File.WriteAllBytes(upper, bytes);

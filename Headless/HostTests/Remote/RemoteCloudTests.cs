@@ -127,8 +127,8 @@ public sealed class RemoteCloudTests : ScratchTests
     {
         using var folder = CloudFolder.Open(Address + "?sig=secret");
         using var local = CloudFolder.Open(m_cloud);
-        Assert.That(folder.Upper.Nodes.ToArray(), Is.EqualTo(local.Upper.Nodes.ToArray()));
-        Assert.That(folder.Chunks.Length, Is.EqualTo(local.Chunks.Length).And.GreaterThan(4));
+        Assert.That(folder.Root.Nodes.ToArray(), Is.EqualTo(local.Root.Nodes.ToArray()));
+        Assert.That(folder.PageCount, Is.EqualTo(local.PageCount).And.GreaterThan(4));
         Assert.That(m_server.Requests.Select(r => r.Target), Is.EqualTo(new[]
         {
             "/scan.fastpoints/cloud.json?sig=secret", "/scan.fastpoints/hierarchy.bin?sig=secret",
@@ -148,20 +148,20 @@ public sealed class RemoteCloudTests : ScratchTests
     }
 
     [Test]
-    public void LoadTable_OfAnAddress_IsThatOfTheDisk()
+    public void LoadPage_OfAnAddress_IsThatOfTheDiskByFewRequests()
     {
         using var folder = CloudFolder.Open(Address);
         using var local = CloudFolder.Open(m_cloud);
         m_server.ResetCounts();
-        for (int chunk = 0; chunk < folder.Chunks.Length; chunk++)
+        for (int page = 1; page < folder.PageCount; page++)
         {
-            folder.FetchTablesFrom(chunk);
-            using var table = folder.LoadTable(chunk);
-            using var wanted = local.LoadTable(chunk);
+            folder.FetchFrom(page);
+            using var table = folder.LoadPage(page);
+            using var wanted = local.LoadPage(page);
             Assert.That(table.Nodes.ToArray(), Is.EqualTo(wanted.Nodes.ToArray()));
             Assert.That(table.Planes.ToArray(), Is.EqualTo(wanted.Planes.ToArray()));
         }
-        Assert.That(m_server.Requests.Count, Is.EqualTo(folder.Chunks.Length));
+        Assert.That(m_server.Requests.Count, Is.LessThan(folder.PageCount / 2));
     }
 
     [Test]
@@ -251,7 +251,8 @@ public sealed class RemoteCloudTests : ScratchTests
     public void Run_WithoutAServerForAWhile_SaysSoOnceAndGoesOn()
     {
         using var folder = CloudFolder.Open(m_cloud);
-        string[] away = Enumerable.Range(0, folder.Chunks.Length).Select(folder.ChunkPath)
+        _ = folder.LoadAll().Count();
+        string[] away = folder.Files().Select(f => f.Path).Where(p => p.Contains(StoreFormat.ChunkFolderName))
             .Select(p => Path.Combine(m_served, "scan.fastpoints", Path.GetRelativePath(m_cloud, p))).ToArray();
         foreach (string file in away)
             File.Move(file, file + ".away");
@@ -301,14 +302,14 @@ public sealed class RemoteCloudTests : ScratchTests
     [Test]
     public void Run_WrongBytes_AreNeverDrawn()
     {
-        string path = Path.Combine(m_served, "scan.fastpoints", StoreFormat.UpperName);
-        byte[] bytes = File.ReadAllBytes(path);
         using (var folder = CloudFolder.Open(m_cloud))
         {
-            var range = folder.Upper.Planes[0];
+            string path = Path.Combine(m_served, "scan.fastpoints", Path.GetRelativePath(m_cloud, folder.PathOf(0)));
+            byte[] bytes = File.ReadAllBytes(path);
+            var range = folder.Root.Planes[0];
             bytes[range.OffsetBytes + range.LengthBytes / 2] ^= 1;
+            File.WriteAllBytes(path, bytes);
         }
-        File.WriteAllBytes(path, bytes);
         using var stream = Stream();
         int cloud = Add(stream, Source(Address));
         Settle(stream);

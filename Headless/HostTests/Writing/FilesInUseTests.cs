@@ -10,7 +10,7 @@ public sealed class FilesInUseTests : ScratchPerTest
     static readonly (string Name, FileChange Change, Func<string, string, bool> IsIt)[] s_operations =
     {
         ("replace of cloud.json", FileChange.Replace, (_, to) => to.EndsWith("cloud.json") && File.Exists(to)),
-        ("delete of a generation", FileChange.Delete, (path, _) => path.Contains("upper-") && File.Exists(path)),
+        ("delete of a generation", FileChange.Delete, (path, _) => path.Contains("hierarchy-") && File.Exists(path)),
         ("rename of a finished file", FileChange.Replace, (_, to) => to.EndsWith(".bin") && !File.Exists(to)),
         ("the folder's name", FileChange.MoveFolder, (path, _) => path.EndsWith(StoreFormat.PartSuffix)),
     };

@@ -37,11 +37,10 @@ namespace FastPoints.Tests.Build
         public void Convert_AnyFile_HasPositionsAndColorsOfAllNodesInFront([Values] Sampler sampler, [Values] bool hasColor)
         {
             using var folder = CloudFolder.Open(Convert(sampler, hasColor));
-            Assert.That(folder.Chunks, Is.Not.Empty);
-            AssertOrder(folder.Upper, folder.Layout, folder.Manifest.UpperBytes);
-            for (int chunk = 0; chunk < folder.Chunks.Length; chunk++)
-                using (var table = folder.LoadTable(chunk))
-                    AssertOrder(table, folder.Layout, folder.Chunks[chunk].TableOffset);
+            int page = 0;
+            foreach (var table in folder.LoadAll())
+                AssertOrder(table, folder.Layout, folder.ContainerOf(page++).FileBytes);
+            Assert.That(page, Is.GreaterThan(1));
         }
 
         // Breadth first, as the table is, one behind the other from the header to the end.
@@ -77,7 +76,8 @@ namespace FastPoints.Tests.Build
             for (int block = 0; block < reader.BlockCount; block++)
                 reader.ListPieces(new BlockRange(block, 0, reader.PointsInBlock(block)), pieces);
             using var folder = CloudFolder.Open(reader.Info.Path);
-            long stored = folder.Manifest.UpperBytes + folder.Chunks.Sum(c => c.FileBytes);
+            _ = folder.LoadAll().Count();
+            long stored = folder.Files().Sum(f => f.Bytes) - folder.Manifest.HierarchyBytes;
             Assert.That(pieces.Sum(p => p.LengthBytes), Is.InRange(stored * 9 / 10, stored * 11 / 10));
         }
     }

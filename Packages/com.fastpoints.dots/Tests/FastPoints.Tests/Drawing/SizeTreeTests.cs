@@ -132,7 +132,7 @@ namespace FastPoints.Tests.Drawing
                 }
                 var page = stream.Clouds[drawn.Cloud].Pages + drawn.Page;
                 float max = page->Nodes[drawn.Node].Spacing * scale;
-                bool isLast = page->Nodes[drawn.Node].ChildCount + page->Nodes[drawn.Node].ChunkCount == 0;
+                bool isLast = page->Nodes[drawn.Node].ChildCount + page->Nodes[drawn.Node].PageCount == 0;
                 float own = sizes.Nodes[sizes.NodeOfDrawn[i]].Gap;
                 Assert.That(own, isLast ? (NUnit.Framework.Constraints.IResolveConstraint)Is.InRange(0, max) : Is.EqualTo(max));
             }
@@ -159,7 +159,7 @@ namespace FastPoints.Tests.Drawing
             {
                 var drawn = stream.Drawn[i];
                 var node = stream.Clouds[0].Pages[drawn.Page].Nodes[drawn.Node];
-                if (node.ChildCount + node.ChunkCount == 0 && node.PointCount > 100)
+                if (node.ChildCount + node.PageCount == 0 && node.PointCount > 100)
                     gaps.Add(sizes.Nodes[sizes.NodeOfDrawn[i]].Gap);
             }
             gaps.Sort();

@@ -41,10 +41,10 @@ namespace FastPoints.Tests.Store
                     HasColor = true,
                 },
                 HierarchyBytes = 12345,
-                HierarchyHash = 42,
-                UpperBytes = 67890,
+                RootOffset = 1L << 40,
+                RootBytes = 65536,
+                RootHash = 42,
             };
-            manifest.Sources.Add(new CloudManifest.Source { Name = "a.las", FileBytes = 5, Points = 6, HeadHash = 7 });
             return manifest;
         }
 
@@ -60,6 +60,7 @@ namespace FastPoints.Tests.Store
             Assert.That(back.Attributes[1].Name, Is.EqualTo("odd \"name\"\n\\"));
             Assert.That(back.Divisors[0], Is.EqualTo(257));
             Assert.That(back.Shown, Is.EqualTo(Example().Shown));
+            Assert.That(back.RootPage, Is.EqualTo(Example().RootPage));
         }
 
         [Test]
@@ -93,7 +94,8 @@ namespace FastPoints.Tests.Store
         [TestCase("\"divisor\": 257", "\"divisor\": 0", "\"divisor\"")]
         [TestCase("\"elevationMax\": 3.75", "\"elevationMax\": \"high\"", "\"elevationMax\"")]
         [TestCase("\"intensityMin\"", "\"intensity\"", "\"intensityMin\"")]
-        [TestCase("\"version\": 2", "\"version\": 3", "version")]
+        [TestCase("\"version\": 3", "\"version\": 4", "version")]
+        [TestCase("\"rootBytes\": 65536", "\"rootBytes\": 4294967296", "\"rootBytes\"")]
         [TestCase("\"format\": \"fastpoints\"", "\"format\": \"potree\"", "\"format\"")]
         [TestCase("{", "[", "character")]
         public void FromJson_InvalidMember_NamesIt(string good, string bad, string named)

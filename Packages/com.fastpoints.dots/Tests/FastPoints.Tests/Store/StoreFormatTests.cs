@@ -11,8 +11,10 @@ namespace FastPoints.Tests.Store
         {
             Assert.That(sizeof(FileHeader), Is.EqualTo(FileHeader.SizeBytes));
             Assert.That(sizeof(NodeRecord), Is.EqualTo(NodeRecord.SizeBytes));
-            Assert.That(sizeof(PlaneRange), Is.EqualTo(PlaneRange.SizeBytes));
-            Assert.That(sizeof(ChunkRecord), Is.EqualTo(ChunkRecord.SizeBytes));
+            Assert.That(sizeof(PackedRange), Is.EqualTo(PackedRange.SizeBytes));
+            Assert.That(sizeof(PageLink), Is.EqualTo(PageLink.SizeBytes));
+            Assert.That(sizeof(ContainerRecord), Is.EqualTo(ContainerRecord.SizeBytes));
+            Assert.That(sizeof(PageHeader), Is.EqualTo(PageHeader.SizeBytes));
             Assert.That(sizeof(Grid3), Is.EqualTo(24));
             Assert.That(FileHeader.SizeBytes % PlaneShape.AlignmentBytes, Is.EqualTo(0));
         }

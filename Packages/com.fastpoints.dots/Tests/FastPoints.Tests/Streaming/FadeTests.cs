@@ -212,7 +212,7 @@ namespace FastPoints.Tests.Streaming
                 {
                     var node = m_stream.Drawn[i];
                     var stored = m_stream.Clouds[0].Pages[node.Page].Nodes[node.Node];
-                    if (node.Parent < 0 || stored.ChildCount + stored.ChunkCount == 0)
+                    if (node.Parent < 0 || stored.ChildCount + stored.PageCount == 0)
                         continue;
                     float gapAbove = sizes.Nodes[sizes.NodeOfDrawn[node.Parent]].Gap, own = stored.Spacing;
                     float above = m_stream.Drawn[node.Parent].PointShare;

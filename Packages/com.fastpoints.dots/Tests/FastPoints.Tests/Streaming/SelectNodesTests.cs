@@ -86,7 +86,7 @@ namespace FastPoints.Tests.Streaming
                     var above = m_cloud.Pages[parent.Page].Nodes[parent.Node];
                     bool isChild = node.Page == parent.Page
                         ? node.Node >= above.FirstChild && node.Node < above.FirstChild + above.ChildCount
-                        : node.Page - 1 >= above.FirstChunk && node.Page - 1 < above.FirstChunk + above.ChunkCount;
+                        : node.Page >= above.FirstPage && node.Page < above.FirstPage + above.PageCount;
                     Assert.That(isChild, Is.True, "place " + i);
                 }
             }

@@ -122,20 +122,20 @@ namespace FastPoints.Tests.Streaming
         [Test]
         public void Run_DamagedPlane_IsAHoleAndNodesBelowAreShown()
         {
-            int node = -1;
+            string path;
             using (var folder = CloudFolder.Open(m_cloud.Path))
             {
-                node = 0;
-                var range = folder.Upper.Planes[0];
-                byte[] bytes = File.ReadAllBytes(folder.UpperPath);
+                path = folder.PathOf(0);
+                var range = folder.Root.Planes[0];
+                byte[] bytes = File.ReadAllBytes(path);
                 bytes[range.OffsetBytes + range.LengthBytes / 2] ^= 1;
-                File.WriteAllBytes(folder.UpperPath, bytes);
+                File.WriteAllBytes(path, bytes);
             }
             using var stream = StreamedTestCloud.Stream();
             Add(stream);
             StreamedTestCloud.Settle(stream, StreamedTestCloud.Overview());
-            Assert.That(Failures(stream), Is.EqualTo(new[] { Path.Combine(m_cloud.Path, StoreFormat.UpperName) + " at " +
-                stream.Clouds[0].RangeOf(0, node, 0).OffsetBytes + ": node 0 is damaged" }));
+            Assert.That(Failures(stream), Is.EqualTo(new[] { path + " at " +
+                stream.Clouds[0].RangeOf(0, 0, 0).OffsetBytes + ": node 0 is damaged" }));
             Assert.That(stream.Drawn.Length, Is.GreaterThan(10));
             Assert.That(stream.Drawn.AsArray().ToArray().Select(d => (d.Page, d.Node)), Has.None.EqualTo((0, 0)));
         }
@@ -154,25 +154,23 @@ namespace FastPoints.Tests.Streaming
             string path;
             using (var folder = CloudFolder.Open(m_cloud.Path))
             {
-                path = folder.UpperPath;
-                Assert.That(folder.Checked.Has(0, 0, 0), Is.False);
-                // Mono sets a file's time to microseconds.
+                path = folder.PathOf(0);
                 var written = new DateTime(2026, 1, 2, 3, 4, 5, DateTimeKind.Utc);
                 File.SetLastWriteTimeUtc(path, written);
                 Assert.That(Show(), Is.Empty);
                 byte[] bytes = File.ReadAllBytes(path);
-                bytes[folder.Upper.Planes[0].OffsetBytes + folder.Upper.Planes[0].LengthBytes / 2] ^= 1;
+                bytes[folder.Root.Planes[0].OffsetBytes + folder.Root.Planes[0].LengthBytes / 2] ^= 1;
                 File.WriteAllBytes(path, bytes);
                 File.SetLastWriteTimeUtc(path, written);
-                Assert.That(Show(), Is.Empty, "same size and time");
-                File.SetLastWriteTimeUtc(path, written.AddSeconds(1));
+                Assert.That(Show(), Is.Empty, "not written to, by its time");
+                File.SetLastWriteTimeUtc(path, DateTime.UtcNow.AddSeconds(1));
                 Assert.That(Show(), Has.Count.EqualTo(1).And.All.Contains("node 0 is damaged"));
             }
-            using (var folder = CloudFolder.Open(m_cloud.Path))
-            {
-                Assert.That(folder.Checked.Has(0, 0, 0), Is.False);
-                Assert.That(folder.Checked.Has(1, 0, 0), Is.True, "in another file");
-            }
+            using var again = StreamedTestCloud.Stream();
+            var shown = (FolderSource)again.Clouds[Add(again)].Source;
+            StreamedTestCloud.Settle(again, StreamedTestCloud.Overview());
+            Assert.That(shown.IsChecked(0, 0, 0), Is.False);
+            Assert.That(shown.IsChecked(1, 0, 0), Is.True, "in another file");
         }
 
         /// <summary>What lies outside of a plane is never read, even if the file changed after its hash was right.</summary>

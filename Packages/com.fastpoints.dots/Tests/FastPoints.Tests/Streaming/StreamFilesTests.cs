@@ -129,11 +129,16 @@ namespace FastPoints.Tests.Streaming
             string folder = cloud.Path;
             if (isInTheMaking)
                 Directory.Move(cloud.Path, folder += StoreFormat.PartSuffix);
-            string path = Path.Combine(folder, StoreFormat.UpperName);
-            byte[] sound = File.ReadAllBytes(path), damaged = (byte[])sound.Clone();
+            string path;
+            byte[] sound;
             using (var opened = CloudFolder.Open(folder))
-                damaged[opened.Upper.Planes[0].OffsetBytes + opened.Upper.Planes[0].LengthBytes / 2] ^= 1;
-            File.WriteAllBytes(path, damaged);
+            {
+                path = opened.PathOf(0);
+                sound = File.ReadAllBytes(path);
+                byte[] damaged = (byte[])sound.Clone();
+                damaged[opened.Root.Planes[0].OffsetBytes + opened.Root.Planes[0].LengthBytes / 2] ^= 1;
+                File.WriteAllBytes(path, damaged);
+            }
             m_stream.Settings.MaxTries = 1000;
             var source = new FolderSource(CloudFolder.Open(folder), StoreLayout.ColorName);
             m_stream.Add(source, StreamedTestCloud.Geo(source));
