@@ -10,6 +10,7 @@ using FastPoints.Export;
 using FastPoints.Las;
 using FastPoints.Reading;
 using FastPoints.Sources;
+using FastPoints.Store;
 using NUnit.Framework;
 using Unity.Collections;
 using Unity.Mathematics;
