@@ -130,7 +130,7 @@ static class OutputNames
     {
         try
         {
-            var sources = CloudSources.Read(folder);
+            var sources = StoredSources.Read(folder);
             return isFinished || sources.Count > 0 ? sources : null;
         }
         catch (PointCloudException)

@@ -31,7 +31,7 @@ public sealed class ConvertedCloudFacts
             Add(table, bytesOfPlane);
         m_bytes = SourcePath.IsRemote(path) ? folder.Files().Sum(file => file.Bytes)
             : Directory.GetFiles(folder.FolderPath, "*", SearchOption.AllDirectories).Sum(f => new FileInfo(f).Length);
-        m_sources = CloudSources.Read(folder.FolderPath);
+        m_sources = StoredSources.Read(folder.FolderPath);
         m_planes.AddRange(folder.Layout.Planes.Select((plane, i) => (plane.Name, bytesOfPlane[i])));
     }
 

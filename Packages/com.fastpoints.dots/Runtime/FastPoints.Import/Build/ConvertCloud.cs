@@ -136,7 +136,7 @@ namespace FastPoints.Build
             var sources = new List<CloudSource>();
             foreach (var reader in m_build.Readers)
                 sources.AddRange(CloudDescription.SourcesOf(reader));
-            yield return JobStep.Of(m_build.Folder.WriteText(StoreFormat.SourcesName, CloudSources.ToJson(sources)));
+            yield return JobStep.Of(m_build.Folder.WriteText(StoreFormat.SourcesName, StoredSources.ToJson(sources)));
             if (m_build.Files == null || m_checkpoints.Journal.CurrentStage != BuildJournal.Stage.Read)
                 yield break;
             long needed = (m_build.Points - m_scatter.Statistics.Count) * m_build.Records.StrideBytes;
@@ -192,7 +192,7 @@ namespace FastPoints.Build
                     yield return JobStep.Of(folder.Write(StoreFormat.RecordsName, m_records));
                 if (m_build.Readers.Count == 1)
                     yield return JobStep.Of(folder.WriteText(StoreFormat.FactsName, StoredFacts.ToJson(m_build.Readers[0].Info)));
-                yield return JobStep.Of(folder.WriteText(StoreFormat.SourcesName, CloudSources.ToJson(
+                yield return JobStep.Of(folder.WriteText(StoreFormat.SourcesName, StoredSources.ToJson(
                     CloudDescription.SourcesOf(m_build.Readers, journal.Statistics))));
                 yield return JobStep.Of(folder.WriteText(StoreFormat.ManifestName, manifest.ToJson()));
                 yield return JobStep.Of(m_checkpoints.Finish(m_octree.LevelCount, m_octree.BytesOfPlane));

@@ -12,8 +12,8 @@ namespace FastPoints.Build
     /// <summary>Reads chosen nodes of a converted cloud into one batch.</summary>
     internal static class LoadNodes
     {
-        /// <summary>The most bytes of a file that are read at once, unless one node has more. The nodes of a few points may be
-        /// scattered over a file.</summary>
+        /// <summary>The most bytes of a file that are read at once, unless the planes of one node lie farther apart. The nodes of
+        /// a few points may be scattered over a file.</summary>
         public const long MaxBytesPerRead = 4 << 20;
 
         const int PointsToMeasure = 200_000;
@@ -325,7 +325,9 @@ namespace FastPoints.Build
                 {
                     long begin = begins[order[i]], end = ends[order[i]];
                     var part = parts.Count > 0 ? parts[parts.Count - 1] : default;
-                    if (parts.Count == 0 || end > part.FirstByte + Math.Max(part.ByteCount, maxBytes))
+                    // A node whose planes lie apart would have what is between them read again.
+                    bool isFar = end - (part.FirstByte + part.ByteCount) > (end - begin) / 2;
+                    if (parts.Count == 0 || (isFar && end > part.FirstByte + Math.Max(part.ByteCount, maxBytes)))
                         parts.Add(part = new Part { FirstNode = i, FirstByte = begin });
                     part.NodeCount++;
                     part.ByteCount = Math.Max(part.ByteCount, end - part.FirstByte);

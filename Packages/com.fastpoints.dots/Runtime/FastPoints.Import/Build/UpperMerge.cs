@@ -37,7 +37,8 @@ namespace FastPoints.Build
         }
 
         /// <summary>The most points of tops in one merge: more are merged in regions first.</summary>
-        public static long MaxPointsOf(MemoryPlan plan) => Math.Max(plan.PointsPerChunk, MinPointsPerRegion);
+        public static long MaxPointsOf(MemoryPlan plan) =>
+            2 * Math.Max(plan.PointsPerChunk, MinPointsPerRegion);
 
         public int LowestSideLog2 { get; private set; } = int.MaxValue;
         public long[] BytesOfPlane { get; }

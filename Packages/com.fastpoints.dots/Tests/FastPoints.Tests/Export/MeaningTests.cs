@@ -270,7 +270,7 @@ namespace FastPoints.Tests.Export
             using var tiles = PointReaders.Open(new[] { a, b });
             Assert.That(tiles.Info.Warnings.Select(w => w.Text), Has.Exactly(1).Contains("2229").And.Exactly(1).Contains("site"));
             using var stored = ConvertedReader.Open(Convert(tiles));
-            var sources = CloudSources.Read(stored.Info.Path);
+            var sources = StoredSources.Read(stored.Info.Path);
             Assert.That(sources.Select(s => s.Crs.Epsg), Is.EqualTo(new[] { 2229, 0 }));
             Assert.That(sources[0].Crs.GeoKeys, Is.EqualTo(new[] { s_keys, s_doubles, s_text }));
             Assert.That(sources[1].Crs.Wkt, Is.EqualTo(Wkt));

@@ -346,7 +346,7 @@ namespace FastPoints.Reading
         public CloudCrs SharedCrs(SourceInfo tile)
         {
             int index = m_systems.FindIndex(s => s.Source.HasSameCodes(tile.Crs));
-            if (index < 0 && m_systems.Count < CloudSources.MaxSystems)
+            if (index < 0 && m_systems.Count < StoredSources.MaxSystems)
             {
                 index = m_systems.Count;
                 m_systems.Add((tile.Crs, tile.Crs.ToCloudCrs()));

@@ -308,7 +308,7 @@ namespace FastPoints.Tests.Reading
             Assert.That(result.Manifest.Points, Is.EqualTo(60000));
             Assert.That(result.Manifest.PointsLeftOut, Is.Zero);
             Assert.That(result.Manifest.Grid.Step.x, Is.EqualTo(0.001));
-            Assert.That(CloudSources.Read(target).Select(s => s.Name + " " + s.Points),
+            Assert.That(StoredSources.Read(target).Select(s => s.Name + " " + s.Points),
                 Is.EqualTo(new[] { "a.las 20000", "b.las 20000", "c.las 20000" }));
             var verified = new VerifyResult();
             Coroutine(VerifyCloud.Run(target, new[] { reader }, verified, null));

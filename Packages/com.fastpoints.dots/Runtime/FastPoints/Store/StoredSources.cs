@@ -18,7 +18,7 @@ namespace FastPoints.Store
     }
 
     // The contents of sources.json: a country has a million of them, and whoever shows it needs none.
-    internal static class CloudSources
+    internal static class StoredSources
     {
         // Sources with more coordinate systems than this share the last one.
         public const int MaxSystems = 64;
