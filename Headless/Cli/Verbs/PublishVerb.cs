@@ -52,14 +52,15 @@ public sealed class PublishVerb : Verb
 
     static IEnumerable<(string Path, long Bytes)> FilesOf(CloudFolder cloud)
     {
-        string manifest = SourcePath.Combine(cloud.FolderPath, StoreFormat.ManifestName);
-        yield return (manifest, StoreFile.SizeOf(manifest));
+        foreach (string name in new[] { StoreFormat.ManifestName, StoreFormat.SourcesName })
+            if (SourcePath.Combine(cloud.FolderPath, name) is var text)
+                yield return (text, StoreFile.SizeOf(text));
         // All containers are known with the pages.
         _ = cloud.LoadAll().Count();
         foreach (var file in cloud.Files())
             yield return file;
         // What the source's headers said: not every cloud has it, and a server is not asked for what may be missing.
-        foreach (string name in new[] { StoreFormat.SourcesName, StoreFormat.FactsName, StoreFormat.RecordsName })
+        foreach (string name in new[] { StoreFormat.FactsName, StoreFormat.RecordsName })
             if (Path.Combine(cloud.FolderPath, name) is var path && File.Exists(path))
                 yield return (path, StoreFile.SizeOf(path));
     }

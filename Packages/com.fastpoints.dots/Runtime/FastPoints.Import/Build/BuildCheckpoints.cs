@@ -161,8 +161,8 @@ namespace FastPoints.Build
     /// points are read, and the same wherever the sources lie, for any memory and any number of machines.</summary>
     internal static class CloudIdentity
     {
-        /// <summary>Hashes the plan, the settings, and what is known of the sources: name, size, points, the head of the file, and
-        /// a sample of the positions. Values that change in place, outside of these, do not show.</summary>
+        /// <summary>Hashes the plan, the settings, and what is known of the sources: name, size, points, the head of the file,
+        /// and a sample of the positions. What else is changed in place does not show.</summary>
         public static ulong Of(BuildContext build)
         {
             using var bytes = new MemoryStream();

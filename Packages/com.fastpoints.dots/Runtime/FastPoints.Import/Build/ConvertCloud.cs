@@ -12,8 +12,8 @@ using Unity.Collections;
 namespace FastPoints.Build
 {
     /// <summary>Converts files to a stored octree. A sample estimates the density; one pass over the points distributes them over
-    /// cubes; those that became too large are split, small ones joined to chunks; each is turned into nodes; their tops become the
-    /// upper levels.</summary>
+    /// cubes; large ones are split, small ones joined to chunks; each is turned into nodes; their tops become the upper
+    /// levels.</summary>
     public sealed class ConvertCloud : IDisposable
     {
         readonly BuildContext m_build;

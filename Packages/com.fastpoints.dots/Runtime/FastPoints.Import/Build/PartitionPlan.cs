@@ -110,8 +110,7 @@ namespace FastPoints.Build
         public void Execute()
         {
             long begin = SliceTimes.Begin();
-            var hashes = stackalloc ulong[] { Hash.Value, ContentHash.Of(Stored.GetUnsafeReadOnlyPtr(), (long)Stored.Length * sizeof(double3)) };
-            Hash.Value = ContentHash.Of(hashes, 2 * sizeof(ulong));
+            Hash.Value = Hash.Value * 31 ^ ContentHash.Of(Stored.GetUnsafeReadOnlyPtr(), (long)Stored.Length * sizeof(double3));
             for (int i = 0; i < Stored.Length; i++)
             {
                 long x = SourceGrid.ToGrid(Grid.X, Stored[i].x);

@@ -11,8 +11,9 @@ namespace FastPoints.Build
     /// regions with their own tops, and so on: memory is that of one region for any number of chunks.</summary>
     internal sealed unsafe class UpperMerge : IDisposable
     {
-        /// <summary>Eight neighbours are merged into a region of at least this many points: each round leaves fewer.</summary>
-        const int MinPointsPerRegion = 8 * StoreFormat.MaxPointsPerNode;
+        /// <summary>Sixteen neighbours are merged into a region of at least this many points: each round leaves fewer, and a small
+        /// cloud has one.</summary>
+        const int MinPointsPerRegion = 16 * StoreFormat.MaxPointsPerNode;
 
         /// <summary>Tops that are read from files at the same time.</summary>
         const int MaxReadsInFlight = 8;
@@ -37,8 +38,7 @@ namespace FastPoints.Build
         }
 
         /// <summary>The most points of tops in one merge: more are merged in regions first.</summary>
-        public static long MaxPointsOf(MemoryPlan plan) =>
-            2 * Math.Max(plan.PointsPerChunk, MinPointsPerRegion);
+        public static long MaxPointsOf(MemoryPlan plan) => Math.Max(plan.PointsPerChunk, MinPointsPerRegion);
 
         public int LowestSideLog2 { get; private set; } = int.MaxValue;
         public long[] BytesOfPlane { get; }

@@ -399,22 +399,33 @@ namespace FastPoints.Tests.Build
 
         [TestCase(1000L, 928L << 20, false, 200000L)]
         [TestCase(20000000L, 928L << 20, false, 1000000L)]
-        [TestCase(20000000L, 580L << 20, false, 500000L)]
-        [TestCase(20000000L, 204L << 20, true, 250000L)]
+        [TestCase(20000000L, 580L << 20, false, 1000000L)]
+        [TestCase(20000000L, 204L << 20, true, 1000000L)]
         [TestCase(1L << 40, 928L << 20, true, 1000000L)]
-        [TestCase(1L << 40, 1L << 20, true, 1L << 16)]
+        [TestCase(1L << 40, 1L << 20, true, 1000000L)]
         public void Plan_AnyNumberOfPoints_StaysWithinItsMemory(long points, long memory, bool isStored, long pointsPerChunk)
         {
             const int stride = 20;
             var plan = MemoryPlan.For(points, stride, new ConvertSettings { MemoryBytes = memory });
             Assert.That(plan.IsStored, Is.EqualTo(isStored));
-            Assert.That(plan.PointsPerChunk, Is.InRange(pointsPerChunk / 2, pointsPerChunk));
-            Assert.That(plan.PointsPerPartition, Is.GreaterThanOrEqualTo(plan.PointsPerChunk));
+            Assert.That(plan.PointsPerChunk, Is.EqualTo(pointsPerChunk));
+            Assert.That(plan.PointsPerPartition, Is.GreaterThanOrEqualTo(plan.PointsPlanned));
             if (isStored && memory > 8 << 20)
             {
                 long pages = plan.MaxPages + plan.MaxWaitingPages;
                 Assert.That(plan.ReadBytes + pages * RecordPages.PageBytes(stride), Is.LessThanOrEqualTo(memory));
                 Assert.That(points / plan.PointsPerPartition * 16, Is.LessThanOrEqualTo(plan.MaxPages + 16));
+            }
+        }
+
+        [Test]
+        public void Plan_LargeRecords_HasSmallerChunksThatNeedAsMuchMemory([Values] Sampler sampler)
+        {
+            foreach (int stride in new[] { 12, 20, 40, 80, 200 })
+            {
+                var plan = MemoryPlan.For(1L << 34, stride, new ConvertSettings { Sampler = sampler });
+                Assert.That(plan.PointsPerChunk * plan.IndexBytesPerPoint, Is.InRange(54 << 20, 192 << 20));
+                Assert.That(plan.MinMemoryBytes, Is.LessThanOrEqualTo(204 << 20), "300MiB are enough");
             }
         }
 

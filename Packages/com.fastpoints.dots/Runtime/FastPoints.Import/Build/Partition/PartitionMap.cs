@@ -123,7 +123,8 @@ namespace FastPoints.Build
             }
         }
 
-        /// <summary>The largest cubes with at most <paramref name="target"/> points by the estimate, whatever its error.</summary>
+        /// <summary>The largest cubes with at most <paramref name="target"/> points by the estimate, however
+        /// uncertain.</summary>
         public static GridCube[] CellsOf(GridCube cube, DensityTree density, long target)
         {
             var cells = new List<GridCube>();
@@ -249,7 +250,7 @@ namespace FastPoints.Build
         }
     }
 
-    /// <summary>The cubes of the octree in which chunks are settled, each by its own points: the largest ones with few enough points
+    /// <summary>The cubes of the octree in which chunks are settled, each by its own points: the largest ones with few enough
     /// by the sample, and the octants around them if the root had to grow. They fill it.</summary>
     internal sealed class BaseCells
     {

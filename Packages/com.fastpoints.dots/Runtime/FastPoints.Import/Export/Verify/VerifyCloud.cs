@@ -144,13 +144,14 @@ namespace FastPoints.Export
             }
         }
 
-        /// <summary>Coroutine: the heads of all files that the pages named.</summary>
+        /// <summary>Coroutine: the heads of all files that the pages named. Those of a web server are not read by anybody
+        /// else.</summary>
         IEnumerator<JobStep> CheckHeaders()
         {
             var files = new List<(string Path, long Bytes)>(m_folder.Files());
             string hierarchy = m_folder.TableOf(0).Path;
             foreach (var (path, bytes) in files)
-                if (m_folder.Manifest.NodeCount > 0)
+                if (m_folder.RemoteOfTable(0) == null)
                     yield return JobStep.Of(PoolTask.Run(path, () => FindProblem(path, bytes,
                         path == hierarchy ? StoreFormat.HierarchyMagic : StoreFormat.PlanesMagic), problem =>
                     {
