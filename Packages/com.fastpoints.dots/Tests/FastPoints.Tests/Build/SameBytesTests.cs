@@ -103,9 +103,10 @@ namespace FastPoints.Tests.Build
             int CountIn(GridCube cube) => steps.Count(cube.Contains);
             Assert.That(math.all(origin == 0));
             Assert.That(CountIn(root), Is.EqualTo(positions.Length));
-            Assert.That(folder.Chunks.Length, Is.GreaterThan(30));
-            int largest = 0;
-            foreach (var chunk in folder.Chunks)
+            int page = 0, largest = 0;
+            var chunks = folder.LoadAll().Select(_ => folder.ContainerOf(page++)).Where(c => c.Kind == ContainerKind.Chunk).ToList();
+            Assert.That(chunks.Count, Is.GreaterThan(30));
+            foreach (var chunk in chunks)
             {
                 var parent = root;
                 while (parent.SideLog2 > chunk.SideLog2 + 1)
