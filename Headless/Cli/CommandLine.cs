@@ -14,6 +14,7 @@ public static class CommandLine
     {
         ZstandardDecompressor.Register();
         HttpFile.Register();
+        RangeExchange.HttpVersion = System.Net.HttpVersion.Version20;
         var verbs = AllVerbs();
         var root = verbs[0].Command;
         foreach (var verb in verbs.Skip(1))

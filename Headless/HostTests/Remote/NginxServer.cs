@@ -24,7 +24,7 @@ sealed class NginxServer : IDisposable
         m_folder = folder;
         Directory.CreateDirectory(Path.Combine(folder, "logs"));
         m_authority = WriteCertificates();
-        (TlsPort, Port) = (FreePort(), FreePort());
+        (TlsPort, Port, Http2Port) = (FreePort(), FreePort(), FreePort());
         File.WriteAllText(Path.Combine(folder, "nginx.conf"), Configuration(served, more));
         var start = new ProcessStartInfo(Program) { RedirectStandardError = true };
         string[] args = { "-p", folder, "-c", Path.Combine(folder, "nginx.conf"), "-e", Path.Combine(folder, "error.log") };
@@ -36,6 +36,9 @@ sealed class NginxServer : IDisposable
 
     public int TlsPort { get; }
     public int Port { get; }
+
+    // By TLS, too.
+    public int Http2Port { get; }
 
     // For SSL_CERT_FILE.
     public string AuthorityPath => Path.Combine(m_folder, "authority.pem");
@@ -76,7 +79,7 @@ sealed class NginxServer : IDisposable
           uwsgi_temp_path {{m_folder}}/4; scgi_temp_path {{m_folder}}/5;
           {{more}}
           server {
-            listen 127.0.0.1:{{Port}}; listen 127.0.0.1:{{TlsPort}} ssl;
+            listen 127.0.0.1:{{Port}}; listen 127.0.0.1:{{TlsPort}} ssl; listen 127.0.0.1:{{Http2Port}} ssl http2;
             ssl_certificate {{m_folder}}/server.pem; ssl_certificate_key {{m_folder}}/server.key;
             root {{served}};
           }

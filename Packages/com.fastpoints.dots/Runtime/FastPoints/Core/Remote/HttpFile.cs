@@ -62,7 +62,7 @@ namespace FastPoints
                     return true;
                 int before = got;
                 using var exchange = await Begin(offset + got, count - got).ConfigureAwait(false);
-                m_queue.Measure(exchange.SecondsToHeaders);
+                m_queue.Measure(exchange);
                 if (exchange.Count < count - before)
                     throw new RemoteFault(FailureCode.Truncated, Name, offset + before, "wanted " +
                         NumberText.Of(count - before) + " bytes, got the file's end after " + NumberText.Of(exchange.Count));
@@ -200,7 +200,7 @@ namespace FastPoints
         {
             bool isCheck = known != null && known.Length > HeadBytes;
             using var exchange = await RangeExchange.Begin(target, 0, isCheck ? 1 : headBytes, null).ConfigureAwait(false);
-            RangeQueue.Of(target.Server).Measure(exchange.SecondsToHeaders);
+            RangeQueue.Of(target.Server).Measure(exchange);
             var head = new byte[exchange.Count];
             await exchange.Read(head, 0, all => true).ConfigureAwait(false);
             RemoteStatistics.AddFetched(head.Length, 0);
