@@ -89,21 +89,7 @@ namespace FastPoints
         bool IsConfirmed => (Stopwatch.GetTimestamp() - Interlocked.Read(ref m_confirmed)) * 1000.0 / Stopwatch.Frequency <
             RemoteSettings.Current.ConfirmedMs;
 
-        protected override RemoteRead Begin(RemoteRead read)
-        {
-            for (int part = 0; part < read.PartCount; part++)
-            {
-                var command = read.PartAt(part);
-                if (command.Offset >= 0 && command.Size >= 0 && command.Offset <= Length - command.Size)
-                    continue;
-                Doubt();
-                read.Fail(PointCloudException.Wanted(FailureCode.Truncated, Name, Math.Max(0, command.Offset), "bytes",
-                    command.Size, Math.Max(0, Length - command.Offset) + " before the end of the file"));
-            }
-            if (!read.IsDone)
-                Task.Run(() => FindNear(read));
-            return read;
-        }
+        protected override void Find(RemoteRead read) => Task.Run(() => FindNear(read));
 
         // What is on this machine is taken from there; the rest is asked for.
         void FindNear(RemoteRead read)
