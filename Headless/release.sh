@@ -58,22 +58,32 @@ size() { # file: megabytes, as archives are told
   awk -v bytes="$(wc -c <"$1")" 'BEGIN { printf "%.1f MB", bytes / 1e6 }'
 }
 
-# What a program holds of others. Their licences are MIT's one text; the notices of .NET itself are in its archives only.
-write_notices() { # file, deps.json, notices of .NET
+# What a program holds of others: under the Apache License what says so, else under MIT's one text. The notices of .NET itself are
+# in its archives only.
+list_libraries() { # deps.json, whether under the Apache License
   local name spec
+  while read -r name; do
+    spec=$(ls "$packages/${name,,}"/*.nuspec)
+    [ "$(grep -c '>Apache-2.0<' "$spec")" -eq "$2" ] &&
+      echo "- ${name/\// }, $(sed -n 's/.*<authors>\(.*\)<\/authors>.*/\1/p' "$spec")"
+  done < <(tr -d '\n' <"$1" | grep -oE '"[^"]+": \{ *"type": "package"' | cut -d'"' -f2)
+}
+
+write_notices() { # file, deps.json, notices of .NET
   {
     cat "Packages/com.fastpoints.dots/Third Party Notices.md"
     printf '\n## Libraries\n\nThe command line contains these under the licence below:\n\n'
-    while read -r name; do
-      spec=$(ls "$packages/${name,,}"/*.nuspec)
-      echo "- ${name/\// }, $(sed -n 's/.*<authors>\(.*\)<\/authors>.*/\1/p' "$spec")"
-    done < <(tr -d '\n' <"$2" | grep -oE '"[^"]+": \{ *"type": "package"' | cut -d'"' -f2)
+    list_libraries "$2" 0
     if [ -n "$3" ]; then echo "- .NET, Microsoft"; fi
     echo
     tr -d '\r' <"$(ls "$packages"/microsoft.extensions.dependencymodel/*/LICENSE.TXT | tail -n 1)"
+    printf '\nand these under the Apache License:\n\n'
+    list_libraries "$2" 1
+    echo
+    cat Headless/Cli/Apache-2.0.txt
     if [ -n "$3" ]; then printf '\n## .NET\n\n' && tr -d '\r' <"$3"; fi
   } >"$1"
-  grep -q '^- System.CommandLine' "$1"
+  grep -q '^- System.CommandLine' "$1" && grep -q '^- AWSSDK.S3' "$1"
 }
 
 # All that the program needs, it brings: nothing is in its environment but a folder for temporary files.

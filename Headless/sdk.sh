@@ -89,6 +89,13 @@ install_nginx() {
     echo "no nginx here, clouds are not read from one; with root: apt-get install nginx-light" >&2
 }
 
+# A server of S3's interface.
+install_s3() {
+  mkdir -p Headless/artifacts/s3 && cp Headless/S3/package.json Headless/artifacts/s3 &&
+    npm install --prefix Headless/artifacts/s3 --ignore-scripts --no-audit --no-fund >/dev/null 2>&1 </dev/null ||
+    echo "npm's packages (see Headless/S3) cannot be had, clouds are not read from S3" >&2
+}
+
 # What reads COPC in browsers.
 install_copcjs() {
   mkdir -p Headless/artifacts/copcjs && cp Headless/CopcJs/* Headless/artifacts/copcjs &&

@@ -14,6 +14,7 @@ public static class CommandLine
     {
         ZstandardDecompressor.Register();
         HttpFile.Register();
+        RangeExchange.HttpVersion = System.Net.HttpVersion.Version20;
         var verbs = AllVerbs();
         var root = verbs[0].Command;
         foreach (var verb in verbs.Skip(1))
@@ -33,7 +34,16 @@ public static class CommandLine
             ["version"] => ["--version"],
             var same => same,
         };
-        var parsed = root.Parse(args, new ParserConfiguration { EnablePosixBundling = false, ResponseFileTokenReplacer = null });
+        IReadOnlyList<string> words;
+        try
+        {
+            words = S3Addresses.Resolve(args);
+        }
+        catch (UsageException e)
+        {
+            return ReportUsageError(error, root, e.Message);
+        }
+        var parsed = root.Parse(words, new ParserConfiguration { EnablePosixBundling = false, ResponseFileTokenReplacer = null });
         var command = parsed.CommandResult.Command;
         if (FindUsageError(parsed, verbs) is { } usageError)
             return ReportUsageError(error, command, usageError);

@@ -7,7 +7,7 @@ public static class Hints
     {
         string path = failure.Path ?? "";
         if (SourcePath.IsRemote(path))
-            return "";
+            return failure.Code == FailureCode.AccessDenied && S3Addresses.IsUnsigned ? "; no credentials of AWS were found" : "";
         if (path.Contains("://", StringComparison.Ordinal))
             return "; an address begins with https:// or http://: download the file, and name that";
         if (failure.Code == FailureCode.Truncated && failure.Message.EndsWith("(an empty file, a pipe or a device)",

@@ -24,7 +24,11 @@ sealed class LinkFigureTests : RemoteFixture
     string m_served;
 
     [TearDown]
-    public void EndServing() => m_nginx?.Dispose();
+    public void EndServing()
+    {
+        RangeExchange.CreateHandler = null;
+        m_nginx?.Dispose();
+    }
 
     void Begin()
     {
@@ -42,6 +46,34 @@ sealed class LinkFigureTests : RemoteFixture
         File.WriteAllText(Scratch["path.txt"], FromTheSouth);
         var camera = CameraPath.Read(Scratch["path.txt"], new double3(0, 0, 1), 45);
         Compare("ca13.fastpoints", OneRangeANode.OfConverted(m_served, "ca13.fastpoints", camera, Budget), FromTheSouth);
+    }
+
+    // By TLS, which HTTP/2 takes.
+    [TestCase(20)]
+    [TestCase(50)]
+    [TestCase(150)]
+    public void Converted_ByHttp2_IsThereNoLater(int roundTripMs)
+    {
+        Begin();
+        string cloud = Path.Combine(m_served, "ca13.fastpoints");
+        Assert.That(CliCall.Of("convert", TestData.PathOrIgnore("data/ca13_d.laz"), "-o", cloud, "--quiet").Status, Is.Zero);
+        File.WriteAllText(Scratch["path.txt"], FromTheSouth);
+        Fly(cloud, 100);
+        RangeExchange.CreateHandler = m_nginx.Trusting;
+        var least = new double[3];
+        foreach (int version in new[] { 1, 2, 1, 2, 1, 2 })
+        {
+            using var link = new SlowLink(version == 1 ? m_nginx.TlsPort : m_nginx.Http2Port, roundTripMs, 100);
+            RemoteAccess.CacheFolder = Scratch["cache" + Guid.NewGuid()];
+            StartAnew();
+            JsonElement json = Fly($"https://127.0.0.1:{link.Port}/ca13.fastpoints", 100);
+            double seconds = json.GetProperty("secondsTo95").GetDouble();
+            Say($"HTTP/{version} by TLS, {roundTripMs} ms: {seconds:0.00} s, {json.GetProperty("requests")} requests, " +
+                $"{json.GetProperty("bytesFetched")} bytes, {link.Connections} connections");
+            Assert.That(link.Connections, version == 1 ? Is.LessThanOrEqualTo(6) : Is.EqualTo(1));
+            least[version] = least[version] == 0 ? seconds : Math.Min(seconds, least[version]);
+        }
+        Assert.That(least[2], Is.LessThan(1.2 * least[1]));
     }
 
     [Test]

@@ -24,18 +24,21 @@ sealed class NginxServer : IDisposable
         m_folder = folder;
         Directory.CreateDirectory(Path.Combine(folder, "logs"));
         m_authority = WriteCertificates();
-        (TlsPort, Port) = (FreePort(), FreePort());
+        (TlsPort, Port, Http2Port) = (FreePort(), FreePort(), FreePort());
         File.WriteAllText(Path.Combine(folder, "nginx.conf"), Configuration(served, more));
         var start = new ProcessStartInfo(Program) { RedirectStandardError = true };
         string[] args = { "-p", folder, "-c", Path.Combine(folder, "nginx.conf"), "-e", Path.Combine(folder, "error.log") };
         foreach (string arg in args)
             start.ArgumentList.Add(arg);
         m_process = Process.Start(start);
-        AwaitPort();
+        AwaitPort(m_process, TlsPort);
     }
 
     public int TlsPort { get; }
     public int Port { get; }
+
+    // By TLS, too.
+    public int Http2Port { get; }
 
     // For SSL_CERT_FILE.
     public string AuthorityPath => Path.Combine(m_folder, "authority.pem");
@@ -76,7 +79,7 @@ sealed class NginxServer : IDisposable
           uwsgi_temp_path {{m_folder}}/4; scgi_temp_path {{m_folder}}/5;
           {{more}}
           server {
-            listen 127.0.0.1:{{Port}}; listen 127.0.0.1:{{TlsPort}} ssl;
+            listen 127.0.0.1:{{Port}}; listen 127.0.0.1:{{TlsPort}} ssl; listen 127.0.0.1:{{Http2Port}} ssl http2;
             ssl_certificate {{m_folder}}/server.pem; ssl_certificate_key {{m_folder}}/server.key;
             root {{served}};
           }
@@ -102,22 +105,22 @@ sealed class NginxServer : IDisposable
         return authority;
     }
 
-    static int FreePort()
+    internal static int FreePort()
     {
         using var listener = new TcpListener(IPAddress.Loopback, 0);
         listener.Start();
         return ((IPEndPoint)listener.LocalEndpoint).Port;
     }
 
-    void AwaitPort()
+    internal static void AwaitPort(Process server, int port)
     {
         for (var watch = Stopwatch.StartNew(); watch.Elapsed.TotalSeconds < 20; Thread.Sleep(20))
         {
-            Assert.That(m_process.HasExited, Is.False, () => m_process.StandardError.ReadToEnd());
+            Assert.That(server.HasExited, Is.False, "it ended");
             using var client = new TcpClient();
             try
             {
-                client.Connect(IPAddress.Loopback, TlsPort);
+                client.Connect(IPAddress.Loopback, port);
                 return;
             }
             catch (SocketException)
@@ -125,6 +128,6 @@ sealed class NginxServer : IDisposable
                 // Not yet.
             }
         }
-        Assert.Fail("nginx did not begin: " + ErrorLog);
+        Assert.Fail(server.StartInfo.FileName + " did not begin");
     }
 }

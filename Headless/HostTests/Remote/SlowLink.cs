@@ -99,12 +99,17 @@ sealed class SlowLink : IDisposable
     async Task Down(Socket server, Socket client)
     {
         byte[] buffer = new byte[PieceBytes];
-        int count;
-        while ((count = await server.ReceiveAsync(buffer, m_ends.Token)) > 0)
+        double free = 0;
+        while (true)
         {
-            double free;
+            ValueTask<int> receive = server.ReceiveAsync(buffer, m_ends.Token);
+            // What lay here already came while the piece before was late.
+            double from = receive.IsCompleted ? free : Now;
+            int count = await receive;
+            if (count == 0)
+                return;
             lock (m_lock)
-                free = m_freeAt = Math.Max(Now, m_freeAt) + count / BytesPerSecond;
+                free = m_freeAt = Math.Max(from, m_freeAt) + count / BytesPerSecond;
             await Until(free);
             Interlocked.Add(ref m_bytes, count);
             for (int sent = 0; sent < count;)

@@ -1,5 +1,8 @@
+using System.Reflection;
+using FastPoints.HostTests.Remote;
 using FastPoints.Samples.AttributeColours;
 using FastPoints.Samples.EntitiesOnly;
+using FastPoints.Samples.RemoteCloud;
 using FastPoints.Samples.RunTimeLoading;
 using FastPoints.Samples.StreamingFlight;
 
@@ -16,6 +19,8 @@ public sealed class SampleScriptTests
     public void Stop()
     {
         UnityEngine.Debug.s_sink = null;
+        (RemoteAccess.CacheFolder, RemoteAccess.CacheBytes) = (null, 4L << 30);
+        _ = RangeCache.Current; // Closes the one before.
         m_world.Dispose();
     }
 
@@ -78,6 +83,31 @@ public sealed class SampleScriptTests
         load.enabled = true;
         m_world.Frames(() => load.IsDone);
         Assert.That(m_world.Scratch["demo.fastpoints"], Does.Exist);
+    }
+
+    [Test]
+    public void OpenAddress_TypedAfterOneThatIsNotThere_ShowsItsPointsAndKeepsThem()
+    {
+        string cloud = m_world.Scratch.Converted("served/scan.fastpoints", 20_000);
+        using var server = new RangeServer(m_world.Scratch["served"]);
+        HttpFile.Register();
+        Camera.main = new GameObject("eye").AddComponent<Camera>();
+        var open = m_world.Add<OpenAddress>(o => o.Address = server.Of("absent.fastpoints?token=secret"));
+        m_world.Frames(() => open.Status.Contains("404"));
+        Assert.That(open.Status, Does.Contain("absent.fastpoints").And.Not.Contain("secret"));
+
+        open.Address = " " + server.Of("scan.fastpoints");
+        GUILayout.Pressed = "Open";
+        typeof(OpenAddress).GetMethod("OnGUI", BindingFlags.Instance | BindingFlags.NonPublic).Invoke(open, null);
+        GUILayout.Pressed = null;
+        m_world.Settle();
+
+        Assert.That(open.Status, Is.EqualTo("20,000 of 20,000 points"));
+        Assert.That(open.GetComponent<FastPoints.Entities.PointCloud>().TryGetWorldBounds(out var bounds), Is.True);
+        Assert.That((Camera.main.transform.position - bounds.center).magnitude,
+            Is.EqualTo(bounds.size.magnitude).Within(0.1));
+        Assert.That(RangeCache.Current.Folder, Does.StartWith(m_world.Scratch.Root));
+        Assert.That(() => RangeCache.Current.Bytes, Is.Positive.After(5000, 10));
     }
 
     [Test]

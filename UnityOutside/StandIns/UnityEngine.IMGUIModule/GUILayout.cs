@@ -127,6 +127,12 @@ public class GUILayout
         return text == Pressed;
     }
 
+    public static string TextField(string text, params GUILayoutOption[] options)
+    {
+        GUILayoutUtility.Next();
+        return text;
+    }
+
     public static void BeginHorizontal(params GUILayoutOption[] options) => GUILayoutUtility.Begin();
     public static void EndHorizontal() => GUILayoutUtility.End();
     public static void BeginArea(Rect screenRect) { }

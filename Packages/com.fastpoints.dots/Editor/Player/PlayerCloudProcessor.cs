@@ -72,7 +72,7 @@ namespace FastPoints.Editor
 
         static void Check(PlayerClouds clouds, BuildTarget target)
         {
-            if (clouds.Entries.Count > 0 && (target == BuildTarget.Android || target == BuildTarget.WebGL))
+            if (clouds.Entries.Count > 0 && target == BuildTarget.WebGL)
                 throw new BuildFailedException("FastPoints: players for " + target + " cannot open point clouds in their " +
                     "streaming assets, " + clouds.Entries[0].PlayerPath + " for one: take them out of the scenes, and see " +
                     "Limits in the manual");

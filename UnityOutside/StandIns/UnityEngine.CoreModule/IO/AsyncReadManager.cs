@@ -15,6 +15,17 @@ public static unsafe partial class AsyncReadManager
         return new ReadHandle(request);
     }
 
+    /// <summary>The result's memory must stay until the read is done.</summary>
+    public static ReadHandle GetFileInfo(string filename, FileInfoResult* result)
+    {
+        if (result == null)
+            throw new NullReferenceException("GetFileInfo must have a valid FileInfoResult to write into.");
+        var request = ReadRequest.Take(filename, null, null, 0);
+        request.Info = result;
+        request.Enqueue();
+        return new ReadHandle(request);
+    }
+
     public static ReadHandle Read(in FileHandle fileHandle, ReadCommandArray readCmdArray)
     {
         var request = ReadRequest.Take(null, fileHandle.Find("Read"), readCmdArray.ReadCommands, readCmdArray.CommandCount);

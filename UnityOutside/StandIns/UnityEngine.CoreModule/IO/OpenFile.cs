@@ -54,6 +54,10 @@ sealed unsafe class OpenFile
         return file;
     }
 
+    /// <summary>What is in an Android package has an address; here a folder by the package's name has it.</summary>
+    internal static string OnDisk(string path) =>
+        path.StartsWith("jar:file://", StringComparison.Ordinal) ? path.Substring("jar:file://".Length) : path;
+
     static OpenFile Take(string path)
     {
         OpenFile file = null;
@@ -61,7 +65,7 @@ sealed unsafe class OpenFile
             if (s_free.Count > 0)
                 file = s_free.Pop();
         file ??= new OpenFile();
-        file.m_path = path;
+        file.m_path = OnDisk(path);
         file.m_closing = false;
         file.Status = FileStatus.Pending;
         file.m_opened = JobScheduler.BeginExternal();

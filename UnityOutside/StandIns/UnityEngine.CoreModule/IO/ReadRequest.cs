@@ -36,6 +36,7 @@ sealed unsafe class ReadRequest
         request.m_file = file;
         request.m_status = (int)WaitingOnJob;
         request.m_cancelled = false;
+        request.Info = null;
         // From now on the file stays open for this read, even if it has to wait for a job first.
         file?.AddReader();
         request.SetCommands(commands, count);
@@ -56,6 +57,9 @@ sealed unsafe class ReadRequest
     internal int Count => m_count;
     internal ReadStatus Status => (ReadStatus)Volatile.Read(ref m_status);
     internal ulong* BytesRead => m_bytesRead;
+
+    /// <summary>Of a request for a file's length.</summary>
+    internal FileInfoResult* Info { get; set; }
 
     internal void Cancel() => Volatile.Write(ref m_cancelled, true);
 
@@ -108,6 +112,13 @@ sealed unsafe class ReadRequest
 
     void Read()
     {
+        if (Info != null)
+        {
+            var found = new FileInfo(OpenFile.OnDisk(m_path));
+            *Info = found.Exists ? new FileInfoResult { FileSize = found.Length, FileState = FileState.Exists } : default;
+            Finish(ReadStatus.Complete);
+            return;
+        }
         OpenFile file = m_file;
         if (file == null && !m_cancelled)
             file = NamedFiles.Take(m_path);

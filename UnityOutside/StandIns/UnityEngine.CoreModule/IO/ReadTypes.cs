@@ -26,6 +26,14 @@ public enum ReadStatus
 
 public enum FileStatus { Closed = 0, Pending = 1, Open = 2, OpenFailed = 3 }
 
+public enum FileState { Absent = 0, Exists = 1 }
+
+public struct FileInfoResult
+{
+    public long FileSize;
+    public FileState FileState;
+}
+
 public enum AssetLoadingSubsystem
 {
     Other = 0,

@@ -35,6 +35,7 @@ public sealed class Camera : Behaviour
     }
 
     public Matrix4x4 projectionMatrix { get; set; } = Matrix4x4.identity;
+    public float farClipPlane { get; set; } = 1000;
 
     /// <summary>A host's headset says it.</summary>
     public bool stereoEnabled { get; internal set; }

@@ -62,7 +62,7 @@ namespace FastPoints
                     return true;
                 int before = got;
                 using var exchange = await Begin(offset + got, count - got).ConfigureAwait(false);
-                m_queue.Measure(exchange.SecondsToHeaders);
+                m_queue.Measure(exchange);
                 if (exchange.Count < count - before)
                     throw new RemoteFault(FailureCode.Truncated, Name, offset + before, "wanted " +
                         NumberText.Of(count - before) + " bytes, got the file's end after " + NumberText.Of(exchange.Count));
@@ -89,21 +89,7 @@ namespace FastPoints
         bool IsConfirmed => (Stopwatch.GetTimestamp() - Interlocked.Read(ref m_confirmed)) * 1000.0 / Stopwatch.Frequency <
             RemoteSettings.Current.ConfirmedMs;
 
-        protected override RemoteRead Begin(RemoteRead read)
-        {
-            for (int part = 0; part < read.PartCount; part++)
-            {
-                var command = read.PartAt(part);
-                if (command.Offset >= 0 && command.Size >= 0 && command.Offset <= Length - command.Size)
-                    continue;
-                Doubt();
-                read.Fail(PointCloudException.Wanted(FailureCode.Truncated, Name, Math.Max(0, command.Offset), "bytes",
-                    command.Size, Math.Max(0, Length - command.Offset) + " before the end of the file"));
-            }
-            if (!read.IsDone)
-                Task.Run(() => FindNear(read));
-            return read;
-        }
+        protected override void Find(RemoteRead read) => Task.Run(() => FindNear(read));
 
         // What is on this machine is taken from there; the rest is asked for.
         void FindNear(RemoteRead read)
@@ -200,7 +186,7 @@ namespace FastPoints
         {
             bool isCheck = known != null && known.Length > HeadBytes;
             using var exchange = await RangeExchange.Begin(target, 0, isCheck ? 1 : headBytes, null).ConfigureAwait(false);
-            RangeQueue.Of(target.Server).Measure(exchange.SecondsToHeaders);
+            RangeQueue.Of(target.Server).Measure(exchange);
             var head = new byte[exchange.Count];
             await exchange.Read(head, 0, all => true).ConfigureAwait(false);
             RemoteStatistics.AddFetched(head.Length, 0);

@@ -35,12 +35,18 @@ namespace FastPoints
         // For tests; it takes effect with the next client.
         internal static Func<HttpMessageHandler> CreateHandler;
 
+        // What servers are asked for by TLS. The command line sets HTTP/2, which Unity's runtime has not.
+        internal static Version HttpVersion = System.Net.HttpVersion.Version11;
+
         public RemoteIdentity Identity { get; private set; }
 
         // Bytes that will come: fewer than were asked for only at the file's end.
         public long Count { get; private set; }
 
         public double SecondsToHeaders { get; private set; }
+
+        // Its connection carries others meanwhile.
+        public bool IsMultiplexed => m_response.Version.Major > 1;
 
         // expected: null if this is what the range is to say.
         public static async Task<RangeExchange> Begin(RemoteTarget target, long offset, long count, RemoteIdentity expected)
@@ -139,7 +145,7 @@ namespace FastPoints
 
         HttpRequestMessage Request(RemoteTarget target, Uri uri)
         {
-            var request = new HttpRequestMessage(HttpMethod.Get, uri);
+            var request = new HttpRequestMessage(HttpMethod.Get, uri) { Version = HttpVersion };
             string last = (m_offset + m_count - 1).ToString(CultureInfo.InvariantCulture);
             request.Headers.TryAddWithoutValidation("Range", "bytes=" + NumberText.Of(m_offset) + "-" + last);
             // A compressed answer has other bytes at the range's offsets.

@@ -34,6 +34,7 @@ namespace FastPoints
         int m_inFlight;
         long m_bytesInFlight;
         long m_begun;
+        bool m_isMultiplexed;
         double m_roundTrip;
         double m_bytesPerSecond;
         double m_bytesPerConnection;
@@ -104,16 +105,21 @@ namespace FastPoints
         }
 
         // Of what was asked for outside the queue, too.
-        public void Measure(double secondsToHeaders)
+        public void Measure(RangeExchange exchange)
         {
+            double seconds = exchange.SecondsToHeaders;
             lock (m_lock)
-                m_roundTrip = m_roundTrip == 0 ? secondsToHeaders
-                    : Math.Min(secondsToHeaders, m_roundTrip + 0.1 * (secondsToHeaders - m_roundTrip));
+            {
+                m_isMultiplexed = exchange.IsMultiplexed;
+                m_roundTrip = m_roundTrip == 0 ? seconds : Math.Min(seconds, m_roundTrip + 0.1 * (seconds - m_roundTrip));
+            }
         }
+
+        int MaxRequests => m_isMultiplexed ? RemoteSettings.Current.MaxStreams : RemoteSettings.Current.MaxConnections;
 
         void BeginRequests()
         {
-            while (m_inFlight < RemoteSettings.Current.MaxConnections && TryTakeBatch(out var batch))
+            while (m_inFlight < MaxRequests && TryTakeBatch(out var batch))
             {
                 m_inFlight++;
                 m_bytesInFlight += batch.Bytes;

@@ -45,6 +45,9 @@ namespace FastPoints
         public int MaxRedirects = 5;
         public int MaxConnections = 6;
 
+        // By HTTP/2, which has one connection.
+        public int MaxStreams = 16;
+
         // An answer that confirmed a file's identity counts for so long when it is opened again.
         public int ConfirmedMs = 10000;
     }

@@ -40,7 +40,8 @@ namespace FastPoints
         public static RemoteFile Open(string address, int headBytes = HeadBytes) => FilesFor(address).Open(address, headBytes);
 
         // The one that was opened last, or null.
-        public static RemoteFile Find(string address) => Files?.Find(address);
+        public static RemoteFile Find(string address) =>
+            SourcePath.IsAsset(address) ? AssetFile.All.Find(address) : Files?.Find(address);
 
         // A file that another describes, so that nothing is asked before its first range: its length, and a text that is another
         // for other content. Any thread; it does not wait.
@@ -78,12 +79,30 @@ namespace FastPoints
 
         public abstract Task Fetch(long offset, long count, byte[] into, Func<int, bool> arrived);
 
-        protected abstract RemoteRead Begin(RemoteRead read);
+        // Finds its bytes, each within the file.
+        protected abstract void Find(RemoteRead read);
+
+        RemoteRead Begin(RemoteRead read)
+        {
+            for (int part = 0; part < read.PartCount; part++)
+            {
+                var command = read.PartAt(part);
+                if (command.Offset >= 0 && command.Size >= 0 && command.Offset <= Length - command.Size)
+                    continue;
+                Doubt();
+                read.Fail(PointCloudException.Wanted(FailureCode.Truncated, Name, Math.Max(0, command.Offset), "bytes",
+                    command.Size, Math.Max(0, Length - command.Offset) + " before the end of the file"));
+            }
+            if (!read.IsDone)
+                Find(read);
+            return read;
+        }
 
         protected abstract bool TryReadHead(long offset, Span<byte> into);
 
-        static IRemoteFiles FilesFor(string address) => Files ?? throw new PointCloudException(FailureCode.Unsupported,
-            SourcePath.WithoutQuery(address), -1, "this program reads no files of web servers");
+        static IRemoteFiles FilesFor(string address) => SourcePath.IsAsset(address) ? AssetFile.All :
+            Files ?? throw new PointCloudException(FailureCode.Unsupported, SourcePath.WithoutQuery(address), -1,
+                "this program reads no files of web servers");
     }
 
     internal interface IRemoteFiles

@@ -3,12 +3,17 @@ using System.IO;
 
 namespace FastPoints
 {
-    // Paths of this machine's files and addresses (http, https) alike. What is written behind an address's question mark, such as
-    // a signature, goes with its siblings.
+    // Paths of this machine's files and addresses (http, https, assets of an Android player) alike. What is written behind an
+    // address's question mark, such as a signature, goes with its siblings.
     internal static class SourcePath
     {
+        // As Android's streaming assets begin.
+        public const string Assets = "jar:file://";
+
+        public static bool IsAsset(string path) => path != null && path.StartsWith(Assets, StringComparison.Ordinal);
+
         public static bool IsRemote(string path) => path != null &&
-            (path.StartsWith("https://", StringComparison.OrdinalIgnoreCase) ||
+            (IsAsset(path) || path.StartsWith("https://", StringComparison.OrdinalIgnoreCase) ||
              path.StartsWith("http://", StringComparison.OrdinalIgnoreCase));
 
         public static string Full(string path) => IsRemote(path) ? path : Path.GetFullPath(path);
@@ -18,7 +23,8 @@ namespace FastPoints
             if (!IsRemote(folder))
                 return Path.Combine(folder, name);
             Split(folder, out string address, out string query);
-            return address.TrimEnd('/') + "/" + Uri.EscapeDataString(name).Replace("%2F", "/") + query;
+            return address.TrimEnd('/') + "/" +
+                (IsAsset(folder) ? name : Uri.EscapeDataString(name).Replace("%2F", "/")) + query;
         }
 
         // Of a file or a folder.
@@ -38,7 +44,8 @@ namespace FastPoints
                 return Path.GetFileName(path);
             Split(path, out string address, out _);
             address = address.TrimEnd('/');
-            return Uri.UnescapeDataString(address.Substring(address.LastIndexOf('/') + 1));
+            string name = address.Substring(address.LastIndexOf('/') + 1);
+            return IsAsset(path) ? name : Uri.UnescapeDataString(name);
         }
 
         // For messages and keys: signatures and tokens are never shown or stored.
@@ -52,7 +59,7 @@ namespace FastPoints
 
         static void Split(string path, out string address, out string query)
         {
-            int at = path.IndexOfAny(s_ends);
+            int at = IsAsset(path) ? -1 : path.IndexOfAny(s_ends);
             address = at < 0 ? path : path.Substring(0, at);
             query = at < 0 ? "" : path.Substring(at);
         }
