@@ -105,6 +105,19 @@ static class OutputNames
             throw new UsageException(path + " has other things in it: --output names another folder, --force writes there");
     }
 
+    /// <summary>The name of a cloud to make of another one, if there is such a name; what is there is replaced by force
+    /// only.</summary>
+    public static void RequireNewCloud(string? path, string[] inputs, bool force)
+    {
+        if (path == null)
+            return;
+        RequireFolderName(path);
+        RefuseInputs(path, inputs);
+        if (!force && File.Exists(Path.Combine(path, StoreFormat.ManifestName)))
+            throw new UsageException(path + " is a cloud already: --force replaces it");
+        RefuseFilled(path, StoreFormat.ManifestName);
+    }
+
     /// <summary>An existing cloud, finished or not, is replaced by one of the same files without asking, as a resumed or
     /// repeated conversion does, and by no other.</summary>
     public static void RefuseOtherCloud(string path, PointReader reader)

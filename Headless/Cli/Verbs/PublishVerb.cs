@@ -1,3 +1,5 @@
+using FastPoints.Cli.Publish;
+
 namespace FastPoints.Cli.Verbs;
 
 public sealed class PublishVerb : Verb
@@ -10,20 +12,43 @@ public sealed class PublishVerb : Verb
         Description = "A converted cloud, or the address where it lies already.",
     };
 
+    readonly Option<bool> m_single = new("--single")
+    {
+        Description = "Make a cloud of one file beside its texts, for hosts that limit the number of files, and check that.",
+    };
+    readonly Option<string?> m_output = new("--output", "-o")
+    {
+        HelpName = "OUT.fastpoints",
+        Description = "The folder to make, with --single.",
+    };
+
     public PublishVerb() : base(new Command("publish", "Check that a web server can serve a converted cloud, or does."))
     {
         Command.Add(m_cloud);
+        Command.Add(m_single);
+        Command.Add(m_output);
     }
 
     public override IReadOnlyList<(string, string)> Examples =>
     [
         ("./fastpoints publish town.fastpoints", "is all there, and what does a server need?"),
+        ("./fastpoints publish town.fastpoints --single -o web/town.fastpoints", "one file of points"),
         ("./fastpoints publish https://example.org/town.fastpoints", "does the server do what is needed?"),
     ];
 
     public override void Run(ParseResult parsed, CliRun run)
     {
-        string path = run.Begin([parsed.GetRequiredValue(m_cloud)])[0];
+        string path = parsed.GetRequiredValue(m_cloud);
+        string? output = parsed.GetValue(m_output);
+        if (parsed.GetValue(m_single) != (output != null))
+            throw new UsageException("--single wants --output, and --output belongs to --single");
+        OutputNames.RequireNewCloud(output, [path], run.Settings.IsForced);
+        run.Begin([path]);
+        if (output != null)
+        {
+            run.RunSteps(SingleFileStep.Run(path, output, run.Progress));
+            path = output;
+        }
         var problems = new List<string>();
         using var cloud = CloudFolder.Open(path);
         var files = FilesOf(cloud).ToList();

@@ -314,13 +314,8 @@ namespace FastPoints.Build
                     Table = item.Chunk.Table,
                     Chunk = item.Chunk,
                 });
-            var root = m_manifest.Root.Corner;
             foreach (var region in m_regions)
-                region.Part.Below.Sort((a, b) => a.Node != b.Node ? a.Node.CompareTo(b.Node)
-                    : a.Part.Cube.Corner != b.Part.Cube.Corner
-                        ? MortonOrder.Compare(a.Part.Cube.Corner - root, b.Part.Cube.Corner - root)
-                    : a.Part.Cube.SideLog2 != b.Part.Cube.SideLog2 ? b.Part.Cube.SideLog2.CompareTo(a.Part.Cube.SideLog2)
-                    : a.Part.Container.Part.CompareTo(b.Part.Container.Part));
+                region.Part.SortBelow(m_manifest.Root.Corner);
             return m_regions.Count > 0 ? m_regions[0].Part : new HierarchyPart();
         }
 

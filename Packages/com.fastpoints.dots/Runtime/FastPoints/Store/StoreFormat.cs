@@ -8,6 +8,7 @@ namespace FastPoints.Store
     public static class StoreFormat
     {
         public const uint Version = 3;
+        internal const uint UpgradableVersion = 2;
         public const string FolderExtension = ".fastpoints";
 
         /// <summary>Suffix of an unfinished folder.</summary>

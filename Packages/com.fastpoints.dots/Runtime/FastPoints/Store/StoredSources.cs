@@ -59,8 +59,11 @@ namespace FastPoints.Store
         public static List<CloudSource> Read(string folder)
         {
             string path = SourcePath.Combine(folder, StoreFormat.SourcesName);
-            if (!StoreFile.TryReadText(path, out string text))
-                return new List<CloudSource>();
+            return StoreFile.TryReadText(path, out string text) ? FromJson(text, path) : new List<CloudSource>();
+        }
+
+        public static List<CloudSource> FromJson(string text, string path)
+        {
             var json = JsonMembers.Parse(text, path);
             json.RequireVersion(StoreFormat.Version);
             var systems = json.Has("systems") ? json.Objects("systems").ConvertAll(CloudManifest.ReadCrs) : null;

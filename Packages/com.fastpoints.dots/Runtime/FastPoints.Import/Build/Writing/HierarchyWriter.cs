@@ -28,6 +28,12 @@ namespace FastPoints.Build
         /// <summary>The parts that hang on its nodes, in the order of the nodes, then along the Morton curve.</summary>
         public readonly List<(int Node, HierarchyPart Part)> Below = new List<(int, HierarchyPart)>();
 
+        public void SortBelow(Grid3 root) => Below.Sort((a, b) => a.Node != b.Node ? a.Node.CompareTo(b.Node)
+            : a.Part.Cube.Corner != b.Part.Cube.Corner
+                ? MortonOrder.Compare(a.Part.Cube.Corner - root, b.Part.Cube.Corner - root)
+            : a.Part.Cube.SideLog2 != b.Part.Cube.SideLog2 ? b.Part.Cube.SideLog2.CompareTo(a.Part.Cube.SideLog2)
+            : a.Part.Container.Part.CompareTo(b.Part.Container.Part));
+
         public void DisposeTable()
         {
             if (Table.IsCreated)

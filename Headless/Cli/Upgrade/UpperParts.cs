@@ -1,0 +1,114 @@
+using Unity.Collections.LowLevel.Unsafe;
+
+namespace FastPoints.Cli.Upgrade;
+
+/// <summary>The upper nodes of a cloud of version 2, which were one table, as the parts that they were made in: nodes of a part
+/// were sampled together.</summary>
+sealed unsafe class UpperParts : IDisposable
+{
+    readonly OldTable m_table;
+    readonly GridCube m_root;
+    readonly int[] m_partOf, m_indexIn; // By node.
+    readonly List<(HierarchyPart Part, int Above, List<int> Nodes)> m_parts = [];
+
+    /// <param name="table">Its planes are where <paramref name="container"/> has them.</param>
+    public UpperParts(OldTable table, int planeCount, in ContainerRecord container, GridCube root)
+    {
+        m_table = table;
+        m_root = root;
+        m_partOf = new int[table.NodeCount];
+        m_indexIn = new int[table.NodeCount];
+        Divide();
+        foreach (var (part, _, nodes) in m_parts)
+        {
+            part.Container = container;
+            Fill(part, nodes, planeCount);
+        }
+    }
+
+    /// <summary>The part that all others hang on.</summary>
+    public HierarchyPart Root => m_parts.Count > 0 ? m_parts[0].Part : new HierarchyPart();
+
+    public void Dispose()
+    {
+        foreach (var (part, _, _) in m_parts)
+            part.DisposeTable();
+    }
+
+    /// <summary>Hangs a part on an upper node.</summary>
+    public void Attach(int node, HierarchyPart part) => m_parts[m_partOf[node]].Part.Below.Add((m_indexIn[node], part));
+
+    /// <summary>Hangs the parts on one another, when all chunks hang on them: their cubes hold what is below.</summary>
+    public void Join()
+    {
+        for (int p = m_parts.Count - 1; p >= 0; p--)
+        {
+            var (part, above, nodes) = m_parts[p];
+            part.Cube = above < 0 ? m_root : m_table.Nodes[nodes[0]].Cube;
+            foreach (int node in nodes)
+                part.Cube = Around(part.Cube, m_table.Nodes[node].Cube);
+            foreach (var (_, below) in part.Below)
+                part.Cube = Around(part.Cube, below.Cube);
+            part.SortBelow(m_root.Corner);
+            if (above >= 0)
+                Attach(above, part);
+        }
+    }
+
+    void Divide()
+    {
+        var nodes = m_table.Nodes;
+        var known = new Dictionary<(int Above, int SampledWith), int>();
+        for (int i = 0; i < m_table.NodeCount; i++)
+        {
+            int parent = nodes[i].Parent, part;
+            bool isInlined = nodes[i].PlaneNode != i;
+            if (parent >= 0 && (isInlined || nodes[parent].SampledWith == nodes[i].SampledWith))
+            {
+                part = m_partOf[parent];
+            }
+            else if (!known.TryGetValue((parent, nodes[i].SampledWith), out part))
+            {
+                known.Add((parent, nodes[i].SampledWith), part = m_parts.Count);
+                m_parts.Add((new HierarchyPart { SampledWith = nodes[i].SampledWith }, parent, []));
+            }
+            m_partOf[i] = part;
+            m_indexIn[i] = m_parts[part].Nodes.Count;
+            m_parts[part].Nodes.Add(i);
+        }
+    }
+
+    void Fill(HierarchyPart part, List<int> nodes, int planeCount)
+    {
+        part.NodeCount = nodes.Count;
+        part.Table = new NativeArray<byte>(nodes.Count * ChunkResult.BytesPerNode(planeCount), Allocator.Persistent);
+        var records = (NodeRecord*)part.Table.GetUnsafePtr();
+        var ranges = (PlaneRange*)(records + nodes.Count);
+        for (int i = 0; i < nodes.Count; i++)
+        {
+            var record = m_table.Nodes[nodes[i]];
+            bool isRoot = record.Parent < 0 || m_partOf[record.Parent] != m_partOf[nodes[i]];
+            record.Parent = isRoot ? -1 : m_indexIn[record.Parent];
+            record.PlaneNode = record.PlaneNode == nodes[i] ? i : record.Parent;
+            record.FirstChild = record.ChildCount = 0;
+            records[i] = record;
+            if (!isRoot && records[record.Parent].ChildCount++ == 0)
+                records[record.Parent].FirstChild = i;
+            for (int p = 0; p < planeCount; p++)
+                ranges[(long)i * planeCount + p] = m_table.RangesOf(nodes[i])[p];
+        }
+    }
+
+    /// <returns>The smallest cube of the octree that holds both.</returns>
+    GridCube Around(GridCube a, GridCube b)
+    {
+        while (!a.Contains(b))
+        {
+            var from = a.Corner - m_root.Corner;
+            int side = a.SideLog2 + 1;
+            a = new GridCube(m_root.Corner + new Grid3(from.X >> side << side, from.Y >> side << side, from.Z >> side << side),
+                side);
+        }
+        return a;
+    }
+}
