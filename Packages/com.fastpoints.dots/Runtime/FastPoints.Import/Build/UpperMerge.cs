@@ -11,8 +11,8 @@ namespace FastPoints.Build
     /// regions with their own tops, and so on: memory is that of one region for any number of chunks.</summary>
     internal sealed unsafe class UpperMerge : IDisposable
     {
-        /// <summary>Sixteen neighbours are merged into a region of at least this many points: each round leaves fewer, and a small
-        /// cloud has one.</summary>
+        /// <summary>Sixteen neighbours are merged into a region of at least this many points: each round leaves fewer, and a
+        /// small cloud has one.</summary>
         const int MinPointsPerRegion = 16 * StoreFormat.MaxPointsPerNode;
 
         /// <summary>Tops that are read from files at the same time.</summary>
@@ -323,7 +323,8 @@ namespace FastPoints.Build
         IEnumerator<JobStep> LoadTable(HierarchyPart part)
         {
             using var read = new StoreRead();
-            read.Begin(m_build.Folder.PathOf(BuildFiles.TopPath(part.Chunk.Number)), part.Chunk.TableOffset, part.Chunk.TableBytes);
+            read.Begin(m_build.Folder.PathOf(BuildFiles.TopPath(part.Chunk.Number)), part.Chunk.TableOffset,
+                part.Chunk.TableBytes);
             yield return read.Done;
             read.Complete();
             part.Table = new NativeArray<byte>(read.Bytes, Allocator.Persistent);

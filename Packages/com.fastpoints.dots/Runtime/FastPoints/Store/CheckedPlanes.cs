@@ -38,14 +38,15 @@ namespace FastPoints.Store
             return now;
         }
 
-        // Main thread, as other streams may show the same cloud.
+        // Main thread, as other streams may show the same cloud. Null for a page of which nothing is remembered.
         public ulong[] BitsOf(in PageLink page, string path, long planes)
         {
             lock (m_pages)
             {
                 if (!m_pages.TryGetValue(page.Hash, out var known))
                     m_pages.Add(page.Hash, known = new CheckedPage { Path = path, Bits = new ulong[(planes + 63) / 64] });
-                return known.Bits;
+                // Hashes of pages that were made to have the same one say nothing.
+                return known.Bits.Length == (planes + 63) / 64 ? known.Bits : null;
             }
         }
 
@@ -55,10 +56,19 @@ namespace FastPoints.Store
 
         void KeepUnchanged(CheckedPlanes before)
         {
+            KeyValuePair<ulong, CheckedPage>[] pages;
+            // The main thread may wait for the lock: not for files.
             lock (before.m_pages)
-                foreach (var page in before.m_pages)
-                    if (File.GetLastWriteTimeUtc(page.Value.Path) < before.m_openedUtc)
-                        m_pages.Add(page.Key, page.Value);
+                pages = new List<KeyValuePair<ulong, CheckedPage>>(before.m_pages).ToArray();
+            var isUnchanged = new Dictionary<string, bool>();
+            foreach (var page in pages)
+            {
+                string path = page.Value.Path;
+                if (!isUnchanged.TryGetValue(path, out bool isKept))
+                    isUnchanged.Add(path, isKept = File.GetLastWriteTimeUtc(path) < before.m_openedUtc);
+                if (isKept)
+                    m_pages.Add(page.Key, page.Value);
+            }
         }
     }
 }

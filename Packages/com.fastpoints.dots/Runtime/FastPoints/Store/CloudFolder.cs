@@ -69,14 +69,14 @@ namespace FastPoints.Store
 
         internal HierarchyGrid Grid => new HierarchyGrid(Manifest);
 
-        public PageLink LinkOf(int page) => m_pages[page].Link;
+        internal PageLink LinkOf(int page) => m_pages[page].Link;
 
         /// <summary>The number of the first page that a loaded page links to; the others follow in the order of the
         /// links.</summary>
         public int FirstBelow(int page) => m_pages[page].FirstBelow;
 
         /// <summary>The container of the planes of a loaded page's nodes.</summary>
-        public ContainerRecord ContainerOf(int page) => m_containers[m_pages[page].Planes].Record;
+        internal ContainerRecord ContainerOf(int page) => m_containers[m_pages[page].Planes].Record;
 
         /// <summary>The path of <see cref="ContainerOf"/>.</summary>
         public string PathOf(int page) => m_containers[m_pages[page].Planes].Path;

@@ -226,7 +226,18 @@ namespace FastPoints.Store
             if (json.Has("shown"))
                 result.Shown = ReadShown(json.Object("shown"));
             result.ReadProvenance(json);
+            result.CheckHierarchy(hierarchy);
             return result;
+        }
+
+        // What is read of the hierarchy is bounded by the size of its file, which is known once the root's page was read.
+        void CheckHierarchy(JsonMembers hierarchy)
+        {
+            if (RootOffset < FileHeader.SizeBytes || RootOffset != HierarchyBytes - RootBytes)
+                throw hierarchy.Bad("rootOffset", "that the root's page ends " + HierarchyName);
+            long bytesPerNode = NodeRecord.SizeBytes + (long)CreateLayout().Planes.Count * PackedRange.SizeBytes;
+            if (NodeCount > HierarchyBytes / bytesPerNode)
+                throw hierarchy.Bad("bytes", "room for " + NodeCount + " nodes");
         }
 
         void ReadGridAndBounds(JsonMembers json)

@@ -112,7 +112,7 @@ namespace FastPoints.Store
     /// <summary>What a page knows of one below it. Links are in the order of the nodes that they hang on.</summary>
     [DiskFormat]
     [StructLayout(LayoutKind.Explicit, Size = SizeBytes)]
-    public struct PageLink
+    internal struct PageLink
     {
         public const int SizeBytes = 72;
 
@@ -140,7 +140,7 @@ namespace FastPoints.Store
     /// <summary>A file of a cloud, by what is in it: its name follows.</summary>
     [DiskFormat]
     [StructLayout(LayoutKind.Explicit, Size = SizeBytes)]
-    public struct ContainerRecord
+    internal struct ContainerRecord
     {
         public const int SizeBytes = 56;
 
@@ -171,7 +171,7 @@ namespace FastPoints.Store
             Part == other.Part && Kind == other.Kind && Layer == other.Layer;
     }
 
-    public enum ContainerKind : ushort
+    internal enum ContainerKind : ushort
     {
         /// <summary>All of the cloud but its texts: planes and pages.</summary>
         Whole = 0,

@@ -30,7 +30,7 @@ namespace FastPoints.Store
         public NativeArray<PlaneRange> Planes => m_planes;
 
         /// <summary>Links to the pages below.</summary>
-        public NativeArray<PageLink> Links =>
+        internal NativeArray<PageLink> Links =>
             Part<PageLink>(m_view.Header.LinksOffset, (long)m_view.Header.LinkCount * PageLink.SizeBytes);
 
         internal PageView View => m_view;

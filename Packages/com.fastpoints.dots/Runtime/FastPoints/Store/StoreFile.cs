@@ -10,23 +10,23 @@ namespace FastPoints.Store
     {
         const int MaxTextBytes = 16 << 20;
 
-        public static string ReadText(string path)
+        public static string ReadText(string path, int maxBytes = MaxTextBytes)
         {
             if (!SourcePath.IsRemote(path))
-                return Reading(path, file => ReadText(path, file));
-            using var bytes = Read(path, 0, Math.Min(SizeOf(path), MaxTextBytes + 1), Allocator.Persistent);
-            return ReadText(path, new UnmanagedMemoryStream((byte*)bytes.GetUnsafeReadOnlyPtr(), bytes.Length));
+                return Reading(path, file => ReadText(path, file, maxBytes));
+            using var bytes = Read(path, 0, Math.Min(SizeOf(path), maxBytes + 1), Allocator.Persistent);
+            return ReadText(path, new UnmanagedMemoryStream((byte*)bytes.GetUnsafeReadOnlyPtr(), bytes.Length), maxBytes);
         }
 
         // False if there is none.
-        public static bool TryReadText(string path, out string text)
+        public static bool TryReadText(string path, out string text, int maxBytes = MaxTextBytes)
         {
             text = null;
             if (!SourcePath.IsRemote(path) && !File.Exists(path))
                 return false;
             try
             {
-                text = ReadText(path);
+                text = ReadText(path, maxBytes);
                 return true;
             }
             // Object storage says of what is missing that it is forbidden.
@@ -37,10 +37,10 @@ namespace FastPoints.Store
             }
         }
 
-        static string ReadText(string path, Stream file)
+        static string ReadText(string path, Stream file, int maxBytes)
         {
-            if (file.Length > MaxTextBytes)
-                throw PointCloudException.Wanted(FailureCode.BadInput, path, -1, "size", "at most " + MaxTextBytes +
+            if (file.Length > maxBytes)
+                throw PointCloudException.Wanted(FailureCode.BadInput, path, -1, "size", "at most " + maxBytes +
                     " bytes", file.Length);
             using var reader = new StreamReader(file);
             return reader.ReadToEnd();

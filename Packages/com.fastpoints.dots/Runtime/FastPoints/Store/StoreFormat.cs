@@ -55,7 +55,7 @@ namespace FastPoints.Store
 
         /// <summary>Path of a container in the folder: <c>chunks/20_-3_17_0.bin</c> for the cube of side 2^20 at
         /// (-3, 17, 0) sides.</summary>
-        public static string PathOf(in ContainerRecord container)
+        internal static string PathOf(in ContainerRecord container)
         {
             if (container.Kind == ContainerKind.Whole)
                 return WholeName;

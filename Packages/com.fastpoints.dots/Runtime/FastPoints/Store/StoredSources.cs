@@ -23,6 +23,9 @@ namespace FastPoints.Store
         // Sources with more coordinate systems than this share the last one.
         public const int MaxSystems = 64;
 
+        // A million sources take about 100 MB.
+        const int MaxTextBytes = 512 << 20;
+
         public static string ToJson(List<CloudSource> sources)
         {
             var json = new JsonWriter().BeginObject().Add("version", StoreFormat.Version);
@@ -59,7 +62,7 @@ namespace FastPoints.Store
         public static List<CloudSource> Read(string folder)
         {
             string path = SourcePath.Combine(folder, StoreFormat.SourcesName);
-            return StoreFile.TryReadText(path, out string text) ? FromJson(text, path) : new List<CloudSource>();
+            return StoreFile.TryReadText(path, out string text, MaxTextBytes) ? FromJson(text, path) : new List<CloudSource>();
         }
 
         public static List<CloudSource> FromJson(string text, string path)

@@ -85,8 +85,7 @@ namespace FastPoints.Store
                 return new TableProblem(TableFault.Side, index);
             if (!Link.Cube.Contains(node.Cube))
                 return new TableProblem(TableFault.OutsideRegion, index);
-            var from = node.Corner - Link.Corner;
-            if ((from.X | from.Y | from.Z) << (64 - node.SideLog2) != 0 && node.SideLog2 > 0)
+            if (!IsOfOctree(node.Cube))
                 return new TableProblem(TableFault.NotOfOctree, index);
             if (node.Parent >= index || node.Parent < -1)
                 return new TableProblem(TableFault.Parent, index);
@@ -117,13 +116,22 @@ namespace FastPoints.Store
             return default;
         }
 
-        // A page has fewer points than the one above it: no circle of links is followed for ever.
+        // A page has fewer points and nodes than the one above it: no circle of links is followed for ever.
         bool IsLinkRight(in PageLink link, int node) => link.AttachNode == node && link.SideLog2 >= 0 &&
-            link.SideLog2 <= GridCube.MaxSideLog2 && Link.Cube.Contains(link.Cube) &&
-            link.PointCount > 0 && link.PointCount < Link.PointCount && link.NodeCount > 0 &&
+            link.SideLog2 <= GridCube.MaxSideLog2 && Link.Cube.Contains(link.Cube) && IsOfOctree(link.Cube) &&
+            link.PointCount > 0 && link.PointCount < Link.PointCount && link.NodeCount > 0 && link.NodeCount < Link.NodeCount &&
             link.LengthBytes >= PageHeader.SizeBytes && link.LengthBytes <= StoreFormat.MaxPageBytesToRead &&
-            link.OffsetBytes >= FileHeader.SizeBytes && link.OffsetBytes <= long.MaxValue - link.LengthBytes &&
-            link.Container >= -1 && link.Container < m_header.ContainerCount;
+            link.Container >= -1 && link.Container < m_header.ContainerCount &&
+            link.OffsetBytes >= FileHeader.SizeBytes && link.OffsetBytes <= EndFor(link) - link.LengthBytes;
+
+        // Pages lie before those that link to them: no length is beyond what the file was seen to have.
+        long EndFor(in PageLink link) => link.Container < 0 ? Link.OffsetBytes : Page.Containers[link.Container].FileBytes;
+
+        bool IsOfOctree(in GridCube cube)
+        {
+            var from = cube.Corner - Link.Corner;
+            return cube.SideLog2 == 0 || (from.X | from.Y | from.Z) << (64 - cube.SideLog2) == 0;
+        }
 
         TableProblem FindInPlaneNode(int index)
         {
@@ -181,11 +189,16 @@ namespace FastPoints.Store
                 points += Page.Nodes[n].PointCount;
             if (points != m_header.PointCount)
                 return new TableProblem(TableFault.PointSum, 0, m_header.PointCount, points);
-            // Claims of up to 2^63 points in many links.
-            for (int l = 0; l < m_header.LinkCount && points <= Link.PointCount && nodes <= Link.NodeCount; l++)
+            for (int l = 0; l < m_header.LinkCount; l++)
             {
-                points += Page.Links[l].PointCount;
-                nodes += Page.Links[l].NodeCount;
+                var link = Page.Links[l];
+                // Claims of up to 2^63 each: no sum of them may overflow.
+                if (link.PointCount > Link.PointCount - points)
+                    return new TableProblem(TableFault.PointSum, 0, Link.PointCount, points);
+                if (link.NodeCount > Link.NodeCount - nodes)
+                    return new TableProblem(TableFault.NodeSum, 0, Link.NodeCount, nodes);
+                points += link.PointCount;
+                nodes += link.NodeCount;
             }
             if (points != Link.PointCount)
                 return new TableProblem(TableFault.PointSum, 0, Link.PointCount, points);

@@ -213,7 +213,7 @@ namespace FastPoints.Tests.Picking
             foreach (string file in cloud.ChunkFiles)
             {
                 var bytes = File.ReadAllBytes(file);
-                for (long at = FileHeader.SizeBytes; at < BitConverter.ToInt64(bytes, 40); at += 16)
+                for (long at = FileHeader.SizeBytes; at < bytes.Length; at += 16)
                     bytes[at] ^= 1;
                 File.WriteAllBytes(file, bytes);
             }

@@ -195,9 +195,9 @@ namespace FastPoints.Tests.Streaming
         [Test]
         public void Run_DamagedTable_IsReportedWithFileAndByte()
         {
-            string file = m_cloud.ChunkFiles.OrderBy(f => f).Last();
+            string file = Path.Combine(m_cloud.Path, StoreFormat.HierarchyName);
             byte[] bytes = File.ReadAllBytes(file);
-            bytes[bytes.Length - 5] ^= 1;
+            bytes[FileHeader.SizeBytes + PageHeader.SizeBytes + 5] ^= 1;
             File.WriteAllBytes(file, bytes);
             using var stream = StreamedTestCloud.Stream();
             Add(stream);

@@ -74,9 +74,9 @@ namespace FastPoints.Build
         /// <param name="take">Receives the link to the root's page.</param>
         public IEnumerator<JobStep> Write(HierarchyPart root, Action<PageLink> take)
         {
-            var cut = new PartPages(root, m_planeCount);
-            yield return JobStep.Of(WriteBelow(cut));
-            take(WriteRoots(cut)[0]);
+            var cuts = new List<PartPages>();
+            yield return JobStep.Of(WriteBelow(root, cuts));
+            take(WriteRoots(cuts[0])[0]);
             yield return JobStep.Of(Flush());
         }
 
@@ -86,30 +86,33 @@ namespace FastPoints.Build
                 m_bytes.Dispose();
         }
 
-        IEnumerator<JobStep> WriteBelow(PartPages cut)
+        /// <summary>Coroutine: writes all pages of a part and below but those with its roots, and adds how it was cut.</summary>
+        IEnumerator<JobStep> WriteBelow(HierarchyPart part, List<PartPages> cuts)
         {
-            var below = new List<(int Node, PartPages Cut)>();
+            PartPages cut;
+            var below = new List<PartPages>();
             var loaded = new List<HierarchyPart>();
             try
             {
-                foreach (var (node, part) in cut.Part.Below)
+                foreach (var (_, other) in part.Below)
                 {
-                    if (!part.Table.IsCreated)
+                    if (!other.Table.IsCreated)
                     {
-                        loaded.Add(part);
-                        yield return JobStep.Of(m_load(part));
+                        loaded.Add(other);
+                        yield return JobStep.Of(m_load(other));
                     }
-                    below.Add((node, new PartPages(part, m_planeCount)));
-                    yield return JobStep.Of(WriteBelow(below[below.Count - 1].Cut));
+                    yield return JobStep.Of(WriteBelow(other, below));
                 }
-                foreach (var (node, part) in below)
-                    foreach (var link in WriteRoots(part))
-                        cut.AddLink(node, link, part.Part.Cube);
+                cut = new PartPages(part, m_planeCount, below);
+                cuts.Add(cut);
+                for (int i = 0; i < below.Count; i++)
+                    foreach (var link in WriteRoots(below[i]))
+                        cut.AddLink(part.Below[i].Node, link, below[i].Part.Cube);
             }
             finally
             {
-                foreach (var part in loaded)
-                    part.DisposeTable();
+                foreach (var other in loaded)
+                    other.DisposeTable();
             }
             // The roots are written with those of what hangs on the same part.
             for (int page = cut.Pages.Count - 1; page >= cut.RootPages; page--)
@@ -163,21 +166,27 @@ namespace FastPoints.Build
 
         readonly int m_planeCount;
         readonly int m_room;
-        readonly int[] m_partsBelow; // By node: how many hang on it.
+        readonly int[] m_costs; // By node: bytes with the leaves inlined in it, and the links that it has if it is cut.
+        readonly int[] m_pagesOfChildren; // By node: links for them if it is cut.
         readonly bool[] m_isCut; // By node.
         readonly int[] m_indexInPage; // By node.
         readonly Dictionary<int, List<PageLink>> m_links = new Dictionary<int, List<PageLink>>(); // By node.
 
-        public PartPages(HierarchyPart part, int planeCount)
+        /// <param name="below">Of the parts that hang on its nodes, in their order.</param>
+        public PartPages(HierarchyPart part, int planeCount, List<PartPages> below)
         {
             Part = part;
             m_planeCount = planeCount;
             m_room = StoreFormat.MaxPageBytes - (int)HeaderFor(0, 0).LengthBytes;
-            m_partsBelow = new int[part.NodeCount];
+            m_costs = new int[part.NodeCount];
+            m_pagesOfChildren = new int[part.NodeCount];
             m_isCut = new bool[part.NodeCount];
             m_indexInPage = new int[part.NodeCount];
-            foreach (var (node, _) in part.Below)
-                m_partsBelow[node]++;
+            for (int i = 0; i < below.Count; i++)
+                m_costs[part.Below[i].Node] += below[i].RootPages * PageLink.SizeBytes;
+            // Children come after their parents.
+            for (int node = part.NodeCount - 1; node >= 0; node--)
+                AddCost(node);
             int roots = 0;
             while (roots < part.NodeCount && Nodes[roots].Parent < 0)
                 roots++;
@@ -270,9 +279,9 @@ namespace FastPoints.Build
                 {
                     if (above >= 0 && IsInlined(next))
                         continue;
-                    if (nodes.Count > 0 && CostOf(next) > room)
+                    if (nodes.Count > 0 && m_costs[next] > room)
                         break;
-                    room -= CostOf(next);
+                    room -= m_costs[next];
                     nodes.Add(next);
                 }
                 for (int i = 0; i < nodes.Count; i++)
@@ -284,12 +293,12 @@ namespace FastPoints.Build
 
         void AddChildren(int node, List<int> nodes, ref int room)
         {
-            int first = Nodes[node].FirstChild, end = first + Nodes[node].ChildCount, cost = -PageLink.SizeBytes;
+            int first = Nodes[node].FirstChild, end = first + Nodes[node].ChildCount;
+            int cost = -m_pagesOfChildren[node] * PageLink.SizeBytes;
             for (int child = first; child < end && cost <= room; child++)
-                cost += IsInlined(child) ? 0 : CostOf(child);
+                cost += IsInlined(child) ? 0 : m_costs[child];
             m_isCut[node] = cost > room;
-            // Without such children there was no link to leave out.
-            room -= cost > 0 && !m_isCut[node] ? cost : 0;
+            room -= m_isCut[node] ? 0 : cost;
             for (int child = first; child < end; child++)
                 if (!m_isCut[node] || IsInlined(child))
                     nodes.Add(child);
@@ -297,16 +306,26 @@ namespace FastPoints.Build
 
         bool IsInlined(int node) => Nodes[node].PlaneNode != node;
 
-        /// <summary>Bytes of a node, the leaves inlined in it, and the links that it may have.</summary>
-        int CostOf(int node)
+        /// <summary>After those of its children: cuts these into pages as Cut does.</summary>
+        void AddCost(int node)
         {
-            int records = 1, others = 0;
-            for (int child = Nodes[node].FirstChild; child < Nodes[node].FirstChild + Nodes[node].ChildCount; child++)
+            int room = 0, first = Nodes[node].FirstChild;
+            m_costs[node] += BytesPerNode;
+            for (int child = first; child < first + Nodes[node].ChildCount; child++)
+            {
                 if (IsInlined(child))
-                    records++;
-                else
-                    others = 1;
-            return records * BytesPerNode + (m_partsBelow[node] + others) * PageLink.SizeBytes;
+                {
+                    m_costs[node] += BytesPerNode;
+                    continue;
+                }
+                if (m_pagesOfChildren[node] == 0 || m_costs[child] > room)
+                {
+                    m_pagesOfChildren[node]++;
+                    room = m_room;
+                }
+                room -= m_costs[child];
+            }
+            m_costs[node] += m_pagesOfChildren[node] * PageLink.SizeBytes;
         }
 
         int RootsOf(List<int> nodes, int above)

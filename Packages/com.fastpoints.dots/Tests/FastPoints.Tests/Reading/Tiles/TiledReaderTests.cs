@@ -328,6 +328,22 @@ namespace FastPoints.Tests.Reading
             Assert.That(summarise.Summary.Bounds.Max.x, Is.EqualTo(500002.5));
         }
 
+        [TestCase(200), TestCase(10_000, Category = "Long", Explicit = true)]
+        public void Convert_ManyFiles_OpensWithoutTheirNames(int files)
+        {
+            var bytes = File.ReadAllBytes(WriteLas("00000.las", Positions(3, 1), new double3(0.01, 0.01, 0.01), default));
+            for (int i = 1; i < files; i++)
+                File.WriteAllBytes(PathOf(i.ToString("D5") + ".las"), bytes);
+            string path = PathOf("cloud" + StoreFormat.FolderExtension);
+            using (var reader = PointReaders.Open(Folder.Path))
+                Coroutine(ConvertCloud.Run(new[] { reader }, path, new ConvertSettings(), _ => { }, null));
+            Assert.That(StoredSources.Read(path).Count, Is.EqualTo(files));
+            Assert.That(new FileInfo(Path.Combine(path, StoreFormat.ManifestName)).Length, Is.LessThanOrEqualTo(16 << 10));
+            File.WriteAllText(Path.Combine(path, StoreFormat.SourcesName), "damaged");
+            using var folder = CloudFolder.Open(path);
+            Assert.That(folder.Manifest.Points, Is.EqualTo(3 * files));
+        }
+
         /// <summary>Ten thousand files: seconds, and a handful of handles.</summary>
         [Test, Category("Long"), Explicit]
         public void Open_TenThousandFiles_IsQuick()
