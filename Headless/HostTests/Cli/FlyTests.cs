@@ -102,7 +102,7 @@ public sealed class FlyTests : ScratchTests
         string[] outputs = [Scratch["short"], Scratch["short.png"], Scratch["single-%04d.png"]];
         // It stands still until all is loaded: a flight shows what is there by then.
         string still = Scratch["still.txt"];
-        File.WriteAllText(still, Way(0, -90) + Way(400, -90));
+        File.WriteAllText(still, Way(0, -90) + Way(150, -90));
         foreach (string output in outputs)
             Assert.That(CliCall.Of("fly", m_cloud, "--path", still, "--every", "1000", "--size", "32x18", "-o", output).Status,
                 Is.EqualTo(ExitStatus.Done), output);

@@ -139,8 +139,11 @@ public sealed class BackgroundWorkTests : EditorFixture
     {
         m_project.Imports.CreateAsset(m_project.Scratch.Demo("scan.las", 1000), "Assets");
         Assert.That(FolderLock.TryTake(Path.Combine("PointClouds", ImportQueue.LockName), out var held), Is.Null);
+        int retryTimeoutMs = FileChanges.RetryTimeoutMs;
+        FileChanges.RetryTimeoutMs = 500;
         using (held)
             Assert.That(BatchConvert.All, Throws.InvalidOperationException.With.Message.Contains("imports into"));
+        FileChanges.RetryTimeoutMs = retryTimeoutMs;
     }
 
     /// <summary>Its Assets are those of the project, which only the main editor imports; its updates would ask a second

@@ -6,7 +6,7 @@ namespace FastPoints.HostTests.Gpu;
 /// <summary>Progressive pictures of the pipelines: of cameras, and of a headset's eyes.</summary>
 public sealed class ProgressivePassTests : PipelineFixture
 {
-    const int Frames = 60, PointsPerFrame = 8_000;
+    const int Frames = 30, PointsPerFrame = 8_000;
 
     protected override bool HasRaster => true;
 
@@ -138,7 +138,7 @@ public sealed class ProgressivePassTests : PipelineFixture
         var style = Scene.Style;
         style.GpuFrameMs = 10;
         Scene.Style = style;
-        for (int frame = 0; frame < 200; frame++)
+        for (int frame = 0; frame < 100; frame++)
         {
             RenderOnce(camera);
             FrameTimingManager.EndFrame(gpuMs);

@@ -15,6 +15,8 @@ public sealed class FilesInUseTests : ScratchPerTest
         ("the folder's name", FileChange.MoveFolder, (path, _) => path.EndsWith(StoreFormat.PartSuffix)),
     };
 
+    static readonly int s_retryTimeoutMs = FileChanges.RetryTimeoutMs;
+
     readonly Dictionary<string, int> m_refused = new Dictionary<string, int>();
     readonly List<Timer> m_timers = new List<Timer>();
     IDisposable m_windows;
@@ -30,6 +32,7 @@ public sealed class FilesInUseTests : ScratchPerTest
     public void BeAsBefore()
     {
         m_windows.Dispose();
+        FileChanges.RetryTimeoutMs = s_retryTimeoutMs;
         foreach (var timer in m_timers)
             timer.Dispose();
         m_timers.Clear();
@@ -103,7 +106,7 @@ public sealed class FilesInUseTests : ScratchPerTest
         Assert.That(CliCall.Of("verify", target, "--against", source, "--quiet").Status, Is.EqualTo(ExitStatus.Done));
     }
 
-    /// <summary>Ten seconds are over: the error says what to do, and nothing is read again.</summary>
+    /// <summary>The time to try again is over: the error says what to do, and nothing is read again.</summary>
     [TestCase(1L << 20)]
     [TestCase(1L << 30)]
     public void Convert_FolderInUseUntilTheEnd_ReportsItAndTheNextBuildResumes(long memory)
@@ -112,6 +115,7 @@ public sealed class FilesInUseTests : ScratchPerTest
         string part = target + StoreFormat.PartSuffix;
         var settings = Settings();
         settings.MemoryBytes = memory;
+        FileChanges.RetryTimeoutMs = 500;
         var reader = WindowsRules.ReadAt((change, path, _) => change == FileChange.MoveFolder && path == part,
             (path, _) => Path.Combine(path, StoreFormat.ManifestName));
         var failure = Assert.Throws<PointCloudException>(() => Convert(source, target, settings));
@@ -128,6 +132,7 @@ public sealed class FilesInUseTests : ScratchPerTest
     public void Convert_ReplacedCloudInUseUntilTheEnd_KeepsIt()
     {
         string source = Scratch.Demo("a.las", 6000), target = Scratch.Converted("a.fastpoints", 3000);
+        FileChanges.RetryTimeoutMs = 500;
         using (WindowsFiles.Hold(Path.Combine(target, StoreFormat.ManifestName)))
             Assert.Throws<PointCloudException>(() => Convert(source, target, Settings()));
         using (var folder = CloudFolder.Open(target))

@@ -11,8 +11,6 @@ namespace FastPoints
     // no open file, not even one that a virus scanner has open for a moment: refused changes are retried.
     internal static class FileChanges
     {
-        public const int RetryTimeoutMs = 10000;
-
         const int RetryDelayMs = 20;
         const string DeletedSuffix = ".deleted";
         const int DiskFull = unchecked((int)0x80070070);
@@ -20,6 +18,9 @@ namespace FastPoints
         const int NoSpaceErrno = 28; // ENOSPC, of runtimes that pass on the errno.
 
         static readonly List<Task> s_deletes = new List<Task>();
+
+        // Less for tests of what is refused until the end.
+        internal static int RetryTimeoutMs = 10000;
 
         // Called before each change, which it may refuse: for tests on systems that refuse less than Windows.
         internal static Action<FileChange, string, string> Intercept;
