@@ -289,8 +289,10 @@ namespace FastPoints
                 _ = late.Exception; // It counts as observed.
         }
 
+        // .NET's own client lets a status of a broken line fail as an argument.
         static bool IsConnectionFailure(Exception e) => e is HttpRequestException || e is IOException ||
-            e is OperationCanceledException || e is ObjectDisposedException || e is WebException;
+            e is OperationCanceledException || e is ObjectDisposedException || e is WebException ||
+            e is ArgumentOutOfRangeException;
 
         static string Line(Exception e)
         {
