@@ -2,8 +2,8 @@ using System.Runtime.InteropServices;
 
 namespace FastPoints.Cli.Publish;
 
-/// <summary>Puts the planes and pages of a cloud into one file: the planes of each container as they lie, then all pages, in which
-/// only places and hashes change. One page is in memory at a time, and some megabytes of planes.</summary>
+/// <summary>Puts the planes and pages of a cloud into one file: the planes of each container as they lie, then all pages, in
+/// which only places and hashes change. One page is in memory at a time, and some megabytes of planes.</summary>
 sealed unsafe class SingleFileStep : IDisposable
 {
     readonly CloudFolder m_cloud;

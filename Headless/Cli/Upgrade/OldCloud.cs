@@ -83,7 +83,8 @@ sealed unsafe class OldCloud : IDisposable
         // Only what said where things are has changed.
         var json = JsonNode.Parse(StoreFile.ReadText(path))!.AsObject();
         json["version"] = StoreFormat.Version;
-        json["hierarchy"] = JsonNode.Parse("""{"whole":false,"bytes":0,"rootOffset":0,"rootBytes":0,"rootHash":"0000000000000000"}""");
+        json["hierarchy"] = JsonNode.Parse(
+            """{"whole":false,"bytes":0,"rootOffset":0,"rootBytes":0,"rootHash":"0000000000000000"}""");
         string text = json.ToJsonString();
         return (CloudManifest.FromJson(text, path), StoredSources.FromJson(text, path), members.Object("files"));
     }

@@ -151,7 +151,8 @@ sealed unsafe class UpgradeStep : IDisposable
     IEnumerator<JobStep> WriteTexts(string folder)
     {
         yield return JobStep.Of(m_to.WriteText(StoreFormat.SourcesName, StoredSources.ToJson(m_old.Sources)));
-        yield return JobStep.Of(FinishedFolder.Write(m_to, m_old.Manifest, folder, StoreFormat.RecordsName, StoreFormat.FactsName));
+        yield return JobStep.Of(
+            FinishedFolder.Write(m_to, m_old.Manifest, folder, StoreFormat.RecordsName, StoreFormat.FactsName));
     }
 
     static long PointsOf(OldTable table)

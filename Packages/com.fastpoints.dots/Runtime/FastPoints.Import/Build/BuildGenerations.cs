@@ -54,7 +54,7 @@ namespace FastPoints.Build
         {
             if (!m_sample.IsRead)
                 yield return JobStep.Of(m_sample.Read());
-            var manifest = CloudManifest.FromJson(whole.ToJson(), m_build.Folder.PathOf(StoreFormat.ManifestName));
+            var manifest = whole.Clone();
             manifest.IsBuilding = true;
             manifest.Generation = ++m_generation;
             manifest.Points = 0;

@@ -123,6 +123,9 @@ namespace FastPoints.Store
 
         public BoundsGeo BoundsGeo => Points == 0 ? BoundsGeo.Empty : new BoundsGeo(Grid.ToGeo(BoundsMin), Grid.ToGeo(BoundsMax));
 
+        // Of another state of the same cloud.
+        internal CloudManifest Clone() => (CloudManifest)MemberwiseClone();
+
         public StoreLayout CreateLayout() => new StoreLayout(Attributes, Divisors, HasAverages);
 
         public string ToJson()

@@ -40,13 +40,13 @@ namespace FastPoints.Tests.Store
 
             internal ref PageHeader Header => ref *(PageHeader*)m_bytes;
 
-            public ref ContainerRecord Container => ref View.Containers[0];
+            internal ref ContainerRecord Container => ref View.Containers[0];
 
             public ref int ContainerOfPlane(int plane) => ref View.ContainerOfPlane[plane];
 
             public ref NodeRecord Node(int node) => ref View.Nodes[node];
 
-            public ref PageLink Link(int link) => ref View.Links[link];
+            internal ref PageLink Link(int link) => ref View.Links[link];
 
             internal ref PackedRange Range(int node, int plane) => ref View.Ranges[node * PlaneCount + plane];
         }
