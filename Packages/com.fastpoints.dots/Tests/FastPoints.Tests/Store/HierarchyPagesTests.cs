@@ -114,28 +114,27 @@ namespace FastPoints.Tests.Store
             m_planeCount = planeCount;
             var root = new PlainNode(StoredHierarchy.Root);
             AddMany(root, areInlined);
-            foreach (var child in root.Children.Where(c => !c.IsInlined))
-                AddMany(child, true);
+            for (int i = 0; i < 512 && !areInlined; i += 32)
+                AddMany(root.Children[i], true);
             WriteAndRead(Part(StoredHierarchy.Root, root));
         }
 
-        // Each of many nodes has more children than a page holds: so many links that they fill the page.
+        // A page that its nodes nearly fill, each of which has eight pages of children.
         [Test]
         public void Write_ManyNodesWithPagesOfChildren_HasRoomForTheirLinks()
         {
             m_planeCount = 300;
             var root = new PlainNode(StoredHierarchy.Root);
-            for (int i = 0; i < 8; i++)
+            for (int i = 0; i < 11; i++)
             {
-                var child = root.Add(i);
+                var child = root.Add(root.Cube.Child(i % 8).Child(i / 8));
                 for (int o = 0; o < 8; o++)
-                    for (int k = 0; k < 8; k++)
-                        child.Add(o).Add(child.Cube.Child(o).Child(k), true);
+                {
+                    var below = child.Add(o);
+                    for (int k = 0; k < 12; k++)
+                        below.Add(below.Cube.Child(k % 8), true);
+                }
             }
-            for (int i = 0; i < 8; i++)
-                foreach (var middle in root.Children[i].Children)
-                    for (int k = 0; k < 4; k++)
-                        AddMany(middle.Add(middle.Cube.Child(k)), true);
             WriteAndRead(Part(StoredHierarchy.Root, root));
         }
 
@@ -163,10 +162,10 @@ namespace FastPoints.Tests.Store
             var on = root.Children[5];
             for (int i = 0; i < parts; i++)
             {
-                var cube = new GridCube(on.Cube.Corner + new Grid3(i * (1L << 20), 0, 0), 20);
-                var chunk = new PlainNode(cube);
-                AddMany(chunk.Add(0), true);
-                on.Below.Add(Part(cube, chunk.Children[0]));
+                var chunk = new PlainNode(new GridCube(on.Cube.Corner + new Grid3(i * (1L << 20), 0, 0), 20));
+                for (int octant = 0; octant < 8; octant++)
+                    chunk.Add(octant).Add(octant);
+                on.Below.Add(Part(chunk.Cube, chunk.Children.ToArray()));
             }
             WriteAndRead(Part(StoredHierarchy.Root, root));
             var links = m_pages.First(p => p.Links.Length >= parts).Links;

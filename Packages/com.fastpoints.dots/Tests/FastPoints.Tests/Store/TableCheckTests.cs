@@ -212,23 +212,36 @@ namespace FastPoints.Tests.Store
                 }
                 catch (PointCloudException e)
                 {
-                    Assert.That(e.Message, Does.Contain(StoreFormat.HierarchyName).And.Not.Contains("\n"), "mutation " + i);
+                    Assert.That(e.Message, Does.StartWith(Folder.Path).And.Not.Contains("\n"), "mutation " + i);
                 }
             }
             // Hashes of planes and bounds tell of no damage here.
             Assert.That(opened, Is.InRange(Mutations / 20, Mutations * 3 / 4));
         }
 
-        [TestCase("rootBytes", "1"), TestCase("rootBytes", "67108864"), TestCase("rootOffset", "96")]
-        [TestCase("rootOffset", "9223372036854775807"), TestCase("bytes", "1"), TestCase("bytes", "9223372036854775807")]
-        [TestCase("nodes", "1000"), TestCase("nodes", "9223372036854775807"), TestCase("points", "9223372036854775807")]
-        public void Open_ManifestThatClaimsOtherSizes_IsRefused(string name, string value)
+        [TestCase("rootBytes", "1", "rootOffset"), TestCase("rootBytes", "67108864", "rootOffset")]
+        [TestCase("rootOffset", "96", "rootOffset"), TestCase("rootOffset", "9223372036854775807", "rootOffset")]
+        [TestCase("bytes", "1", "rootOffset"), TestCase("bytes", "9223372036854775807", "rootOffset")]
+        [TestCase("nodes", "1000", "bytes"), TestCase("nodes", "9223372036854775807", "bytes")]
+        [TestCase("points", "9223372036854775807", "wanted 9223372036854775807 points")]
+        public void Open_ManifestThatClaimsOtherSizes_IsRefused(string name, string value, string named)
         {
             string json = System.Text.RegularExpressions.Regex.Replace(m_manifest.ToJson(), "\"" + name + "\": \\d+",
                 "\"" + name + "\": " + value);
-            Assert.That(json, Does.Contain("\"" + name + "\": " + value).And.Not.EqualTo(m_manifest.ToJson()));
-            File.WriteAllText(Path.Combine(Folder.Path, StoreFormat.ManifestName), json);
-            Assert.That(() => CloudFolder.Open(Folder.Path), Throws.TypeOf<PointCloudException>());
+            Assert.That(json, Is.Not.EqualTo(m_manifest.ToJson()));
+            string path = Folder.Write(StoreFormat.ManifestName, json);
+            Assert.That(() => CloudFolder.Open(Folder.Path), Throws.TypeOf<PointCloudException>().With.Message.Contains(named)
+                .And.Message.StartsWith(named.StartsWith("wanted") ? HierarchyPath : path));
+        }
+
+        [Test]
+        public void BitsOf_PageWithTheHashOfAnother_RemembersNothing()
+        {
+            Folder.Write(StoreFormat.ManifestName, m_manifest.ToJson());
+            using var folder = CloudFolder.Open(Folder.Path);
+            var bits = folder.Checked.BitsOf(m_pages[0].Link, "", 100);
+            Assert.That(folder.Checked.BitsOf(m_pages[0].Link, "", 100), Is.SameAs(bits));
+            Assert.That(folder.Checked.BitsOf(m_pages[0].Link, "", 1000), Is.Null);
         }
 
         void Mutate(ref Unity.Mathematics.Random random, int page)
