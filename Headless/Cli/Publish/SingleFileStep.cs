@@ -2,8 +2,8 @@ using System.Runtime.InteropServices;
 
 namespace FastPoints.Cli.Publish;
 
-/// <summary>Puts the planes and pages of a cloud into one file: the planes of each container as they lie, then all pages, in which
-/// only places and hashes change. One page is in memory at a time, and some megabytes of planes.</summary>
+/// <summary>Puts the planes and pages of a cloud into one file: the planes of each container as they lie, then all pages, in
+/// which only places and hashes change. One page is in memory at a time, and some megabytes of planes.</summary>
 sealed unsafe class SingleFileStep : IDisposable
 {
     readonly CloudFolder m_cloud;
@@ -32,15 +32,14 @@ sealed unsafe class SingleFileStep : IDisposable
                     + "this machine, got " + (cloud.IsUnfinished ? "one that is being built"
                     : cloud.Manifest.IsWhole ? "one of a single file" : "an address"));
             using var step = new SingleFileStep(cloud, target, progress);
-            if (step.m_to.HasLeftovers)
-                yield return JobStep.Of(step.m_to.Clear());
+            yield return JobStep.Of(FolderOfFolder.Begin(step.m_to));
             progress.Begin("check");
             yield return JobStep.Of(step.CheckPlanes());
             progress.Begin("planes");
             yield return JobStep.Of(step.CopyPlanes());
             progress.Begin("pages");
             yield return JobStep.Of(step.WritePages());
-            yield return JobStep.Of(FinishedFolder.Write(step.m_to, cloud.Manifest, folder, StoreFormat.SourcesName,
+            yield return JobStep.Of(FolderOfFolder.End(step.m_to, cloud.Manifest, folder, StoreFormat.SourcesName,
                 StoreFormat.RecordsName, StoreFormat.FactsName));
         }
         // The writer's.
