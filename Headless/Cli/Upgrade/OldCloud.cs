@@ -81,11 +81,19 @@ sealed unsafe class OldCloud : IDisposable
         var members = Members(folder);
         members.RequireVersion(OldHeader.Version);
         // Only what said where things are has changed.
-        var json = JsonNode.Parse(StoreFile.ReadText(path))!.AsObject();
-        json["version"] = StoreFormat.Version;
-        json["hierarchy"] = JsonNode.Parse(
-            """{"whole":false,"bytes":0,"rootOffset":0,"rootBytes":0,"rootHash":"0000000000000000"}""");
-        string text = json.ToJsonString();
+        string text;
+        try
+        {
+            var json = JsonNode.Parse(StoreFile.ReadText(path))!.AsObject();
+            json["version"] = StoreFormat.Version;
+            json["hierarchy"] = JsonNode.Parse(
+                """{"whole":false,"bytes":0,"rootOffset":0,"rootBytes":0,"rootHash":"0000000000000000"}""");
+            text = json.ToJsonString();
+        }
+        catch (Exception e) when (e is JsonException or ArgumentException)
+        {
+            throw Damage(path, -1, "no JSON: " + e.Message);
+        }
         return (CloudManifest.FromJson(text, path), StoredSources.FromJson(text, path), members.Object("files"));
     }
 
@@ -96,6 +104,7 @@ sealed unsafe class OldCloud : IDisposable
         long bytes = header.NodeBytes;
         using var all = StoreFile.Read(path, 0, header.FileBytes, Allocator.Persistent);
         if (files.Count("hierarchyBytes") != header.FileBytes || header.PointCount != Manifest.Points
+            || header.TableOffset < OldHeader.SizeBytes
             || header.TableOffset != header.FileBytes - bytes - (long)header.ChunkCount * OldChunk.SizeBytes)
             throw Damage(path, 0, "is not the hierarchy that " + StoreFormat.ManifestName + " names");
         RequireHash(path, 0, files.Hex("hierarchyHash"), ContentHash.Of(all.AsReadOnlySpan()));

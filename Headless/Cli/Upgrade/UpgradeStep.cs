@@ -34,8 +34,7 @@ sealed unsafe class UpgradeStep : IDisposable
     {
         using var old = OldCloud.Open(folder);
         using var upgrade = new UpgradeStep(old, target, progress);
-        if (upgrade.m_to.HasLeftovers)
-            yield return JobStep.Of(upgrade.m_to.Clear());
+        yield return JobStep.Of(FolderOfFolder.Begin(upgrade.m_to));
         progress.Begin("upgrade");
         yield return JobStep.Of(upgrade.CopyUpper());
         yield return JobStep.Of(upgrade.CopyChunks());
@@ -151,8 +150,8 @@ sealed unsafe class UpgradeStep : IDisposable
     IEnumerator<JobStep> WriteTexts(string folder)
     {
         yield return JobStep.Of(m_to.WriteText(StoreFormat.SourcesName, StoredSources.ToJson(m_old.Sources)));
-        yield return JobStep.Of(
-            FinishedFolder.Write(m_to, m_old.Manifest, folder, StoreFormat.RecordsName, StoreFormat.FactsName));
+        yield return JobStep.Of(FolderOfFolder.End(m_to, m_old.Manifest, folder, StoreFormat.RecordsName,
+            StoreFormat.FactsName));
     }
 
     static long PointsOf(OldTable table)

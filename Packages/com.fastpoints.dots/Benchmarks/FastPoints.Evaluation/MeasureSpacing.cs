@@ -54,6 +54,9 @@ namespace FastPoints.Evaluation
         public static IEnumerator<JobStep> Run(string cloud, List<LevelSpacing> levels)
         {
             using var folder = CloudFolder.Open(cloud);
+            // One file does not tell chunks apart, and all of its points may not fit into memory.
+            if (folder.Manifest.IsWhole)
+                yield break;
             using var measure = new MeasureSpacing(folder, levels);
             yield return JobStep.Of(CoroutineGroup.Run(measure.Containers(), JobsUtility.JobWorkerCount + 1));
             for (int level = 0; level < levels.Count; level++)

@@ -204,8 +204,9 @@ namespace FastPoints.Store
             if (json.Text("format") != FormatName)
                 throw json.Bad("format", "\"" + FormatName + "\"");
             if (json.Long("version") == StoreFormat.UpgradableVersion)
-                throw new PointCloudException(FailureCode.Unsupported, path, -1, "is of version " + StoreFormat.UpgradableVersion + ": fastpoints upgrade " +
-                    SourcePath.WithoutQuery(SourcePath.FolderOf(path)) + " makes one of version " + StoreFormat.Version + " of it");
+                throw new PointCloudException(FailureCode.Unsupported, path, -1, "is of version " +
+                    StoreFormat.UpgradableVersion + ": fastpoints upgrade " +
+                    SourcePath.WithoutQuery(SourcePath.FolderOf(path)) + " makes version " + StoreFormat.Version + " of it");
             json.RequireVersion(StoreFormat.Version);
             var hierarchy = json.Object("hierarchy");
             var result = new CloudManifest

@@ -1,11 +1,25 @@
 namespace FastPoints.Cli.Publish;
 
-/// <summary>The end of a cloud that was made of another one.</summary>
-static class FinishedFolder
+/// <summary>Begin and end of a cloud that is made of another one.</summary>
+static class FolderOfFolder
 {
+    /// <summary>Coroutine: deletes what a killed run left, but no conversion that can go on.</summary>
+    public static IEnumerator<JobStep> Begin(CloudFolderWriter to)
+    {
+        if (!to.HasLeftovers)
+            yield break;
+        if (File.Exists(to.PathOf(BuildFiles.JournalName)))
+        {
+            to.Keep();
+            throw new PointCloudException(FailureCode.WriteFailed, to.PathOf(""), -1,
+                "is a conversion that was stopped: let it go on, or delete the folder");
+        }
+        yield return JobStep.Of(to.Clear());
+    }
+
     /// <summary>Coroutine: copies files of the other cloud, as far as it has them, writes cloud.json when the pages were found
     /// to be right, and gives the folder its name.</summary>
-    public static IEnumerator<JobStep> Write(CloudFolderWriter to, CloudManifest manifest, string from, params string[] copied)
+    public static IEnumerator<JobStep> End(CloudFolderWriter to, CloudManifest manifest, string from, params string[] copied)
     {
         foreach (string name in copied)
             if (Path.Combine(from, name) is var path && File.Exists(path))
