@@ -41,17 +41,20 @@ static class OutputNames
         if (StandardStreams.IsOutput(path))
             throw new UsageException(option + ": standard output takes points (export, demo-cloud) and summaries only, got "
                 + path);
-        RefuseLink(path);
+        RefuseName(path);
     }
 
-    static void RefuseLink(string path)
+    public static void RefuseName(string path)
     {
+        if (SourcePath.IsRemote(path))
+            throw new UsageException("--output: nothing is written to servers, got " + SourcePath.WithoutQuery(path));
         if (FileNames.IsLink(path))
             throw new UsageException(Path.GetFileName(path) + ": nothing is written under a name that is no UTF-8");
     }
 
     public static void RequireExportName(string path)
     {
+        RefuseName(path);
         if (!ExportCloud.CanWrite(path))
             throw new UsageException("--output: wanted a name that ends in .las, .laz, .copc.laz or .ply, got " + path);
         if (Directory.Exists(path))
@@ -70,7 +73,7 @@ static class OutputNames
 
     public static void RefuseInputs(string output, IEnumerable<string> inputs)
     {
-        RefuseLink(output);
+        RefuseName(output);
         string written = RealPath(output);
         foreach (string input in inputs.Where(i => !SourcePath.IsRemote(i)))
         {

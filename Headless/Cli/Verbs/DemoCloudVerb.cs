@@ -75,6 +75,7 @@ public sealed class DemoCloudVerb : Verb
             if (order != ScanOrder.Strip && written > DemoCloud.MaxOrderedPoints)
                 throw new UsageException("--order " + parsed.GetValue(m_order) + " keeps the points in memory: at most "
                     + NumberFormat.Count(DemoCloud.MaxOrderedPoints));
+            OutputNames.RefuseName(output);
             if (!HasExtension(file, ".las") && !HasExtension(file, ".laz") && !HasExtension(file, ".ply"))
                 throw new UsageException("--output: wanted a name that ends in .las, .laz or .ply, got " + output);
             run.Begin([], output);

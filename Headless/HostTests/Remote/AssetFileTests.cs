@@ -9,6 +9,7 @@ sealed class AssetFileTests : RemoteFixture
     [SetUp]
     public void Pack()
     {
+        AssetFile.Register();
         m_assets = "jar:file://" + Scratch["base.apk!/assets"];
         Directory.CreateDirectory(Scratch["base.apk!/assets"]);
     }

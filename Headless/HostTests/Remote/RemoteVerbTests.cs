@@ -115,6 +115,20 @@ sealed class RemoteVerbTests : RemoteFixture
         Assert.That(call.Error, Is.EqualTo("fastpoints: " + Server.Of("no.las") + ": the server answered 404: no such file\n"));
     }
 
+    [TestCase("convert", "there.fastpoints")]
+    [TestCase("export", "there.las")]
+    [TestCase("picture", "there.png")]
+    [TestCase("fly", "there")]
+    [TestCase("demo-cloud", "there.las")]
+    public void Output_ToAnAddress_IsAUsageErrorBeforeAnyWork(string verb, string name)
+    {
+        string[] source = verb == "demo-cloud" ? [] : [Make("scan.las", 1000)];
+        var call = CliCall.Of([verb, .. source, "-o", Server.Of(name) + Secret, "--quiet"]);
+        Assert.That(call.Status, Is.EqualTo(ExitStatus.Usage), call.Error);
+        Assert.That(call.Error, Does.Contain("nothing is written to servers").And.Not.Contain("secret"));
+        Assert.That(Directory.Exists("http:"), Is.False);
+    }
+
     [Test]
     public void Info_ByHttpOfAnotherMachine_WantsPermission()
     {

@@ -159,7 +159,11 @@ sealed class S3Tests : RemoteFixture
         (int Status, string Error) Info()
         {
             var start = new ProcessStartInfo(Path.Combine(AppContext.BaseDirectory, "FastPoints.Cli"),
-                ["info", "s3://clouds/scan.las"]) { RedirectStandardError = true, RedirectStandardOutput = true };
+                ["info", "s3://clouds/scan.las"])
+            {
+                RedirectStandardError = true,
+                RedirectStandardOutput = true,
+            };
             (start.Environment["HOME"], start.Environment["AWS_EC2_METADATA_DISABLED"]) = (Scratch.Root, "true");
             using var process = Process.Start(start);
             process.StandardOutput.ReadToEnd();

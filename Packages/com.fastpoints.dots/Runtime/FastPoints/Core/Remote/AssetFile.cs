@@ -7,6 +7,7 @@ using System.Threading.Tasks;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
 using Unity.IO.LowLevel.Unsafe;
+using UnityEngine;
 
 namespace FastPoints
 {
@@ -14,8 +15,6 @@ namespace FastPoints
     // nothing but AsyncReadManager reads it. It does not change while the player runs.
     internal sealed class AssetFile : RemoteFile
     {
-        public static readonly IRemoteFiles All = new AssetFiles();
-
         static readonly ConcurrentDictionary<string, AssetFile> s_opened = new ConcurrentDictionary<string, AssetFile>();
 
         AssetFile(string address, long length)
@@ -23,6 +22,9 @@ namespace FastPoints
             Name = address;
             Length = length;
         }
+
+        [RuntimeInitializeOnLoadMethod(RuntimeInitializeLoadType.SubsystemRegistration)]
+        public static void Register() => Assets = new AssetFiles();
 
         public override string Name { get; }
         public override long Length { get; }
@@ -52,7 +54,7 @@ namespace FastPoints
             try
             {
                 var read = Begin(Name, memory, offset, count);
-                while (IsPending(read))
+                while (!HasEnded(read))
                     await Task.Delay(1).ConfigureAwait(false);
                 var status = read.Status;
                 read.Dispose();
@@ -84,14 +86,18 @@ namespace FastPoints
         }
 
         // One that waits has a status without a name.
-        static bool IsPending(ReadHandle read) => read.Status != ReadStatus.Complete && read.Status != ReadStatus.Failed &&
-            read.Status != ReadStatus.Truncated && read.Status != ReadStatus.Canceled;
+        static bool HasEnded(ReadHandle read)
+        {
+            var status = read.Status;
+            return status == ReadStatus.Complete || status == ReadStatus.Failed || status == ReadStatus.Truncated ||
+                status == ReadStatus.Canceled;
+        }
 
         static unsafe long LengthOf(string address)
         {
             FileInfoResult info = default;
             var read = AsyncReadManager.GetFileInfo(address, &info);
-            while (IsPending(read))
+            while (!HasEnded(read))
                 Thread.Sleep(1);
             read.Dispose();
             if (info.FileState != FileState.Exists)

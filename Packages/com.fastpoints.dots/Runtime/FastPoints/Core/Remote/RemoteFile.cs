@@ -16,8 +16,8 @@ namespace FastPoints
         // request.
         public static long MaxSmallFileBytes = 32 << 20;
 
-        // Who opens addresses: HttpFile, which registers itself.
-        public static IRemoteFiles Files;
+        // Who opens addresses: HttpFile of web servers, AssetFile of Android's streaming assets. They register themselves.
+        public static IRemoteFiles Files, Assets;
 
         // For messages: signatures are left out.
         public abstract string Name { get; }
@@ -40,8 +40,7 @@ namespace FastPoints
         public static RemoteFile Open(string address, int headBytes = HeadBytes) => FilesFor(address).Open(address, headBytes);
 
         // The one that was opened last, or null.
-        public static RemoteFile Find(string address) =>
-            SourcePath.IsAsset(address) ? AssetFile.All.Find(address) : Files?.Find(address);
+        public static RemoteFile Find(string address) => (SourcePath.IsAsset(address) ? Assets : Files)?.Find(address);
 
         // A file that another describes, so that nothing is asked before its first range: its length, and a text that is another
         // for other content. Any thread; it does not wait.
@@ -100,9 +99,9 @@ namespace FastPoints
 
         protected abstract bool TryReadHead(long offset, Span<byte> into);
 
-        static IRemoteFiles FilesFor(string address) => SourcePath.IsAsset(address) ? AssetFile.All :
-            Files ?? throw new PointCloudException(FailureCode.Unsupported, SourcePath.WithoutQuery(address), -1,
-                "this program reads no files of web servers");
+        static IRemoteFiles FilesFor(string address) => (SourcePath.IsAsset(address) ? Assets : Files) ??
+            throw new PointCloudException(FailureCode.Unsupported, SourcePath.WithoutQuery(address), -1,
+                "this program reads no such addresses");
     }
 
     internal interface IRemoteFiles
