@@ -222,7 +222,7 @@ namespace FastPoints.Tests.Store
         [TestCase("rootBytes", "1", "rootOffset"), TestCase("rootBytes", "67108864", "rootOffset")]
         [TestCase("rootOffset", "96", "rootOffset"), TestCase("rootOffset", "9223372036854775807", "rootOffset")]
         [TestCase("bytes", "1", "rootOffset"), TestCase("bytes", "9223372036854775807", "rootOffset")]
-        [TestCase("nodes", "1000", "bytes"), TestCase("nodes", "9223372036854775807", "bytes")]
+        [TestCase("nodes", "1000", "nodes"), TestCase("nodes", "9223372036854775807", "nodes")]
         [TestCase("points", "9223372036854775807", "wanted 9223372036854775807 points")]
         public void Open_ManifestThatClaimsOtherSizes_IsRefused(string name, string value, string named)
         {
