@@ -148,7 +148,8 @@ namespace FastPoints.Store
         {
             string problem = manifest.FindProblem();
             if (problem != null)
-                throw new PointCloudException(FailureCode.BadInput, SourcePath.Combine(path, StoreFormat.ManifestName), -1, problem);
+                throw new PointCloudException(FailureCode.BadInput, SourcePath.Combine(path, StoreFormat.ManifestName), -1,
+                    problem);
             var folder = new CloudFolder(path, manifest);
             try
             {
