@@ -146,6 +146,10 @@ namespace FastPoints.Store
         /// <summary>Opens a folder that is complete except for cloud.json. Throws if its hierarchy is another one.</summary>
         public static CloudFolder Open(string path, CloudManifest manifest)
         {
+            string problem = manifest.FindProblem();
+            if (problem != null)
+                throw new PointCloudException(FailureCode.BadInput, SourcePath.Combine(path, StoreFormat.ManifestName), -1,
+                    problem);
             var folder = new CloudFolder(path, manifest);
             try
             {

@@ -230,18 +230,18 @@ namespace FastPoints.Store
             if (json.Has("shown"))
                 result.Shown = ReadShown(json.Object("shown"));
             result.ReadProvenance(json);
-            result.CheckHierarchy(hierarchy);
             return result;
         }
 
-        // What is read of the hierarchy is bounded by the size of its file, which is known once the root's page was read.
-        void CheckHierarchy(JsonMembers hierarchy)
+        // What is wrong with the place of the hierarchy, or null. What is read of it is bounded by the size of its file, which is
+        // known once the root's page was read.
+        internal string FindProblem()
         {
             if (RootOffset < FileHeader.SizeBytes || RootOffset != HierarchyBytes - RootBytes)
-                throw hierarchy.Bad("rootOffset", "that the root's page ends " + HierarchyName);
+                return "\"rootOffset\": wanted that the root's page ends " + HierarchyName + ", got " + RootOffset;
             long bytesPerNode = NodeRecord.SizeBytes + (long)CreateLayout().Planes.Count * PackedRange.SizeBytes;
-            if (NodeCount > HierarchyBytes / bytesPerNode)
-                throw hierarchy.Bad("bytes", "room for " + NodeCount + " nodes");
+            return NodeCount <= HierarchyBytes / bytesPerNode ? null
+                : "\"nodes\": wanted at most " + HierarchyBytes / bytesPerNode + ", got " + NodeCount;
         }
 
         void ReadGridAndBounds(JsonMembers json)

@@ -63,9 +63,9 @@ namespace FastPoints.Tests.Store
             long bytes = new FileInfo(json).Length + pages.Sum(level => level.Sum(p => (long)p.LengthBytes));
             var requests = pages.Select(RequestsFor).ToArray();
 
-            TestContext.WriteLine(manifest.Points + " points, " + (1 << 2 * chunkLevel) + " chunks, " + manifest.NodeCount + " nodes; file " +
-                manifest.HierarchyBytes + " bytes, cloud.json " + new FileInfo(json).Length + "; chosen " + selection.NodeCount +
-                " nodes, " + selection.Points + " points; read " + bytes + " bytes: pages by depth " +
+            TestContext.WriteLine(manifest.Points + " points, " + (1 << 2 * chunkLevel) + " chunks, " + manifest.NodeCount +
+                " nodes; file " + manifest.HierarchyBytes + " bytes, cloud.json " + new FileInfo(json).Length + "; chosen " +
+                selection.NodeCount + " nodes, " + selection.Points + " points; read " + bytes + " bytes: pages by depth " +
                 string.Join(", ", pages.Select(p => p.Count)) + "; requests " + string.Join(", ", requests) + "; known pages " +
                 folder.PageCount + " of " + sizeof(HierarchyPage) + " bytes for streaming");
             Assert.That(selection.Points, Is.GreaterThan(1_000_000));

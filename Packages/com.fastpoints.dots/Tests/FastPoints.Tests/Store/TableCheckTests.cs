@@ -51,7 +51,8 @@ namespace FastPoints.Tests.Store
             internal ref PackedRange Range(int node, int plane) => ref View.Ranges[node * PlaneCount + plane];
         }
 
-        // Page 0: the root; node 1 has three inlined leaves and, as node 2, a leaf; on node 8 hang two parts. Page 1: one of these.
+        // Page 0: the root; node 1 has three inlined leaves and a leaf, node 2 a leaf; on node 8 hang two parts. Page 1: one of
+        // them.
         [SetUp]
         public void Write()
         {
@@ -69,7 +70,8 @@ namespace FastPoints.Tests.Store
                     chunk.Add(i).Add(i);
                 root.Children[7].Below.Add(StoredHierarchy.Part(chunk.Cube, PlaneCount, chunk.Children.ToArray()));
             }
-            m_manifest = StoredHierarchy.Write(Folder.Path, StoredHierarchy.Part(StoredHierarchy.Root, PlaneCount, root), PlaneCount);
+            var part = StoredHierarchy.Part(StoredHierarchy.Root, PlaneCount, root);
+            m_manifest = StoredHierarchy.Write(Folder.Path, part, PlaneCount);
             m_bytes = File.ReadAllBytes(HierarchyPath);
             m_pages.Clear();
             using var folder = CloudFolder.Open(Folder.Path, m_manifest);
@@ -108,7 +110,7 @@ namespace FastPoints.Tests.Store
             });
             yield return Fault(TableFault.Link, 0, p => p.Link(1).AttachNode = 7, "node");
             yield return Fault(TableFault.Link, 0, p => p.Link(1).OffsetBytes = p.Link(1).LengthBytes = 0, "length");
-            yield return Fault(TableFault.Link, 0, p => p.Link(1).LengthBytes = StoreFormat.MaxPageBytesToRead, "longer than the file");
+            yield return Fault(TableFault.Link, 0, p => p.Link(1).LengthBytes = StoreFormat.MaxPageBytesToRead, "too long");
             yield return Fault(TableFault.Link, 0, p => p.Link(1).OffsetBytes += 1 << 20, "behind this page");
             yield return Fault(TableFault.Link, 0, p => p.Link(1).OffsetBytes = 0, "in the header");
             yield return Fault(TableFault.Link, 0, p => p.Link(1).Container = 1, "container");
@@ -149,7 +151,7 @@ namespace FastPoints.Tests.Store
             yield return Fault(TableFault.Children, 1, p => p.Node(2).FirstChild++);
             yield return Fault(TableFault.Children, 1, p => p.Node(2).ChildCount = 7, "count");
             yield return Fault(TableFault.PointCount, 1, p => p.Node(2).PointCount = 0);
-            yield return Fault(TableFault.PointCount, 1, p => p.Node(2).PointCount = StoreFormat.MaxPointsPerNode + 1, "too many");
+            yield return Fault(TableFault.PointCount, 1, p => p.Node(2).PointCount = StoreFormat.MaxPointsPerNode + 1, "many");
             yield return Fault(TableFault.BlockCount, 1, p => p.Node(2).BlockCount++);
             yield return Fault(TableFault.Bounds, 1, p => (p.Node(2).MinY, p.Node(2).MaxY) = (1, 0));
             yield return Fault(TableFault.InlinedLeaf, 0, p => p.Node(10).PlaneBlocks = 1);
@@ -222,7 +224,7 @@ namespace FastPoints.Tests.Store
         [TestCase("rootBytes", "1", "rootOffset"), TestCase("rootBytes", "67108864", "rootOffset")]
         [TestCase("rootOffset", "96", "rootOffset"), TestCase("rootOffset", "9223372036854775807", "rootOffset")]
         [TestCase("bytes", "1", "rootOffset"), TestCase("bytes", "9223372036854775807", "rootOffset")]
-        [TestCase("nodes", "1000", "bytes"), TestCase("nodes", "9223372036854775807", "bytes")]
+        [TestCase("nodes", "1000", "nodes"), TestCase("nodes", "9223372036854775807", "nodes")]
         [TestCase("points", "9223372036854775807", "wanted 9223372036854775807 points")]
         public void Open_ManifestThatClaimsOtherSizes_IsRefused(string name, string value, string named)
         {
@@ -283,8 +285,8 @@ namespace FastPoints.Tests.Store
             using var bytes = new NativeArray<byte>(m_bytes.Skip((int)link.OffsetBytes).Take(link.LengthBytes).ToArray(),
                 Allocator.Temp);
             using var shapes = m_manifest.CreateLayout().CreateShapes(Allocator.Temp);
-            return new TableCheck(bytes, link, new HierarchyGrid(m_manifest), (PlaneShape*)shapes.GetUnsafeReadOnlyPtr(), PlaneCount)
-                .FindProblem().Fault;
+            var first = (PlaneShape*)shapes.GetUnsafeReadOnlyPtr();
+            return new TableCheck(bytes, link, new HierarchyGrid(m_manifest), first, PlaneCount).FindProblem().Fault;
         }
 
         // As a stream does: builds what it streams of each page, too.

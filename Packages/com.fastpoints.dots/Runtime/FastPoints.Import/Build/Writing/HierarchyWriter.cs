@@ -7,8 +7,8 @@ using Unity.Collections.LowLevel.Unsafe;
 
 namespace FastPoints.Build
 {
-    /// <summary>Nodes that were made together: those of a chunk, or of upper levels above some chunks or other parts. The top node
-    /// of a part belongs to the part above; the root's has none above.</summary>
+    /// <summary>Nodes that were made together: those of a chunk, or of upper levels above some chunks or other parts. The top
+    /// node of a part belongs to the part above; the root's has none above.</summary>
     internal sealed class HierarchyPart
     {
         public GridCube Cube;
@@ -42,8 +42,8 @@ namespace FastPoints.Build
         }
     }
 
-    /// <summary>Cuts the nodes of a cloud into pages, and writes them to one file: the pages of what hangs on the same part one after
-    /// the other, so that one read gets many, each page after those that it links to.</summary>
+    /// <summary>Cuts the nodes of a cloud into pages, and writes them to one file: the pages of what hangs on the same part one
+    /// after the other, so that one read gets many, each page after those that it links to.</summary>
     internal sealed unsafe class HierarchyWriter : IDisposable
     {
         const int BytesPerPiece = 4 << 20;
@@ -151,8 +151,8 @@ namespace FastPoints.Build
         }
     }
 
-    /// <summary>How the nodes of a part are cut into pages. A node's children are all in its page, or only the inlined leaves among
-    /// them: the others are in pages below.</summary>
+    /// <summary>How the nodes of a part are cut into pages. A node's children are all in its page, or only the inlined leaves
+    /// among them: the others are in pages below.</summary>
     sealed unsafe class PartPages
     {
         public struct Page
