@@ -104,7 +104,8 @@ namespace FastPoints.Tests.Build
             Assert.That(math.all(origin == 0));
             Assert.That(CountIn(root), Is.EqualTo(positions.Length));
             int page = 0, largest = 0;
-            var chunks = folder.LoadAll().Select(_ => folder.ContainerOf(page++)).Where(c => c.Kind == ContainerKind.Chunk).ToList();
+            var chunks = folder.LoadAll().Select(_ => folder.ContainerOf(page++))
+                .Where(c => c.Kind == ContainerKind.Chunk).ToList();
             Assert.That(chunks.Count, Is.GreaterThan(30));
             foreach (var chunk in chunks)
             {

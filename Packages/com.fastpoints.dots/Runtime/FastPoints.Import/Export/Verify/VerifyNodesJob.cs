@@ -58,7 +58,8 @@ namespace FastPoints.Export
         PlaneView ViewOf(int planeNode, int plane)
         {
             var node = Nodes[planeNode];
-            return new PlaneView((byte*)File.GetUnsafeReadOnlyPtr() - FileOffset + Planes[planeNode * PlaneCount + plane].OffsetBytes,
+            var range = Planes[planeNode * PlaneCount + plane];
+            return new PlaneView((byte*)File.GetUnsafeReadOnlyPtr() - FileOffset + range.OffsetBytes,
                 ShapeOf(plane, node.IsWide), node.PlaneBlocks);
         }
 
