@@ -121,18 +121,18 @@ namespace FastPoints.Evaluation
             var ranges = new SortedDictionary<(int Level, bool IsTop, int SampledWith), List<NodeRange>>();
             int at = 0;
             foreach (int page in nodes.Pages)
-            foreach (int n in nodes.NodesOf(page))
-            {
-                container = m_folder.ContainerOf(page);
-                var node = nodes.TableOf(page).Nodes[n];
-                var key = (m_folder.Manifest.Root.SideLog2 - node.SideLog2, (node.Flags & NodeRecord.IsTop) != 0,
-                    node.SampledWith);
-                if (!ranges.TryGetValue(key, out var ofGroup))
-                    ranges.Add(key, ofGroup = new List<NodeRange>());
-                double spacing = math.cmin(m_folder.Manifest.Grid.Step) * math.pow(2.0, node.CellLog2);
-                ofGroup.Add(new NodeRange { First = at, Count = node.PointCount, Spacing = spacing });
-                at += node.PointCount;
-            }
+                foreach (int n in nodes.NodesOf(page))
+                {
+                    container = m_folder.ContainerOf(page);
+                    var node = nodes.TableOf(page).Nodes[n];
+                    var key = (m_folder.Manifest.Root.SideLog2 - node.SideLog2, (node.Flags & NodeRecord.IsTop) != 0,
+                        node.SampledWith);
+                    if (!ranges.TryGetValue(key, out var ofGroup))
+                        ranges.Add(key, ofGroup = new List<NodeRange>());
+                    double spacing = math.cmin(m_folder.Manifest.Grid.Step) * math.pow(2.0, node.CellLog2);
+                    ofGroup.Add(new NodeRange { First = at, Count = node.PointCount, Spacing = spacing });
+                    at += node.PointCount;
+                }
             var groups = new List<SampledGroup>();
             var all = new List<NodeRange>();
             foreach (var (key, ofGroup) in ranges)

@@ -24,16 +24,17 @@ namespace FastPoints.Store
         CheckedPlanes(ulong rootHash) => m_rootHash = rootHash;
 
         // Any thread: a plane checked later was written before this call or has changed the file's time.
-        public static CheckedPlanes Of(CloudFolder folder)
+        // Planes of a null folder are not remembered.
+        public static CheckedPlanes Of(ulong rootHash, string folder)
         {
-            var now = new CheckedPlanes(folder.Manifest.RootHash);
-            if (folder.IsUnfinished)
+            var now = new CheckedPlanes(rootHash);
+            if (folder == null)
                 return now;
             lock (s_opened)
             {
-                if (s_opened.TryGetValue(folder.FolderPath, out var before) && before.m_rootHash == now.m_rootHash)
+                if (s_opened.TryGetValue(folder, out var before) && before.m_rootHash == now.m_rootHash)
                     now.KeepUnchanged(before);
-                s_opened[folder.FolderPath] = now;
+                s_opened[folder] = now;
             }
             return now;
         }

@@ -139,7 +139,7 @@ namespace FastPoints.Store
             var folder = Open(path, CloudManifest.FromJson(StoreFile.ReadText(manifestPath), manifestPath));
             // What comes from elsewhere is hashed each time.
             if (!folder.m_isRemote)
-                folder.Checked = CheckedPlanes.Of(folder);
+                folder.Checked = CheckedPlanes.Of(folder.Manifest.RootHash, folder.IsUnfinished ? null : path);
             return folder;
         }
 

@@ -99,24 +99,4 @@ namespace FastPoints.Store
         NativeArray<T> Part<T>(long offset, long bytes) where T : unmanaged =>
             m_bytes.GetSubArray((int)offset, (int)bytes).Reinterpret<T>(1);
     }
-
-    // Where the parts of a page's bytes are.
-    internal unsafe struct PageView
-    {
-        [NativeDisableUnsafePtrRestriction] public byte* Bytes;
-
-        public static PageView Of(NativeArray<byte> bytes) => new PageView { Bytes = (byte*)bytes.GetUnsafeReadOnlyPtr() };
-
-        public readonly PageHeader Header => *(PageHeader*)Bytes;
-        public readonly int NodeCount => ((PageHeader*)Bytes)->NodeCount;
-        public readonly NodeRecord* Nodes => (NodeRecord*)(Bytes + Header.NodesOffset);
-        public readonly PackedRange* Ranges => (PackedRange*)(Bytes + Header.RangesOffset);
-        public readonly PageLink* Links => (PageLink*)(Bytes + Header.LinksOffset);
-        public readonly ContainerRecord* Containers => (ContainerRecord*)(Bytes + Header.ContainersOffset);
-
-        // By plane: the number of the container that all its nodes have it in.
-        public readonly int* ContainerOfPlane => (int*)(Bytes + Header.PlanesOffset);
-
-        public readonly PlaneRange RangeOf(int node, int plane) => Ranges[(long)node * Header.PlaneCount + plane].Range;
-    }
 }

@@ -43,7 +43,7 @@ namespace FastPoints.Tests.Store
             PointCount = (int)(Points >> (2 * m_chunkLevel)),
         });
 
-        [TestCase(7), TestCase(9, Category = "Long", Explicit = true)]
+        [TestCase(7)]
         public void Choose_OverviewOfATrillionPoints_ReadsFewPages(int chunkLevel)
         {
             m_chunkLevel = chunkLevel;

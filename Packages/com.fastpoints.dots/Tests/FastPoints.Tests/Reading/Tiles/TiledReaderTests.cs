@@ -328,7 +328,7 @@ namespace FastPoints.Tests.Reading
             Assert.That(summarise.Summary.Bounds.Max.x, Is.EqualTo(500002.5));
         }
 
-        [TestCase(200), TestCase(10_000, Category = "Long", Explicit = true)]
+        [TestCase(200)]
         public void Convert_ManyFiles_OpensWithoutTheirNames(int files)
         {
             var bytes = File.ReadAllBytes(WriteLas("00000.las", Positions(3, 1), new double3(0.01, 0.01, 0.01), default));
