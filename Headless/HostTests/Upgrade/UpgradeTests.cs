@@ -100,18 +100,18 @@ public sealed class UpgradeTests : ScratchPerTest
     [Test]
     public void Upgrade_Killed_LeavesOneOrTheOther()
     {
-        var watch = Stopwatch.StartNew();
-        using (var whole = Start(Scratch["first.fastpoints"]))
-            whole.WaitForExit();
-        double ms = watch.Elapsed.TotalMilliseconds;
         var old = FilesOf(m_cloud).ToDictionary(f => f, File.ReadAllBytes);
         var random = new System.Random(1);
         int kept = 0;
         for (int i = 0; i < 6; i++)
         {
-            using var process = Start(null);
-            if (!process.WaitForExit((int)(ms * (0.5 + 0.4 * random.NextDouble()))))
-                process.Kill();
+            using var process = Start();
+            // The first at once when it has begun to write, the others a little later.
+            while (!process.HasExited && !Directory.Exists(m_cloud + ".part"))
+                Thread.Yield();
+            for (var watch = Stopwatch.StartNew(); i > 0 && watch.Elapsed.TotalMilliseconds < 30 * random.NextDouble();)
+                Thread.Yield();
+            process.Kill();
             process.WaitForExit();
             if (!File.Exists(Path.Combine(m_cloud, "upper.bin")))
                 break;
@@ -221,17 +221,11 @@ public sealed class UpgradeTests : ScratchPerTest
         Assert.That(call.Output, Does.Contain("400 points, all there, the same as in the source"));
     }
 
-    Process Start(string output)
+    Process Start() => Process.Start(new ProcessStartInfo(Path.Combine(AppContext.BaseDirectory, "FastPoints.Cli"),
+        ["upgrade", m_cloud, "--quiet"])
     {
-        var start = new ProcessStartInfo(Path.Combine(AppContext.BaseDirectory, "FastPoints.Cli"),
-            ["upgrade", m_cloud, "--quiet"])
-        {
-            RedirectStandardOutput = true,
-        };
-        if (output != null)
-            Array.ForEach(["-o", output], start.ArgumentList.Add);
-        return Process.Start(start);
-    }
+        RedirectStandardOutput = true,
+    });
 
     /// <summary>Gives a node that has children, and all below it, a number of their own.</summary>
     static unsafe void SampleApart(string file)
