@@ -43,6 +43,7 @@ public sealed class RemoteCloudTests : ScratchTests
     [TearDown]
     public void EndServing()
     {
+        CloudFolder.TailBytes = 1 << 18;
         m_server.Dispose();
         RemoteAccess.CacheBytes = m_cacheBytes;
         HttpFile.Forget();
@@ -147,9 +148,10 @@ public sealed class RemoteCloudTests : ScratchTests
         Assert.That(failure.ToString(), Does.Not.Contain("secret"));
     }
 
-    [Test]
-    public void LoadPage_OfAnAddress_IsThatOfTheDiskByFewRequests()
+    [TestCase(0), TestCase(1 << 12), TestCase(1 << 18)]
+    public void LoadPage_OfAnAddress_IsThatOfTheDiskByFewRequests(int tailBytes)
     {
+        CloudFolder.TailBytes = tailBytes;
         using var folder = CloudFolder.Open(Address);
         using var local = CloudFolder.Open(m_cloud);
         m_server.ResetCounts();
@@ -162,6 +164,7 @@ public sealed class RemoteCloudTests : ScratchTests
             Assert.That(table.Planes.ToArray(), Is.EqualTo(wanted.Planes.ToArray()));
         }
         Assert.That(m_server.Requests.Count, Is.LessThan(folder.PageCount / 2));
+        Assert.That(m_server.Requests.Count, tailBytes == 1 << 18 ? Is.Zero : Is.Positive, "all come with the root's");
     }
 
     [Test]
@@ -197,6 +200,7 @@ public sealed class RemoteCloudTests : ScratchTests
     public void Run_TowardsACloud_FetchesTablesBeforeItsChunksAreSelected()
     {
         m_server.LatencyMs = 40;
+        CloudFolder.TailBytes = 0;
         using var stream = Stream();
         stream.Settings.Selection.MinScreenErrorPx = 0.1f;
         stream.FrameSeconds = 1 / 60f;

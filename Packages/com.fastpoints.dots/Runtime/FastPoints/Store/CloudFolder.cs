@@ -13,6 +13,9 @@ namespace FastPoints.Store
         // What is begun for callers that load page by page.
         const int MaxPagesInFlight = 32;
 
+        // The uppermost pages end the hierarchy: of a web server they come with the root's, in one request.
+        internal static int TailBytes = 1 << 18;
+
         const int Unknown = -1;
 
         readonly List<Page> m_pages = new List<Page>();
@@ -20,6 +23,7 @@ namespace FastPoints.Store
         readonly Dictionary<string, int> m_containerOfPath = new Dictionary<string, int>();
         readonly Dictionary<int, RemoteRead> m_fetched = new Dictionary<int, RemoteRead>(); // By page.
         readonly bool m_isRemote;
+        NativeArray<byte> m_tail; // The end of the hierarchy's file, if it is on a web server.
 
         struct Page
         {
@@ -153,6 +157,8 @@ namespace FastPoints.Store
             var folder = new CloudFolder(path, manifest);
             try
             {
+                if (folder.m_isRemote)
+                    folder.ReadTail();
                 folder.Root = folder.LoadPage(0);
                 return folder;
             }
@@ -170,6 +176,15 @@ namespace FastPoints.Store
             foreach (var fetched in m_fetched.Values)
                 fetched.Dispose();
             m_fetched.Clear();
+            DropTail();
+        }
+
+        // What is read of the file from now on is asked for again.
+        internal void DropTail()
+        {
+            if (m_tail.IsCreated)
+                m_tail.Dispose();
+            m_tail = default;
         }
 
         /// <summary>The nodes of one page, other than the first; the caller disposes the table. The pages below get their
@@ -211,7 +226,7 @@ namespace FastPoints.Store
         // Whether LoadPage does not wait for a web server. Begins to fetch the page if not.
         internal bool IsFetched(int page)
         {
-            if (!m_isRemote)
+            if (!m_isRemote || IsInTail(page))
                 return true;
             if (!m_fetched.TryGetValue(page, out var fetched))
                 m_fetched.Add(page, fetched = RemoteOfTable(page).Begin(m_pages[page].Link.OffsetBytes,
@@ -278,14 +293,38 @@ namespace FastPoints.Store
             return container.Remote;
         }
 
+        void ReadTail()
+        {
+            long bytes = Math.Max(Manifest.RootBytes, Math.Min(TailBytes, Manifest.HierarchyBytes));
+            m_tail = StoreFile.Read(RemoteOfTable(0), Manifest.HierarchyBytes - bytes, bytes, Allocator.Persistent);
+        }
+
+        bool IsInTail(int page) => m_tail.IsCreated && m_pages[page].Table == 0 &&
+            m_pages[page].Link.OffsetBytes >= Manifest.HierarchyBytes - m_tail.Length;
+
+        // A page that came with the root's. The memory has room for it.
+        internal bool TryCopyPage(int page, NativeArray<byte> to)
+        {
+            if (!IsInTail(page))
+                return false;
+            var link = m_pages[page].Link;
+            long from = link.OffsetBytes - (Manifest.HierarchyBytes - m_tail.Length);
+            NativeArray<byte>.Copy(m_tail, (int)from, to, 0, link.LengthBytes);
+            return true;
+        }
+
         unsafe NativeArray<byte> Fetched(int page)
         {
             IsFetched(page);
-            using var fetched = m_fetched[page];
+            m_fetched.TryGetValue(page, out var fetched);
             m_fetched.Remove(page);
-            fetched.Await();
-            var bytes = new NativeArray<byte>((int)fetched.Bytes, Allocator.Persistent);
-            UnsafeUtility.MemCpy(bytes.GetUnsafePtr(), fetched.Data, bytes.Length);
+            using var read = fetched;
+            read?.Await();
+            var bytes = new NativeArray<byte>(LinkOf(page).LengthBytes, Allocator.Persistent);
+            if (read == null)
+                TryCopyPage(page, bytes);
+            else
+                UnsafeUtility.MemCpy(bytes.GetUnsafePtr(), read.Data, bytes.Length);
             return bytes;
         }
 

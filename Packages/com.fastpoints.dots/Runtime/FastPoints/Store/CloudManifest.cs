@@ -162,6 +162,10 @@ namespace FastPoints.Store
                     .Add("intensityMin", shown.Intensity.Min).Add("intensityMax", shown.Intensity.Max)
                     .Add("color", shown.HasColor).Add("classes", shown.AreClassesSet).EndObject();
             }
+            json.BeginArray("planes");
+            foreach (var plane in CreateLayout().Planes)
+                json.BeginObject().Add("name", plane.Name).Add("kind", KindOf(plane)).EndObject();
+            json.EndArray();
             Write(json.BeginObject("crs"), Crs);
             if (GpsTime.Kind != GpsTimeKind.Unknown)
                 json.BeginObject("gpsTime").Add("kind", GpsTime.Kind.ToString()).Add("offsetMegaseconds",
@@ -230,6 +234,8 @@ namespace FastPoints.Store
             if (json.Has("shown"))
                 result.Shown = ReadShown(json.Object("shown"));
             result.ReadProvenance(json);
+            if (json.Has("planes"))
+                result.CheckPlanes(json);
             return result;
         }
 
@@ -277,6 +283,22 @@ namespace FastPoints.Store
                 Ranges[i] = new Range { Min = attribute.Double("min"), Max = attribute.Double("max") };
             }
             Attributes = new PointSchema(schema);
+        }
+
+        static string KindOf(StoreLayout.Plane plane) => plane.AverageOf < 0 ? "source" : "average";
+
+        // Kinds that are computed later come behind these.
+        void CheckPlanes(JsonMembers json)
+        {
+            var planes = json.Objects("planes");
+            var known = CreateLayout().Planes;
+            for (int p = 0; p < Math.Max(known.Count, planes.Count); p++)
+            {
+                string got = p < planes.Count ? planes[p].Text("kind") + " " + planes[p].Text("name") : "none";
+                string wanted = p < known.Count ? KindOf(known[p]) + " " + known[p].Name : "none";
+                if (got != wanted)
+                    throw json.Wrong("planes", "wanted plane " + p + " to be " + wanted + ", got " + got);
+            }
         }
 
         static StoredDisplayRanges ReadShown(JsonMembers shown) => new StoredDisplayRanges

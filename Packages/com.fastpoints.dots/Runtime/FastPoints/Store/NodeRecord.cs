@@ -166,9 +166,6 @@ namespace FastPoints.Store
             get => new GridCube(Corner, SideLog2);
             set => (Corner, SideLog2) = (value.Corner, value.SideLog2);
         }
-
-        internal bool IsSameFileAs(in ContainerRecord other) => Corner == other.Corner && SideLog2 == other.SideLog2 &&
-            Part == other.Part && Kind == other.Kind && Layer == other.Layer;
     }
 
     internal enum ContainerKind : ushort

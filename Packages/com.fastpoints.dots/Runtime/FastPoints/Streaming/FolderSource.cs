@@ -89,6 +89,7 @@ namespace FastPoints.Streaming
         {
             if (page < m_checked.Count && m_checked[page] != null)
                 Array.Clear(m_checked[page], 0, m_checked[page].Length);
+            m_folder.DropTail();
             RemoteOfTable(page)?.DropCached();
             RemoteOf(page)?.DropCached();
             Doubt();
@@ -106,6 +107,8 @@ namespace FastPoints.Streaming
         internal Action Doubted { get; set; }
 
         internal override FilePiece TableOf(int page) => m_folder.TableOf(page);
+
+        internal override bool TryCopyTable(int page, NativeArray<byte> to) => m_folder.TryCopyPage(page, to);
 
         public override JobHandle ScheduleBuild(int page, NativeArray<byte> table, NativeReference<HierarchyPage> built,
             NativeReference<TableProblem> problem) => JobFor(page, table, built, problem).Schedule();

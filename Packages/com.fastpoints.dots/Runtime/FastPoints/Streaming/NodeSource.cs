@@ -48,6 +48,9 @@ namespace FastPoints.Streaming
 
         internal abstract FilePiece TableOf(int page);
 
+        // The bytes of a page, if they are in memory.
+        internal virtual bool TryCopyTable(int page, NativeArray<byte> to) => false;
+
         /// <summary>Checks the bytes read and builds a page from them.</summary>
         public abstract JobHandle ScheduleBuild(int page, NativeArray<byte> table, NativeReference<HierarchyPage> built,
             NativeReference<TableProblem> problem);

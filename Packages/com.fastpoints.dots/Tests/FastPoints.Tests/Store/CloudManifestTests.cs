@@ -96,6 +96,7 @@ namespace FastPoints.Tests.Store
         [TestCase("\"intensityMin\"", "\"intensity\"", "\"intensityMin\"")]
         [TestCase("\"version\": 3", "\"version\": 4", "version")]
         [TestCase("\"rootBytes\": 65536", "\"rootBytes\": 4294967296", "\"rootBytes\"")]
+        [TestCase("\"kind\": \"source\"", "\"kind\": \"normal\"", "0 to be source position, got normal")]
         [TestCase("\"format\": \"fastpoints\"", "\"format\": \"potree\"", "\"format\"")]
         [TestCase("{", "[", "character")]
         public void FromJson_InvalidMember_NamesIt(string good, string bad, string named)

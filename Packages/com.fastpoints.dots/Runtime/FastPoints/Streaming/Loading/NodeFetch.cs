@@ -57,8 +57,14 @@ namespace FastPoints.Streaming
                 return;
             }
             var piece = cloud.Source.TableOf(page);
+            Reserve(piece.LengthBytes);
+            if (cloud.Source.TryCopyTable(page, m_bytes))
+            {
+                Build();
+                return;
+            }
             m_commands.Add(new ReadCommand { Offset = piece.OffsetBytes, Size = piece.LengthBytes });
-            Read(piece.Path, piece.LengthBytes, rank);
+            Read(piece.Path, rank);
         }
 
         // Begins an empty read: Add some nodes, then call ReadNodes.
@@ -119,7 +125,8 @@ namespace FastPoints.Streaming
                 }
                 m_offsets[part.Node * Cloud.Source.Planes.Length + part.Plane] = total - part.LengthBytes;
             }
-            Read(Cloud.Source.PathOf(Page), total, rank);
+            Reserve(total);
+            Read(Cloud.Source.PathOf(Page), rank);
         }
 
         // The read continues until it reports its end.
@@ -317,7 +324,7 @@ namespace FastPoints.Streaming
             m_nodes.Clear();
         }
 
-        void Read(string path, long bytes, int rank)
+        void Reserve(long bytes)
         {
             if (!m_bytes.IsCreated || m_bytes.Length < bytes)
             {
@@ -327,6 +334,10 @@ namespace FastPoints.Streaming
                     NativeArrayOptions.UninitializedMemory);
             }
             m_readBytes = bytes;
+        }
+
+        void Read(string path, int rank)
+        {
             byte* to = (byte*)m_bytes.GetUnsafePtr();
             for (int i = 0; i < m_commands.Length; i++)
             {
