@@ -331,7 +331,7 @@ public sealed class RemoteCloudTests : ScratchTests
             Add(stream, Source(path));
             Settle(stream);
             // Files are closed meanwhile.
-            for (uint i = 0; i < 2 * StreamFiles.FramesToClose; i++)
+            for (uint i = 0; i < 2 * stream.Files.FramesToClose; i++)
                 FrameStep.Run(stream, views);
             long before = GC.GetAllocatedBytesForCurrentThread();
             for (int i = 0; i < 50; i++)

@@ -10,7 +10,7 @@ namespace FastPoints.Streaming
     internal sealed unsafe class StreamFiles : IOpenFiles, IDisposable
     {
         internal int MaxOpenFiles = 64;
-        internal const uint FramesToClose = 30;
+        internal uint FramesToClose = 30;
 
         readonly List<OpenedFile> m_kept = new List<OpenedFile>(64);
         JobHandle m_uncachedReads; // Reads of files that are not kept open.
