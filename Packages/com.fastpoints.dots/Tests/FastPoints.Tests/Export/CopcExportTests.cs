@@ -149,7 +149,8 @@ namespace FastPoints.Tests.Export
                 var format = LazFormat.Read(las);
                 Assert.That((format.Compressor, format.ChunkPoints), Is.EqualTo((LazCompressor.LayeredChunked, uint.MaxValue)));
                 var chunks = LazChunkTable.Read(file, format, las.Info, las.Header.PointsOffset).Chunks;
-                Assert.That(Enumerable.Range(0, chunks.Count).Select(c => (chunks[c].Offset, chunks[c].Bytes, chunks[c].Points)),
+                Assert.That(Enumerable.Range(0, chunks.Count).Select(c =>
+                    (chunks[c].Offset, chunks[c].Bytes, (int)chunks[c].Points)),
                     Is.EqualTo(nodes.Values.Where(n => n.Points > 0).OrderBy(n => n.Offset)
                         .Select(n => (n.Offset, (long)n.Bytes, n.Points))));
             }
