@@ -173,7 +173,7 @@ sealed class RemoteFaultTests : RemoteFixture
         StartAnew();
         int Descriptors() => Directory.Exists("/proc/self/fd") ? Directory.GetFileSystemEntries("/proc/self/fd").Length : 0;
         int least = Descriptors();
-        for (var watch = Stopwatch.StartNew(); least > enough && watch.ElapsedMilliseconds < 2000; Thread.Sleep(100))
+        for (var watch = Stopwatch.StartNew(); least > enough && watch.ElapsedMilliseconds < 2000;)
         {
             GC.Collect();
             GC.WaitForPendingFinalizers();
