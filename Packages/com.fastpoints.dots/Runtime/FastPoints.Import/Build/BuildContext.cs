@@ -38,6 +38,28 @@ namespace FastPoints.Build
             Slices = new SliceTimes(Allocator.Persistent);
         }
 
+        /// <summary>The same for a part of a cloud, whose grid and chunks are planned; no readers where its points are in
+        /// files.</summary>
+        public BuildContext(BuildPart part, IReadOnlyList<PointReader> readers, string target, ConvertSettings settings,
+            StageProgress progress)
+        {
+            Readers = readers;
+            Settings = settings;
+            Progress = progress;
+            Target = target;
+            Attributes = part.Attributes;
+            Folder = new CloudFolderWriter(target);
+            Slices = new SliceTimes(Allocator.Persistent);
+            CloudId = part.CloudId;
+            Grid = new GridChoice { Grid = part.Grid, Records = part.Records, Sources = new SourceGrid[readers.Count] };
+            for (int i = 0; i < readers.Count; i++)
+            {
+                Grid.Sources[i] = GridChoice.OnGrid(readers[i].Info, part.Grid);
+                Points += readers[i].PointCount;
+            }
+            Allot(MemoryPlan.For(Points, Records.StrideBytes, settings, part));
+        }
+
         public long Points { get; private set; }
         public GridChoice Grid { get; private set; }
         public RecordLayout Records => Grid.Records;
@@ -85,13 +107,17 @@ namespace FastPoints.Build
                 Points += reader.PointCount;
             }
             Grid = GridChoice.Choose(infos, samples, Attributes.BytesPerPoint, Settings.HasCubes);
-            int stride = Records.StrideBytes;
-            Plan = MemoryPlan.For(Points, stride, Settings);
+            Allot(MemoryPlan.For(Points, Records.StrideBytes, Settings));
+        }
+
+        void Allot(MemoryPlan plan)
+        {
+            Plan = plan;
             if (Settings.ProcessBytes > 0 && Plan.IsStored && Plan.MinMemoryBytes > Settings.MemoryBytes)
                 throw PointCloudException.Wanted(FailureCode.Unsupported, Target, -1, "memory for a chunk of this cloud",
                     "at least " + ((Settings.ProcessBytes + Plan.MinMemoryBytes >> 20) + 1) + "MiB",
                     (Settings.ProcessBytes + Settings.MemoryBytes >> 20) + "MiB");
-            Pool = new NativeReference<RecordPagePool>(new RecordPagePool(stride, Points / RecordPages.RecordsPerPage),
+            Pool = new NativeReference<RecordPagePool>(new RecordPagePool(Records.StrideBytes, Points / RecordPages.RecordsPerPage),
                 Allocator.Persistent);
             if (Plan.IsStored)
                 UseFiles();

@@ -84,9 +84,10 @@ namespace FastPoints.Build
         public static long ReadBytesOf(ConvertSettings settings) =>
             Math.Min(SourceScan.MaxSlotBytes, settings.MemoryBytes / 4);
 
-        public static MemoryPlan For(long points, int strideBytes, ConvertSettings settings)
+        /// <param name="part">Has the points of a chunk, if there is a plan for several builds.</param>
+        public static MemoryPlan For(long points, int strideBytes, ConvertSettings settings, BuildPart part = null)
         {
-            long pointsPerChunk = settings.PointsPerChunk, memoryBytes = settings.MemoryBytes;
+            long pointsPerChunk = part?.PointsPerChunk ?? settings.PointsPerChunk, memoryBytes = settings.MemoryBytes;
             long pageBytes = RecordPages.PageBytes(strideBytes);
             var plan = new MemoryPlan
             {
