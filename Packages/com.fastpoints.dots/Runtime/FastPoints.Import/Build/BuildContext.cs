@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Globalization;
 using FastPoints.Nodes;
 using FastPoints.Reading;
 using FastPoints.Sampling;
@@ -26,6 +27,7 @@ namespace FastPoints.Build
 
         public readonly SliceTimes Slices;
 
+        /// <param name="target">Null where nothing is written.</param>
         /// <exception cref="PointCloudException">The sources' attributes differ, or the target cannot be written.</exception>
         public BuildContext(IReadOnlyList<PointReader> readers, string target, ConvertSettings settings, StageProgress progress)
         {
@@ -34,15 +36,17 @@ namespace FastPoints.Build
             Progress = progress;
             Target = target;
             Attributes = AttributeChoice.Of(readers, settings.Attributes);
-            Folder = new CloudFolderWriter(target);
+            Folder = target == null ? null : new CloudFolderWriter(target);
             Slices = new SliceTimes(Allocator.Persistent);
         }
 
-        /// <summary>The same for a part of a cloud, whose grid and chunks are planned; no readers where its points are in
-        /// files.</summary>
-        public BuildContext(BuildPart part, IReadOnlyList<PointReader> readers, string target, ConvertSettings settings,
-            StageProgress progress)
+        /// <summary>The same for a part of a cloud, whose grid and chunks are planned.</summary>
+        /// <param name="readers">None where its points are in files.</param>
+        /// <param name="points">At most; without the readers'.</param>
+        public BuildContext(BuildPart part, IReadOnlyList<PointReader> readers, long points, string target,
+            ConvertSettings settings, StageProgress progress)
         {
+            Part = part;
             Readers = readers;
             Settings = settings;
             Progress = progress;
@@ -55,10 +59,17 @@ namespace FastPoints.Build
             for (int i = 0; i < readers.Count; i++)
             {
                 Grid.Sources[i] = GridChoice.OnGrid(readers[i].Info, part.Grid);
-                Points += readers[i].PointCount;
+                points += readers[i].PointCount;
             }
+            Points = points;
             Allot(MemoryPlan.For(Points, Records.StrideBytes, settings, part));
         }
+
+        /// <summary>Null for a whole cloud.</summary>
+        public BuildPart Part { get; }
+
+        /// <summary>Of a part that is read from sources.</summary>
+        public PartSelection Selection { get; set; }
 
         public long Points { get; private set; }
         public GridChoice Grid { get; private set; }
@@ -137,6 +148,16 @@ namespace FastPoints.Build
             return Files != null;
         }
 
+        /// <exception cref="PointCloudException">The disk has no room for points that do not fit into memory.</exception>
+        public void RequireRoom(long points)
+        {
+            long needed = points * Records.StrideBytes, free = Folder.FreeBytes();
+            if (Files != null && free >= 0 && free < needed)
+                throw new PointCloudException(FailureCode.DiskFull, Target, -1, string.Format(CultureInfo.InvariantCulture,
+                    "the disk has too little room: wanted {0} bytes for the points that do not fit into memory, got {1}", needed,
+                    free));
+        }
+
         /// <summary>A file for each chunk of the first partition, and one for the points outside.</summary>
         public void AddFirstFiles()
         {
@@ -162,8 +183,8 @@ namespace FastPoints.Build
                 Pool = default;
             }
             if (Settings.KeepUnfinished)
-                Folder.Keep();
-            Folder.Dispose();
+                Folder?.Keep();
+            Folder?.Dispose();
         }
     }
 

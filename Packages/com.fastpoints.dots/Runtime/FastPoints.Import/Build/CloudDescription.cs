@@ -150,7 +150,7 @@ namespace FastPoints.Build
             for (int a = 0; a < attributes.Count; a++)
             {
                 var attribute = attributes[a];
-                manifest.Divisors[a] = attribute.Type == AttributeType.UInt16 ? DivisorOf(found[a]) : 1;
+                manifest.Divisors[a] = DivisorOf(found[a], attribute);
                 manifest.Ranges[a] = found[a].IsEmpty
                     ? new CloudManifest.Range { Min = double.NaN, Max = double.NaN }
                     : new CloudManifest.Range
@@ -161,12 +161,18 @@ namespace FastPoints.Build
             }
         }
 
-        /// <summary>The divisor, if 8-bit colours fill 16-bit fields in one of two ways: shifted up, or doubled.</summary>
-        static int DivisorOf(in AttributeStatistics found)
+        /// <summary>The divisor, if values of fewer bits fill 16-bit fields in one of two ways: doubled, or shifted up. Not for
+        /// numbers such as a flight line's: a plan knows divisors by a sample, and what divides all of its few numbers often does
+        /// not divide all.</summary>
+        public static int DivisorOf(in AttributeStatistics found, PointAttribute attribute)
         {
-            if (found.Or == 0)
+            if (attribute.Type != AttributeType.UInt16 || found.IsEmpty || found.Or == 0)
                 return 1;
-            return found.Modulo257Or == 0 ? 257 : 1 << math.tzcnt((uint)found.Or);
+            if (found.Modulo257Or == 0)
+                return 257;
+            int shift = math.tzcnt((uint)found.Or);
+            bool isAmount = attribute.Name == AttributeNames.Intensity || AttributeNames.IsColor(attribute.Name);
+            return isAmount || shift >= 8 ? 1 << shift : 1;
         }
 
         static double ValueOf(ulong ordered, AttributeType type)

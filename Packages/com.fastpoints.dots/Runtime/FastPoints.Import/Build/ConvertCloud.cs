@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using System.Globalization;
 using FastPoints.Drawing;
 using FastPoints.Las;
 using FastPoints.Nodes;
@@ -58,8 +57,25 @@ namespace FastPoints.Build
             }
             progress?.Begin(BuildStages.Finish);
             if (convert.m_octree?.Manifest.Points > 0)
-                yield return JobStep.Of(convert.MeasureDisplayRanges());
+                yield return JobStep.Of(MeasureDisplayRanges(convert.m_build.Folder.PathOf(""), convert.m_octree.Manifest));
             yield return JobStep.Of(convert.Finish(done));
+            progress?.End();
+        }
+
+        /// <summary>Coroutine: plans what <see cref="Run"/> would build. It reads headers and samples.</summary>
+        internal static IEnumerator<JobStep> Plan(IReadOnlyList<PointReader> readers, ConvertSettings settings,
+            Action<CloudPlan> take, StageProgress progress)
+        {
+            CloudDescription.Check(readers);
+            using var convert = new ConvertCloud(new BuildContext(readers, null, settings, progress));
+            var build = convert.m_build;
+            progress?.Begin(BuildStages.Sample);
+            yield return JobStep.Of(convert.ReadRecords());
+            yield return JobStep.Of(convert.Sample());
+            yield return JobStep.Of(convert.Partition());
+            using var values = new PlaceholderSample(build);
+            yield return JobStep.Of(values.Read());
+            take(CloudPlan.Of(build, values.Attributes, convert.m_records));
             progress?.End();
         }
 
@@ -137,14 +153,8 @@ namespace FastPoints.Build
             foreach (var reader in m_build.Readers)
                 sources.AddRange(CloudDescription.SourcesOf(reader));
             yield return JobStep.Of(m_build.Folder.WriteText(StoreFormat.SourcesName, StoredSources.ToJson(sources)));
-            if (m_build.Files == null || m_checkpoints.Journal.CurrentStage != BuildJournal.Stage.Read)
-                yield break;
-            long needed = (m_build.Points - m_scatter.Statistics.Count) * m_build.Records.StrideBytes;
-            long free = m_build.Folder.FreeBytes();
-            if (free >= 0 && free < needed)
-                throw new PointCloudException(FailureCode.DiskFull, m_build.Target, -1, string.Format(
-                    CultureInfo.InvariantCulture, "the disk has too little room: wanted {0} bytes for the points that do not fit "
-                    + "into memory, got {1}", needed, free));
+            if (m_checkpoints.Journal.CurrentStage == BuildJournal.Stage.Read)
+                m_build.RequireRoom(m_build.Points - m_scatter.Statistics.Count);
         }
 
         IEnumerator<JobStep> Read() => new ReadSources(m_build, m_scatter, m_checkpoints, m_generations).Run();
@@ -163,10 +173,10 @@ namespace FastPoints.Build
             }
         }
 
-        IEnumerator<JobStep> MeasureDisplayRanges()
+        /// <summary>Coroutine: measures what a manifest says of the values that are shown.</summary>
+        internal static IEnumerator<JobStep> MeasureDisplayRanges(string path, CloudManifest manifest)
         {
-            var manifest = m_octree.Manifest;
-            using var folder = CloudFolder.Open(m_build.Folder.PathOf(""), manifest);
+            using var folder = CloudFolder.Open(path, manifest);
             using var nodes = new ChosenNodes(folder);
             var ranges = new DisplayRanges();
             yield return JobStep.Of(LoadNodes.MeasureRanges(folder, nodes,
@@ -259,7 +269,8 @@ namespace FastPoints.Build
                 yield return JobStep.Of(m_chunks.SplitLarge(cells, target));
                 // The coroutine checks its budget.
                 yield return default;
-                journal.Root = RootCube.Shrink(journal.Root, found.Min, found.Max);
+                if (m_build.Part == null || m_build.Part.IsWhole)
+                    journal.Root = RootCube.Shrink(journal.Root, found.Min, found.Max);
                 m_chunks.MergeSmall(journal.Root, cells, target);
                 journal.CurrentStage = BuildJournal.Stage.Index;
                 yield return JobStep.Of(m_checkpoints.Write());
@@ -269,8 +280,8 @@ namespace FastPoints.Build
                 RecordPagePool.Of(m_build.Pool).FreeAll();
         }
 
-        /// <summary>Adds the partition's chunks. If there are points outside, the root grows until it contains
-        /// them.</summary>
+        /// <summary>Adds the partition's chunks. If there are points outside, the root grows until it contains them; a part sets
+        /// them aside.</summary>
         IEnumerator<JobStep> AddChunks()
         {
             var map = m_build.Map;
@@ -280,13 +291,21 @@ namespace FastPoints.Build
             int inside = m_chunks.Chunks.Count;
             AddChunk(map.Cube, lists, map.Outside);
             var cells = Cells();
-            if (m_chunks.Chunks.Count > inside)
-                yield return JobStep.Of(m_chunks.SplitOutside(cells, m_chunks.Chunks[inside]));
             m_checkpoints.Journal.Root = cells.Root;
+            if (m_build.Part != null)
+            {
+                m_checkpoints.Journal.Root = m_build.Part.RootOf(m_scatter.Statistics);
+                if (m_chunks.Chunks.Count > inside)
+                    yield return JobStep.Of(m_chunks.SetAside(m_chunks.Chunks[inside]));
+            }
+            else if (m_chunks.Chunks.Count > inside)
+            {
+                yield return JobStep.Of(m_chunks.SplitOutside(cells, m_chunks.Chunks[inside]));
+            }
         }
 
-        BaseCells Cells() => new BaseCells(m_build.Map,
-            RootCube.Grow(m_build.Map.Cube, m_scatter.Statistics.Min, m_scatter.Statistics.Max));
+        BaseCells Cells() => new BaseCells(m_build.Map, m_build.Part != null ? new GridCube[0]
+            : RootCube.Grow(m_build.Map.Cube, m_scatter.Statistics.Min, m_scatter.Statistics.Max));
 
         void AddChunk(GridCube cube, NativeArray<RecordPages> lists, int chunk)
         {

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using FastPoints.Nodes;
 using FastPoints.Reading;
 using FastPoints.Store;
@@ -32,6 +33,25 @@ namespace FastPoints.Build
 
         /// <summary>Whether there are no other parts.</summary>
         public bool IsWhole => Cube.Corner == Whole.Corner && Cube.SideLog2 == Whole.SideLog2;
+
+        /// <summary>A cube that holds all points of the cloud: the smallest one if the part knows all of them.</summary>
+        public GridCube RootOf(in PointStatistics found)
+        {
+            if (!IsWhole)
+                return Cube.Contains(Whole) ? Cube : Whole;
+            var grown = RootCube.Grow(Whole, found.Min, found.Max);
+            return grown.Length > 0 ? grown[grown.Length - 1] : Whole;
+        }
+
+        /// <exception cref="PointCloudException">A value is no multiple of what the plan's sample showed.</exception>
+        public void RequireDivisors(IReadOnlyList<AttributeStatistics> found, string path)
+        {
+            for (int a = 0; a < Attributes.Count; a++)
+                if (!found[a].IsEmpty && (Divisors[a] == 257 ? found[a].Modulo257Or != 0
+                    : (found[a].Or & (ulong)(Divisors[a] - 1)) != 0))
+                    throw new PointCloudException(FailureCode.BadInput, path, -1, "values of " + Attributes[a].Name +
+                        " are no multiples of " + Divisors[a] + ", as those of the plan's sample are: plan again with --divisors 1");
+        }
 
         /// <summary>What the nodes of all parts have in common; counts and ranges are not known.</summary>
         public CloudManifest ToManifest(Sampler sampler)

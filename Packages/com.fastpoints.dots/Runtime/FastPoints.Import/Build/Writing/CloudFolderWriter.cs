@@ -353,6 +353,9 @@ namespace FastPoints.Build
         /// <summary>Chunks' top nodes, which the merge of the upper levels consumes.</summary>
         public const string TopFolderName = "tops";
 
+        /// <summary>Of a part: points outside of the cloud's planned cube, as plain records.</summary>
+        public const string OutsideName = "part.outside";
+
         public static string RecordPath(int number) => PathOf(RecordFolderName, number);
 
         public static string TopPath(int number) => PathOf(TopFolderName, number);

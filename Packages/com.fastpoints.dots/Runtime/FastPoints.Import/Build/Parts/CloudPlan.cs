@@ -1,0 +1,45 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Nodes;
+
+namespace FastPoints.Build
+{
+    /// <summary>What headers and a sample decide of a cloud, before a point is built.</summary>
+    internal sealed class CloudPlan
+    {
+        /// <summary>Of the whole cloud, as if it were one part.</summary>
+        public BuildPart Whole { get; private set; }
+
+        /// <summary>Estimates, by base cell.</summary>
+        public double[] PointsOfCell { get; private set; }
+
+        /// <summary>See <see cref="Las.LasRecords"/>; null if the sources are not LAS files.</summary>
+        public byte[] LasRecords { get; private set; }
+
+        /// <param name="values">Of the sample, by attribute.</param>
+        public static CloudPlan Of(BuildContext build, AttributeStatistics[] values, byte[] lasRecords)
+        {
+            var divisors = new int[values.Length];
+            for (int a = 0; a < divisors.Length; a++)
+                divisors[a] = AttributeSummary.DivisorOf(values[a], build.Attributes[a]);
+            return new CloudPlan
+            {
+                Whole = new BuildPart
+                {
+                    CloudId = build.CloudId,
+                    Points = build.Points,
+                    PointsPerChunk = build.Plan.PointsPerChunk,
+                    Grid = build.Grid.Grid,
+                    Records = build.Records,
+                    Attributes = build.Attributes,
+                    Divisors = divisors,
+                    Whole = build.Map.Cube,
+                    Cube = build.Map.Cube,
+                    BaseCells = build.Map.BaseCells,
+                },
+                PointsOfCell = build.Map.PointsOfBaseCell,
+                LasRecords = lasRecords,
+            };
+        }
+    }
+}
