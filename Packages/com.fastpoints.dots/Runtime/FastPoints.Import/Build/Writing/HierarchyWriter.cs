@@ -151,6 +151,54 @@ namespace FastPoints.Build
         }
     }
 
+    /// <summary>The file of a cloud's pages.</summary>
+    internal static unsafe class HierarchyFile
+    {
+        /// <summary>Coroutine: writes it, and adds it to the manifest.</summary>
+        /// <param name="root">The part that all others hang on; its table is there.</param>
+        /// <param name="load">Coroutine: makes the table of a part that has none.</param>
+        public static IEnumerator<JobStep> Write(CloudFolderWriter folder, CloudManifest manifest, HierarchyPart root,
+            Func<HierarchyPart, IEnumerator<JobStep>> load)
+        {
+            string name = manifest.HierarchyName;
+            int planeCount = manifest.CreateLayout().Planes.Count;
+            IEnumerator<JobStep> WritePiece(NativeArray<byte> bytes, long offset) =>
+                CloudFolderWriter.Await(folder.WritePiece(name, bytes, offset));
+            using var writer = new HierarchyWriter(planeCount, manifest.CloudId, FileHeader.SizeBytes, load, WritePiece);
+            yield return JobStep.Of(writer.Write(root, link =>
+            {
+                manifest.NodeCount = link.NodeCount;
+                manifest.RootOffset = link.OffsetBytes;
+                manifest.RootBytes = link.LengthBytes;
+                manifest.RootHash = link.Hash;
+            }));
+            manifest.HierarchyBytes = writer.Offset;
+            using var header = new NativeArray<byte>(HeaderOf(manifest, planeCount), Allocator.Persistent);
+            yield return JobStep.Of(CloudFolderWriter.Await(folder.Seal(name, header)));
+        }
+
+        static byte[] HeaderOf(CloudManifest manifest, int planeCount)
+        {
+            var header = new FileHeader
+            {
+                Magic = StoreFormat.HierarchyMagic,
+                Version = StoreFormat.Version,
+                PlaneCount = planeCount,
+                Container = new ContainerRecord
+                {
+                    Cube = manifest.Root,
+                    Kind = ContainerKind.Hierarchy,
+                    FileBytes = manifest.HierarchyBytes,
+                    Hash = manifest.RootHash,
+                },
+                PointCount = manifest.Points,
+                CloudId = manifest.CloudId,
+            };
+            header.HeaderHash = StoreFile.HashOf(header);
+            return new ReadOnlySpan<byte>(&header, FileHeader.SizeBytes).ToArray();
+        }
+    }
+
     /// <summary>How the nodes of a part are cut into pages. A node's children are all in its page, or only the inlined leaves
     /// among them: the others are in pages below.</summary>
     sealed unsafe class PartPages

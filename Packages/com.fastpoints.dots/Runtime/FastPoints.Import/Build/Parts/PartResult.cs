@@ -1,0 +1,53 @@
+using System;
+using System.Collections.Generic;
+
+namespace FastPoints.Build
+{
+    /// <summary>What is known of a part's points when it is built. That of a merge includes those of all that it merged: the
+    /// last one's is the cloud's.</summary>
+    internal sealed class PartResult
+    {
+        /// <summary>Of the points that were read, those outside of the plan's cube too.</summary>
+        public PointStatistics Statistics = PointStatistics.None;
+        public AttributeStatistics[] Attributes;
+
+        /// <summary>Points of the blocks that the part owns, if they pass the filter: in sum the cloud's.</summary>
+        public long PointsWanted;
+
+        /// <summary>Points that were set aside.</summary>
+        public long OutsidePoints;
+
+        /// <summary>Of the points in the part's chunks.</summary>
+        public ulong Checksum;
+
+        /// <summary>Side of the smallest node.</summary>
+        public int LowestSideLog2 = int.MaxValue;
+        public long[] BytesOfPlane;
+
+        public PartResult(int attributeCount, int planeCount)
+        {
+            Attributes = new AttributeStatistics[attributeCount];
+            Array.Fill(Attributes, AttributeStatistics.None);
+            BytesOfPlane = new long[planeCount];
+        }
+
+        public void Include(PartResult other)
+        {
+            Statistics.Include(other.Statistics);
+            for (int a = 0; a < Attributes.Length; a++)
+                Attributes[a].Include(other.Attributes[a]);
+            PointsWanted += other.PointsWanted;
+            OutsidePoints += other.OutsidePoints;
+            Checksum += other.Checksum;
+            Include(other.LowestSideLog2, other.BytesOfPlane);
+        }
+
+        /// <summary>Adds nodes: those of a chunk, or of upper levels.</summary>
+        public void Include(int lowestSideLog2, IReadOnlyList<long> bytesOfPlane)
+        {
+            LowestSideLog2 = Math.Min(LowestSideLog2, lowestSideLog2);
+            for (int p = 0; p < BytesOfPlane.Length; p++)
+                BytesOfPlane[p] += bytesOfPlane[p];
+        }
+    }
+}
