@@ -158,18 +158,20 @@ namespace FastPoints.Build
             // Tops of points outside of the whole cube meet all others in the last merge.
             if (part.Whole.Contains(part.Cube))
                 yield return JobStep.Of(merge.Collect(part.Cube, m_build.Progress));
-            var result = new PartResult
+            var result = new PartResult(part.Attributes.Count, m_octree.BytesOfPlane.Length)
             {
-                Statistics = m_scatter.Statistics,
+                // Of records the bucket has them.
+                Statistics = m_fetch == null ? m_scatter.Statistics : PointStatistics.None,
                 Attributes = m_scatter.Attributes,
                 PointsWanted = m_checkpoints.Journal.PointsWanted,
                 Checksum = m_octree.Checksum,
-                LowestSideLog2 = Math.Min(m_octree.LowestSideLog2, merge.LowestSideLog2),
-                BytesOfPlane = m_octree.BytesOfPlane,
             };
-            for (int p = 0; p < result.BytesOfPlane.Length; p++)
-                result.BytesOfPlane[p] += merge.BytesOfPlane[p];
-            yield return JobStep.Of(PartFile.Write(m_build, merge, result));
+            result.Include(m_octree.LowestSideLog2, m_octree.BytesOfPlane);
+            result.Include(merge.LowestSideLog2, merge.BytesOfPlane);
+            string outside = m_build.Folder.PathOf(BuildFiles.OutsideName);
+            if (System.IO.File.Exists(outside))
+                result.OutsidePoints = StoreFile.SizeOf(outside) / m_build.Records.StrideBytes;
+            yield return JobStep.Of(PartFile.Write(m_build.Folder, part, merge, result));
             yield return JobStep.Of(m_build.Folder.Complete());
             take(result);
         }
