@@ -304,7 +304,7 @@ namespace FastPoints.Build
             }
         }
 
-        BaseCells Cells() => new BaseCells(m_build.Map, m_build.Part != null ? new GridCube[0]
+        BaseCells Cells() => new BaseCells(m_build.Map.Cube, m_build.Map.BaseCells, m_build.Part != null ? new GridCube[0]
             : RootCube.Grow(m_build.Map.Cube, m_scatter.Statistics.Min, m_scatter.Statistics.Max));
 
         void AddChunk(GridCube cube, NativeArray<RecordPages> lists, int chunk)

@@ -302,13 +302,13 @@ namespace FastPoints.Build
     {
         readonly GridCube[] m_cells;
 
-        /// <param name="cells">Those of the partition's cube.</param>
+        /// <param name="cube">The partition's, which the cells fill.</param>
         /// <param name="shells">See <see cref="RootCube.Grow"/>.</param>
-        public BaseCells(PartitionMap map, GridCube[] shells)
+        public BaseCells(GridCube cube, GridCube[] cells, GridCube[] shells)
         {
-            Root = shells.Length > 0 ? shells[shells.Length - 1] : map.Cube;
+            Root = shells.Length > 0 ? shells[shells.Length - 1] : cube;
             var around = new List<GridCube>();
-            var inner = map.Cube;
+            var inner = cube;
             foreach (var shell in shells)
             {
                 for (int octant = 0; octant < 8; octant++)
@@ -318,13 +318,16 @@ namespace FastPoints.Build
             }
             around.Sort(Compare);
             Around = around.ToArray();
-            around.AddRange(map.BaseCells);
+            around.AddRange(cells);
             around.Sort(Compare);
             m_cells = around.ToArray();
         }
 
         /// <summary>The cube that they fill: the partition's, or the last shell.</summary>
         public GridCube Root { get; }
+
+        /// <summary>All, in Morton order.</summary>
+        public GridCube[] All => m_cells;
 
         /// <summary>The octants around the partition's cube, in Morton order.</summary>
         public GridCube[] Around { get; }

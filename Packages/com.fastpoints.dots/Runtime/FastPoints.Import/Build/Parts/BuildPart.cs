@@ -34,6 +34,25 @@ namespace FastPoints.Build
         /// <summary>Whether there are no other parts.</summary>
         public bool IsWhole => Cube.Corner == Whole.Corner && Cube.SideLog2 == Whole.SideLog2;
 
+        /// <summary>The part of a smaller cube, which holds base cells.</summary>
+        public BuildPart Of(GridCube cube)
+        {
+            var part = (BuildPart)MemberwiseClone();
+            part.Cube = cube;
+            part.BaseCells = Array.FindAll(BaseCells, cell => cube.Contains(cell));
+            return part;
+        }
+
+        /// <summary>The part of the points outside of the whole cube: the octants around it that hold all points.</summary>
+        public BuildPart OfOutside(in PointStatistics found)
+        {
+            var part = (BuildPart)MemberwiseClone();
+            var cells = new BaseCells(Whole, new[] { Whole }, RootCube.Grow(Whole, found.Min, found.Max));
+            part.Cube = cells.Root;
+            part.BaseCells = cells.All;
+            return part;
+        }
+
         /// <summary>A cube that holds all points of the cloud: the smallest one if the part knows all of them.</summary>
         public GridCube RootOf(in PointStatistics found)
         {
