@@ -36,13 +36,14 @@ namespace FastPoints.Reading
             Info = new SourceInfo { Path = name };
         }
 
-        public static TiledReader Open(IReadOnlyList<string> paths, Func<string, PointReader> openFile)
+        // info: of more files, of which these are some: they get its attributes and its transform.
+        public static TiledReader Open(IReadOnlyList<string> paths, Func<string, PointReader> openFile, SourceInfo info = null)
         {
             if (paths.Count == 0)
                 throw new PointCloudException(FailureCode.NotFound, "(no path)", -1, "no file was named");
             string first = SourcePath.WithoutQuery(paths[0]);
             string name = paths.Count == 1 ? first : first + " and " + (paths.Count - 1) + " more";
-            return new TiledReader(name, false, openFile).OpenAll(paths);
+            return new TiledReader(name, false, openFile).OpenAll(paths, info);
         }
 
         // All point clouds of a folder in the order of their names (by character code), not those in folders within. Files that
@@ -303,7 +304,7 @@ namespace FastPoints.Reading
 
         long[] BlockStarts() => m_firstPointOfBlock ?? throw new InvalidOperationException("FindBlocks comes first");
 
-        TiledReader OpenAll(IReadOnlyList<string> paths)
+        TiledReader OpenAll(IReadOnlyList<string> paths, SourceInfo info = null)
         {
             var summary = new TileSummary(Info);
             var otherFiles = new List<string>();
@@ -368,7 +369,10 @@ namespace FastPoints.Reading
             if (m_tiles.Count > MaxListed)
                 Info.Fact("and", (m_tiles.Count - MaxListed) + " more files");
             summary.End(m_tiles.Count);
-            new TileSchema(m_tiles, Info).MergeSchemas();
+            if (info == null)
+                new TileSchema(m_tiles, Info).MergeSchemas();
+            else
+                (Info.Schema, Info.Transform) = (info.Schema, info.Transform);
             if (isKnown)
                 Finish();
             return this;
