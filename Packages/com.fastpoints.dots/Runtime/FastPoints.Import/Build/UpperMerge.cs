@@ -231,7 +231,7 @@ namespace FastPoints.Build
                     {
                         yield return reads[i].Done;
                         reads[i].Complete();
-                        member.Check(reads[i].Bytes);
+                        StoreFile.CheckHash(member.Path, member.RecordsOffset, reads[i].Bytes, member.RecordsHash);
                         NativeArray<byte>.Copy(reads[i].Bytes, 0, records, at, bytes);
                         reads[i].Dispose();
                     }
@@ -337,7 +337,7 @@ namespace FastPoints.Build
             m_manifest.ChunkCount = 0;
             foreach (var item in m_added)
                 m_manifest.ChunkCount += item.Top.HasNodes ? 1 : 0;
-            return HierarchyFile.Write(m_build.Folder, m_manifest, JoinParts(), LoadTable);
+            return HierarchyFile.Write(m_build.Folder, m_manifest, JoinParts());
         }
 
         /// <summary>Hangs chunks and regions on the nodes that they are attached to.</summary>
@@ -349,28 +349,10 @@ namespace FastPoints.Build
                     region.Attach(region.Part);
             foreach (var item in m_added)
                 if (item.Top.HasNodes)
-                    item.Place.Attach(new HierarchyPart
-                    {
-                        Cube = item.Cube,
-                        Container = item.Chunk.Container,
-                        NodeCount = item.Chunk.NodeCount,
-                        Table = item.Chunk.Table,
-                        Chunk = item.Chunk,
-                    });
+                    item.Place.Attach(item.ToPart());
             foreach (var region in m_regions)
                 region.Part.SortBelow(m_manifest.Root.Corner);
             return m_regions.Count > 0 ? m_regions[m_regions.Count - 1].Part : new HierarchyPart();
-        }
-
-        /// <summary>Reads a chunk's nodes back.</summary>
-        IEnumerator<JobStep> LoadTable(HierarchyPart part)
-        {
-            using var read = new StoreRead();
-            read.Begin(m_build.Folder.PathOf(BuildFiles.TopPath(part.Chunk.Number)), part.Chunk.TableOffset,
-                part.Chunk.TableBytes);
-            yield return read.Done;
-            read.Complete();
-            part.Table = new NativeArray<byte>(read.Bytes, Allocator.Persistent);
         }
     }
 
@@ -439,7 +421,7 @@ namespace FastPoints.Build
         public string Path;
         public long RecordsOffset;
 
-        /// <summary>What the records in the file must have, if another build made it.</summary>
+        /// <summary>What the records in the file must have; 0 if they were checked.</summary>
         public ulong RecordsHash;
 
         /// <param name="region">Null if it is not a region's of this build.</param>
@@ -449,13 +431,15 @@ namespace FastPoints.Build
             Place = region ?? new UpperPlace();
         }
 
-        /// <exception cref="PointCloudException">They are damaged.</exception>
-        public void Check(NativeArray<byte> records)
+        /// <summary>The nodes of a chunk.</summary>
+        public HierarchyPart ToPart() => new HierarchyPart
         {
-            ulong hash = RecordsHash == 0 ? 0 : ContentHash.Of(records);
-            if (hash != RecordsHash)
-                throw PointCloudException.Wanted(FailureCode.ReadFailed, Path, RecordsOffset, "hash of the points of a top",
-                    RecordsHash.ToString("x16"), hash.ToString("x16"));
-        }
+            Cube = Cube,
+            Container = Chunk.Container,
+            NodeCount = Chunk.NodeCount,
+            Table = Chunk.Table,
+            Path = Path,
+            TableOffset = Chunk.TableOffset,
+        };
     }
 }

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.IO;
 
 namespace FastPoints.Build
 {
@@ -48,6 +49,65 @@ namespace FastPoints.Build
             LowestSideLog2 = Math.Min(LowestSideLog2, lowestSideLog2);
             for (int p = 0; p < BytesOfPlane.Length; p++)
                 BytesOfPlane[p] += bytesOfPlane[p];
+        }
+
+        public void Write(BinaryWriter to)
+        {
+            to.Write(Statistics.Count);
+            to.Write(Statistics.LeftOut);
+            PartBytes.Write(to, Statistics.Min);
+            PartBytes.Write(to, Statistics.Max);
+            to.Write(Statistics.Checksum);
+            to.Write(Statistics.MaxRoundingSteps);
+            to.Write(PointsWanted);
+            to.Write(OutsidePoints);
+            to.Write(Checksum);
+            to.Write(LowestSideLog2);
+            to.Write(Attributes.Length);
+            to.Write(BytesOfPlane.Length);
+            foreach (var attribute in Attributes)
+            {
+                to.Write(attribute.Min);
+                to.Write(attribute.Max);
+                to.Write(attribute.Or);
+                to.Write(attribute.Modulo257Or);
+            }
+            foreach (long bytes in BytesOfPlane)
+                to.Write(bytes);
+        }
+
+        public static PartResult Read(BinaryReader from)
+        {
+            var statistics = new PointStatistics
+            {
+                Count = from.ReadInt64(),
+                LeftOut = from.ReadInt64(),
+                Min = PartBytes.ReadGrid3(from),
+                Max = PartBytes.ReadGrid3(from),
+                Checksum = from.ReadUInt64(),
+                MaxRoundingSteps = from.ReadDouble(),
+            };
+            var (wanted, outside, checksum, lowest) =
+                (from.ReadInt64(), from.ReadInt64(), from.ReadUInt64(), from.ReadInt32());
+            var result = new PartResult(PartBytes.ReadCount(from), PartBytes.ReadCount(from))
+            {
+                Statistics = statistics,
+                PointsWanted = wanted,
+                OutsidePoints = outside,
+                Checksum = checksum,
+                LowestSideLog2 = lowest,
+            };
+            for (int a = 0; a < result.Attributes.Length; a++)
+                result.Attributes[a] = new AttributeStatistics
+                {
+                    Min = from.ReadUInt64(),
+                    Max = from.ReadUInt64(),
+                    Or = from.ReadUInt64(),
+                    Modulo257Or = from.ReadUInt32(),
+                };
+            for (int p = 0; p < result.BytesOfPlane.Length; p++)
+                result.BytesOfPlane[p] = from.ReadInt64();
+            return result;
         }
     }
 }
