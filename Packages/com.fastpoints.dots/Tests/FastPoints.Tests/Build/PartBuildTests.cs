@@ -37,13 +37,6 @@ namespace FastPoints.Tests.Build
             return plan;
         }
 
-        static GridCube[] CubesOf(CloudPlan plan, long pointsPerPart)
-        {
-            int next = 0;
-            return CubeGroups.Of(plan.Whole.Cube, plan.Whole.BaseCells, c => c, _ => (long)plan.PointsOfCell[next++],
-                pointsPerPart).ConvertAll(g => g.Count == 1 ? plan.Whole.BaseCells[g.First] : g.Cube).ToArray();
-        }
-
         PartOutput Output(string name, List<PartResult> results, int megabytes = 928) => new PartOutput
         {
             Folder = Folder.File(name),
@@ -51,9 +44,45 @@ namespace FastPoints.Tests.Build
             Take = results.Add,
         };
 
-        Dictionary<string, byte[]> ChunksOf(IEnumerable<string> folders) => folders.SelectMany(folder =>
-            Directory.GetFiles(Path.Combine(Folder.File(folder), StoreFormat.ChunkFolderName)))
-            .ToDictionary(Path.GetFileName, File.ReadAllBytes);
+        // Containers, and the hierarchy if there is one.
+        Dictionary<string, byte[]> FilesOf(IEnumerable<string> folders) => folders.SelectMany(folder => Directory.GetFiles(
+            Folder.File(folder), "*.bin", SearchOption.AllDirectories)).ToDictionary(Path.GetFileName, File.ReadAllBytes);
+
+        PartInput InputOf(string name) => new PartInput
+        {
+            TopsPath = Path.Combine(Folder.File(name), PartFile.TopsName),
+            NodesPath = Path.Combine(Folder.File(name), PartFile.NodesName),
+        };
+
+        // In two levels: pairs of parts of one cube first.
+        void Merge(CloudPlan plan, GridCube[] cubes, PartResult[] buckets, List<string> folders)
+        {
+            var inputs = folders.ConvertAll(InputOf);
+            int merges = 0;
+            foreach (var octant in Enumerable.Range(0, 8).Select(plan.Whole.Whole.Child))
+            {
+                var inOctant = Enumerable.Range(0, cubes.Length).Where(i => octant.Contains(cubes[i])).ToArray();
+                if (inOctant.Length < 2)
+                    continue;
+                string name = "merge" + merges++;
+                JobCoroutine.RunToEnd(PartMerge.Run(plan.Whole.Of(octant), Array.ConvertAll(inOctant, i => InputOf("part" + i)),
+                    new PartResult[0], Output(name, new List<PartResult>())));
+                foreach (int i in inOctant)
+                    inputs.Remove(InputOf("part" + i));
+                inputs.Add(InputOf(name));
+                folders.Add(name);
+            }
+            PartResult all = null;
+            var last = Output("last", new List<PartResult>());
+            last.Take = result => all = result;
+            JobCoroutine.RunToEnd(PartMerge.Run(plan.Whole, inputs, buckets, last));
+            folders.Add("last");
+            var manifest = plan.Whole.ToManifest(Settings().Sampler);
+            manifest.Points = all.Statistics.Count;
+            JobCoroutine.RunToEnd(PartMerge.Commit(folders.ConvertAll(f => InputOf(f).NodesPath), manifest,
+                Folder.File("commit"), null));
+            folders.Add("commit");
+        }
 
         void ConvertWhole()
         {
@@ -70,10 +99,12 @@ namespace FastPoints.Tests.Build
             folders.Add("outside");
         }
 
-        void AssertWhole(List<PartResult> results, List<string> folders)
+        void AssertWhole(CloudPlan plan, GridCube[] cubes, List<PartResult> results, List<string> folders,
+            params PartResult[] buckets)
         {
+            Merge(plan, cubes, buckets, folders);
             ConvertWhole();
-            var (wanted, made) = (ChunksOf(new[] { "whole" }), ChunksOf(folders));
+            var (wanted, made) = (FilesOf(new[] { "whole" }), FilesOf(folders));
             Assert.That(wanted.Count, Is.GreaterThan(30));
             Assert.That(made.Keys, Is.EquivalentTo(wanted.Keys));
             foreach (var file in wanted)
@@ -101,7 +132,7 @@ namespace FastPoints.Tests.Build
         public void Run_PartsOfAnySize_MakeTheChunksOfOneBuild(long pointsPerPart, int megabytes)
         {
             var plan = Plan();
-            var cubes = CubesOf(plan, pointsPerPart);
+            var cubes = plan.CubesOf(pointsPerPart);
             Assert.That(cubes.Length, pointsPerPart > Points ? Is.EqualTo(1) : Is.GreaterThan(1));
             var results = new List<PartResult>();
             var folders = new List<string>();
@@ -122,7 +153,7 @@ namespace FastPoints.Tests.Build
             }
             Assert.That(results.Sum(r => r.OutsidePoints), Is.EqualTo(2L));
             BuildOutside(plan, results, 2, path => File.WriteAllBytes(path, outside.ToArray()), folders);
-            AssertWhole(results, folders);
+            AssertWhole(plan, cubes, results, folders);
         }
 
         [TestCase(30000L, 928)]
@@ -130,7 +161,7 @@ namespace FastPoints.Tests.Build
         public void RunRecords_OfBuckets_MakesTheChunksOfOneBuild(long pointsPerPart, int megabytes)
         {
             var plan = Plan();
-            var cubes = CubesOf(plan, pointsPerPart);
+            var cubes = plan.CubesOf(pointsPerPart);
             var results = new List<PartResult>();
             var ranges = new[] { new List<BucketRange>(), new List<BucketRange>() };
             for (int bucket = 0; bucket < 2; bucket++)
@@ -160,7 +191,7 @@ namespace FastPoints.Tests.Build
             }
             Assert.That(CountOf(cubes.Length), Is.EqualTo(2L));
             BuildOutside(plan, results, 2, path => Fetch(cubes.Length, path), folders);
-            AssertWhole(results, folders);
+            AssertWhole(plan, cubes, results, folders, results.Take(2).ToArray());
         }
     }
 }

@@ -105,7 +105,7 @@ namespace FastPoints.Build
                 PointsWanted = m_checkpoints.Journal.PointsWanted,
                 OutsidePoints = files.RecordsOf(m_build.Map.Outside),
             };
-            yield return JobStep.Of(PartFile.Write(m_build.Folder, m_build.Part, merge, result));
+            yield return JobStep.Of(PartFile.Write(m_build.Folder, m_build.Part.Cube, m_build.CloudId, merge, result));
             yield return JobStep.Of(m_build.Folder.Complete());
             take(result);
         }

@@ -16,6 +16,17 @@ namespace FastPoints.Build
         /// <summary>See <see cref="Las.LasRecords"/>; null if the sources are not LAS files.</summary>
         public byte[] LasRecords { get; private set; }
 
+        /// <summary>Cubes of parts, which fill that of the cloud, in Morton order: the largest ones with so many points at most by
+        /// the estimate, and no smaller than base cells.</summary>
+        public GridCube[] CubesOf(double pointsPerPart)
+        {
+            // A part that has all points of the cloud must know it: what is stored begins at their smallest cube.
+            int found = Array.FindAll(PointsOfCell, points => points > 0).Length, next = 0;
+            return found < 2 ? new[] { Whole.Cube } : CubeGroups.Of(Whole.Cube, Whole.BaseCells, cell => cell,
+                _ => (long)Math.Ceiling(PointsOfCell[next++]), (long)pointsPerPart)
+                .ConvertAll(g => g.Count == 1 ? Whole.BaseCells[g.First] : g.Cube).ToArray();
+        }
+
         /// <param name="values">Of the sample, by attribute.</param>
         public static CloudPlan Of(BuildContext build, AttributeStatistics[] values, byte[] lasRecords)
         {

@@ -171,7 +171,7 @@ namespace FastPoints.Build
             string outside = m_build.Folder.PathOf(BuildFiles.OutsideName);
             if (System.IO.File.Exists(outside))
                 result.OutsidePoints = StoreFile.SizeOf(outside) / m_build.Records.StrideBytes;
-            yield return JobStep.Of(PartFile.Write(m_build.Folder, part, merge, result));
+            yield return JobStep.Of(PartFile.Write(m_build.Folder, part.Cube, part.CloudId, merge, result));
             yield return JobStep.Of(m_build.Folder.Complete());
             take(result);
         }

@@ -10,23 +10,26 @@ namespace FastPoints.Build
     /// then the commit writes the hierarchy. All bytes are those that one build of everything would write.</summary>
     internal static class PartMerge
     {
-        /// <summary>Coroutine: merges what is left open of parts. The result is in the folder's unfinished form, which is kept:
-        /// upper/*.bin, and <see cref="PartFile"/>'s two.</summary>
+        /// <summary>Coroutine: merges what is left open of parts. The folder then has upper/*.bin, and <see cref="PartFile"/>'s
+        /// two.</summary>
         /// <param name="part">Its cube holds those of the inputs. If that is the plan's, it is the last merge.</param>
-        /// <param name="take">Receives what is known of the points, with those of the inputs.</param>
-        /// <param name="progress">May be null.</param>
-        public static IEnumerator<JobStep> Run(BuildPart part, IReadOnlyList<PartInput> inputs, string folder,
-            ConvertSettings settings, Action<PartResult> take, StageProgress progress)
+        /// <param name="buckets">For the last merge: those whose points the parts have.</param>
+        /// <param name="output">Receives what is known of the points, with those of the inputs.</param>
+        public static IEnumerator<JobStep> Run(BuildPart part, IReadOnlyList<PartInput> inputs,
+            IReadOnlyList<PartResult> buckets, PartOutput output)
         {
-            using var build = new BuildContext(part, new PointReader[0], folder, settings, progress);
+            var progress = output.Progress;
+            using var build = new BuildContext(part, new PointReader[0], 0, output.Folder, output.Settings, progress);
             if (build.Folder.HasLeftovers)
                 yield return JobStep.Of(build.Folder.Clear());
             progress?.Begin(BuildStages.Merge);
-            var manifest = part.ToManifest(settings.Sampler);
+            var manifest = part.ToManifest(output.Settings.Sampler);
             using var store = new NativeStoreLayout(manifest.CreateLayout());
             using var merge = new UpperMerge(build, store, manifest);
             var all = new List<PartTops>();
             var result = new PartResult(part.Attributes.Count, merge.BytesOfPlane.Length);
+            foreach (var bucket in buckets)
+                result.Include(bucket);
             foreach (var input in inputs)
             {
                 yield return JobStep.Of(PoolTask.Run(input.TopsPath,
@@ -41,13 +44,12 @@ namespace FastPoints.Build
                 yield return JobStep.Of(merge.MergeRoot());
             result.Include(merge.LowestSideLog2, merge.BytesOfPlane);
             yield return JobStep.Of(PartFile.Write(build.Folder, manifest.Root, part.CloudId, merge, result, all.ToArray()));
-            build.Folder.Keep();
+            yield return JobStep.Of(build.Folder.Complete());
             progress?.End();
-            take(result);
+            output.Take(result);
         }
 
-        /// <summary>Coroutine: writes hierarchy.bin of all parts, and adds it to the manifest. It is in the folder's unfinished
-        /// form, which is kept.</summary>
+        /// <summary>Coroutine: writes hierarchy.bin of all parts into a folder, and adds it to the manifest.</summary>
         /// <param name="nodesPaths">The files of all parts and of all merges, in any order.</param>
         /// <param name="manifest">Complete but for the root, the counts of chunks and nodes, and the hierarchy.</param>
         public static IEnumerator<JobStep> Commit(IReadOnlyList<string> nodesPaths, CloudManifest manifest, string folder,
@@ -72,7 +74,7 @@ namespace FastPoints.Build
             {
                 root.DisposeTable();
             }
-            writer.Keep();
+            yield return JobStep.Of(writer.Complete());
             progress?.End();
         }
 
