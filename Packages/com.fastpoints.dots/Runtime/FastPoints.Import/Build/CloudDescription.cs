@@ -126,17 +126,26 @@ namespace FastPoints.Build
         /// <summary>Writes counts, bounds, attributes, and the coordinate system of the first source.</summary>
         static void Describe(in PointStatistics found, AttributeStatistics[] values, BuildContext build, CloudManifest manifest)
         {
-            var crs = build.Readers[0].Info.Crs;
+            Describe(found, manifest);
+            manifest.Grid = build.Grid.Grid;
+            manifest.Attributes = build.Attributes;
+            AttributeSummary.Describe(build.Attributes, values, manifest);
+            DescribeMeaning(build.Readers, manifest);
+        }
+
+        public static void Describe(in PointStatistics found, CloudManifest manifest)
+        {
             manifest.Points = found.Count;
             manifest.PointsLeftOut = found.LeftOut;
             manifest.Checksum = found.Checksum;
-            manifest.Grid = build.Grid.Grid;
             manifest.BoundsMin = found.Count > 0 ? found.Min : default;
             manifest.BoundsMax = found.Count > 0 ? found.Max : default;
-            manifest.Attributes = build.Attributes;
-            AttributeSummary.Describe(build.Attributes, values, manifest);
-            manifest.Crs = crs.ToCloudCrs();
-            manifest.GpsTime = MeaningOf(build.Readers).GpsTime;
+        }
+
+        public static void DescribeMeaning(IReadOnlyList<PointReader> readers, CloudManifest manifest)
+        {
+            manifest.Crs = readers[0].Info.Crs.ToCloudCrs();
+            manifest.GpsTime = MeaningOf(readers).GpsTime;
         }
     }
 

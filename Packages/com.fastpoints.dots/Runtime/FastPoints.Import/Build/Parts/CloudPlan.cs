@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using FastPoints.Nodes;
+using FastPoints.Store;
 
 namespace FastPoints.Build
 {
@@ -9,6 +10,9 @@ namespace FastPoints.Build
     {
         /// <summary>Of the whole cloud, as if it were one part.</summary>
         public BuildPart Whole { get; private set; }
+
+        /// <summary>Of the cloud, without what only its points tell.</summary>
+        public CloudManifest Manifest { get; private set; }
 
         /// <summary>Estimates, by base cell.</summary>
         public double[] PointsOfCell { get; private set; }
@@ -33,21 +37,25 @@ namespace FastPoints.Build
             var divisors = new int[values.Length];
             for (int a = 0; a < divisors.Length; a++)
                 divisors[a] = AttributeSummary.DivisorOf(values[a], build.Attributes[a]);
+            var whole = new BuildPart
+            {
+                CloudId = build.CloudId,
+                Points = build.Points,
+                PointsPerChunk = build.Plan.PointsPerChunk,
+                Grid = build.Grid.Grid,
+                Records = build.Records,
+                Attributes = build.Attributes,
+                Divisors = divisors,
+                Whole = build.Map.Cube,
+                Cube = build.Map.Cube,
+                BaseCells = build.Map.BaseCells,
+            };
+            var manifest = whole.ToManifest(build.Settings.Sampler);
+            CloudDescription.DescribeMeaning(build.Readers, manifest);
             return new CloudPlan
             {
-                Whole = new BuildPart
-                {
-                    CloudId = build.CloudId,
-                    Points = build.Points,
-                    PointsPerChunk = build.Plan.PointsPerChunk,
-                    Grid = build.Grid.Grid,
-                    Records = build.Records,
-                    Attributes = build.Attributes,
-                    Divisors = divisors,
-                    Whole = build.Map.Cube,
-                    Cube = build.Map.Cube,
-                    BaseCells = build.Map.BaseCells,
-                },
+                Whole = whole,
+                Manifest = manifest,
                 PointsOfCell = build.Map.PointsOfBaseCell,
                 LasRecords = lasRecords,
             };

@@ -230,6 +230,7 @@ namespace FastPoints.Reading
         public string Path;
         public long FileBytes;
         public ulong HeadHash;
+        public BoundsGeo Bounds;
 
         // Shared by all tiles with equal schemas.
         public PointSchema Schema;

@@ -94,6 +94,11 @@ namespace FastPoints.Reading
 
         public List<string> Paths => m_tiles.ConvertAll(tile => tile.Path);
 
+        /// <summary>Empty where the header says nothing that can be true.</summary>
+        public BoundsGeo BoundsOf(int tile) => m_tiles[tile].Bounds;
+
+        public (int First, int Count) BlocksOf(int tile) => (m_tiles[tile].FirstBlock, m_tiles[tile].BlockCount);
+
         /// <summary>With its path as the name.</summary>
         public CloudSource TileOf(int tile) => new CloudSource
         {
@@ -332,6 +337,7 @@ namespace FastPoints.Reading
                         Path = path,
                         FileBytes = reader.Info.FileBytes,
                         HeadHash = reader.Info.HeadHash,
+                        Bounds = reader.Info.BoundsTrusted,
                         Schema = Shared(reader.Info.Schema),
                         Transform = reader.Info.Transform,
                         IsKnown = reader.BlocksAreKnown,
