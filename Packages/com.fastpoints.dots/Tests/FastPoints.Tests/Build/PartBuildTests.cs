@@ -21,8 +21,29 @@ namespace FastPoints.Tests.Build
         static MemoryReader Reader() => MemoryReader.Of(SameBytesTests.Terrain(Points),
             new PositionTransform { Scale = new double3(0.01, 0.01, 0.01) }, 2000);
 
+        // With it, parts and buckets are stopped now and then, and begun again.
+        System.Random m_stops;
+
+        void RunToEnd(Func<IEnumerator<JobStep>> begin)
+        {
+            for (int attempt = 1; m_stops != null; attempt++)
+            {
+                using var work = new CoroutineStack(begin());
+                int left = m_stops.Next(300 * attempt);
+                while (left-- > 0)
+                {
+                    if (!work.MoveNext())
+                        return;
+                    work.Current.Complete();
+                }
+            }
+            JobCoroutine.RunToEnd(begin());
+        }
+
         static ConvertSettings Settings(int megabytes = 928) => new ConvertSettings
         {
+            PointsPerCheckpoint = 10000,
+            KeepUnfinished = true,
             PointsPerChunk = 1500,
             MaxPointsPerLeaf = 50,
             CellsLog2 = 4,
@@ -144,7 +165,7 @@ namespace FastPoints.Tests.Build
                 // Each block belongs to one part.
                 var isOwn = Array.ConvertAll(blocks, b => b % cubes.Length == folders.Count);
                 string name = "part" + folders.Count;
-                JobCoroutine.RunToEnd(PartBuild.Run(plan.Whole.Of(cube), reader, blocks, isOwn, Output(name, results, megabytes)));
+                RunToEnd(() => PartBuild.Run(plan.Whole.Of(cube), reader, blocks, isOwn, Output(name, results, megabytes)));
                 folders.Add(name);
                 string file = Path.Combine(Folder.File(name), BuildFiles.OutsideName);
                 Assert.That(File.Exists(file), Is.EqualTo(results[results.Count - 1].OutsidePoints > 0));
@@ -164,12 +185,17 @@ namespace FastPoints.Tests.Build
             var cubes = plan.CubesOf(pointsPerPart);
             var results = new List<PartResult>();
             var ranges = new[] { new List<BucketRange>(), new List<BucketRange>() };
-            for (int bucket = 0; bucket < 2; bucket++)
+            for (int b = 0; b < 2; b++)
             {
+                int bucket = b;
                 using var reader = Reader();
-                var blocks = Enumerable.Range(0, reader.BlockCount).Where(b => b / (reader.BlockCount / 2) == bucket).ToArray();
-                JobCoroutine.RunToEnd(BucketBuild.Run(plan.Whole, cubes, reader, blocks, ranges[bucket],
-                    Output("bucket" + bucket, results, megabytes)));
+                var blocks = Enumerable.Range(0, reader.BlockCount).Where(n => n / (reader.BlockCount / 2) == bucket).ToArray();
+                RunToEnd(() =>
+                {
+                    ranges[bucket].Clear();
+                    return BucketBuild.Run(plan.Whole, cubes, reader, blocks, ranges[bucket],
+                        Output("bucket" + bucket, results, megabytes));
+                });
             }
             int stride = plan.Whole.Records.StrideBytes;
             var folders = new List<string>();
@@ -185,13 +211,23 @@ namespace FastPoints.Tests.Build
             for (int p = 0; p < cubes.Length; p++)
             {
                 int part = p;
-                JobCoroutine.RunToEnd(PartBuild.RunRecords(plan.Whole.Of(cubes[p]), CountOf(p), path => Fetch(part, path),
-                    Output("part" + p, results, megabytes)));
+                RunToEnd(() => PartBuild.RunRecords(plan.Whole.Of(cubes[part]), CountOf(part), path => Fetch(part, path),
+                    Output("part" + part, results, megabytes)));
                 folders.Add("part" + p);
             }
             Assert.That(CountOf(cubes.Length), Is.EqualTo(2L));
             BuildOutside(plan, results, 2, path => Fetch(cubes.Length, path), folders);
             AssertWhole(plan, cubes, results, folders, results.Take(2).ToArray());
+        }
+
+        [Test]
+        public void Run_StoppedAnywhere_MakesTheChunksOfOneBuild([Values] bool ofBuckets)
+        {
+            m_stops = new System.Random(8);
+            if (ofBuckets)
+                RunRecords_OfBuckets_MakesTheChunksOfOneBuild(30000, 1);
+            else
+                Run_PartsOfAnySize_MakeTheChunksOfOneBuild(30000, 1);
         }
     }
 }
