@@ -29,14 +29,20 @@ namespace FastPoints.Tests.Build
 
         string Target => Folder.File("whole" + StoreFormat.FolderExtension);
 
-        /// <summary>Converts a filled cube with a dense corner, and many points at one place.</summary>
-        void Convert(Sampler sampler, int count = 40000)
+        /// <summary>A filled cube with a dense corner, and many points at one place.</summary>
+        static int3[] Filled()
         {
+            const int count = 40000;
             var random = new Unity.Mathematics.Random(5);
             var positions = new int3[count];
             for (int i = 0; i < count; i++)
                 positions[i] = i % 3 == 0 ? new int3(70000, 60000, 50000) + random.NextInt3(3000)
                     : i % 10 == 1 ? new int3(31, 32, 33) : random.NextInt3(100000);
+            return positions;
+        }
+
+        void Convert(Sampler sampler, int3[] positions)
+        {
             m_settings = new ConvertSettings
             {
                 Sampler = sampler,
@@ -64,9 +70,9 @@ namespace FastPoints.Tests.Build
                     File.Copy(file, Path.Combine(tops, Path.GetFileName(file)));
             }
             m_chunks = Directory.GetFiles(tops).OrderBy(f => f, StringComparer.Ordinal).ToArray();
+            Assert.That(m_chunks, Is.Not.Empty);
             m_records = GridChoice.Choose(new[] { reader.Info }, new SampleStatistics[1], m_made.Manifest.Attributes.BytesPerPoint)
                 .Records;
-            TestContext.WriteLine(m_chunks.Length + " chunks, temporary " + m_made.TemporaryBytesPeak + " " + m_made.Manifest.Points);
             m_cubes = m_chunks.Select((_, i) => ChunkOf(i, false).Chunk.Container.Cube).ToArray();
         }
 
@@ -184,7 +190,6 @@ namespace FastPoints.Tests.Build
                 .Where(f => Path.GetFileName(Path.GetDirectoryName(f)) == StoreFormat.UpperFolderName).ToLookup(Path.GetFileName);
             var names = Directory.GetFiles(Path.Combine(Target, StoreFormat.UpperFolderName)).Select(Path.GetFileName).ToArray();
             Assert.That(upper.Select(f => f.Key), Is.EquivalentTo(names));
-            Assert.That(names.Length, Is.GreaterThan(8), "there are regions of regions");
             foreach (var files in upper)
             {
                 Assert.That(files.Count(), Is.EqualTo(2), files.Key + " is of one part, and of one build");
@@ -204,11 +209,12 @@ namespace FastPoints.Tests.Build
         public void Parts_AnyCut_MakeTheBytesOfOneBuild([Values(2, 5, 17)] int parts, [Values] bool mergesOften,
             [Values(Sampler.Average, Sampler.Random)] Sampler sampler)
         {
-            Convert(sampler);
+            Convert(sampler, Filled());
             var root = m_made.Manifest.Root;
             // The plan's cube is larger.
             var whole = new GridCube(root.Corner - new Grid3(root.Side, 0, root.Side), root.SideLog2 + 1);
             var merges = new List<GridCube>();
+            var random = new Unity.Mathematics.Random(9);
             var inputs = Cut(whole, parts, (uint)parts, merges)
                 .Select((cube, i) => (cube, Build(PartOf(whole, cube), In(cube), "build" + i))).ToList();
             if (!mergesOften)
@@ -217,7 +223,7 @@ namespace FastPoints.Tests.Build
             PartResult result = null;
             foreach (var cube in merges.OrderBy(c => c.SideLog2).ToList())
             {
-                var below = inputs.Where(i => cube.Contains(i.cube)).OrderByDescending(i => i.Item2.NodesPath.GetHashCode()).ToList();
+                var below = inputs.Where(i => cube.Contains(i.cube)).OrderBy(_ => random.NextUInt()).ToList();
                 var merged = Merge(PartOf(whole, cube), below.Select(b => b.Item2).ToList(), "merge" + nodes.Count, r => result = r);
                 inputs.RemoveAll(below.Contains);
                 inputs.Add((cube, merged));
@@ -225,12 +231,28 @@ namespace FastPoints.Tests.Build
             }
             nodes.Reverse();
             AssertSame(Commit(nodes), result);
+            Assert.That(Directory.GetFiles(Path.Combine(Target, StoreFormat.UpperFolderName)), Has.Length.GreaterThan(8),
+                "there are regions of regions");
+        }
+
+        [Test]
+        public void Parts_AllPointsAtOnePlace_MakeTheBytesOfOneBuild()
+        {
+            Convert(Sampler.Poisson, Enumerable.Repeat(new int3(-5, 600, 7), 40000).ToArray());
+            var root = m_made.Manifest.Root;
+            Assert.That(root.SideLog2, Is.Zero);
+            var cube = new GridCube(root.Corner - new Grid3(1, 3, 0), 2);
+            var part = PartOf(new GridCube(cube.Corner, 3), cube);
+            var built = Build(part, In(cube), "build");
+            PartResult result = null;
+            var merged = Merge(PartOf(part.Whole, part.Whole), new[] { built }, "merge", r => result = r);
+            AssertSame(Commit(new[] { built.NodesPath, merged.NodesPath }), result);
         }
 
         [Test]
         public void Parts_PointsOutsideThePlansCube_MakeTheBytesOfOneBuild([Values(0, 7)] int octant)
         {
-            Convert(Sampler.Poisson);
+            Convert(Sampler.Poisson, Filled());
             var whole = m_made.Manifest.Root.Child(octant);
             var part = PartOf(whole, whole);
             var inputs = new List<PartInput>();
@@ -240,6 +262,75 @@ namespace FastPoints.Tests.Build
             PartResult result = null;
             var merged = Merge(part, inputs, "merge", r => result = r);
             AssertSame(Commit(inputs.Append(merged).Select(i => i.NodesPath)), result);
+        }
+
+        /// <summary>Two parts and their merge.</summary>
+        PartInput[] SmallParts(out BuildPart whole)
+        {
+            Convert(Sampler.Average, Filled());
+            var root = m_made.Manifest.Root;
+            whole = PartOf(root, root);
+            return Enumerable.Range(0, 8).Select(o => Build(PartOf(root, root.Child(o)), In(root.Child(o)), "build" + o)).ToArray();
+        }
+
+        [Test]
+        public void PartFiles_Damaged_FailWithThePathAndLeaveNothing([Values] bool isTops)
+        {
+            var inputs = SmallParts(out var whole);
+            string path = isTops ? inputs[3].TopsPath : inputs[3].NodesPath;
+            byte[] sound = File.ReadAllBytes(path);
+            var merged = Merge(whole, inputs, "sound", _ => { });
+            string[] nodes = inputs.Append(merged).Select(i => i.NodesPath).ToArray();
+            var random = new System.Random(3);
+            for (int i = 0; i < 300; i++)
+            {
+                byte[] damaged = (byte[])sound.Clone();
+                // The header and the entries are few of the bytes.
+                int at = i < 64 ? i : i % 3 == 0 ? sound.Length - 1 - random.Next(100) : random.Next(sound.Length);
+                if (i % 5 == 4)
+                    Array.Resize(ref damaged, at);
+                else
+                    damaged[at] ^= (byte)(1 << random.Next(8));
+                File.WriteAllBytes(path, damaged);
+                var failure = Assert.Throws<PointCloudException>(() =>
+                {
+                    if (isTops)
+                        Merge(whole, inputs, "damaged", _ => { });
+                    else
+                        Commit(nodes);
+                }, "byte " + at);
+                Assert.That(failure.Code, Is.EqualTo(FailureCode.BadInput).Or.EqualTo(FailureCode.Truncated), failure.Message);
+                Assert.That(failure.Message, Does.StartWith(path + ": at byte ").And.Contain("wanted").And.Contain("got"));
+            }
+            foreach (string name in new[] { "damaged", "commit" })
+                Assert.That(Directory.Exists(Folder.File(name) + StoreFormat.PartSuffix), Is.False);
+            File.WriteAllBytes(path, sound);
+            Commit(nodes);
+        }
+
+        [Test]
+        public void Commit_PartsThatDoNotBelongTogether_SaysWhich()
+        {
+            var inputs = SmallParts(out var whole);
+            var merged = Merge(whole, inputs, "merge", _ => { });
+            var nodes = inputs.Append(merged).Select(i => i.NodesPath).ToList();
+            void AssertFails(IEnumerable<string> paths, string what)
+            {
+                var failure = Assert.Throws<PointCloudException>(() => Commit(paths));
+                Assert.That(failure.Message, Does.Contain(what));
+            }
+            AssertFails(nodes.Skip(1), "part.nodes of its input 0: wanted one with hash");
+            AssertFails(nodes.Take(8), "no merge took it in");
+            AssertFails(nodes.Take(1), "tops that are not merged: wanted 0, got");
+            AssertFails(nodes.Append(nodes[2]), "is the same as " + nodes[2]);
+            AssertFails(nodes.Append(Merge(PartOf(whole.Whole, whole.Whole.Child(1)), inputs.Skip(1).Take(1).ToArray(), "again",
+                _ => { }).NodesPath), "two merges took it in");
+            AssertFails(new string[0], "wanted parts to commit, got none");
+            (inputs[1].NodesPath, inputs[2].NodesPath) = (inputs[2].NodesPath, inputs[1].NodesPath);
+            var mixed = Assert.Throws<PointCloudException>(() => Merge(whole, inputs, "mixed", _ => { }));
+            Assert.That(mixed.Message, Does.StartWith(inputs[1].TopsPath + ": at byte 32: hash of " + inputs[1].NodesPath));
+            m_made.Manifest.CloudId++;
+            Assert.That(Assert.Throws<PointCloudException>(() => Commit(nodes)).Message, Does.Contain("cloud: wanted"));
         }
     }
 }
