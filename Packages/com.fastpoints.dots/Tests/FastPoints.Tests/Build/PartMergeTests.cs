@@ -171,7 +171,8 @@ namespace FastPoints.Tests.Build
             while (cubes.Count(c => m_cubes.Any(c.Contains)) < parts)
             {
                 var large = cubes.Where(c => m_cubes.Count(c.Contains) > 1 && c.SideLog2 > 0 && !m_cubes.Contains(c)).ToList();
-                var cut = large[random.NextInt(large.Count)];
+                var cut = merges.Count % 2 == 0 ? large.OrderByDescending(c => m_cubes.Count(c.Contains)).First()
+                    : large[random.NextInt(large.Count)];
                 cubes.Remove(cut);
                 merges.Add(cut);
                 for (int octant = 0; octant < 8; octant++)
@@ -206,7 +207,7 @@ namespace FastPoints.Tests.Build
 
         /// <param name="levels">Of merges; of more than one, one for each cube that was cut.</param>
         [Test]
-        public void Parts_AnyCut_MakeTheBytesOfOneBuild([Values(2, 5, 17)] int parts, [Values] bool mergesOften,
+        public void Parts_AnyCut_MakeTheBytesOfOneBuild([Values(2, 5, 17, 40)] int parts, [Values] bool mergesOften,
             [Values(Sampler.Average, Sampler.Random)] Sampler sampler)
         {
             Convert(sampler, Filled());
