@@ -13,10 +13,6 @@ namespace FastPoints.Build
     /// whether its octants were collected before, by other builds, or not.</remarks>
     internal sealed unsafe class UpperMerge : IDisposable
     {
-        /// <summary>Sixteen neighbours are merged into a region of at least this many points: each round leaves fewer, and a
-        /// small cloud has one.</summary>
-        const int MinPointsPerRegion = 16 * StoreFormat.MaxPointsPerNode;
-
         /// <summary>Tops that are read from files at the same time.</summary>
         const int MaxReadsInFlight = 8;
 
@@ -38,9 +34,6 @@ namespace FastPoints.Build
             m_manifest = manifest;
             BytesOfPlane = new long[store.Layout.Planes.Count];
         }
-
-        /// <summary>The most points of tops in one merge: more are merged in regions first.</summary>
-        public static long MaxPointsOf(MemoryPlan plan) => Math.Max(plan.PointsPerChunk, MinPointsPerRegion);
 
         public int LowestSideLog2 { get; private set; } = int.MaxValue;
         public long[] BytesOfPlane { get; }
@@ -135,7 +128,7 @@ namespace FastPoints.Build
         /// <param name="left">Receives what is left of the items, in their order.</param>
         IEnumerator<JobStep> Collect(GridCube cube, ArraySegment<UpperItem> items, List<UpperItem> left, StageProgress progress)
         {
-            long most = MaxPointsOf(m_build.Plan);
+            long most = m_build.Plan.PointsPerRegion;
             if (items.Count <= 1 || cube.SideLog2 == 0 || PointsOf(items) <= most)
             {
                 left.AddRange(items);
