@@ -71,8 +71,8 @@ namespace FastPoints.Tests.Build
             }
             m_chunks = Directory.GetFiles(tops).OrderBy(f => f, StringComparer.Ordinal).ToArray();
             Assert.That(m_chunks, Is.Not.Empty);
-            m_records = GridChoice.Choose(new[] { reader.Info }, new SampleStatistics[1], m_made.Manifest.Attributes.BytesPerPoint)
-                .Records;
+            m_records = GridChoice.Choose(new[] { reader.Info }, new SampleStatistics[1],
+                m_made.Manifest.Attributes.BytesPerPoint).Records;
             m_cubes = m_chunks.Select((_, i) => ChunkOf(i, false).Chunk.Container.Cube).ToArray();
         }
 
@@ -107,7 +107,7 @@ namespace FastPoints.Tests.Build
         {
             string folder = Folder.File(name);
             var owned = new List<IDisposable>();
-            using (var build = new BuildContext(part, new PointReader[0], folder, m_settings, null))
+            using (var build = new BuildContext(part, new PointReader[0], 0, folder, m_settings, null))
             using (var store = new NativeStoreLayout(part.ToManifest(m_settings.Sampler).CreateLayout()))
             using (var merge = new UpperMerge(build, store, part.ToManifest(m_settings.Sampler)))
             {
@@ -135,7 +135,7 @@ namespace FastPoints.Tests.Build
                     JobCoroutine.RunToEnd(merge.Collect(part.Cube, null));
                 result.Include(merge.LowestSideLog2, merge.BytesOfPlane);
                 JobCoroutine.RunToEnd(PartFile.Write(build.Folder, part.Cube, part.CloudId, merge, result));
-                build.Folder.Keep();
+                JobCoroutine.RunToEnd(build.Folder.Complete());
             }
             foreach (var one in owned)
                 one.Dispose();
@@ -144,14 +144,15 @@ namespace FastPoints.Tests.Build
 
         PartInput Merge(BuildPart part, IReadOnlyList<PartInput> inputs, string name, Action<PartResult> take)
         {
-            JobCoroutine.RunToEnd(PartMerge.Run(part, inputs, Folder.File(name), m_settings, take, null));
+            JobCoroutine.RunToEnd(PartMerge.Run(part, inputs, new PartResult[0],
+                new PartOutput { Folder = Folder.File(name), Settings = m_settings, Take = take }));
             return InputOf(name);
         }
 
         PartInput InputOf(string name) => new PartInput
         {
-            TopsPath = Path.Combine(Folder.File(name) + StoreFormat.PartSuffix, PartFile.TopsName),
-            NodesPath = Path.Combine(Folder.File(name) + StoreFormat.PartSuffix, PartFile.NodesName),
+            TopsPath = Path.Combine(Folder.File(name), PartFile.TopsName),
+            NodesPath = Path.Combine(Folder.File(name), PartFile.NodesName),
         };
 
         CloudManifest Commit(IEnumerable<string> nodesPaths)
@@ -196,8 +197,8 @@ namespace FastPoints.Tests.Build
                 Assert.That(files.Count(), Is.EqualTo(2), files.Key + " is of one part, and of one build");
                 Assert.That(File.ReadAllBytes(files.First()), Is.EqualTo(File.ReadAllBytes(files.Last())), files.Key);
             }
-            Assert.That(File.ReadAllBytes(Path.Combine(Folder.File("commit") + StoreFormat.PartSuffix, StoreFormat.HierarchyName)),
-                Is.EqualTo(File.ReadAllBytes(Path.Combine(Target, StoreFormat.HierarchyName))));
+            Assert.That(File.ReadAllBytes(Path.Combine(Folder.File("commit"), StoreFormat.HierarchyName)), Is.EqualTo(
+                File.ReadAllBytes(Path.Combine(Target, StoreFormat.HierarchyName))));
             Assert.That(manifest.ToJson(), Is.EqualTo(wanted.ToJson()));
             Assert.That(result.Checksum, Is.EqualTo(wanted.Checksum));
             Assert.That(result.Statistics.Count, Is.EqualTo(wanted.Points));
@@ -225,7 +226,8 @@ namespace FastPoints.Tests.Build
             foreach (var cube in merges.OrderBy(c => c.SideLog2).ToList())
             {
                 var below = inputs.Where(i => cube.Contains(i.cube)).OrderBy(_ => random.NextUInt()).ToList();
-                var merged = Merge(PartOf(whole, cube), below.Select(b => b.Item2).ToList(), "merge" + nodes.Count, r => result = r);
+                var merged =
+                    Merge(PartOf(whole, cube), below.Select(b => b.Item2).ToList(), "merge" + nodes.Count, r => result = r);
                 inputs.RemoveAll(below.Contains);
                 inputs.Add((cube, merged));
                 nodes.Add(merged.NodesPath);

@@ -21,7 +21,8 @@ namespace FastPoints.Build
         BucketBuild(BuildContext build, PartSelection selection)
         {
             m_build = build;
-            m_selection = build.Selection = selection;
+            m_selection = selection;
+            build.TakePointsWanted = selection.TakePointsWanted;
             build.Settings.SecondsPerGeneration = build.Settings.SecondsToFirstGeneration = double.PositiveInfinity;
         }
 
@@ -90,7 +91,7 @@ namespace FastPoints.Build
             {
                 using var to = FileChanges.OpenToWrite(path, FileMode.Create);
                 foreach (var range in ranges)
-                    using (var from = new FileStream(files.PathOf(range.Part), FileMode.Open, FileAccess.Read))
+                    using (var from = FileChanges.OpenToRead(files.PathOf(range.Part), 1 << 16))
                         from.CopyTo(to);
                 to.Flush(true);
                 return true;

@@ -24,7 +24,9 @@ namespace FastPoints.Build
         PartBuild(BuildContext build, PartSelection selection)
         {
             m_build = build;
-            m_selection = build.Selection = selection;
+            m_selection = selection;
+            if (selection != null)
+                build.TakePointsWanted = selection.TakePointsWanted;
             // A part of a cloud is none.
             build.Settings.SecondsPerGeneration = build.Settings.SecondsToFirstGeneration = double.PositiveInfinity;
         }
