@@ -71,8 +71,8 @@ namespace FastPoints.Tests.Build
             }
             m_chunks = Directory.GetFiles(tops).OrderBy(f => f, StringComparer.Ordinal).ToArray();
             Assert.That(m_chunks, Is.Not.Empty);
-            m_records = GridChoice.Choose(new[] { reader.Info }, new SampleStatistics[1], m_made.Manifest.Attributes.BytesPerPoint)
-                .Records;
+            m_records = GridChoice.Choose(new[] { reader.Info }, new SampleStatistics[1],
+                m_made.Manifest.Attributes.BytesPerPoint).Records;
             m_cubes = m_chunks.Select((_, i) => ChunkOf(i, false).Chunk.Container.Cube).ToArray();
         }
 
@@ -196,7 +196,8 @@ namespace FastPoints.Tests.Build
                 Assert.That(files.Count(), Is.EqualTo(2), files.Key + " is of one part, and of one build");
                 Assert.That(File.ReadAllBytes(files.First()), Is.EqualTo(File.ReadAllBytes(files.Last())), files.Key);
             }
-            Assert.That(File.ReadAllBytes(Path.Combine(Folder.File("commit") + StoreFormat.PartSuffix, StoreFormat.HierarchyName)),
+            string committed = Folder.File("commit") + StoreFormat.PartSuffix;
+            Assert.That(File.ReadAllBytes(Path.Combine(committed, StoreFormat.HierarchyName)),
                 Is.EqualTo(File.ReadAllBytes(Path.Combine(Target, StoreFormat.HierarchyName))));
             Assert.That(manifest.ToJson(), Is.EqualTo(wanted.ToJson()));
             Assert.That(result.Checksum, Is.EqualTo(wanted.Checksum));
@@ -225,7 +226,8 @@ namespace FastPoints.Tests.Build
             foreach (var cube in merges.OrderBy(c => c.SideLog2).ToList())
             {
                 var below = inputs.Where(i => cube.Contains(i.cube)).OrderBy(_ => random.NextUInt()).ToList();
-                var merged = Merge(PartOf(whole, cube), below.Select(b => b.Item2).ToList(), "merge" + nodes.Count, r => result = r);
+                var merged = Merge(PartOf(whole, cube), below.Select(b => b.Item2).ToList(), "merge" + nodes.Count,
+                    r => result = r);
                 inputs.RemoveAll(below.Contains);
                 inputs.Add((cube, merged));
                 nodes.Add(merged.NodesPath);
@@ -271,7 +273,8 @@ namespace FastPoints.Tests.Build
             Convert(Sampler.Average, Filled());
             var root = m_made.Manifest.Root;
             whole = PartOf(root, root);
-            return Enumerable.Range(0, 8).Select(o => Build(PartOf(root, root.Child(o)), In(root.Child(o)), "build" + o)).ToArray();
+            return Enumerable.Range(0, 8).Select(root.Child).Select((cube, i) => Build(PartOf(root, cube), In(cube), "build" + i))
+                .ToArray();
         }
 
         [Test]
