@@ -128,8 +128,8 @@ namespace FastPoints.Build
         /// <param name="left">Receives what is left of the items, in their order.</param>
         IEnumerator<JobStep> Collect(GridCube cube, ArraySegment<UpperItem> items, List<UpperItem> left, StageProgress progress)
         {
-            long max = m_build.Plan.PointsPerRegion;
-            if (items.Count <= 1 || cube.SideLog2 == 0 || PointsOf(items) <= max)
+            long limit = m_build.Plan.PointsPerRegion;
+            if (items.Count <= 1 || cube.SideLog2 == 0 || PointsOf(items) <= limit)
             {
                 left.AddRange(items);
                 progress?.Report(0.5 * (items.Offset + items.Count) / items.Array.Length, m_upperPoints, m_upperBytes);
@@ -147,7 +147,7 @@ namespace FastPoints.Build
                 yield return JobStep.Of(Collect(octant, items.Slice(first, end - first), of.Left, progress));
                 points += PointsOf(of.Left);
                 // A cube around it all does not matter.
-                if (end == items.Count && ofOctants.Count == 1 || points <= max)
+                if (end == items.Count && ofOctants.Count == 1 || points <= limit)
                     continue;
                 foreach (var done in ofOctants)
                     if (done.Left.Count > 1)

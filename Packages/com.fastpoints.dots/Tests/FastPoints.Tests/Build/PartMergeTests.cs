@@ -197,8 +197,9 @@ namespace FastPoints.Tests.Build
                 Assert.That(files.Count(), Is.EqualTo(2), files.Key + " is of one part, and of one build");
                 Assert.That(File.ReadAllBytes(files.First()), Is.EqualTo(File.ReadAllBytes(files.Last())), files.Key);
             }
-            Assert.That(File.ReadAllBytes(Path.Combine(Folder.File("commit"), StoreFormat.HierarchyName)), Is.EqualTo(
-                File.ReadAllBytes(Path.Combine(Target, StoreFormat.HierarchyName))));
+            string committed = Folder.File("commit");
+            Assert.That(File.ReadAllBytes(Path.Combine(committed, StoreFormat.HierarchyName)),
+                Is.EqualTo(File.ReadAllBytes(Path.Combine(Target, StoreFormat.HierarchyName))));
             Assert.That(manifest.ToJson(), Is.EqualTo(wanted.ToJson()));
             Assert.That(result.Checksum, Is.EqualTo(wanted.Checksum));
             Assert.That(result.Statistics.Count, Is.EqualTo(wanted.Points));
@@ -226,8 +227,8 @@ namespace FastPoints.Tests.Build
             foreach (var cube in merges.OrderBy(c => c.SideLog2).ToList())
             {
                 var below = inputs.Where(i => cube.Contains(i.cube)).OrderBy(_ => random.NextUInt()).ToList();
-                var merged =
-                    Merge(PartOf(whole, cube), below.Select(b => b.Item2).ToList(), "merge" + nodes.Count, r => result = r);
+                var merged = Merge(PartOf(whole, cube), below.Select(b => b.Item2).ToList(), "merge" + nodes.Count,
+                    r => result = r);
                 inputs.RemoveAll(below.Contains);
                 inputs.Add((cube, merged));
                 nodes.Add(merged.NodesPath);
@@ -273,7 +274,8 @@ namespace FastPoints.Tests.Build
             Convert(Sampler.Average, Filled());
             var root = m_made.Manifest.Root;
             whole = PartOf(root, root);
-            return Enumerable.Range(0, 8).Select(o => Build(PartOf(root, root.Child(o)), In(root.Child(o)), "build" + o)).ToArray();
+            return Enumerable.Range(0, 8).Select(root.Child).Select((cube, i) => Build(PartOf(root, cube), In(cube), "build" + i))
+                .ToArray();
         }
 
         [Test]
@@ -306,7 +308,7 @@ namespace FastPoints.Tests.Build
                 Assert.That(failure.Message, Does.StartWith(path + ": at byte ").And.Contain("wanted").And.Contain("got"));
             }
             foreach (string name in new[] { "damaged", "commit" })
-                Assert.That(Directory.Exists(Folder.File(name) + StoreFormat.PartSuffix), Is.False);
+                Assert.That(Directory.Exists(Folder.File(name)), Is.False);
             File.WriteAllBytes(path, sound);
             Commit(nodes);
         }
