@@ -1,8 +1,9 @@
 namespace FastPoints.Cli.Cluster;
 
 /// <summary>What a plan is made by, beside the sources.</summary>
+/// <param name="IsBucketed">Null for what seems cheaper.</param>
 /// <param name="Divisor">Of all attributes; 0 for what the sample shows.</param>
-sealed record PlanRequest(string Path, string Store, IReadOnlyList<string> Settings, long TaskPoints, bool IsBucketed, int Divisor,
+sealed record PlanRequest(string Path, string Store, IReadOnlyList<string> Settings, long TaskPoints, bool? IsBucketed, int Divisor,
     long MemoryBytes);
 
 /// <summary>Plans the tasks of a build over many machines, by headers and a sample.</summary>
@@ -77,7 +78,7 @@ sealed class PlanStep
         var reads = ReadsOfTasks();
         long points = Math.Max(1, m_reader.PointCount);
         ReadsPerPoint = reads.Sum(r => r.Points) / (double)points;
-        bool isBucketed = m_request.IsBucketed || ReadsPerPoint > MostReads && m_cubes.Length > 1;
+        bool isBucketed = m_request.IsBucketed ?? (ReadsPerPoint > MostReads && m_cubes.Length > 1);
         // Of cubes without sources nothing comes, unless records of buckets turn out to lie there.
         var kept = Enumerable.Range(0, m_cubes.Length).Where(t => isBucketed || t == 0 || reads[t].Pieces.Count > 0).ToArray();
         var buckets = isBucketed ? Buckets() : [];

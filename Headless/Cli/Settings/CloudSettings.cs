@@ -16,8 +16,9 @@ public sealed class CloudSettings
         Description = "Attributes to keep beside the position (default: all).",
     };
 
-    /// <summary>For tests and tuning: it changes what is stored, and no figure is given for other values.</summary>
+    // For tests and tuning: they change what is stored, and no figure is given for other values.
     readonly Option<long?> m_chunkPoints = Counts.Optional("--chunk-points", "The most points of a chunk.");
+    readonly Option<long?> m_leafPoints = Counts.Optional("--leaf-points", "The most points of a leaf.");
     readonly FilterSettings m_filter;
     readonly SourceSettings m_source;
     readonly List<Option> m_options;
@@ -25,10 +26,11 @@ public sealed class CloudSettings
     public CloudSettings(Command command)
     {
         int before = command.Options.Count;
-        m_chunkPoints.Hidden = true;
+        m_chunkPoints.Hidden = m_leafPoints.Hidden = true;
         command.Add(m_sampler);
         command.Add(m_attributes);
         command.Add(m_chunkPoints);
+        command.Add(m_leafPoints);
         m_filter = new FilterSettings(command);
         m_source = new SourceSettings(command);
         m_options = command.Options.Skip(before).ToList();
@@ -44,6 +46,7 @@ public sealed class CloudSettings
             Sampler = sampler,
             Attributes = parsed.GetValue(m_attributes)?.Split(',', System.StringSplitOptions.RemoveEmptyEntries),
             PointsPerChunk = parsed.GetValue(m_chunkPoints) ?? 0,
+            MaxPointsPerLeaf = Counts.ToInt(parsed.GetValue(m_leafPoints) ?? 0),
         };
     }
 

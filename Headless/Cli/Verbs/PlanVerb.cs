@@ -34,6 +34,10 @@ public sealed class PlanVerb : Verb
         Description = "Read each source once and sort its points by task first, even if it seems cheaper that tasks read all that "
             + "overlaps them.",
     };
+    readonly Option<bool> m_cells = new("--cells")
+    {
+        Description = "Have each task read all that overlaps it, even if that seems dearer than buckets.",
+    };
     readonly Option<int?> m_divisors = new("--divisors")
     {
         HelpName = "1",
@@ -50,6 +54,7 @@ public sealed class PlanVerb : Verb
         Command.Add(m_taskPoints);
         Command.Add(m_memory);
         Command.Add(m_buckets);
+        Command.Add(m_cells);
         Command.Add(m_divisors);
         m_cloud = new CloudSettings(Command);
     }
@@ -66,6 +71,8 @@ public sealed class PlanVerb : Verb
         var settings = m_cloud.Read(parsed);
         if (parsed.GetValue(m_divisors) is { } divisor && divisor != 1)
             throw new UsageException("--divisors: wanted 1, got " + divisor);
+        if (parsed.GetValue(m_buckets) && parsed.GetValue(m_cells))
+            throw new UsageException("--buckets and --cells exclude each other");
         var words = m_cloud.ToWords(parsed);
         if (words.Any(w => w.StartsWith("--every-nth", StringComparison.Ordinal)))
             throw new UsageException("--every-nth: no plan can say which point is which; export such a file first");
@@ -83,7 +90,7 @@ public sealed class PlanVerb : Verb
                 throw new UsageException("--store: there is a cloud already: " + store + "; --force plans all the same");
         string memory = parsed.GetRequiredValue(m_memory);
         var (plan, reads) = PlanStep.Run(wanted, settings, new PlanRequest(output, full, words, parsed.GetValue(m_taskPoints),
-            parsed.GetValue(m_buckets), parsed.GetValue(m_divisors) ?? 0, Memory.Parse(memory)), run);
+            parsed.GetValue(m_buckets) ? true : parsed.GetValue(m_cells) ? false : null, parsed.GetValue(m_divisors) ?? 0, Memory.Parse(memory)), run);
         run.Warn(reader.Info);
         run.Report(reader.Info.Losses);
         Report(plan, reads, run);
