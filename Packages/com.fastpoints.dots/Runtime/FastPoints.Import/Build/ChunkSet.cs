@@ -10,7 +10,7 @@ namespace FastPoints.Build
     internal sealed class ChunkSet : IDisposable
     {
         const int SplitLevels = 3;
-        const int PagesPerBatch = 64;
+        public const int PagesPerBatch = 64;
 
         public sealed class Chunk
         {

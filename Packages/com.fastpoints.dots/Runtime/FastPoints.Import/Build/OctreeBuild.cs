@@ -300,7 +300,7 @@ namespace FastPoints.Build
             foreach (var result in m_results)
                 tops += result == null ? 0 : result.TopPoints;
             var plan = m_build.Plan;
-            long merged = Math.Min(tops, UpperMerge.MaxPointsOf(plan)) * plan.IndexBytesPerPoint;
+            long merged = Math.Min(tops, plan.PointsPerRegion) * plan.IndexBytesPerPoint;
             long inWork = m_workspaces.Count * m_chunkBytes + (m_limit.Value - m_workspaces.Count) * m_inFlightBytes;
             return tops > 0 && merged + inWork <= plan.IndexBytes;
         }

@@ -13,10 +13,6 @@ namespace FastPoints.Build
     /// whether its octants were collected before, by other builds, or not.</remarks>
     internal sealed unsafe class UpperMerge : IDisposable
     {
-        /// <summary>Sixteen neighbours are merged into a region of at least this many points: each round leaves fewer, and a
-        /// small cloud has one.</summary>
-        const int MinPointsPerRegion = 16 * StoreFormat.MaxPointsPerNode;
-
         /// <summary>Tops that are read from files at the same time.</summary>
         const int MaxReadsInFlight = 8;
 
@@ -38,9 +34,6 @@ namespace FastPoints.Build
             m_manifest = manifest;
             BytesOfPlane = new long[store.Layout.Planes.Count];
         }
-
-        /// <summary>The most points of tops in one merge: more are merged in regions first.</summary>
-        public static long MaxPointsOf(MemoryPlan plan) => Math.Max(plan.PointsPerChunk, MinPointsPerRegion);
 
         public int LowestSideLog2 { get; private set; } = int.MaxValue;
         public long[] BytesOfPlane { get; }
@@ -135,8 +128,8 @@ namespace FastPoints.Build
         /// <param name="left">Receives what is left of the items, in their order.</param>
         IEnumerator<JobStep> Collect(GridCube cube, ArraySegment<UpperItem> items, List<UpperItem> left, StageProgress progress)
         {
-            long most = MaxPointsOf(m_build.Plan);
-            if (items.Count <= 1 || cube.SideLog2 == 0 || PointsOf(items) <= most)
+            long limit = m_build.Plan.PointsPerRegion;
+            if (items.Count <= 1 || cube.SideLog2 == 0 || PointsOf(items) <= limit)
             {
                 left.AddRange(items);
                 progress?.Report(0.5 * (items.Offset + items.Count) / items.Array.Length, m_upperPoints, m_upperBytes);
@@ -154,7 +147,7 @@ namespace FastPoints.Build
                 yield return JobStep.Of(Collect(octant, items.Slice(first, end - first), of.Left, progress));
                 points += PointsOf(of.Left);
                 // A cube around it all does not matter.
-                if (end == items.Count && ofOctants.Count == 1 || points <= most)
+                if (end == items.Count && ofOctants.Count == 1 || points <= limit)
                     continue;
                 foreach (var done in ofOctants)
                     if (done.Left.Count > 1)

@@ -97,8 +97,8 @@ namespace FastPoints.Build
             var parts = new List<int>();
             Descend(cube);
             cells.AddRange(parts);
-            return new PartitionMap(cube, levels, cellLog2 - smallest, new NativeArray<int>(cells.ToArray(), Allocator.Persistent),
-                chunks);
+            return new PartitionMap(cube, levels, cellLog2 - smallest,
+                new NativeArray<int>(cells.ToArray(), Allocator.Persistent), chunks);
 
             void Add(List<int> to, int sideLog2)
             {

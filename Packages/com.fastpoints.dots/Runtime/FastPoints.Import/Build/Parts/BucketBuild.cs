@@ -21,7 +21,8 @@ namespace FastPoints.Build
         BucketBuild(BuildContext build, PartSelection selection)
         {
             m_build = build;
-            m_selection = build.Selection = selection;
+            m_selection = selection;
+            build.TakePointsWanted = selection.TakePointsWanted;
             build.Settings.SecondsPerGeneration = build.Settings.SecondsToFirstGeneration = double.PositiveInfinity;
         }
 
@@ -45,7 +46,6 @@ namespace FastPoints.Build
             build.Progress?.Begin(BuildStages.Read);
             build.Map = PartitionMap.Of(whole.Whole, cubes);
             build.Map.BaseCells = whole.BaseCells;
-            build.UseFiles();
             yield return JobStep.Of(bucket.Read());
             whole.RequireDivisors(bucket.m_scatter.Attributes, reader.Info.Path);
             yield return JobStep.Of(bucket.Write(ranges, output.Take));
@@ -74,27 +74,42 @@ namespace FastPoints.Build
             yield return JobStep.Of(new ReadSources(m_build, m_scatter, m_checkpoints, m_generations).Run());
         }
 
-        IEnumerator<JobStep> Write(List<BucketRange> ranges, Action<PartResult> take)
+        IEnumerator<JobStep> WriteRecords(List<BucketRange> ranges)
+        {
+            var chunks = m_scatter.Chunks;
+            int stride = m_build.Records.StrideBytes;
+            foreach (var range in ranges)
+                yield return JobStep.Of(CloudFolderWriter.Await(m_build.Folder.WriteRecords(BuildFiles.BucketName,
+                    chunks[range.Part], stride, range.First * stride)));
+            yield return JobStep.Of(CloudFolderWriter.Await(m_build.Folder.SyncRecords(BuildFiles.BucketName)));
+        }
+
+        IEnumerator<JobStep> JoinFiles(List<BucketRange> ranges)
         {
             var files = m_build.Files;
-            long first = 0;
-            for (int part = 0; part <= m_build.Map.Outside; part++)
-            {
-                if (files.RecordsOf(part) == 0)
-                    continue;
-                ranges.Add(new BucketRange { Part = part, First = first, Count = files.RecordsOf(part) });
-                first += files.RecordsOf(part);
-            }
             string path = m_build.Folder.PathOf(BuildFiles.BucketName);
-            yield return JobStep.Of(PoolTask.Run(path, () =>
+            return PoolTask.Run(path, () =>
             {
                 using var to = FileChanges.OpenToWrite(path, FileMode.Create);
                 foreach (var range in ranges)
-                    using (var from = new FileStream(files.PathOf(range.Part), FileMode.Open, FileAccess.Read))
-                        from.CopyTo(to);
+                    using (var from = FileChanges.OpenToRead(files.PathOf(range.Part), 1 << 16))
+                        from.CopyTo(to, 1 << 20);
                 to.Flush(true);
                 return true;
-            }, _ => { }));
+            }, _ => { });
+        }
+
+        IEnumerator<JobStep> Write(List<BucketRange> ranges, Action<PartResult> take)
+        {
+            long first = 0;
+            for (int part = 0; part <= m_build.Map.Outside; part++)
+            {
+                long count = m_build.Files?.RecordsOf(part) ?? m_scatter.Chunks[part].Count;
+                if (count > 0)
+                    ranges.Add(new BucketRange { Part = part, First = first, Count = count });
+                first += count;
+            }
+            yield return JobStep.Of(m_build.Files == null ? WriteRecords(ranges) : JoinFiles(ranges));
             var manifest = m_build.Part.ToManifest(m_build.Settings.Sampler);
             using var store = new NativeStoreLayout(manifest.CreateLayout());
             using var merge = new UpperMerge(m_build, store, manifest);
@@ -103,7 +118,8 @@ namespace FastPoints.Build
                 Statistics = m_scatter.Statistics,
                 Attributes = m_scatter.Attributes,
                 PointsWanted = m_checkpoints.Journal.PointsWanted,
-                OutsidePoints = files.RecordsOf(m_build.Map.Outside),
+                OutsidePoints = ranges.Count > 0 && ranges[ranges.Count - 1].Part == m_build.Map.Outside
+                    ? ranges[ranges.Count - 1].Count : 0,
             };
             yield return JobStep.Of(PartFile.Write(m_build.Folder, m_build.Part.Cube, m_build.CloudId, merge, result));
             yield return JobStep.Of(m_build.Folder.Complete());

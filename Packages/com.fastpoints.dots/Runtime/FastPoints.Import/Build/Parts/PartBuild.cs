@@ -24,7 +24,9 @@ namespace FastPoints.Build
         PartBuild(BuildContext build, PartSelection selection)
         {
             m_build = build;
-            m_selection = build.Selection = selection;
+            m_selection = selection;
+            if (selection != null)
+                build.TakePointsWanted = selection.TakePointsWanted;
             // A part of a cloud is none.
             build.Settings.SecondsPerGeneration = build.Settings.SecondsToFirstGeneration = double.PositiveInfinity;
         }
@@ -119,21 +121,23 @@ namespace FastPoints.Build
                 yield return JobStep.Of(new ReadSources(m_build, m_scatter, m_checkpoints, m_generations).Run());
                 yield break;
             }
-            m_build.UseFiles();
-            m_build.AddFirstFiles();
+            // In memory they are in a file, too, until they are loaded.
             m_build.RequireRoom(m_build.Points);
-            string path = m_build.Files.PathOf(0);
+            string path = m_build.Folder.PathOf(BuildFiles.RecordPath(0));
+            long wanted = m_build.Points * m_build.Records.StrideBytes;
             yield return JobStep.Of(PoolTask.Run(path, () =>
             {
                 m_fetch(path);
                 return StoreFile.SizeOf(path);
             }, bytes =>
             {
-                if (bytes != m_build.Points * m_build.Records.StrideBytes)
-                    throw PointCloudException.Wanted(FailureCode.ReadFailed, path, -1, "bytes of the part's points",
-                        m_build.Points * m_build.Records.StrideBytes, bytes);
+                if (bytes != wanted)
+                    throw PointCloudException.Wanted(FailureCode.ReadFailed, path, -1, "bytes of the part's points", wanted, bytes);
             }));
-            m_build.Files.Adopt(0, m_build.Points);
+            if (m_build.Files != null)
+                m_build.Files.Adopt(0, m_build.Points);
+            else
+                yield return JobStep.Of(Load(path));
             var cube = m_build.Part.Cube;
             m_checkpoints.Journal.Statistics.Add(new PointStatistics
             {
@@ -142,6 +146,37 @@ namespace FastPoints.Build
                 Max = cube.Corner + new Grid3(cube.Side - 1, cube.Side - 1, cube.Side - 1),
             });
             m_scatter.Resume(m_checkpoints.Journal);
+        }
+
+        IEnumerator<JobStep> Load(string path)
+        {
+            using var load = new RecordLoad(m_build);
+            using var outside = new NativeReference<int>(Allocator.Persistent);
+            var ranges = new[] { new RecordRange { Count = m_build.Points } };
+            var chunks = m_scatter.Chunks;
+            for (long first = 0, count; first < m_build.Points; first += count)
+            {
+                count = Math.Min(ChunkSet.PagesPerBatch * RecordPages.RecordsPerPage, m_build.Points - first);
+                load.Begin(ranges, first, count, path);
+                yield return load.Done;
+                var pages = load.Complete();
+                var checkedRecords = CheckRecordsJob.Schedule(new CheckRecordsJob
+                {
+                    Slices = m_build.Slices,
+                    Pages = pages,
+                    Layout = m_build.Records,
+                    Cube = m_build.Part.Cube,
+                    Outside = outside,
+                }, default);
+                yield return checkedRecords;
+                checkedRecords.Complete();
+                var all = chunks[0];
+                all.Join(ref pages);
+                chunks[0] = all;
+            }
+            if (outside.Value > 0)
+                throw PointCloudException.Wanted(FailureCode.ReadFailed, path, -1, "points outside of the part", 0, outside.Value);
+            m_build.Folder.Delete(BuildFiles.RecordPath(0));
         }
 
         IEnumerator<JobStep> WriteNodes(Action<PartResult> take)

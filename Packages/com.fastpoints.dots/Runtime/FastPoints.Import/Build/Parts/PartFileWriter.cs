@@ -7,8 +7,8 @@ using Unity.Collections.LowLevel.Unsafe;
 
 namespace FastPoints.Build
 {
-    /// <summary>The start of a part's file. Behind it come what is known of the part, pieces of bytes, and at the end the entries,
-    /// which say where the pieces are and have their hashes.</summary>
+    /// <summary>The start of a part's file. Behind it come what is known of the part, pieces of bytes, and at the end the
+    /// entries, which say where the pieces are and have their hashes.</summary>
     [StructLayout(LayoutKind.Explicit, Size = SizeBytes)]
     internal unsafe struct PartHeader
     {

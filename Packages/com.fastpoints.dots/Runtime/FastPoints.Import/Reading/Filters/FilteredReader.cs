@@ -23,7 +23,8 @@ namespace FastPoints.Reading
         }
 
         /// <param name="blocks">Ascending. The source's blocks are known.</param>
-        public FilteredReader(PointReader unfiltered, IPointSelection filter, IReadOnlyList<int> blocks) : this(unfiltered, filter)
+        public FilteredReader(PointReader unfiltered, IPointSelection filter, IReadOnlyList<int> blocks)
+            : this(unfiltered, filter)
         {
             m_blocks = blocks;
             m_firstPointOfBlock = new long[blocks.Count + 1];

@@ -148,7 +148,8 @@ namespace FastPoints.Reading
 
         public NativeReference<DecodeResult> Result { get; }
 
-        public JobHandle Schedule(NativeReference<DecodeResult> decodedResult, BlockRange range, long firstPoint, JobHandle decoded)
+        public JobHandle Schedule(NativeReference<DecodeResult> decodedResult, BlockRange range, long firstPoint,
+            JobHandle decoded)
         {
             var job = m_job;
             job.Decoded = decodedResult;
