@@ -72,8 +72,7 @@ static class KubernetesManifest
     /// <summary>What runs in a container.</summary>
     public static IEnumerable<string> Command(ClusterJob job, ClusterArray array, ClusterSettings settings) =>
     [
-        settings.Program, .. array.Words(job.Plan), "--memory", job.Memory, "--threads",
-        settings.Cores.ToString(CultureInfo.InvariantCulture), "--scratch", ScratchOf(settings), "--quiet",
+        settings.Program, .. array.Words(job.Plan), "--threads", settings.Cores.ToString(CultureInfo.InvariantCulture), "--scratch", ScratchOf(settings), "--quiet",
     ];
 
     /// <summary>Texts of JSON are texts of YAML.</summary>

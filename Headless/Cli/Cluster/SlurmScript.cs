@@ -36,7 +36,7 @@ static class SlurmScript
         fi
 
         # The shell is told a minute before the time is up; the task ends then so that it can go on.
-        "$fastpoints" "$@" --memory {{job.Memory}} --threads "$SLURM_CPUS_PER_TASK" --scratch "$scratch" --quiet &
+        "$fastpoints" "$@" --threads "$SLURM_CPUS_PER_TASK" --scratch "$scratch" --quiet &
         task=$!
         trap 'kill -TERM "$task" 2>/dev/null' TERM
         wait "$task"

@@ -3,6 +3,8 @@ namespace FastPoints.Cli.Settings;
 /// <summary>The options that select points, shared by several verbs.</summary>
 public sealed class FilterSettings
 {
+    const string PolygonOption = "--polygon";
+
     readonly Option<string?> m_classes = new("--classes") { HelpName = "N,...", Description = "Only points of these classes." };
     readonly Option<string?> m_returns = new("--returns")
     {
@@ -11,7 +13,7 @@ public sealed class FilterSettings
     };
     readonly Option<long?> m_everyNth = Counts.Optional("--every-nth", "Only every N-th point in the source's order, from the "
         + "first.");
-    readonly Option<string?> m_polygon = new("--polygon")
+    readonly Option<string?> m_polygon = new(PolygonOption)
     {
         HelpName = "FILE",
         Description = "Only points in a polygon or any of several: GeoJSON or WKT, POLYGON or MULTIPOLYGON, holes too, in the "
@@ -33,6 +35,9 @@ public sealed class FilterSettings
         command.Add(m_polygon);
         command.Add(m_where);
     }
+
+    /// <returns>An option's value as it is elsewhere: of a polygon the whole path.</returns>
+    public static string Anywhere(Option option, string value) => option.Name == PolygonOption ? SourcePath.Full(value) : value;
 
     /// <returns>The filter for <paramref name="reader"/>; null for all points.</returns>
     internal PointFilter? Read(ParseResult parsed, PointReader reader)

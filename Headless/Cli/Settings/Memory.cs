@@ -21,7 +21,7 @@ public static class Memory
         return bytes - ProcessBytes;
     }
 
-    static long Parse(string text)
+    public static long Parse(string text)
     {
         string digits = text.TrimEnd('B', 'i', 'K', 'k', 'M', 'G', 'T');
         double unit = text[digits.Length..] switch

@@ -10,17 +10,20 @@ sealed class S3Addresses
 {
     const string Scheme = "s3://";
 
+    /// <summary>Its value is no source.</summary>
+    public const string StoreOption = "--store";
+
     readonly Dictionary<string, string> m_bucketOfAddress = [];
     readonly AmazonS3Client m_client;
 
     /// <summary>Shapes addresses as the other one does, and needs no credentials.</summary>
     readonly AmazonS3Client m_shaping;
 
+    static S3Addresses? s_current;
+
     S3Addresses()
     {
-        var config = new AmazonS3Config();
-        if (config.RegionEndpoint == null && config.ServiceURL == null)
-            throw new UsageException("s3:// needs the bucket's region: AWS_REGION, or a profile");
+        var config = NewConfig();
         m_client = new AmazonS3Client(config);
         m_shaping = new AmazonS3Client(new BasicAWSCredentials("none", "none"), config);
     }
@@ -30,27 +33,54 @@ sealed class S3Addresses
     /// <summary>No credentials were found: what is public is read all the same.</summary>
     public static bool IsUnsigned { get; private set; }
 
-    /// <returns>The words, with addresses in place of those that begin with s3://; from now on these are signed.</returns>
+    /// <returns>The words, with addresses in place of those that begin with s3://; from now on these are signed. What is
+    /// written to keeps its name.</returns>
     public static IReadOnlyList<string> Resolve(IReadOnlyList<string> words)
     {
-        if (!words.Any(IsS3))
-            return words;
-        var addresses = new S3Addresses();
-        words = [.. words.Select(word => IsS3(word) ? addresses.AddressOf(word) : word)];
-        IsUnsigned = !addresses.HasCredentials();
-        RemoteAccess.Sign = IsUnsigned ? null : (address, _) => addresses.Sign(address);
-        return words;
+        s_current = null;
+        return [.. words.Select((word, i) => IsS3(word) && (i == 0 || words[i - 1] != StoreOption) ? Add(word) : word)];
     }
 
-    static bool IsS3(string word) => word.StartsWith(Scheme, StringComparison.OrdinalIgnoreCase);
+    /// <returns>The address of an object, or of what begins with it; from now on it is signed.</returns>
+    public static string Add(string name)
+    {
+        var addresses = s_current ??= new S3Addresses();
+        string address = addresses.AddressOf(name);
+        IsUnsigned = !addresses.HasCredentials();
+        RemoteAccess.Sign = IsUnsigned ? null : (signed, _) => addresses.Sign(signed);
+        return address;
+    }
+
+    /// <summary>The reverse: what stands for an address in a file that others read.</summary>
+    public static string NameOf(string address)
+    {
+        foreach ((string start, string bucket) in s_current?.m_bucketOfAddress ?? [])
+            if (address.StartsWith(start, StringComparison.Ordinal))
+                return Scheme + bucket + "/" + Uri.UnescapeDataString(address[start.Length..]);
+        return address;
+    }
+
+    public static AmazonS3Config NewConfig()
+    {
+        var config = new AmazonS3Config();
+        return config.RegionEndpoint != null || config.ServiceURL != null ? config
+            : throw new UsageException("s3:// needs the bucket's region: AWS_REGION, or a profile");
+    }
+
+    public static (string Bucket, string Key) Split(string name)
+    {
+        string[] parts = name[Scheme.Length..].Split('/', 2);
+        return parts.Length == 2 && parts[0].Length > 0 && parts[1].Length > 0 ? (parts[0], parts[1])
+            : throw new UsageException(name + ": wanted s3://bucket/key");
+    }
+
+    public static bool IsS3(string word) => word.StartsWith(Scheme, StringComparison.OrdinalIgnoreCase);
 
     string AddressOf(string word)
     {
-        string[] parts = word[Scheme.Length..].Split('/', 2);
-        if (parts.Length < 2 || parts[0].Length == 0 || parts[1].Length == 0)
-            throw new UsageException(word + ": wanted s3://bucket/key");
-        m_bucketOfAddress[SourcePath.WithoutQuery(Signed(m_shaping, parts[0], "k"))[..^1]] = parts[0];
-        return SourcePath.WithoutQuery(Signed(m_shaping, parts[0], parts[1]));
+        var (bucket, key) = Split(word);
+        m_bucketOfAddress[SourcePath.WithoutQuery(Signed(m_shaping, bucket, "k"))[..^1]] = bucket;
+        return SourcePath.WithoutQuery(Signed(m_shaping, bucket, key));
     }
 
     bool HasCredentials()

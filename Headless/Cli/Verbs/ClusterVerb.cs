@@ -77,7 +77,7 @@ public sealed class ClusterVerb : Verb
         if (kind == Batch && settings.Queue == null)
             throw new UsageException(kind + " needs --queue");
         run.Begin([plan]);
-        var job = ClusterPlan.Read(plan);
+        var job = ClusterJob.Of(BuildPlan.Read(plan));
         if (isContainer && settings.Volume == null && !SourcePath.IsRemote(plan))
             throw new UsageException(plan + ": containers see no path of this machine: give an address, or --volume");
         run.Out.Write((kind switch

@@ -15,24 +15,12 @@ public sealed class ConvertVerb : Verb
         Required = true,
         Description = "The folder to make; a cloud of the same files that is there is replaced when the new one is whole.",
     };
-    readonly Option<string> m_sampler = new("--sampler")
-    {
-        HelpName = "NAME",
-        Description = "Which points stand for the others: random, one a cell by chance; poisson, evenly "
-            + "spaced; average, as poisson with colour and intensity averaged besides (default: poisson).",
-        DefaultValueFactory = _ => "poisson",
-    };
     readonly Option<string?> m_memory = new("--memory")
     {
         HelpName = "SIZE",
         Description = "Resident memory that the process may take, such as 300MiB or 4GiB (default: 1GiB). "
             + "What does not fit goes to temporary files beside the target; 300MiB are enough for any "
             + "cloud, and what is stored is the same.",
-    };
-    readonly Option<string?> m_attributes = new("--attributes")
-    {
-        HelpName = "A,B,...",
-        Description = "Attributes to keep beside the position (default: all).",
     };
 
     readonly Option<bool> m_report = new("--report")
@@ -44,21 +32,17 @@ public sealed class ConvertVerb : Verb
     {
         Description = "Do not go on with a build that was stopped, and keep nothing of this one when it is.",
     };
-    readonly FilterSettings m_filter;
-    readonly SourceSettings m_source;
+    readonly CloudSettings m_cloud;
 
     public ConvertVerb() : base(new Command("convert",
         "Build the octree that is streamed from: every point, every attribute, nothing rounded."))
     {
         Command.Add(m_files);
         Command.Add(m_output);
-        Command.Add(m_sampler);
         Command.Add(m_memory);
-        Command.Add(m_attributes);
-        m_filter = new FilterSettings(Command);
+        m_cloud = new CloudSettings(Command);
         Command.Add(m_report);
         Command.Add(m_discard);
-        m_source = new SourceSettings(Command);
     }
 
     public override IReadOnlyList<(string, string)> Examples =>
@@ -74,14 +58,7 @@ public sealed class ConvertVerb : Verb
     public override void Run(ParseResult parsed, CliRun run)
     {
         var files = parsed.GetRequiredValue(m_files);
-        string name = parsed.GetValue(m_sampler)!;
-        if (!System.Enum.TryParse<Sampler>(name, ignoreCase: true, out var sampler) || !System.Enum.IsDefined(sampler))
-            throw new UsageException("--sampler: wanted random, poisson or average, got " + name);
-        var settings = new ConvertSettings
-        {
-            Sampler = sampler,
-            Attributes = parsed.GetValue(m_attributes)?.Split(',', System.StringSplitOptions.RemoveEmptyEntries),
-        };
+        var settings = m_cloud.Read(parsed);
         if (parsed.GetValue(m_memory) is { } memory)
             Memory.Limit(settings, memory);
         string output = parsed.GetRequiredValue(m_output);
@@ -91,15 +68,13 @@ public sealed class ConvertVerb : Verb
         if (parsed.GetValue(m_report))
             OutputNames.RefuseForeignFolder("a report", samplers, "pictures.csv", run.Settings.IsForced);
         files = run.Begin(files);
-        using var reader = PointReaders.Open(files, m_source.Read(parsed));
+        using var reader = PointReaders.Open(files, m_cloud.ReadOptions(parsed));
         run.Warn(reader.Info);
         if (!run.Settings.IsForced)
             OutputNames.RefuseOtherCloud(output, reader);
-        if (settings.Attributes?.FirstOrDefault(a => !reader.Info.Schema.Has(a)) is { } unknown)
-            throw new UsageException("--attributes: " + reader.Info.ShownPath + " has no " + unknown + "; it has "
-                + string.Join(", ", reader.Info.Schema.Select(a => a.Name)));
+        CloudSettings.RequireAttributes(settings, reader);
         run.IsDiscarding = parsed.GetValue(m_discard);
-        using var filter = m_filter.Read(parsed, reader);
+        using var filter = m_cloud.Filter(parsed, reader);
         var wanted = filter == null ? reader : new FilteredReader(reader, filter);
         var result = ConvertStep.Run([wanted], output, settings, run);
         run.Points.Add(reader.Info, filter == null ? result.PointsFound : reader.PointCount);

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Globalization;
 using FastPoints.Nodes;
 using FastPoints.Reading;
 using FastPoints.Sampling;
@@ -26,6 +27,7 @@ namespace FastPoints.Build
 
         public readonly SliceTimes Slices;
 
+        /// <param name="target">Null where nothing is written.</param>
         /// <exception cref="PointCloudException">The sources' attributes differ, or the target cannot be written.</exception>
         public BuildContext(IReadOnlyList<PointReader> readers, string target, ConvertSettings settings, StageProgress progress)
         {
@@ -34,15 +36,17 @@ namespace FastPoints.Build
             Progress = progress;
             Target = target;
             Attributes = AttributeChoice.Of(readers, settings.Attributes);
-            Folder = new CloudFolderWriter(target);
+            Folder = target == null ? null : new CloudFolderWriter(target);
             Slices = new SliceTimes(Allocator.Persistent);
         }
 
-        /// <summary>The same for a part of a cloud, whose grid and chunks are planned; no readers where its points are in
-        /// files.</summary>
-        public BuildContext(BuildPart part, IReadOnlyList<PointReader> readers, string target, ConvertSettings settings,
-            StageProgress progress)
+        /// <summary>The same for a part of a cloud, whose grid and chunks are planned.</summary>
+        /// <param name="readers">None where its points are in files.</param>
+        /// <param name="points">At most; without the readers'.</param>
+        public BuildContext(BuildPart part, IReadOnlyList<PointReader> readers, long points, string target,
+            ConvertSettings settings, StageProgress progress)
         {
+            Part = part;
             Readers = readers;
             Settings = settings;
             Progress = progress;
@@ -55,10 +59,17 @@ namespace FastPoints.Build
             for (int i = 0; i < readers.Count; i++)
             {
                 Grid.Sources[i] = GridChoice.OnGrid(readers[i].Info, part.Grid);
-                Points += readers[i].PointCount;
+                points += readers[i].PointCount;
             }
+            Points = points;
             Allot(MemoryPlan.For(Points, Records.StrideBytes, settings, part));
         }
+
+        /// <summary>Null for a whole cloud.</summary>
+        public BuildPart Part { get; }
+
+        /// <summary>Takes the points of the part's own blocks since the last call; null unless it is read from sources.</summary>
+        public Func<long> TakePointsWanted { get; set; }
 
         public long Points { get; private set; }
         public GridChoice Grid { get; private set; }
@@ -117,8 +128,8 @@ namespace FastPoints.Build
                 throw PointCloudException.Wanted(FailureCode.Unsupported, Target, -1, "memory for a chunk of this cloud",
                     "at least " + ((Settings.ProcessBytes + Plan.MinMemoryBytes >> 20) + 1) + "MiB",
                     (Settings.ProcessBytes + Settings.MemoryBytes >> 20) + "MiB");
-            Pool = new NativeReference<RecordPagePool>(new RecordPagePool(Records.StrideBytes, Points / RecordPages.RecordsPerPage),
-                Allocator.Persistent);
+            Pool = new NativeReference<RecordPagePool>(
+                new RecordPagePool(Records.StrideBytes, Points / RecordPages.RecordsPerPage), Allocator.Persistent);
             if (Plan.IsStored)
                 UseFiles();
         }
@@ -135,6 +146,16 @@ namespace FastPoints.Build
                 AddFirstFiles();
             }
             return Files != null;
+        }
+
+        /// <exception cref="PointCloudException">The disk has no room for points that do not fit into memory.</exception>
+        public void RequireRoom(long points)
+        {
+            long needed = points * Records.StrideBytes, free = Folder.FreeBytes();
+            if (Files != null && free >= 0 && free < needed)
+                throw new PointCloudException(FailureCode.DiskFull, Target, -1, string.Format(CultureInfo.InvariantCulture,
+                    "the disk has too little room: wanted {0} bytes for the points that do not fit into memory, got {1}", needed,
+                    free));
         }
 
         /// <summary>A file for each chunk of the first partition, and one for the points outside.</summary>
@@ -162,8 +183,93 @@ namespace FastPoints.Build
                 Pool = default;
             }
             if (Settings.KeepUnfinished)
-                Folder.Keep();
-            Folder.Dispose();
+                Folder?.Keep();
+            Folder?.Dispose();
+        }
+    }
+
+    /// <summary>What a plan fixes for one of the builds that make a cloud together: with it the bytes of a part are those that
+    /// one build of everything would write.</summary>
+    internal sealed class BuildPart
+    {
+        public ulong CloudId;
+
+        /// <summary>By the headers, of the whole cloud.</summary>
+        public long Points;
+
+        public long PointsPerChunk;
+
+        public CloudGrid Grid;
+        public RecordLayout Records;
+
+        /// <summary>Those of the cloud, beside the position, and a divisor for each.</summary>
+        public PointSchema Attributes;
+        public int[] Divisors;
+
+        /// <summary>The plan's cube of the cloud. Points outside of it are set aside until all parts are built.</summary>
+        public GridCube Whole;
+
+        /// <summary>The part's cube, half-open, and the base cells in it, in Morton order.</summary>
+        public GridCube Cube;
+        public GridCube[] BaseCells;
+
+        /// <summary>Whether there are no other parts.</summary>
+        public bool IsWhole => Cube.Corner == Whole.Corner && Cube.SideLog2 == Whole.SideLog2;
+
+        /// <summary>The part of a smaller cube, which holds base cells.</summary>
+        public BuildPart Of(GridCube cube)
+        {
+            var part = (BuildPart)MemberwiseClone();
+            part.Cube = cube;
+            part.BaseCells = Array.FindAll(BaseCells, cell => cube.Contains(cell));
+            return part;
+        }
+
+        /// <summary>The part of the points outside of the whole cube: the octants around it that hold all points.</summary>
+        public BuildPart OfOutside(in PointStatistics found)
+        {
+            var part = (BuildPart)MemberwiseClone();
+            var cells = new BaseCells(Whole, new[] { Whole }, RootCube.Grow(Whole, found.Min, found.Max));
+            part.Cube = cells.Root;
+            part.BaseCells = cells.All;
+            return part;
+        }
+
+        /// <summary>A cube that holds all points of the cloud: the smallest one if the part knows all of them.</summary>
+        public GridCube RootOf(in PointStatistics found)
+        {
+            if (!IsWhole)
+                return Cube.Contains(Whole) ? Cube : Whole;
+            var grown = RootCube.Grow(Whole, found.Min, found.Max);
+            return grown.Length > 0 ? grown[grown.Length - 1] : Whole;
+        }
+
+        /// <exception cref="PointCloudException">A value is no multiple of what the plan's sample showed.</exception>
+        public void RequireDivisors(IReadOnlyList<AttributeStatistics> found, string path)
+        {
+            for (int a = 0; a < Attributes.Count; a++)
+                if (!found[a].IsEmpty && (Divisors[a] == 257 ? found[a].Modulo257Or != 0
+                    : (found[a].Or & (ulong)(Divisors[a] - 1)) != 0))
+                    throw new PointCloudException(FailureCode.BadInput, path, -1, "values of " + Attributes[a].Name +
+                        " are no multiples of " + Divisors[a] + ", as those of the plan's sample are: " +
+                        "plan again with --divisors 1");
+        }
+
+        /// <summary>What the nodes of all parts have in common; counts and ranges are not known.</summary>
+        public CloudManifest ToManifest(Sampler sampler)
+        {
+            var manifest = new CloudManifest
+            {
+                Sampler = sampler.ToString().ToLowerInvariant(),
+                Root = Whole,
+                CloudId = CloudId,
+                Grid = Grid,
+                Attributes = Attributes,
+                Divisors = Divisors,
+                Ranges = new CloudManifest.Range[Attributes.Count],
+            };
+            Array.Fill(manifest.Ranges, new CloudManifest.Range { Min = double.NaN, Max = double.NaN });
+            return manifest;
         }
     }
 

@@ -25,7 +25,7 @@ namespace FastPoints.Build
             public RecordRange[] Ranges;
         }
 
-        const int Version = 1;
+        const int Version = 2;
 
         /// <summary>Identifies the sources, the settings and the partition: if they differ, it is another build.</summary>
         public ulong Identity;
@@ -50,12 +50,15 @@ namespace FastPoints.Build
         public long PeakBytes;
         public int LevelCount;
 
+        /// <summary>See <see cref="PartSelection.TakePointsWanted"/>: of all that was read.</summary>
+        public long PointsWanted;
+
         public string ToJson()
         {
             var json = new JsonWriter().BeginObject().Add("version", Version).AddHex("identity", Identity).Add("stage",
                 CurrentStage.ToString())
                 .Add("source", Source).Add("block", Block).Add("peakBytes", PeakBytes)
-                .Add("levelCount", LevelCount)
+                .Add("levelCount", LevelCount).Add("pointsWanted", PointsWanted)
                 .Add("rootCorner", Root.Corner.X, Root.Corner.Y, Root.Corner.Z).Add("rootSideLog2", Root.SideLog2);
             json.BeginArray("findings");
             foreach (var found in Statistics)
@@ -115,6 +118,7 @@ namespace FastPoints.Build
                 Block = json.Int("block"),
                 PeakBytes = json.Long("peakBytes"),
                 LevelCount = json.Int("levelCount"),
+                PointsWanted = json.Long("pointsWanted"),
                 Root = new GridCube(ReadPosition(json, "rootCorner"), json.Int("rootSideLog2")),
                 Attributes = json.Objects("attributes").ConvertAll(item => new AttributeStatistics
                 {

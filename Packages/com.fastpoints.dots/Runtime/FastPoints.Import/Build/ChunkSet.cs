@@ -10,7 +10,7 @@ namespace FastPoints.Build
     internal sealed class ChunkSet : IDisposable
     {
         const int SplitLevels = 3;
-        const int PagesPerBatch = 64;
+        public const int PagesPerBatch = 64;
 
         public sealed class Chunk
         {
@@ -85,6 +85,31 @@ namespace FastPoints.Build
         /// <summary>Coroutine: distributes the records outside the original root cube.</summary>
         public IEnumerator<JobStep> SplitOutside(BaseCells cells, Chunk outside) =>
             Regroup(outside, cells.Around, cells.Root.Corner);
+
+        /// <summary>Coroutine: writes a chunk's records to a file of the build, and takes it out.</summary>
+        public IEnumerator<JobStep> SetAside(Chunk chunk)
+        {
+            m_chunks.Remove(chunk);
+            long written = 0;
+            while (written < chunk.Count)
+            {
+                var pages = chunk.Pages;
+                chunk.Pages = default;
+                if (chunk.Ranges.Count > 0)
+                {
+                    BeginBatch(chunk, written);
+                    yield return m_load.Done;
+                    pages = m_load.Complete();
+                }
+                yield return JobStep.Of(CloudFolderWriter.Await(m_build.Folder.WriteRecords(BuildFiles.OutsideName, pages,
+                    m_build.Records.StrideBytes, written * m_build.Records.StrideBytes)));
+                written += pages.Count;
+                Return(ref pages);
+            }
+            yield return JobStep.Of(CloudFolderWriter.Await(m_build.Folder.SyncRecords(BuildFiles.OutsideName)));
+            foreach (var range in chunk.Ranges)
+                Files.Release(range.File);
+        }
 
         /// <summary>Coroutine: splits chunks that are larger than a base cell, or have more than <paramref name="target"/>
         /// points, until none is left. Points at one position are split by count, in their order.</summary>

@@ -126,17 +126,26 @@ namespace FastPoints.Build
         /// <summary>Writes counts, bounds, attributes, and the coordinate system of the first source.</summary>
         static void Describe(in PointStatistics found, AttributeStatistics[] values, BuildContext build, CloudManifest manifest)
         {
-            var crs = build.Readers[0].Info.Crs;
+            Describe(found, manifest);
+            manifest.Grid = build.Grid.Grid;
+            manifest.Attributes = build.Attributes;
+            AttributeSummary.Describe(build.Attributes, values, manifest);
+            DescribeMeaning(build.Readers, manifest);
+        }
+
+        public static void Describe(in PointStatistics found, CloudManifest manifest)
+        {
             manifest.Points = found.Count;
             manifest.PointsLeftOut = found.LeftOut;
             manifest.Checksum = found.Checksum;
-            manifest.Grid = build.Grid.Grid;
             manifest.BoundsMin = found.Count > 0 ? found.Min : default;
             manifest.BoundsMax = found.Count > 0 ? found.Max : default;
-            manifest.Attributes = build.Attributes;
-            AttributeSummary.Describe(build.Attributes, values, manifest);
-            manifest.Crs = crs.ToCloudCrs();
-            manifest.GpsTime = MeaningOf(build.Readers).GpsTime;
+        }
+
+        public static void DescribeMeaning(IReadOnlyList<PointReader> readers, CloudManifest manifest)
+        {
+            manifest.Crs = readers[0].Info.Crs.ToCloudCrs();
+            manifest.GpsTime = MeaningOf(readers).GpsTime;
         }
     }
 
@@ -150,7 +159,7 @@ namespace FastPoints.Build
             for (int a = 0; a < attributes.Count; a++)
             {
                 var attribute = attributes[a];
-                manifest.Divisors[a] = attribute.Type == AttributeType.UInt16 ? DivisorOf(found[a]) : 1;
+                manifest.Divisors[a] = DivisorOf(found[a], attribute);
                 manifest.Ranges[a] = found[a].IsEmpty
                     ? new CloudManifest.Range { Min = double.NaN, Max = double.NaN }
                     : new CloudManifest.Range
@@ -161,12 +170,18 @@ namespace FastPoints.Build
             }
         }
 
-        /// <summary>The divisor, if 8-bit colours fill 16-bit fields in one of two ways: shifted up, or doubled.</summary>
-        static int DivisorOf(in AttributeStatistics found)
+        /// <summary>The divisor, if values of fewer bits fill 16-bit fields in one of two ways: doubled, or shifted up. Not for
+        /// numbers such as a flight line's: a plan knows divisors by a sample, and what divides all of its few numbers often does
+        /// not divide all.</summary>
+        public static int DivisorOf(in AttributeStatistics found, PointAttribute attribute)
         {
-            if (found.Or == 0)
+            if (attribute.Type != AttributeType.UInt16 || found.IsEmpty || found.Or == 0)
                 return 1;
-            return found.Modulo257Or == 0 ? 257 : 1 << math.tzcnt((uint)found.Or);
+            if (found.Modulo257Or == 0)
+                return 257;
+            int shift = math.tzcnt((uint)found.Or);
+            bool isAmount = attribute.Name == AttributeNames.Intensity || AttributeNames.IsColor(attribute.Name);
+            return isAmount || shift >= 8 ? 1 << shift : 1;
         }
 
         static double ValueOf(ulong ordered, AttributeType type)

@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using System.Globalization;
 using FastPoints.Drawing;
 using FastPoints.Las;
 using FastPoints.Nodes;
@@ -58,8 +57,25 @@ namespace FastPoints.Build
             }
             progress?.Begin(BuildStages.Finish);
             if (convert.m_octree?.Manifest.Points > 0)
-                yield return JobStep.Of(convert.MeasureDisplayRanges());
+                yield return JobStep.Of(MeasureDisplayRanges(convert.m_build.Folder.PathOf(""), convert.m_octree.Manifest));
             yield return JobStep.Of(convert.Finish(done));
+            progress?.End();
+        }
+
+        /// <summary>Coroutine: plans what <see cref="Run"/> would build. It reads headers and samples.</summary>
+        internal static IEnumerator<JobStep> Plan(IReadOnlyList<PointReader> readers, ConvertSettings settings,
+            Action<CloudPlan> take, StageProgress progress)
+        {
+            CloudDescription.Check(readers);
+            using var convert = new ConvertCloud(new BuildContext(readers, null, settings, progress));
+            var build = convert.m_build;
+            progress?.Begin(BuildStages.Sample);
+            yield return JobStep.Of(convert.ReadRecords());
+            yield return JobStep.Of(convert.Sample());
+            yield return JobStep.Of(convert.Partition());
+            using var values = new PlaceholderSample(build);
+            yield return JobStep.Of(values.Read());
+            take(CloudPlan.Of(build, values.Attributes, convert.m_records));
             progress?.End();
         }
 
@@ -137,14 +153,8 @@ namespace FastPoints.Build
             foreach (var reader in m_build.Readers)
                 sources.AddRange(CloudDescription.SourcesOf(reader));
             yield return JobStep.Of(m_build.Folder.WriteText(StoreFormat.SourcesName, StoredSources.ToJson(sources)));
-            if (m_build.Files == null || m_checkpoints.Journal.CurrentStage != BuildJournal.Stage.Read)
-                yield break;
-            long needed = (m_build.Points - m_scatter.Statistics.Count) * m_build.Records.StrideBytes;
-            long free = m_build.Folder.FreeBytes();
-            if (free >= 0 && free < needed)
-                throw new PointCloudException(FailureCode.DiskFull, m_build.Target, -1, string.Format(
-                    CultureInfo.InvariantCulture, "the disk has too little room: wanted {0} bytes for the points that do not fit "
-                    + "into memory, got {1}", needed, free));
+            if (m_checkpoints.Journal.CurrentStage == BuildJournal.Stage.Read)
+                m_build.RequireRoom(m_build.Points - m_scatter.Statistics.Count);
         }
 
         IEnumerator<JobStep> Read() => new ReadSources(m_build, m_scatter, m_checkpoints, m_generations).Run();
@@ -163,10 +173,10 @@ namespace FastPoints.Build
             }
         }
 
-        IEnumerator<JobStep> MeasureDisplayRanges()
+        /// <summary>Coroutine: measures what a manifest says of the values that are shown.</summary>
+        internal static IEnumerator<JobStep> MeasureDisplayRanges(string path, CloudManifest manifest)
         {
-            var manifest = m_octree.Manifest;
-            using var folder = CloudFolder.Open(m_build.Folder.PathOf(""), manifest);
+            using var folder = CloudFolder.Open(path, manifest);
             using var nodes = new ChosenNodes(folder);
             var ranges = new DisplayRanges();
             yield return JobStep.Of(LoadNodes.MeasureRanges(folder, nodes,
@@ -217,6 +227,63 @@ namespace FastPoints.Build
         }
     }
 
+    /// <summary>What headers and a sample decide of a cloud, before a point is built.</summary>
+    internal sealed class CloudPlan
+    {
+        /// <summary>Of the whole cloud, as if it were one part.</summary>
+        public BuildPart Whole { get; private set; }
+
+        /// <summary>Of the cloud, without what only its points tell.</summary>
+        public CloudManifest Manifest { get; private set; }
+
+        /// <summary>Estimates, by base cell.</summary>
+        public double[] PointsOfCell { get; private set; }
+
+        /// <summary>See <see cref="Las.LasRecords"/>; null if the sources are not LAS files.</summary>
+        public byte[] LasRecords { get; private set; }
+
+        /// <summary>Cubes of parts, which fill that of the cloud, in Morton order: the largest ones with so many points at most
+        /// by the estimate, and no smaller than base cells.</summary>
+        public GridCube[] CubesOf(double pointsPerPart)
+        {
+            // A part that has all points of the cloud must know it: what is stored begins at their smallest cube.
+            int found = Array.FindAll(PointsOfCell, points => points > 0).Length, next = 0;
+            return found < 2 ? new[] { Whole.Cube } : CubeGroups.Of(Whole.Cube, Whole.BaseCells, cell => cell,
+                _ => (long)Math.Ceiling(PointsOfCell[next++]), (long)pointsPerPart)
+                .ConvertAll(g => g.Count == 1 ? Whole.BaseCells[g.First] : g.Cube).ToArray();
+        }
+
+        /// <param name="values">Of the sample, by attribute.</param>
+        public static CloudPlan Of(BuildContext build, AttributeStatistics[] values, byte[] lasRecords)
+        {
+            var divisors = new int[values.Length];
+            for (int a = 0; a < divisors.Length; a++)
+                divisors[a] = AttributeSummary.DivisorOf(values[a], build.Attributes[a]);
+            var whole = new BuildPart
+            {
+                CloudId = build.CloudId,
+                Points = build.Points,
+                PointsPerChunk = build.Plan.PointsPerChunk,
+                Grid = build.Grid.Grid,
+                Records = build.Records,
+                Attributes = build.Attributes,
+                Divisors = divisors,
+                Whole = build.Map.Cube,
+                Cube = build.Map.Cube,
+                BaseCells = build.Map.BaseCells,
+            };
+            var manifest = whole.ToManifest(build.Settings.Sampler);
+            CloudDescription.DescribeMeaning(build.Readers, manifest);
+            return new CloudPlan
+            {
+                Whole = whole,
+                Manifest = manifest,
+                PointsOfCell = build.Map.PointsOfBaseCell,
+                LasRecords = lasRecords,
+            };
+        }
+    }
+
     /// <summary>Finds the root cube of the points that were read, and makes chunks that are neither too large nor needlessly
     /// small.</summary>
     internal sealed class RebalanceChunks
@@ -259,7 +326,8 @@ namespace FastPoints.Build
                 yield return JobStep.Of(m_chunks.SplitLarge(cells, target));
                 // The coroutine checks its budget.
                 yield return default;
-                journal.Root = RootCube.Shrink(journal.Root, found.Min, found.Max);
+                if (m_build.Part == null || m_build.Part.IsWhole)
+                    journal.Root = RootCube.Shrink(journal.Root, found.Min, found.Max);
                 m_chunks.MergeSmall(journal.Root, cells, target);
                 journal.CurrentStage = BuildJournal.Stage.Index;
                 yield return JobStep.Of(m_checkpoints.Write());
@@ -269,8 +337,8 @@ namespace FastPoints.Build
                 RecordPagePool.Of(m_build.Pool).FreeAll();
         }
 
-        /// <summary>Adds the partition's chunks. If there are points outside, the root grows until it contains
-        /// them.</summary>
+        /// <summary>Adds the partition's chunks. If there are points outside, the root grows until it contains them; a part sets
+        /// them aside.</summary>
         IEnumerator<JobStep> AddChunks()
         {
             var map = m_build.Map;
@@ -280,13 +348,21 @@ namespace FastPoints.Build
             int inside = m_chunks.Chunks.Count;
             AddChunk(map.Cube, lists, map.Outside);
             var cells = Cells();
-            if (m_chunks.Chunks.Count > inside)
-                yield return JobStep.Of(m_chunks.SplitOutside(cells, m_chunks.Chunks[inside]));
             m_checkpoints.Journal.Root = cells.Root;
+            if (m_build.Part != null)
+            {
+                m_checkpoints.Journal.Root = m_build.Part.RootOf(m_scatter.Statistics);
+                if (m_chunks.Chunks.Count > inside)
+                    yield return JobStep.Of(m_chunks.SetAside(m_chunks.Chunks[inside]));
+            }
+            else if (m_chunks.Chunks.Count > inside)
+            {
+                yield return JobStep.Of(m_chunks.SplitOutside(cells, m_chunks.Chunks[inside]));
+            }
         }
 
-        BaseCells Cells() => new BaseCells(m_build.Map,
-            RootCube.Grow(m_build.Map.Cube, m_scatter.Statistics.Min, m_scatter.Statistics.Max));
+        BaseCells Cells() => new BaseCells(m_build.Map.Cube, m_build.Map.BaseCells, m_build.Part != null ? new GridCube[0]
+            : RootCube.Grow(m_build.Map.Cube, m_scatter.Statistics.Min, m_scatter.Statistics.Max));
 
         void AddChunk(GridCube cube, NativeArray<RecordPages> lists, int chunk)
         {

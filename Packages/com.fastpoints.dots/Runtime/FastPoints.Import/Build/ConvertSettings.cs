@@ -66,6 +66,10 @@ namespace FastPoints.Build
         /// well.</summary>
         internal bool HasCubes;
 
+        /// <summary>See <see cref="MemoryPlan.PointsPerRegion"/>; 0 for what suits the cloud. The stored bytes depend on
+        /// it.</summary>
+        internal long PointsPerRegion;
+
         /// <summary>Memory of the process besides, if they are a limit together: less than a chunk takes is then an error. 0 for
         /// none.</summary>
         internal long ProcessBytes;

@@ -1,6 +1,7 @@
 using System;
 using FastPoints.Nodes;
 using FastPoints.Reading;
+using FastPoints.Store;
 
 namespace FastPoints.Build
 {
@@ -20,6 +21,10 @@ namespace FastPoints.Build
         const long MaxChunkBytes = 183 << 20;
 
         const long ChunksPerBaseCell = 16;
+
+        /// <summary>Sixteen neighbours are merged into a region of at least this many points: each round leaves fewer, and a
+        /// small cloud has one.</summary>
+        const long MinPointsPerRegion = 16 * StoreFormat.MaxPointsPerNode;
 
         /// <summary>More points do not improve an overview; little memory means fewer.</summary>
         const long MaxPlaceholderPoints = 1 << 17;
@@ -45,6 +50,9 @@ namespace FastPoints.Build
         /// <summary>Points that the first partition plans cubes for: half of a chunk's, since cubes with more than a chunk's must
         /// be split, while joining costs nothing.</summary>
         public long PointsPlanned => Math.Max(1, PointsPerChunk / 2);
+
+        /// <summary>The most points of tops in one merge of upper levels: more are merged in regions first.</summary>
+        public long PointsPerRegion { get; private set; }
 
         /// <summary>Whether points go to temporary files because not all of them fit.</summary>
         public bool IsStored { get; private set; }
@@ -106,6 +114,8 @@ namespace FastPoints.Build
                     plan.PointsPerChunk * plan.IndexBytesPerPoint > MaxChunkBytes)
                     plan.PointsPerChunk /= 2;
             }
+            plan.PointsPerRegion = settings.PointsPerRegion > 0 ? settings.PointsPerRegion
+                : Math.Max(plan.PointsPerChunk, MinPointsPerRegion);
             plan.PointsPerBaseCell = ChunksPerBaseCell * (pointsPerChunk > 0 ? pointsPerChunk : MaxPointsPerChunk);
 
             plan.PlaceholderPoints = Math.Min(Math.Min(points, MaxPlaceholderPoints),

@@ -72,26 +72,40 @@ namespace FastPoints.Build
         public int LevelCount { get; private set; }
         public long[] BytesOfPlane { get; }
 
+        /// <summary>Side of the smallest node of the chunks.</summary>
+        public int LowestSideLog2 { get; private set; }
+
+        /// <summary>By chunk, when they are indexed; tops that are in files have no records here.</summary>
+        public IReadOnlyList<ChunkResult> Results => m_results;
+        public NativeArray<byte>[] TopRecords => m_topRecords;
+
         /// <summary>Coroutine: every chunk, several at once; then the upper levels and the hierarchy.</summary>
         public IEnumerator<JobStep> Run()
         {
-            m_build.Progress?.Begin(BuildStages.Index);
-            yield return JobStep.Of(IndexChunks());
-            yield return JobStep.Of(Free());
+            yield return JobStep.Of(Index());
             m_build.Progress?.Begin(BuildStages.Merge);
-            int lowest = Manifest.Root.SideLog2;
-            foreach (var result in m_results)
-            {
-                Checksum += result.Checksum;
-                lowest = Math.Min(lowest, result.LowestSideLog2);
-                for (int p = 0; p < BytesOfPlane.Length; p++)
-                    BytesOfPlane[p] += result.BytesOfPlane[p];
-            }
             m_merge = new UpperMerge(m_build, m_store, Manifest);
             yield return JobStep.Of(m_merge.Run(m_results, m_topRecords, m_build.Progress));
             for (int p = 0; p < BytesOfPlane.Length; p++)
                 BytesOfPlane[p] += m_merge.BytesOfPlane[p];
-            LevelCount = m_results.Length == 0 ? 0 : Manifest.Root.SideLog2 - Math.Min(lowest, m_merge.LowestSideLog2) + 1;
+            int lowest = Math.Min(LowestSideLog2, m_merge.LowestSideLog2);
+            LevelCount = m_results.Length == 0 ? 0 : Manifest.Root.SideLog2 - lowest + 1;
+        }
+
+        /// <summary>Coroutine: every chunk, several at once.</summary>
+        public IEnumerator<JobStep> Index()
+        {
+            m_build.Progress?.Begin(BuildStages.Index);
+            yield return JobStep.Of(IndexChunks());
+            yield return JobStep.Of(Free());
+            LowestSideLog2 = Manifest.Root.SideLog2;
+            foreach (var result in m_results)
+            {
+                Checksum += result.Checksum;
+                LowestSideLog2 = Math.Min(LowestSideLog2, result.LowestSideLog2);
+                for (int p = 0; p < BytesOfPlane.Length; p++)
+                    BytesOfPlane[p] += result.BytesOfPlane[p];
+            }
         }
 
         /// <summary>Frees what chunks needed, a part a step: large blocks take milliseconds.</summary>
@@ -286,7 +300,7 @@ namespace FastPoints.Build
             foreach (var result in m_results)
                 tops += result == null ? 0 : result.TopPoints;
             var plan = m_build.Plan;
-            long merged = Math.Min(tops, UpperMerge.MaxPointsOf(plan)) * plan.IndexBytesPerPoint;
+            long merged = Math.Min(tops, plan.PointsPerRegion) * plan.IndexBytesPerPoint;
             long inWork = m_workspaces.Count * m_chunkBytes + (m_limit.Value - m_workspaces.Count) * m_inFlightBytes;
             return tops > 0 && merged + inWork <= plan.IndexBytes;
         }

@@ -81,7 +81,8 @@ namespace FastPoints.Build
                     PartitionMap.CountChunks(density, target) > plan.MaxPages / PagesPerChunk)
                     target *= 2;
                 var map = PartitionMap.Plan(cube, density, Math.Min(target, plan.PointsPerPartition));
-                map.BaseCells = PartitionMap.CellsOf(cube, density, plan.PointsPerBaseCell);
+                map.BaseCells = PartitionMap.CellsOf(cube, density, plan.PointsPerBaseCell, out double[] points);
+                map.PointsOfBaseCell = points;
                 map.SampleHash = sampleHash;
                 return map;
             }

@@ -95,6 +95,7 @@ namespace FastPoints.Build
                 found.Include(m_scatter.TakeStatistics());
                 journal.Statistics[source] = found;
                 journal.Block = end;
+                journal.PointsWanted += m_build.TakePointsWanted?.Invoke() ?? 0;
                 if (m_sinceCheckpoint < wantedPoints)
                     continue;
                 m_sinceCheckpoint = 0;

@@ -84,6 +84,13 @@ namespace FastPoints.Build
             return true;
         }
 
+        /// <summary>Takes over records that others have written.</summary>
+        public void Adopt(int file, long records)
+        {
+            m_recordsOfFile[file] = records;
+            Count(records);
+        }
+
         public void Append(int file, RecordPages pages)
         {
             if (pages.Count == 0)

@@ -32,7 +32,8 @@ namespace FastPoints.Build
         /// <param name="ranges">Ranges that together are one sequence of records.</param>
         /// <param name="first">First record of that sequence.</param>
         /// <param name="count">Number of records, at most as many as there are.</param>
-        public void Begin(IReadOnlyList<RecordRange> ranges, long first, long count)
+        /// <param name="file">Null for the build's own files.</param>
+        public void Begin(IReadOnlyList<RecordRange> ranges, long first, long count, string file = null)
         {
             ref var pool = ref RecordPagePool.Of(m_build.Pool);
             Reserve((int)(count / RecordPages.RecordsPerPage) + 1 + ranges.Count);
@@ -63,7 +64,7 @@ namespace FastPoints.Build
                     left -= page->Count;
                     offset += bytes;
                 }
-                string path = m_build.Files.PathOf(range.File);
+                string path = file ?? m_build.Files.PathOf(range.File);
                 var read = FileReads.BeginOneShot(path, commands + firstCommand, commandCount - firstCommand);
                 m_reads.Add(read);
                 m_paths.Add(path);

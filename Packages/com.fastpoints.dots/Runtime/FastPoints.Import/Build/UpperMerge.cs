@@ -7,14 +7,12 @@ using Unity.Collections.LowLevel.Unsafe;
 
 namespace FastPoints.Build
 {
-    /// <summary>From the chunks' tops to the upper levels. If there are too many tops for one merge, neighbours become
-    /// regions with their own tops, and so on: memory is that of one region for any number of chunks.</summary>
+    /// <summary>From the chunks' tops to the upper levels. Where too many tops are in a cube, those of each octant become a
+    /// region with a top of its own, and so on: memory is that of one region for any number of chunks.</summary>
+    /// <remarks>What becomes a region depends on the tops in the cube around it alone. So a cube's upper levels are the same
+    /// whether its octants were collected before, by other builds, or not.</remarks>
     internal sealed unsafe class UpperMerge : IDisposable
     {
-        /// <summary>Sixteen neighbours are merged into a region of at least this many points: each round leaves fewer, and a
-        /// small cloud has one.</summary>
-        const int MinPointsPerRegion = 16 * StoreFormat.MaxPointsPerNode;
-
         /// <summary>Tops that are read from files at the same time.</summary>
         const int MaxReadsInFlight = 8;
 
@@ -22,10 +20,10 @@ namespace FastPoints.Build
         readonly NativeStoreLayout m_store;
         readonly CloudManifest m_manifest;
         readonly List<UpperRegion> m_regions = new List<UpperRegion>();
-        readonly List<UpperItem> m_items = new List<UpperItem>();
+        readonly List<UpperItem> m_added = new List<UpperItem>();
+        List<UpperItem> m_open = new List<UpperItem>();
         ChunkIndexer m_indexer;
         IndexWorkspace m_workspace;
-        readonly List<UpperItem> m_attached = new List<UpperItem>(); // Chunks with nodes.
         long m_upperBytes;
         long m_upperPoints;
 
@@ -37,11 +35,21 @@ namespace FastPoints.Build
             BytesOfPlane = new long[store.Layout.Planes.Count];
         }
 
-        /// <summary>The most points of tops in one merge: more are merged in regions first.</summary>
-        public static long MaxPointsOf(MemoryPlan plan) => Math.Max(plan.PointsPerChunk, MinPointsPerRegion);
-
         public int LowestSideLog2 { get; private set; } = int.MaxValue;
         public long[] BytesOfPlane { get; }
+
+        /// <summary>Bytes of a top's record.</summary>
+        public int TopStride => m_build.Records.ForTops(m_store.HasAverages).StrideBytes;
+
+        /// <summary>All that were added.</summary>
+        public IReadOnlyList<UpperItem> Added => m_added;
+
+        /// <summary>Those that nothing was made above of yet: added ones and tops of regions, in Morton order once they are
+        /// collected.</summary>
+        public IReadOnlyList<UpperItem> Open => m_open;
+
+        /// <summary>Each after those below it.</summary>
+        public IReadOnlyList<UpperRegion> Regions => m_regions;
 
         /// <summary>Coroutine: writes the upper levels' containers and the hierarchy's pages, and adds them to the
         /// manifest.</summary>
@@ -49,50 +57,49 @@ namespace FastPoints.Build
         /// <param name="topRecords">By chunk; if there are none, they are in the chunk's file. They stay the caller's.</param>
         public IEnumerator<JobStep> Run(IReadOnlyList<ChunkResult> chunks, NativeArray<byte>[] topRecords, StageProgress progress)
         {
-            m_indexer = m_build.CreateIndexer(m_store, m_manifest);
-            m_workspace = m_build.CreateWorkspace(m_store);
-            long left = 0;
-            for (int i = 0; i < chunks.Count; i++)
-            {
-                left += chunks[i].TopPoints;
-                m_items.Add(new UpperItem
-                {
-                    Cube = chunks[i].Container.Cube,
-                    Top = chunks[i].Top,
-                    TopPoints = chunks[i].TopPoints,
-                    Chunk = chunks[i],
-                    Records = topRecords[chunks[i].Number],
-                });
-            }
-
-            long pointsPerRegion = MaxPointsOf(m_build.Plan);
-            while (left > pointsPerRegion)
-            {
-                var groups = CubeGroups.Of(m_manifest.Root, m_items, i => i.Cube, i => i.TopPoints, pointsPerRegion);
-                if (groups.Count == m_items.Count)
-                    break;
-                var below = m_items.ToArray();
-                m_items.Clear();
-                left = 0;
-                foreach (var group in groups)
-                {
-                    if (group.Count == 1)
-                    {
-                        m_items.Add(below[group.First]);
-                    }
-                    else
-                    {
-                        var members = new List<UpperItem>(new ArraySegment<UpperItem>(below, group.First, group.Count));
-                        yield return JobStep.Of(MergeRegion(members, group.Cube, false));
-                    }
-                    left += m_items[m_items.Count - 1].TopPoints;
-                    progress?.Report(0.5 * (group.First + group.Count) / below.Length, 0, 0);
-                }
-            }
-            if (m_items.Count > 0)
-                yield return JobStep.Of(MergeRegion(new List<UpperItem>(m_items), m_manifest.Root, true));
+            foreach (var chunk in chunks)
+                Add(chunk, topRecords[chunk.Number]);
+            yield return JobStep.Of(Collect(m_manifest.Root, progress));
+            yield return JobStep.Of(MergeRoot());
             yield return JobStep.Of(WriteHierarchy());
             progress?.Report(1, m_upperPoints, m_upperBytes);
+        }
+
+        /// <param name="topRecords">They stay the caller's; if there are none, they are in the chunk's file.</param>
+        public void Add(ChunkResult chunk, NativeArray<byte> topRecords) => Add(new UpperItem
+        {
+            Cube = chunk.Container.Cube,
+            Top = chunk.Top,
+            TopPoints = chunk.TopPoints,
+            Chunk = chunk,
+            Records = topRecords,
+            Path = topRecords.IsCreated ? null : m_build.Folder.PathOf(BuildFiles.TopPath(chunk.Number)),
+            RecordsOffset = chunk.RecordsOffset,
+        });
+
+        public void Add(UpperItem item)
+        {
+            m_added.Add(item);
+            m_open.Add(item);
+        }
+
+        /// <summary>Coroutine: merges regions of a cube that holds all that were added, until the tops left are few enough for
+        /// one merge; more are left only of one place.</summary>
+        /// <param name="progress">May be null.</param>
+        public IEnumerator<JobStep> Collect(GridCube cube, StageProgress progress)
+        {
+            m_open = InMortonOrder(cube);
+            var left = new List<UpperItem>();
+            yield return JobStep.Of(Collect(cube, new ArraySegment<UpperItem>(m_open.ToArray()), left, progress));
+            m_open = left;
+        }
+
+        /// <summary>Coroutine: merges all that are left into the root's region.</summary>
+        public IEnumerator<JobStep> MergeRoot()
+        {
+            if (m_open.Count > 0)
+                yield return JobStep.Of(MergeRegion(m_open, m_manifest.Root, true));
+            m_open = new List<UpperItem>();
         }
 
         public void Dispose()
@@ -101,19 +108,70 @@ namespace FastPoints.Build
             m_workspace?.Dispose();
             foreach (var region in m_regions)
                 region.Dispose();
-            foreach (var item in m_items)
-                if (item.Region != null && item.Records.IsCreated)
-                    item.Records.Dispose();
-            m_items.Clear();
         }
 
-        /// <summary>Makes the nodes above some tops. The region's own top is added to the items, unless it is the root.</summary>
-        IEnumerator<JobStep> MergeRegion(List<UpperItem> members, GridCube cube, bool isRoot)
+        /// <summary>The order is stable: several chunks of one cube keep theirs.</summary>
+        List<UpperItem> InMortonOrder(GridCube cube)
+        {
+            var order = new int[m_open.Count];
+            for (int i = 0; i < order.Length; i++)
+                order[i] = i;
+            Array.Sort(order, (a, b) =>
+            {
+                int byPosition =
+                    MortonOrder.Compare(m_open[a].Cube.Corner - cube.Corner, m_open[b].Cube.Corner - cube.Corner);
+                return byPosition != 0 ? byPosition : a.CompareTo(b);
+            });
+            return new List<UpperItem>(Array.ConvertAll(order, i => m_open[i]));
+        }
+
+        /// <param name="left">Receives what is left of the items, in their order.</param>
+        IEnumerator<JobStep> Collect(GridCube cube, ArraySegment<UpperItem> items, List<UpperItem> left, StageProgress progress)
+        {
+            long limit = m_build.Plan.PointsPerRegion;
+            if (items.Count <= 1 || cube.SideLog2 == 0 || PointsOf(items) <= limit)
+            {
+                left.AddRange(items);
+                progress?.Report(0.5 * (items.Offset + items.Count) / items.Array.Length, m_upperPoints, m_upperBytes);
+                yield break;
+            }
+            var ofOctants = new List<(GridCube Cube, List<UpperItem> Left)>();
+            long points = 0;
+            for (int first = 0, end = 0; first < items.Count; first = end)
+            {
+                var octant = cube.Child(cube.OctantOf(items[first].Cube.Corner));
+                while (end < items.Count && octant.Contains(items[end].Cube.Corner))
+                    end++;
+                var of = (Cube: octant, Left: new List<UpperItem>());
+                ofOctants.Add(of);
+                yield return JobStep.Of(Collect(octant, items.Slice(first, end - first), of.Left, progress));
+                points += PointsOf(of.Left);
+                // A cube around it all does not matter.
+                if (end == items.Count && ofOctants.Count == 1 || points <= limit)
+                    continue;
+                foreach (var done in ofOctants)
+                    if (done.Left.Count > 1)
+                        yield return JobStep.Of(MergeRegion(done.Left, done.Cube, false));
+            }
+            foreach (var done in ofOctants)
+                left.AddRange(done.Left);
+        }
+
+        static long PointsOf(IReadOnlyList<UpperItem> items)
         {
             long points = 0;
-            foreach (var member in members)
-                points += member.TopPoints;
-            var records = new NativeArray<byte>(checked((int)(points * TopStride)), Allocator.Persistent,
+            foreach (var item in items)
+                points += item.TopPoints;
+            return points;
+        }
+
+        /// <summary>Makes the nodes above some tops.</summary>
+        /// <param name="members">At the end the region's own top is there in their place, unless it is the root.</param>
+        IEnumerator<JobStep> MergeRegion(List<UpperItem> members, GridCube cube, bool isRoot)
+        {
+            m_indexer ??= m_build.CreateIndexer(m_store, m_manifest);
+            m_workspace ??= m_build.CreateWorkspace(m_store);
+            var records = new NativeArray<byte>(checked((int)(PointsOf(members) * TopStride)), Allocator.Persistent,
                 NativeArrayOptions.UninitializedMemory);
             var tops = new NativeArray<ChunkTop>(members.Count, Allocator.Persistent);
             try
@@ -129,8 +187,9 @@ namespace FastPoints.Build
 
                 var region = TakeRegion(container);
                 bool hasNodes = Attach(members, tops, region) || region.Part.NodeCount > 0;
+                members.Clear();
                 if (!isRoot)
-                    m_items.Add(TopOf(region, cube, hasNodes));
+                    members.Add(region.Item = TopOf(region, cube, hasNodes));
                 yield return JobStep.Of(WriteNodes(region.Part));
             }
             finally
@@ -141,9 +200,7 @@ namespace FastPoints.Build
             }
         }
 
-        int TopStride => m_build.Records.ForTops(m_store.HasAverages).StrideBytes;
-
-        /// <summary>Gathers the members' records from memory or from the chunks' files.</summary>
+        /// <summary>Gathers the members' records from memory or from files.</summary>
         IEnumerator<JobStep> GatherTops(List<UpperItem> members, NativeArray<byte> records, NativeArray<ChunkTop> tops)
         {
             int stride = TopStride, at = 0, begun = 0;
@@ -167,6 +224,7 @@ namespace FastPoints.Build
                     {
                         yield return reads[i].Done;
                         reads[i].Complete();
+                        StoreFile.CheckHash(member.Path, member.RecordsOffset, reads[i].Bytes, member.RecordsHash);
                         NativeArray<byte>.Copy(reads[i].Bytes, 0, records, at, bytes);
                         reads[i].Dispose();
                     }
@@ -185,14 +243,13 @@ namespace FastPoints.Build
             }
         }
 
-        /// <summary>Reads a chunk's top back; null if it is in memory.</summary>
+        /// <summary>Reads a top back; null if it is in memory.</summary>
         StoreRead BeginRead(UpperItem member)
         {
             if (member.Records.IsCreated)
                 return null;
             var read = new StoreRead();
-            read.Begin(m_build.Folder.PathOf(BuildFiles.TopPath(member.Chunk.Number)), member.Chunk.RecordsOffset,
-                member.TopPoints * TopStride);
+            read.Begin(member.Path, member.RecordsOffset, member.TopPoints * TopStride);
             return read;
         }
 
@@ -204,11 +261,8 @@ namespace FastPoints.Build
             for (int i = 0; i < members.Count; i++)
             {
                 hasNodes |= tops[i].HasNodes;
-                var attach = members[i].Region ?? members[i].Above;
-                attach.Above = region;
-                attach.AttachDraft = tops[i].AttachNode;
-                if (members[i].Chunk != null && members[i].Top.HasNodes)
-                    m_attached.Add(members[i]);
+                members[i].Place.Above = region;
+                members[i].Place.AttachDraft = tops[i].AttachNode;
             }
             return hasNodes;
         }
@@ -225,7 +279,7 @@ namespace FastPoints.Build
                 while (!ticket.IsDone(1))
                     yield return default;
                 m_upperBytes += file.Length;
-                m_upperPoints += PointsOf(file);
+                m_upperPoints += PointsIn(file);
             }
             finally
             {
@@ -233,7 +287,7 @@ namespace FastPoints.Build
             }
         }
 
-        static long PointsOf(NativeArray<byte> file) => ((FileHeader*)file.GetUnsafeReadOnlyPtr())->PointCount;
+        static long PointsIn(NativeArray<byte> file) => ((FileHeader*)file.GetUnsafeReadOnlyPtr())->PointCount;
 
         UpperRegion TakeRegion(ContainerRecord container)
         {
@@ -254,10 +308,9 @@ namespace FastPoints.Build
         UpperItem TopOf(UpperRegion region, GridCube cube, bool hasNodes)
         {
             var top = m_indexer.Drafts[0];
-            return new UpperItem
+            return new UpperItem(region)
             {
                 Cube = cube,
-                Region = region,
                 TopPoints = top.Count,
                 Records = new NativeArray<byte>(m_indexer.Top.AsArray(), Allocator.Persistent),
                 Top = new ChunkTop
@@ -271,105 +324,60 @@ namespace FastPoints.Build
             };
         }
 
-        IEnumerator<JobStep> WriteHierarchy()
+        /// <summary>Coroutine: when the root is merged.</summary>
+        public IEnumerator<JobStep> WriteHierarchy()
         {
-            var folder = m_build.Folder;
-            string name = m_manifest.HierarchyName;
-            IEnumerator<JobStep> WritePiece(NativeArray<byte> bytes, long offset) =>
-                CloudFolderWriter.Await(folder.WritePiece(name, bytes, offset));
-            using var writer =
-                new HierarchyWriter(BytesOfPlane.Length, m_manifest.CloudId, FileHeader.SizeBytes, LoadTable, WritePiece);
-            yield return JobStep.Of(writer.Write(JoinParts(), root =>
-            {
-                m_manifest.NodeCount = root.NodeCount;
-                m_manifest.RootOffset = root.OffsetBytes;
-                m_manifest.RootBytes = root.LengthBytes;
-                m_manifest.RootHash = root.Hash;
-            }));
-            m_manifest.HierarchyBytes = writer.Offset;
-            m_manifest.ChunkCount = m_attached.Count;
-            using var header = new NativeArray<byte>(HeaderOfHierarchy(), Allocator.Persistent);
-            yield return JobStep.Of(CloudFolderWriter.Await(folder.Seal(name, header)));
+            m_manifest.ChunkCount = 0;
+            foreach (var item in m_added)
+                m_manifest.ChunkCount += item.Top.HasNodes ? 1 : 0;
+            return HierarchyFile.Write(m_build.Folder, m_manifest, JoinParts());
         }
 
         /// <summary>Hangs chunks and regions on the nodes that they are attached to.</summary>
         /// <returns>The root.</returns>
         HierarchyPart JoinParts()
         {
-            // The last one is the root: others come after what is above them.
-            m_regions.Reverse();
-            for (int r = 0; r < m_regions.Count; r++)
-            {
-                var region = m_regions[r];
-                region.Part.SampledWith = r;
-                if (r > 0 && region.Part.NodeCount > 0)
+            foreach (var region in m_regions)
+                if (region.Above != null && region.Part.NodeCount > 0)
                     region.Attach(region.Part);
-            }
-            foreach (var item in m_attached)
-                item.Above.Attach(new HierarchyPart
-                {
-                    Cube = item.Cube,
-                    Container = item.Chunk.Container,
-                    NodeCount = item.Chunk.NodeCount,
-                    Table = item.Chunk.Table,
-                    Chunk = item.Chunk,
-                });
+            foreach (var item in m_added)
+                if (item.Top.HasNodes)
+                    item.Place.Attach(item.ToPart());
             foreach (var region in m_regions)
                 region.Part.SortBelow(m_manifest.Root.Corner);
-            return m_regions.Count > 0 ? m_regions[0].Part : new HierarchyPart();
-        }
-
-        /// <summary>Reads a chunk's nodes back.</summary>
-        IEnumerator<JobStep> LoadTable(HierarchyPart part)
-        {
-            using var read = new StoreRead();
-            read.Begin(m_build.Folder.PathOf(BuildFiles.TopPath(part.Chunk.Number)), part.Chunk.TableOffset,
-                part.Chunk.TableBytes);
-            yield return read.Done;
-            read.Complete();
-            part.Table = new NativeArray<byte>(read.Bytes, Allocator.Persistent);
-        }
-
-        byte[] HeaderOfHierarchy()
-        {
-            var header = new FileHeader
-            {
-                Magic = StoreFormat.HierarchyMagic,
-                Version = StoreFormat.Version,
-                PlaneCount = BytesOfPlane.Length,
-                Container = new ContainerRecord
-                {
-                    Cube = m_manifest.Root,
-                    Kind = ContainerKind.Hierarchy,
-                    FileBytes = m_manifest.HierarchyBytes,
-                    Hash = m_manifest.RootHash,
-                },
-                PointCount = m_manifest.Points,
-                CloudId = m_manifest.CloudId,
-            };
-            header.HeaderHash = StoreFile.HashOf(header);
-            return new ReadOnlySpan<byte>(&header, FileHeader.SizeBytes).ToArray();
+            return m_regions.Count > 0 ? m_regions[m_regions.Count - 1].Part : new HierarchyPart();
         }
     }
 
     /// <summary>Where the nodes of a chunk or a region are attached: to a draft of the region above.</summary>
     internal class UpperPlace
     {
+        /// <summary>Null as long as nothing is made above it, and of the root.</summary>
         public UpperRegion Above;
         public int AttachDraft;
 
-        /// <summary>Hangs a part on its node, possibly in a region further above.</summary>
-        public void Attach(HierarchyPart part)
+        /// <summary>The place, here or further above, whose draft is a node; the last one if there is none yet.</summary>
+        public UpperPlace OfNode()
         {
             var place = this;
-            while (place.Above.NodeOfDraft[place.AttachDraft] < 0)
+            while (place.Above != null && place.Node < 0)
                 place = place.Above;
-            place.Above.Part.Below.Add((place.Above.NodeOfDraft[place.AttachDraft], part));
+            return place;
+        }
+
+        public int Node => Above.NodeOfDraft[AttachDraft];
+
+        /// <summary>Hangs a part on its node.</summary>
+        public void Attach(HierarchyPart part)
+        {
+            var place = OfNode();
+            place.Above.Part.Below.Add((place.Node, part));
         }
     }
 
     /// <summary>Upper nodes of one merge: those above a few chunks, or above other regions. The top node of a
-    /// region, like a chunk's, belongs to the region above; the root's has none above. Owns its table.</summary>
+    /// region, like a chunk's, belongs to the region above; the root's has none above. Owns its table, and its top's
+    /// records.</summary>
     internal sealed class UpperRegion : UpperPlace, IDisposable
     {
         public readonly HierarchyPart Part = new HierarchyPart();
@@ -377,24 +385,54 @@ namespace FastPoints.Build
         /// <summary>For each draft, its node in the table, or -1 for the top that belongs to the region above.</summary>
         public int[] NodeOfDraft;
 
-        public void Dispose() => Part.DisposeTable();
+        /// <summary>Its top; null of the root.</summary>
+        public UpperItem Item;
+
+        public void Dispose()
+        {
+            Part.DisposeTable();
+            if (Item != null && Item.Records.IsCreated)
+                Item.Records.Dispose();
+        }
     }
 
-    /// <summary>The merge's next input: a chunk's top, or a region's.</summary>
+    /// <summary>The merge's next input: a chunk's top, or a region's, also of another build.</summary>
     internal sealed class UpperItem
     {
         public GridCube Cube;
         public ChunkTop Top;
         public int TopPoints;
 
-        /// <summary>The chunk or the region whose top it is; the other is null.</summary>
+        /// <summary>The chunk or the region whose top it is; the others are null, both if another build made it.</summary>
         public ChunkResult Chunk;
-        public UpperRegion Region;
+        public readonly UpperRegion Region;
 
-        /// <summary>Of a chunk.</summary>
-        public readonly UpperPlace Above = new UpperPlace();
+        public readonly UpperPlace Place;
 
-        /// <summary>The top's records, if they are in memory.</summary>
+        /// <summary>The top's records, if they are in memory; otherwise where they are.</summary>
         public NativeArray<byte> Records;
+        public string Path;
+        public long RecordsOffset;
+
+        /// <summary>What the records in the file must have; 0 if they were checked.</summary>
+        public ulong RecordsHash;
+
+        /// <param name="region">Null if it is not a region's of this build.</param>
+        public UpperItem(UpperRegion region = null)
+        {
+            Region = region;
+            Place = region ?? new UpperPlace();
+        }
+
+        /// <summary>The nodes of a chunk.</summary>
+        public HierarchyPart ToPart() => new HierarchyPart
+        {
+            Cube = Cube,
+            Container = Chunk.Container,
+            NodeCount = Chunk.NodeCount,
+            Table = Chunk.Table,
+            Path = Path,
+            TableOffset = Chunk.TableOffset,
+        };
     }
 }

@@ -387,7 +387,7 @@ namespace FastPoints.Export
                 var decoded = Read.Decoded;
                 if (m_filter != null && range.Range.Count > 0)
                 {
-                    decoded = m_filter.Schedule(Read.Result, Read.FirstPoint, range.Range.Count, decoded);
+                    decoded = m_filter.Schedule(Read.Result, range.Range, Read.FirstPoint, decoded);
                     job.Result = m_filter.Result;
                 }
                 Done = JobHandle.CombineDependencies(decoded, after);

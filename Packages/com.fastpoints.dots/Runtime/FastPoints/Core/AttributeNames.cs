@@ -43,5 +43,8 @@ namespace FastPoints
 
         // -1 for an attribute that is no coordinate.
         internal static int AxisOf(string name) => name == X ? 0 : name == Y ? 1 : name == Z ? 2 : -1;
+
+        internal static bool IsColor(string name) => name == Red || name == Green || name == Blue || name == Alpha ||
+            name == NearInfrared;
     }
 }

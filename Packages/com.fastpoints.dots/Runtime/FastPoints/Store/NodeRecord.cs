@@ -58,8 +58,8 @@ namespace FastPoints.Store
         [FieldOffset(90)] public byte Flags;
         [FieldOffset(91)] public byte Reserved;
 
-        /// <summary>In the upper levels: nodes with the same number were sampled together and keep their distance from each
-        /// other.</summary>
+        /// <summary>Nodes of one container with the same number were sampled together and keep their distance from each other.
+        /// More than 0 only in upgraded clouds.</summary>
         [FieldOffset(92)] public int SampledWith;
 
         public GridCube Cube => new GridCube(Corner, SideLog2);

@@ -117,6 +117,14 @@ namespace FastPoints.Store
 
         public static ulong HashOf(FileHeader header) => ContentHash.Of(&header, FileHeader.SizeBytes - sizeof(ulong));
 
+        // Throws if bytes of a file are not those that the hash was made of; none is made where it is 0.
+        public static void CheckHash(string path, long offset, NativeArray<byte> bytes, ulong wanted)
+        {
+            ulong got = wanted == 0 ? 0 : ContentHash.Of(bytes.GetUnsafeReadOnlyPtr(), bytes.Length);
+            if (got != wanted)
+                throw new PointCloudException(FailureCode.BadInput, path, offset, HashProblem(wanted, got));
+        }
+
         public static string HashProblem(ulong wanted, ulong got) =>
             "its hash does not fit: wanted " + wanted.ToString("x16") + ", got " + got.ToString("x16");
 

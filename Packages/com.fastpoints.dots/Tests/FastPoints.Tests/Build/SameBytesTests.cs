@@ -20,7 +20,7 @@ namespace FastPoints.Tests.Build
         static readonly PositionTransform s_centimetres = new PositionTransform { Scale = new double3(0.01, 0.01, 0.01) };
 
         /// <summary>A terrain with a dense corner, many points at one position, and outliers that no sample knows of.</summary>
-        static int3[] Terrain(int count)
+        internal static int3[] Terrain(int count)
         {
             var random = new Unity.Mathematics.Random(5);
             var positions = new int3[count];
@@ -129,7 +129,7 @@ namespace FastPoints.Tests.Build
             map.BaseCells = Enumerable.Range(0, 16).Select(i => i < 8 ? cube.Child(0).Child(i) : cube.Child(i - 8))
                 .Where((_, i) => i != 8).ToArray();
             var shells = RootCube.Grow(cube, new Grid3(-30, 0, 16), new Grid3(7, 40, 31));
-            var cells = new BaseCells(map, shells);
+            var cells = new BaseCells(cube, map.BaseCells, shells);
             Assert.That(cells.Root, Is.EqualTo(shells[shells.Length - 1]));
             Assert.That(cells.Around, Has.Length.EqualTo(7 * shells.Length));
             Assert.That(cells.In(cells.Root).Sum(c => math.pow(8.0, c.SideLog2)), Is.EqualTo(math.pow(8.0, cells.Root.SideLog2)));

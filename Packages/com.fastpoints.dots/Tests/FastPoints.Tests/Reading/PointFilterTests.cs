@@ -24,7 +24,7 @@ namespace FastPoints.Tests.Reading
             {
                 var result = decoded;
                 result.Value = new DecodeResult { Points = batch.Count };
-                slot.Schedule(decoded, first, batch.Count, default).Complete();
+                slot.Schedule(decoded, new BlockRange(0, 0, batch.Count), first, default).Complete();
                 var left = new List<double3>();
                 for (int i = 0; i < slot.Result.Value.Points; i++)
                     left.Add(PositionAt(batch, transform, i));

@@ -44,6 +44,9 @@ namespace FastPoints.Build
         /// <summary>See <see cref="Build.BaseCells"/>: those of the cube, in Morton order.</summary>
         public GridCube[] BaseCells { get; set; }
 
+        /// <summary>Estimates, by base cell.</summary>
+        public double[] PointsOfBaseCell { get; set; }
+
         /// <summary>A hash of the sample that it was planned by.</summary>
         public ulong SampleHash { get; set; }
 
@@ -80,6 +83,46 @@ namespace FastPoints.Build
                 }
                 for (int octant = 0; octant < 8; octant++)
                     Descend(part.Child(octant), first + octant * (count / 8), count / 8);
+            }
+        }
+
+        /// <summary>The map to cubes of the octree that fill a cube, in Morton order.</summary>
+        public static PartitionMap Of(GridCube cube, GridCube[] chunks)
+        {
+            int smallest = cube.SideLog2;
+            foreach (var chunk in chunks)
+                smallest = Math.Min(smallest, chunk.SideLog2);
+            int levels = Math.Min(MaxLevels, cube.SideLog2 - smallest), cellLog2 = cube.SideLog2 - levels, next = 0;
+            var cells = new List<int>();
+            var parts = new List<int>();
+            Descend(cube);
+            cells.AddRange(parts);
+            return new PartitionMap(cube, levels, cellLog2 - smallest,
+                new NativeArray<int>(cells.ToArray(), Allocator.Persistent), chunks);
+
+            void Add(List<int> to, int sideLog2)
+            {
+                for (int i = 0; i < 1 << 3 * (chunks[next].SideLog2 - sideLog2); i++)
+                    to.Add(next);
+                next++;
+            }
+
+            void Descend(GridCube part)
+            {
+                if (chunks[next].SideLog2 == part.SideLog2)
+                {
+                    Add(cells, cellLog2);
+                    return;
+                }
+                if (part.SideLog2 == cellLog2)
+                {
+                    cells.Add(~((1 << 3 * levels) + parts.Count));
+                    while (next < chunks.Length && part.Contains(chunks[next]))
+                        Add(parts, smallest);
+                    return;
+                }
+                for (int octant = 0; octant < 8; octant++)
+                    Descend(part.Child(octant));
             }
         }
 
@@ -125,10 +168,12 @@ namespace FastPoints.Build
 
         /// <summary>The largest cubes with at most <paramref name="target"/> points by the estimate, however
         /// uncertain.</summary>
-        public static GridCube[] CellsOf(GridCube cube, DensityTree density, long target)
+        public static GridCube[] CellsOf(GridCube cube, DensityTree density, long target, out double[] points)
         {
             var cells = new List<GridCube>();
+            var estimates = new List<double>();
             Descend(cube, DensityNumbers.Root);
+            points = estimates.ToArray();
             return cells.ToArray();
 
             void Descend(GridCube part, int cell)
@@ -137,6 +182,7 @@ namespace FastPoints.Build
                 if (below < 0 || part.SideLog2 == 0 || density[cell].Points <= target)
                 {
                     cells.Add(part);
+                    estimates.Add(density[cell].Points);
                     return;
                 }
                 for (int octant = 0; octant < 8; octant++)
@@ -256,13 +302,13 @@ namespace FastPoints.Build
     {
         readonly GridCube[] m_cells;
 
-        /// <param name="cells">Those of the partition's cube.</param>
+        /// <param name="cube">The partition's, which the cells fill.</param>
         /// <param name="shells">See <see cref="RootCube.Grow"/>.</param>
-        public BaseCells(PartitionMap map, GridCube[] shells)
+        public BaseCells(GridCube cube, GridCube[] cells, GridCube[] shells)
         {
-            Root = shells.Length > 0 ? shells[shells.Length - 1] : map.Cube;
+            Root = shells.Length > 0 ? shells[shells.Length - 1] : cube;
             var around = new List<GridCube>();
-            var inner = map.Cube;
+            var inner = cube;
             foreach (var shell in shells)
             {
                 for (int octant = 0; octant < 8; octant++)
@@ -272,13 +318,16 @@ namespace FastPoints.Build
             }
             around.Sort(Compare);
             Around = around.ToArray();
-            around.AddRange(map.BaseCells);
+            around.AddRange(cells);
             around.Sort(Compare);
             m_cells = around.ToArray();
         }
 
         /// <summary>The cube that they fill: the partition's, or the last shell.</summary>
         public GridCube Root { get; }
+
+        /// <summary>All, in Morton order.</summary>
+        public GridCube[] All => m_cells;
 
         /// <summary>The octants around the partition's cube, in Morton order.</summary>
         public GridCube[] Around { get; }

@@ -353,6 +353,12 @@ namespace FastPoints.Build
         /// <summary>Chunks' top nodes, which the merge of the upper levels consumes.</summary>
         public const string TopFolderName = "tops";
 
+        /// <summary>Of a part: points outside of the cloud's planned cube, as plain records.</summary>
+        public const string OutsideName = "part.outside";
+
+        /// <summary>The records of all parts that a bucket has.</summary>
+        public const string BucketName = "part.bucket";
+
         public static string RecordPath(int number) => PathOf(RecordFolderName, number);
 
         public static string TopPath(int number) => PathOf(TopFolderName, number);

@@ -19,8 +19,10 @@ namespace FastPoints.Build
         public NativeArray<byte> Table;
         public int NodeCount;
 
-        /// <summary>The chunk whose nodes they are; null for upper ones.</summary>
-        public ChunkResult Chunk;
+        /// <summary>Where the table is, if it is in a file, and the hash that it must have; 0 if it was checked.</summary>
+        public string Path;
+        public long TableOffset;
+        public ulong TableHash;
 
         /// <summary>Stored with each node: see <see cref="NodeRecord.SampledWith"/>.</summary>
         public int SampledWith;
@@ -33,6 +35,20 @@ namespace FastPoints.Build
                 ? MortonOrder.Compare(a.Part.Cube.Corner - root, b.Part.Cube.Corner - root)
             : a.Part.Cube.SideLog2 != b.Part.Cube.SideLog2 ? b.Part.Cube.SideLog2.CompareTo(a.Part.Cube.SideLog2)
             : a.Part.Container.Part.CompareTo(b.Part.Container.Part));
+
+        public int TableBytes(int planeCount) => NodeCount * ChunkResult.BytesPerNode(planeCount);
+
+        /// <summary>Coroutine: reads the table.</summary>
+        /// <exception cref="PointCloudException">It is damaged.</exception>
+        public IEnumerator<JobStep> Load(int planeCount)
+        {
+            using var read = new StoreRead();
+            read.Begin(Path, TableOffset, TableBytes(planeCount));
+            yield return read.Done;
+            read.Complete();
+            StoreFile.CheckHash(Path, TableOffset, read.Bytes, TableHash);
+            Table = new NativeArray<byte>(read.Bytes, Allocator.Persistent);
+        }
 
         public void DisposeTable()
         {
@@ -148,6 +164,53 @@ namespace FastPoints.Build
             yield return JobStep.Of(m_writePiece(m_bytes.AsArray(), m_written));
             m_written += m_bytes.Length;
             m_bytes.Clear();
+        }
+    }
+
+    /// <summary>The file of a cloud's pages.</summary>
+    internal static unsafe class HierarchyFile
+    {
+        /// <summary>Coroutine: writes it, and adds it to the manifest.</summary>
+        /// <param name="root">The part that all others hang on; its table is there.</param>
+        public static IEnumerator<JobStep> Write(CloudFolderWriter folder, CloudManifest manifest, HierarchyPart root)
+        {
+            string name = manifest.HierarchyName;
+            int planeCount = manifest.CreateLayout().Planes.Count;
+            IEnumerator<JobStep> WritePiece(NativeArray<byte> bytes, long offset) =>
+                CloudFolderWriter.Await(folder.WritePiece(name, bytes, offset));
+            using var writer = new HierarchyWriter(planeCount, manifest.CloudId, FileHeader.SizeBytes,
+                part => part.Load(planeCount), WritePiece);
+            yield return JobStep.Of(writer.Write(root, link =>
+            {
+                manifest.NodeCount = link.NodeCount;
+                manifest.RootOffset = link.OffsetBytes;
+                manifest.RootBytes = link.LengthBytes;
+                manifest.RootHash = link.Hash;
+            }));
+            manifest.HierarchyBytes = writer.Offset;
+            using var header = new NativeArray<byte>(HeaderOf(manifest, planeCount), Allocator.Persistent);
+            yield return JobStep.Of(CloudFolderWriter.Await(folder.Seal(name, header)));
+        }
+
+        static byte[] HeaderOf(CloudManifest manifest, int planeCount)
+        {
+            var header = new FileHeader
+            {
+                Magic = StoreFormat.HierarchyMagic,
+                Version = StoreFormat.Version,
+                PlaneCount = planeCount,
+                Container = new ContainerRecord
+                {
+                    Cube = manifest.Root,
+                    Kind = ContainerKind.Hierarchy,
+                    FileBytes = manifest.HierarchyBytes,
+                    Hash = manifest.RootHash,
+                },
+                PointCount = manifest.Points,
+                CloudId = manifest.CloudId,
+            };
+            header.HeaderHash = StoreFile.HashOf(header);
+            return new ReadOnlySpan<byte>(&header, FileHeader.SizeBytes).ToArray();
         }
     }
 

@@ -21,7 +21,7 @@ namespace FastPoints.Nodes
     {
         /// <summary>Incremented when the same points, settings and chunks give other nodes than before: killed builds
         /// are then not continued, and clouds count as different.</summary>
-        public const int SamplingVersion = 2;
+        public const int SamplingVersion = 3;
 
         /// <summary>log2 of the sampling cells along an edge of a node that is not a leaf; it has fewer if the node became too
         /// large.</summary>

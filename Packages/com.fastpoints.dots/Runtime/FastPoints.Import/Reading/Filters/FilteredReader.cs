@@ -1,15 +1,20 @@
+using System;
 using System.Collections.Generic;
 using Unity.Collections;
+using Unity.Jobs;
 
 namespace FastPoints.Reading
 {
-    /// <summary>The points of another source that pass a filter. Its blocks are the other's; their counts are upper
-    /// bounds. It owns neither the source nor the filter.</summary>
+    /// <summary>The points of another source that pass a filter, of all of its blocks or of some. Their counts are upper bounds.
+    /// It owns neither the source nor the filter.</summary>
     internal sealed class FilteredReader : PointReader
     {
-        readonly PointFilter m_filter;
+        readonly IPointSelection m_filter;
+        readonly IReadOnlyList<int> m_blocks; // Null for all.
+        readonly long[] m_firstPointOfBlock;
+        readonly int m_maxPointsPerBlock;
 
-        public FilteredReader(PointReader unfiltered, PointFilter filter)
+        public FilteredReader(PointReader unfiltered, IPointSelection filter)
         {
             Unfiltered = unfiltered;
             m_filter = filter;
@@ -17,11 +22,25 @@ namespace FastPoints.Reading
             FilterHash = filter.Hash;
         }
 
+        /// <param name="blocks">Ascending. The source's blocks are known.</param>
+        public FilteredReader(PointReader unfiltered, IPointSelection filter, IReadOnlyList<int> blocks)
+            : this(unfiltered, filter)
+        {
+            m_blocks = blocks;
+            m_firstPointOfBlock = new long[blocks.Count + 1];
+            for (int b = 0; b < blocks.Count; b++)
+            {
+                int points = unfiltered.PointsInBlock(blocks[b]);
+                m_firstPointOfBlock[b + 1] = m_firstPointOfBlock[b] + points;
+                m_maxPointsPerBlock = Math.Max(m_maxPointsPerBlock, points);
+            }
+        }
+
         internal override PointReader Unfiltered { get; }
         internal override ulong FilterHash { get; }
         public override bool BlocksAreKnown => Unfiltered.BlocksAreKnown;
-        public override int BlockCount => Unfiltered.BlockCount;
-        public override int MaxPointsPerBlock => Unfiltered.MaxPointsPerBlock;
+        public override int BlockCount => m_blocks?.Count ?? Unfiltered.BlockCount;
+        public override int MaxPointsPerBlock => m_blocks == null ? Unfiltered.MaxPointsPerBlock : m_maxPointsPerBlock;
         public override bool HasFixedStride => Unfiltered.HasFixedStride;
         internal override long DecoderBytes => Unfiltered.DecoderBytes;
 
@@ -31,19 +50,20 @@ namespace FastPoints.Reading
             return Unfiltered.FindBlocks();
         }
 
-        public override long FirstPointOfBlock(int block) => Unfiltered.FirstPointOfBlock(block);
+        public override long FirstPointOfBlock(int block) => m_firstPointOfBlock?[block] ?? Unfiltered.FirstPointOfBlock(block);
 
-        public override int PointsInBlock(int block) => Unfiltered.PointsInBlock(block);
+        public override int PointsInBlock(int block) => Unfiltered.PointsInBlock(NumberOf(block));
 
-        public override long OrderOfBlock(int block) => Unfiltered.OrderOfBlock(block);
+        public override long OrderOfBlock(int block) => Unfiltered.OrderOfBlock(NumberOf(block));
 
-        public override string FileOfBlock(int block, out long byteOffset) => Unfiltered.FileOfBlock(block, out byteOffset);
+        public override string FileOfBlock(int block, out long byteOffset) =>
+            Unfiltered.FileOfBlock(NumberOf(block), out byteOffset);
 
-        public override long BytesOfRange(BlockRange range) => Unfiltered.BytesOfRange(range);
+        public override long BytesOfRange(BlockRange range) => Unfiltered.BytesOfRange(Of(range));
 
         internal override bool IsRemote => Unfiltered.IsRemote;
 
-        internal override void ListPieces(BlockRange range, List<FilePiece> pieces) => Unfiltered.ListPieces(range, pieces);
+        internal override void ListPieces(BlockRange range, List<FilePiece> pieces) => Unfiltered.ListPieces(Of(range), pieces);
 
         /// <returns>A slot whose batch also has the filter's attributes, after the requested ones.</returns>
         public override BlockRead CreateRead(PointSchema wanted, int capacity, Allocator allocator)
@@ -54,21 +74,26 @@ namespace FastPoints.Reading
             foreach (string name in m_filter.Attributes)
                 if (!names.Contains(name))
                     names.Add(name);
-            var read = Unfiltered.CreateRead(Info.Schema.Select(names.ToArray()), capacity, allocator);
-            return new Read(read, m_filter, Info.Transform);
+            return new Read(this, Unfiltered.CreateRead(Info.Schema.Select(names.ToArray()), capacity, allocator));
         }
 
         public override void CloseFile() => Unfiltered.CloseFile();
 
+        int NumberOf(int block) => m_blocks?[block] ?? block;
+
+        BlockRange Of(BlockRange range) => new BlockRange(NumberOf(range.Block), range.First, range.Count);
+
         sealed class Read : BlockRead
         {
+            readonly FilteredReader m_reader;
             readonly BlockRead m_inner;
-            readonly FilterSlot m_slot;
+            readonly ISelectionSlot m_slot;
 
-            public Read(BlockRead inner, PointFilter filter, in PositionTransform transform)
+            public Read(FilteredReader reader, BlockRead inner)
             {
+                m_reader = reader;
                 m_inner = inner;
-                m_slot = new FilterSlot(filter, inner.Points, transform);
+                m_slot = reader.m_filter.CreateSlot(inner.Points, reader.Info.Transform);
                 Points = inner.Points;
                 Result = m_slot.Result;
             }
@@ -76,7 +101,7 @@ namespace FastPoints.Reading
             public override void Begin(BlockRange range)
             {
                 PassOn();
-                m_inner.Begin(range);
+                m_inner.Begin(m_reader.Of(range));
                 Schedule(range);
             }
 
@@ -91,7 +116,7 @@ namespace FastPoints.Reading
                 Range = range;
                 FirstPoint = m_inner.FirstPoint;
                 Decoded = range.Count == 0 ? m_inner.Decoded
-                    : m_slot.Schedule(m_inner.Result, FirstPoint, range.Count, m_inner.Decoded);
+                    : m_slot.Schedule(m_inner.Result, range, FirstPoint, m_inner.Decoded);
             }
 
             public override bool TryKeepStates() => m_inner.TryKeepStates();
@@ -101,7 +126,7 @@ namespace FastPoints.Reading
             internal override void Begin(BlockRange range, DecoderState from)
             {
                 PassOn();
-                m_inner.Begin(range, from);
+                m_inner.Begin(m_reader.Of(range), from);
                 Schedule(range);
             }
 
@@ -120,5 +145,28 @@ namespace FastPoints.Reading
                 m_inner.Dispose();
             }
         }
+    }
+
+    /// <summary>Chooses points of decoded batches.</summary>
+    internal interface IPointSelection
+    {
+        /// <summary>Names of the attributes that it reads, beside the position.</summary>
+        IEnumerable<string> Attributes { get; }
+
+        /// <summary>Differs between those that keep different points.</summary>
+        ulong Hash { get; }
+
+        ISelectionSlot CreateSlot(PointBatch batch, in PositionTransform transform);
+    }
+
+    /// <summary>A selection's memory for one block in flight.</summary>
+    internal interface ISelectionSlot : IDisposable
+    {
+        /// <summary>The number of points left in the batch, when the scheduled jobs are complete.</summary>
+        NativeReference<DecodeResult> Result { get; }
+
+        /// <param name="range">Of the reader that filters.</param>
+        /// <param name="firstPoint">Number of the batch's first point in the source.</param>
+        JobHandle Schedule(NativeReference<DecodeResult> decodedResult, BlockRange range, long firstPoint, JobHandle decoded);
     }
 }

@@ -11,7 +11,7 @@ using Unity.Mathematics;
 namespace FastPoints.Reading
 {
     /// <summary>Selects the points of a source that satisfy all conditions.</summary>
-    internal sealed class PointFilter : IDisposable
+    internal sealed class PointFilter : IPointSelection, IDisposable
     {
         readonly List<FilterExpression> m_expressions = new List<FilterExpression>();
         readonly List<string> m_texts = new List<string>();
@@ -67,6 +67,9 @@ namespace FastPoints.Reading
 
         public void Dispose() => Polygons?.Dispose();
 
+        public ISelectionSlot CreateSlot(PointBatch batch, in PositionTransform transform) =>
+            new FilterSlot(this, batch, transform);
+
         /// <summary>The operations of each expression on columns of a batch, one after another.</summary>
         internal FilterStep[] StepsOf(PointBatch batch, in PositionTransform transform)
         {
@@ -113,7 +116,7 @@ namespace FastPoints.Reading
     }
 
     /// <summary>Applies a filter to a batch once it is decoded: wanted points move to its front.</summary>
-    internal sealed class FilterSlot : IDisposable
+    internal sealed class FilterSlot : ISelectionSlot
     {
         const int PointsPerSlice = 8192;
 
@@ -143,16 +146,15 @@ namespace FastPoints.Reading
             };
         }
 
-        /// <summary>The number of points left in the batch, when the scheduled jobs are complete.</summary>
         public NativeReference<DecodeResult> Result { get; }
 
-        /// <param name="firstPoint">Number of the batch's first point in the source.</param>
-        public JobHandle Schedule(NativeReference<DecodeResult> decodedResult, long firstPoint, int count, JobHandle decoded)
+        public JobHandle Schedule(NativeReference<DecodeResult> decodedResult, BlockRange range, long firstPoint,
+            JobHandle decoded)
         {
             var job = m_job;
             job.Decoded = decodedResult;
             job.FirstPoint = firstPoint;
-            for (job.First = 0; job.First < count; job.First += PointsPerSlice)
+            for (job.First = 0; job.First < range.Count; job.First += PointsPerSlice)
                 decoded = job.Schedule(decoded);
             return decoded;
         }

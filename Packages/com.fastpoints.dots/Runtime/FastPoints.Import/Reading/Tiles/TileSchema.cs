@@ -83,7 +83,7 @@ namespace FastPoints.Reading
             if (from.Equals(to))
                 return column;
             column.Kind = to.Type.IsFloat() ? TileColumnKind.Real : TileColumnKind.Integer;
-            if (IsColor(from.Name) && from.Type == AttributeType.UInt8 && to.Type == AttributeType.UInt16)
+            if (AttributeNames.IsColor(from.Name) && from.Type == AttributeType.UInt8 && to.Type == AttributeType.UInt16)
                 column.Factor = 257;
             // LAS: whole degrees in point formats 0 to 5, steps of 0.006 degrees from 6 on.
             if (from.Name == AttributeNames.ScanAngle && from.Type == AttributeType.Int16)
@@ -185,7 +185,7 @@ namespace FastPoints.Reading
                     (missing > 1 ? ", ...)" : ")"));
             if (firstOther != null)
                 m_info.Warn(-1, name + ": its type differs from file to file (first in " + firstOther.Path + "): read as " +
-                    united.Type + (IsColor(name) && united.Type == AttributeType.UInt16 ? ", 8 bits times 257"
+                    united.Type + (AttributeNames.IsColor(name) && united.Type == AttributeType.UInt16 ? ", 8 bits times 257"
                     : name == AttributeNames.ScanAngle ? ", in degrees" : ""));
             return united;
         }
@@ -198,9 +198,6 @@ namespace FastPoints.Reading
                     return true;
             return false;
         }
-
-        static bool IsColor(string name) => name == AttributeNames.Red || name == AttributeNames.Green ||
-            name == AttributeNames.Blue || name == AttributeNames.Alpha || name == AttributeNames.NearInfrared;
 
         static bool SameScale(PointAttribute a, PointAttribute b) => a.Scale.Equals(b.Scale) && a.Offset.Equals(b.Offset);
     }
@@ -233,6 +230,7 @@ namespace FastPoints.Reading
         public string Path;
         public long FileBytes;
         public ulong HeadHash;
+        public BoundsGeo Bounds;
 
         // Shared by all tiles with equal schemas.
         public PointSchema Schema;

@@ -36,13 +36,14 @@ namespace FastPoints.Reading
             Info = new SourceInfo { Path = name };
         }
 
-        public static TiledReader Open(IReadOnlyList<string> paths, Func<string, PointReader> openFile)
+        // info: of more files, of which these are some: they get its attributes and its transform.
+        public static TiledReader Open(IReadOnlyList<string> paths, Func<string, PointReader> openFile, SourceInfo info = null)
         {
             if (paths.Count == 0)
                 throw new PointCloudException(FailureCode.NotFound, "(no path)", -1, "no file was named");
             string first = SourcePath.WithoutQuery(paths[0]);
             string name = paths.Count == 1 ? first : first + " and " + (paths.Count - 1) + " more";
-            return new TiledReader(name, false, openFile).OpenAll(paths);
+            return new TiledReader(name, false, openFile).OpenAll(paths, info);
         }
 
         // All point clouds of a folder in the order of their names (by character code), not those in folders within. Files that
@@ -92,6 +93,11 @@ namespace FastPoints.Reading
         public override int PointsInBlock(int block) => (int)(BlockStarts()[block + 1] - m_firstPointOfBlock[block]);
 
         public List<string> Paths => m_tiles.ConvertAll(tile => tile.Path);
+
+        /// <summary>Empty where the header says nothing that can be true.</summary>
+        public BoundsGeo BoundsOf(int tile) => m_tiles[tile].Bounds;
+
+        public (int First, int Count) BlocksOf(int tile) => (m_tiles[tile].FirstBlock, m_tiles[tile].BlockCount);
 
         /// <summary>With its path as the name.</summary>
         public CloudSource TileOf(int tile) => new CloudSource
@@ -303,7 +309,7 @@ namespace FastPoints.Reading
 
         long[] BlockStarts() => m_firstPointOfBlock ?? throw new InvalidOperationException("FindBlocks comes first");
 
-        TiledReader OpenAll(IReadOnlyList<string> paths)
+        TiledReader OpenAll(IReadOnlyList<string> paths, SourceInfo info = null)
         {
             var summary = new TileSummary(Info);
             var otherFiles = new List<string>();
@@ -331,6 +337,7 @@ namespace FastPoints.Reading
                         Path = path,
                         FileBytes = reader.Info.FileBytes,
                         HeadHash = reader.Info.HeadHash,
+                        Bounds = reader.Info.BoundsTrusted,
                         Schema = Shared(reader.Info.Schema),
                         Transform = reader.Info.Transform,
                         IsKnown = reader.BlocksAreKnown,
@@ -368,7 +375,10 @@ namespace FastPoints.Reading
             if (m_tiles.Count > MaxListed)
                 Info.Fact("and", (m_tiles.Count - MaxListed) + " more files");
             summary.End(m_tiles.Count);
-            new TileSchema(m_tiles, Info).MergeSchemas();
+            if (info == null)
+                new TileSchema(m_tiles, Info).MergeSchemas();
+            else
+                (Info.Schema, Info.Transform) = (info.Schema, info.Transform);
             if (isKnown)
                 Finish();
             return this;

@@ -1,0 +1,183 @@
+using FastPoints.Nodes;
+
+namespace FastPoints.Cli.Cluster;
+
+/// <summary>PLAN.json: what all tasks of a build over many machines share. What a task needs besides is in a file of its own, in
+/// the folder PLAN.parts beside it.</summary>
+sealed class BuildPlan
+{
+    const int Version = 1;
+
+    /// <summary>The file of the builds' cubes, which buckets take points for.</summary>
+    public const string CubesName = "cubes";
+
+    public required string Path { get; init; }
+
+    /// <summary>Of the file, as it was written; tells this plan from others.</summary>
+    public ulong Hash { get; private set; }
+
+    /// <summary>Where the cloud comes to be: a folder, or s3://bucket/prefix.</summary>
+    public required string Store { get; init; }
+
+    /// <summary>Options of the command line that decide the bytes of the cloud: see <see cref="CloudSettings"/>.</summary>
+    public required IReadOnlyList<string> Settings { get; init; }
+
+    /// <summary>Schema and transform of all tiles; null of one file.</summary>
+    public SourceInfo? Tiles { get; init; }
+
+    /// <summary>Of the filter; 0 for all points.</summary>
+    public ulong FilterHash { get; init; }
+
+    /// <summary>Without base cells.</summary>
+    public required BuildPart Whole { get; init; }
+
+    /// <summary>What is known of the cloud before its points.</summary>
+    public required CloudManifest Cloud { get; init; }
+
+    public required int Tasks { get; init; }
+
+    /// <summary>None where builds read sources.</summary>
+    public required int BucketTasks { get; init; }
+
+    /// <summary>By level, from 1.</summary>
+    public required IReadOnlyList<int> MergeTasks { get; init; }
+
+    public required PlanEstimate Estimate { get; init; }
+
+    public string LastMerge => TaskNames.Merge(MergeTasks.Count, 0);
+
+    /// <summary>Names of all tasks in the order of their stages.</summary>
+    public IEnumerable<string> AllTasks => Enumerable.Range(0, BucketTasks).Select(TaskNames.Bucket).Concat(Builds).Concat(Merges);
+    public IEnumerable<string> Builds => Enumerable.Range(0, Tasks).Select(TaskNames.Build);
+    public IEnumerable<string> Merges => MergeTasks.SelectMany((count, level) =>
+        Enumerable.Range(0, count).Select(number => TaskNames.Merge(level + 1, number)));
+
+    /// <summary>The folder of files for the tasks of a plan.</summary>
+    public static string PartsOf(string path) => SourcePath.Combine(SourcePath.FolderOf(SourcePath.Full(path)),
+        System.IO.Path.ChangeExtension(SourcePath.NameOf(path), ".parts"));
+
+    public string PathOf(string name) => SourcePath.Combine(PartsOf(Path), name);
+
+    /// <exception cref="PointCloudException">There is no such task, or its file is damaged or of another plan.</exception>
+    public JsonMembers ReadTask(string name)
+    {
+        var json = PlanFile.Read(PathOf(name + ".json"), out _);
+        return json.Hex("plan") == Hash ? json
+            : throw new PointCloudException(FailureCode.BadInput, json.Path, -1, "belongs to another plan than " + Path);
+    }
+
+    public GridCube[] ReadCubes() => PlanFile.ReadCubes(ReadTask(CubesName), "cubes");
+
+    /// <summary>Writes the file, and takes its hash.</summary>
+    public string ToText()
+    {
+        string text = PlanFile.ToText(Write, isIndented: true);
+        Hash = PlanFile.Parse(text, Path).Hex("hash");
+        return text;
+    }
+
+    void Write(Utf8JsonWriter json)
+    {
+        json.WriteString("made by", "FastPoints");
+        json.WriteNumber("version", Version);
+        json.WriteString("store", Store);
+        json.WriteNumber("tasks", Tasks);
+        json.WriteNumber("bucketTasks", BucketTasks);
+        WriteMergeLevels(json);
+        Estimate.Write(json);
+        PlanFile.WriteTexts(json, "settings", Settings);
+        json.WriteString("filter", PlanFile.ToHex(FilterHash));
+        json.WriteNumber("points", Whole.Points);
+        json.WriteNumber("pointsPerChunk", Whole.PointsPerChunk);
+        json.WritePropertyName("whole");
+        PlanFile.WriteCube(json, Whole.Whole);
+        json.WriteBoolean("wideRecords", Whole.Records.IsWide);
+        json.WritePropertyName("recordBase");
+        var at = Whole.Records.Base;
+        PlanFile.WriteNumbers(json, at.X, at.Y, at.Z);
+        if (Tiles != null)
+            WriteTiles(json, Tiles);
+        json.WritePropertyName("cloud");
+        json.WriteRawValue(Cloud.ToJson());
+    }
+
+    public void WriteMergeLevels(Utf8JsonWriter json)
+    {
+        json.WriteStartArray("mergeLevels");
+        for (int level = 1; level <= MergeTasks.Count; level++)
+        {
+            json.WriteStartObject();
+            json.WriteNumber("level", level);
+            json.WriteNumber("tasks", MergeTasks[level - 1]);
+            json.WriteEndObject();
+        }
+        json.WriteEndArray();
+    }
+
+    static void WriteTiles(Utf8JsonWriter json, SourceInfo tiles)
+    {
+        json.WriteStartObject("tiles");
+        json.WriteVector("scale", tiles.Transform.Scale);
+        json.WriteVector("offset", tiles.Transform.Offset);
+        json.WriteStartArray("attributes");
+        foreach (var attribute in tiles.Schema)
+        {
+            json.WriteStartObject();
+            json.WriteString("name", attribute.Name);
+            json.WriteString("type", attribute.Type.ToString());
+            json.WriteNumber("scale", attribute.Scale);
+            json.WriteNumber("offset", attribute.Offset);
+            json.WriteEndObject();
+        }
+        json.WriteEndArray();
+        json.WriteEndObject();
+    }
+
+    /// <exception cref="PointCloudException">There is none, or it is damaged.</exception>
+    public static BuildPlan Read(string path)
+    {
+        var json = PlanFile.Read(path, out string text);
+        json.RequireVersion(Version);
+        using var document = JsonDocument.Parse(text);
+        var cloud = CloudManifest.FromJson(document.RootElement.GetProperty("cloud").GetRawText(), path);
+        var whole = PlanFile.ReadCube(json, "whole");
+        var at = json.Longs("recordBase", 3);
+        return new BuildPlan
+        {
+            Path = path,
+            Hash = json.Hex("hash"),
+            Store = json.Text("store"),
+            Settings = json.Texts("settings"),
+            FilterHash = json.Hex("filter"),
+            Tiles = json.Has("tiles") ? ReadTiles(json.Object("tiles"), path) : null,
+            Cloud = cloud,
+            Whole = new BuildPart
+            {
+                CloudId = cloud.CloudId,
+                Points = json.Count("points"),
+                PointsPerChunk = json.Count("pointsPerChunk"),
+                Grid = cloud.Grid,
+                Records = new RecordLayout(json.Flag("wideRecords"), new Grid3(at[0], at[1], at[2]),
+                    cloud.Attributes.BytesPerPoint),
+                Attributes = cloud.Attributes,
+                Divisors = cloud.Divisors,
+                Whole = whole,
+                Cube = whole,
+                BaseCells = [],
+            },
+            Tasks = json.Int("tasks"),
+            BucketTasks = json.Int("bucketTasks"),
+            MergeTasks = json.Objects("mergeLevels").ConvertAll(level => level.Int("tasks")),
+            Estimate = PlanEstimate.Read(json.Object("estimate")),
+        };
+    }
+
+    static SourceInfo ReadTiles(JsonMembers json, string path) => new()
+    {
+        Path = path,
+        Transform = new PositionTransform { Scale = json.Vector("scale"), Offset = json.Vector("offset") },
+        Schema = new PointSchema(json.Objects("attributes").ConvertAll(a => System.Enum.TryParse(a.Text("type"), out AttributeType type)
+            ? new PointAttribute(a.Text("name"), type, a.Number("scale"), a.Number("offset"))
+            : throw a.Bad("type", "a type of attribute"))),
+    };
+}

@@ -1,0 +1,61 @@
+namespace FastPoints.Cli.Cluster;
+
+/// <summary>A task of the merges: what is left open of its inputs, in a cube that holds theirs.</summary>
+/// <param name="Inputs">Names of tasks.</param>
+sealed record MergeTask(string Name, GridCube Cube, List<string> Inputs);
+
+/// <summary>Which tops are merged with which: two levels of the octree a round, and all that are left in the last one.</summary>
+static class MergeTree
+{
+    const int LevelsAtOnce = 2;
+
+    /// <returns>The tasks of each round; the last one has one.</returns>
+    /// <param name="tasks">Names and cubes of the builds, in Morton order.</param>
+    public static List<List<MergeTask>> Of(GridCube whole, IEnumerable<(string Name, GridCube Cube)> tasks)
+    {
+        var open = tasks.ToList();
+        var rounds = new List<List<MergeTask>>();
+        for (int side = open.Min(t => t.Cube.SideLog2) + LevelsAtOnce; side < whole.SideLog2; side += LevelsAtOnce)
+        {
+            var round = new List<MergeTask>();
+            var left = new List<(string, GridCube)>();
+            foreach (var group in open.GroupBy(t => CubeAbove(whole, t.Cube, side)))
+            {
+                var inputs = group.ToList();
+                if (inputs.Count == 1)
+                {
+                    left.Add(inputs[0]);
+                    continue;
+                }
+                string name = TaskNames.Merge(rounds.Count + 1, round.Count);
+                round.Add(new MergeTask(name, group.Key, inputs.ConvertAll(i => i.Name)));
+                left.Add((name, group.Key));
+            }
+            open = left;
+            if (round.Count > 0)
+                rounds.Add(round);
+        }
+        rounds.Add([new MergeTask(TaskNames.Merge(rounds.Count + 1, 0), whole, open.ConvertAll(t => t.Name))]);
+        return rounds;
+    }
+
+    /// <summary>The cube of a size that holds another one; that one if it is as large.</summary>
+    static GridCube CubeAbove(GridCube whole, GridCube cube, int sideLog2)
+    {
+        if (cube.SideLog2 >= sideLog2)
+            return cube;
+        var offset = cube.Corner - whole.Corner;
+        return new GridCube(whole.Corner + new Grid3(offset.X >> sideLog2 << sideLog2, offset.Y >> sideLog2 << sideLog2,
+            offset.Z >> sideLog2 << sideLog2), sideLog2);
+    }
+}
+
+/// <summary>Names of tasks: of their files in the plan and in the store.</summary>
+static class TaskNames
+{
+    public static string Build(int number) => Of("build", number);
+    public static string Bucket(int number) => Of("bucket", number);
+    public static string Merge(int level, int number) => Of("merge-" + level.ToString(CultureInfo.InvariantCulture), number);
+
+    static string Of(string what, int number) => what + "-" + number.ToString("d6", CultureInfo.InvariantCulture);
+}

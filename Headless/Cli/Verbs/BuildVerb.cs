@@ -1,0 +1,39 @@
+using FastPoints.Cli.Cluster;
+
+namespace FastPoints.Cli.Verbs;
+
+public sealed class BuildVerb : Verb
+{
+    readonly TaskSettings m_task;
+    readonly Option<int?> m_bucket = new("--bucket")
+    {
+        HelpName = "[N]",
+        Arity = ArgumentArity.ZeroOrOne,
+        Description = "Sort some of the sources' points by the tasks that they belong to, where the plan has such tasks; before "
+            + "all others.",
+    };
+
+    public BuildVerb() : base(new Command("build",
+        "Build one of a plan's tasks: as often as it takes, anywhere, with the same outcome."))
+    {
+        m_task = new TaskSettings(Command, isNumbered: true);
+        Command.Add(m_bucket);
+    }
+
+    public override IReadOnlyList<(string, string)> Examples =>
+    [
+        ("./fastpoints build country.json --task 12", "the thirteenth"),
+        ("./fastpoints build country.json --offset 1000", "in an array of Slurm's, Kubernetes' or AWS Batch's"),
+        ("./fastpoints build country.json --bucket 3", "where the plan has buckets"),
+    ];
+
+    public override void Run(ParseResult parsed, CliRun run)
+    {
+        var plan = m_task.ReadPlan(parsed, run);
+        bool isBucket = parsed.GetResult(m_bucket) is { Implicit: false };
+        int number = m_task.Number(parsed, isBucket ? parsed.GetValue(m_bucket) : null, isBucket ? plan.BucketTasks : plan.Tasks,
+            isBucket ? "bucket task" : "task");
+        using var task = m_task.Open(plan, isBucket ? TaskNames.Bucket(number) : TaskNames.Build(number), parsed, run);
+        TaskReport.Run(task, number, "point", () => isBucket ? BuildTask.RunBucket(task, number) : BuildTask.Run(task, number));
+    }
+}
