@@ -18,7 +18,7 @@ fi
 require_sdk slurm.sh
 
 kills=20
-full="No space left on device"
+full="No space left on device\|too little room"
 seed=${1:-$(date +%s)}
 RANDOM=$seed
 scratch=$(mktemp -d)
