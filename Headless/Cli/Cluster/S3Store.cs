@@ -127,7 +127,8 @@ sealed class S3Store : TaskStore
     /// <summary>The tag of what was put in one piece is its MD5, unless the server encrypts with a key of the user's.</summary>
     static void CheckTag(string name, byte[] hash, string? tag, ServerSideEncryptionMethod? encryption)
     {
-        string wanted = System.Convert.ToHexStringLower(hash), got = tag?.Trim('"') ?? "";
+        string wanted = System.Convert.ToHexStringLower(hash);
+        string got = tag?.Trim('"') ?? throw new IOException(name + ": the answer has no ETag");
         bool isHash = got.Length == wanted.Length && (encryption == null || encryption == ServerSideEncryptionMethod.None
             || encryption == ServerSideEncryptionMethod.AES256);
         if (isHash && got != wanted)

@@ -9,7 +9,7 @@ sealed class ClusterCloud : IDisposable
 
     public ScratchFolder Scratch { get; } = new();
     public string Plan => Scratch["plan.json"];
-    public string Store => Scratch["store"];
+    public string Store { get => field ?? Scratch["store"]; init; }
     public JsonElement Planned { get; private set; }
 
     public int Count(string key) => Planned.GetProperty(key).GetInt32();

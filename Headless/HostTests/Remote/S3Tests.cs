@@ -1,7 +1,5 @@
 using System.Diagnostics;
 using System.Net.Http;
-using System.Net.Sockets;
-using Amazon.Runtime;
 using Amazon.S3;
 using Amazon.S3.Model;
 using FastPoints.Cli.Sources;
@@ -14,63 +12,24 @@ sealed class S3Tests : RemoteFixture
 {
     const string Bucket = "clouds";
 
-    static readonly string[] s_variables = ["AWS_ENDPOINT_URL_S3", "AWS_REGION", "AWS_ACCESS_KEY_ID", "AWS_SECRET_ACCESS_KEY"];
-
-    readonly StringBuilder m_log = new();
-    Process m_server;
+    S3Server m_server;
 
     [SetUp]
     public void Begin()
     {
-        string program = Path.Combine(Checkout.Repository.Root, "Headless/artifacts/s3/node_modules/s3rver/bin/s3rver.js");
-        if (!File.Exists(program))
-            Assert.Ignore("no server of S3's interface here (./test --remote installs it)");
-        int port = NginxServer.FreePort();
-        Set("http://127.0.0.1:" + port, "eu-west-1", "S3RVER", "S3RVER");
-        var start = new ProcessStartInfo("node") { RedirectStandardOutput = true, RedirectStandardError = true };
-        string[] args = [program, "-d", Scratch["s3"], "-a", "127.0.0.1", "-p", port.ToString(), "--configure-bucket", Bucket];
-        foreach (string arg in args)
-            start.ArgumentList.Add(arg);
-        Directory.CreateDirectory(Scratch["s3"]);
-        m_server = Process.Start(start);
-        m_server.OutputDataReceived += (_, line) =>
-        {
-            lock (m_log)
-                m_log.AppendLine(line.Data);
-        };
-        m_server.BeginOutputReadLine();
-        m_server.BeginErrorReadLine();
-        NginxServer.AwaitPort(m_server, port);
+        m_server = S3Server.Start(Scratch["s3"], Bucket);
         RemoteSettings.Current = new RemoteSettings();
     }
 
     [TearDown]
     public void End()
     {
-        Set(null, null, null, null);
         (RemoteAccess.Sign, S3Addresses.Lifetime) = (null, TimeSpan.FromHours(1));
-        m_server?.Kill();
         m_server?.Dispose();
         m_server = null;
-        lock (m_log)
-            m_log.Clear();
     }
 
-    static void Set(params string[] values)
-    {
-        for (int i = 0; i < values.Length; i++)
-            Environment.SetEnvironmentVariable(s_variables[i], values[i]);
-        FallbackRegionFactory.Reset();
-    }
-
-    string[] Reads
-    {
-        get
-        {
-            lock (m_log)
-                return m_log.ToString().Split('\n').Where(l => l.Contains(" 206 ") || l.Contains(" 403 ")).ToArray();
-        }
-    }
+    string[] Reads => m_server.Log.Where(l => l.Contains(" 206 ") || l.Contains(" 403 ")).ToArray();
 
     static void Put(string file, string key)
     {
@@ -145,7 +104,7 @@ sealed class S3Tests : RemoteFixture
     public void Info_WithoutABucketKeyOrRegion_IsAUsageError()
     {
         Assert.That(CliCall.Of("info", "s3://clouds").Error, Does.Contain("wanted s3://bucket/key"));
-        Set(null, null, null, null);
+        S3Server.Set(null, null, null, null);
         var call = CliCall.Of("info", "s3://clouds/a.las");
         Assert.That(call.Error, Does.Contain("AWS_REGION"));
         Assert.That(call.Status, Is.EqualTo(ExitStatus.Usage));
@@ -155,7 +114,7 @@ sealed class S3Tests : RemoteFixture
     [Test]
     public void Info_WithoutCredentials_AsksUnsignedAndSaysSoWhereItIsRefused()
     {
-        Set(Server.Address, "eu-west-1", null, null);
+        S3Server.Set(Server.Address, "eu-west-1", null, null);
         Directory.CreateDirectory(Scratch["served/clouds"]);
         Scratch.Demo("served/clouds/scan.las", 5000);
         (int Status, string Error) Info()
