@@ -18,6 +18,7 @@ fi
 require_sdk slurm.sh
 
 kills=20
+full="No space left on device\|too little room"
 seed=${1:-$(date +%s)}
 RANDOM=$seed
 scratch=$(mktemp -d)
@@ -57,10 +58,11 @@ MinJobAge=86400
 NodeName=localhost NodeAddr=127.0.0.1 CPUs=4 RealMemory=65536 State=UNKNOWN
 PartitionName=main Nodes=localhost Default=YES State=UP
 END
-  # As clusters name the node's own disk; of one task, when it runs first, that is a small one.
+  # As clusters name the node's own disk; one task gets a small one, until that was full.
   cat >"$scratch/prolog" <<END
 #!/bin/sh
-if [ "\$SLURM_JOB_NAME/\$SLURM_ARRAY_TASK_ID/\${SLURM_RESTART_COUNT:-0}" = "\$(cat $scratch/small.task 2>/dev/null)" ]; then
+name=\$SLURM_JOB_NAME-\$SLURM_ARRAY_TASK_ID
+if [ "\$name" = "\$(cat $scratch/small.task 2>/dev/null)" ] && ! grep -q "$full" "$scratch/jobs/\$name.log"; then
   echo "export SLURM_TMPDIR=$scratch/small"
 fi
 END
@@ -166,12 +168,13 @@ write_config $((20000 + RANDOM % 20000))
 if ! check "Slurm starts" start_slurm; then finish; fi
 [ -x "$fastpoints" ] || ./fastpoints --version >/dev/null
 
-# Tasks of a second or two, by a kind of source that is read anywhere.
+# The points of each task may be anywhere in the file, so that it takes some seconds.
 make_plan() {
-  "$fastpoints" demo-cloud --quiet -o "$scratch/cloud.las" --points 8M --seed 5 &&
-    "$fastpoints" convert --quiet "$scratch/cloud.las" -o "$scratch/whole.fastpoints" --sampler poisson --chunk-points 50k &&
-    "$fastpoints" plan --quiet "$scratch/cloud.las" -o "$scratch/cloud.json" --store "$scratch/many.fastpoints" \
-      --sampler poisson --chunk-points 50k --task-points 500k
+  local same=(--quiet --sampler poisson --chunk-points 100k)
+  "$fastpoints" demo-cloud --quiet -o "$scratch/one.las" --points 8M --seed 5 &&
+    "$fastpoints" demo-cloud --quiet -o "$scratch/cloud.las" --tile "$scratch/one.las" --times 4 &&
+    "$fastpoints" convert "$scratch/cloud.las" -o "$scratch/whole.fastpoints" "${same[@]}" &&
+    "$fastpoints" plan "$scratch/cloud.las" -o "$scratch/cloud.json" --store "$scratch/many.fastpoints" --cells --task-points 6M "${same[@]}"
 }
 if ! check "plan" make_plan; then finish; fi
 tasks=$(grep -o '"tasks": *[0-9]*' "$scratch/cloud.json" | head -n 1 | grep -o '[0-9]*$')
@@ -186,8 +189,6 @@ cancel_all() {
   await_idle 30 && sleep 8 && is_idle
 }
 check "what is cancelled does not come back" cancel_all
-
-markers() { (cd "$scratch/many.fastpoints/work" && stat -c '%n %i %y' build-*.json | sort); }
 
 # Submitted again while 20 times something happens.
 copies() { # one task twice at once, beside Slurm's
@@ -204,12 +205,11 @@ small_disk() {
 if [ "$(id -u)" -eq 0 ] && small_disk; then
   # A task that is not done yet.
   small=$((tasks - 2))
-  echo "cloud-build$([ $small -ge 10 ] && echo "-10")/$((small % 10))/0" >"$scratch/small.task"
+  echo "cloud-build-$((small / 10 * 10))-$((small % 10))" >"$scratch/small.task"
 else
   skipped=$((skipped + 1))
   echo "skipped: a full disk, without the right to mount one"
 fi
-markers >"$scratch/before"
 check "submitted again" submit "$scratch/cloud.sh" || finish
 copies >"$scratch/copies.log" 2>&1 </dev/null &
 copies=$!
@@ -229,8 +229,20 @@ ended() {
 }
 check "all tasks, merges and the commit" ended || { states cloud-; tail -n 5 "$scratch"/jobs/*.log; finish; }
 if [ -n "$mounted" ]; then
-  check "a full disk is said, and the task goes elsewhere" grep -rq "No space left" "$scratch/jobs"
+  check "a full disk is said, and the task goes elsewhere" grep -rq "$full" "$scratch/jobs"
 fi
+# Bad input is bad on any node.
+bad_input() {
+  local task
+  "$fastpoints" demo-cloud --quiet -o "$scratch/bad.laz" --points 100k &&
+    "$fastpoints" plan --quiet "$scratch/bad.laz" -o "$scratch/bad.json" --store "$scratch/bad.fastpoints" --chunk-points 10k &&
+    truncate -s 1000 "$scratch/bad.laz" &&
+    "$fastpoints" cluster slurm "$scratch/bad.json" --cores 1 >"$scratch/bad.sh" && submit "$scratch/bad.sh" && await_idle 60 || return 1
+  task=$(id_of bad-build)_0
+  scontrol show job "$task"
+  [ "$(field "$task" ExitCode)/$(field "$task" Restarts)" = 3:0/0 ] && [ "$(field "$(id_of bad-commit)" JobState)" = CANCELLED ]
+}
+check "bad input is tried once, and nothing comes behind it" bad_input
 check "the same bytes as one machine's" diff -r "$scratch/whole.fastpoints" "$scratch/many.fastpoints"
 check "verify" "$fastpoints" verify --quiet "$scratch/many.fastpoints" --against "$scratch/cloud.las"
 check "picture" "$fastpoints" picture --quiet "$scratch/many.fastpoints" -o "$scratch/picture.png"
