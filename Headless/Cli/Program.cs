@@ -10,12 +10,13 @@ public static class Program
 
     public static int Main(string[] args)
     {
-        // The first signal ends the work cleanly, so that a build can go on; with the second nothing is kept; the third one
-        // kills, in case the others cannot get through.
+        // The first signal ends the work cleanly, so that a build can go on; with a second Ctrl-C nothing is kept; the third one
+        // kills, in case the others cannot get through. A scheduler's SIGTERM comes twice where it is sent to all processes of a
+        // job, and the job's shell passes it on.
         void Cancel(PosixSignalContext signal)
         {
             signal.Cancel = !s_discard.IsCancellationRequested;
-            if (s_cancellation.IsCancellationRequested)
+            if (s_cancellation.IsCancellationRequested && signal.Signal == PosixSignal.SIGINT)
                 s_discard.Cancel();
             s_cancellation.Cancel();
         }

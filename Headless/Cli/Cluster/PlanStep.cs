@@ -13,6 +13,9 @@ sealed class PlanStep
     /// each to the bucket of its task.</summary>
     const double MostReads = 1.5;
 
+    /// <summary>A bucket's records take so much of a task's memory, so that they are written once.</summary>
+    const double MemoryOfBucket = 0.6;
+
     const string TaskStage = "tasks";
 
     /// <summary>What a task reads.</summary>
@@ -141,7 +144,8 @@ sealed class PlanStep
                 if (room <= 0)
                 {
                     buckets.Add([]);
-                    room = m_request.TaskPoints;
+                    room = Math.Min(m_request.TaskPoints, (long)(MemoryOfBucket * m_request.MemoryBytes)
+                        / m_plan.Whole.Records.StrideBytes);
                 }
                 m_buckets[p] = (block == 0 ? buckets.Count - 1 : m_buckets[p].First, buckets.Count - 1);
                 var part = piece;
