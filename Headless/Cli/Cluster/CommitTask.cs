@@ -95,9 +95,12 @@ sealed class CommitTask
         PutFact(StoreFormat.FactsName);
         PutSources(manifest);
         m_store.PutText(StoreFormat.ManifestName, manifest.ToJson(), m_task.Scratch.Folder);
-        m_store.Delete(m_store.List(TaskStore.WorkFolder).Select(found => found.Name).ToList());
+        Clean(m_store);
         m_task.Run.Progress.End();
     }
+
+    /// <summary>Deletes what tasks left for one another, when the cloud is complete.</summary>
+    public static void Clean(TaskStore store) => store.Delete(store.List(TaskStore.WorkFolder).Select(found => found.Name).ToList());
 
     /// <summary>What the plan knows of the sources; not all kinds have all of it.</summary>
     void PutFact(string name)
