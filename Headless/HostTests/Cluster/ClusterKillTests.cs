@@ -31,8 +31,6 @@ public sealed class ClusterKillTests
         return process.ExitCode;
     }
 
-    string[] Scratches => Directory.Exists(m_cloud.Scratch["scratch"]) ? Directory.GetDirectories(m_cloud.Scratch["scratch"]) : [];
-
     void CommitAndCompare()
     {
         var commit = m_cloud.Commit();
@@ -69,7 +67,7 @@ public sealed class ClusterKillTests
             End(process);
         }
         CommitAndCompare();
-        Assert.That(Scratches.Where(s => !s.EndsWith("-commit", StringComparison.Ordinal)), Is.Empty);
+        Assert.That(m_cloud.Scratches.Where(s => !s.EndsWith("-commit", StringComparison.Ordinal)), Is.Empty);
     }
 
     [Test]
@@ -79,7 +77,7 @@ public sealed class ClusterKillTests
         using (var one = Start("build", m_cloud.Plan, "--task", "0"))
         using (var other = Start("build", m_cloud.Plan, "--task", "0"))
             Assert.That((End(one), End(other)), Is.EqualTo((ExitStatus.Done, ExitStatus.Done)));
-        Assert.That(Scratches, Is.Empty);
+        Assert.That(m_cloud.Scratches, Is.Empty);
         m_cloud.RunTasks();
         CommitAndCompare();
     }
@@ -89,22 +87,22 @@ public sealed class ClusterKillTests
     public void Sigterm_WithTemporaryFiles_GoesOnFromThem()
     {
         Directory.CreateDirectory(m_cloud.Scratch["tiles"]);
-        ClusterCloud.Done("demo-cloud", "-o", m_cloud.Scratch["tiles/many.las"], "--tile", m_cloud.Sources("las"), "--times", "60",
-            "--quiet");
+        ClusterCloud.Done("demo-cloud", "-o", m_cloud.Scratch["tiles/many.las"], "--tile", m_cloud.Sources("las"),
+            "--times", "60", "--quiet");
         m_cloud.MakePlan("tiles", 100_000_000);
         string[] line = ["build", m_cloud.Plan, "--task", "0", "--memory", LittleMemory];
         using (var process = Start(line))
         {
-            while (!process.HasExited && !Scratches.Any(s => File.Exists(Path.Combine(s, "part.part/build.json"))))
+            while (!process.HasExited && !m_cloud.Scratches.Any(s => File.Exists(Path.Combine(s, "part.part/build.json"))))
                 Thread.Sleep(5);
             using (var kill = Process.Start("kill", ["-TERM", process.Id.ToString()]))
                 kill.WaitForExit();
             Assert.That(End(process), Is.EqualTo(ExitStatus.Cancelled));
         }
-        Assert.That(Scratches.Length, Is.EqualTo(1));
-        Assert.That(File.Exists(Path.Combine(Scratches[0], "part.part/build.json")));
+        Assert.That(m_cloud.Scratches.Length, Is.EqualTo(1));
+        Assert.That(File.Exists(Path.Combine(m_cloud.Scratches[0], "part.part/build.json")));
         m_cloud.RunTasks(null, "--memory", LittleMemory);
-        Assert.That(Scratches, Is.Empty);
+        Assert.That(m_cloud.Scratches, Is.Empty);
         CommitAndCompare();
     }
 
@@ -115,7 +113,8 @@ public sealed class ClusterKillTests
         m_cloud.MakePlan("tiles", 500_000);
         var start = new ProcessStartInfo("bash", ["-c", "ulimit -f 100; trap '' XFSZ; exec \"$@\"", "bash",
             Path.Combine(AppContext.BaseDirectory, "FastPoints.Cli"), "build", m_cloud.Plan, "--task", "0", "--scratch",
-            m_cloud.Scratch["scratch"], "--quiet"]) { RedirectStandardError = true };
+            m_cloud.Scratch["scratch"], "--quiet"])
+        { RedirectStandardError = true };
         // The runtime's own files would be too large.
         (start.Environment["DOTNET_EnableDiagnostics"], start.Environment["DOTNET_EnableWriteXorExecute"]) = ("0", "0");
         using (var process = Process.Start(start))
