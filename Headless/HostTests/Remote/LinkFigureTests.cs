@@ -13,6 +13,9 @@ sealed class LinkFigureTests : RemoteFixture
     const string FromTheSouth = "0 693907 3915200 500 693907 3915870 40", LoneStar = "0 515385 4918310 2350 515385 4918360 2330",
         Lion = "0 -2 -8 2 -2 4 0";
 
+    // Over tiles of 575 m, at 180 m/s.
+    const string Eastward = "0 693700 3915876 150 693900 3915876 10\n899 696397 3915876 150 696597 3915876 10";
+
     static readonly string s_table = Environment.GetEnvironmentVariable("FASTPOINTS_FIGURES");
 
     static readonly (int RoundTripMs, double Megabits)[] s_links = s_table == null ? [(50, 100)]
@@ -46,6 +49,35 @@ sealed class LinkFigureTests : RemoteFixture
         File.WriteAllText(Scratch["path.txt"], FromTheSouth);
         var camera = CameraPath.Read(Scratch["path.txt"], new double3(0, 0, 1), 45);
         Compare("ca13.fastpoints", OneRangeANode.OfConverted(m_served, "ca13.fastpoints", camera, Budget), FromTheSouth);
+    }
+
+    // 15 s over a cloud that lies along the way, over a line that brings twice as much as the way needs.
+    [Test]
+    public void Flight_OnAPathThatNeedsHalfTheLine_HasWhatIsSelected()
+    {
+        Begin();
+        string laz = Scratch["tiled.laz"], cloud = Path.Combine(m_served, "tiled.fastpoints");
+        Assert.That(CliCall.Of("demo-cloud", "-o", laz, "--tile", TestData.PathOrIgnore("data/ca13_d.laz"), "--times",
+            s_table == null ? "6" : "20", "--quiet").Status, Is.Zero);
+        Assert.That(CliCall.Of("convert", laz, "-o", cloud, "--quiet").Status, Is.Zero);
+        File.WriteAllText(Scratch["path.txt"], Eastward);
+        var path = CameraPath.Read(Scratch["path.txt"], new double3(0, 0, 1), 45);
+        for (int i = 0; i < s_repeats; i++)
+        {
+            TimedFlight local = TimedFlight.Over(cloud, path, Budget);
+            double megabits = 2 * local.ReadBytes * 8e-6 / (path.FrameCount / 60.0);
+            using var link = new SlowLink(m_nginx.Port, 50, megabits);
+            RemoteAccess.CacheFolder = Scratch["cache" + Guid.NewGuid()];
+            StartAnew();
+            TimedFlight remote = TimedFlight.Over($"http://127.0.0.1:{link.Port}/tiled.fastpoints", path, Budget);
+            Say($"flight, 50 ms {megabits:0} Mbit/s: {remote.FullShare:0.0%} of frames with 95 %, the first is {remote.FirstFull}; from disk {local.FullShare:0.0%}, " +
+                $"{local.FirstFull}; " +
+                $"{RemoteStatistics.Requests} requests, {RemoteStatistics.BytesFetched} bytes, {RemoteStatistics.BytesUnused} " +
+                $"unused; main thread p99 {remote.MainThreadP99Ms:0.00} ms, from disk {local.MainThreadP99Ms:0.00} ms; at rest " +
+                $"{remote.GarbageAtRest} bytes of garbage, from disk {local.GarbageAtRest}");
+            Assert.That(remote.FullShare, Is.GreaterThanOrEqualTo(0.9));
+            Assert.That(remote.GarbageAtRest, Is.EqualTo(local.GarbageAtRest));
+        }
     }
 
     // By TLS, which HTTP/2 takes.

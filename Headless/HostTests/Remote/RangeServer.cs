@@ -38,6 +38,9 @@ sealed class RangeServer : IDisposable
     // Before each answer.
     public int LatencyMs { get; set; }
 
+    // No answer begins before; null: none waits.
+    public Task Gate { get; set; }
+
     // Which fault a request meets; null: none.
     public Func<RangeRequest, Fault> Plan { get; set; }
 
@@ -94,6 +97,8 @@ sealed class RangeServer : IDisposable
                 request.Fault = Plan?.Invoke(request) ?? Fault.None;
                 lock (m_requests)
                     m_requests.Add(request);
+                if (Gate != null)
+                    await Gate.WaitAsync(m_ends.Token);
                 if (LatencyMs > 0)
                     await Task.Delay(LatencyMs, m_ends.Token);
                 if (!await Answer(connection, request))

@@ -75,6 +75,42 @@ sealed class RemoteCacheTests : RemoteFixture
         Assert.That(Server.Requests, Has.Count.GreaterThan(13));
     }
 
+    [Test]
+    public void Find_TwiceOfADamagedRecord_HasNothing()
+    {
+        var key = RangeKey.Of("a");
+        RangeCache.Current.Add(key, 0, new byte[100]);
+        StartAnew();
+        string path = CacheFiles().Single().FullName;
+        byte[] bytes = File.ReadAllBytes(path);
+        bytes[^1] ^= 1;
+        File.WriteAllBytes(path, bytes);
+        _ = RangeCache.Current.Find(key);
+        Assert.That(RangeCache.Current.Find(key), Is.Null);
+    }
+
+    [Test]
+    public void Find_OfWhatSeveralRunsWrote_HasTheLast()
+    {
+        var key = RangeKey.Of("a");
+        for (byte run = 0; run < 20; run++)
+        {
+            RangeCache.Current.Add(key, 0, new[] { run });
+            StartAnew();
+        }
+        Assert.That(RangeCache.Current.Find(key), Is.EqualTo(new byte[] { 19 }));
+    }
+
+    [Test]
+    public void Add_WhenAnotherCacheHasTakenOver_DoesNothing()
+    {
+        RangeCache cache = RangeCache.Current;
+        cache.Add(RangeKey.Of("a"), 0, new byte[1]);
+        StartAnew();
+        cache.Add(RangeKey.Of("a"), 1, new byte[1]);
+        Assert.That(CacheFiles(), Has.Length.EqualTo(1));
+    }
+
     static byte[] Damage(byte[] bytes, int kind, System.Random random)
     {
         switch (kind)

@@ -56,6 +56,51 @@ sealed class RemoteReadTests : RemoteFixture
     }
 
     [Test]
+    public void Rank_ThatFallsWhileReadsWait_DecidesWhichGoesNext()
+    {
+        Make("a.bin", 8_000_000);
+        RemoteSettings.Current.MaxConnections = 1;
+        RemoteSettings.Current.StallMs = 20_000;
+        var file = RemoteFile.Open(Server.Of("a.bin"));
+        var gate = new TaskCompletionSource();
+        Server.Gate = gate.Task;
+        Server.ResetCounts();
+        RemoteRead[] reads = Enumerable.Range(0, 5).Select(i => file.Begin(1_500_000 * i + 100_000, 100, i)).ToArray();
+        Assert.That(() => Server.Requests.Count, Is.EqualTo(1).After(5000, 5));
+        // Those that wait are looked up on pool threads.
+        Thread.Sleep(50);
+        foreach (RemoteRead read in reads)
+            read.Rank = -read.Rank;
+        gate.SetResult();
+
+        Await(reads);
+
+        long[] offsets = Server.Requests.Skip(1).Select(r => long.Parse(r.Header("Range")[6..].Split('-')[0])).ToArray();
+        Assert.That(offsets, Is.Ordered.Descending);
+        foreach (RemoteRead read in reads)
+            read.Dispose();
+    }
+
+    // As of an octree of a file a node: what has come of each is not kept.
+    [Test]
+    public void FetchedBytes_GivenUpWhileItsFileIsOpened_KeepsNothingOfIt()
+    {
+        Make("a.bin", 200_000);
+        var gate = new TaskCompletionSource();
+        Server.Gate = gate.Task;
+        new FetchedBytes(new List<FilePiece> { new FilePiece { Path = Server.Of("a.bin"), LengthBytes = -1 } }, 0).Dispose();
+        gate.SetResult();
+
+        int Requests()
+        {
+            RemoteFile file = RemoteFile.Find(Server.Of("a.bin"));
+            Server.ResetCounts();
+            return file != null && Read(file, 0, 100) != null ? Server.Requests.Count : 0;
+        }
+        Assert.That(Requests, Is.EqualTo(1).After(5000, 20));
+    }
+
+    [Test]
     public unsafe void Reads_Cancelled_NeverWrite()
     {
         Make("a.bin", 4_000_000);

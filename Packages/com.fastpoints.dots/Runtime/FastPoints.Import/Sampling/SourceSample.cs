@@ -72,6 +72,9 @@ namespace FastPoints.Sampling
                         chains, null));
                     measured = measure(sample.Stored, default);
                     yield return measured;
+                    measured.Complete();
+                    if (reader.Unfiltered is TiledReader tiles && tiles.TileCount > ranges.Count)
+                        TileClaims.Add(tiles, ranges, sample.m_stored, sample.m_ranges);
                 }
                 take(sample);
                 sample = null;

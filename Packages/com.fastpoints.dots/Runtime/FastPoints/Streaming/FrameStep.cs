@@ -47,8 +47,7 @@ namespace FastPoints.Streaming
             }
             selector.Choose(views, settings.Selection);
             if (stream.Motion.TryPredictView(views, stream.FramesToPredict))
-                selector.Prefetch(stream.Motion.Predicted, settings.Selection,
-                    (long)(settings.Selection.PointBudget * settings.PrefetchShare));
+                selector.Prefetch(stream.Motion.Predicted, settings.Selection, stream.PointsToPrefetch);
             Touch(stream);
             stats.Frame = selector.Frame;
             stats.SelectedNodes = selector.Selected.Length;

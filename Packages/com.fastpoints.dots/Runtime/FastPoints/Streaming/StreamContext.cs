@@ -61,15 +61,21 @@ namespace FastPoints.Streaming
         public float FrameSeconds { get; set; }
 
         // A table and then nodes take a round trip each where they are on a web server.
-        internal int FramesToPredict
+        internal int FramesToPredict => Settings.PrefetchFrames == 0 || FrameSeconds <= 0 ? Settings.PrefetchFrames
+            : Settings.PrefetchFrames + (int)Math.Min(MaxRoundTripFrames, 2 * RoundTrip / FrameSeconds);
+
+        // A server's connections are busy all the time only if enough is known that will be wanted.
+        internal long PointsToPrefetch =>
+            (long)(Settings.Selection.PointBudget * (RoundTrip > 0 ? 2 : 1) * Settings.PrefetchShare);
+
+        double RoundTrip
         {
             get
             {
                 double roundTrip = 0;
                 foreach (var cloud in m_state.Clouds)
                     roundTrip = Math.Max(roundTrip, cloud == null ? 0 : cloud.Source.RoundTrip);
-                return Settings.PrefetchFrames == 0 || FrameSeconds <= 0 ? Settings.PrefetchFrames
-                    : Settings.PrefetchFrames + (int)Math.Min(MaxRoundTripFrames, 2 * roundTrip / FrameSeconds);
+                return roundTrip;
             }
         }
 

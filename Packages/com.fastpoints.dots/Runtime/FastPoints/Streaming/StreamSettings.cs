@@ -30,7 +30,7 @@ namespace FastPoints.Streaming
         /// <summary>The camera's motion is extrapolated by this many frames for reading ahead; 0 for none.</summary>
         public int PrefetchFrames = 20;
 
-        /// <summary>Points that are read ahead, as a share of the budget.</summary>
+        /// <summary>Points that are read ahead, as a share of the budget; twice as many of web servers.</summary>
         public float PrefetchShare = 0.25f;
 
         // What scenes and the fly verb set; FadeSeconds itself starts at 0.

@@ -9,22 +9,9 @@ namespace FastPoints.Build
 {
     /// <summary>For sources whose points are anywhere: writes the points of some blocks as plain records, those of each part
     /// together, so that parts read these and no source.</summary>
-    internal sealed class BucketBuild : IDisposable
+    internal sealed class BucketBuild : PartStages
     {
-        readonly BuildContext m_build;
-        readonly PartSelection m_selection;
-        ScatterPoints m_scatter;
-        ChunkSet m_chunks;
-        BuildCheckpoints m_checkpoints;
-        BuildGenerations m_generations;
-
-        BucketBuild(BuildContext build, PartSelection selection)
-        {
-            m_build = build;
-            m_selection = selection;
-            build.TakePointsWanted = selection.TakePointsWanted;
-            build.Settings.SecondsPerGeneration = build.Settings.SecondsToFirstGeneration = double.PositiveInfinity;
-        }
+        BucketBuild(BuildContext build, PartSelection selection) : base(build, selection) { }
 
         /// <summary>Coroutine. The folder then has the records, <see cref="BuildFiles.BucketName"/>, and what is known of
         /// them.</summary>
@@ -42,52 +29,37 @@ namespace FastPoints.Build
             var selection = new PartSelection(whole, GridChoice.OnGrid(reader.Info, whole.Grid), isOwn);
             using var bucket = new BucketBuild(new BuildContext(whole, new[] { new FilteredReader(reader, selection, blocks) }, 0,
                 output.Folder, output.Settings, output.Progress), selection);
-            var build = bucket.m_build;
+            var build = bucket.Build;
             build.Progress?.Begin(BuildStages.Read);
             build.Map = PartitionMap.Of(whole.Whole, cubes);
             build.Map.BaseCells = whole.BaseCells;
             yield return JobStep.Of(bucket.Read());
-            whole.RequireDivisors(bucket.m_scatter.Attributes, reader.Info.Path);
+            whole.RequireDivisors(bucket.Scatter.Attributes, reader.Info.Path);
             yield return JobStep.Of(bucket.Write(ranges, output.Take));
             build.Progress?.End();
         }
 
-        public void Dispose()
-        {
-            m_generations?.Dispose();
-            m_chunks?.Dispose();
-            m_scatter?.Dispose();
-            m_checkpoints?.Dispose();
-            m_build.Dispose();
-            m_selection.Dispose();
-        }
-
         IEnumerator<JobStep> Read()
         {
-            m_scatter = new ScatterPoints(m_build);
-            m_chunks = new ChunkSet(m_build);
-            m_checkpoints = BuildCheckpoints.Resume(m_build, m_scatter, m_chunks);
-            if (m_checkpoints.MustClear)
-                yield return JobStep.Of(m_build.Folder.Clear());
-            m_generations = new BuildGenerations(m_build);
-            m_build.RequireRoom(2 * m_build.Points - m_scatter.Statistics.Count);
-            yield return JobStep.Of(new ReadSources(m_build, m_scatter, m_checkpoints, m_generations).Run());
+            yield return JobStep.Of(Resume());
+            Build.RequireRoom(2 * Build.Points - Scatter.Statistics.Count);
+            yield return JobStep.Of(ReadSources());
         }
 
         IEnumerator<JobStep> WriteRecords(List<BucketRange> ranges)
         {
-            var chunks = m_scatter.Chunks;
-            int stride = m_build.Records.StrideBytes;
+            var chunks = Scatter.Chunks;
+            int stride = Build.Records.StrideBytes;
             foreach (var range in ranges)
-                yield return JobStep.Of(CloudFolderWriter.Await(m_build.Folder.WriteRecords(BuildFiles.BucketName,
+                yield return JobStep.Of(CloudFolderWriter.Await(Build.Folder.WriteRecords(BuildFiles.BucketName,
                     chunks[range.Part], stride, range.First * stride)));
-            yield return JobStep.Of(CloudFolderWriter.Await(m_build.Folder.SyncRecords(BuildFiles.BucketName)));
+            yield return JobStep.Of(CloudFolderWriter.Await(Build.Folder.SyncRecords(BuildFiles.BucketName)));
         }
 
         IEnumerator<JobStep> JoinFiles(List<BucketRange> ranges)
         {
-            var files = m_build.Files;
-            string path = m_build.Folder.PathOf(BuildFiles.BucketName);
+            var files = Build.Files;
+            string path = Build.Folder.PathOf(BuildFiles.BucketName);
             return PoolTask.Run(path, () =>
             {
                 using var to = FileChanges.OpenToWrite(path, FileMode.Create);
@@ -102,27 +74,27 @@ namespace FastPoints.Build
         IEnumerator<JobStep> Write(List<BucketRange> ranges, Action<PartResult> take)
         {
             long first = 0;
-            for (int part = 0; part <= m_build.Map.Outside; part++)
+            for (int part = 0; part <= Build.Map.Outside; part++)
             {
-                long count = m_build.Files?.RecordsOf(part) ?? m_scatter.Chunks[part].Count;
+                long count = Build.Files?.RecordsOf(part) ?? Scatter.Chunks[part].Count;
                 if (count > 0)
                     ranges.Add(new BucketRange { Part = part, First = first, Count = count });
                 first += count;
             }
-            yield return JobStep.Of(m_build.Files == null ? WriteRecords(ranges) : JoinFiles(ranges));
-            var manifest = m_build.Part.ToManifest(m_build.Settings.Sampler);
+            yield return JobStep.Of(Build.Files == null ? WriteRecords(ranges) : JoinFiles(ranges));
+            var manifest = Build.Part.ToManifest(Build.Settings.Sampler);
             using var store = new NativeStoreLayout(manifest.CreateLayout());
-            using var merge = new UpperMerge(m_build, store, manifest);
-            var result = new PartResult(m_build.Attributes.Count, merge.BytesOfPlane.Length)
+            using var merge = new UpperMerge(Build, store, manifest);
+            var result = new PartResult(Build.Attributes.Count, merge.BytesOfPlane.Length)
             {
-                Statistics = m_scatter.Statistics,
-                Attributes = m_scatter.Attributes,
-                PointsWanted = m_checkpoints.Journal.PointsWanted,
-                OutsidePoints = ranges.Count > 0 && ranges[ranges.Count - 1].Part == m_build.Map.Outside
+                Statistics = Scatter.Statistics,
+                Attributes = Scatter.Attributes,
+                PointsWanted = Checkpoints.Journal.PointsWanted,
+                OutsidePoints = ranges.Count > 0 && ranges[ranges.Count - 1].Part == Build.Map.Outside
                     ? ranges[ranges.Count - 1].Count : 0,
             };
-            yield return JobStep.Of(PartFile.Write(m_build.Folder, m_build.Part.Cube, m_build.CloudId, merge, result));
-            yield return JobStep.Of(m_build.Folder.Complete());
+            yield return JobStep.Of(PartFile.Write(Build.Folder, Build.Part.Cube, Build.CloudId, merge, result));
+            yield return JobStep.Of(Build.Folder.Complete());
             take(result);
         }
     }

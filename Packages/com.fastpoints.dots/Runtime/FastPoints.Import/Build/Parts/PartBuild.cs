@@ -8,28 +8,62 @@ using Unity.Collections;
 
 namespace FastPoints.Build
 {
-    /// <summary>One of several builds that make a cloud: the chunks of its cube, and the upper levels as far as its points decide
-    /// them. The bytes are those that one build of everything would write.</summary>
-    internal sealed class PartBuild : IDisposable
+    /// <summary>The stages of a task of a build of many, as far as they are those of any build.</summary>
+    internal abstract class PartStages : IDisposable
     {
-        readonly BuildContext m_build;
         readonly PartSelection m_selection;
-        Action<string> m_fetch;
-        ScatterPoints m_scatter;
-        ChunkSet m_chunks;
-        BuildCheckpoints m_checkpoints;
         BuildGenerations m_generations;
-        OctreeBuild m_octree;
 
-        PartBuild(BuildContext build, PartSelection selection)
+        protected PartStages(BuildContext build, PartSelection selection)
         {
-            m_build = build;
+            Build = build;
             m_selection = selection;
             if (selection != null)
                 build.TakePointsWanted = selection.TakePointsWanted;
             // A part of a cloud is none.
             build.Settings.SecondsPerGeneration = build.Settings.SecondsToFirstGeneration = double.PositiveInfinity;
         }
+
+        protected BuildContext Build { get; }
+        protected ScatterPoints Scatter { get; private set; }
+        protected ChunkSet Chunks { get; private set; }
+        protected BuildCheckpoints Checkpoints { get; private set; }
+        protected BuildGenerations Generations => m_generations;
+
+        /// <summary>Coroutine, once there is a map: goes on from where a stopped one was.</summary>
+        protected IEnumerator<JobStep> Resume()
+        {
+            // The coroutine checks its budget.
+            yield return default;
+            Scatter = new ScatterPoints(Build);
+            Chunks = new ChunkSet(Build);
+            Checkpoints = BuildCheckpoints.Resume(Build, Scatter, Chunks);
+            if (Checkpoints.MustClear)
+                yield return JobStep.Of(Build.Folder.Clear());
+            m_generations = new BuildGenerations(Build);
+        }
+
+        protected IEnumerator<JobStep> ReadSources() => new ReadSources(Build, Scatter, Checkpoints, m_generations).Run();
+
+        public virtual void Dispose()
+        {
+            m_generations?.Dispose();
+            Chunks?.Dispose();
+            Scatter?.Dispose();
+            Checkpoints?.Dispose();
+            Build.Dispose();
+            m_selection?.Dispose();
+        }
+    }
+
+    /// <summary>One of several builds that make a cloud: the chunks of its cube, and the upper levels as far as its points decide
+    /// them. The bytes are those that one build of everything would write.</summary>
+    internal sealed class PartBuild : PartStages
+    {
+        Action<string> m_fetch;
+        OctreeBuild m_octree;
+
+        PartBuild(BuildContext build, PartSelection selection) : base(build, selection) { }
 
         /// <summary>Coroutine: from sources. When it has ended, the folder has containers and the part's files.</summary>
         /// <param name="blocks">Those that may have points of the part, ascending. The reader's blocks are known.</param>
@@ -55,56 +89,44 @@ namespace FastPoints.Build
         {
             using (part)
             {
-                var build = part.m_build;
+                var build = part.Build;
                 build.Progress?.Begin(BuildStages.Sample);
                 yield return JobStep.Of(part.Partition());
-                // The coroutine checks its budget.
-                yield return default;
-                part.m_scatter = new ScatterPoints(build);
-                part.m_chunks = new ChunkSet(build);
-                part.m_checkpoints = BuildCheckpoints.Resume(build, part.m_scatter, part.m_chunks);
-                if (part.m_checkpoints.MustClear)
-                    yield return JobStep.Of(build.Folder.Clear());
-                part.m_generations = new BuildGenerations(build);
+                yield return JobStep.Of(part.Resume());
                 build.Progress?.Begin(BuildStages.Read);
-                if (part.m_checkpoints.Journal.CurrentStage == BuildJournal.Stage.Read)
+                if (part.Checkpoints.Journal.CurrentStage == BuildJournal.Stage.Read)
                     yield return JobStep.Of(part.Read());
                 build.Progress?.Begin(BuildStages.Split);
-                yield return JobStep.Of(new RebalanceChunks(build, part.m_scatter, part.m_chunks, part.m_checkpoints).Run());
-                build.Part.RequireDivisors(part.m_scatter.Attributes, build.Target);
+                yield return JobStep.Of(new RebalanceChunks(build, part.Scatter, part.Chunks, part.Checkpoints).Run());
+                build.Part.RequireDivisors(part.Scatter.Attributes, build.Target);
                 yield return JobStep.Of(part.WriteNodes(take));
                 build.Progress?.End();
             }
         }
 
-        public void Dispose()
+        public override void Dispose()
         {
             m_octree?.Dispose();
-            m_generations?.Dispose();
-            m_chunks?.Dispose();
-            m_scatter?.Dispose();
-            m_checkpoints?.Dispose();
-            m_build.Dispose();
-            m_selection?.Dispose();
+            base.Dispose();
         }
 
         IEnumerator<JobStep> Partition()
         {
-            var part = m_build.Part;
+            var part = Build.Part;
             var samples = new List<SourceSample>();
             try
             {
-                foreach (var reader in m_build.Readers)
-                    yield return JobStep.Of(SourceSample.Read(reader, m_build.InFlightMs, m_build.Settings.Workers,
-                        MemoryPlan.ReadBytesOf(m_build.Settings), (_, loaded) => loaded, samples.Add));
+                foreach (var reader in Build.Readers)
+                    yield return JobStep.Of(SourceSample.Read(reader, Build.InFlightMs, Build.Settings.Workers,
+                        MemoryPlan.ReadBytesOf(Build.Settings), (_, loaded) => loaded, samples.Add));
                 if (samples.Count == 0)
-                    m_build.Map = PartitionMap.Of(part.Cube, new[] { part.Cube });
+                    Build.Map = PartitionMap.Of(part.Cube, new[] { part.Cube });
                 else
-                    yield return JobStep.Of(PartitionPlan.Of(part.Cube, samples, m_build.Grid, m_build.Plan, m_build.Slices,
-                        map => m_build.Map = map));
-                m_build.Map.BaseCells = part.BaseCells;
+                    yield return JobStep.Of(PartitionPlan.Of(part.Cube, samples, Build.Grid, Build.Plan, Build.Slices,
+                        map => Build.Map = map));
+                Build.Map.BaseCells = part.BaseCells;
                 // What the sample does not count.
-                m_selection?.TakePointsWanted();
+                Build.TakePointsWanted?.Invoke();
             }
             finally
             {
@@ -117,14 +139,14 @@ namespace FastPoints.Build
         {
             if (m_fetch == null)
             {
-                m_build.RequireRoom(m_build.Points - m_scatter.Statistics.Count);
-                yield return JobStep.Of(new ReadSources(m_build, m_scatter, m_checkpoints, m_generations).Run());
+                Build.RequireRoom(Build.Points - Scatter.Statistics.Count);
+                yield return JobStep.Of(ReadSources());
                 yield break;
             }
             // In memory they are in a file, too, until they are loaded.
-            m_build.RequireRoom(m_build.Points);
-            string path = m_build.Folder.PathOf(BuildFiles.RecordPath(0));
-            long wanted = m_build.Points * m_build.Records.StrideBytes;
+            Build.RequireRoom(Build.Points);
+            string path = Build.Folder.PathOf(BuildFiles.RecordPath(0));
+            long wanted = Build.Points * Build.Records.StrideBytes;
             yield return JobStep.Of(PoolTask.Run(path, () =>
             {
                 m_fetch(path);
@@ -132,40 +154,41 @@ namespace FastPoints.Build
             }, bytes =>
             {
                 if (bytes != wanted)
-                    throw PointCloudException.Wanted(FailureCode.ReadFailed, path, -1, "bytes of the part's points", wanted, bytes);
+                    throw PointCloudException.Wanted(FailureCode.ReadFailed, path, -1, "bytes of the part's points", wanted,
+                        bytes);
             }));
-            if (m_build.Files != null)
-                m_build.Files.Adopt(0, m_build.Points);
+            if (Build.Files != null)
+                Build.Files.Adopt(0, Build.Points);
             else
                 yield return JobStep.Of(Load(path));
-            var cube = m_build.Part.Cube;
-            m_checkpoints.Journal.Statistics.Add(new PointStatistics
+            var cube = Build.Part.Cube;
+            Checkpoints.Journal.Statistics.Add(new PointStatistics
             {
-                Count = m_build.Points,
+                Count = Build.Points,
                 Min = cube.Corner,
                 Max = cube.Corner + new Grid3(cube.Side - 1, cube.Side - 1, cube.Side - 1),
             });
-            m_scatter.Resume(m_checkpoints.Journal);
+            Scatter.Resume(Checkpoints.Journal);
         }
 
         IEnumerator<JobStep> Load(string path)
         {
-            using var load = new RecordLoad(m_build);
+            using var load = new RecordLoad(Build);
             using var outside = new NativeReference<int>(Allocator.Persistent);
-            var ranges = new[] { new RecordRange { Count = m_build.Points } };
-            var chunks = m_scatter.Chunks;
-            for (long first = 0, count; first < m_build.Points; first += count)
+            var ranges = new[] { new RecordRange { Count = Build.Points } };
+            var chunks = Scatter.Chunks;
+            for (long first = 0, count; first < Build.Points; first += count)
             {
-                count = Math.Min(ChunkSet.PagesPerBatch * RecordPages.RecordsPerPage, m_build.Points - first);
+                count = Math.Min(ChunkSet.PagesPerBatch * RecordPages.RecordsPerPage, Build.Points - first);
                 load.Begin(ranges, first, count, path);
                 yield return load.Done;
                 var pages = load.Complete();
                 var checkedRecords = CheckRecordsJob.Schedule(new CheckRecordsJob
                 {
-                    Slices = m_build.Slices,
+                    Slices = Build.Slices,
                     Pages = pages,
-                    Layout = m_build.Records,
-                    Cube = m_build.Part.Cube,
+                    Layout = Build.Records,
+                    Cube = Build.Part.Cube,
                     Outside = outside,
                 }, default);
                 yield return checkedRecords;
@@ -175,39 +198,40 @@ namespace FastPoints.Build
                 chunks[0] = all;
             }
             if (outside.Value > 0)
-                throw PointCloudException.Wanted(FailureCode.ReadFailed, path, -1, "points outside of the part", 0, outside.Value);
-            m_build.Folder.Delete(BuildFiles.RecordPath(0));
+                throw PointCloudException.Wanted(FailureCode.ReadFailed, path, -1, "points outside of the part", 0,
+                    outside.Value);
+            Build.Folder.Delete(BuildFiles.RecordPath(0));
         }
 
         IEnumerator<JobStep> WriteNodes(Action<PartResult> take)
         {
-            var part = m_build.Part;
-            var manifest = part.ToManifest(m_build.Settings.Sampler);
-            m_octree = new OctreeBuild(m_build, m_chunks, manifest, m_generations);
+            var part = Build.Part;
+            var manifest = part.ToManifest(Build.Settings.Sampler);
+            m_octree = new OctreeBuild(Build, Chunks, manifest, Generations);
             yield return JobStep.Of(m_octree.Index());
-            m_build.Progress?.Begin(BuildStages.Merge);
+            Build.Progress?.Begin(BuildStages.Merge);
             using var store = new NativeStoreLayout(manifest.CreateLayout());
-            using var merge = new UpperMerge(m_build, store, manifest);
+            using var merge = new UpperMerge(Build, store, manifest);
             for (int c = 0; c < m_octree.Results.Count; c++)
                 merge.Add(m_octree.Results[c], m_octree.TopRecords[c]);
             // Tops of points outside of the whole cube meet all others in the last merge.
             if (part.Whole.Contains(part.Cube))
-                yield return JobStep.Of(merge.Collect(part.Cube, m_build.Progress));
+                yield return JobStep.Of(merge.Collect(part.Cube, Build.Progress));
             var result = new PartResult(part.Attributes.Count, m_octree.BytesOfPlane.Length)
             {
                 // Of records the bucket has them.
-                Statistics = m_fetch == null ? m_scatter.Statistics : PointStatistics.None,
-                Attributes = m_scatter.Attributes,
-                PointsWanted = m_checkpoints.Journal.PointsWanted,
+                Statistics = m_fetch == null ? Scatter.Statistics : PointStatistics.None,
+                Attributes = Scatter.Attributes,
+                PointsWanted = Checkpoints.Journal.PointsWanted,
                 Checksum = m_octree.Checksum,
             };
             result.Include(m_octree.LowestSideLog2, m_octree.BytesOfPlane);
             result.Include(merge.LowestSideLog2, merge.BytesOfPlane);
-            string outside = m_build.Folder.PathOf(BuildFiles.OutsideName);
+            string outside = Build.Folder.PathOf(BuildFiles.OutsideName);
             if (System.IO.File.Exists(outside))
-                result.OutsidePoints = StoreFile.SizeOf(outside) / m_build.Records.StrideBytes;
-            yield return JobStep.Of(PartFile.Write(m_build.Folder, part.Cube, part.CloudId, merge, result));
-            yield return JobStep.Of(m_build.Folder.Complete());
+                result.OutsidePoints = StoreFile.SizeOf(outside) / Build.Records.StrideBytes;
+            yield return JobStep.Of(PartFile.Write(Build.Folder, part.Cube, part.CloudId, merge, result));
+            yield return JobStep.Of(Build.Folder.Complete());
             take(result);
         }
     }

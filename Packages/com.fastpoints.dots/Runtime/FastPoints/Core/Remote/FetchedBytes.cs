@@ -41,7 +41,7 @@ namespace FastPoints
                     Begin(fetch);
                 else
                     fetch.Opening = PoolTask.Begin(SourcePath.WithoutQuery(piece.Path),
-                        () => RemoteFile.Open(piece.Path, HeadBytesFor(piece)));
+                        () => RemoteFile.Open(piece.Path, HeadBytesFor(piece)), file => file.DropHead());
             }
         }
 
@@ -101,9 +101,6 @@ namespace FastPoints
                 return true;
             if (!fetch.Read.IsDone)
                 return false;
-            // There may be as many files as nodes.
-            if (fetch.IsOpenedHere)
-                fetch.File.DropHead();
             Failure ??= fetch.Read.Failure;
             return true;
         }
@@ -150,6 +147,9 @@ namespace FastPoints
         {
             foreach (var fetch in m_fetches)
             {
+                // There may be as many files as nodes.
+                if (fetch.IsOpenedHere)
+                    fetch.File.DropHead();
                 fetch.Opening?.Dispose();
                 fetch.Read?.Dispose();
             }

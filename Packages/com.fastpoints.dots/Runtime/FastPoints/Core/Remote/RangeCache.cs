@@ -131,7 +131,7 @@ namespace FastPoints
         {
             lock (m_lock)
             {
-                if (!m_entries.TryGetValue(key, out var entries))
+                if (!m_entries.TryGetValue(key, out var entries) || entries.Count == 0)
                     return null;
                 var bytes = new byte[entries[entries.Count - 1].Length];
                 return TryRead(key, entries[entries.Count - 1].Offset, bytes) ? bytes : null;
@@ -218,8 +218,11 @@ namespace FastPoints
         void Close()
         {
             lock (m_lock)
+            {
+                m_isReadOnly = true;
                 foreach (var segment in m_segments)
                     segment.Close();
+            }
         }
 
         // Finds the segments that others have written, and forgets those that they have deleted.
@@ -232,6 +235,7 @@ namespace FastPoints
             try
             {
                 paths = Directory.GetFiles(Folder, "*" + Extension);
+                Array.Sort(paths, StringComparer.Ordinal); // By their time: what was written last counts.
             }
             catch (Exception e) when (e is IOException || e is UnauthorizedAccessException)
             {

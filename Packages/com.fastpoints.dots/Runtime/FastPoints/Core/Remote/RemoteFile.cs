@@ -158,8 +158,8 @@ namespace FastPoints
 
         public IRangeSource File { get; }
 
-        // What has the lowest rank is fetched first.
-        public int Rank { get; }
+        // What has the lowest rank is fetched first. It may change while the read waits.
+        public int Rank { get; set; }
 
         public bool IsDone => m_isDone;
         public bool IsCancelled => m_isCancelled;

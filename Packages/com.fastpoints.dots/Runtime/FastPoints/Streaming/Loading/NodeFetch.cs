@@ -129,6 +129,13 @@ namespace FastPoints.Streaming
             Read(Cloud.Source.PathOf(Page), rank);
         }
 
+        // Of what waits for a web server.
+        public void SetRank(int rank)
+        {
+            if (m_remote != null)
+                m_remote.Rank = rank;
+        }
+
         // The read continues until it reports its end.
         public void Cancel()
         {

@@ -256,7 +256,7 @@ namespace FastPoints.Streaming
                     fetch.Cancel();
                 return;
             }
-            bool isWanted = false;
+            int rank = int.MaxValue;
             foreach (var node in fetch.Nodes)
             {
                 if (!m_state.Cache.IsValid(node.Slot, node.Version))
@@ -264,9 +264,10 @@ namespace FastPoints.Streaming
                 if (m_state.IsStale(m_state.Cache[node.Slot].UsedFrame))
                     m_state.Release(node.Slot);
                 else
-                    isWanted = true;
+                    rank = Math.Min(rank, m_state.Cache[node.Slot].Rank);
             }
-            if (!isWanted)
+            fetch.SetRank(rank);
+            if (rank == int.MaxValue)
                 fetch.Cancel();
         }
 
