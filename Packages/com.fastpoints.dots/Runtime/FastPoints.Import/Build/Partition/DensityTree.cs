@@ -136,8 +136,9 @@ namespace FastPoints.Build
         /// <summary>The code of a point outside the cube.</summary>
         public const uint OutsideCode = uint.MaxValue;
 
-        /// <summary>The most levels of cells: a code has three bits for each.</summary>
-        public const int Levels = 8;
+        /// <summary>The most levels of cells: a code has three bits for each. In the cube of a continent the smallest are 4 km
+        /// wide.</summary>
+        public const int Levels = 10;
 
         public const int FineCells = 64;
         public const int CoarseCells = 8, CellsOfBrick = CoarseCells + FineCells, FirstBrick = 2;

@@ -16,7 +16,7 @@ namespace FastPoints.Build
         public const int MaxLevels = 6;
 
         /// <summary>The most levels of parts of a cell, for cells that need them.</summary>
-        const int MaxPartLevels = DensityNumbers.Levels - MaxLevels;
+        const int MaxPartLevels = 2;
 
         /// <summary>How many standard errors above its estimate a chunk may have before it must be split.</summary>
         const double ErrorsAllowed = 2;
