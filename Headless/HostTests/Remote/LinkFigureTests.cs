@@ -70,7 +70,8 @@ sealed class LinkFigureTests : RemoteFixture
             RemoteAccess.CacheFolder = Scratch["cache" + Guid.NewGuid()];
             StartAnew();
             TimedFlight remote = TimedFlight.Over($"http://127.0.0.1:{link.Port}/tiled.fastpoints", path, Budget);
-            Say($"flight, 50 ms {megabits:0} Mbit/s: {remote.FullShare:0.0%} of frames with 95 %, the first is {remote.FirstFull}; from disk {local.FullShare:0.0%}, " +
+            Say($"flight, 50 ms {megabits:0} Mbit/s: {remote.FullShare:0.0%} of frames with 95 %, the first is " +
+                $"{remote.FirstFull}; from disk {local.FullShare:0.0%}, " +
                 $"{local.FirstFull}; " +
                 $"{RemoteStatistics.Requests} requests, {RemoteStatistics.BytesFetched} bytes, {RemoteStatistics.BytesUnused} " +
                 $"unused; main thread p99 {remote.MainThreadP99Ms:0.00} ms, from disk {local.MainThreadP99Ms:0.00} ms; at rest " +
