@@ -111,7 +111,7 @@ namespace FastPoints.Tests.Build
             JobCoroutine.RunToEnd(ConvertCloud.Run(new[] { reader }, Folder.File("whole"), Settings(), _ => { }, null));
         }
 
-        void BuildOutside(CloudPlan plan, List<PartResult> results, long count, Action<string> fetch, List<string> folders)
+        void BuildOutside(CloudPlan plan, List<PartResult> results, long count, RecordFetch fetch, List<string> folders)
         {
             var found = PointStatistics.None;
             foreach (var result in results)

@@ -60,7 +60,7 @@ namespace FastPoints.Build
     /// them. The bytes are those that one build of everything would write.</summary>
     internal sealed class PartBuild : PartStages
     {
-        Action<string> m_fetch;
+        RecordFetch m_fetch;
         OctreeBuild m_octree;
 
         PartBuild(BuildContext build, PartSelection selection) : base(build, selection) { }
@@ -81,7 +81,7 @@ namespace FastPoints.Build
         /// <summary>Coroutine: from plain records in a file.</summary>
         /// <param name="records">Number of records.</param>
         /// <param name="fetch">Writes the file, on a pool thread.</param>
-        public static IEnumerator<JobStep> RunRecords(BuildPart part, long records, Action<string> fetch, PartOutput output) =>
+        public static IEnumerator<JobStep> RunRecords(BuildPart part, long records, RecordFetch fetch, PartOutput output) =>
             Run(new PartBuild(new BuildContext(part, Array.Empty<PointReader>(), records, output.Folder, output.Settings,
                 output.Progress), null)
             { m_fetch = fetch }, output.Take);
@@ -236,6 +236,9 @@ namespace FastPoints.Build
             take(result);
         }
     }
+
+    /// <summary>Writes plain records to a file, on a pool thread.</summary>
+    internal delegate void RecordFetch(string path);
 
     /// <summary>Where a task of a build of many goes.</summary>
     internal struct PartOutput
