@@ -158,8 +158,9 @@ sealed class RemoteFaultTests : RemoteFixture
             Assert.That(Read(RemoteFile.Open(Server.Of(i + ".bin")), 0, Length), Is.EqualTo(bytes[i]));
         }
         Assert.That(right, Is.GreaterThan(failed / 10));
-        (int Descriptors, int Memory) after = LeftBehind(before.Descriptors);
-        Assert.That(after.Descriptors, Is.LessThanOrEqualTo(before.Descriptors));
+        (int Descriptors, int Memory) after = LeftBehind(before.Descriptors + faults / 1000);
+        // A kind of fault that left one would leave hundreds. The runtime opens and closes some of its own.
+        Assert.That(after.Descriptors, Is.LessThanOrEqualTo(before.Descriptors + faults / 1000));
         Assert.That(after.Memory, Is.LessThanOrEqualTo(before.Memory));
     }
 
