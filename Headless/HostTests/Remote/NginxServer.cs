@@ -43,7 +43,18 @@ sealed class NginxServer : IDisposable
     // For SSL_CERT_FILE.
     public string AuthorityPath => Path.Combine(m_folder, "authority.pem");
 
-    public string[] AccessLog => File.ReadAllLines(Path.Combine(m_folder, "access.log"));
+    // Of all answers that anyone has whole.
+    public string[] AccessLog
+    {
+        get
+        {
+            // A line is written after its answer, but before this only process takes up another request.
+            using var client = new HttpClient();
+            client.GetAsync($"http://127.0.0.1:{Port}/{nameof(AccessLog)}").Result.Dispose();
+            string[] lines = File.ReadAllLines(Path.Combine(m_folder, "access.log"));
+            return lines.Where(line => !line.Contains(nameof(AccessLog))).ToArray();
+        }
+    }
 
     public string ErrorLog => File.ReadAllText(Path.Combine(m_folder, "error.log"));
 

@@ -76,16 +76,6 @@ namespace FastPoints
             }
         }
 
-        // Bytes that a connection could have brought in the time of a round trip.
-        public int GapBytes
-        {
-            get
-            {
-                lock (m_lock)
-                    return Gap();
-            }
-        }
-
         public void Add(RemoteRead read, List<RangePiece> pieces)
         {
             lock (m_lock)
@@ -127,6 +117,7 @@ namespace FastPoints
             }
         }
 
+        // Bytes that a connection could have brought in the time of a round trip.
         int Gap() => (int)Math.Max(MinGapBytes, Math.Min(MaxGapBytes, m_roundTrip *
             (m_bytesPerConnection > 0 ? m_bytesPerConnection : FirstBytesPerConnection)));
 

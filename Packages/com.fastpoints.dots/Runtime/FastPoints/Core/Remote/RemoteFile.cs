@@ -33,9 +33,6 @@ namespace FastPoints
         // Seconds that an answer takes to begin; 0 if none was seen yet.
         public abstract double RoundTrip { get; }
 
-        // Ranges no farther apart are brought sooner by one request than by two.
-        public abstract int GapBytes { get; }
-
         // Waits: on pool threads and in the command line alone. headBytes: so many of a new file come with it.
         public static RemoteFile Open(string address, int headBytes = HeadBytes) => FilesFor(address).Open(address, headBytes);
 
