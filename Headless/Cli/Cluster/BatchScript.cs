@@ -12,7 +12,8 @@ static class BatchScript
         # Submitted once more, it does what is missing: a task that is done ends at once.
         set -eu
         queue={{SlurmScript.Quoted(settings.Queue!)}}
-        definition=$(aws batch register-job-definition --query jobDefinitionArn --output text --cli-input-json '{{Definition(job, settings)}}')
+        definition=$(aws batch register-job-definition --query jobDefinitionArn --output text \
+          --cli-input-json '{{Definition(job, settings)}}')
 
         after='[]' jobs=
         submit() { # name, tasks, what a task does as JSON

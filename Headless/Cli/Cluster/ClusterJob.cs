@@ -4,7 +4,7 @@ namespace FastPoints.Cli.Cluster;
 /// <param name="Plan">Where tasks read it: a path or an address.</param>
 sealed record ClusterJob(string Plan, IReadOnlyList<ClusterStage> Stages, PlanEstimate Estimate)
 {
-    /// <summary>What a container or a node counts beside what <c>--memory</c> bounds: pages of files that are being written.</summary>
+    /// <summary>What a container or a node counts beside what <c>--memory</c> bounds: pages of files being written.</summary>
     const double MemoryReserve = 1.25;
 
     public string Name { get; } = NameOf(Plan);

@@ -1,3 +1,5 @@
+using System.Text.Encodings.Web;
+
 namespace FastPoints.Cli.Cluster;
 
 /// <summary>A Job an array; which comes behind which is for whoever applies them, by their labels.</summary>
@@ -57,7 +59,10 @@ static class KubernetesManifest
                 envFrom:
                 - secretRef: {name: fastpoints, optional: true}
                 resources:
-                  requests: {cpu: {{settings.Cores}}, memory: {{job.NodeMebibytes}}Mi, ephemeral-storage: {{job.ScratchGibibytes}}Gi}
+                  requests:
+                    cpu: {{settings.Cores}}
+                    memory: {{job.NodeMebibytes}}Mi
+                    ephemeral-storage: {{job.ScratchGibibytes}}Gi
                   limits: {memory: {{job.NodeMebibytes}}Mi}
                 volumeMounts:
                 - {name: scratch, mountPath: {{JsonOf(ScratchOf(settings))}}}
@@ -72,11 +77,13 @@ static class KubernetesManifest
     /// <summary>What runs in a container.</summary>
     public static IEnumerable<string> Command(ClusterJob job, ClusterArray array, ClusterSettings settings) =>
     [
-        settings.Program, .. array.Words(job.Plan), "--threads", settings.Cores.ToString(CultureInfo.InvariantCulture), "--scratch", ScratchOf(settings), "--quiet",
+        settings.Program, .. array.Words(job.Plan),
+        "--threads", settings.Cores.ToString(CultureInfo.InvariantCulture), "--scratch", ScratchOf(settings), "--quiet",
     ];
 
     /// <summary>Texts of JSON are texts of YAML.</summary>
-    public static string JsonOf(string text) => "\"" + JsonEncodedText.Encode(text, System.Text.Encodings.Web.JavaScriptEncoder.UnsafeRelaxedJsonEscaping) + "\"";
+    public static string JsonOf(string text) =>
+        "\"" + JsonEncodedText.Encode(text, JavaScriptEncoder.UnsafeRelaxedJsonEscaping) + "\"";
 
     static string Lines(IEnumerable<string> words) => string.Concat(words.Select(w => "        - " + JsonOf(w) + "\n"));
 

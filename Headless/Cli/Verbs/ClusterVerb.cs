@@ -12,7 +12,8 @@ public sealed class ClusterVerb : Verb
         Description = "What plan wrote, where tasks see it too: a path that all nodes have, an address, s3://bucket/key.",
     };
     readonly Option<long> m_cores = Counts.Of("--cores", "Cores of a task.", 4);
-    readonly Option<long> m_attempts = Counts.Of("--attempts", "How often a task is tried; never again where its input is bad.", 10);
+    readonly Option<long> m_attempts = Counts.Of("--attempts",
+        "How often a task is tried; never again where its input is bad.", 10);
     readonly Option<long?> m_maxArray = Counts.Optional("--max-array",
         "Tasks of an array at most (default: 1001 of Slurm's MaxArraySize, 100,000 of Kubernetes, 10,000 of Batch).");
     readonly Option<long?> m_atOnce = Counts.Optional("--at-once",
@@ -30,8 +31,8 @@ public sealed class ClusterVerb : Verb
     readonly Option<string?> m_volume = new("--volume")
     {
         HelpName = "NAME:PATH",
-        Description = "Where plan and store lie if they have no address: a claim of Kubernetes or a file system of EFS, and where "
-            + "tasks see it.",
+        Description = "Where plan and store lie if they have no address: a claim of Kubernetes or a file system of EFS, and "
+            + "where tasks see it.",
     };
     readonly Option<string?> m_scratch = new("--scratch")
     {
@@ -45,8 +46,8 @@ public sealed class ClusterVerb : Verb
         Description = "What is run there (default: Slurm: this program; in a container fastpoints).",
     };
 
-    public ClusterVerb() : base(new Command("cluster", "Print a job script of Slurm or AWS Batch or a manifest of Kubernetes for a "
-        + "plan: arrays of tasks, one stage behind the other, with memory, disk, time and retries. Read it, then submit it."))
+    public ClusterVerb() : base(new Command("cluster", "Print a job script of Slurm or AWS Batch or a manifest of Kubernetes for "
+        + "a plan: arrays of tasks, one stage behind the other, with memory, disk, time and retries. Read it, then submit it."))
     {
         Command.Add(m_kind);
         Command.Add(m_plan);
@@ -95,7 +96,8 @@ public sealed class ClusterVerb : Verb
         if (volume != null && (parts.Length < 2 || parts[0].Length == 0 || !parts[1].StartsWith('/')))
             throw new UsageException("--volume: wanted NAME:PATH, got " + volume);
         return new ClusterSettings(
-            parsed.GetValue(m_program) ?? (isContainer || Path.GetFileName(program) is null or "dotnet" ? "fastpoints" : program!),
+            parsed.GetValue(m_program)
+                ?? (isContainer || Path.GetFileName(program) is null or "dotnet" ? "fastpoints" : program!),
             Counts.ToInt(parsed.GetValue(m_cores)), Counts.ToInt(Math.Min(10, parsed.GetValue(m_attempts))),
             Counts.ToInt(parsed.GetValue(m_maxArray) ?? max),
             parsed.GetValue(m_atOnce) is { } n ? Counts.ToInt(n) : null, parsed.GetValue(m_queue), parsed.GetValue(m_image),

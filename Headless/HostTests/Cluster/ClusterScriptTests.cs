@@ -5,8 +5,8 @@ namespace FastPoints.HostTests.Cluster;
 
 public sealed class ClusterScriptTests
 {
-    static readonly ClusterSettings s_settings = new("/opt/fast points/it's", 4, 10, 1000, null, "spot", "registry/fastpoints:1", null,
-        ("data", "/data"));
+    static readonly ClusterSettings s_settings = new("/opt/fast points/it's", 4, 10, 1000, null, "spot", "registry/fastpoints:1",
+        null, ("data", "/data"));
 
     /// <summary>2,500 builds behind 16 buckets, and merges of two levels.</summary>
     static ClusterJob Job => new("/data/Town 3.json",
@@ -71,8 +71,9 @@ public sealed class ClusterScriptTests
         File.WriteAllText(scratch["task"], "#!/bin/sh\nexit " + status + "\n");
         Run("chmod", "", "+x", scratch["task"]);
         string script = SlurmScript.Of(Job, s_settings with { Program = scratch["task"] });
-        string said = Run("bash", "scontrol() { echo \"$@\"; }\nsqueue() { echo " + state + "; }\nSLURM_CPUS_PER_TASK=4 SLURM_JOB_ID=9 "
-            + "SLURM_ARRAY_JOB_ID=7 SLURM_ARRAY_TASK_ID=12 SLURM_RESTART_COUNT=" + restarts + "\n(" + script + ")\necho $?\n",
+        string said = Run("bash", "scontrol() { echo \"$@\"; }\nsqueue() { echo " + state
+            + "; }\nSLURM_CPUS_PER_TASK=4 SLURM_JOB_ID=9 SLURM_ARRAY_JOB_ID=7 SLURM_ARRAY_TASK_ID=12 SLURM_RESTART_COUNT="
+            + restarts + "\n(" + script + ")\necho $?\n",
             "-s", "build", "x");
         Assert.That(said, Is.EqualTo((wanted.Length > 0 ? wanted + "\n" : "") + ends + "\n"));
     }
@@ -98,9 +99,11 @@ public sealed class ClusterScriptTests
         var container = pod.GetProperty("containers")[0];
         Assert.That(container.GetProperty("command").EnumerateArray().Select(w => w.GetString()), Is.EqualTo(new[]
         {
-            s_settings.Program, "build", "/data/Town 3.json", "--offset", "1000", "--threads", "4", "--scratch", "/scratch", "--quiet",
+            s_settings.Program, "build", "/data/Town 3.json", "--offset", "1000", "--threads", "4", "--scratch", "/scratch",
+            "--quiet",
         }));
-        Assert.That(container.GetProperty("resources").GetProperty("limits").GetProperty("memory").GetString(), Is.EqualTo("2560Mi"));
+        var limits = container.GetProperty("resources").GetProperty("limits");
+        Assert.That(limits.GetProperty("memory").GetString(), Is.EqualTo("2560Mi"));
         Assert.That(pod.GetProperty("volumes")[1].GetRawText(), Does.Contain("\"claimName\": \"data\""));
     }
 
@@ -113,14 +116,18 @@ public sealed class ClusterScriptTests
         var definition = JsonDocument.Parse(registered[registered.IndexOf('{')..(registered.LastIndexOf('}') + 1)]).RootElement;
         Assert.That(definition.GetProperty("retryStrategy").GetProperty("evaluateOnExit")[1].GetRawText(),
             Is.EqualTo("{\"onExitCode\": \"3\", \"action\": \"EXIT\"}"));
-        Assert.That(definition.GetProperty("containerProperties").GetProperty("volumes")[1].GetRawText(), Does.Contain("\"data\""));
+        var volumes = definition.GetProperty("containerProperties").GetProperty("volumes");
+        Assert.That(volumes[1].GetRawText(), Does.Contain("\"data\""));
         string[] calls = lines.Where(l => l.StartsWith("batch|submit-job", StringComparison.Ordinal)).ToArray();
         Assert.That(calls, Has.Length.EqualTo(7));
         Assert.That(calls[1], Does.Contain("|size=1000|").And.Contain("|[{\"jobId\": \"id\"}]|"));
-        Assert.That(calls[3], Does.Contain("\"--offset\", \"2000\"").And.Contain("\"--task\", \"0\"").And.Not.Contain("size="));
+        Assert.That(calls[3], Does.Contain("\"--offset\", \"2000\"").And.Contain("\"--task\", \"0\"")
+            .And.Not.Contain("size="));
         foreach (string call in calls)
-            Assert.That(JsonDocument.Parse(call.Split('|').First(w => w.StartsWith('{'))).RootElement.GetProperty("command")[0].GetString(),
-                Is.EqualTo(s_settings.Program));
+        {
+            var overrides = JsonDocument.Parse(call.Split('|').First(w => w.StartsWith('{'))).RootElement;
+            Assert.That(overrides.GetProperty("command")[0].GetString(), Is.EqualTo(s_settings.Program));
+        }
     }
 
     [TestCase("cluster lsf {0}", "wanted slurm, kubernetes or aws-batch, got lsf")]
