@@ -169,7 +169,8 @@ sealed class PlanStep
         long points = m_reader.PointCount;
         double share = points / Math.Max(1, m_points.Sum());
         return PlanEstimate.Of(points, m_plan.Whole.Records.StrideBytes, kept.Select(t =>
-            (m_points[t] * share, isBucketed ? (long)(m_points[t] * share) : reads[t].Points)), m_request.MemoryBytes);
+            (m_points[t] * share, isBucketed ? (long)(m_points[t] * share) : reads[t].Points)), m_request.MemoryBytes,
+            isBucketed);
     }
 
     BuildPlan NewPlan(int tasks, int buckets, List<List<MergeTask>> merges, PlanEstimate estimate)
