@@ -10,8 +10,9 @@ sealed record PlanRequest(string Path, string Store, IReadOnlyList<string> Setti
 sealed class PlanStep
 {
     /// <summary>Where all tasks together read more than this times the points, it is cheaper to read them once, and to write
-    /// each to the bucket of its task.</summary>
-    const double MostReads = 1.5;
+    /// each to the bucket of its task. That takes 0.4 of a build; of LAS, whose points cost little, 2 reads take no more than
+    /// one.</summary>
+    const double MostReads = 1.5, MostReadsOfFixedStride = 3;
 
     /// <summary>A bucket's records take so much of a task's memory, so that they are written once.</summary>
     const double MemoryOfBucket = 0.6;
@@ -81,7 +82,8 @@ sealed class PlanStep
         var reads = ReadsOfTasks();
         long points = Math.Max(1, m_reader.PointCount);
         ReadsPerPoint = reads.Sum(r => r.Points) / (double)points;
-        bool isBucketed = m_request.IsBucketed ?? (ReadsPerPoint > MostReads && m_cubes.Length > 1);
+        double most = m_reader.HasFixedStride ? MostReadsOfFixedStride : MostReads;
+        bool isBucketed = m_request.IsBucketed ?? (ReadsPerPoint > most && m_cubes.Length > 1);
         // Of cubes without sources nothing comes, unless records of buckets turn out to lie there.
         var kept = Enumerable.Range(0, m_cubes.Length).Where(t => isBucketed || t == 0 || reads[t].Pieces.Count > 0).ToArray();
         var buckets = isBucketed ? Buckets() : [];
@@ -167,7 +169,8 @@ sealed class PlanStep
         long points = m_reader.PointCount;
         double share = points / Math.Max(1, m_points.Sum());
         return PlanEstimate.Of(points, m_plan.Whole.Records.StrideBytes, kept.Select(t =>
-            (m_points[t] * share, isBucketed ? (long)(m_points[t] * share) : reads[t].Points)), m_request.MemoryBytes);
+            (m_points[t] * share, isBucketed ? (long)(m_points[t] * share) : reads[t].Points)), m_request.MemoryBytes,
+            isBucketed);
     }
 
     BuildPlan NewPlan(int tasks, int buckets, List<List<MergeTask>> merges, PlanEstimate estimate)

@@ -32,6 +32,6 @@ static class SourceList
         var found = !Directory.Exists(folder) ? [] : Directory.EnumerateFileSystemEntries(folder)
             .Where(path => FileSystemName.MatchesSimpleExpression(pattern, Path.GetFileName(path), ignoreCase: false))
             .Order(StringComparer.Ordinal).ToList();
-        return found.Count > 0 ? found : throw new PointCloudException(FailureCode.NotFound, word, -1, "no file is called so");
+        return found.Count > 0 ? found : throw new PointCloudException(FailureCode.BadInput, word, -1, "no file is called so");
     }
 }
