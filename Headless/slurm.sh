@@ -184,7 +184,7 @@ echo "$tasks tasks"
 # What is cancelled stays so.
 cancel_all() {
   submit "$scratch/cloud.sh" || return 1
-  until [ -n "$(ls "$scratch"/many.fastpoints/work/build-*.json 2>/dev/null)" ]; do sleep 0.2; done
+  until [ -n "$(ls "$scratch"/many.fastpoints/*/build-*.json 2>/dev/null)" ]; do sleep 0.2; done
   scancel -u "$(id -un)"
   await_idle 30 && sleep 8 && is_idle
 }

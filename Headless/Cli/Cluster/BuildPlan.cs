@@ -47,7 +47,8 @@ sealed class BuildPlan
     public string LastMerge => TaskNames.Merge(MergeTasks.Count, 0);
 
     /// <summary>Names of all tasks in the order of their stages.</summary>
-    public IEnumerable<string> AllTasks => Enumerable.Range(0, BucketTasks).Select(TaskNames.Bucket).Concat(Builds).Concat(Merges);
+    public IEnumerable<string> AllTasks =>
+        Enumerable.Range(0, BucketTasks).Select(TaskNames.Bucket).Concat(Builds).Concat(Merges);
     public IEnumerable<string> Builds => Enumerable.Range(0, Tasks).Select(TaskNames.Build);
     public IEnumerable<string> Merges => MergeTasks.SelectMany((count, level) =>
         Enumerable.Range(0, count).Select(number => TaskNames.Merge(level + 1, number)));
@@ -176,7 +177,8 @@ sealed class BuildPlan
     {
         Path = path,
         Transform = new PositionTransform { Scale = json.Vector("scale"), Offset = json.Vector("offset") },
-        Schema = new PointSchema(json.Objects("attributes").ConvertAll(a => System.Enum.TryParse(a.Text("type"), out AttributeType type)
+        Schema = new PointSchema(json.Objects("attributes").ConvertAll(a =>
+            System.Enum.TryParse(a.Text("type"), out AttributeType type)
             ? new PointAttribute(a.Text("name"), type, a.Number("scale"), a.Number("offset"))
             : throw a.Bad("type", "a type of attribute"))),
     };

@@ -63,15 +63,15 @@ sealed class CommitTask
         Require("points of the sources", total.PointsWanted, total.Statistics.Count + total.Statistics.LeftOut,
             ": some lie outside of what their files' headers say, plan again with --buckets");
         if (total.Checksum != total.Statistics.Checksum)
-            throw PointCloudException.Wanted(FailureCode.WriteFailed, m_store.Name, -1, "checksum of the points on their way into "
-                + "the octree", PlanFile.ToHex(total.Statistics.Checksum), PlanFile.ToHex(total.Checksum));
+            throw PointCloudException.Wanted(FailureCode.WriteFailed, m_store.Name, -1, "checksum of the points on their way "
+                + "into the octree", PlanFile.ToHex(total.Statistics.Checksum), PlanFile.ToHex(total.Checksum));
     }
 
     void Require(string what, long wanted, long got, string why)
     {
         if (wanted != got)
-            throw new PointCloudException(FailureCode.WriteFailed, m_store.Name, -1, what + ": wanted " + NumberFormat.Count(wanted)
-                + ", got " + NumberFormat.Count(got) + why);
+            throw new PointCloudException(FailureCode.WriteFailed, m_store.Name, -1, what + ": wanted "
+                + NumberFormat.Count(wanted) + ", got " + NumberFormat.Count(got) + why);
     }
 
     CloudManifest Describe(PartResult total)
@@ -95,9 +95,13 @@ sealed class CommitTask
         PutFact(StoreFormat.FactsName);
         PutSources(manifest);
         m_store.PutText(StoreFormat.ManifestName, manifest.ToJson(), m_task.Scratch.Folder);
-        m_store.Delete(m_store.List(TaskStore.WorkFolder).Select(found => found.Name).ToList());
+        Clean(m_store);
         m_task.Run.Progress.End();
     }
+
+    /// <summary>Deletes what tasks left for one another, when the cloud is complete.</summary>
+    public static void Clean(TaskStore store) =>
+        store.Delete(store.List(TaskStore.WorkFolder).Select(found => found.Name).ToList());
 
     /// <summary>What the plan knows of the sources; not all kinds have all of it.</summary>
     void PutFact(string name)

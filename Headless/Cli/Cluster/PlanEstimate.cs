@@ -53,7 +53,8 @@ sealed record PlanEstimate(double Seconds, double TaskSeconds, long MemoryBytes,
     public static PlanEstimate Read(JsonMembers json) => new(json.Number("seconds"), json.Number("taskSeconds"),
         json.Count("memoryBytes"), json.Count("bytesOnDisk"), json.Count("scratchBytes"));
 
-    public string Describe() => NumberFormat.Duration(Seconds) + " by one core, the longest task " + NumberFormat.Duration(TaskSeconds)
-        + " in " + NumberFormat.Bytes(MemoryBytes) + " and " + NumberFormat.Bytes(ScratchBytes) + " of its disk; the cloud takes "
-        + NumberFormat.Bytes(BytesOnDisk) + " (" + s_assumptions + ")";
+    public string Describe() => NumberFormat.Duration(Seconds) + " by one core, the longest task "
+        + NumberFormat.Duration(TaskSeconds) + " in " + NumberFormat.Bytes(MemoryBytes) + " and "
+        + NumberFormat.Bytes(ScratchBytes)
+        + " of its disk; the cloud takes " + NumberFormat.Bytes(BytesOnDisk) + " (" + s_assumptions + ")";
 }

@@ -3,8 +3,8 @@ namespace FastPoints.Cli.Cluster;
 /// <summary>What a plan is made by, beside the sources.</summary>
 /// <param name="IsBucketed">Null for what seems cheaper.</param>
 /// <param name="Divisor">Of all attributes; 0 for what the sample shows.</param>
-sealed record PlanRequest(string Path, string Store, IReadOnlyList<string> Settings, long TaskPoints, bool? IsBucketed, int Divisor,
-    long MemoryBytes);
+sealed record PlanRequest(string Path, string Store, IReadOnlyList<string> Settings, long TaskPoints, bool? IsBucketed,
+    int Divisor, long MemoryBytes);
 
 /// <summary>Plans the tasks of a build over many machines, by headers and a sample.</summary>
 sealed class PlanStep

@@ -6,8 +6,8 @@ using Amazon.S3.Model;
 
 namespace FastPoints.Cli.Cluster;
 
-/// <summary>A bucket of S3's interface. Every put is checked by the server (MD5) and by its answer (ETag); what fails on the way is
-/// tried again, and a put that was done already does no harm.</summary>
+/// <summary>A bucket of S3's interface. Every put is checked by the server (MD5) and by its answer (ETag); what fails on the way
+/// is tried again, and a put that was done already does no harm.</summary>
 sealed class S3Store : TaskStore
 {
     const int Tries = 6;
@@ -187,7 +187,8 @@ sealed class S3Store : TaskStore
                 CheckTag(name, hash, answer.ETag, answer.ServerSideEncryptionMethod);
                 to.Position = start + whole;
             }
-            catch (AggregateException e) when (e.GetBaseException() is AmazonServiceException { StatusCode: HttpStatusCode.NotFound })
+            catch (AggregateException e)
+                when (e.GetBaseException() is AmazonServiceException { StatusCode: HttpStatusCode.NotFound })
             {
                 isThere = false;
             }
@@ -241,8 +242,11 @@ sealed class S3Store : TaskStore
             catch (Exception e) when (e is AggregateException or IOException or AmazonClientException)
             {
                 var cause = e.GetBaseException();
-                bool isRefused = cause is AmazonServiceException { StatusCode: HttpStatusCode.Forbidden
-                    or HttpStatusCode.Unauthorized };
+                bool isRefused = cause is AmazonServiceException
+                {
+                    StatusCode: HttpStatusCode.Forbidden
+                    or HttpStatusCode.Unauthorized
+                };
                 if (isRefused || tries == Tries)
                     throw Failure(isRefused ? FailureCode.AccessDenied : code, name, cause.Message, e);
                 Thread.Sleep(FirstPause * (1 << (tries - 1)));

@@ -19,8 +19,10 @@ static class SourceList
 
     static IEnumerable<string> Lines(string path)
     {
-        var lines = StoreFile.ReadText(path, int.MaxValue - 1).Split('\n').Select(l => l.Trim()).Where(l => l.Length > 0).ToList();
-        return lines.Count == 0 ? throw new PointCloudException(FailureCode.BadInput, path, -1, "wanted a source a line, got none")
+        var lines = StoreFile.ReadText(path, int.MaxValue - 1).Split('\n').Select(l => l.Trim())
+            .Where(l => l.Length > 0).ToList();
+        return lines.Count == 0
+            ? throw new PointCloudException(FailureCode.BadInput, path, -1, "wanted a source a line, got none")
             : lines.SelectMany(l => S3Addresses.IsS3(l) ? [S3Addresses.Add(l)] : l.StartsWith('@') ? [l] : Expand(l));
     }
 

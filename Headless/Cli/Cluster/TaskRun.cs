@@ -119,7 +119,8 @@ sealed class TaskRun : IDisposable
         Store.ForEach(Enumerable.Range(0, all.Length), i =>
         {
             m_run.Cancellation.ThrowIfCancellationRequested();
-            objects[i] = new TaskMarker.StoredObject(all[i].Name, StoreFile.SizeOf(all[i].Path), HashOf(all[i].Path, 0, long.MaxValue));
+            objects[i] = new TaskMarker.StoredObject(all[i].Name, StoreFile.SizeOf(all[i].Path),
+                HashOf(all[i].Path, 0, long.MaxValue));
             Store.Put(all[i].Name, all[i].Path);
         });
         var marker = new TaskMarker

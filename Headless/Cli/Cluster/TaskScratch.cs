@@ -1,7 +1,7 @@
 namespace FastPoints.Cli.Cluster;
 
-/// <summary>The folder of a task on the disk where it runs. A task that is stopped leaves it, and goes on from there if it runs on
-/// this machine once more; a second one at the same time gets another folder.</summary>
+/// <summary>The folder of a task on the disk where it runs. A task that is stopped leaves it, and goes on from there if it runs
+/// on this machine once more; a second one at the same time gets another folder.</summary>
 sealed class TaskScratch : IDisposable
 {
     const int MostCopies = 16;

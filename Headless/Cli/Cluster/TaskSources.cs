@@ -36,8 +36,8 @@ sealed class TaskSources : IDisposable
             var filter = task.Cloud.Filter(task.Parsed, reader);
             var result = new TaskSources(reader, filter);
             if ((filter?.Hash ?? 0) != task.Plan.FilterHash)
-                throw new PointCloudException(FailureCode.BadInput, task.Plan.Path, -1, "its filter keeps other points by now: the "
-                    + "polygon's file was changed");
+                throw new PointCloudException(FailureCode.BadInput, task.Plan.Path, -1, "its filter keeps other points by now: "
+                    + "the polygon's file was changed");
             for (int s = 0; s < sources.Count; s++)
                 result.Add(sources[s], paths[s], s);
             return result;

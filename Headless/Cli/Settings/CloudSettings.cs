@@ -77,7 +77,8 @@ public sealed class CloudSettings
     {
         var command = new Command("settings");
         var settings = new CloudSettings(command);
-        var parsed = command.Parse(words, new ParserConfiguration { EnablePosixBundling = false, ResponseFileTokenReplacer = null });
+        var parsed = command.Parse(words,
+            new ParserConfiguration { EnablePosixBundling = false, ResponseFileTokenReplacer = null });
         return parsed.Errors.Count == 0 ? (settings, parsed)
             : throw new PointCloudException(FailureCode.BadInput, path, -1, "its settings: " + parsed.Errors[0].Message);
     }

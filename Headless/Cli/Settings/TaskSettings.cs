@@ -12,8 +12,8 @@ sealed class TaskSettings
     readonly Option<int?> m_task = new("--task")
     {
         HelpName = "N",
-        Description = "Number of the task, from 0 (default: what " + string.Join(", ", s_variables[..^1]) + " or " + s_variables[^1]
-            + " says).",
+        Description = "Number of the task, from 0 (default: what " + string.Join(", ", s_variables[..^1]) + " or "
+            + s_variables[^1] + " says).",
     };
     readonly Option<int> m_offset = new("--offset")
     {

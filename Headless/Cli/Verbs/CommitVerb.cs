@@ -34,6 +34,8 @@ public sealed class CommitVerb : Verb
         };
         manifest = task.FindCommitted();
         bool wasDone = manifest != null;
+        if (wasDone)
+            CommitTask.Clean(task.Store);
         manifest ??= CommitTask.Run(task);
         run.Out.WriteLine(plan.Store + ": " + (wasDone ? "was committed already, " : "")
             + NumberFormat.Count(manifest.Points, "point") + " in " + NumberFormat.Count(manifest.NodeCount, "node"));

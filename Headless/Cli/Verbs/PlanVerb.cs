@@ -31,8 +31,8 @@ public sealed class PlanVerb : Verb
     };
     readonly Option<bool> m_buckets = new("--buckets")
     {
-        Description = "Read each source once and sort its points by task first, even if it seems cheaper that tasks read all that "
-            + "overlaps them.",
+        Description = "Read each source once and sort its points by task first, even if it seems cheaper that tasks read all "
+            + "that overlaps them.",
     };
     readonly Option<bool> m_cells = new("--cells")
     {
@@ -41,8 +41,8 @@ public sealed class PlanVerb : Verb
     readonly Option<int?> m_divisors = new("--divisors")
     {
         HelpName = "1",
-        Description = "Take intensities and colours as they are, and not as the sample shows: as 8 bits in 16. For sources that a "
-            + "task refuses.",
+        Description = "Take intensities and colours as they are, and not as the sample shows: as 8 bits in 16. For sources that "
+            + "a task refuses.",
     };
     readonly CloudSettings m_cloud;
 
@@ -90,7 +90,8 @@ public sealed class PlanVerb : Verb
                 throw new UsageException("--store: there is a cloud already: " + store + "; --force plans all the same");
         string memory = parsed.GetRequiredValue(m_memory);
         var (plan, reads) = PlanStep.Run(wanted, settings, new PlanRequest(output, full, words, parsed.GetValue(m_taskPoints),
-            parsed.GetValue(m_buckets) ? true : parsed.GetValue(m_cells) ? false : null, parsed.GetValue(m_divisors) ?? 0, Memory.Parse(memory)), run);
+            parsed.GetValue(m_buckets) ? true : parsed.GetValue(m_cells) ? false : null,
+            parsed.GetValue(m_divisors) ?? 0, Memory.Parse(memory)), run);
         run.Warn(reader.Info);
         run.Report(reader.Info.Losses);
         Report(plan, reads, run);

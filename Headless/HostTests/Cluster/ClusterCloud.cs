@@ -10,6 +10,7 @@ sealed class ClusterCloud : IDisposable
     public ScratchFolder Scratch { get; } = new();
     public string Plan => Scratch["plan.json"];
     public string Store { get => field ?? Scratch["store"]; init; }
+    public string[] Scratches => Directory.Exists(Scratch["scratch"]) ? Directory.GetDirectories(Scratch["scratch"]) : [];
     public JsonElement Planned { get; private set; }
 
     public int Count(string key) => Planned.GetProperty(key).GetInt32();
@@ -55,8 +56,8 @@ sealed class ClusterCloud : IDisposable
     {
         if (Directory.Exists(Store))
             Directory.Delete(Store, true);
-        Planned = Done(["plan", Sources(kind), "-o", Plan, "--store", Store, "--task-points", taskPoints.ToString(), "--json", "-",
-            "--quiet", .. s_small, .. options]).Json;
+        Planned = Done(["plan", Sources(kind), "-o", Plan, "--store", Store, "--task-points", taskPoints.ToString(), "--json",
+            "-", "--quiet", .. s_small, .. options]).Json;
     }
 
     public IEnumerable<string[]> Stage(string verb) => verb switch
@@ -97,7 +98,8 @@ sealed class ClusterCloud : IDisposable
             .Select(f => Path.GetRelativePath(folder, f)).Order(StringComparer.Ordinal).ToArray();
         Assert.That(Names(got), Is.EqualTo(Names(wanted)));
         foreach (string name in Names(wanted).Where(n => File.Exists(Path.Combine(wanted, n))))
-            Assert.That(File.ReadAllBytes(Path.Combine(got, name)), Is.EqualTo(File.ReadAllBytes(Path.Combine(wanted, name))), name);
+            Assert.That(File.ReadAllBytes(Path.Combine(got, name)), Is.EqualTo(File.ReadAllBytes(Path.Combine(wanted, name))),
+                name);
     }
 
     public void Dispose() => Scratch.Dispose();

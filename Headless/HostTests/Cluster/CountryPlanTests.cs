@@ -7,7 +7,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.HostTests.Cluster;
 
-/// <summary>A plan of 10^12 points in 1.4 M tiles, by their headers alone: tasks, merges, and what a task reads of the plan.</summary>
+/// <summary>A plan of 10^12 points in 1.4 M tiles, by their headers alone: tasks, merges, and what a task reads of the
+/// plan.</summary>
 [Category("Long")]
 public sealed class CountryPlanTests
 {
@@ -94,14 +95,20 @@ public sealed class CountryPlanTests
         var merges = MergeTree.Of(s_whole, kept.Select((t, number) => (TaskNames.Build(number), cubes[t])));
         watch.Stop();
         long[] bytes = kept.Select(t => BytesOf(groups[t], cells, tilesOf[t])).ToArray();
+        string sizes = string.Join(", ", kept.GroupBy(t => cubes[t].SideLog2).OrderBy(g => g.Key)
+            .Select(g => $"2^{g.Key}: {g.Count():n0}"));
         TestContext.Out.WriteLine($"""
-            {cells.Length:n0} base cells, {pointsOfCell.Count(p => p > 0):n0} with points, of {pointsOfCell.Max() / 1e6:f1} M at most
-            {cubes.Length:n0} cubes, {kept.Length:n0} tasks, of {built.Max() / 1e6:f1} M points at most, {Points / kept.Length / 1e6:f1} M on average
-            tasks below 1 M points: {kept.Count(t => built[t] < 1e6):n0}, with {kept.Where(t => built[t] < 1e6).Sum(t => built[t]) / Points:p2} of the points
-            each point is read {pointsRead.Sum() / Points:f2} times; a task reads {tilesOf.Max():n0} tiles at most, {pointsRead.Max() / 1e6:f0} M points
+            {cells.Length:n0} base cells, {pointsOfCell.Count(p => p > 0):n0} with points,
+            of {pointsOfCell.Max() / 1e6:f1} M at most
+            {cubes.Length:n0} cubes, {kept.Length:n0} tasks, of {built.Max() / 1e6:f1} M points at most,
+            {Points / kept.Length / 1e6:f1} M on average
+            tasks below 1 M points: {kept.Count(t => built[t] < 1e6):n0},
+            with {kept.Where(t => built[t] < 1e6).Sum(t => built[t]) / Points:p2} of the points
+            each point is read {pointsRead.Sum() / Points:f2} times;
+            a task reads {tilesOf.Max():n0} tiles at most, {pointsRead.Max() / 1e6:f0} M points
             merges: {string.Join(", ", merges.Select(r => $"{r.Count:n0} of {r.Max(m => m.Inputs.Count):n0} inputs at most"))}
             tasks' files: {bytes.Max():n0} bytes at most, {bytes.Sum() / 1e6:f0} MB together
-            cubes by size: {string.Join(", ", kept.GroupBy(t => cubes[t].SideLog2).OrderBy(g => g.Key).Select(g => $"2^{g.Key}: {g.Count():n0}"))}
+            cubes by size: {sizes}
             {watch.Elapsed.TotalSeconds:f1} s, {System.Diagnostics.Process.GetCurrentProcess().PeakWorkingSet64 / 1e6:f0} MB
             """);
         Assert.That(bytes.Max(), Is.LessThan(1_000_000));

@@ -27,7 +27,8 @@ sealed class S3StoreTests : RemoteFixture
     [TearDown]
     public void End()
     {
-        (S3Store.FirstPause, S3Store.IdleTime, S3Store.PieceBytes) = (TimeSpan.FromSeconds(0.5), TimeSpan.FromSeconds(60), 64 << 20);
+        (S3Store.FirstPause, S3Store.IdleTime) = (TimeSpan.FromSeconds(0.5), TimeSpan.FromSeconds(60));
+        S3Store.PieceBytes = 64 << 20;
         RemoteAccess.Sign = null;
         m_store?.Dispose();
         m_proxy?.Dispose();

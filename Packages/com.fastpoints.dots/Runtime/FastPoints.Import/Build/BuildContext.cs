@@ -62,7 +62,7 @@ namespace FastPoints.Build
                 points += readers[i].PointCount;
             }
             Points = points;
-            Allot(MemoryPlan.For(Points, Records.StrideBytes, settings, part));
+            Allot(MemoryPlan.For(Points, Records.StrideBytes, settings, part.PointsPerChunk));
         }
 
         /// <summary>Null for a whole cloud.</summary>

@@ -92,10 +92,11 @@ namespace FastPoints.Build
         public static long ReadBytesOf(ConvertSettings settings) =>
             Math.Min(SourceScan.MaxSlotBytes, settings.MemoryBytes / 4);
 
-        /// <param name="part">Has the points of a chunk, if there is a plan for several builds.</param>
-        public static MemoryPlan For(long points, int strideBytes, ConvertSettings settings, BuildPart part = null)
+        /// <param name="pointsPerChunk">If there is a plan for several builds.</param>
+        public static MemoryPlan For(long points, int strideBytes, ConvertSettings settings, long pointsPerChunk = 0)
         {
-            long pointsPerChunk = part?.PointsPerChunk ?? settings.PointsPerChunk, memoryBytes = settings.MemoryBytes;
+            long memoryBytes = settings.MemoryBytes;
+            pointsPerChunk = pointsPerChunk > 0 ? pointsPerChunk : settings.PointsPerChunk;
             long pageBytes = RecordPages.PageBytes(strideBytes);
             var plan = new MemoryPlan
             {

@@ -6,7 +6,7 @@ using Unity.Mathematics;
 
 namespace FastPoints.Sampling
 {
-    /// <summary>Where the points of many tiles are by their headers: of a country's tiles a sample sees one in a thousand.</summary>
+    /// <summary>Where the points of many tiles are by their headers: of a country's tiles a sample sees few.</summary>
     internal static class TileClaims
     {
         /// <summary>48 MB of positions, for all tiles together.</summary>

@@ -110,4 +110,61 @@ namespace FastPoints.Build
             return result;
         }
     }
+
+    /// <summary>Numbers as bytes.</summary>
+    internal static class PartBytes
+    {
+        public static byte[] Of(Action<BinaryWriter> write)
+        {
+            using var bytes = new MemoryStream();
+            using (var writer = new BinaryWriter(bytes))
+                write(writer);
+            return bytes.ToArray();
+        }
+
+        /// <param name="offset">Where the bytes are in the file.</param>
+        public static void Read(string path, long offset, byte[] bytes, Action<BinaryReader> read)
+        {
+            using var reader = new BinaryReader(new MemoryStream(bytes));
+            try
+            {
+                read(reader);
+            }
+            catch (EndOfStreamException e)
+            {
+                throw new PointCloudException(FailureCode.BadInput, path, offset + bytes.Length,
+                    "wanted more than these " + bytes.Length + " bytes", e);
+            }
+            if (reader.BaseStream.Position != bytes.Length)
+                throw PointCloudException.Wanted(FailureCode.BadInput, path, offset, "bytes", reader.BaseStream.Position,
+                    bytes.Length);
+        }
+
+        public static void Write(BinaryWriter to, GridCube cube)
+        {
+            Write(to, cube.Corner);
+            to.Write(cube.SideLog2);
+        }
+
+        public static GridCube ReadCube(BinaryReader from) => new GridCube(ReadGrid3(from), from.ReadInt32());
+
+        public static void Write(BinaryWriter to, Grid3 position)
+        {
+            to.Write(position.X);
+            to.Write(position.Y);
+            to.Write(position.Z);
+        }
+
+        public static Grid3 ReadGrid3(BinaryReader from) =>
+            new Grid3(from.ReadInt64(), from.ReadInt64(), from.ReadInt64());
+
+        /// <summary>A number of elements that follow, of a byte at least.</summary>
+        public static int ReadCount(BinaryReader from)
+        {
+            int count = from.ReadInt32();
+            if (count < 0 || count > from.BaseStream.Length - from.BaseStream.Position)
+                throw new EndOfStreamException();
+            return count;
+        }
+    }
 }
