@@ -50,6 +50,7 @@ TaskPlugin=task/none
 JobAcctGatherType=jobacct_gather/none
 SwitchType=switch/none
 MailProg=/bin/true
+SchedulerParameters=bf_interval=1,sched_interval=1
 SelectType=select/cons_tres
 SelectTypeParameters=CR_CPU
 TaskProlog=$scratch/prolog
@@ -151,7 +152,7 @@ pid_of() { # number of a task's own job
 disturb() { # how often
   local done=0 task pid end=$((SECONDS + 600))
   while [ $done -lt "$1" ] && [ $SECONDS -lt $end ]; do
-    sleep "0.$((RANDOM % 90 + 10))"
+    sleep "0.$((RANDOM % 50 + 10))"
     task=$(pick_task) || continue
     case $((RANDOM % 3)) in
       0) pid=$(pid_of "$(field "$task" JobId)") && kill -9 "$pid" || continue ;;
@@ -224,8 +225,14 @@ node_drained() {
 check "the node goes down, and comes back" node_down
 check "the node is drained, and resumed" node_drained
 check "two copies of one task" wait $copies
+is_committed() { [ "$(field "$(id_of cloud-commit)" JobState)" = COMPLETED ]; }
+# What Slurm itself lost (it may delete the script of a job that it starts again so soon) is submitted again, as a user would.
 ended() {
-  await_idle 900 && [ "$(field "$(id_of cloud-commit)" JobState)" = COMPLETED ]
+  await_idle 600 || return 1
+  if ! is_committed && grep -l 'slurm_script: No such file' "$scratch"/jobs/*.log; then
+    submit "$scratch/cloud.sh" && await_idle 300
+  fi
+  is_committed
 }
 check "all tasks, merges and the commit" ended || { states cloud-; tail -n 5 "$scratch"/jobs/*.log; finish; }
 if [ -n "$mounted" ]; then
