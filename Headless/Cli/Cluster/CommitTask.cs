@@ -19,7 +19,11 @@ sealed class CommitTask
         var total = PartFile.ReadResult(nodes[task.Plan.LastMerge], task.Plan.Whole.CloudId);
         commit.CheckSums(markers, total);
         var manifest = commit.Describe(total);
-        task.Run.RunSteps(PartMerge.Commit([.. nodes.Values], manifest, task.Scratch[HierarchyFolder], task.Run.Progress));
+        // Of a commit that was stopped.
+        string folder = task.Scratch[HierarchyFolder];
+        if (Directory.Exists(folder))
+            FileChanges.DeleteFolder(folder);
+        task.Run.RunSteps(PartMerge.Commit([.. nodes.Values], manifest, folder, task.Run.Progress));
         commit.Put(manifest);
         task.Scratch.IsDone = true;
         return manifest;

@@ -83,7 +83,8 @@ namespace FastPoints.Build
         /// <param name="fetch">Writes the file, on a pool thread.</param>
         public static IEnumerator<JobStep> RunRecords(BuildPart part, long records, Action<string> fetch, PartOutput output) =>
             Run(new PartBuild(new BuildContext(part, Array.Empty<PointReader>(), records, output.Folder, output.Settings,
-                output.Progress), null) { m_fetch = fetch }, output.Take);
+                output.Progress), null)
+            { m_fetch = fetch }, output.Take);
 
         static IEnumerator<JobStep> Run(PartBuild part, Action<PartResult> take)
         {
