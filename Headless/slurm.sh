@@ -153,9 +153,9 @@ disturb() { # how often
   local done=0 task pid end=$((SECONDS + 600))
   while [ $done -lt "$1" ] && [ $SECONDS -lt $end ]; do
     sleep "0.$((RANDOM % 50 + 10))"
-    task=$(pick_task) || continue
+    task=$(pick_task) && pid=$(pid_of "$(field "$task" JobId)") || continue
     case $((RANDOM % 3)) in
-      0) pid=$(pid_of "$(field "$task" JobId)") && kill -9 "$pid" || continue ;;
+      0) kill -9 "$pid" || continue ;;
       1) scontrol requeue "$task" || continue ;;
       2) scancel --batch --signal=TERM "$task" || continue ;;
     esac
@@ -167,7 +167,7 @@ disturb() { # how often
 
 write_config $((20000 + RANDOM % 20000))
 if ! check "Slurm starts" start_slurm; then finish; fi
-[ -x "$fastpoints" ] || ./fastpoints --version >/dev/null
+./fastpoints --version >/dev/null || finish
 
 # The points of each task may be anywhere in the file, so that it takes some seconds.
 make_plan() {
