@@ -50,6 +50,7 @@ TaskPlugin=task/none
 JobAcctGatherType=jobacct_gather/none
 SwitchType=switch/none
 MailProg=/bin/true
+SchedulerParameters=bf_interval=1,sched_interval=1
 SelectType=select/cons_tres
 SelectTypeParameters=CR_CPU
 TaskProlog=$scratch/prolog
@@ -151,10 +152,10 @@ pid_of() { # number of a task's own job
 disturb() { # how often
   local done=0 task pid end=$((SECONDS + 600))
   while [ $done -lt "$1" ] && [ $SECONDS -lt $end ]; do
-    sleep "0.$((RANDOM % 90 + 10))"
-    task=$(pick_task) || continue
+    sleep "0.$((RANDOM % 50 + 10))"
+    task=$(pick_task) && pid=$(pid_of "$(field "$task" JobId)") || continue
     case $((RANDOM % 3)) in
-      0) pid=$(pid_of "$(field "$task" JobId)") && kill -9 "$pid" || continue ;;
+      0) kill -9 "$pid" || continue ;;
       1) scontrol requeue "$task" || continue ;;
       2) scancel --batch --signal=TERM "$task" || continue ;;
     esac
@@ -166,7 +167,7 @@ disturb() { # how often
 
 write_config $((20000 + RANDOM % 20000))
 if ! check "Slurm starts" start_slurm; then finish; fi
-[ -x "$fastpoints" ] || ./fastpoints --version >/dev/null
+./fastpoints --version >/dev/null || finish
 
 # The points of each task may be anywhere in the file, so that it takes some seconds.
 make_plan() {
@@ -224,8 +225,14 @@ node_drained() {
 check "the node goes down, and comes back" node_down
 check "the node is drained, and resumed" node_drained
 check "two copies of one task" wait $copies
+is_committed() { [ "$(field "$(id_of cloud-commit)" JobState)" = COMPLETED ]; }
+# What Slurm itself lost (it may delete the script of a job that it starts again so soon) is submitted again, as a user would.
 ended() {
-  await_idle 900 && [ "$(field "$(id_of cloud-commit)" JobState)" = COMPLETED ]
+  await_idle 600 || return 1
+  if ! is_committed && grep -l 'slurm_script: No such file' "$scratch"/jobs/*.log; then
+    submit "$scratch/cloud.sh" && await_idle 300
+  fi
+  is_committed
 }
 check "all tasks, merges and the commit" ended || { states cloud-; tail -n 5 "$scratch"/jobs/*.log; finish; }
 if [ -n "$mounted" ]; then

@@ -36,9 +36,10 @@ static class SlurmScript
         fi
 
         # The shell is told a minute before the time is up; the task ends then so that it can go on.
+        task=
+        trap 'kill -TERM "$task" 2>/dev/null' TERM
         "$fastpoints" "$@" --threads "$SLURM_CPUS_PER_TASK" --scratch "$scratch" --quiet &
         task=$!
-        trap 'kill -TERM "$task" 2>/dev/null' TERM
         wait "$task"
         status=$?
         while kill -0 "$task" 2>/dev/null; do
