@@ -56,6 +56,23 @@ sealed class RemoteReadTests : RemoteFixture
     }
 
     [Test]
+    public void Reads_OfNeighboursAtOnce_AreOneRequest()
+    {
+        Make("a.bin", 1_000_000);
+        RemoteSettings.Current.StallMs = 20_000;
+        Server.LatencyMs = 800;
+        var file = RemoteFile.Open(Server.Of("a.bin"));
+        Server.ResetCounts();
+        RemoteRead[] reads = Enumerable.Range(0, 4).Select(i => file.Begin(100_000 * i + 100_000, 100_000, i)).ToArray();
+
+        Await(reads);
+
+        Assert.That(Server.Requests, Has.Count.EqualTo(1));
+        foreach (RemoteRead read in reads)
+            read.Dispose();
+    }
+
+    [Test]
     public void Rank_ThatFallsWhileReadsWait_DecidesWhichGoesNext()
     {
         Make("a.bin", 8_000_000);

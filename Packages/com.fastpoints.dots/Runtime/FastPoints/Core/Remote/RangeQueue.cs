@@ -21,6 +21,9 @@ namespace FastPoints
         // At most one byte in so many of a request is one that nobody asked for, but for such gaps.
         const int MaxUnusedShare = 8;
 
+        // Part of a round trip that a request may be late by.
+        const int GatherShare = 16;
+
         // Before anything was measured.
         const double FirstBytesPerConnection = 1 << 20;
 
@@ -35,6 +38,7 @@ namespace FastPoints
         long m_bytesInFlight;
         long m_begun;
         bool m_isMultiplexed;
+        bool m_isGathering;
         double m_roundTrip;
         double m_bytesPerSecond;
         double m_bytesPerConnection;
@@ -100,6 +104,26 @@ namespace FastPoints
                         Bytes = piece.Bytes,
                         Number = ++m_begun,
                     });
+                Gather();
+            }
+        }
+
+        // What is wanted in the next moment may lie beside it.
+        void Gather()
+        {
+            int ms = (int)(m_roundTrip * 1000 / GatherShare);
+            if (ms == 0)
+                BeginRequests();
+            else if (!m_isGathering)
+                Task.Delay(ms).ContinueWith(_ => EndGathering(), TaskScheduler.Default);
+            m_isGathering = ms > 0;
+        }
+
+        void EndGathering()
+        {
+            lock (m_lock)
+            {
+                m_isGathering = false;
                 BeginRequests();
             }
         }
