@@ -31,7 +31,6 @@ namespace FastPoints
         public override string Identity => Length.ToString(CultureInfo.InvariantCulture);
         public override bool HasVersion => true;
         public override double RoundTrip => 0;
-        public override int GapBytes => 32 << 10;
 
         public override void DropHead() { }
         public override void Doubt() { }

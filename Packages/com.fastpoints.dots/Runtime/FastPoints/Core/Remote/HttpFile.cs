@@ -43,7 +43,6 @@ namespace FastPoints
         public override string Identity => m_identity.ToString();
         public override bool HasVersion => m_identity.Tag.Length + m_identity.Modified.Length > 0;
         public override double RoundTrip => m_queue.RoundTrip;
-        public override int GapBytes => m_queue.GapBytes;
 
         public override void DropHead() => m_head = null;
 

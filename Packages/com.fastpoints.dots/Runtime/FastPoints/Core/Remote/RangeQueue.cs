@@ -2,6 +2,7 @@ using System;
 using System.Buffers;
 using System.Collections.Generic;
 using System.Diagnostics;
+using System.Threading;
 using System.Threading.Tasks;
 
 namespace FastPoints
@@ -38,7 +39,6 @@ namespace FastPoints
         long m_bytesInFlight;
         long m_begun;
         bool m_isMultiplexed;
-        bool m_isGathering;
         double m_roundTrip;
         double m_bytesPerSecond;
         double m_bytesPerConnection;
@@ -71,24 +71,7 @@ namespace FastPoints
         }
 
         // Seconds from a request to its answer, the shortest lately; 0 before the first one.
-        public double RoundTrip
-        {
-            get
-            {
-                lock (m_lock)
-                    return m_roundTrip;
-            }
-        }
-
-        // Bytes that a connection could have brought in the time of a round trip.
-        public int GapBytes
-        {
-            get
-            {
-                lock (m_lock)
-                    return Gap();
-            }
-        }
+        public double RoundTrip => Volatile.Read(ref m_roundTrip);
 
         public void Add(RemoteRead read, List<RangePiece> pieces)
         {
@@ -104,28 +87,20 @@ namespace FastPoints
                         Bytes = piece.Bytes,
                         Number = ++m_begun,
                     });
-                Gather();
+                // What is wanted in the next moment may lie beside it.
+                int ms = (int)(m_roundTrip * 1000 / GatherShare);
+                if (ms == 0)
+                    BeginRequests();
+                else
+                    _ = BeginLater(ms);
             }
         }
 
-        // What is wanted in the next moment may lie beside it.
-        void Gather()
+        async Task BeginLater(int ms)
         {
-            int ms = (int)(m_roundTrip * 1000 / GatherShare);
-            if (ms == 0)
-                BeginRequests();
-            else if (!m_isGathering)
-                Task.Delay(ms).ContinueWith(_ => EndGathering(), TaskScheduler.Default);
-            m_isGathering = ms > 0;
-        }
-
-        void EndGathering()
-        {
+            await Task.Delay(ms).ConfigureAwait(false);
             lock (m_lock)
-            {
-                m_isGathering = false;
                 BeginRequests();
-            }
         }
 
         // Of what was asked for outside the queue, too.
@@ -151,6 +126,7 @@ namespace FastPoints
             }
         }
 
+        // Bytes that a connection could have brought in the time of a round trip.
         int Gap() => (int)Math.Max(MinGapBytes, Math.Min(MaxGapBytes, m_roundTrip *
             (m_bytesPerConnection > 0 ? m_bytesPerConnection : FirstBytesPerConnection)));
 

@@ -33,9 +33,6 @@ namespace FastPoints
         // Seconds that an answer takes to begin; 0 if none was seen yet.
         public abstract double RoundTrip { get; }
 
-        // Ranges no farther apart are brought sooner by one request than by two.
-        public abstract int GapBytes { get; }
-
         // Waits: on pool threads and in the command line alone. headBytes: so many of a new file come with it.
         public static RemoteFile Open(string address, int headBytes = HeadBytes) => FilesFor(address).Open(address, headBytes);
 
@@ -265,13 +262,7 @@ namespace FastPoints
 
         internal static void AddWait() => Interlocked.Increment(ref s_waits);
 
-        public static void Reset()
-        {
-            Interlocked.Exchange(ref s_requests, 0);
-            Interlocked.Exchange(ref s_bytesFetched, 0);
-            Interlocked.Exchange(ref s_bytesUnused, 0);
-            Interlocked.Exchange(ref s_cacheHits, 0);
-            Interlocked.Exchange(ref s_waits, 0);
-        }
+        // For tests.
+        public static void Reset() => s_requests = s_bytesFetched = s_bytesUnused = s_cacheHits = s_waits = 0;
     }
 }
