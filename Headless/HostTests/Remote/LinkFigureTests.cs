@@ -37,7 +37,7 @@ sealed class LinkFigureTests : RemoteFixture
     {
         m_served = Scratch["served"];
         m_nginx = new NginxServer(Directory.CreateDirectory(Scratch["nginx"]).FullName, m_served, "gzip off;");
-        RemoteSettings.Current = new RemoteSettings();
+        RemoteSettings.Current = new RemoteSettings { MaxConnections = 6 };
     }
 
     [Test]
@@ -56,6 +56,7 @@ sealed class LinkFigureTests : RemoteFixture
         CliCall.Of("demo-cloud", "-o", Scratch["tiled.laz"], "--tile", TestData.PathOrIgnore("data/ca13_d.laz"), "--times",
             s_table == null ? "6" : "20", "--quiet");
         string cloud = Convert(Scratch["tiled.laz"], Eastward, out CameraPath path);
+        RemoteSettings.Current = new RemoteSettings();
         var shares = new double[s_repeats];
         for (int i = 0; i < s_repeats; i++)
         {
