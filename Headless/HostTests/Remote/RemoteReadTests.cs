@@ -124,7 +124,7 @@ sealed class RemoteReadTests : RemoteFixture
         using RemoteRead last = file.Begin(3_900_000, 100);
         Await(last);
 
-        Assert.That(Server.Requests, Has.Count.LessThanOrEqualTo(7));
+        Assert.That(Server.Requests, Has.Count.LessThanOrEqualTo(9));
     }
 
     [Test]
