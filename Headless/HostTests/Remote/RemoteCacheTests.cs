@@ -101,16 +101,6 @@ sealed class RemoteCacheTests : RemoteFixture
         Assert.That(RangeCache.Current.Find(key), Is.EqualTo(new byte[] { 19 }));
     }
 
-    [Test]
-    public void Add_WhenAnotherCacheHasTakenOver_DoesNothing()
-    {
-        RangeCache cache = RangeCache.Current;
-        cache.Add(RangeKey.Of("a"), 0, new byte[1]);
-        StartAnew();
-        cache.Add(RangeKey.Of("a"), 1, new byte[1]);
-        Assert.That(CacheFiles(), Has.Length.EqualTo(1));
-    }
-
     static byte[] Damage(byte[] bytes, int kind, System.Random random)
     {
         switch (kind)
@@ -143,13 +133,8 @@ sealed class RemoteCacheTests : RemoteFixture
         Assert.That(Server.Bytes, Is.LessThan(150_000));
     }
 
-    [TestCase(3)]
-    public void Process_KilledWhileItFillsTheCache_LeavesWhatIsWhole(int kills) => Kill(kills);
-
-    [Test, Category("Long")]
-    public void Process_Killed20Times_LeavesWhatIsWhole() => Kill(20);
-
-    void Kill(int kills)
+    [TestCase(3), TestCase(20, Category = "Long")]
+    public void Process_KilledWhileItFillsTheCache_LeavesWhatIsWhole(int kills)
     {
         byte[] bytes = Make("a.bin", 100_000_000);
         RemoteAccess.CacheBytes = 1L << 30;

@@ -9,17 +9,12 @@ sealed class TimedFlight
     const int RestFrames = 240;
 
     readonly double[] m_mainThreadMs;
-    int m_full;
+    int m_full, m_firstFull;
 
     TimedFlight(int frames) => m_mainThreadMs = new double[frames];
 
     // Of frames, those that drew 95 % of what was selected, and knew all that was in view.
     public double FullShare => m_full / (double)m_mainThreadMs.Length;
-
-    // The frame from which on the first view was there.
-    public int FirstFull { get; private set; }
-
-    public double MainThreadP99Ms => m_mainThreadMs.Order().ElementAt(m_mainThreadMs.Length * 99 / 100);
 
     // Of reads that ended while the camera moved.
     public long ReadBytes { get; private set; }
@@ -53,12 +48,15 @@ sealed class TimedFlight
         return flight;
     }
 
+    public override string ToString() => $"{FullShare:0.0%} of frames have 95 %, the first is {m_firstFull}; main thread p99 " +
+        $"{m_mainThreadMs.Order().ElementAt(m_mainThreadMs.Length * 99 / 100):0.00} ms, {GarbageAtRest} bytes of garbage at rest";
+
     void Add(int frame, in FrameStats stats, double ms)
     {
         m_mainThreadMs[frame] = ms;
         ReadBytes += stats.ReadBytes;
         bool isFull = stats.SelectedPoints > 0 && stats.MissingPages == 0 && stats.DrawnPoints >= 0.95 * stats.SelectedPoints;
         m_full += isFull ? 1 : 0;
-        FirstFull = isFull && m_full == 1 ? frame : FirstFull;
+        m_firstFull = isFull && m_full == 1 ? frame : m_firstFull;
     }
 }

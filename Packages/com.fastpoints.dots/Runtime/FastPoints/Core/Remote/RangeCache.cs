@@ -217,12 +217,10 @@ namespace FastPoints
 
         void Close()
         {
+            m_isReadOnly = true;
             lock (m_lock)
-            {
-                m_isReadOnly = true;
                 foreach (var segment in m_segments)
                     segment.Close();
-            }
         }
 
         // Finds the segments that others have written, and forgets those that they have deleted.

@@ -2,6 +2,7 @@ using System;
 using System.Buffers;
 using System.Collections.Generic;
 using System.Diagnostics;
+using System.Threading;
 using System.Threading.Tasks;
 
 namespace FastPoints
@@ -20,6 +21,9 @@ namespace FastPoints
 
         // At most one byte in so many of a request is one that nobody asked for, but for such gaps.
         const int MaxUnusedShare = 8;
+
+        // Part of a round trip that a request may be late by.
+        const int GatherShare = 16;
 
         // Before anything was measured.
         const double FirstBytesPerConnection = 1 << 20;
@@ -67,14 +71,7 @@ namespace FastPoints
         }
 
         // Seconds from a request to its answer, the shortest lately; 0 before the first one.
-        public double RoundTrip
-        {
-            get
-            {
-                lock (m_lock)
-                    return m_roundTrip;
-            }
-        }
+        public double RoundTrip => Volatile.Read(ref m_roundTrip);
 
         public void Add(RemoteRead read, List<RangePiece> pieces)
         {
@@ -90,8 +87,20 @@ namespace FastPoints
                         Bytes = piece.Bytes,
                         Number = ++m_begun,
                     });
-                BeginRequests();
+                // What is wanted in the next moment may lie beside it.
+                int ms = (int)(m_roundTrip * 1000 / GatherShare);
+                if (ms == 0)
+                    BeginRequests();
+                else
+                    _ = BeginLater(ms);
             }
+        }
+
+        async Task BeginLater(int ms)
+        {
+            await Task.Delay(ms).ConfigureAwait(false);
+            lock (m_lock)
+                BeginRequests();
         }
 
         // Of what was asked for outside the queue, too.

@@ -43,7 +43,7 @@ namespace FastPoints
 
         public int MaxRetryAfterMs = 20000;
         public int MaxRedirects = 5;
-        public int MaxConnections = 6;
+        public int MaxConnections = 8;
 
         // By HTTP/2, which has one connection.
         public int MaxStreams = 16;

@@ -25,12 +25,14 @@ namespace FastPoints.Streaming
         NativeReference<HierarchyPage> m_built = new NativeReference<HierarchyPage>(Allocator.Persistent);
         NativeReference<TableProblem> m_problem = new NativeReference<TableProblem>(Allocator.Persistent);
         ReadHandle m_read;
-        RemoteRead m_remote; // In place of the former where the file is on a web server.
         JobHandle m_building;
         NodeTranscoder m_transcoder;
         long m_readBytes;
 
         public NodeFetch(StreamState state) => m_state = state;
+
+        // What reads, where the file is on a web server.
+        public RemoteRead Remote { get; private set; }
 
         public FetchPhase Phase { get; private set; }
         public long SequenceNumber { get; private set; }
@@ -129,18 +131,11 @@ namespace FastPoints.Streaming
             Read(Cloud.Source.PathOf(Page), rank);
         }
 
-        // Of what waits for a web server.
-        public void SetRank(int rank)
-        {
-            if (m_remote != null)
-                m_remote.Rank = rank;
-        }
-
         // The read continues until it reports its end.
         public void Cancel()
         {
-            if (Phase == FetchPhase.Reading && !IsCancelled && m_remote != null)
-                m_remote.Cancel();
+            if (Phase == FetchPhase.Reading && !IsCancelled && Remote != null)
+                Remote.Cancel();
             else if (Phase == FetchPhase.Reading && !IsCancelled)
                 m_read.Cancel();
             else if (Phase == FetchPhase.Transcoding)
@@ -152,7 +147,7 @@ namespace FastPoints.Streaming
         {
             status = default;
             bytes = m_readBytes;
-            if (m_remote != null)
+            if (Remote != null)
                 return TryEndRemote(out status);
             // Its status is not enough: a read that waits for its file has one that the enum lacks.
             if (!JobCoroutine.HasEnded(m_read.JobHandle))
@@ -168,11 +163,11 @@ namespace FastPoints.Streaming
         bool TryEndRemote(out ReadStatus status)
         {
             status = default;
-            if (!m_remote.IsDone)
+            if (!Remote.IsDone)
                 return false;
-            Failure = m_remote.Failure;
-            status = m_remote.IsCancelled ? ReadStatus.Canceled : Failure != null ? ReadStatus.Failed : ReadStatus.Complete;
-            m_remote = null;
+            Failure = Remote.Failure;
+            status = Remote.IsCancelled ? ReadStatus.Canceled : Failure != null ? ReadStatus.Failed : ReadStatus.Complete;
+            Remote = null;
             Phase = FetchPhase.Arrived;
             return true;
         }
@@ -250,10 +245,10 @@ namespace FastPoints.Streaming
 
         public void Abandon()
         {
-            if (Phase == FetchPhase.Reading && m_remote != null)
+            if (Phase == FetchPhase.Reading && Remote != null)
             {
-                m_remote.Cancel();
-                m_remote = null;
+                Remote.Cancel();
+                Remote = null;
             }
             else if (Phase == FetchPhase.Reading)
             {
@@ -353,7 +348,7 @@ namespace FastPoints.Streaming
             }
             var remote = IsTable ? Cloud.Source.RemoteOfTable(Page) : Cloud.Source.RemoteOf(Page);
             if (remote != null)
-                m_remote = remote.Begin(m_commands.GetUnsafePtr(), m_commands.Length, rank);
+                Remote = remote.Begin(m_commands.GetUnsafePtr(), m_commands.Length, rank);
             else
                 m_read = m_state.Files.Read(Cloud, path, m_state.Selector.Frame, m_commands.GetUnsafePtr(),
                     m_commands.Length);

@@ -266,7 +266,8 @@ namespace FastPoints.Streaming
                 else
                     rank = Math.Min(rank, m_state.Cache[node.Slot].Rank);
             }
-            fetch.SetRank(rank);
+            if (fetch.Remote != null)
+                fetch.Remote.Rank = rank;
             if (rank == int.MaxValue)
                 fetch.Cancel();
         }
