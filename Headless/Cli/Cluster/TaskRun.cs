@@ -41,7 +41,14 @@ sealed class TaskRun : IDisposable
     }
 
     /// <returns>Of what is done already, or null.</returns>
-    public TaskMarker? FindDone() => TaskMarker.Read(Store, Plan, Name);
+    public TaskMarker? FindDone()
+    {
+        var marker = TaskMarker.Read(Store, Plan, Name);
+        // A run that was killed behind its marker left its folder.
+        if (marker != null)
+            Scratch.IsDone = true;
+        return marker;
+    }
 
     /// <returns>The cloud that the store has; null without one.</returns>
     /// <exception cref="PointCloudException">It is another one.</exception>
