@@ -26,6 +26,9 @@ namespace FastPoints.Tests.Build
 
         void RunToEnd(Func<IEnumerator<JobStep>> begin)
         {
+            // Stopped before its first step.
+            if (m_stops != null)
+                begin().Dispose();
             for (int attempt = 1; m_stops != null; attempt++)
             {
                 using var work = new CoroutineStack(begin());

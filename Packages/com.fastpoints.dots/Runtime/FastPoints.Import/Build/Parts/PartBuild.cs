@@ -70,25 +70,26 @@ namespace FastPoints.Build
         /// <param name="isOwn">By entry of these: see <see cref="PartSelection"/>.</param>
         /// <exception cref="PointCloudException">A source or the folder is at fault, or a value contradicts the plan.</exception>
         public static IEnumerator<JobStep> Run(BuildPart part, PointReader reader, IReadOnlyList<int> blocks,
-            IReadOnlyList<bool> isOwn, PartOutput output)
-        {
-            var selection = new PartSelection(part, GridChoice.OnGrid(reader.Info, part.Grid), isOwn);
-            var selected = new FilteredReader(reader, selection, blocks);
-            return Run(new PartBuild(new BuildContext(part, new[] { selected }, 0, output.Folder, output.Settings,
-                output.Progress), selection), output.Take);
-        }
+            IReadOnlyList<bool> isOwn, PartOutput output) => Run(() =>
+            {
+                var selection = new PartSelection(part, GridChoice.OnGrid(reader.Info, part.Grid), isOwn);
+                var selected = new FilteredReader(reader, selection, blocks);
+                return new PartBuild(new BuildContext(part, new[] { selected }, 0, output.Folder, output.Settings,
+                    output.Progress), selection);
+            }, output.Take);
 
         /// <summary>Coroutine: from plain records in a file.</summary>
         /// <param name="records">Number of records.</param>
         /// <param name="fetch">Writes the file, on a pool thread.</param>
         public static IEnumerator<JobStep> RunRecords(BuildPart part, long records, RecordFetch fetch, PartOutput output) =>
-            Run(new PartBuild(new BuildContext(part, Array.Empty<PointReader>(), records, output.Folder, output.Settings,
+            Run(() => new PartBuild(new BuildContext(part, Array.Empty<PointReader>(), records, output.Folder, output.Settings,
                 output.Progress), null)
             { m_fetch = fetch }, output.Take);
 
-        static IEnumerator<JobStep> Run(PartBuild part, Action<PartResult> take)
+        // A coroutine that is disposed before its first step has opened nothing.
+        static IEnumerator<JobStep> Run(Func<PartBuild> open, Action<PartResult> take)
         {
-            using (part)
+            using (var part = open())
             {
                 var build = part.Build;
                 build.Progress?.Begin(BuildStages.Sample);
