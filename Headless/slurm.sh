@@ -175,7 +175,7 @@ make_plan() {
   "$fastpoints" demo-cloud --quiet -o "$scratch/one.las" --points 8M --seed 5 &&
     "$fastpoints" demo-cloud --quiet -o "$scratch/cloud.las" --tile "$scratch/one.las" --times 4 &&
     "$fastpoints" convert "$scratch/cloud.las" -o "$scratch/whole.fastpoints" "${same[@]}" &&
-    "$fastpoints" plan "$scratch/cloud.las" -o "$scratch/cloud.json" --store "$scratch/many.fastpoints" --cells --task-points 6M "${same[@]}"
+    "$fastpoints" plan "$scratch/cloud.las" -o "$scratch/cloud.json" --store "$scratch/many.fastpoints" --cells --task-points 2M "${same[@]}"
 }
 if ! check "plan" make_plan; then finish; fi
 tasks=$(grep -o '"tasks": *[0-9]*' "$scratch/cloud.json" | head -n 1 | grep -o '[0-9]*$')

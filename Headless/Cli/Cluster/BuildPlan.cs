@@ -34,7 +34,8 @@ sealed class BuildPlan
     /// <summary>What is known of the cloud before its points.</summary>
     public required CloudManifest Cloud { get; init; }
 
-    public required int Tasks { get; init; }
+    public required BuildTasks Builds { get; init; }
+    public int Tasks => Builds.Tasks;
 
     /// <summary>None where builds read sources.</summary>
     public required int BucketTasks { get; init; }
@@ -48,8 +49,7 @@ sealed class BuildPlan
 
     /// <summary>Names of all tasks in the order of their stages.</summary>
     public IEnumerable<string> AllTasks =>
-        Enumerable.Range(0, BucketTasks).Select(TaskNames.Bucket).Concat(Builds).Concat(Merges);
-    public IEnumerable<string> Builds => Enumerable.Range(0, Tasks).Select(TaskNames.Build);
+        Enumerable.Range(0, BucketTasks).Select(TaskNames.Bucket).Concat(Builds.Names).Concat(Merges);
     public IEnumerable<string> Merges => MergeTasks.SelectMany((count, level) =>
         Enumerable.Range(0, count).Select(number => TaskNames.Merge(level + 1, number)));
 
@@ -83,6 +83,7 @@ sealed class BuildPlan
         json.WriteNumber("version", Version);
         json.WriteString("store", Store);
         json.WriteNumber("tasks", Tasks);
+        json.WriteNumber("builds", Builds.Count);
         json.WriteNumber("bucketTasks", BucketTasks);
         WriteMergeLevels(json);
         Estimate.Write(json);
@@ -92,6 +93,8 @@ sealed class BuildPlan
         json.WriteNumber("pointsPerChunk", Whole.PointsPerChunk);
         json.WritePropertyName("whole");
         PlanFile.WriteCube(json, Whole.Whole);
+        json.WritePropertyName("firstBuilds");
+        PlanFile.WriteNumbers(json, Builds.First);
         json.WriteBoolean("wideRecords", Whole.Records.IsWide);
         json.WritePropertyName("recordBase");
         var at = Whole.Records.Base;
@@ -166,7 +169,7 @@ sealed class BuildPlan
                 Cube = whole,
                 BaseCells = [],
             },
-            Tasks = json.Int("tasks"),
+            Builds = new BuildTasks(json.Longs("firstBuilds", json.Int("tasks")), json.Int("builds")),
             BucketTasks = json.Int("bucketTasks"),
             MergeTasks = json.Objects("mergeLevels").ConvertAll(level => level.Int("tasks")),
             Estimate = PlanEstimate.Read(json.Object("estimate")),

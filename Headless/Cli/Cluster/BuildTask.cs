@@ -33,7 +33,7 @@ static class BuildTask
         return task.Put(task.Files, result, records.Count);
     }
 
-    static string StrayFolder(int number) => TaskStore.WorkFolder + "stray/" + TaskNames.Build(number) + "/";
+    static string StrayFolder(int number) => TaskStore.WorkFolder + "stray/" + number + "/";
 
     /// <summary>Buckets that turned out to have points of a build, against what headers say.</summary>
     static IEnumerable<string> StraysOf(TaskRun task, int number) =>

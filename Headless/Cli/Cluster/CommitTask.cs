@@ -51,7 +51,7 @@ sealed class CommitTask
     /// <returns>Files with tables of nodes by task, that of points outside besides.</returns>
     Dictionary<string, string> FetchNodes(TaskMarker[] markers)
     {
-        var names = m_plan.Builds.Concat(m_plan.Merges).ToList();
+        var names = m_plan.Builds.Names.Concat(m_plan.Merges).ToList();
         string outside = TaskStore.WorkFolder + MergeTaskRun.OutsideName + Path.GetExtension(PartFile.NodesName);
         if (markers[^1].Objects.Any(o => o.Name == outside))
             names.Add(MergeTaskRun.OutsideName);

@@ -53,7 +53,7 @@ static class MergeTaskRun
         int number = plan.BucketTasks > 0 ? plan.ReadCubes().Length : 0;
         var records = new BucketRecords(task.Store, bucketMarkers, number);
         if (plan.BucketTasks == 0)
-            records.AddOutside(TaskMarker.ReadAll(task.Store, plan, [.. plan.Builds], task.Missing));
+            records.AddOutside(TaskMarker.ReadAll(task.Store, plan, [.. plan.Builds.Names], task.Missing));
         task.Make(OutsideFolder, output => PartBuild.RunRecords(plan.Whole.OfOutside(found), records.Count,
             path => records.Fetch(path, plan.Whole.Records.StrideBytes), output));
         return new PartInput

@@ -50,10 +50,48 @@ static class MergeTree
     }
 }
 
+/// <summary>Which task builds what: each some cubes, one after the other, in Morton order.</summary>
+/// <param name="First">By task, its first build.</param>
+sealed record BuildTasks(long[] First, int Count)
+{
+    public int Tasks => First.Length;
+    public IEnumerable<string> Names => Enumerable.Range(0, Count).Select(NameOf);
+
+    /// <param name="points">Of each build.</param>
+    /// <param name="most">Points of a task of several.</param>
+    public static BuildTasks Of(IReadOnlyList<double> points, double most)
+    {
+        var first = new List<long>();
+        double sum = 0;
+        for (int build = 0; build < points.Count; build++)
+        {
+            if (build == 0 || sum + points[build] > most)
+            {
+                first.Add(build);
+                sum = 0;
+            }
+            sum += points[build];
+        }
+        return new BuildTasks([.. first], points.Count);
+    }
+
+    public IEnumerable<int> Of(int task) =>
+        Enumerable.Range((int)First[task], (int)((task + 1 < Tasks ? First[task + 1] : Count) - First[task]));
+
+    public string NameOf(int build)
+    {
+        int found = Array.BinarySearch(First, build);
+        int task = found < 0 ? ~found - 1 : found;
+        return TaskNames.Build(task, build - (int)First[task]);
+    }
+}
+
 /// <summary>Names of tasks: of their files in the plan and in the store.</summary>
 static class TaskNames
 {
-    public static string Build(int number) => Of("build", number);
+    /// <param name="part">Of the task's cubes.</param>
+    public static string Build(int task, int part) =>
+        Of("build", task) + (part == 0 ? "" : "-" + part.ToString(CultureInfo.InvariantCulture));
     public static string Bucket(int number) => Of("bucket", number);
     public static string Merge(int level, int number) => Of("merge-" + level.ToString(CultureInfo.InvariantCulture), number);
 

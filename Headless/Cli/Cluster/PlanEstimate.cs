@@ -5,7 +5,7 @@ namespace FastPoints.Cli.Cluster;
 /// <param name="TaskSeconds">Of the longest task, by one core.</param>
 /// <param name="MemoryBytes">What a task keeps to.</param>
 /// <param name="BytesOnDisk">Of the cloud.</param>
-/// <param name="ScratchBytes">Of the largest task, on the disk where it runs.</param>
+/// <param name="ScratchBytes">Of the largest build, on the disk where it runs.</param>
 sealed record PlanEstimate(double Seconds, double TaskSeconds, long MemoryBytes, long BytesOnDisk, long ScratchBytes)
 {
     /// <summary>24 M points of LAZ by eight tasks in 15 s of processor time, of LAS in 10.</summary>
@@ -28,16 +28,21 @@ sealed record PlanEstimate(double Seconds, double TaskSeconds, long MemoryBytes,
         + $" {PointsSortedPerSecond / 1e6} M/s into buckets; stored are "
         + $"{StoredShare:p0} of plain records; a task has {ScratchShare} times its records on its disk");
 
-    public static PlanEstimate Of(long points, int recordBytes, IEnumerable<(double Points, long Read)> tasks, long memoryBytes,
-        bool isBucketed)
+    /// <param name="tasks">The builds of each.</param>
+    public static PlanEstimate Of(long points, int recordBytes, IEnumerable<IEnumerable<(double Points, long Read)>> tasks,
+        long memoryBytes, bool isBucketed)
     {
         double seconds = isBucketed ? points / PointsSortedPerSecond : 0, longest = 0, most = 0;
-        foreach (var (built, read) in tasks)
+        foreach (var builds in tasks)
         {
-            double task = built / PointsPerSecond + Math.Max(0, read - built) / PointsSkippedPerSecond;
+            double task = 0;
+            foreach (var (built, read) in builds)
+            {
+                task += built / PointsPerSecond + Math.Max(0, read - built) / PointsSkippedPerSecond;
+                most = Math.Max(most, built);
+            }
             seconds += task;
             longest = Math.Max(longest, task);
-            most = Math.Max(most, built);
         }
         return new PlanEstimate(seconds, longest, memoryBytes, (long)(points * (double)recordBytes * StoredShare),
             (long)(most * recordBytes * ScratchShare));

@@ -87,8 +87,9 @@ sealed class PlanStep
         // Of cubes without sources nothing comes, unless records of buckets turn out to lie there.
         var kept = Enumerable.Range(0, m_cubes.Length).Where(t => isBucketed || t == 0 || reads[t].Pieces.Count > 0).ToArray();
         var buckets = isBucketed ? Buckets() : [];
-        var merges = MergeTree.Of(m_plan.Whole.Whole, kept.Select((t, number) => (TaskNames.Build(number), m_cubes[t])));
-        var plan = NewPlan(kept.Length, buckets.Count, merges, Estimate(isBucketed, kept, reads));
+        var builds = BuildTasks.Of(Array.ConvertAll(kept, t => m_points[t]), m_request.TaskPoints);
+        var merges = MergeTree.Of(m_plan.Whole.Whole, kept.Select((t, number) => (builds.NameOf(number), m_cubes[t])));
+        var plan = NewPlan(builds, buckets.Count, merges, Estimate(isBucketed, kept, reads, builds));
         string text = plan.ToText(), parts = BuildPlan.PartsOf(m_request.Path);
         Clear(m_request.Path, parts);
         OutputFile.MakeFolder(parts);
@@ -164,16 +165,17 @@ sealed class PlanStep
         return buckets;
     }
 
-    PlanEstimate Estimate(bool isBucketed, int[] kept, Reads[] reads)
+    PlanEstimate Estimate(bool isBucketed, int[] kept, Reads[] reads, BuildTasks builds)
     {
         long points = m_reader.PointCount;
         double share = points / Math.Max(1, m_points.Sum());
-        return PlanEstimate.Of(points, m_plan.Whole.Records.StrideBytes, kept.Select(t =>
-            (m_points[t] * share, isBucketed ? (long)(m_points[t] * share) : reads[t].Points)), m_request.MemoryBytes,
+        return PlanEstimate.Of(points, m_plan.Whole.Records.StrideBytes, Enumerable.Range(0, builds.Tasks).Select(task =>
+            builds.Of(task).Select(b => kept[b]).Select(t =>
+                (m_points[t] * share, isBucketed ? (long)(m_points[t] * share) : reads[t].Points))), m_request.MemoryBytes,
             isBucketed);
     }
 
-    BuildPlan NewPlan(int tasks, int buckets, List<List<MergeTask>> merges, PlanEstimate estimate)
+    BuildPlan NewPlan(BuildTasks builds, int buckets, List<List<MergeTask>> merges, PlanEstimate estimate)
     {
         return new BuildPlan
         {
@@ -184,7 +186,7 @@ sealed class PlanStep
             Tiles = m_reader.Unfiltered is TiledReader ? m_reader.Info : null,
             Whole = m_plan.Whole,
             Cloud = m_plan.Manifest,
-            Tasks = tasks,
+            Builds = builds,
             BucketTasks = buckets,
             MergeTasks = merges.ConvertAll(round => round.Count),
             Estimate = estimate,
@@ -202,7 +204,7 @@ sealed class PlanStep
     void WriteBuild(BuildPlan plan, int number, int task, Reads reads)
     {
         var part = m_plan.Whole.Of(m_cubes[task]);
-        WritePart(plan, TaskNames.Build(number), json =>
+        WritePart(plan, plan.Builds.NameOf(number), json =>
         {
             json.WritePropertyName("cube");
             PlanFile.WriteCube(json, part.Cube);

@@ -1,35 +1,60 @@
 namespace FastPoints.Cli.Cluster;
 
-/// <summary>What a task says at its end.</summary>
-static class TaskReport
+/// <summary>What a task says at its end, of all that it builds.</summary>
+sealed class TaskReport
 {
-    /// <param name="work">Runs it, if it is not done already.</param>
-    public static void Run(TaskRun task, int? number, string points, Func<TaskMarker> work)
+    readonly CliRun m_run;
+    readonly string m_unit;
+    readonly List<string> m_missing = [];
+    long m_points;
+    ulong m_checksum;
+    bool m_hasOutcome;
+
+    /// <param name="unit">What is counted.</param>
+    public TaskReport(CliRun run, int? number, string unit)
     {
-        var run = task.Run;
-        TaskMarker? marker = null;
-        bool isMerge = task.Name.StartsWith("merge", StringComparison.Ordinal);
+        (m_run, m_unit) = (run, unit);
         run.WriteKeys = json =>
         {
             if (number is { } n)
                 json.WriteNumber("task", n);
-            if (marker != null)
+            if (m_hasOutcome)
             {
-                json.WriteInteger("points", marker.Points);
-                json.WriteString("checksum", PlanFile.ToHex(marker.Checksum));
+                json.WriteInteger("points", m_points);
+                json.WriteString("checksum", PlanFile.ToHex(m_checksum));
             }
-            PlanFile.WriteTexts(json, "missing", task.Missing);
+            PlanFile.WriteTexts(json, "missing", m_missing);
         };
+    }
+
+    /// <param name="work">Runs it, if it is not done already.</param>
+    public void Run(TaskRun task, Func<TaskMarker> work)
+    {
         if (task.FindCommitted() != null)
         {
-            run.Out.WriteLine(task.Name + ": the cloud is committed already");
+            m_run.Out.WriteLine(task.Name + ": the cloud is committed already");
             return;
         }
-        marker = task.FindDone();
+        double began = m_run.Seconds;
+        var marker = task.FindDone();
         bool wasDone = marker != null;
-        marker ??= work();
-        run.Out.WriteLine(task.Name + ": " + (wasDone ? "was done already, " : "") + NumberFormat.Count(marker.Points, points)
-            + (isMerge ? " below it" : "") + " in " + NumberFormat.Seconds(run.Seconds));
-        StageTable.Of(run.Progress).Write(run.Out, "  ");
+        try
+        {
+            marker ??= work();
+        }
+        finally
+        {
+            m_missing.AddRange(task.Missing);
+        }
+        (m_points, m_checksum, m_hasOutcome) = (m_points + marker.Points, m_checksum + marker.Checksum, true);
+        m_run.Out.WriteLine(task.Name + ": " + (wasDone ? "was done already, " : "") + NumberFormat.Count(marker.Points, m_unit)
+            + (task.Name.StartsWith("merge", StringComparison.Ordinal) ? " below it" : "") + " in "
+            + NumberFormat.Seconds(m_run.Seconds - began));
+    }
+
+    public void WriteStages()
+    {
+        if (m_hasOutcome)
+            StageTable.Of(m_run.Progress).Write(m_run.Out, "  ");
     }
 }

@@ -33,7 +33,12 @@ public sealed class BuildVerb : Verb
         bool isBucket = parsed.GetResult(m_bucket) is { Implicit: false };
         int number = m_task.Number(parsed, isBucket ? parsed.GetValue(m_bucket) : null, isBucket ? plan.BucketTasks : plan.Tasks,
             isBucket ? "bucket task" : "task");
-        using var task = m_task.Open(plan, isBucket ? TaskNames.Bucket(number) : TaskNames.Build(number), parsed, run);
-        TaskReport.Run(task, number, "point", () => isBucket ? BuildTask.RunBucket(task, number) : BuildTask.Run(task, number));
+        var report = new TaskReport(run, number, "point");
+        foreach (int build in isBucket ? [number] : plan.Builds.Of(number))
+        {
+            using var task = m_task.Open(plan, isBucket ? TaskNames.Bucket(build) : plan.Builds.NameOf(build), parsed, run);
+            report.Run(task, () => isBucket ? BuildTask.RunBucket(task, build) : BuildTask.Run(task, build));
+        }
+        report.WriteStages();
     }
 }

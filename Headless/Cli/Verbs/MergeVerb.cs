@@ -32,6 +32,8 @@ public sealed class MergeVerb : Verb
                 + ", from 1: got " + level);
         int number = m_task.Number(parsed, null, plan.MergeTasks[level - 1], "merge task");
         using var task = m_task.Open(plan, TaskNames.Merge(level, number), parsed, run);
-        TaskReport.Run(task, number, "point", () => MergeTaskRun.Run(task));
+        var report = new TaskReport(run, number, "point");
+        report.Run(task, () => MergeTaskRun.Run(task));
+        report.WriteStages();
     }
 }

@@ -28,18 +28,18 @@ public sealed class ClusterBuildTests
     }
 
     [TestCase("tiles", 500_000, "poisson", "", "cells", 1)]
-    [TestCase("tiles", 60_000, "poisson", "--cells", "cells", 8)]
-    [TestCase("tiles", 60_000, "random", "--cells", "cells", 8)]
-    [TestCase("tiles", 60_000, "poisson", "", "buckets", 8)]
-    [TestCase("tiles", 1, "random", "--cells", "cells", 40)]
-    [TestCase("tiles-laz", 60_000, "average", "--cells", "cells", 8)]
+    [TestCase("tiles", 15_000, "poisson", "--cells", "cells", 8)]
+    [TestCase("tiles", 15_000, "random", "--cells", "cells", 8)]
+    [TestCase("tiles", 15_000, "poisson", "", "buckets", 8)]
+    [TestCase("tiles", 1, "random", "--cells", "cells", 30)]
+    [TestCase("tiles-laz", 15_000, "average", "--cells", "cells", 8)]
     [TestCase("las", 500_000, "random", "", "cells", 1)]
     [TestCase("las", 30_000, "random", "--cells", "cells", 4)]
-    [TestCase("las", 60_000, "random", "", "buckets", 8)]
-    [TestCase("las", 1, "poisson", "", "buckets", 40)]
-    [TestCase("laz", 60_000, "poisson", "", "buckets", 8)]
-    [TestCase("copc.laz", 60_000, "poisson", "--cells", "cells", 8)]
-    [TestCase("copc.laz", 1, "random", "", "buckets", 40)]
+    [TestCase("las", 15_000, "random", "", "buckets", 8)]
+    [TestCase("las", 1, "poisson", "", "buckets", 30)]
+    [TestCase("laz", 15_000, "poisson", "", "buckets", 8)]
+    [TestCase("copc.laz", 15_000, "poisson", "--cells", "cells", 8)]
+    [TestCase("copc.laz", 1, "random", "", "buckets", 30)]
     public void Tasks_OfAnyKindOfSource_MakeTheCloudOfOneConvert(string kind, int taskPoints, string sampler, string option,
         string mode, int tasks)
     {

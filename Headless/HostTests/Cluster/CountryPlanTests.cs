@@ -92,7 +92,8 @@ public sealed class CountryPlanTests
         }
         int[] kept = Enumerable.Range(0, cubes.Length).Where(t => tilesOf[t] > 0).ToArray();
         double[] built = groups.ConvertAll(g => pointsOfCell.AsSpan(g.First, g.Count).ToArray().Sum()).ToArray();
-        var merges = MergeTree.Of(s_whole, kept.Select((t, number) => (TaskNames.Build(number), cubes[t])));
+        var builds = BuildTasks.Of(Array.ConvertAll(kept, t => built[t]), PointsPerTask);
+        var merges = MergeTree.Of(s_whole, kept.Select((t, number) => (builds.NameOf(number), cubes[t])));
         watch.Stop();
         long[] bytes = kept.Select(t => BytesOf(groups[t], cells, tilesOf[t])).ToArray();
         string sizes = string.Join(", ", kept.GroupBy(t => cubes[t].SideLog2).OrderBy(g => g.Key)
@@ -100,12 +101,12 @@ public sealed class CountryPlanTests
         TestContext.Out.WriteLine($"""
             {cells.Length:n0} base cells, {pointsOfCell.Count(p => p > 0):n0} with points,
             of {pointsOfCell.Max() / 1e6:f1} M at most
-            {cubes.Length:n0} cubes, {kept.Length:n0} tasks, of {built.Max() / 1e6:f1} M points at most,
-            {Points / kept.Length / 1e6:f1} M on average
-            tasks below 1 M points: {kept.Count(t => built[t] < 1e6):n0},
+            {cubes.Length:n0} cubes, {kept.Length:n0} builds, of {built.Max() / 1e6:f1} M points at most,
+            {Points / kept.Length / 1e6:f1} M on average; {builds.Tasks:n0} tasks of {Points / builds.Tasks / 1e6:f1} M
+            builds below 1 M points: {kept.Count(t => built[t] < 1e6):n0},
             with {kept.Where(t => built[t] < 1e6).Sum(t => built[t]) / Points:p2} of the points
             each point is read {pointsRead.Sum() / Points:f2} times;
-            a task reads {tilesOf.Max():n0} tiles at most, {pointsRead.Max() / 1e6:f0} M points
+            a build reads {tilesOf.Max():n0} tiles at most, {pointsRead.Max() / 1e6:f0} M points
             merges: {string.Join(", ", merges.Select(r => $"{r.Count:n0} of {r.Max(m => m.Inputs.Count):n0} inputs at most"))}
             tasks' files: {bytes.Max():n0} bytes at most, {bytes.Sum() / 1e6:f0} MB together
             cubes by size: {sizes}

@@ -52,6 +52,19 @@ public sealed class PlanTests
     }
 
     [Test]
+    public void Tasks_OfBuildsOfAnySize_HaveEachOnceAndAreNoLarger()
+    {
+        var random = new Random(3);
+        var points = Enumerable.Range(0, 500).Select(_ => Math.Pow(random.NextDouble(), 5) * 100).ToArray();
+        var tasks = BuildTasks.Of(points, 70);
+        var builds = Enumerable.Range(0, tasks.Tasks).Select(task => tasks.Of(task).ToArray()).ToArray();
+        Assert.That(builds.SelectMany(b => b), Is.EqualTo(Enumerable.Range(0, points.Length)));
+        Assert.That(builds.Where(b => b.Length > 1).Max(b => b.Sum(build => points[build])), Is.InRange(60, 70));
+        Assert.That(builds.SelectMany((b, task) => b.Select((_, part) => TaskNames.Build(task, part))), Is.EqualTo(tasks.Names));
+        Assert.That(tasks.Names, Is.Unique);
+    }
+
+    [Test]
     public void Read_OfATextThatWasChanged_IsRefused()
     {
         string text = PlanFile.ToText(json => json.WriteNumber("a", 12));
