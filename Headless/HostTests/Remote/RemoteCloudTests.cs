@@ -81,11 +81,11 @@ public sealed class RemoteCloudTests : ScratchTests
         return FrameStep.Run(stream, views);
     }
 
-    static FrameStats Until(StreamContext stream, Func<FrameStats, bool> isThere, string what)
+    static FrameStats Until(StreamContext stream, Func<FrameStats, bool> isThere, string what, double scalePx = 1000)
     {
         for (int frame = 0; frame < 20_000; frame++)
         {
-            var stats = Frame(stream);
+            var stats = Frame(stream, scalePx);
             if (isThere(stats))
                 return stats;
             Thread.Sleep(1);
@@ -155,6 +155,8 @@ public sealed class RemoteCloudTests : ScratchTests
         using var folder = CloudFolder.Open(Address);
         using var local = CloudFolder.Open(m_cloud);
         m_server.ResetCounts();
+        // So that gaps are worth it.
+        m_server.LatencyMs = 20;
         for (int page = 1; page < folder.PageCount; page++)
         {
             folder.FetchFrom(page);
@@ -206,6 +208,8 @@ public sealed class RemoteCloudTests : ScratchTests
         stream.FrameSeconds = 1 / 60f;
         var source = Source(Address);
         Add(stream, source);
+        // What is asked for stays so.
+        m_server.Gate = new TaskCompletionSource().Task;
         var bounds = source.Folder.Manifest.BoundsGeo;
         using var views = new NativeArray<StreamView>(1, Allocator.Persistent);
         var view = views;
@@ -238,15 +242,15 @@ public sealed class RemoteCloudTests : ScratchTests
     [Test]
     public void Run_WhatLeavesTheView_IsCancelled()
     {
-        m_server.LatencyMs = 500;
         using var stream = Stream();
         Add(stream, Source(Address));
+        // No answer comes meanwhile.
+        var gate = new TaskCompletionSource();
+        m_server.Gate = gate.Task;
         Until(stream, s => s.ReadsInFlight > 3, "no reads");
-        // Nothing is that small.
-        for (int frame = 0; frame <= stream.Settings.FramesToCancel + 2; frame++)
-            Frame(stream, 1e-9);
-        Assert.That(Frame(stream, 1e-9).ReadsInFlight, Is.LessThanOrEqualTo(1), "the root is always wanted");
-        m_server.LatencyMs = 0;
+        // Nothing but the root is that large.
+        Until(stream, s => s.ReadsInFlight <= 1, "reads of nodes that nobody sees go on", 1e-9);
+        gate.SetResult();
         Settle(stream);
         Assert.That(Drawn(stream, 0), Is.EquivalentTo(DrawnOf(m_cloud)));
     }
