@@ -94,7 +94,8 @@ sealed class BuildPlan
         json.WritePropertyName("whole");
         PlanFile.WriteCube(json, Whole.Whole);
         json.WritePropertyName("firstBuilds");
-        PlanFile.WriteNumbers(json, Builds.First);
+        // On a line, not on one each.
+        json.WriteRawValue("[" + string.Join(',', Builds.First) + "]");
         json.WriteBoolean("wideRecords", Whole.Records.IsWide);
         json.WritePropertyName("recordBase");
         var at = Whole.Records.Base;
