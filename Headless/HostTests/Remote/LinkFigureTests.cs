@@ -95,20 +95,22 @@ sealed class LinkFigureTests : RemoteFixture
         string cloud = Convert(TestData.PathOrIgnore("data/ca13_d.laz"), FromTheSouth, out _);
         Fly(cloud, 100);
         RangeExchange.CreateHandler = m_nginx.Trusting;
-        var least = new double[3];
+        var seconds = new[] { new List<double>(), new List<double>() };
         foreach (int version in new[] { 1, 2, 1, 2, 1, 2 })
         {
             using var link = new SlowLink(version == 1 ? m_nginx.TlsPort : m_nginx.Http2Port, roundTripMs, 100);
             RemoteAccess.CacheFolder = Scratch["cache" + Guid.NewGuid()];
             StartAnew();
             JsonElement json = Fly($"https://127.0.0.1:{link.Port}/ca13.fastpoints", 100);
-            double seconds = json.GetProperty("secondsTo95").GetDouble();
-            Say($"HTTP/{version} by TLS, {roundTripMs} ms: {seconds:0.00} s, {json.GetProperty("requests")} requests, " +
-                $"{json.GetProperty("bytesFetched")} bytes, {link.Connections} connections");
+            seconds[version - 1].Add(json.GetProperty("secondsTo95").GetDouble());
+            Say($"HTTP/{version} by TLS, {roundTripMs} ms: {json.GetProperty("secondsTo95")} s, " +
+                $"{json.GetProperty("requests")} requests, {json.GetProperty("bytesFetched")} bytes, " +
+                $"{link.Connections} connections");
             Assert.That(link.Connections, version == 1 ? Is.LessThanOrEqualTo(6) : Is.EqualTo(1));
-            least[version] = least[version] == 0 ? seconds : Math.Min(seconds, least[version]);
         }
-        Assert.That(least[2], Is.LessThan(1.2 * least[1]));
+        // The middle ones: one run may meet a busy machine, another an idle one.
+        double[] middle = Array.ConvertAll(seconds, s => s.Order().ElementAt(1));
+        Assert.That(middle[1], Is.LessThan(1.2 * middle[0]));
     }
 
     [Test]

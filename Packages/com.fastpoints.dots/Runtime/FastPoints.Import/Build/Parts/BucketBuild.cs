@@ -60,15 +60,14 @@ namespace FastPoints.Build
         {
             var files = Build.Files;
             string path = Build.Folder.PathOf(BuildFiles.BucketName);
-            return PoolTask.Run(path, () =>
+            return Build.Folder.Run(BuildFiles.BucketName, () =>
             {
                 using var to = FileChanges.OpenToWrite(path, FileMode.Create);
                 foreach (var range in ranges)
                     using (var from = FileChanges.OpenToRead(files.PathOf(range.Part), 1 << 16))
                         from.CopyTo(to, 1 << 20);
                 to.Flush(true);
-                return true;
-            }, _ => { });
+            });
         }
 
         IEnumerator<JobStep> Write(List<BucketRange> ranges, Action<PartResult> take)

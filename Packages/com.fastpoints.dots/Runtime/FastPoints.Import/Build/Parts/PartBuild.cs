@@ -80,7 +80,7 @@ namespace FastPoints.Build
 
         /// <summary>Coroutine: from plain records in a file.</summary>
         /// <param name="records">Number of records.</param>
-        /// <param name="fetch">Writes the file, on a pool thread.</param>
+        /// <param name="fetch">Writes the file, on the thread that writes; it may be called again.</param>
         public static IEnumerator<JobStep> RunRecords(BuildPart part, long records, RecordFetch fetch, PartOutput output) =>
             Run(() => new PartBuild(new BuildContext(part, Array.Empty<PointReader>(), records, output.Folder, output.Settings,
                 output.Progress), null)
@@ -149,16 +149,14 @@ namespace FastPoints.Build
             Build.RequireRoom(Build.Points);
             string path = Build.Folder.PathOf(BuildFiles.RecordPath(0));
             long wanted = Build.Points * Build.Records.StrideBytes;
-            yield return JobStep.Of(PoolTask.Run(path, () =>
+            long bytes = 0;
+            yield return JobStep.Of(Build.Folder.Run(BuildFiles.RecordPath(0), () =>
             {
                 m_fetch(path);
-                return StoreFile.SizeOf(path);
-            }, bytes =>
-            {
-                if (bytes != wanted)
-                    throw PointCloudException.Wanted(FailureCode.ReadFailed, path, -1, "bytes of the part's points", wanted,
-                        bytes);
+                bytes = StoreFile.SizeOf(path);
             }));
+            if (bytes != wanted)
+                throw PointCloudException.Wanted(FailureCode.ReadFailed, path, -1, "bytes of the part's points", wanted, bytes);
             if (Build.Files != null)
                 Build.Files.Adopt(0, Build.Points);
             else
@@ -238,7 +236,7 @@ namespace FastPoints.Build
         }
     }
 
-    /// <summary>Writes plain records to a file, on a pool thread.</summary>
+    /// <summary>Writes plain records to a file, on the thread that writes.</summary>
     internal delegate void RecordFetch(string path);
 
     /// <summary>Where a task of a build of many goes.</summary>

@@ -120,6 +120,9 @@ namespace FastPoints.Build
             MakeFolders();
         }));
 
+        /// <summary>Coroutine: work that writes a file, behind everything queued. Who stops it waits for its end.</summary>
+        public IEnumerator<JobStep> Run(string name, Action work) => Await(m_queue.Run(PathOf(name), work));
+
         /// <summary>Queues a file. The bytes belong to the writer until the ticket is done; no job may use them.</summary>
         public WriteTicket Write(string name, NativeArray<byte> bytes) => m_queue.Write(PathOf(name), bytes);
 
