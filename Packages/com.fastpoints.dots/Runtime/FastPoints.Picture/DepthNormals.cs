@@ -24,11 +24,12 @@ namespace FastPoints.Picture
             return math.dot(normal, Places.IsOrthographic ? Places.Forward : place) > 0 ? -normal : normal;
         }
 
-        // Of the neighbours to either side the one that differs less in depth.
+        // The mean of the ways to the neighbours on either side, each weighed by how little it differs in depth: on a surface
+        // both, which averages the noise of points; at its edge the one that lies on it.
         readonly float3 Along(int x, int y, int2 step, float depth, float3 place)
         {
-            var best = float3.zero;
-            float least = float.PositiveInfinity;
+            float3 sum = 0;
+            float pixel = math.lengthsq(Places.StepX) * (Places.IsOrthographic ? 1 : depth * depth) * (step.x * step.x + step.y * step.y);
             for (int side = 1; side >= -1; side -= 2)
             {
                 int besideX = x + side * step.x, besideY = y + side * step.y;
@@ -38,12 +39,10 @@ namespace FastPoints.Picture
                 if (beside == PointDrawing.EmptyPixel)
                     continue;
                 float there = PointProjection.DepthFromBits((uint)(beside >> 32));
-                if (math.abs(there - depth) >= least)
-                    continue;
-                least = math.abs(there - depth);
-                best = (Places.Of(besideX, besideY, there) - place) * side;
+                float between = there - depth;
+                sum += (Places.Of(besideX, besideY, there) - place) * (side / (pixel + between * between));
             }
-            return best;
+            return sum * pixel;
         }
     }
 }
