@@ -202,7 +202,6 @@ public sealed class GpuPictureTests : GraphicsFixture
             var options = Options(sizePx, true, ColorMode.Elevation);
             (options.WidthPx, options.HeightPx, options.EdlStrength, options.LightShare) = (1280, 720, edlStrength, share);
             using var streams = new TwinStreams(cloud, options, 2_000_000);
-            streams.Draw(streams.Plan.Camera);
             return streams.LeastMilliseconds(streams.Plan.Camera);
         }
         double unlit = Measure(0), lit = Measure(0.7f);

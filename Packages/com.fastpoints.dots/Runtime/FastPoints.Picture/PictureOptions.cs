@@ -81,9 +81,6 @@ namespace FastPoints.Picture
 
         const float DefaultLightShare = 0.7f;
 
-        // Level ground is as bright as its own colour by light of 45 degrees.
-        internal const float LightColor = 1.06f, SkyLight = 0.25f, GroundLight = 0.1f;
-
         /// <summary>The share of the points' colours that is lit, 0 to 1; negative for none where they are the scanner's, or show
         /// an amount by grey, and 0.7 where clouds without colours show elevation or classes.</summary>
         public float LightShare = -1;

@@ -115,13 +115,7 @@ namespace FastPoints.Picture
             var from = !double.IsNaN(azimuth) ? math.sin(azimuth) * east + math.cos(azimuth) * north
                 : math.length(back) > 0.3 ? math.normalize(left + 0.6 * math.normalize(back))
                 : math.normalize(left + camera.Up / lengths);
-            var light = new PointLight
-            {
-                Direction = (float3)math.normalize(math.cos(elevation) * from + math.sin(elevation) * up),
-                Color = PictureOptions.LightColor,
-            };
-            light.SetAmbient((float3)up, PictureOptions.SkyLight, PictureOptions.GroundLight);
-            return light;
+            return PointLight.Default((float3)math.normalize(math.cos(elevation) * from + math.sin(elevation) * up), (float3)up);
         }
 
         static double3[] Thinned(double3[] outline, int max)

@@ -25,6 +25,14 @@ namespace FastPoints.Drawing
         public float3 AmbientY;
         public float3 AmbientZ;
 
+        // Level ground is as bright as its own colour by light from 45 degrees.
+        public static PointLight Default(float3 direction, float3 up)
+        {
+            var light = new PointLight { Direction = direction, Color = 1.06f };
+            light.SetAmbient(up, 0.25f, 0.1f);
+            return light;
+        }
+
         public static int PartsOf(float share) => (int)math.round(math.saturate(share) * Parts);
 
         // From a sky's light, on what looks up, to the ground's.
