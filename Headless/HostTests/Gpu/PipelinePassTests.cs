@@ -99,7 +99,10 @@ public sealed class PipelinePassTests : PipelineFixture
             var picture = Render(camera);
             double red = 0, green = 0;
             for (int i = 0; i < WidthPx * HeightPx; i++)
-                (red, green) = (red + (picture[i % WidthPx, i / WidthPx] & 0xFF), green + (picture[i % WidthPx, i / WidthPx] >> 8 & 0xFF));
+            {
+                uint pixel = picture[i % WidthPx, i / WidthPx];
+                (red, green) = (red + (pixel & 0xFF), green + (pixel >> 8 & 0xFF));
+            }
             return (red, green);
         }
         var away = new Vector3(60, 45, -40).normalized;

@@ -49,7 +49,8 @@ sealed class UrpHost : PipelineHost
         cameraData.xrRendering = camera.stereoEnabled &&
             (!camera.TryGetComponent<UniversalAdditionalCameraData>(out var data) || data.allowXRRendering);
         cameraData.Eye = Eye;
-        using var lights = new NativeArray<VisibleLight>(MainLight != null ? [default, MainLight.Value] : [], Allocator.Persistent);
+        VisibleLight[] visible = MainLight != null ? [default, MainLight.Value] : [];
+        using var lights = new NativeArray<VisibleLight>(visible, Allocator.Persistent);
         var lightData = frame.GetOrCreate<UniversalLightData>();
         (lightData.mainLightIndex, lightData.visibleLights) = (lights.Length - 1, lights);
         foreach (var pass in m_renderer.Passes)

@@ -30,7 +30,8 @@ float3 FastPointsAlong(int2 pixel, int2 way, float depth, float3 place)
 {
     float3 sum = float3(0.0, 0.0, 0.0);
     float3 column = _FastPointsPlaces[1].xyz;
-    float edgeSq = dot(column, column) * (_FastPointsScalePx.y != 0.0 ? 1.0 : depth * depth) * float(way.x * way.x + way.y * way.y);
+    float edge = float(max(way.x, way.y)) * (_FastPointsScalePx.y != 0.0 ? 1.0 : depth);
+    float edgeSq = dot(column, column) * edge * edge;
     for (int side = 1; side >= -1; side -= 2)
     {
         int2 beside = pixel + way * side;
@@ -49,7 +50,8 @@ float3 FastPointsAlong(int2 pixel, int2 way, float depth, float3 place)
 float3 FastPointsNormalAt(int2 pixel, float depth, int radius)
 {
     float3 place = FastPointsPlaceOf(pixel, depth);
-    float3 normal = cross(FastPointsAlong(pixel, int2(radius, 0), depth, place), FastPointsAlong(pixel, int2(0, radius), depth, place));
+    float3 across = FastPointsAlong(pixel, int2(radius, 0), depth, place);
+    float3 normal = cross(across, FastPointsAlong(pixel, int2(0, radius), depth, place));
     float lengthSq = dot(normal, normal);
     normal = lengthSq > 0.0 ? normal * rsqrt(lengthSq) : float3(0.0, 0.0, 0.0);
     return dot(normal, _FastPointsScalePx.y != 0.0 ? _FastPointsPlaces[3].xyz : place) > 0.0 ? -normal : normal;

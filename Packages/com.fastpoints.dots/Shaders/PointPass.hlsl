@@ -104,7 +104,8 @@ FastPointsVaryings FastPointsVertex(uint vertex : SV_VertexID, uint instance : S
         drawn.SizePx * 0.5 * _FastPointsForwardClip.z * (_FastPointsSize.z != 0.0 ? 1.0 : drawn.Depth));
 #endif
 #if defined(FASTPOINTS_LAYERED)
-    varyings.RadiusAndDepth = float2(clamp(floor(drawn.SizePx * 0.5 + 0.5), 1.0, 31.0) + 32.0 * float(drawn.LitParts), drawn.Depth);
+    float radius = clamp(floor(drawn.SizePx * 0.5 + 0.5), 1.0, 31.0);
+    varyings.RadiusAndDepth = float2(radius + 32.0 * float(drawn.LitParts), drawn.Depth);
 #endif
 #if defined(FASTPOINTS_STEREO)
     varyings.Slice = FastPointsEyeOf(instance);

@@ -29,18 +29,19 @@ namespace FastPoints.Picture
         readonly float3 Along(int x, int y, int2 step, float depth, float3 place)
         {
             float3 sum = 0;
-            float pixel = math.lengthsq(Places.StepX) * (Places.IsOrthographic ? 1 : depth * depth) * (step.x * step.x + step.y * step.y);
+            float edge = math.max(step.x, step.y) * (Places.IsOrthographic ? 1 : depth);
+            float pixel = math.lengthsq(Places.StepX) * edge * edge;
             for (int side = 1; side >= -1; side -= 2)
             {
-                int besideX = x + side * step.x, besideY = y + side * step.y;
-                if (besideX < 0 || besideY < 0 || besideX >= WidthPx || besideY >= HeightPx)
+                int nextX = x + side * step.x, nextY = y + side * step.y;
+                if (nextX < 0 || nextY < 0 || nextX >= WidthPx || nextY >= HeightPx)
                     continue;
-                ulong beside = Pixels[besideY * WidthPx + besideX];
-                if (beside == PointDrawing.EmptyPixel)
+                ulong next = Pixels[nextY * WidthPx + nextX];
+                if (next == PointDrawing.EmptyPixel)
                     continue;
-                float there = PointProjection.DepthFromBits((uint)(beside >> 32));
+                float there = PointProjection.DepthFromBits((uint)(next >> 32));
                 float between = there - depth;
-                sum += (Places.Of(besideX, besideY, there) - place) * (side / (pixel + between * between));
+                sum += (Places.Of(nextX, nextY, there) - place) * (side / (pixel + between * between));
             }
             return sum * pixel;
         }

@@ -142,7 +142,8 @@ namespace FastPoints.Picture
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static ulong KeyOf(float depth, uint radiusPx, int litParts, uint color) =>
-            (ulong)PointProjection.DepthToBits(depth) << 32 | (uint)litParts << 24 + RadiusBits | radiusPx << 24 | color & 0xFFFFFFu;
+            (ulong)PointProjection.DepthToBits(depth) << 32 | (uint)litParts << 24 + RadiusBits | radiusPx << 24 |
+            color & 0xFFFFFFu;
 
         public static int RadiusOf(ulong key) => (int)(key >> 24) & MaxRadiusPx;
 

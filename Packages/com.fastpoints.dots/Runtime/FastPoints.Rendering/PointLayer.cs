@@ -51,7 +51,8 @@ namespace FastPoints.Rendering
         // Draws the layer into the camera's picture and releases it.
         public void End(CommandBuffer commands, in RenderView view, PointMaterials materials)
         {
-            Compose(commands, view, materials.Compose(view.Style.IsBlended ? ComposedFrom.Sums : ComposedFrom.Layer, view.Style.IsLit));
+            var from = view.Style.IsBlended ? ComposedFrom.Sums : ComposedFrom.Layer;
+            Compose(commands, view, materials.Compose(from, view.Style.IsLit));
             if (view.Style.IsBlended)
                 commands.ReleaseTemporaryRT(ShaderNames.LayerSums);
             commands.ReleaseTemporaryRT(ShaderNames.LayerColor);

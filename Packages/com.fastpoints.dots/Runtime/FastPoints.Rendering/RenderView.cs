@@ -47,7 +47,8 @@ namespace FastPoints.Rendering
                 float down = SystemInfo.graphicsUVStartsAtTop ? -1 : 1;
                 return new PixelPlaces
                 {
-                    First = right * (1f / WidthPx - 1 - ViewProjection.m03) + up * (down * (1f / HeightPx - 1) - ViewProjection.m13),
+                    First = right * (1f / WidthPx - 1 - ViewProjection.m03) +
+                        up * (down * (1f / HeightPx - 1) - ViewProjection.m13),
                     StepX = right * (2f / WidthPx),
                     StepY = up * (down * 2 / HeightPx),
                     Forward = math.cross(x, y) / volume,

@@ -31,7 +31,8 @@ namespace FastPoints.Rendering
         {
             var sun = RenderSettings.sun;
             bool isThere = sun != null && sun.isActiveAndEnabled;
-            var light = PointLight.Default(isThere ? DirectionOf(sun.transform.localToWorldMatrix) : s_fromAbove, new float3(0, 1, 0));
+            var direction = isThere ? DirectionOf(sun.transform.localToWorldMatrix) : s_fromAbove;
+            var light = PointLight.Default(direction, new float3(0, 1, 0));
             if (isThere)
                 light.Color *= PointLight.LinearOf(VectorOf(sun.color));
             return light;

@@ -58,7 +58,8 @@ namespace FastPoints.Tests.Picture
             using var colors = new NativeArray<uint>(9, Allocator.Persistent);
             var keys = pixels;
             for (int i = 0; i < 9; i++)
-                keys[i] = i < empty || i == 4 ? PointDrawing.EmptyPixel : PointDrawing.KeyOf(1, 1, 0, i < 6 ? 0x000010u : 0x00FF20u);
+                keys[i] = i < empty || i == 4 ? PointDrawing.EmptyPixel
+                    : PointDrawing.KeyOf(1, 1, 0, i < 6 ? 0x000010u : 0x00FF20u);
             new ResolvePictureJob
             {
                 Pixels = pixels,
