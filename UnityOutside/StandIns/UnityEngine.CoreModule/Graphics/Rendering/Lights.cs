@@ -2,8 +2,6 @@ using UnityEngine.Rendering;
 
 namespace UnityEngine
 {
-    public enum LightType { Spot = 0, Directional = 1, Point = 2 }
-
     public sealed class Light : Behaviour
     {
         public Color color { get; set; } = Color.white;
