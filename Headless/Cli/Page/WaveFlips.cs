@@ -27,7 +27,7 @@ sealed record WaveFlips(List<double> OfWave, double Floor)
             var plan = new PicturePlan(options, ranges, transform);
             using var canvas = new PictureCanvas(width, height, Allocator.Persistent, samplesPerEdge);
             run.RunSteps(SamplePicture.ChooseSize(canvas, points, plan, points.Count));
-            run.RunSteps(SamplePicture.DrawAndResolve(canvas, points, plan, options.Background, null));
+            run.RunSteps(SamplePicture.DrawAndResolve(canvas, points, plan, null));
             return canvas.ToImage();
         }
         var ofAll = folder.Manifest.Grid.FromCorner(folder.Manifest.Root.Corner);

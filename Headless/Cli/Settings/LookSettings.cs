@@ -1,3 +1,5 @@
+using System.Text.RegularExpressions;
+
 namespace FastPoints.Cli.Settings;
 
 public sealed class LookSettings
@@ -50,7 +52,8 @@ public sealed class LookSettings
     public PictureOptions Read(ParseResult parsed)
     {
         var options = new PictureOptions { GuessesUpAxis = true };
-        foreach (string pair in parsed.GetValue(m_style)?.Split(',') ?? [])
+        // A value may have commas: only what follows one and has a key begins another pair.
+        foreach (string pair in parsed.GetValue(m_style) is { } style ? Regex.Split(style, ",(?=[^,]*=)") : [])
         {
             int equals = pair.IndexOf('=');
             if (equals < 1)

@@ -139,6 +139,76 @@ public sealed class GpuPictureTests : GraphicsFixture
             2 * streams.Ranges.Robust.Size.y), "edl-" + size + "-flat");
     }
 
+    /// <summary>A card's last bits of a depth are its own: light by the normal of such depths differs by one 255th. A primitive
+    /// that falls into the pixel beside changes the light of four more.</summary>
+    [TestCase("1", "round", 0)]
+    [TestCase("1", "round", 0, false)]
+    [TestCase("5", "round", 0)]
+    [TestCase("5", "round", 0.3f)]
+    [TestCase("adaptive", "round", 0)]
+    [TestCase("adaptive", "paraboloid", 0)]
+    [TestCase("5", "splat", 0)]
+    public void Draw_Lit_MatchesTheSoftwareRasterizer(string size, string points, float edlStrength, bool canCompute = true)
+    {
+        var options = Options(0, true, ColorMode.Elevation);
+        foreach (var (key, value) in new[] { ("size", size), ("points", points), ("light", "200,40,0.9"), ("holes", "fill") })
+            Assert.That(options.TrySetStyle(key, value, out string error), Is.True, error);
+        options.EdlStrength = edlStrength;
+        using var streams = new TwinStreams(m_demo, options, Points, canCompute: canCompute);
+        string name = "lit-" + size + points + edlStrength + canCompute;
+        Compare(streams, streams.Plan.Camera, name, 1, canCompute ? 0 : 200);
+        Assert.That(streams.Draw(streams.Plan.Camera).Gpu.Rgba, Is.EqualTo(streams.Draw(streams.Plan.Camera).Gpu.Rgba));
+        var center = streams.Ranges.Robust.Center;
+        Compare(streams, PictureCamera.Orthographic(center, center + new double3(0.3, 0.4, -1), new double3(0, 1, 0),
+            2 * streams.Ranges.Robust.Size.y), name + "-flat", 1, canCompute ? 0 : 200);
+    }
+
+    [Test]
+    public void Draw_OneCloudOfTwoLit_LeavesTheOther()
+    {
+        var options = Options(4, true, ColorMode.Classification);
+        options.LightShare = 0;
+        using var streams = new TwinStreams(m_demo, options, 2 * Points);
+        var other = Options(4, true, ColorMode.Elevation);
+        other.LightShare = 1;
+        var size = streams.Ranges.Robust.Size;
+        streams.Add(m_demo, other, placement =>
+        {
+            placement.OriginWorld += new double3(0, 0, size.z);
+            return placement;
+        });
+        Compare(streams, streams.Plan.Camera, "one-lit", 1);
+        using var palettes = Palettes.CreateAll(Unity.Collections.Allocator.Persistent);
+        var picture = streams.Draw(streams.Plan.Camera).Gpu;
+        int Count(int palette)
+        {
+            var colors = palettes.GetSubArray(palette * Palettes.Length, Palettes.Length).ToArray();
+            return Enumerable.Range(0, 320 * 180).Count(i => colors.Contains(picture[i % 320, i / 320]));
+        }
+        Assert.That(Count(Palettes.IndexOf(ColorMode.Classification)), Is.GreaterThan(500));
+        Assert.That(Count(Palettes.IndexOf(ColorMode.Elevation)), Is.LessThan(500));
+    }
+
+    /// <summary>Two million points of a real scan; printed, for the page of rendering.</summary>
+    [Category("Long")]
+    [TestCase(1, 0)]
+    [TestCase(3, 0)]
+    [TestCase(3, 0.25f)]
+    public void Draw_LitTwoMillionPoints_TakesAThirdMoreAtMost(float sizePx, float edlStrength)
+    {
+        string cloud = Convert(TestData.PathOrIgnore("data/lion.laz"), "lion");
+        double Measure(float share)
+        {
+            var options = Options(sizePx, true, ColorMode.Elevation);
+            (options.WidthPx, options.HeightPx, options.EdlStrength, options.LightShare) = (1280, 720, edlStrength, share);
+            using var streams = new TwinStreams(cloud, options, 2_000_000);
+            return streams.LeastMilliseconds(streams.Plan.Camera);
+        }
+        double unlit = Measure(0), lit = Measure(0.7f);
+        TestContext.Out.WriteLine($"{sizePx} px, lighting {edlStrength}: {unlit:0} ms, lit {lit:0} ms, {lit / unlit:0.00}");
+        Assert.That(lit, Is.LessThan(1.3 * unlit));
+    }
+
     [TestCase(0)]
     [TestCase(0.4f)]
     public void Draw_HolesFilled_MatchesTheSoftwareRasterizer(float edlStrength)

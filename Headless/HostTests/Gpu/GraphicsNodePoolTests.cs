@@ -237,7 +237,7 @@ public sealed class GraphicsNodePoolTests : GraphicsFixture
     {
         var shaders = new GpuShaders();
         var materials = new PointMaterials(shaders.Points, shaders.Compose);
-        var made = new[] { materials.For(PointStyle.Default, false, false, false), materials.ComposeLayer };
+        var made = new[] { materials.For(PointStyle.Default, false, false, false), materials.Compose(ComposedFrom.Layer, false) };
         EditorApplication.isPlaying = true;
         try
         {

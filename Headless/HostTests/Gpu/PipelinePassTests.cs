@@ -66,6 +66,57 @@ public sealed class PipelinePassTests : PipelineFixture
         target.Release();
     }
 
+    /// <summary>By a light from behind the camera the cloud is brighter than by one from behind the cloud, and redder by a red
+    /// one; with no share of it lit, it is as without light, whatever the light.</summary>
+    [TestCase(nameof(BuiltInHost))]
+    [TestCase(nameof(UrpHost))]
+    [TestCase(nameof(HdrpHost))]
+    public void Render_LitCloud_ShowsThePipelinesLight(string pipeline)
+    {
+        Begin(pipeline);
+        using var reference = new StreamContext(new MemoryNodePool(64 << 20, 8 << 20));
+        var plan = Add(reference, new PictureOptions { Color = ColorMode.Rgb }, out _);
+        var look = CloudLooks.Of(plan.Colors, reference.Clouds[0].Source);
+        var camera = LookingCamera(out var target);
+        var sun = new GameObject("sun").AddComponent<Light>();
+        var ambient = new SphericalHarmonicsL2();
+        for (int channel = 0; channel < 3; channel++)
+            ambient[channel, 0] = 0.1f;
+        (RenderSettings.sun, RenderSettings.ambientProbe) = (sun, ambient);
+        (double Red, double Green) Mean(float share, Vector3 forward, Color color)
+        {
+            var matrix = Matrix4x4.identity;
+            var side = Vector3.Cross(forward, new Vector3(0.3f, 1, 0)).normalized;
+            matrix.SetColumn(0, side);
+            matrix.SetColumn(1, Vector3.Cross(forward, side));
+            matrix.SetColumn(2, forward);
+            SceneLoop.Place(sun.transform, matrix);
+            sun.color = color;
+            if (Pipeline is UrpHost urp)
+                urp.MainLight = new VisibleLight { finalColor = color, localToWorldMatrix = matrix };
+            look.Light = share;
+            Scene.SetLook(0, look);
+            var picture = Render(camera);
+            double red = 0, green = 0;
+            for (int i = 0; i < WidthPx * HeightPx; i++)
+            {
+                uint pixel = picture[i % WidthPx, i / WidthPx];
+                (red, green) = (red + (pixel & 0xFF), green + (pixel >> 8 & 0xFF));
+            }
+            return (red, green);
+        }
+        var away = new Vector3(60, 45, -40).normalized;
+        var lit = Mean(1, away, Color.white);
+        Assert.That(lit.Green, Is.GreaterThan(1.3 * Mean(1, -away, Color.white).Green));
+        var red = Mean(1, away, Color.red);
+        Assert.That(red.Red / red.Green, Is.GreaterThan(1.3 * lit.Red / lit.Green));
+        Assert.That(Mean(0, -away, Color.red), Is.EqualTo(Mean(0, away, Color.white)));
+        (RenderSettings.sun, RenderSettings.ambientProbe) = (null, default);
+        UnityEngine.Object.DestroyImmediate(sun.gameObject);
+        UnityEngine.Object.DestroyImmediate(camera.gameObject);
+        target.Release();
+    }
+
     Camera LookingCamera(out RenderTexture target)
     {
         target = new RenderTexture(WidthPx, HeightPx, GraphicsFormat.R8G8B8A8_UNorm, GraphicsFormat.D32_SFloat);

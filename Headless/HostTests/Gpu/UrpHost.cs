@@ -13,6 +13,8 @@ sealed class UrpHost : PipelineHost
     /// <summary>As the 2D renderer may be.</summary>
     public bool IsWithoutDepth { get; set; }
 
+    public VisibleLight? MainLight { get; set; }
+
     public int PassCount { get; private set; }
 
     sealed class Renderer : ScriptableRenderer { }
@@ -47,6 +49,10 @@ sealed class UrpHost : PipelineHost
         cameraData.xrRendering = camera.stereoEnabled &&
             (!camera.TryGetComponent<UniversalAdditionalCameraData>(out var data) || data.allowXRRendering);
         cameraData.Eye = Eye;
+        VisibleLight[] visible = MainLight != null ? [default, MainLight.Value] : [];
+        using var lights = new NativeArray<VisibleLight>(visible, Allocator.Persistent);
+        var lightData = frame.GetOrCreate<UniversalLightData>();
+        (lightData.mainLightIndex, lightData.visibleLights) = (lights.Length - 1, lights);
         foreach (var pass in m_renderer.Passes)
             pass.RecordRenderGraph(graph, frame);
         m_renderer.Passes.Clear();

@@ -14,6 +14,7 @@ Shader "Hidden/FastPoints/Compose"
             #pragma vertex FastPointsComposeVertex
             #pragma fragment FastPointsComposeFragment
             #pragma multi_compile_local _ FASTPOINTS_FROM_PIXELS FASTPOINTS_BLENDED
+            #pragma multi_compile_local _ FASTPOINTS_LIT
             #include "Packages/com.fastpoints.dots/Shaders/ComposePass.hlsl"
             ENDHLSL
         }

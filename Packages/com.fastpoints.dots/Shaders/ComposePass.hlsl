@@ -26,7 +26,8 @@ uint2 FastPointsPixelAt(int2 pixel)
 float4 FastPointsColorAt(int2 pixel)
 {
     uint2 found = FastPointsPixelAt(pixel);
-    return found.x == 0xFFFFFFFFu ? float4(0.0, 0.0, 0.0, 0.0) : float4(FastPointsUnpackColor(found.y), 1.0 / 255.0);
+    float style = float(found.y >> 24 | 1u) / 255.0;
+    return found.x == 0xFFFFFFFFu ? float4(0.0, 0.0, 0.0, 0.0) : float4(FastPointsUnpackColor(found.y), style);
 }
 
 float2 FastPointsDepthAt(int2 pixel)
@@ -44,7 +45,8 @@ Texture2D<float2> _FastPointsLayerDepth;
 Texture2D<float4> _FastPointsLayerSums;
 #endif
 
-// sRGB; alpha: radius of the point in 255ths, 0 where there is none.
+// sRGB; alpha: 255ths, of which the lower five bits are the point's radius and the others its lit share in sevenths; 0 where
+// there is none.
 float4 FastPointsColorAt(int2 pixel)
 {
     float4 color = _FastPointsLayerColor.Load(int3(pixel, 0));
@@ -64,6 +66,16 @@ float2 FastPointsDepthAt(int2 pixel)
 }
 #endif
 
+int FastPointsRadiusOf(float4 color)
+{
+    return int(color.w * 255.0 + 0.5) & 31;
+}
+
+int FastPointsLitPartsOf(float4 color)
+{
+    return int(color.w * 255.0 + 0.5) >> 5;
+}
+
 // 0: none.
 float _FastPointsEdlStrength;
 
@@ -75,6 +87,10 @@ float2 _FastPointsScalePx;
 
 // 1: colours are written as light, not as sRGB.
 uint _FastPointsIsLinear;
+
+#if defined(FASTPOINTS_LIT)
+#include "PointLight.hlsl"
+#endif
 
 struct FastPointsComposed
 {
@@ -126,7 +142,7 @@ float FastPointsBeforePx(int2 pixel, float depth, int radius)
 // The mean of the points around a pixel, as a point of one pixel; alpha is 0 where there are too few.
 void FastPointsFill(int2 pixel, out float4 color, out float2 depth)
 {
-    float count = 0.0;
+    float count = 0.0, litParts = 0.0;
     color = float4(0.0, 0.0, 0.0, 0.0);
     depth = float2(0.0, 0.0);
     for (int y = -1; y <= 1; y++)
@@ -140,6 +156,7 @@ void FastPointsFill(int2 pixel, out float4 color, out float2 depth)
             if (there.w == 0.0)
                 continue;
             count += 1.0;
+            litParts += float(FastPointsLitPartsOf(there));
             color.xyz += floor(there.xyz * 255.0 + 0.5);
             depth += FastPointsDepthAt(beside);
         }
@@ -147,7 +164,8 @@ void FastPointsFill(int2 pixel, out float4 color, out float2 depth)
     if (count < FASTPOINTS_LEAST_AROUND_HOLE)
         return;
     // In whole 255ths, as colours are.
-    color = float4(floor((color.xyz + floor(count * 0.5)) / count), 1.0) / 255.0;
+    litParts = floor((litParts + floor(count * 0.5)) / count);
+    color = float4(floor((color.xyz + floor(count * 0.5)) / count), 1.0 + 32.0 * litParts) / 255.0;
     depth /= count;
 }
 
@@ -160,7 +178,13 @@ FastPointsComposed FastPointsComposeFragment(FastPointsPlace place)
         FastPointsFill(pixel, color, depth);
     if (color.w == 0.0)
         discard;
-    float before = FastPointsBeforePx(pixel, depth.x, int(color.w * 255.0 + 0.5));
+    int radius = FastPointsRadiusOf(color);
+    float before = FastPointsBeforePx(pixel, depth.x, radius);
+#if defined(FASTPOINTS_LIT)
+    int litParts = FastPointsLitPartsOf(color);
+    if (litParts != 0)
+        color.xyz = FastPointsLit(color.xyz, float(litParts) / 7.0, FastPointsNormalAt(pixel, depth.x, radius));
+#endif
     color.xyz *= exp(-_FastPointsEdlStrength * before / 8.0);
     FastPointsComposed composed;
     composed.Color = float4(_FastPointsIsLinear != 0u ? FastPointsLinearFromSrgb(color.xyz) : color.xyz, 1.0);

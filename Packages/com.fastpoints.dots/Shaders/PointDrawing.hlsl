@@ -52,6 +52,9 @@ struct FastPointsPoint
 
     // Along the view's direction, in world units.
     float Depth;
+
+    // Share that is lit, in sevenths.
+    uint LitParts;
 #if defined(FASTPOINTS_PROGRESSIVE)
     uint Number;
     bool WasVisible;
@@ -107,8 +110,9 @@ float FastPointsColumnValue(GpuCloud cloud, FastPointsBlock block, uint column, 
 float3 FastPointsColor(GpuNode node, GpuCloud cloud, uint blockIndex, uint index, float3 steps)
 {
     uint palette = cloud.ColumnTypes >> 24;
+    uint source = cloud.ColorSource & 0xFFu;
     float3 color;
-    if (cloud.ColorSource == FASTPOINTS_COLOR_POSITION)
+    if (source == FASTPOINTS_COLOR_POSITION)
         color = FastPointsLookUp(palette, FastPointsEntry(node.AnchorValue + dot(cloud.ValuePerStep, steps)));
     else
     {
@@ -116,9 +120,9 @@ float3 FastPointsColor(GpuNode node, GpuCloud cloud, uint blockIndex, uint index
         uint descriptorWords = 2u + columns + countbits(wide);
         FastPointsBlock block = FastPointsOpenBlock(node.ColorWord, descriptorWords, blockIndex);
         float first = FastPointsColumnValue(cloud, block, 0u, 2u, block.Packed, index);
-        if (cloud.ColorSource == FASTPOINTS_COLOR_ATTRIBUTE)
+        if (source == FASTPOINTS_COLOR_ATTRIBUTE)
             color = FastPointsLookUp(palette, FastPointsEntry(first));
-        else if (cloud.ColorSource == FASTPOINTS_COLOR_WRAPPED)
+        else if (source == FASTPOINTS_COLOR_WRAPPED)
             color = FastPointsLookUp(palette, uint(int(floor(first))) & 0xFFu);
         else
         {
@@ -188,6 +192,7 @@ FastPointsPoint FastPointsLoadPoint(uint instance, uint index)
     loaded.Color = float3(0.0, 0.0, 0.0);
     loaded.SizePx = 0.0;
     loaded.Depth = 0.0;
+    loaded.LitParts = cloud.ColorSource >> 8;
 #if defined(FASTPOINTS_PROGRESSIVE)
     loaded.Number = instance * FASTPOINTS_POINTS_PER_BLOCK + index;
     loaded.WasVisible = wasVisible;

@@ -54,7 +54,7 @@ struct FastPointsVaryings
     nointerpolation float3 Middle : TEXCOORD3;
 #endif
 #if defined(FASTPOINTS_LAYERED)
-    // The radius in whole pixels, and the depth in world units.
+    // The radius in whole pixels and the lit share (see ComposePass.hlsl), and the depth in world units.
     nointerpolation float2 RadiusAndDepth : TEXCOORD2;
 #endif
 #if defined(FASTPOINTS_PROGRESSIVE)
@@ -104,7 +104,8 @@ FastPointsVaryings FastPointsVertex(uint vertex : SV_VertexID, uint instance : S
         drawn.SizePx * 0.5 * _FastPointsForwardClip.z * (_FastPointsSize.z != 0.0 ? 1.0 : drawn.Depth));
 #endif
 #if defined(FASTPOINTS_LAYERED)
-    varyings.RadiusAndDepth = float2(max(1.0, floor(drawn.SizePx * 0.5 + 0.5)), drawn.Depth);
+    float radius = clamp(floor(drawn.SizePx * 0.5 + 0.5), 1.0, 31.0);
+    varyings.RadiusAndDepth = float2(radius + 32.0 * float(drawn.LitParts), drawn.Depth);
 #endif
 #if defined(FASTPOINTS_STEREO)
     varyings.Slice = FastPointsEyeOf(instance);
@@ -119,7 +120,7 @@ FastPointsVaryings FastPointsVertex(uint vertex : SV_VertexID, uint instance : S
 
 struct FastPointsTargets
 {
-    // Where layered, alpha has the radius, 0 where no point is.
+    // Where layered, alpha has radius and lit share, 0 where no point is.
     float4 Color : SV_Target0;
 #if defined(FASTPOINTS_LAYERED)
     // In world units, and the device's.

@@ -75,4 +75,12 @@ float3 FastPointsLinearFromSrgb(float3 color)
     return float3(color.x <= 0.04045 ? low.x : high.x, color.y <= 0.04045 ? low.y : high.y, color.z <= 0.04045 ? low.z : high.z);
 }
 
+float3 FastPointsSrgbFromLinear(float3 light)
+{
+    float3 low = light * 12.92;
+    float3 high = 1.055 * pow(abs(light), 1.0 / 2.4) - 0.055;
+    return float3(light.x <= 0.0031308 ? low.x : high.x, light.y <= 0.0031308 ? low.y : high.y,
+        light.z <= 0.0031308 ? low.z : high.z);
+}
+
 #endif

@@ -18,7 +18,7 @@
 // A dispatch has no more along an axis.
 #define FASTPOINTS_MAX_GROUPS 65535u
 
-// By pixel, row by row from the top: depth, ordered as unsigned numbers, and colour.
+// By pixel, row by row from the top: depth, ordered as unsigned numbers, and colour, with the lit share above it.
 RWByteAddressBuffer _FastPointsPixelsOut;
 
 // Width and height of the picture in pixels.
@@ -64,7 +64,7 @@ FastPointsPixel FastPointsProject(uint3 group, uint index)
             uint bits = asuint(drawn.Depth);
             projected.Depth = bits & 0x80000000u ? ~bits : bits | 0x80000000u;
             uint3 bytes = uint3(drawn.Color * 255.0 + 0.5);
-            projected.Color = bytes.x | bytes.y << 8 | bytes.z << 16;
+            projected.Color = bytes.x | bytes.y << 8 | bytes.z << 16 | drawn.LitParts << 29;
 #if defined(FASTPOINTS_PROGRESSIVE)
             projected.Number = drawn.Number;
 #endif

@@ -1,4 +1,5 @@
 using System.Collections.Generic;
+using Unity.Collections;
 using UnityEngine.Rendering.RenderGraphModule;
 
 namespace UnityEngine.Rendering.Universal;
@@ -47,6 +48,15 @@ public class UniversalResourceData : UniversalResourceDataBase
     public TextureHandle activeDepthTexture { get; internal set; }
 
     public override void Reset() { }
+}
+
+public class UniversalLightData : ContextItem
+{
+    /// <summary>In <see cref="visibleLights"/>; -1 for none.</summary>
+    public int mainLightIndex = -1;
+    public NativeArray<VisibleLight> visibleLights;
+
+    public override void Reset() => (mainLightIndex, visibleLights) = (-1, default);
 }
 
 public class UniversalCameraData : ContextItem

@@ -115,7 +115,7 @@ namespace FastPoints.Evaluation
             using var pass = new ReferencePass(m_reader, m_grid, m_plans, m_cloud, WidthPx, HeightPx);
             yield return JobStep.Of(pass.ChooseSizes(sample.Points, m_pointCount));
             yield return JobStep.Of(pass.Run(progress));
-            yield return JobStep.Of(pass.Resolve(sample.Points, m_options.Background));
+            yield return JobStep.Of(pass.Resolve());
             FullViews = pass.SmoothImages;
             Floor = SampleError.Mean(pass.Images, FullViews, m_options.Background);
         }
@@ -210,7 +210,7 @@ namespace FastPoints.Evaluation
             using var canvas = new PictureCanvas(WidthPx, HeightPx, Allocator.Persistent);
             yield return JobStep.Of(SamplePicture.ChooseSize(canvas, points, plan, points.Count));
             yield return JobStep.Of(SamplePicture.Draw(canvas, points, plan, null));
-            yield return JobStep.Of(SamplePicture.Resolve(canvas, points, plan, m_options.Background));
+            yield return JobStep.Of(SamplePicture.Resolve(canvas, plan));
             error.Views[view] = canvas.ToImage();
         }
 
@@ -269,6 +269,9 @@ namespace FastPoints.Evaluation
             FillsHoles = m_options.FillsHoles,
             Background = m_options.Background,
             EdlStrength = m_options.EdlStrength,
+            LightShare = m_options.LightShare,
+            LightAzimuth = m_options.LightAzimuth,
+            LightElevation = m_options.LightElevation,
         };
 
         public void Dispose()

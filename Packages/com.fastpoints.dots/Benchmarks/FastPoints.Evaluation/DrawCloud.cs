@@ -58,7 +58,7 @@ namespace FastPoints.Evaluation
                     : DrawAll(progress));
                 if (drawSample)
                     PointsDrawn = sample.Count;
-                yield return JobStep.Of(SamplePicture.Resolve(m_canvas, sample.Points, Plan, m_options.Background));
+                yield return JobStep.Of(SamplePicture.Resolve(m_canvas, Plan));
                 Image = m_canvas.ToImage();
             }
             progress?.End();

@@ -74,12 +74,12 @@ namespace FastPoints.Evaluation
             }
         }
 
-        public IEnumerator<JobStep> Resolve(PointBatch sample, uint background)
+        public IEnumerator<JobStep> Resolve()
         {
             var images = new RgbaImage[m_canvases.Length];
             for (int i = 0; i < images.Length; i++)
             {
-                yield return JobStep.Of(SamplePicture.Resolve(m_canvases[i], sample, m_plans[i % m_plans.Length], background));
+                yield return JobStep.Of(SamplePicture.Resolve(m_canvases[i], m_plans[i % m_plans.Length]));
                 images[i] = m_canvases[i].ToImage();
             }
             Images = images[..m_plans.Length];

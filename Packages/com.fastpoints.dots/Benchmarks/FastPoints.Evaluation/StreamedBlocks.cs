@@ -65,6 +65,7 @@ namespace FastPoints.Evaluation
         }
 
         public StreamContext Stream => m_stream;
+        public PicturePlan Plan => m_plan;
 
         /// <summary>Classes whose points are not drawn; the source must stream the classification.</summary>
         public ClassMask HiddenClasses { get; }

@@ -70,11 +70,9 @@ namespace FastPoints.Evaluation
                 m_canvas.BeginBlending();
                 drawn = DrawAll(blocksOfCloud, camera, m_canvas);
             }
-            var projection = new PointDrawing
-            {
-                Projection = new PointProjection(camera, PositionTransform.Identity, m_canvas.WidthPx, m_canvas.HeightPx),
-            };
-            m_canvas.ScheduleResolve(projection, m_options.Background, m_edlStrength, drawn, m_options.FillsHoles).Complete();
+            var resolve = m_clouds[0].Plan.ResolveFor(camera, m_canvas);
+            resolve.EdlStrength = m_edlStrength;
+            m_canvas.ScheduleResolve(resolve, drawn).Complete();
             return m_canvas.ToImage();
         }
 

@@ -63,7 +63,7 @@ namespace FastPoints.Picture
                 PointsDrawn = batch.Count;
                 progress?.Begin("draw");
                 yield return JobStep.Of(SamplePicture.ChooseSize(canvas, batch, Plan, batch.Count));
-                yield return JobStep.Of(SamplePicture.DrawAndResolve(canvas, batch, Plan, m_options.Background, progress));
+                yield return JobStep.Of(SamplePicture.DrawAndResolve(canvas, batch, Plan, progress));
                 Image = canvas.ToImage();
             }
             progress?.End();

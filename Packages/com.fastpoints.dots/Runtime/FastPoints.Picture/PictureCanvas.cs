@@ -138,20 +138,13 @@ namespace FastPoints.Picture
             }.Schedule(inputDeps);
         }
 
-        // Makes the colours that ToImage takes, after all drawing. Eye-dome lighting of 0 is none, 0.25 usual.
-        public JobHandle ScheduleResolve(in PointDrawing drawing, uint background, float edlStrength, JobHandle inputDeps,
-            bool fillsHoles = false)
+        // Makes the colours that ToImage takes, after all drawing.
+        public JobHandle ScheduleResolve(ResolvePictureJob job, JobHandle inputDeps)
         {
-            return new ResolvePictureJob
-            {
-                Pixels = m_pixels,
-                Sums = Sums,
-                Projection = drawing.Projection,
-                Background = background,
-                EdlStrength = edlStrength,
-                FillsHoles = fillsHoles,
-                Colors = m_colors,
-            }.ScheduleParallel(HeightPx, 16, inputDeps);
+            job.Pixels = m_pixels;
+            job.Sums = Sums;
+            job.Colors = m_colors;
+            return job.ScheduleParallel(HeightPx, 16, inputDeps);
         }
 
         public RgbaImage ToImage()

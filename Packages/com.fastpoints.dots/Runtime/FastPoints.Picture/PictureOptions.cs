@@ -79,6 +79,21 @@ namespace FastPoints.Picture
         /// <summary>The strength for a mode that is not <see cref="ColorMode.Auto"/>.</summary>
         public float EdlFor(ColorMode mode) => EdlStrength >= 0 ? EdlStrength : mode == ColorMode.Rgb ? 0 : DefaultEdlStrength;
 
+        const float DefaultLightShare = 0.7f;
+
+        /// <summary>The share of the points' colours that is lit, 0 to 1; negative for none where they are the scanner's, or show
+        /// an amount by grey, and 0.7 where clouds without colours show elevation or classes.</summary>
+        public float LightShare = -1;
+
+        /// <summary>Where light comes from: degrees clockwise from north, and above the horizon. NaN for the camera's
+        /// left.</summary>
+        public double LightAzimuth = double.NaN;
+        public double LightElevation = 45;
+
+        internal float LightShareFor(ColorMode mode, ColorDepth color) => LightShare >= 0 ? LightShare
+            : color == ColorDepth.None && (mode == ColorMode.Elevation || mode == ColorMode.Classification)
+                ? DefaultLightShare : 0;
+
         /// <summary>See <see cref="ResolvePictureJob.FillsHoles"/>.</summary>
         public bool FillsHoles;
 
@@ -105,7 +120,8 @@ namespace FastPoints.Picture
             "color=auto|rgb|elevation|intensity|classification|returnnumber|pointsource or an attribute's name, " +
             "gradient=auto|viridis|turbo|gray, size=auto|PIXELS|LENGTHu|adaptive[:GAPS], " +
             "points=square|round|paraboloid|splat (the last of converted clouds), " +
-            "classes=N+N+... (shown; of converted clouds), edl=auto|on|off|STRENGTH, holes=fill|keep, " +
+            "classes=N+N+... (shown; of converted clouds), edl=auto|on|off|STRENGTH, " +
+            "light=auto|on|off|AZIMUTH,ELEVATION[,SHARE], holes=fill|keep, " +
             "background=RRGGBB[AA], up=x|y|z|-x|-y|-z";
 
         /// <summary>Sets one option from text, as for <c>--style</c>; the error says what was expected.</summary>
@@ -154,6 +170,11 @@ namespace FastPoints.Picture
                         EdlStrength = number;
                     else
                         error = "edl: wanted auto, on, off or a strength, got " + value;
+                    break;
+                case "light":
+                    if (!TryLight(value))
+                        error = "light: wanted auto, on, off, or degrees from north and above the horizon and perhaps a " +
+                            "share, as in 315,45,0.7; got " + value;
                     break;
                 case "holes":
                     if (value != "fill" && value != "keep")
@@ -205,6 +226,22 @@ namespace FastPoints.Picture
             SizeInWorld = inWorld;
             PointSizePx = inWorld.HasValue ? 0 : number;
             return true;
+        }
+
+        bool TryLight(string value)
+        {
+            LightAzimuth = double.NaN;
+            LightElevation = 45;
+            LightShare = value == "auto" ? -1 : value == "off" ? 0 : DefaultLightShare;
+            if (value == "auto" || value == "off" || value == "on")
+                return true;
+            var parts = value.Split(',');
+            if (parts.Length < 2 || parts.Length > 3 || !TryNumber(parts[0], -360, 360, out float azimuth) ||
+                !TryNumber(parts[1], -90, 90, out float elevation))
+                return false;
+            LightAzimuth = azimuth;
+            LightElevation = elevation;
+            return parts.Length == 2 || TryNumber(parts[2], 0, 1, out LightShare);
         }
 
         bool TryClasses(string value)

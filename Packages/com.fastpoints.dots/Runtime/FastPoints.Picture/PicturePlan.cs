@@ -19,9 +19,11 @@ namespace FastPoints.Picture
             m_transform = transform;
             Mode = ranges.Resolve(options.Color);
             EdlStrength = options.EdlFor(Mode);
+            LitParts = PointLight.PartsOf(options.LightShareFor(Mode, ranges.Color));
             SizePx = options.PointSizePx >= 1 ? Math.Min(options.PointSizePx, PointDrawing.MaxSizePx) : PointSizing.MinPx;
             Camera = options.Camera ?? CameraFraming.Frame(options, ranges.Robust,
                 Thinned(ranges.Outline, options.OutlinePoints), ranges.Rim, ranges.LengthsPerUnit);
+            Light = LightOf(options, Camera, ranges.LengthsPerUnit);
             Assumptions = new List<string>(ranges.Assumptions);
             if (options.Color == ColorMode.Auto)
                 Assumptions.Add("coloured by " + Mode.ToString().ToLowerInvariant());
@@ -37,7 +39,8 @@ namespace FastPoints.Picture
 
         public DisplayRanges Ranges => m_ranges;
         public float EdlStrength { get; }
-        public bool FillsHoles => m_options.FillsHoles;
+        public int LitParts { get; } // Of PointLight.Parts.
+        public PointLight Light { get; }
         public Gradient Gradient => m_options.Gradient;
 
         public ClassMask HiddenClasses => m_options.HiddenClasses;
@@ -68,9 +71,51 @@ namespace FastPoints.Picture
                 LargestPx = isWorldSize ? world.MaxPx : canvas.LargestPx,
                 IsWorldSize = isWorldSize,
                 Size = world,
+                LitParts = LitParts,
                 IsRound = m_options.RoundPoints,
                 IsParaboloid = m_options.ParaboloidPoints,
             };
+        }
+
+        // For a picture by any camera.
+        public ResolvePictureJob ResolveFor(in Camera camera, PictureCanvas canvas) => new ResolvePictureJob
+        {
+            Projection = new PointProjection(camera, PositionTransform.Identity, canvas.WidthPx, canvas.HeightPx),
+            Background = m_options.Background,
+            EdlStrength = EdlStrength,
+            Light = Light,
+            Places = PlacesFor(camera, canvas.WidthPx, canvas.HeightPx),
+            FillsHoles = m_options.FillsHoles,
+        };
+
+        // Pixels of a picture by any camera.
+        public PixelPlaces PlacesFor(in Camera camera, int widthPx, int heightPx)
+        {
+            var lengths = m_ranges.LengthsPerUnit;
+            double scale = new PointProjection(camera, m_transform, widthPx, heightPx).ScalePx;
+            double3 right = camera.Right / lengths / scale, up = camera.Up / lengths / scale;
+            return new PixelPlaces
+            {
+                First = (float3)(up * ((heightPx - 1) * 0.5) - right * ((widthPx - 1) * 0.5)),
+                StepX = (float3)right,
+                StepY = (float3)(-up),
+                Forward = (float3)(camera.Forward / lengths),
+                IsOrthographic = camera.IsOrthographic,
+            };
+        }
+
+        // Where no azimuth is asked for, from the left and above, so that the sides that the camera sees differ: from behind
+        // it, but of maps from their upper left corner, as their shading is used to.
+        static PointLight LightOf(PictureOptions options, in Camera camera, double3 lengths)
+        {
+            options.UpAxis.Directions(out var east, out var north, out var up);
+            double3 left = -camera.Right / lengths, back = -camera.Forward / lengths;
+            back -= up * math.dot(back, up);
+            double azimuth = math.radians(options.LightAzimuth), elevation = math.radians(options.LightElevation);
+            var from = !double.IsNaN(azimuth) ? math.sin(azimuth) * east + math.cos(azimuth) * north
+                : math.length(back) > 0.3 ? math.normalize(left + 0.6 * math.normalize(back))
+                : math.normalize(left + camera.Up / lengths);
+            return PointLight.Default((float3)math.normalize(math.cos(elevation) * from + math.sin(elevation) * up), (float3)up);
         }
 
         static double3[] Thinned(double3[] outline, int max)

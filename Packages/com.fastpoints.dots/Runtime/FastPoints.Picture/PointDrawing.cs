@@ -12,16 +12,19 @@ namespace FastPoints.Picture
     /// colour, of which the smallest wins:
     /// <code>
     /// bit 63 ............ 32  31 .. 24  23 .. 16  15 .. 8  7 .. 0
-    ///     depth (ordered)     radius    blue      green    red
+    ///     depth (ordered)   lit, radius  blue      green    red
     /// </code>
-    /// (the radius is half a point's size in pixels, the radius of eye-dome lighting) so that a picture depends on
-    /// no order and on no number of threads; of two points at one depth the smaller colour stays. Blittable, for jobs.
+    /// (bits 31 .. 29 are the share that is lit, see PointLight; 28 .. 24 half a point's size in pixels, how far lighting looks
+    /// around it, at most 31) so that a picture depends on no order and on no number of threads; of two points at one depth the
+    /// smaller colour stays. Blittable, for jobs.
     /// </summary>
     internal struct PointDrawing
     {
         public const ulong EmptyPixel = ulong.MaxValue;
 
         public const float MaxSizePx = 64;
+
+        public const int RadiusBits = 5, MaxRadiusPx = (1 << RadiusBits) - 1;
 
         public PositionColumns Positions;
         public PointProjection Projection;
@@ -30,6 +33,7 @@ namespace FastPoints.Picture
         public bool IsWorldSize; // Whatever the tiles' sizes are.
         public PointSize Size;
         public bool IsRound;
+        public int LitParts; // Of PointLight.Parts.
 
         // Discs that bulge towards the camera: paraboloids whose rim is farther away by the radius than the middle, which has
         // the point's own depth. Each pixel of overlapping points goes to the nearest centre.
@@ -68,7 +72,7 @@ namespace FastPoints.Picture
                     continue;
                 if (!(xPx >= 0 && xPx < widthPx && yPx >= 0 && yPx < heightPx))
                     continue;
-                Lower(pixels + ((long)(int)yPx * width + (int)xPx), KeyOf(depth, 1, colors[i]));
+                Lower(pixels + ((long)(int)yPx * width + (int)xPx), KeyOf(depth, 1, LitParts, colors[i]));
             }
         }
 
@@ -100,7 +104,7 @@ namespace FastPoints.Picture
                 }
                 double half = size * 0.5;
                 uint radiusPx = PointSizing.RadiusOf(size);
-                ulong key = KeyOf(depth, radiusPx, colors[i]);
+                ulong key = KeyOf(depth, radiusPx, LitParts, colors[i]);
                 // Depth in world units behind the middle, for each squared pixel of distance: the radius at the rim.
                 double behindPerSq = IsParaboloid ? 1 / (half * Projection.PixelsPerUnitAt(depth)) : 0;
                 float nearest = sums == null ? 0
@@ -129,7 +133,7 @@ namespace FastPoints.Picture
                             continue;
                         }
                         if (IsParaboloid)
-                            key = KeyOf((float)(depth + distanceSq * behindPerSq), radiusPx, colors[i]);
+                            key = KeyOf((float)(depth + distanceSq * behindPerSq), radiusPx, LitParts, colors[i]);
                         Lower(pixels + pixel, key);
                     }
                 }
@@ -137,8 +141,13 @@ namespace FastPoints.Picture
         }
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public static ulong KeyOf(float depth, uint radiusPx, uint color) =>
-            (ulong)PointProjection.DepthToBits(depth) << 32 | radiusPx << 24 | color & 0xFFFFFFu;
+        public static ulong KeyOf(float depth, uint radiusPx, int litParts, uint color) =>
+            (ulong)PointProjection.DepthToBits(depth) << 32 | (uint)litParts << 24 + RadiusBits | radiusPx << 24 |
+            color & 0xFFFFFFu;
+
+        public static int RadiusOf(ulong key) => (int)(key >> 24) & MaxRadiusPx;
+
+        public static int LitPartsOf(ulong key) => (int)(key >> 24 + RadiusBits) & PointLight.Parts;
 
         // Keeps the smaller of two values while other threads write. Pixels only ever fall, so a value read too early costs one
         // more round; the plain read is atomic on 64-bit processors.

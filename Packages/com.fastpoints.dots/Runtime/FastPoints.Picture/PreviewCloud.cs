@@ -57,8 +57,7 @@ namespace FastPoints.Picture
             {
                 yield return default;
                 yield return JobStep.Of(SamplePicture.ChooseSize(canvas, Sample.Points, Plan, Sample.Count));
-                yield return JobStep.Of(SamplePicture.DrawAndResolve(canvas, Sample.Points, Plan, m_options.Picture.Background,
-                    progress));
+                yield return JobStep.Of(SamplePicture.DrawAndResolve(canvas, Sample.Points, Plan, progress));
                 Image = canvas.ToImage();
             }
             progress?.End();

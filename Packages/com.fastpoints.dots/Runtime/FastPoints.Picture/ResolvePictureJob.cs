@@ -1,3 +1,4 @@
+using FastPoints.Drawing;
 using Unity.Burst;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
@@ -10,7 +11,8 @@ namespace FastPoints.Picture
     // "Interactive scientific visualization of large datasets", 2009, ch. 2): a pixel is darkened by how far the eight pixels
     // around it lie before it. Depth differences are taken in pixels (depth over the size of a pixel at that depth), so that
     // the shading is the same for any unit, scale and field of view. Neighbours are looked at half a point's size away. The
-    // shading multiplies the encoded sRGB values, so light falls with its power of 2.2.
+    // shading multiplies the encoded sRGB values, so light falls with its power of 2.2. Points that are lit get their light
+    // first, by the normal that depths around them show.
     [BurstCompile]
     internal struct ResolvePictureJob : IJobFor
     {
@@ -24,6 +26,8 @@ namespace FastPoints.Picture
         public PointProjection Projection;
         public uint Background; // Of pixels without a point: bytes red, green, blue, alpha from the lowest.
         public float EdlStrength; // 0 turns eye-dome lighting off.
+        public PointLight Light; // Of the points that are lit.
+        public PixelPlaces Places;
 
         // Fills a pixel without a point, most of whose neighbours have one, with their mean: a gap in a surface.
         public bool FillsHoles;
@@ -44,10 +48,8 @@ namespace FastPoints.Picture
                     pixel = Fill(x, index);
                 if (pixel == PointDrawing.EmptyPixel)
                     Colors[row + x] = Background;
-                else if (EdlStrength <= 0)
-                    Colors[row + x] = (uint)pixel | 0xFF000000u;
                 else
-                    Colors[row + x] = Darken((uint)pixel, Shade(x, index, pixel));
+                    Colors[row + x] = Darken(Lit(x, index, pixel), EdlStrength > 0 ? Shade(x, index, pixel) : 1);
             }
         }
 
@@ -64,6 +66,7 @@ namespace FastPoints.Picture
         ulong Fill(int x, int y)
         {
             int count = 0;
+            int litParts = 0;
             float depth = 0;
             uint3 color = 0;
             for (int ny = math.max(0, y - 1); ny <= math.min(Projection.HeightPx - 1, y + 1); ny++)
@@ -74,6 +77,7 @@ namespace FastPoints.Picture
                     if (pixel == PointDrawing.EmptyPixel)
                         continue;
                     count++;
+                    litParts += PointDrawing.LitPartsOf(pixel);
                     depth += PointProjection.DepthFromBits((uint)(pixel >> 32));
                     color += new uint3((uint)pixel & 255, (uint)pixel >> 8 & 255, (uint)pixel >> 16 & 255);
                 }
@@ -81,13 +85,14 @@ namespace FastPoints.Picture
             if (count < MinAroundHole)
                 return PointDrawing.EmptyPixel;
             color = (color + (uint)count / 2) / (uint)count;
-            return PointDrawing.KeyOf(depth / count, 1, color.x | color.y << 8 | color.z << 16);
+            litParts = (litParts + count / 2) / count;
+            return PointDrawing.KeyOf(depth / count, 1, litParts, color.x | color.y << 8 | color.z << 16);
         }
 
         float Shade(int x, int y, ulong pixel)
         {
             float depth = PointProjection.DepthFromBits((uint)(pixel >> 32));
-            int radiusPx = (int)(pixel >> 24 & 0xFF);
+            int radiusPx = PointDrawing.RadiusOf(pixel);
             float pixelsPerUnit = (float)Projection.PixelsPerUnitAt(depth) / radiusPx;
             float sum = 0;
             for (int dy = -1; dy <= 1; dy++)
@@ -110,12 +115,27 @@ namespace FastPoints.Picture
             return math.exp(-EdlStrength * sum / 8);
         }
 
-        static uint Darken(uint color, float shade)
+        // 255ths of sRGB.
+        float3 Lit(int x, int y, ulong pixel)
         {
-            uint red = (uint)((color & 255) * shade + 0.5f);
-            uint green = (uint)((color >> 8 & 255) * shade + 0.5f);
-            uint blue = (uint)((color >> 16 & 255) * shade + 0.5f);
-            return red | green << 8 | blue << 16 | 0xFF000000u;
+            var color = new float3((uint)pixel & 255, (uint)pixel >> 8 & 255, (uint)pixel >> 16 & 255);
+            int parts = PointDrawing.LitPartsOf(pixel);
+            if (parts == 0)
+                return color;
+            var around = new DepthNormals
+            {
+                Pixels = Pixels,
+                WidthPx = Projection.WidthPx,
+                HeightPx = Projection.HeightPx,
+                Places = Places,
+            };
+            return 255 * Light.Lit(color / 255, parts, around.NormalAt(x, y, pixel));
+        }
+
+        static uint Darken(float3 color, float shade)
+        {
+            color = color * shade + 0.5f;
+            return (uint)color.x | (uint)color.y << 8 | (uint)color.z << 16 | 0xFF000000u;
         }
     }
 }

@@ -53,14 +53,13 @@ namespace FastPoints.Picture
 
         // Coroutine: both in one chain.
         public static IEnumerator<JobStep> DrawAndResolve(PictureCanvas canvas, PointBatch points, PicturePlan plan,
-            uint background, StageProgress progress) => Draw(canvas, points, plan, progress, drawn =>
-                canvas.ScheduleResolve(plan.DrawingOf(points, canvas), background, plan.EdlStrength, drawn, plan.FillsHoles));
+            StageProgress progress) => Draw(canvas, points, plan, progress, drawn =>
+                canvas.ScheduleResolve(plan.ResolveFor(plan.Camera, canvas), drawn));
 
         // Coroutine: the colours for PictureCanvas.ToImage.
-        public static IEnumerator<JobStep> Resolve(PictureCanvas canvas, PointBatch points, PicturePlan plan, uint background)
+        public static IEnumerator<JobStep> Resolve(PictureCanvas canvas, PicturePlan plan)
         {
-            var resolved = canvas.ScheduleResolve(plan.DrawingOf(points, canvas), background, plan.EdlStrength, default,
-                plan.FillsHoles);
+            var resolved = canvas.ScheduleResolve(plan.ResolveFor(plan.Camera, canvas), default);
             try
             {
                 yield return resolved;

@@ -1,3 +1,4 @@
+using FastPoints.Drawing;
 using UnityEngine;
 using UnityEngine.Rendering;
 
@@ -12,6 +13,7 @@ namespace FastPoints.Rendering
 
         /// <summary>Whether it is a render texture; some APIs store these upside down.</summary>
         public bool IsTexture;
+        internal PointLight Light; // Where points are lit.
         internal bool MayBeScreen; // Only the engine knows, when it draws.
         internal bool IsPart; // The lower left part of a target that is larger.
 

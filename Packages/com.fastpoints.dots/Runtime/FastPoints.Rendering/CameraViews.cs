@@ -67,6 +67,7 @@ namespace FastPoints.Rendering
                 Depth = target.Depth,
                 IsPart = target.IsPart,
                 MayBeScreen = target.MayBeScreen,
+                Light = target.Light,
             };
         }
 

@@ -1,3 +1,5 @@
+using FastPoints.Drawing;
+using Unity.Mathematics;
 using UnityEngine;
 using UnityEngine.Experimental.Rendering;
 using UnityEngine.Rendering;
@@ -47,9 +49,10 @@ namespace FastPoints.Rendering
         }
 
         // Draws the layer into the camera's picture and releases it.
-        public void End(CommandBuffer commands, in RenderView view, Material compose)
+        public void End(CommandBuffer commands, in RenderView view, PointMaterials materials)
         {
-            Compose(commands, view, compose);
+            var from = view.Style.IsBlended ? ComposedFrom.Sums : ComposedFrom.Layer;
+            Compose(commands, view, materials.Compose(from, view.Style.IsLit));
             if (view.Style.IsBlended)
                 commands.ReleaseTemporaryRT(ShaderNames.LayerSums);
             commands.ReleaseTemporaryRT(ShaderNames.LayerColor);
@@ -57,11 +60,11 @@ namespace FastPoints.Rendering
             commands.ReleaseTemporaryRT(ShaderNames.LayerDevice);
         }
 
-        public void Compose(CommandBuffer commands, in RenderView view, Material compose, ComputeRaster raster)
+        public void Compose(CommandBuffer commands, in RenderView view, PointMaterials materials, ComputeRaster raster)
         {
             m_properties.SetBuffer(ShaderNames.Pixels, raster.Pixels);
             m_properties.SetVector(ShaderNames.DepthToDevice, ComputeRaster.DepthToDevice(view));
-            Compose(commands, view, compose);
+            Compose(commands, view, materials.Compose(ComposedFrom.Pixels, view.Style.IsLit));
         }
 
         void Compose(CommandBuffer commands, in RenderView view, Material compose)
@@ -72,7 +75,30 @@ namespace FastPoints.Rendering
             m_properties.SetFloat(ShaderNames.EdlStrength, view.Style.EdlStrength);
             m_properties.SetInteger(ShaderNames.FillsHoles, view.Style.FillsHoles ? 1 : 0);
             m_properties.SetInteger(ShaderNames.IsLinear, view.IsLinear ? 1 : 0);
+            if (view.Style.IsLit)
+                SetLight(view.Light, view.Places);
             commands.DrawProcedural(Matrix4x4.identity, compose, 0, MeshTopology.Triangles, 3, 1, m_properties);
+        }
+
+        void SetLight(in PointLight light, in PixelPlaces places)
+        {
+            m_properties.SetMatrix(ShaderNames.Places, RowsOf(places.First, places.StepX, places.StepY, places.Forward));
+            m_properties.SetMatrix(ShaderNames.Ambient,
+                RowsOf(light.AmbientX, light.AmbientY, light.AmbientZ, light.AmbientAll));
+            m_properties.SetVector(ShaderNames.LightDirection, VectorOf(light.Direction));
+            m_properties.SetVector(ShaderNames.LightColor, VectorOf(light.Color));
+        }
+
+        static Vector4 VectorOf(float3 value) => new Vector4(value.x, value.y, value.z, 0);
+
+        static Matrix4x4 RowsOf(float3 row0, float3 row1, float3 row2, float3 row3)
+        {
+            var rows = new Matrix4x4();
+            rows.SetRow(0, VectorOf(row0));
+            rows.SetRow(1, VectorOf(row1));
+            rows.SetRow(2, VectorOf(row2));
+            rows.SetRow(3, VectorOf(row3));
+            return rows;
         }
 
         public static void SetTarget(CommandBuffer commands, in RenderView view)

@@ -8,14 +8,13 @@ namespace FastPoints.Rendering
     /// so one material could not draw two looks in a frame.</summary>
     public sealed class PointMaterials : IDisposable
     {
+        static readonly string[] s_composed = { null, ShaderNames.FromPixelsKeyword, ShaderNames.BlendedKeyword };
         static readonly int[] s_corners = { 0, 1, 2, 2, 1, 3 };
 
         readonly Shader m_points;
         readonly Shader m_compose;
         readonly Material[] m_ofVariant = new Material[PointVariant.Count];
-        Material m_composeLayer;
-        Material m_composePixels;
-        Material m_composeSums;
+        readonly Material[] m_composeOf = new Material[2 * s_composed.Length];
         GraphicsBuffer m_squareIndices;
 
         /// <param name="progressive">ProgressiveRaster.compute: without it, all points are drawn in every frame.</param>
@@ -55,19 +54,16 @@ namespace FastPoints.Rendering
             return m_ofVariant[variant.Number] = material;
         }
 
-        internal Material ComposeLayer => m_composeLayer != null ? m_composeLayer : m_composeLayer = Make(m_compose);
-
-        internal Material ComposePixels => ComposeWith(ref m_composePixels, ShaderNames.FromPixelsKeyword);
-
-        internal Material ComposeSums => ComposeWith(ref m_composeSums, ShaderNames.BlendedKeyword);
-
-        Material ComposeWith(ref Material material, string keyword)
+        internal Material Compose(ComposedFrom from, bool isLit)
         {
-            if (material == null)
-            {
-                material = Make(m_compose);
-                material.EnableKeyword(keyword);
-            }
+            ref var material = ref m_composeOf[2 * (int)from + (isLit ? 1 : 0)];
+            if (material != null)
+                return material;
+            material = Make(m_compose);
+            if (s_composed[(int)from] != null)
+                material.EnableKeyword(s_composed[(int)from]);
+            if (isLit)
+                material.EnableKeyword(ShaderNames.LitKeyword);
             return material;
         }
 
@@ -75,9 +71,8 @@ namespace FastPoints.Rendering
         {
             for (int variant = 0; variant < m_ofVariant.Length; variant++)
                 Destroy(ref m_ofVariant[variant]);
-            Destroy(ref m_composeLayer);
-            Destroy(ref m_composePixels);
-            Destroy(ref m_composeSums);
+            for (int compose = 0; compose < m_composeOf.Length; compose++)
+                Destroy(ref m_composeOf[compose]);
             m_squareIndices?.Dispose();
             m_squareIndices = null;
         }
@@ -96,4 +91,7 @@ namespace FastPoints.Rendering
             material = null;
         }
     }
+
+    // What Compose.shader reads: textures, what RasterPoints.hlsl made, or textures and sums of splats.
+    internal enum ComposedFrom { Layer, Pixels, Sums }
 }

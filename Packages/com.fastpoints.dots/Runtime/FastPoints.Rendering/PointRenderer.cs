@@ -71,7 +71,7 @@ namespace FastPoints.Rendering
         {
             if (List.Draws.Length == 0)
                 return;
-            DrawWholeIfItFits(ref view);
+            Adapt(ref view);
             WriteBuffers(commands, view.Style, 1);
             RecordLayer(commands, view);
         }
@@ -81,11 +81,11 @@ namespace FastPoints.Rendering
         {
             if (List.Draws.Length == 0)
                 return;
-            DrawWholeIfItFits(ref view);
+            Adapt(ref view);
             if (UsesCompute(view))
-                m_layer.Compose(commands, view, m_materials.ComposePixels, RasterFor(view));
+                m_layer.Compose(commands, view, m_materials, RasterFor(view));
             else if (view.Style.IsLayered)
-                m_layer.End(commands, view, view.Style.IsBlended ? m_materials.ComposeSums : m_materials.ComposeLayer);
+                m_layer.End(commands, view, m_materials);
             else
             {
                 Set(view);
@@ -102,7 +102,7 @@ namespace FastPoints.Rendering
             if (List.Draws.Length == 0)
                 return;
             var both = left;
-            DrawWholeIfItFits(ref both);
+            Adapt(ref both);
             // In instanced single-pass rendering the engine multiplies the instances of plain draws.
             bool isInstanced = !SystemInfo.supportsMultiview;
             if (isInstanced && pipelineDoublesInstances)
@@ -131,7 +131,7 @@ namespace FastPoints.Rendering
         void RecordSlice(CommandBuffer commands, RenderView view, TargetEye eye)
         {
             view.Eye = eye;
-            DrawWholeIfItFits(ref view);
+            Adapt(ref view);
             RecordLayer(commands, view);
             PointLayer.SetTarget(commands, view);
             RecordInto(commands, view);
@@ -142,7 +142,12 @@ namespace FastPoints.Rendering
 
         ComputeRaster RasterFor(in RenderView view) => view.Style.IsProgressive ? m_progressive.Raster : m_raster;
 
-        void DrawWholeIfItFits(ref RenderView view) => m_progressive.DrawWholeIfItFits(ref view.Style, List);
+        // What the style is for the list.
+        void Adapt(ref RenderView view)
+        {
+            m_progressive.DrawWholeIfItFits(ref view.Style, List);
+            view.Style.IsLit = List.IsLit;
+        }
 
         void RecordLayer(CommandBuffer commands, in RenderView view)
         {

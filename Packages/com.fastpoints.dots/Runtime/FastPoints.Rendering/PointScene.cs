@@ -104,6 +104,18 @@ namespace FastPoints.Rendering
         // How often a pipeline's pass has recorded the clouds; 0 if no pass draws them.
         public long RecordedPictures { get; private set; }
 
+        // Whether points of any cloud are lit: passes then say by what.
+        public bool IsLit
+        {
+            get
+            {
+                foreach (var look in m_looks)
+                    if (PointLight.PartsOf(look.Light) > 0)
+                        return true;
+                return false;
+            }
+        }
+
         public void SetLook(int cloud, CloudLook look)
         {
             while (m_looks.Count <= cloud)

@@ -26,10 +26,13 @@ namespace FastPoints.Rendering
         /// that meets them, in players with Frame Timing Stats (Project Settings, Player). 0 leaves it as it is.</summary>
         public float GpuFrameMs;
 
+        // Points of a listed cloud are lit: see CloudLook.Light.
+        internal bool IsLit;
+
         internal readonly bool IsProgressive => PointsPerFrame > 0 && !IsBlended;
 
         // Into a layer of their own first.
-        internal readonly bool IsLayered => EdlStrength > 0 || FillsHoles || IsBlended || IsProgressive;
+        internal readonly bool IsLayered => EdlStrength > 0 || FillsHoles || IsLit || IsBlended || IsProgressive;
 
         // A second time to be summed.
         internal readonly bool IsBlended => Shape == PointShape.Splat;

@@ -1,3 +1,5 @@
+using FastPoints.Drawing;
+using Unity.Mathematics;
 using UnityEngine;
 using UnityEngine.Rendering;
 
@@ -29,9 +31,37 @@ namespace FastPoints.Rendering
         public RenderTargetIdentifier Color;
         public RenderTargetIdentifier Depth;
         internal TargetEye Eye;
+        internal PointLight Light; // Of points that are lit.
         internal bool IsPart; // The lower left part of a target that is larger.
         internal bool MayBeScreen; // Rows of the screen run the other way from a texture's.
         public PointStyle Style;
+
+        // Of the layer's pixels: of what the projection does to x and y, and of depth, the inverse.
+        internal readonly PixelPlaces Places
+        {
+            get
+            {
+                float3 x = Row(0), y = Row(1), forward = new float3(Forward.x, Forward.y, Forward.z);
+                float volume = math.dot(x, math.cross(y, forward));
+                float3 right = math.cross(y, forward) / volume, up = math.cross(forward, x) / volume;
+                float down = SystemInfo.graphicsUVStartsAtTop ? -1 : 1;
+                return new PixelPlaces
+                {
+                    First = right * (1f / WidthPx - 1 - ViewProjection.m03) +
+                        up * (down * (1f / HeightPx - 1) - ViewProjection.m13),
+                    StepX = right * (2f / WidthPx),
+                    StepY = up * (down * 2 / HeightPx),
+                    Forward = math.cross(x, y) / volume,
+                    IsOrthographic = IsOrthographic,
+                };
+            }
+        }
+
+        readonly float3 Row(int row)
+        {
+            var values = ViewProjection.GetRow(row);
+            return new float3(values.x, values.y, values.z);
+        }
 
         // Unity's _ProjectionParams.x for a texture, and whether the shader is to compare its value with it.
         internal readonly Vector4 Flip => new Vector4(SystemInfo.graphicsUVStartsAtTop ? -1 : 1, MayBeScreen ? 1 : 0, 0, 0);

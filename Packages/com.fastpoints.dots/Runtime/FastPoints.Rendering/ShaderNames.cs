@@ -4,6 +4,7 @@ namespace FastPoints.Rendering
 {
     static class ShaderNames
     {
+        public static readonly int Ambient = Shader.PropertyToID("_FastPointsAmbient");
         public static readonly int ArgumentsOut = Shader.PropertyToID("_FastPointsArgumentsOut");
         public static readonly int Bank = Shader.PropertyToID("_FastPointsBank");
         public static readonly int BankCount = Shader.PropertyToID("_FastPointsBankCount");
@@ -34,6 +35,8 @@ namespace FastPoints.Rendering
         public static readonly int LayerDevice = Shader.PropertyToID("_FastPointsLayerDevice");
         public static readonly int LayerNumbers = Shader.PropertyToID("_FastPointsLayerNumbers");
         public static readonly int LayerSums = Shader.PropertyToID("_FastPointsLayerSums");
+        public static readonly int LightColor = Shader.PropertyToID("_FastPointsLightColor");
+        public static readonly int LightDirection = Shader.PropertyToID("_FastPointsLightDirection");
         public static readonly int ListedPoints = Shader.PropertyToID("_FastPointsListedPoints");
         public static readonly int Lists = Shader.PropertyToID("_FastPointsLists");
         public static readonly int Masks = Shader.PropertyToID("_FastPointsMasks");
@@ -43,6 +46,7 @@ namespace FastPoints.Rendering
         public static readonly int Pages = Shader.PropertyToID("_FastPointsPages");
         public static readonly int Pixels = Shader.PropertyToID("_FastPointsPixels");
         public static readonly int PixelsOut = Shader.PropertyToID("_FastPointsPixelsOut");
+        public static readonly int Places = Shader.PropertyToID("_FastPointsPlaces");
         public static readonly int PointsPerFrame = Shader.PropertyToID("_FastPointsPointsPerFrame");
         public static readonly int RightEyeOffset = Shader.PropertyToID("_FastPointsRightEyeOffset");
         public static readonly int RightForward = Shader.PropertyToID("_FastPointsRightForward");
@@ -73,6 +77,7 @@ namespace FastPoints.Rendering
         public const string FilteredKeyword = "FASTPOINTS_FILTERED";
         public const string FromPixelsKeyword = "FASTPOINTS_FROM_PIXELS";
         public const string LayeredKeyword = "FASTPOINTS_LAYERED";
+        public const string LitKeyword = "FASTPOINTS_LIT";
         public const string StereoKeyword = "FASTPOINTS_STEREO";
         public const string SquaresKeyword = "FASTPOINTS_SQUARES";
         public const string DiscsKeyword = "FASTPOINTS_DISCS";

@@ -40,10 +40,19 @@ namespace FastPoints.Entities
         [Tooltip("Classes, 0 to 255, whose points are not drawn.")]
         int[] m_hiddenClasses = new int[0];
 
+        [SerializeField]
+        [Range(0, 1)]
+        [Tooltip(LightTip)]
+        float m_light;
+
+        internal const string LightTip = "How much of the colours the scene's main and ambient light are applied to: 0 for " +
+            "scanned colours, which have light in them, 0.7 for elevation and classes.";
+
         OwnedEntity m_entity;
 
         // As the entity has them.
         LocalToWorld m_placed;
+        float m_lit;
         PointCloudLayer m_layer;
         string m_comparedCrs;
 
@@ -95,6 +104,13 @@ namespace FastPoints.Entities
                 m_hiddenClasses = (int[])value.Clone();
                 Reopen();
             }
+        }
+
+        /// <summary>How much of the colours is lit by the scene, from 0 to 1.</summary>
+        public float Light
+        {
+            get => m_light;
+            set => m_light = value;
         }
 
         /// <summary>Whether the eye in the hierarchy hides a GameObject from scene views, where there is an editor.</summary>
@@ -178,11 +194,21 @@ namespace FastPoints.Entities
             if (!TryGet(out var entities))
                 return;
             AssignOwner(entities);
+            SetLight(entities);
             var layer = Layer;
             if (layer.IsSame(m_layer))
                 return;
             m_layer = layer;
             entities.SetComponentData(Entity, layer);
+        }
+
+        void SetLight(EntityManager entities)
+        {
+            if (m_lit == m_light)
+                return;
+            var file = entities.GetComponentData<PointCloudFile>(Entity);
+            file.Light = m_lit = m_light;
+            entities.SetComponentData(Entity, file);
         }
 
         // Animations, timelines and scripts move what meshes follow after Update.
@@ -292,6 +318,7 @@ namespace FastPoints.Entities
             file.Color = m_color;
             file.Gradient = m_gradient;
             file.HiddenClasses = m_openedClasses;
+            file.Light = m_lit = m_light;
             Place(ref file);
             entities.AddComponentData(Entity, file);
             paths.WriteTo(entities.AddBuffer<PointCloudPath>(Entity));

@@ -27,6 +27,10 @@ namespace FastPoints.Entities
 
         [Tooltip("Classes, 0 to 255, whose points are not drawn.")]
         public int[] HiddenClasses = new int[0];
+
+        [Range(0, 1)]
+        [Tooltip(PointCloud.LightTip)]
+        public float Light;
     }
 
     /// <summary>Does not open the folder: bakers run in a process without a screen.</summary>
@@ -41,6 +45,7 @@ namespace FastPoints.Entities
             file.Color = authoring.Color;
             file.Gradient = authoring.Gradient;
             file.HiddenClasses = ClassMask.Of(authoring.HiddenClasses);
+            file.Light = authoring.Light;
             if (TryGetPosition(out var position))
                 (file.HasOrigin, file.OriginGeo) = (true, position);
             AddComponent(entity, file);

@@ -29,6 +29,9 @@ namespace FastPoints.Entities
         /// <summary>Classes whose points are not drawn.</summary>
         public ClassMask HiddenClasses;
 
+        /// <summary>How much of its colours is lit, from 0 to 1: see <see cref="CloudLook.Light"/>.</summary>
+        public float Light;
+
         /// <summary>Set it if there may be newer data on disk: it is opened, and the shown cloud stays until it is ready. It
         /// resets to false.</summary>
         public bool NeedsRefresh;

@@ -1,3 +1,4 @@
+using FastPoints.Drawing;
 using FastPoints.Rendering;
 using FastPoints.Streaming;
 using Unity.Collections;
@@ -35,21 +36,29 @@ namespace FastPoints.Entities
             using var looks = m_shown.ToComponentDataArray<PointCloudLook>(Allocator.Temp);
             for (int i = 0; i < clouds.Length; i++)
             {
-                scene.SetLook(clouds[i].Number, looks[i].Value);
-                ShowOthers(scene, entities[i], clouds[i]);
+                float? light = EntityManager.HasComponent<PointCloudFile>(entities[i])
+                    ? EntityManager.GetComponentData<PointCloudFile>(entities[i]).Light : (float?)null;
+                scene.SetLook(clouds[i].Number, Lit(looks[i], light));
+                ShowOthers(scene, entities[i], clouds[i], light);
             }
         }
 
         /// <summary>Shows other states of a cloud that are drawn with it.</summary>
-        void ShowOthers(PointScene scene, Entity entity, StreamedPointCloud cloud)
+        void ShowOthers(PointScene scene, Entity entity, StreamedPointCloud cloud, float? light)
         {
             if (cloud.Preview == CloudVersions.None && cloud.Next == CloudVersions.None)
                 return;
             var looks = Group.Live.Of(entity).Looks;
             if (looks.TryGetValue(cloud.Preview, out var preview))
-                scene.SetLook(cloud.Preview, preview.Value);
+                scene.SetLook(cloud.Preview, Lit(preview, light));
             if (looks.TryGetValue(cloud.Next, out var next))
-                scene.SetLook(cloud.Next, next.Value);
+                scene.SetLook(cloud.Next, Lit(next, light));
+        }
+
+        static CloudLook Lit(PointCloudLook look, float? light)
+        {
+            look.Value.Light = light ?? look.Value.Light;
+            return look.Value;
         }
 
         void UseStyle(PointScene scene)

@@ -72,6 +72,8 @@ namespace FastPoints.Rendering.BuiltIn
             RenderTargetIdentifier current = BuiltinRenderTextureType.CameraTarget;
             var target = CameraTarget.Of(camera, current, current, camera.stereoEnabled && IsSinglePass);
             target.MayBeScreen = true;
+            if (scene.IsLit)
+                target.Light = SceneLights.OfSun();
             scene.Record(beforeOpaque, afterOpaque, camera, target);
         }
 

@@ -42,6 +42,8 @@ namespace FastPoints.Rendering.Hdrp
             if (!hasBothEyes)
                 target.Eye = EyeOf(ctx.hdCamera);
             target.IsPart = true;
+            if (scene.IsLit)
+                target.Light = SceneLights.OfSunsColor();
             target.WidthPx = ctx.hdCamera.actualWidth;
             target.HeightPx = ctx.hdCamera.actualHeight;
             scene.Record(ctx.cmd, camera, target);

@@ -1,4 +1,5 @@
 using System;
+using FastPoints.Drawing;
 using UnityEngine;
 using UnityEngine.Experimental.Rendering;
 using UnityEngine.Rendering;
@@ -26,6 +27,7 @@ namespace FastPoints.Rendering.Urp
             public UniversalCameraData CameraData;
             public TextureHandle Color;
             public TextureHandle Depth;
+            public PointLight Light;
         }
 
         UrpPass() => renderPassEvent = RenderPassEvent.AfterRenderingOpaques;
@@ -63,11 +65,16 @@ namespace FastPoints.Rendering.Urp
             data.CameraData = cameraData;
             data.Color = resources.activeColorTexture;
             data.Depth = resources.activeDepthTexture;
+            if (data.Scene.IsLit)
+                data.Light = SceneLights.Of(MainLightOf(frameData.Get<UniversalLightData>()));
             builder.UseTexture(data.Color, AccessFlags.ReadWrite);
             builder.UseTexture(data.Depth, AccessFlags.ReadWrite);
             builder.AllowPassCulling(false);
             builder.SetRenderFunc(s_draw);
         }
+
+        static VisibleLight? MainLightOf(UniversalLightData lights) => lights.mainLightIndex < 0 ? (VisibleLight?)null
+            : lights.visibleLights[lights.mainLightIndex];
 
         static void Draw(PassData data, UnsafeGraphContext context)
         {
@@ -77,6 +84,7 @@ namespace FastPoints.Rendering.Urp
             // Both eyes of a headset are drawn into two slices.
             bool hasBothEyes = camera.xrRendering && camera.camera.stereoEnabled && size.volumeDepth > 1;
             var target = CameraTarget.Of(camera.camera, data.Color, data.Depth, hasBothEyes);
+            target.Light = data.Light;
             target.IsTexture = camera.IsRenderTargetProjectionMatrixFlipped(data.Color, data.Depth);
             // Render scale is in the descriptor, dynamic resolution is not.
             var scaled = camera.camera;

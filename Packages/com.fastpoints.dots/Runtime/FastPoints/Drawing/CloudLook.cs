@@ -26,6 +26,9 @@ namespace FastPoints.Drawing
 
         /// <summary>Index of the classification among the streamed planes; used if classes are hidden.</summary>
         public int ClassPlane;
+
+        /// <summary>How much of its colours is lit, from 0 (at no cost) to 1, in sevenths.</summary>
+        public float Light;
     }
 
     /// <summary>What a point's colour is taken from.</summary>

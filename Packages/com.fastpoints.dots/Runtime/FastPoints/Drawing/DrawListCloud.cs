@@ -67,7 +67,7 @@ namespace FastPoints.Drawing
                 StepX = (float3)(linear.c0 * Step.x),
                 StepY = (float3)(linear.c1 * Step.y),
                 StepZ = (float3)(linear.c2 * Step.z),
-                ColorSource = (uint)Look.Source,
+                ColorSource = (uint)Look.Source | (uint)PointLight.PartsOf(Look.Light) << 8,
                 ColumnTypes = (uint)Look.Palette << 24,
                 ValuePerStep = (float3)(Look.ValuePerUnit * Step),
                 Bias = (float)Look.Bias,

@@ -13,6 +13,7 @@ namespace FastPoints.Tests.Picture
             string[,] styles =
             {
                 { "color", "classification" }, { "size", "2.5" }, { "points", "round" }, { "edl", "off" },
+                { "light", "30,-5,0.25" },
                 { "background", "#102030" }, { "up", "y" },
             };
             for (int i = 0; i < styles.GetLength(0); i++)
@@ -21,6 +22,7 @@ namespace FastPoints.Tests.Picture
             Assert.That(options.PointSizePx, Is.EqualTo(2.5f));
             Assert.That(options.RoundPoints, Is.True);
             Assert.That(options.EdlStrength, Is.EqualTo(0));
+            Assert.That((options.LightAzimuth, options.LightElevation, options.LightShare), Is.EqualTo((30.0, -5.0, 0.25f)));
             Assert.That(options.Background, Is.EqualTo(0xFF302010u));
             Assert.That(options.UpAxis, Is.EqualTo(UpAxis.Y));
         }
@@ -50,11 +52,25 @@ namespace FastPoints.Tests.Picture
         [TestCase("color", ""), TestCase("color", "3"), TestCase("size", "0"), TestCase("size", "-")]
         [TestCase("size", "u"), TestCase("size", "-1u"), TestCase("size", "adaptive:")]
         [TestCase("size", "adaptive:0"), TestCase("points", "flat"), TestCase("edl", "-1")]
+        [TestCase("light", ""), TestCase("light", "30"), TestCase("light", "30,91"), TestCase("light", "30,45,1.1")]
+        [TestCase("light", "30,45,1,1")]
         [TestCase("background", "12345"), TestCase("up", ""), TestCase("shine", "on")]
         public void TrySetStyle_BadValue_NamesTheWanted(string key, string value)
         {
             Assert.That(new PictureOptions().TrySetStyle(key, value, out string error), Is.False);
             Assert.That(error, Is.Not.Null.And.Not.Empty);
+        }
+
+        [TestCase("auto", ColorMode.Elevation, ColorDepth.None, true), TestCase("auto", ColorMode.Rgb, ColorDepth.Bits8, false)]
+        [TestCase("auto", ColorMode.Classification, ColorDepth.None, true)]
+        [TestCase("auto", ColorMode.Elevation, ColorDepth.Bits8, false)]
+        [TestCase("auto", ColorMode.Intensity, ColorDepth.None, false)]
+        [TestCase("off", ColorMode.Elevation, ColorDepth.None, false), TestCase("on", ColorMode.Rgb, ColorDepth.Bits8, true)]
+        public void LightShareFor_Mode_IsOfCloudsWithoutColours(string light, ColorMode mode, ColorDepth color, bool isLit)
+        {
+            var options = new PictureOptions();
+            Assert.That(options.TrySetStyle("light", light, out string error), Is.True, error);
+            Assert.That(options.LightShareFor(mode, color), Is.EqualTo(isLit ? 0.7f : 0));
         }
 
         [Test]

@@ -35,7 +35,7 @@ namespace FastPoints.Tests.Picture
             canvas.UseSize(sizePx);
             var drawing = DrawingOf(batch, camera, PositionTransform.Identity, new int2(width, height), sizePx, round);
             var drawn = canvas.ScheduleDraw(batch, 0, batch.Count, drawing, default);
-            canvas.ScheduleResolve(drawing, 0, 0, drawn).Complete();
+            canvas.ScheduleResolve(new ResolvePictureJob { Projection = drawing.Projection }, drawn).Complete();
             return canvas.ToImage();
         }
 
@@ -49,7 +49,7 @@ namespace FastPoints.Tests.Picture
             canvas.UseSize(2);
             var drawing = DrawingOf(batch, FromAbove(4), PositionTransform.Identity, 4 * samplesPerEdge, canvas.LargestPx);
             var drawn = canvas.ScheduleDraw(batch, 0, batch.Count, drawing, default);
-            canvas.ScheduleResolve(drawing, 0, 0, drawn).Complete();
+            canvas.ScheduleResolve(new ResolvePictureJob { Projection = drawing.Projection }, drawn).Complete();
             Assert.That(canvas.ToImage().Rgba, Is.EqualTo(Draw(batch, FromAbove(4), 4, 4, 2).Rgba));
         }
 
@@ -63,7 +63,7 @@ namespace FastPoints.Tests.Picture
             for (int i = 0; i < samples.Length; i++)
                 pixels[i] = samples[i];
             var projection = new PointProjection(FromAbove(4), PositionTransform.Identity, canvas.WidthPx, canvas.HeightPx);
-            canvas.ScheduleResolve(new PointDrawing { Projection = projection }, 0, 0, default).Complete();
+            canvas.ScheduleResolve(new ResolvePictureJob { Projection = projection }, default).Complete();
             var image = canvas.ToImage();
             Assert.That(image[0, 0], Is.EqualTo(0xFFBCBCBC), "half the light is 188 of 255 in sRGB");
             Assert.That(image[1, 0], Is.EqualTo(0xFF000089), "a quarter is 137");
@@ -210,7 +210,8 @@ namespace FastPoints.Tests.Picture
             var camera = Camera.Perspective(corner + new double3(0, 0, 2), corner, new double3(0, 1, 0), 0.5);
             using var canvas = new PictureCanvas(101, 101, Allocator.Persistent);
             var drawing = DrawingOf(batch, camera, transform, 101);
-            canvas.ScheduleResolve(drawing, 0, 0, canvas.ScheduleDraw(batch, 0, 3, drawing, default)).Complete();
+            canvas.ScheduleResolve(new ResolvePictureJob { Projection = drawing.Projection },
+                canvas.ScheduleDraw(batch, 0, 3, drawing, default)).Complete();
             var image = canvas.ToImage();
             // 2 m * tan(0.5 degrees) / 101 pixels = 0.1728 mm a pixel: 1 mm is 5.79 pixels.
             Assert.That(image[50, 50], Is.EqualTo(Blue));
@@ -249,7 +250,8 @@ namespace FastPoints.Tests.Picture
                 JobHandle drawn = default;
                 for (int start = 0; start < batch.Count; start += 10_000)
                     drawn = JobHandle.CombineDependencies(drawn, canvas.ScheduleDraw(batch, start, 10_000, drawing, default));
-                canvas.ScheduleResolve(drawing, 0, 0.3f, drawn).Complete();
+                canvas.ScheduleResolve(new ResolvePictureJob { Projection = drawing.Projection, EdlStrength = 0.3f },
+                    drawn).Complete();
                 var image = canvas.ToImage();
                 first ??= image.Rgba;
                 Assert.That(image.Rgba, Is.EqualTo(first), workers + " workers");

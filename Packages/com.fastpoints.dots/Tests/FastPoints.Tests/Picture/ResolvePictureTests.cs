@@ -1,7 +1,9 @@
+using FastPoints.Drawing;
 using FastPoints.Picture;
 using NUnit.Framework;
 using Unity.Collections;
 using Unity.Jobs;
+using Unity.Mathematics;
 
 namespace FastPoints.Tests.Picture
 {
@@ -56,7 +58,8 @@ namespace FastPoints.Tests.Picture
             using var colors = new NativeArray<uint>(9, Allocator.Persistent);
             var keys = pixels;
             for (int i = 0; i < 9; i++)
-                keys[i] = i < empty || i == 4 ? PointDrawing.EmptyPixel : PointDrawing.KeyOf(1, 1, i < 6 ? 0x000010u : 0x00FF20u);
+                keys[i] = i < empty || i == 4 ? PointDrawing.EmptyPixel
+                    : PointDrawing.KeyOf(1, 1, 0, i < 6 ? 0x000010u : 0x00FF20u);
             new ResolvePictureJob
             {
                 Pixels = pixels,
@@ -70,6 +73,90 @@ namespace FastPoints.Tests.Picture
             uint green = (uint)((3 * 0xFF + count / 2) / count),
                 red = (uint)((3 * 0x20 + (count - 3) * 0x10 + count / 2) / count);
             Assert.That(colors[4], Is.EqualTo(isFilled ? 0xFF000000u | green << 8 | red : 0x12345678u));
+        }
+
+        const int Edge = 33;
+
+        /// <summary>The light on white pixels of a plane, by the middle one: share 1, from the left, above and behind the
+        /// viewer, nothing from the sky.</summary>
+        static float LightOnPlane(float3 normal, bool isOrthographic, int lastColumn = Edge)
+        {
+            using var pixels = new NativeArray<ulong>(Edge * Edge, Allocator.Persistent);
+            using var colors = new NativeArray<uint>(Edge * Edge, Allocator.Persistent);
+            var keys = pixels;
+            float step = isOrthographic ? 1 : 0.002f;
+            var places = new PixelPlaces
+            {
+                First = new float3(-16, 16, 0) * step,
+                StepX = new float3(step, 0, 0),
+                StepY = new float3(0, -step, 0),
+                Forward = new float3(0, 0, 1),
+                IsOrthographic = isOrthographic,
+            };
+            for (int i = 0; i < Edge * Edge; i++)
+            {
+                // The plane through (0, 0, 500).
+                var across = places.First + places.StepX * (i % Edge) + places.StepY * (i / Edge);
+                float depth = isOrthographic ? 500 - (normal.x * across.x + normal.y * across.y) / normal.z
+                    : 500 * normal.z / math.dot(normal, across + places.Forward);
+                depth += i % Edge > lastColumn ? 100 : 0;
+                keys[i] = PointDrawing.KeyOf(depth, 1, PointLight.Parts, 0xFFFFFF);
+            }
+            new ResolvePictureJob
+            {
+                Pixels = pixels,
+                Projection = new PointProjection { WidthPx = Edge, HeightPx = Edge, IsOrthographic = isOrthographic },
+                Places = places,
+                Light = new PointLight { Direction = math.normalize(new float3(-1, 1, -2)), Color = 1 },
+                Colors = colors,
+            }.Schedule(Edge, default).Complete();
+            return PointLight.LinearOf((colors[Edge * Edge / 2] & 0xFF) / 255f).x;
+        }
+
+        [TestCase(0, 0, true), TestCase(0, 0, false), TestCase(-0.5f, 0.3f, true), TestCase(-0.5f, 0.3f, false)]
+        [TestCase(0.2f, -2, true), TestCase(1.5f, 0.7f, false), TestCase(0.4f, 3, false)]
+        public void Resolve_LitPlane_IsAsBrightAsItsAngle(float x, float y, bool isOrthographic)
+        {
+            var normal = math.normalize(new float3(x, y, -1));
+            float expected = math.max(0, math.dot(normal, math.normalize(new float3(-1, 1, -2))));
+            Assert.That(LightOnPlane(normal, isOrthographic), Is.EqualTo(expected).Within(0.01));
+        }
+
+        /// <summary>A surface far behind begins beside the pixel: the other side counts.</summary>
+        [Test]
+        public void Resolve_LitEdge_IsAsBrightAsItsOwnSurface()
+        {
+            var normal = math.normalize(new float3(-0.5f, 0.3f, -1));
+            Assert.That(LightOnPlane(normal, true, Edge / 2), Is.EqualTo(LightOnPlane(normal, true)).Within(0.01));
+        }
+
+        [Test]
+        public void Resolve_LitPointAlone_HasNoNormal()
+        {
+            using var pixels = new NativeArray<ulong>(1, Allocator.Persistent);
+            using var colors = new NativeArray<uint>(1, Allocator.Persistent);
+            var keys = pixels;
+            keys[0] = PointDrawing.KeyOf(1, PointDrawing.MaxRadiusPx, PointLight.Parts, 0xFFFFFF);
+            var light = new PointLight { Direction = new float3(0, 0, 1), Color = 0.5f };
+            light.SetAmbient(new float3(0, 1, 0), 0.4f, 0.2f);
+            new ResolvePictureJob
+            {
+                Pixels = pixels,
+                Projection = new PointProjection { WidthPx = 1, HeightPx = 1 },
+                Places = new PixelPlaces { StepX = new float3(1, 0, 0), StepY = new float3(0, 1, 0), Forward = 1 },
+                Light = light,
+                Colors = colors,
+            }.Schedule(1, default).Complete();
+            // The mean of the sky and the ground, and half of the main light: 0.55.
+            Assert.That(PointLight.LinearOf((colors[0] & 0xFF) / 255f).x, Is.EqualTo(0.55f).Within(0.005));
+        }
+
+        [TestCase(0, 0), TestCase(7, 31), TestCase(3, 1)]
+        public void KeyOf_StyleOfAPoint_ComesBack(int litParts, int radius)
+        {
+            ulong key = PointDrawing.KeyOf(2, (uint)radius, litParts, 0xFF123456);
+            Assert.That((PointDrawing.LitPartsOf(key), PointDrawing.RadiusOf(key), (uint)key & 0xFFFFFF),
+                Is.EqualTo((litParts, radius, 0x123456u)));
         }
 
         [Test]

@@ -12,6 +12,9 @@ public sealed class GraphicsSettings : Object
         return settings != null;
     }
 
+    /// <summary>Scriptable pipelines set it.</summary>
+    public static bool lightsUseLinearIntensity { get; set; }
+
     /// <summary>Null in the Built-in pipeline; a test sets another.</summary>
     public static RenderPipelineAsset currentRenderPipeline { get; internal set; }
 

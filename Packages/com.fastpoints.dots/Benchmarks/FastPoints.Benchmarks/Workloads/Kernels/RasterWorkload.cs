@@ -65,7 +65,11 @@ namespace FastPoints.Benchmarks
         {
             m_canvas.Clear();
             var drawn = m_canvas.ScheduleDraw(m_points, 0, count, m_drawing, default);
-            m_canvas.ScheduleResolve(m_drawing, 0, PictureOptions.DefaultEdlStrength, drawn).Complete();
+            m_canvas.ScheduleResolve(new ResolvePictureJob
+            {
+                Projection = m_drawing.Projection,
+                EdlStrength = PictureOptions.DefaultEdlStrength,
+            }, drawn).Complete();
         }
 
         static PointBatch MakeSurface(int count, uint seed)

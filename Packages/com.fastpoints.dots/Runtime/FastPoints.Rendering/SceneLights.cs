@@ -1,0 +1,76 @@
+using FastPoints.Drawing;
+using Unity.Mathematics;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace FastPoints.Rendering
+{
+    // From the engine's lights to that of points: linear, with nothing divided by pi, as the engine's own shaders have it.
+    internal static class SceneLights
+    {
+        // From above and the side: for a scene whose Lighting settings name no sun.
+        static readonly float3 s_fromAbove = math.normalize(new float3(-0.5f, 1, -0.5f));
+
+        // The sun of the scene's Lighting settings, and its ambient light.
+        public static PointLight OfSun()
+        {
+            var light = OfSunsColor();
+            var sun = RenderSettings.sun;
+            if (sun != null && sun.isActiveAndEnabled)
+            {
+                var color = VectorOf(sun.color);
+                light.Color = GraphicsSettings.lightsUseLinearIntensity ? PointLight.LinearOf(color) * sun.intensity
+                    : PointLight.LinearOf(color * sun.intensity);
+            }
+            SetAmbient(ref light, RenderSettings.ambientProbe);
+            return light;
+        }
+
+        // HDRP's lights are in lux, and only the card knows the exposure: of the sun its direction and colour count.
+        public static PointLight OfSunsColor()
+        {
+            var sun = RenderSettings.sun;
+            bool isThere = sun != null && sun.isActiveAndEnabled;
+            var direction = isThere ? DirectionOf(sun.transform.localToWorldMatrix) : s_fromAbove;
+            var light = PointLight.Default(direction, new float3(0, 1, 0));
+            if (isThere)
+                light.Color *= PointLight.LinearOf(VectorOf(sun.color));
+            return light;
+        }
+
+        // The light that the pipeline takes for the main one; null for none.
+        public static PointLight Of(in VisibleLight? main)
+        {
+            var light = new PointLight { Direction = s_fromAbove };
+            if (main != null)
+            {
+                light.Direction = DirectionOf(main.Value.localToWorldMatrix);
+                var color = VectorOf(main.Value.finalColor);
+                light.Color = IsLinear ? color : PointLight.LinearOf(color);
+            }
+            SetAmbient(ref light, RenderSettings.ambientProbe);
+            return light;
+        }
+
+        static bool IsLinear => QualitySettings.activeColorSpace == ColorSpace.Linear;
+
+        // Its order: constant, y, z, x, then the second order. In gamma space its mean becomes linear, the rest in proportion.
+        static void SetAmbient(ref PointLight light, in SphericalHarmonicsL2 probe)
+        {
+            var mean = Coefficients(probe, 0);
+            float3 scale = IsLinear ? 1 : PointLight.LinearOf(math.max(0, mean)) / math.max(1e-6f, mean);
+            light.AmbientAll = mean * scale;
+            light.AmbientX = Coefficients(probe, 3) * scale;
+            light.AmbientY = Coefficients(probe, 1) * scale;
+            light.AmbientZ = Coefficients(probe, 2) * scale;
+        }
+
+        static float3 Coefficients(in SphericalHarmonicsL2 probe, int number) =>
+            new float3(probe[0, number], probe[1, number], probe[2, number]);
+
+        // Lights shine along their Z.
+        static float3 DirectionOf(in Matrix4x4 toWorld) => -math.normalizesafe(VectorOf(toWorld.GetColumn(2)));
+
+        static float3 VectorOf(Vector4 value) => new float3(value.x, value.y, value.z);
+    }
+}

@@ -1,0 +1,86 @@
+using System.Runtime.CompilerServices;
+using Unity.Mathematics;
+
+namespace FastPoints.Drawing
+{
+    // The light on a scene's points, linear, along the world's axes. A point of which a share is lit has the colour
+    //     albedo * (1 - share + share * (ambient(normal) + main * max(0, dot(normal, direction)) + others)).
+    // PointLight.hlsl is its twin.
+    internal struct PointLight
+    {
+        // A cloud's share is kept in so many parts, three bits beside a pixel's depth: at most a fourteenth off.
+        public const int Parts = 7;
+
+        // Of the main light, where a pixel has no neighbours that show which way its surface looks: the mean over all surfaces
+        // that see the light. The viewer's direction in place of a normal would make such points flicker as the camera turns.
+        const float ShareWithoutNormal = 0.5f;
+
+        public float3 Direction; // Towards the main light; a unit vector.
+        public float3 Color;
+
+        // Spherical harmonics of order 1: on a surface falls AmbientAll + AmbientX * normal.x + and so on. What order 2 would
+        // add is nothing where light changes evenly from the sky to the ground.
+        public float3 AmbientAll;
+        public float3 AmbientX;
+        public float3 AmbientY;
+        public float3 AmbientZ;
+
+        // Level ground is as bright as its own colour by light from 45 degrees.
+        public static PointLight Default(float3 direction, float3 up)
+        {
+            var light = new PointLight { Direction = direction, Color = 1.06f };
+            light.SetAmbient(up, 0.25f, 0.1f);
+            return light;
+        }
+
+        public static int PartsOf(float share) => (int)math.round(math.saturate(share) * Parts);
+
+        // From a sky's light, on what looks up, to the ground's.
+        public void SetAmbient(float3 up, float3 sky, float3 ground)
+        {
+            var half = (sky - ground) / 2;
+            (AmbientX, AmbientY, AmbientZ, AmbientAll) = (half * up.x, half * up.y, half * up.z, (sky + ground) / 2);
+        }
+
+        // IEC 61966-2-1; HLSL's PointValues.hlsl and PointLight.hlsl have the same.
+        public static float3 LinearOf(float3 srgb) =>
+            math.select(math.pow((srgb + 0.055f) / 1.055f, 2.4f), srgb / 12.92f, srgb <= 0.04045f);
+
+        public static float3 SrgbOf(float3 linear) =>
+            math.select(1.055f * math.pow(linear, 1 / 2.4f) - 0.055f, linear * 12.92f, linear <= 0.0031308f);
+
+        // From sRGB to sRGB.
+        public readonly float3 Lit(float3 srgb, int parts, float3 normal)
+        {
+            float share = parts / (float)Parts;
+            return math.saturate(SrgbOf(LinearOf(srgb) * (1 - share + share * On(normal))));
+        }
+
+        // normal: 0 where it is not known.
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public readonly float3 On(float3 normal)
+        {
+            float main = math.lengthsq(normal) > 0 ? math.max(0, math.dot(normal, Direction)) : ShareWithoutNormal;
+            return math.max(0, AmbientAll + AmbientX * normal.x + AmbientY * normal.y + AmbientZ * normal.z) + Color * main;
+        }
+    }
+
+    // Where a picture's pixels are in the world, as seen from its eye, by their depth along the view.
+    internal struct PixelPlaces
+    {
+        // Of the first pixel's middle; from one column, and row, to the next; of a unit of depth: at a depth of one
+        // (perspective), or at any (orthographic).
+        public float3 First;
+        public float3 StepX;
+        public float3 StepY;
+        public float3 Forward;
+        public bool IsOrthographic;
+
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public readonly float3 Of(int x, int y, float depth)
+        {
+            var across = First + StepX * x + StepY * y;
+            return IsOrthographic ? across + Forward * depth : (across + Forward) * depth;
+        }
+    }
+}

@@ -1,0 +1,38 @@
+using UnityEngine.Rendering;
+
+namespace UnityEngine
+{
+    public sealed class Light : Behaviour
+    {
+        public Color color { get; set; } = Color.white;
+        public float intensity { get; set; } = 1;
+    }
+
+    public sealed class RenderSettings : Object
+    {
+        public static Light sun { get; set; }
+        public static SphericalHarmonicsL2 ambientProbe { get; set; }
+    }
+}
+
+namespace UnityEngine.Rendering
+{
+    public unsafe struct SphericalHarmonicsL2
+    {
+        const int CoefficientsOfChannel = 9;
+
+        fixed float m_values[3 * CoefficientsOfChannel];
+
+        public float this[int rgb, int coefficient]
+        {
+            readonly get => m_values[rgb * CoefficientsOfChannel + coefficient];
+            set => m_values[rgb * CoefficientsOfChannel + coefficient] = value;
+        }
+    }
+
+    public struct VisibleLight
+    {
+        public Color finalColor { readonly get; set; }
+        public Matrix4x4 localToWorldMatrix { readonly get; set; }
+    }
+}
