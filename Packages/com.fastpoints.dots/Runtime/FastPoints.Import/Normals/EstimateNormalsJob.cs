@@ -19,7 +19,7 @@ namespace FastPoints.Normals
         /// <summary>A slice takes about 3 ms.</summary>
         public const int PointsPerSlice = 6000;
 
-        const int PointsPerCell = 16;
+        const int PointsPerCell = 28;
         const int Cells = 27;
         const int MaxScanned = 1 << 13;
 
@@ -32,6 +32,10 @@ namespace FastPoints.Normals
         [NativeDisableContainerSafetyRestriction] public NativeArray<ushort> Normals;
 
         [NativeDisableUnsafePtrRestriction] ulong* m_codes;
+        [NativeDisableUnsafePtrRestriction] double* m_x;
+        [NativeDisableUnsafePtrRestriction] double* m_y;
+        [NativeDisableUnsafePtrRestriction] double* m_z;
+        [NativeDisableUnsafePtrRestriction] int* m_firstOfBucket;
         Neighbourhood m_near;
         double3 m_min;
         double3 m_max;
@@ -52,6 +56,10 @@ namespace FastPoints.Normals
             m_ends = ends;
             m_near = new Neighbourhood(scratch);
             m_codes = (ulong*)Points.Codes.GetUnsafeReadOnlyPtr();
+            m_x = (double*)Points.X.GetUnsafeReadOnlyPtr();
+            m_y = (double*)Points.Y.GetUnsafeReadOnlyPtr();
+            m_z = (double*)Points.Z.GetUnsafeReadOnlyPtr();
+            m_firstOfBucket = (int*)Points.FirstOfBucket.GetUnsafeReadOnlyPtr();
             m_count = Points.Count.Value;
             m_min = Region.Min - Region.OuterMin;
             m_max = (Region.Max - Region.OuterMin) * Region.Metres;
@@ -73,7 +81,7 @@ namespace FastPoints.Normals
         {
             if (First == 0)
                 return 0;
-            for (int level = RegionPoints.BucketLevel; ; level++)
+            for (int level = 0; ; level++)
             {
                 int shift = 3 * (Morton.BitsPerAxis - level), begin = First, end = First;
                 ulong cell = m_codes[First] >> shift;
@@ -92,7 +100,7 @@ namespace FastPoints.Normals
         /// cell may have.</summary>
         int LevelOf(int first)
         {
-            int level = RegionPoints.BucketLevel;
+            int level = 0;
             if (first > 0)
                 level = math.max(level, 1 + CommonLevels(m_codes[first], m_codes[first - 1]));
             if (first + PointsPerCell < m_count)
@@ -102,9 +110,11 @@ namespace FastPoints.Normals
 
         static int CommonLevels(ulong a, ulong b) => (math.lzcnt(a ^ b) - 1) / 3;
 
+        double3 At(int p) => new double3(m_x[p], m_y[p], m_z[p]);
+
         bool IsOwn(int p)
         {
-            var at = new double3(Points.X[p], Points.Y[p], Points.Z[p]);
+            var at = At(p);
             return math.all(at >= m_min) && math.all(at < m_max);
         }
 
@@ -112,7 +122,7 @@ namespace FastPoints.Normals
         /// level up.</summary>
         void Estimate(int* pending, int count, int level)
         {
-            m_limit = (int)math.asuint(1f);
+            m_limit = 0;
             for (; count > 0; level--)
             {
                 int shift = Morton.BitsPerAxis - level;
@@ -122,13 +132,16 @@ namespace FastPoints.Normals
                 var middle = new double3(cell.x + 0.5, cell.y + 0.5, cell.z + 0.5) * edge;
                 FindRanges(cell, level);
                 bool fits = m_total <= Neighbourhood.MaxPoints, isLast = level == 0 || m_total > MaxScanned;
+                // On a plane so near, if it cuts ten of the cells.
+                if (m_limit == 0)
+                    m_limit = (int)math.asuint(3.2f * (1 + Region.Neighbours) / m_total);
                 if (fits)
                     Copy(middle, 1 / edge, default);
                 int left = 0;
                 for (int i = 0; i < count; i++)
                 {
                     int p = pending[i];
-                    var q = (float3)((new double3(Points.X[p], Points.Y[p], Points.Z[p]) - middle) / edge);
+                    var q = (float3)((At(p) - middle) / edge);
                     if (!fits)
                         Copy(middle, 1 / edge, q);
                     if (!TryEstimate(q, isLast, out ushort normal))
@@ -175,7 +188,7 @@ namespace FastPoints.Normals
                         ulong code = Morton.Encode(x, y, z);
                         // One and the next along X are neighbours on the curve, too.
                         bool isPair = (x & 1) == 0 && x < math.min(cell.x + 1, last);
-                        int begin = Points.Find(code << shift), end = EndOf(begin, (isPair ? code + 2 : code + 1) << shift);
+                        int begin = RegionPoints.Find(m_codes, m_firstOfBucket, code << shift), end = EndOf(begin, (isPair ? code + 2 : code + 1) << shift);
                         m_begins[m_ranges] = begin;
                         m_ends[m_ranges] = end;
                         m_total += end - begin;
@@ -192,12 +205,18 @@ namespace FastPoints.Normals
             for (int r = 0; r < m_ranges; r++)
             {
                 int p = m_begins[r] + skip;
-                for (; p < m_ends[r]; p += step)
+                while (p < m_ends[r])
                 {
-                    if (m_near.IsFull)
+                    if (m_near.Room == 0)
                         m_near.KeepNearest(q, 1 + Region.Neighbours, ref m_limit);
-                    m_near.Add((float)((Points.X[p] - middle.x) * scale), (float)((Points.Y[p] - middle.y) * scale),
-                        (float)((Points.Z[p] - middle.z) * scale));
+                    int count = math.min((m_ends[r] - p + step - 1) / step, m_near.Room);
+                    float* x = m_near.Add(count), y = x + Neighbourhood.MaxPoints, z = y + Neighbourhood.MaxPoints;
+                    for (int i = 0; i < count; i++, p += step)
+                    {
+                        x[i] = (float)((m_x[p] - middle.x) * scale);
+                        y[i] = (float)((m_y[p] - middle.y) * scale);
+                        z[i] = (float)((m_z[p] - middle.z) * scale);
+                    }
                 }
                 skip = p - m_ends[r];
             }
@@ -211,7 +230,7 @@ namespace FastPoints.Normals
             for (; end < m_count && end - first < near; end++)
                 if (m_codes[end] >= code)
                     return end;
-            return end < m_count ? Points.Find(code) : m_count;
+            return end < m_count ? RegionPoints.Find(m_codes, m_firstOfBucket, code) : m_count;
         }
     }
 }

@@ -25,7 +25,7 @@ namespace FastPoints.Normals
 
         public int Count { get; private set; }
 
-        public readonly bool IsFull => Count == MaxPoints;
+        public readonly int Room => MaxPoints - Count;
 
         float* Y => m_x + MaxPoints;
         float* Z => m_x + 2 * MaxPoints;
@@ -33,11 +33,11 @@ namespace FastPoints.Normals
 
         public void Clear() => Count = 0;
 
-        public void Add(float x, float y, float z)
+        /// <summary>Where the X of so many more go; Y and Z are <see cref="MaxPoints"/> further each.</summary>
+        public float* Add(int count)
         {
-            m_x[Count] = x;
-            Y[Count] = y;
-            Z[Count++] = z;
+            Count += count;
+            return m_x + Count - count;
         }
 
         /// <summary>Fills the last eight up with points at infinity, which are not counted.</summary>

@@ -9,6 +9,9 @@ namespace FastPoints.Normals
     {
         public const ushort None = 0;
 
+        /// <summary>No vector's code, and not stored: the point was not looked at.</summary>
+        public const ushort Unset = 1;
+
         const int Middle = 128;
         const int Largest = 127;
 

@@ -31,11 +31,8 @@ namespace FastPoints.Normals
     /// corner.</summary>
     internal unsafe struct RegionPoints : IDisposable
     {
-        const int BucketBits = 15;
+        const int BucketBits = 18;
         const int BucketShift = 3 * Morton.BitsPerAxis - BucketBits;
-
-        /// <summary>Cells of a bucket are at least this far below the region.</summary>
-        public const int BucketLevel = BucketBits / 3;
 
         public NativeArray<double> X;
         public NativeArray<double> Y;
@@ -75,13 +72,12 @@ namespace FastPoints.Normals
         public static int BucketOf(ulong code) => (int)(code >> BucketShift);
 
         /// <summary>The first point whose code is no smaller.</summary>
-        public readonly int Find(ulong code)
+        public static int Find(ulong* codes, int* firstOfBucket, ulong code)
         {
             int bucket = BucketOf(code);
             if (bucket >= 1 << BucketBits)
-                return FirstOfBucket[1 << BucketBits];
-            var codes = (ulong*)Codes.GetUnsafeReadOnlyPtr();
-            int first = FirstOfBucket[bucket], count = FirstOfBucket[bucket + 1] - first;
+                return firstOfBucket[1 << BucketBits];
+            int first = firstOfBucket[bucket], count = firstOfBucket[bucket + 1] - first;
             while (count > 0)
             {
                 int half = count / 2;
@@ -129,13 +125,15 @@ namespace FastPoints.Normals
         {
             long begin = SliceTimes.Begin();
             double3 min = Region.OuterMin, size = Region.OuterMax - min, scale = Region.Metres / Points.Cell;
+            double* x = (double*)X.GetUnsafeReadOnlyPtr(), y = (double*)Y.GetUnsafeReadOnlyPtr(),
+                z = (double*)Z.GetUnsafeReadOnlyPtr();
             var codes = (ulong*)Points.FoundCodes.GetUnsafePtr();
             var ids = (uint*)Points.FoundIds.GetUnsafePtr();
             var counts = (int*)Points.FirstOfBucket.GetUnsafePtr() + 1;
             int count = Points.Count.Value;
             for (int i = First; i < End; i++)
             {
-                var p = new double3(X[i], Y[i], Z[i]) - min;
+                var p = new double3(x[i], y[i], z[i]) - min;
                 if (!(math.all(p >= 0) && math.all(p <= size)))
                     continue;
                 var cell = p * scale;
@@ -193,7 +191,7 @@ namespace FastPoints.Normals
     [BurstCompile]
     internal unsafe struct SortRegionJob : IJob
     {
-        /// <summary>A slice takes about 3 ms, unless one of 32,768 cells has more points.</summary>
+        /// <summary>A slice takes about 3 ms, unless one of 262,144 cells has more points.</summary>
         public const int PointsPerSlice = 40000;
 
         public int First;
@@ -220,13 +218,16 @@ namespace FastPoints.Normals
                     (uint*)Points.FoundIds.GetUnsafePtr() + first, starts[bucket + 1] - first);
             }
             var min = Region.OuterMin;
+            Place((double*)X.GetUnsafeReadOnlyPtr(), min.x, Region.Metres.x, begin, end, (double*)Points.X.GetUnsafePtr());
+            Place((double*)Y.GetUnsafeReadOnlyPtr(), min.y, Region.Metres.y, begin, end, (double*)Points.Y.GetUnsafePtr());
+            Place((double*)Z.GetUnsafeReadOnlyPtr(), min.z, Region.Metres.z, begin, end, (double*)Points.Z.GetUnsafePtr());
+        }
+
+        void Place(double* from, double min, double metres, int begin, int end, double* to)
+        {
+            var ids = (uint*)Points.Ids.GetUnsafeReadOnlyPtr();
             for (int i = begin; i < end; i++)
-            {
-                int id = (int)ids[i];
-                Points.X[i] = (X[id] - min.x) * Region.Metres.x;
-                Points.Y[i] = (Y[id] - min.y) * Region.Metres.y;
-                Points.Z[i] = (Z[id] - min.z) * Region.Metres.z;
-            }
+                to[i] = (from[ids[i]] - min) * metres;
         }
 
         /// <summary>The first bucket that begins at a point or behind it.</summary>
