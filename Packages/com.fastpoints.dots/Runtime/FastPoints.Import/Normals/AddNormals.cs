@@ -58,7 +58,8 @@ namespace FastPoints.Normals
             StageProgress progress)
         {
             CloudFolder folder = null;
-            yield return JobStep.Of(PoolTask.Run(path, () => Open(path), opened => folder = opened, unwanted => unwanted.Dispose()));
+            yield return JobStep.Of(PoolTask.Run(path, () => Open(path), opened => folder = opened,
+                unwanted => unwanted.Dispose()));
             using (folder)
             using (var add = new AddNormals(folder))
             {
@@ -83,7 +84,8 @@ namespace FastPoints.Normals
         static CloudFolder Open(string path)
         {
             if (SourcePath.IsRemote(path))
-                throw new PointCloudException(FailureCode.Unsupported, path, -1, "wanted a cloud on this machine, got an address");
+                throw new PointCloudException(FailureCode.Unsupported, path, -1,
+                    "wanted a cloud on this machine, got an address");
             var folder = CloudFolder.Open(path);
             if (!folder.IsUnfinished && !folder.Manifest.IsWhole)
                 return folder;
@@ -130,7 +132,7 @@ namespace FastPoints.Normals
             return m_queue.Write(path, bytes);
         }
 
-        /// <summary>Coroutine: the cloud has its normals once cloud.json is replaced; streams have its files closed then.</summary>
+        /// <summary>Coroutine: the cloud has its normals once cloud.json is replaced; streams close its files for that.</summary>
         IEnumerator<JobStep> Finish(CloudManifest manifest)
         {
             // What was written is read once before it counts.
@@ -154,7 +156,7 @@ namespace FastPoints.Normals
             }
         }
 
-        /// <summary>Queues the deletion of pages and layers that the manifest does not name, as of runs that were stopped.</summary>
+        /// <summary>Queues the deletion of pages and layers that the manifest does not name.</summary>
         void DeleteOthers(CloudManifest manifest) => m_queue.Run(m_path, () =>
         {
             foreach (string file in Directory.GetFiles(m_path, "hierarchy*.bin*"))

@@ -6,7 +6,7 @@ using Unity.Mathematics;
 
 namespace FastPoints.Normals
 {
-    /// <summary>A slice of estimating normals: of points of a region in the order of the curve. Slices run side by side.</summary>
+    /// <summary>A slice of estimating normals: of a region's points in the order of the curve. Slices run side by side.</summary>
     /// <remarks>
     /// Points are taken cell by cell: the largest cells of the octree that have at most <see cref="PointsPerCell"/>. Neighbours
     /// come from the 27 cells around, each a range along the curve. Where the k-th may be beyond these, the point is taken again
@@ -188,7 +188,8 @@ namespace FastPoints.Normals
                         ulong code = Morton.Encode(x, y, z);
                         // One and the next along X are neighbours on the curve, too.
                         bool isPair = (x & 1) == 0 && x < math.min(cell.x + 1, last);
-                        int begin = RegionPoints.Find(m_codes, m_firstOfBucket, code << shift), end = EndOf(begin, (isPair ? code + 2 : code + 1) << shift);
+                        int begin = RegionPoints.Find(m_codes, m_firstOfBucket, code << shift);
+                        int end = EndOf(begin, (isPair ? code + 2 : code + 1) << shift);
                         m_begins[m_ranges] = begin;
                         m_ends[m_ranges] = end;
                         m_total += end - begin;

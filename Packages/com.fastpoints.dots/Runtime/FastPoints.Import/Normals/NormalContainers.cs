@@ -270,7 +270,8 @@ namespace FastPoints.Normals
                     points += Groups[end].Count;
                 int start = File.Length, blocks = Groups[group].Blocks;
                 File.ResizeUninitialized(start + (int)shape.LongestBytes(blocks, points));
-                var writer = new BlockWriter((uint*)(File.GetUnsafePtr() + start), shape, 0, (long)blocks * shape.DescriptorWords);
+                var writer = new BlockWriter((uint*)(File.GetUnsafePtr() + start), shape, 0,
+                    (long)blocks * shape.DescriptorWords);
                 for (; group < end; group++)
                     Write(Groups[group], ref writer);
                 int length = (int)writer.End();

@@ -111,7 +111,8 @@ namespace FastPoints.Store
         /// <summary>A generation of an unfinished cloud, or of one with computed planes, has its own, so that none changes under
         /// a reader.</summary>
         public string HierarchyName => IsWhole ? StoreFormat.WholeName
-            : IsBuilding || NormalLayer > 0 ? StoreFormat.GenerationName(StoreFormat.HierarchyName, Generation) : StoreFormat.HierarchyName;
+            : IsBuilding || NormalLayer > 0 ? StoreFormat.GenerationName(StoreFormat.HierarchyName, Generation)
+            : StoreFormat.HierarchyName;
 
         internal PageLink RootPage => new PageLink
         {

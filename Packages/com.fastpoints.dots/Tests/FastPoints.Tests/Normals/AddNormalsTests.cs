@@ -75,7 +75,8 @@ namespace FastPoints.Tests
             Assert.That(Problems(), Is.Empty);
             Assert.That(Directory.GetDirectories(Path.Combine(Cloud, StoreFormat.LayerFolderName)).Select(Path.GetFileName),
                 Is.EqualTo(new[] { "2" }));
-            Assert.That(Directory.GetFiles(Cloud, "hierarchy*").Select(Path.GetFileName), Is.EqualTo(new[] { "hierarchy-3.bin" }));
+            Assert.That(Directory.GetFiles(Cloud, "hierarchy*").Select(Path.GetFileName),
+                Is.EqualTo(new[] { "hierarchy-3.bin" }));
         }
 
         [Test]
@@ -179,7 +180,8 @@ namespace FastPoints.Tests
             ulong* values = stackalloc ulong[5 * PlaneShape.MaxPointsPerBlock];
             foreach (var table in folder.LoadAll())
             {
-                byte[] points = File.ReadAllBytes(folder.PathOf(page)), normals = File.ReadAllBytes(folder.PathOfComputed(page++));
+                byte[] points = File.ReadAllBytes(folder.PathOf(page));
+                byte[] normals = File.ReadAllBytes(folder.PathOfComputed(page++));
                 fixed (byte* ofPoints = points, ofNormals = normals)
                     for (int n = 0; n < table.Nodes.Length; n++)
                     {

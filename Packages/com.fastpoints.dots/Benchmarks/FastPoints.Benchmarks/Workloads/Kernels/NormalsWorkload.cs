@@ -78,7 +78,8 @@ namespace FastPoints.Benchmarks
             {
                 var normal = (double3)OctahedralNormal.Decode(m_normals[100 * i]);
                 var wanted = new double3(x[100 * i], y[100 * i], z[100 * i]);
-                degrees[i] = 180 / Math.PI * (Math.Atan2(math.length(math.cross(normal, wanted)), Math.Abs(math.dot(normal, wanted))));
+                degrees[i] = 180 / Math.PI *
+                    Math.Atan2(math.length(math.cross(normal, wanted)), Math.Abs(math.dot(normal, wanted)));
             }
             Array.Sort(degrees);
             return degrees[degrees.Length / 2];
