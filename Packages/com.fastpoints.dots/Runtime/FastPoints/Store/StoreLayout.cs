@@ -105,20 +105,11 @@ namespace FastPoints.Store
                 m_planes[m_planes.Count - 1].AverageOf = p;
             }
             if (hasNormals)
+                m_planes.Add(NormalsFrom(columns));
+            for (int c = 0; hasNormals && c < 2; c++)
             {
-                m_planes.Add(new Plane
-                {
-                    Name = NormalName,
-                    FirstColumn = columns,
-                    ColumnCount = 2,
-                    Shape = new PlaneShape(2, 0),
-                    IsComputed = true,
-                });
-                for (int c = 0; c < 2; c++)
-                {
-                    attributeOfColumn[columns] = -1;
-                    stored[columns++] = new StoredColumn { Type = AttributeType.UInt8, Divisor = 1 };
-                }
+                attributeOfColumn[columns] = -1;
+                stored[columns++] = new StoredColumn { Type = AttributeType.UInt8, Divisor = 1 };
             }
             Array.Resize(ref stored, columns);
             Array.Resize(ref attributeOfColumn, columns);
@@ -139,6 +130,15 @@ namespace FastPoints.Store
 
         /// <summary>Bytes of a record's attributes.</summary>
         public int AttributeBytes { get; }
+
+        static Plane NormalsFrom(int column) => new Plane
+        {
+            Name = NormalName,
+            FirstColumn = column,
+            ColumnCount = 2,
+            Shape = new PlaneShape(2, 0),
+            IsComputed = true,
+        };
 
         static bool CanAverage(AttributeType type) =>
             type == AttributeType.UInt8 || type == AttributeType.UInt16 || type == AttributeType.Float32;
