@@ -12,7 +12,7 @@ namespace FastPoints.Normals
     /// <summary>How normals are made.</summary>
     internal struct NormalSettings
     {
-        public const int DefaultNeighbours = 16, MinNeighbours = 3, MaxNeighbours = 100;
+        public const int DefaultNeighbours = 16;
 
         /// <summary>0 for the default.</summary>
         public int Neighbours;
@@ -35,7 +35,7 @@ namespace FastPoints.Normals
         readonly string m_path;
         readonly FolderLock m_lock;
         readonly WriteQueue m_queue;
-        SliceTimes m_slices = new SliceTimes(Allocator.Persistent);
+        SliceTimes m_slices;
         bool m_isDisposed;
 
         AddNormals(CloudFolder folder)
@@ -48,6 +48,7 @@ namespace FastPoints.Normals
             m_queue = new WriteQueue(() => m_lock.Renew(DateTime.UtcNow) ? null
                 : new PointCloudException(FailureCode.WriteFailed, m_path, -1, "was taken over by another process"),
                 FolderLock.RenewAfter);
+            m_slices = new SliceTimes(Allocator.Persistent);
         }
 
         /// <summary>Coroutine.</summary>

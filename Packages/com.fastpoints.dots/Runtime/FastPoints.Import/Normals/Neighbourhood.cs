@@ -140,14 +140,16 @@ namespace FastPoints.Normals
                 SumLanes(q, limit, sums);
             else
                 SumLanesPlain(q, limit, sums);
-            return new OffsetSums
-            {
-                Count = count,
-                Offset = new float3(Total(sums, 0), Total(sums, 1), Total(sums, 2)),
-                Squares = new float3(Total(sums, 3), Total(sums, 4), Total(sums, 5)),
-                Mixed = new float3(Total(sums, 6), Total(sums, 7), Total(sums, 8)),
-            };
+            return Total(sums, count);
         }
+
+        internal static OffsetSums Total(float* lanes, int count) => new OffsetSums
+        {
+            Count = count,
+            Offset = new float3(TotalOf(lanes, 0), TotalOf(lanes, 1), TotalOf(lanes, 2)),
+            Squares = new float3(TotalOf(lanes, 3), TotalOf(lanes, 4), TotalOf(lanes, 5)),
+            Mixed = new float3(TotalOf(lanes, 6), TotalOf(lanes, 7), TotalOf(lanes, 8)),
+        };
 
         void SumLanes(float3 q, int limit, float* sums)
         {
@@ -204,9 +206,9 @@ namespace FastPoints.Normals
             }
         }
 
-        static float Total(float* sums, int number)
+        static float TotalOf(float* lanes, int number)
         {
-            float* s = sums + number * Lanes;
+            float* s = lanes + number * Lanes;
             return s[0] + s[1] + (s[2] + s[3]) + (s[4] + s[5] + (s[6] + s[7]));
         }
     }

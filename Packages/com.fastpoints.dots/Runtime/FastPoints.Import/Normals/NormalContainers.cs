@@ -23,7 +23,7 @@ namespace FastPoints.Normals
         /// <summary>By page: those of its nodes' normals.</summary>
         readonly List<PlaneRange[]> m_ranges = new List<PlaneRange[]>();
         readonly List<Container> m_containerOfPage = new List<Container>();
-        NativeReference<int> m_count = new NativeReference<int>(Allocator.Persistent);
+        NativeReference<int> m_count;
 
         sealed class Container
         {
@@ -51,6 +51,7 @@ namespace FastPoints.Normals
                 m_containerOfPage.Add(table.Nodes.Length == 0 ? null : Add(page, table));
                 page++;
             }
+            m_count = new NativeReference<int>(Allocator.Persistent);
         }
 
         public long Bytes { get; private set; }

@@ -159,6 +159,25 @@ namespace FastPoints.Tests
             Assert.That(largest, Is.LessThan(0.95));
         }
 
+        [Test]
+        public unsafe void Sum_WithoutAvx2_IsTheSame()
+        {
+            float* scratch = stackalloc float[Neighbourhood.ScratchFloats], lanes = stackalloc float[9 * 8];
+            var near = new Neighbourhood(scratch);
+            var random = new Random(11);
+            float* x = near.Add(101);
+            for (int i = 0; i < 101; i++)
+                for (int axis = 0; axis < 3; axis++)
+                    x[i + axis * Neighbourhood.MaxPoints] = random.NextFloat(-1.5f, 1.5f);
+            near.Pad();
+            var q = new float3(x[0], x[Neighbourhood.MaxPoints], x[2 * Neighbourhood.MaxPoints]);
+            int limit = 0;
+            near.MeasureFrom(q);
+            Assert.That(near.FindLimit(17, ref limit), Is.EqualTo(17));
+            near.SumLanesPlain(q, limit, lanes);
+            Assert.That(near.Sum(q, limit, 17), Is.EqualTo(Neighbourhood.Total(lanes, 17)));
+        }
+
         static double[] ErrorsOf(Surface surface, double noise, int neighbours)
         {
             var points = PointsOf(surface, noise);
