@@ -64,18 +64,22 @@ sealed unsafe class SingleFileStep : IDisposable
         {
             if (table.Nodes.Length > 0)
             {
-                string path = m_cloud.PathOf(page);
+                string path = m_cloud.PathOf(page), ofComputed = m_cloud.PathOfComputed(page);
                 Place(path, m_cloud.ContainerOf(page));
-                using var file = OpenHandle(path);
-                foreach (var range in table.Planes)
+                Place(ofComputed, m_cloud.ContainerOfComputed(page));
+                using var built = OpenHandle(path);
+                using var computed = OpenHandle(ofComputed);
+                for (int i = 0; i < table.Planes.Length; i++)
                 {
+                    var range = table.Planes[i];
+                    var file = IsComputed(i % table.PlaneCount) ? computed : built;
                     if (buffer.Length < range.LengthBytes)
                         buffer = new byte[range.LengthBytes];
                     var bytes = buffer.AsSpan(0, (int)range.LengthBytes);
                     FilePieces.Read(file, path, range.OffsetBytes, bytes);
                     if (range.LengthBytes > 0 && ContentHash.Of(bytes) is var hash && hash != range.Hash)
-                        throw new PointCloudException(FailureCode.BadInput, path, range.OffsetBytes, "a plane is damaged: "
-                            + StoreFile.HashProblem(range.Hash, hash));
+                        throw new PointCloudException(FailureCode.BadInput, file == built ? path : ofComputed,
+                            range.OffsetBytes, "a plane is damaged: " + StoreFile.HashProblem(range.Hash, hash));
                 }
                 points += table.View.Header.PointCount;
             }
@@ -84,6 +88,8 @@ sealed unsafe class SingleFileStep : IDisposable
             yield return default;
         }
     }
+
+    bool IsComputed(int plane) => m_cloud.Layout.Planes[plane].IsComputed;
 
     void Place(string path, ContainerRecord container)
     {
@@ -160,7 +166,8 @@ sealed unsafe class SingleFileStep : IDisposable
             var range = view.Ranges[r].Range;
             if (range.LengthBytes == 0)
                 continue;
-            range.OffsetBytes += m_shiftOfFile[m_cloud.PathOf(page)];
+            range.OffsetBytes += m_shiftOfFile[IsComputed(r % header.PlaneCount) ? m_cloud.PathOfComputed(page)
+                : m_cloud.PathOf(page)];
             view.Ranges[r] = new PackedRange(range);
         }
         for (int l = 0; l < header.LinkCount; l++)

@@ -255,6 +255,27 @@ public sealed class SummaryTests : ScratchTests
     }
 
     [Test]
+    public void ConvertNormals_WithABuildOrLater_HaveTheirKeys()
+    {
+        string cloud = Scratch["normals.fastpoints"];
+        var json = Summary("convert", "convert", m_demo, "-o", cloud, "--normals");
+        HasConvertKeys(json);
+        Assert.That(json.GetProperty("normals").GetProperty("points").GetInt64(), Is.EqualTo(3000));
+        json = Summary("convert", "convert", cloud, "--normals");
+        Assert.That(json.GetProperty("normals").GetProperty("orientation").GetString(), Is.EqualTo("up").Or.EqualTo("viewer"));
+        Assert.That(Summary("verify", "verify", cloud, "--against", m_demo).GetProperty("ok").GetBoolean(), Is.True);
+    }
+
+    [TestCase("--normals")]
+    [TestCase("--report")]
+    public void Convert_OfAFileWithoutOutput_SaysSo(string option)
+    {
+        var call = CliCall.Of("convert", m_demo, option);
+        Assert.That(call.Status, Is.EqualTo(ExitStatus.Usage));
+        Assert.That(call.Error, Does.Contain("--output: wanted NAME.fastpoints"));
+    }
+
+    [Test]
     public void Verify_OfADamagedCloud_IsBadInput()
     {
         string cloud = Scratch["damaged.fastpoints"];

@@ -30,6 +30,19 @@ sealed class SingleFileTests : RemoteFixture
     }
 
     [Test]
+    public void Publish_SingleWithNormals_HasThem()
+    {
+        Assert.That(CliCall.Of("convert", m_many, "--normals").Status, Is.Zero);
+        Publish();
+        var verified = CliCall.Of("verify", m_one, "--against", Scratch["demo.las"]);
+        Assert.That(verified.Status, Is.Zero, verified.Output + verified.Error);
+        Assert.That(File.ReadAllText(Path.Combine(m_one, "cloud.json")), Does.Contain("\"orientation\""));
+        Assert.That(CliCall.Of("verify", Server.Of("one.fastpoints")).Status, Is.Zero);
+        Assert.That(CliCall.Of("verify", Server.Of("many.fastpoints")).Status, Is.Zero);
+        Assert.That(CliCall.Of("convert", m_one, "--normals").Error, Does.Contain("one of a single file"));
+    }
+
+    [Test]
     public void Publish_Single_GivesPointsAndPicturesOfTheFolder()
     {
         Publish();

@@ -42,6 +42,10 @@ namespace Unity.Burst.Intrinsics
             public static v256 mm256_add_ps(v256 a, v256 b) =>
                 new v256(Net.Add(a.Bits.AsSingle(), b.Bits.AsSingle()).AsUInt32());
             [MethodImpl(Inline)]
+            public static v256 mm256_sub_ps(v256 a, v256 b) =>
+                new v256(Net.Subtract(a.Bits.AsSingle(), b.Bits.AsSingle()).AsUInt32());
+            [MethodImpl(Inline)] public static v256 mm256_and_ps(v256 a, v256 b) => new v256(Net.And(a.Bits, b.Bits));
+            [MethodImpl(Inline)]
             public static v256 mm256_mul_ps(v256 a, v256 b) =>
                 new v256(Net.Multiply(a.Bits.AsSingle(), b.Bits.AsSingle()).AsUInt32());
 #else
@@ -52,6 +56,8 @@ namespace Unity.Burst.Intrinsics
             public static v256 mm256_set1_ps(float a) => throw new System.PlatformNotSupportedException();
             public static void mm256_storeu_ps(void* ptr, v256 a) => throw new System.PlatformNotSupportedException();
             public static v256 mm256_add_ps(v256 a, v256 b) => throw new System.PlatformNotSupportedException();
+            public static v256 mm256_sub_ps(v256 a, v256 b) => throw new System.PlatformNotSupportedException();
+            public static v256 mm256_and_ps(v256 a, v256 b) => throw new System.PlatformNotSupportedException();
             public static v256 mm256_mul_ps(v256 a, v256 b) => throw new System.PlatformNotSupportedException();
 #endif
         }

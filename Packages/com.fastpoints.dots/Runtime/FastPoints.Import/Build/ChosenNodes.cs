@@ -187,7 +187,7 @@ namespace FastPoints.Build
             return points;
         }
 
-        void Add(int page, int node, int points)
+        protected void Add(int page, int node, int points)
         {
             if (!m_nodesOfPage.TryGetValue(page, out var chosen))
                 m_nodesOfPage.Add(page, chosen = new List<int>());

@@ -223,7 +223,7 @@ namespace FastPoints.Build
                 for (int p = 1; p < layout.Planes.Count; p++)
                 {
                     var plane = layout.Planes[p];
-                    if (plane.AverageOf >= 0)
+                    if (!plane.IsSource)
                         continue;
                     int first = targets.Count;
                     for (int c = plane.FirstColumn; c < plane.FirstColumn + plane.ColumnCount; c++)

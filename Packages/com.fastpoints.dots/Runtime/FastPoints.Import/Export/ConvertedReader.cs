@@ -133,7 +133,7 @@ namespace FastPoints.Export
             int first = pieces.Count, page = m_blocks[range.Block].Page;
             for (int p = 0; p < m_folder.Layout.Planes.Count; p++)
             {
-                if (m_folder.Layout.Planes[p].AverageOf >= 0)
+                if (!m_folder.Layout.Planes[p].IsSource)
                     continue;
                 var plane = RangeOf(range.Block, p);
                 var last = pieces.Count > first ? pieces[pieces.Count - 1] : default;
@@ -228,7 +228,7 @@ namespace FastPoints.Export
                 {
                     int before = targets.Count;
                     var plane = layout.Planes[p];
-                    for (int c = 0; c < plane.ColumnCount && plane.AverageOf < 0; c++)
+                    for (int c = 0; c < plane.ColumnCount && plane.IsSource; c++)
                         AddTarget(targets, m_planes.Count, c, layout.Columns[plane.FirstColumn + c],
                             layout.Attributes[layout.AttributeOfColumn[plane.FirstColumn + c]].Name);
                     if (targets.Count > before)

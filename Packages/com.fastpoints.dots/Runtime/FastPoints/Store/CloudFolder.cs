@@ -29,7 +29,8 @@ namespace FastPoints.Store
         {
             public PageLink Link;
             public int Table; // Number of the container that it lies in.
-            public int Planes; // Of that of its nodes' planes; unknown until it was loaded, as the next.
+            public int Planes; // Of that of its nodes' planes; unknown until it was loaded, as the next two.
+            public int Computed; // Of that of planes that were computed.
             public int FirstBelow;
         }
 
@@ -81,6 +82,13 @@ namespace FastPoints.Store
 
         /// <summary>The container of the planes of a loaded page's nodes.</summary>
         internal ContainerRecord ContainerOf(int page) => m_containers[m_pages[page].Planes].Record;
+
+        // The same of computed planes, where the cloud has some.
+        internal string PathOfComputed(int page) => m_containers[m_pages[page].Computed].Path;
+
+        internal ContainerRecord ContainerOfComputed(int page) => m_containers[m_pages[page].Computed].Record;
+
+        internal RemoteFile RemoteOfComputed(int page) => RemoteOfContainer(m_pages[page].Computed);
 
         /// <summary>The path of <see cref="ContainerOf"/>.</summary>
         public string PathOf(int page) => m_containers[m_pages[page].Planes].Path;
@@ -253,6 +261,8 @@ namespace FastPoints.Store
             var header = view.Header;
             known.FirstBelow = m_pages.Count;
             known.Planes = header.NodeCount == 0 ? known.Table : NumberOf(view.Containers[view.ContainerOfPlane[0]]);
+            known.Computed = header.NodeCount == 0 ? known.Table
+                : NumberOf(view.Containers[view.ContainerOfPlane[header.PlaneCount - 1]]);
             m_pages[page] = known;
             for (int l = 0; l < header.LinkCount; l++)
             {
@@ -266,6 +276,7 @@ namespace FastPoints.Store
             Link = link,
             Table = container,
             Planes = Unknown,
+            Computed = Unknown,
             FirstBelow = Unknown,
         });
 

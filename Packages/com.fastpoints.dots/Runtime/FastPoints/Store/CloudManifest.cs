@@ -59,6 +59,10 @@ namespace FastPoints.Store
         /// <summary>Planes with averages follow the others: see <see cref="StoreLayout"/>.</summary>
         public bool HasAverages => Sampler == "average";
 
+        // The layer of computed normals, 0 for none, and which way they point: see NormalOrientation.
+        internal ushort NormalLayer;
+        internal string NormalOrientation;
+
         /// <summary>For people: the coordinate system's one-line summary, its well-known text and codes, where known.</summary>
         public string CrsName;
         public string CrsWkt;
@@ -104,9 +108,11 @@ namespace FastPoints.Store
         /// <summary>Planes and pages are one file, for hosts that limit the number of objects.</summary>
         public bool IsWhole;
 
-        /// <summary>A generation of an unfinished cloud has its own, so that none changes under a reader.</summary>
+        /// <summary>A generation of an unfinished cloud, or of one with computed planes, has its own, so that none changes under
+        /// a reader.</summary>
         public string HierarchyName => IsWhole ? StoreFormat.WholeName
-            : IsBuilding ? StoreFormat.GenerationName(StoreFormat.HierarchyName, Generation) : StoreFormat.HierarchyName;
+            : IsBuilding || NormalLayer > 0 ? StoreFormat.GenerationName(StoreFormat.HierarchyName, Generation)
+            : StoreFormat.HierarchyName;
 
         internal PageLink RootPage => new PageLink
         {
@@ -126,7 +132,8 @@ namespace FastPoints.Store
         // Of another state of the same cloud.
         internal CloudManifest Clone() => (CloudManifest)MemberwiseClone();
 
-        public StoreLayout CreateLayout() => new StoreLayout(Attributes, Divisors, HasAverages);
+        public StoreLayout CreateLayout() =>
+            new StoreLayout(Attributes, Divisors, HasAverages, NormalLayer > 0);
 
         public string ToJson()
         {
@@ -164,7 +171,12 @@ namespace FastPoints.Store
             }
             json.BeginArray("planes");
             foreach (var plane in CreateLayout().Planes)
-                json.BeginObject().Add("name", plane.Name).Add("kind", KindOf(plane)).EndObject();
+            {
+                json.BeginObject().Add("name", plane.Name).Add("kind", KindOf(plane));
+                if (plane.IsComputed)
+                    json.Add("layer", NormalLayer).Add("orientation", NormalOrientation);
+                json.EndObject();
+            }
             json.EndArray();
             Write(json.BeginObject("crs"), Crs);
             if (GpsTime.Kind != GpsTimeKind.Unknown)
@@ -285,12 +297,20 @@ namespace FastPoints.Store
             Attributes = new PointSchema(schema);
         }
 
-        static string KindOf(StoreLayout.Plane plane) => plane.AverageOf < 0 ? "source" : "average";
+        static string KindOf(StoreLayout.Plane plane) => plane.IsComputed ? StoreLayout.NormalName
+            : plane.AverageOf < 0 ? "source" : "average";
 
         // Kinds that are computed later come behind these.
         void CheckPlanes(JsonMembers json)
         {
             var planes = json.Objects("planes");
+            if (planes.Count > 0 && planes[planes.Count - 1] is var last && last.Text("kind") == StoreLayout.NormalName)
+            {
+                NormalLayer = (ushort)last.Count("layer", ushort.MaxValue);
+                NormalOrientation = last.Text("orientation");
+                if (NormalLayer == 0)
+                    throw last.Bad("layer", "1 or more");
+            }
             var known = CreateLayout().Planes;
             for (int p = 0; p < Math.Max(known.Count, planes.Count); p++)
             {

@@ -47,7 +47,8 @@ namespace FastPoints.Store
         internal static string FindProblem(NativeArray<byte> bytes, in PageLink link, in HierarchyGrid grid, StoreLayout layout)
         {
             using var shapes = layout.CreateShapes(Allocator.Persistent);
-            var check = new TableCheck(bytes, link, grid, (PlaneShape*)shapes.GetUnsafeReadOnlyPtr(), shapes.Length);
+            var check = new TableCheck(bytes, link, grid, (PlaneShape*)shapes.GetUnsafeReadOnlyPtr(), shapes.Length,
+                layout.ComputedPlanes);
             var problem = check.FindProblem();
             return problem.IsNone ? null : Describe(problem, check);
         }

@@ -11,6 +11,7 @@ namespace FastPoints.Store
         public const int PositionPlane = 0;
         public const string PositionName = "position";
         public const string ColorName = "color";
+        internal const string NormalName = "normal";
 
         /// <summary>Suffix for the name of a plane with averages of another.</summary>
         public const string AverageSuffix = ".average";
@@ -31,15 +32,22 @@ namespace FastPoints.Store
 
             /// <summary>The plane whose values it averages over what each point stands for; -1 for plain values.</summary>
             public int AverageOf = -1;
+
+            // Computed from the cloud's points, in a container of its own layer; not in its attributes.
+            internal bool IsComputed;
+
+            // Values of attributes.
+            internal bool IsSource => AverageOf < 0 && !IsComputed;
         }
 
-        /// <summary>All attributes except X, Y, Z, with a divisor each (null for 1). Averages come last.</summary>
-        public StoreLayout(PointSchema attributes, int[] divisors = null, bool hasAverages = false)
+        /// <summary>All attributes except X, Y, Z, with a divisor each (null for 1). Averages come last, then
+        /// normals.</summary>
+        public StoreLayout(PointSchema attributes, int[] divisors = null, bool hasAverages = false, bool hasNormals = false)
         {
             Attributes = attributes;
-            // The averages at most double the number.
-            var stored = new StoredColumn[2 * attributes.Count];
-            var attributeOfColumn = new int[2 * attributes.Count];
+            // The averages at most double the number; normals have two.
+            var stored = new StoredColumn[2 * attributes.Count + 2];
+            var attributeOfColumn = new int[2 * attributes.Count + 2];
             m_planes.Add(new Plane { Name = PositionName, Shape = PlaneShape.OfPositions(false) });
 
             var offsets = new int[attributes.Count];
@@ -96,6 +104,13 @@ namespace FastPoints.Store
                 AddPlane(plane.Name + AverageSuffix, members);
                 m_planes[m_planes.Count - 1].AverageOf = p;
             }
+            if (hasNormals)
+                m_planes.Add(NormalsFrom(columns));
+            for (int c = 0; hasNormals && c < 2; c++)
+            {
+                attributeOfColumn[columns] = -1;
+                stored[columns++] = new StoredColumn { Type = AttributeType.UInt8, Divisor = 1 };
+            }
             Array.Resize(ref stored, columns);
             Array.Resize(ref attributeOfColumn, columns);
             Columns = stored;
@@ -110,17 +125,29 @@ namespace FastPoints.Store
         /// <summary>The columns of all planes except the first, plane by plane.</summary>
         public StoredColumn[] Columns { get; }
 
-        /// <summary>Index in <see cref="Attributes"/> of each column.</summary>
+        /// <summary>Index in <see cref="Attributes"/> of each column; -1 for what is computed.</summary>
         public int[] AttributeOfColumn { get; }
 
         /// <summary>Bytes of a record's attributes.</summary>
         public int AttributeBytes { get; }
+
+        static Plane NormalsFrom(int column) => new Plane
+        {
+            Name = NormalName,
+            FirstColumn = column,
+            ColumnCount = 2,
+            Shape = new PlaneShape(2, 0),
+            IsComputed = true,
+        };
 
         static bool CanAverage(AttributeType type) =>
             type == AttributeType.UInt8 || type == AttributeType.UInt16 || type == AttributeType.Float32;
 
         /// <returns>The plane with the averages of another, or -1.</returns>
         public int AverageOf(int plane) => plane == PositionPlane ? -1 : m_planes.FindIndex(p => p.AverageOf == plane);
+
+        // At the end.
+        internal int ComputedPlanes => m_planes[m_planes.Count - 1].IsComputed ? 1 : 0;
 
         /// <returns>The plane of that name, or -1.</returns>
         public int PlaneOf(string name) => m_planes.FindIndex(p => p.Name == name);

@@ -14,9 +14,11 @@ namespace FastPoints.Store
         readonly ulong m_cloudId;
         readonly PlaneShape* m_shapes; // The position's is that of nodes that are not wide.
         readonly int m_planeCount;
+        readonly int m_computedPlanes; // At the end.
         PageHeader m_header;
 
-        public TableCheck(NativeArray<byte> bytes, in PageLink link, in HierarchyGrid grid, PlaneShape* shapes, int planeCount)
+        public TableCheck(NativeArray<byte> bytes, in PageLink link, in HierarchyGrid grid, PlaneShape* shapes, int planeCount,
+            int computedPlanes = 0)
         {
             Page = PageView.Of(bytes);
             Link = link;
@@ -25,6 +27,7 @@ namespace FastPoints.Store
             m_cloudId = grid.CloudId;
             m_shapes = shapes;
             m_planeCount = planeCount;
+            m_computedPlanes = computedPlanes;
             m_header = default;
         }
 
@@ -66,9 +69,9 @@ namespace FastPoints.Store
                 m_header.LinkCount < 0 || m_header.ContainerCount < 0 || m_header.LengthBytes != m_bytes)
                 return false;
             for (int p = 0; p < m_planeCount; p++)
-                // Readers of this version take all planes of a page from one container.
+                // Readers take all planes that a cloud was built with from one container, and the computed from another.
                 if (Page.ContainerOfPlane[p] < 0 || Page.ContainerOfPlane[p] >= m_header.ContainerCount ||
-                    Page.ContainerOfPlane[p] != Page.ContainerOfPlane[0])
+                    p < m_planeCount - m_computedPlanes && Page.ContainerOfPlane[p] != Page.ContainerOfPlane[0])
                     return m_header.NodeCount == 0;
             for (int c = 0; c < m_header.ContainerCount; c++)
                 if (Page.Containers[c].SideLog2 < 0 || Page.Containers[c].SideLog2 > GridCube.MaxSideLog2 ||

@@ -30,13 +30,13 @@ namespace FastPoints.Streaming
             m_shapes = folder.Layout.CreateShapes(Allocator.Persistent);
         }
 
-        /// <summary>Opens a folder with all planes except averages: a small file and a page, on any thread.</summary>
+        /// <summary>Opens a folder with all planes of attributes: a small file and a page, on any thread.</summary>
         public static FolderSource OpenWhole(string path)
         {
             var folder = CloudFolder.Open(path);
             var names = new List<string>();
             foreach (var plane in folder.Layout.Planes)
-                if (plane.AverageOf < 0)
+                if (plane.IsSource)
                     names.Add(plane.Name);
             return new FolderSource(folder, names.ToArray());
         }
@@ -152,6 +152,7 @@ namespace FastPoints.Streaming
                 Link = m_folder.LinkOf(page),
                 Grid = m_grid,
                 Shapes = m_shapes,
+                ComputedPlanes = m_folder.Layout.ComputedPlanes,
                 Wanted = m_planes,
                 Built = built,
                 Problem = problem,

@@ -18,7 +18,7 @@ namespace FastPoints.Build
     /// keeps out a second build of the same target.</remarks>
     internal sealed unsafe class CloudFolderWriter : IDisposable
     {
-        const string LockName = "build.lock";
+        internal const string LockName = "build.lock";
 
         readonly string m_target;
         readonly string m_part;

@@ -192,7 +192,7 @@ namespace FastPoints.Build
             yield return JobStep.Of(CloudFolderWriter.Await(folder.Seal(name, header)));
         }
 
-        static byte[] HeaderOf(CloudManifest manifest, int planeCount)
+        public static byte[] HeaderOf(CloudManifest manifest, int planeCount)
         {
             var header = new FileHeader
             {

@@ -13,9 +13,12 @@ namespace FastPoints.Export
         readonly NativeStoreLayout m_store;
         readonly bool m_isRoot;
         readonly RemoteFile m_remote;
-        readonly long m_firstByte = long.MaxValue;
-        readonly long m_endByte;
+        readonly RemoteFile m_remoteOfComputed;
+        readonly string m_pathOfComputed;
+        readonly Span m_bytes;
+        readonly Span m_computedBytes;
         readonly StoreRead m_read = new StoreRead();
+        readonly StoreRead m_computed = new StoreRead();
         NativeArray<NodePart> m_parts;
         NativeArray<NodeCheckResult> m_planeResults;
         NativeArray<NodeCheckResult> m_results;
@@ -31,13 +34,11 @@ namespace FastPoints.Export
             m_isRoot = page == 0;
             m_remote = folder.RemoteOf(page);
             Path = folder.PathOf(page);
-            foreach (var range in table.Planes)
-                if (range.LengthBytes > 0)
-                {
-                    m_firstByte = Math.Min(m_firstByte, range.OffsetBytes);
-                    m_endByte = Math.Max(m_endByte, range.OffsetBytes + range.LengthBytes);
-                }
-            m_firstByte = Math.Min(m_firstByte, m_endByte);
+            int built = table.PlaneCount - store.Layout.ComputedPlanes;
+            m_bytes = Span.Of(table, 0, built);
+            m_computedBytes = Span.Of(table, built, table.PlaneCount);
+            if (built < table.PlaneCount)
+                (m_remoteOfComputed, m_pathOfComputed) = (folder.RemoteOfComputed(page), folder.PathOfComputed(page));
             ListParts();
             m_planeResults = new NativeArray<NodeCheckResult>(table.Nodes.Length, Allocator.Persistent);
             m_results = new NativeArray<NodeCheckResult>(m_parts.Length, Allocator.Persistent);
@@ -47,18 +48,23 @@ namespace FastPoints.Export
         public NodeTable Table { get; }
         public JobHandle Done { get; private set; }
 
-        public long Bytes => Math.Max(0, m_endByte - m_firstByte);
+        public long Bytes => m_bytes.Count + m_computedBytes.Count;
 
         /// <summary>Coroutine: begins the read and schedules all jobs; <see cref="Done"/> is theirs afterwards.</summary>
         public IEnumerator<JobStep> Begin()
         {
-            m_read.Begin(Path, m_firstByte, Bytes, m_remote);
-            while (!m_read.IsFetched)
+            m_read.Begin(Path, m_bytes.First, m_bytes.Count, m_remote);
+            m_computed.Begin(m_pathOfComputed ?? Path, m_computedBytes.First, m_computedBytes.Count, m_remoteOfComputed);
+            while (!m_read.IsFetched || !m_computed.IsFetched)
                 yield return default;
+            var read = JobHandle.CombineDependencies(m_read.Done, m_computed.Done);
             var job = new VerifyNodesJob
             {
                 File = m_read.Bytes,
-                FileOffset = m_firstByte,
+                FileOffset = m_bytes.First,
+                Computed = m_computed.Bytes,
+                ComputedOffset = m_computedBytes.First,
+                ComputedPlanes = m_store.Layout.ComputedPlanes,
                 Nodes = Table.Nodes,
                 Planes = Table.Planes,
                 PlaneCount = Table.PlaneCount,
@@ -80,7 +86,7 @@ namespace FastPoints.Export
                     job.First = slices[slice];
                     job.End = slices[slice + 1];
                     return job.Schedule(after);
-                }, Slices.MaxChains, isOfPlanes ? m_read.Done : Done, scheduled => Done = scheduled));
+                }, Slices.MaxChains, isOfPlanes ? read : Done, scheduled => Done = scheduled));
             }
             JobHandle.ScheduleBatchedJobs();
         }
@@ -91,6 +97,7 @@ namespace FastPoints.Export
         {
             Done.Complete();
             m_read.Complete();
+            m_computed.Complete();
         }
 
         public IEnumerable<NodeCheckResult> NodeResults()
@@ -113,11 +120,33 @@ namespace FastPoints.Export
                 return;
             Done.Complete();
             m_read.Dispose();
+            m_computed.Dispose();
             m_parts.Dispose();
             m_planeResults.Dispose();
             m_results.Dispose();
             if (!m_isRoot)
                 Table.Dispose();
+        }
+
+        /// <summary>What is read of a file.</summary>
+        struct Span
+        {
+            public long First;
+            public long Count;
+
+            public static Span Of(NodeTable table, int firstPlane, int endPlane)
+            {
+                long first = long.MaxValue, end = 0;
+                for (int i = 0; i < table.Planes.Length; i++)
+                {
+                    var range = table.Planes[i];
+                    if (range.LengthBytes == 0 || i % table.PlaneCount < firstPlane || i % table.PlaneCount >= endPlane)
+                        continue;
+                    first = Math.Min(first, range.OffsetBytes);
+                    end = Math.Max(end, range.OffsetBytes + range.LengthBytes);
+                }
+                return new Span { First = Math.Min(first, end), Count = Math.Max(0, end - first) };
+            }
         }
 
         void ListParts()

@@ -25,6 +25,11 @@ namespace FastPoints.Export
 
         [ReadOnly] public NativeArray<byte> File;
         public long FileOffset;
+
+        /// <summary>The bytes of the last planes, if these were computed.</summary>
+        [ReadOnly] public NativeArray<byte> Computed;
+        public long ComputedOffset;
+        public int ComputedPlanes;
         [ReadOnly] public NativeArray<NodeRecord> Nodes;
         [ReadOnly] public NativeArray<PlaneRange> Planes;
         public int PlaneCount;
@@ -59,24 +64,25 @@ namespace FastPoints.Export
         {
             var node = Nodes[planeNode];
             var range = Planes[planeNode * PlaneCount + plane];
-            return new PlaneView((byte*)File.GetUnsafeReadOnlyPtr() - FileOffset + range.OffsetBytes,
-                ShapeOf(plane, node.IsWide), node.PlaneBlocks);
+            return new PlaneView(FileOf(plane) + range.OffsetBytes, ShapeOf(plane, node.IsWide), node.PlaneBlocks);
         }
+
+        byte* FileOf(int plane) => plane >= PlaneCount - ComputedPlanes
+            ? (byte*)Computed.GetUnsafeReadOnlyPtr() - ComputedOffset : (byte*)File.GetUnsafeReadOnlyPtr() - FileOffset;
 
         NodeCheckResult CheckPlanes(int index)
         {
             var result = NodeCheckResult.Empty;
             if (Nodes[index].PlaneNode != index)
                 return result;
-            var file = (byte*)File.GetUnsafeReadOnlyPtr() - FileOffset;
             for (int p = 0; p < PlaneCount && result.Fault == NodeFault.None; p++)
             {
                 var range = Planes[index * PlaneCount + p];
                 result.Plane = p;
-                result.Hash = ContentHash.Of(file + range.OffsetBytes, range.LengthBytes);
+                result.Hash = ContentHash.Of(FileOf(p) + range.OffsetBytes, range.LengthBytes);
                 if (result.Hash != range.Hash)
                     result.Fault = NodeFault.PlaneHash;
-                else if (!PlaneView.IsValid(file + range.OffsetBytes, range.LengthBytes, ShapeOf(p, Nodes[index].IsWide),
+                else if (!PlaneView.IsValid(FileOf(p) + range.OffsetBytes, range.LengthBytes, ShapeOf(p, Nodes[index].IsWide),
                     Nodes[index].PlaneBlocks))
                     result.Fault = NodeFault.PlaneShape;
             }

@@ -25,8 +25,9 @@ namespace FastPoints.Nodes
                 var shapes = Shapes;
                 shapes[p] = layout.Planes[p + 1].Shape;
                 var averageOf = AverageOf;
-                averageOf[p] = layout.Planes[p + 1].AverageOf - 1;
-                if (averageOf[p] >= 0)
+                // What is computed is no attribute either.
+                averageOf[p] = layout.Planes[p + 1].IsComputed ? p : layout.Planes[p + 1].AverageOf - 1;
+                if (layout.Planes[p + 1].AverageOf >= 0)
                     for (int c = 0; c < layout.Planes[p + 1].ColumnCount; c++)
                         averaged.Add(layout.Columns[first[p] + c]);
             }
@@ -43,7 +44,8 @@ namespace FastPoints.Nodes
 
         public NativeArray<PlaneShape> Shapes { get; private set; }
 
-        /// <summary>For each attribute plane, the one whose values it averages, or a negative number.</summary>
+        /// <summary>For each attribute plane, the one whose values it averages, or a negative number; itself if it was
+        /// computed.</summary>
         public NativeArray<int> AverageOf { get; private set; }
 
         /// <summary>The attribute plane that lies with the positions, or a negative number.</summary>

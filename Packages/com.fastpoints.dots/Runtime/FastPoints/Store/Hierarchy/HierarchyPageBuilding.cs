@@ -99,6 +99,7 @@ namespace FastPoints.Store
         public PageLink Link;
         public HierarchyGrid Grid;
         [ReadOnly] public NativeArray<PlaneShape> Shapes;
+        public int ComputedPlanes; // The last of these.
         [ReadOnly] public NativeArray<int> Wanted;
 
         // The page, if Problem is none; the code that takes it owns its memory.
@@ -106,7 +107,7 @@ namespace FastPoints.Store
         public NativeReference<TableProblem> Problem;
 
         public TableCheck Check =>
-            new TableCheck(Table, Link, Grid, (PlaneShape*)Shapes.GetUnsafeReadOnlyPtr(), Shapes.Length);
+            new TableCheck(Table, Link, Grid, (PlaneShape*)Shapes.GetUnsafeReadOnlyPtr(), Shapes.Length, ComputedPlanes);
 
         public void Execute()
         {

@@ -1,0 +1,172 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Text;
+using FastPoints.Build;
+using FastPoints.Store;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+
+namespace FastPoints.Normals
+{
+    /// <summary>How normals are made.</summary>
+    internal struct NormalSettings
+    {
+        public const int DefaultNeighbours = 16;
+
+        /// <summary>0 for the default.</summary>
+        public int Neighbours;
+    }
+
+    /// <summary>Computes the normals of a converted cloud's points, and stores them in containers beside those of the points. Of
+    /// what is there pages alone are written anew, under a new name, and cloud.json last: until then, also if it is stopped, the
+    /// cloud is as it was.</summary>
+    internal sealed class AddNormals : IDisposable
+    {
+        public const string Stage = "normals";
+
+        /// <summary>Points of LAS files in a system of the earth's surface were measured from above, or shown as if.</summary>
+        public const string Up = "up";
+
+        /// <summary>Whoever shows them turns them to the viewer.</summary>
+        public const string Viewer = "viewer";
+
+        readonly CloudFolder m_folder;
+        readonly string m_path;
+        readonly FolderLock m_lock;
+        readonly WriteQueue m_queue;
+        SliceTimes m_slices;
+        bool m_isDisposed;
+
+        AddNormals(CloudFolder folder)
+        {
+            m_folder = folder;
+            m_path = folder.FolderPath;
+            string owner = FolderLock.TryTake(Path.Combine(m_path, CloudFolderWriter.LockName), out m_lock);
+            if (owner != null)
+                throw new PointCloudException(FailureCode.WriteFailed, m_path, -1, "is being written by " + owner);
+            m_queue = new WriteQueue(() => m_lock.Renew(DateTime.UtcNow) ? null
+                : new PointCloudException(FailureCode.WriteFailed, m_path, -1, "was taken over by another process"),
+                FolderLock.RenewAfter);
+            m_slices = new SliceTimes(Allocator.Persistent);
+        }
+
+        /// <summary>Coroutine.</summary>
+        /// <param name="path">A finished cloud of several files on this machine.</param>
+        /// <param name="done">Receives its manifest.</param>
+        /// <exception cref="PointCloudException">It is none, is damaged, or cannot be written.</exception>
+        public static IEnumerator<JobStep> Run(string path, NormalSettings settings, Action<CloudManifest> done,
+            StageProgress progress)
+        {
+            CloudFolder folder = null;
+            yield return JobStep.Of(PoolTask.Run(path, () => Open(path), opened => folder = opened,
+                unwanted => unwanted.Dispose()));
+            using (folder)
+            using (var add = new AddNormals(folder))
+            {
+                add.DeleteOthers(folder.Manifest);
+                var manifest = folder.Manifest.Clone();
+                manifest.Generation++;
+                manifest.NormalLayer = checked((ushort)(manifest.NormalLayer + 1));
+                manifest.NormalOrientation = manifest.Crs.Epsg != 0 || manifest.CrsGeoKeys != null ? Up : Viewer;
+                using var cubes = new NormalCubes(folder, settings.Neighbours > 0 ? settings.Neighbours
+                    : NormalSettings.DefaultNeighbours);
+                using var normals = new NormalContainers(folder, cubes, manifest.NormalLayer, add.Write);
+                progress?.Begin(Stage);
+                yield return JobStep.Of(add.Estimate(cubes, normals, progress));
+                normals.CheckComplete();
+                yield return JobStep.Of(NormalPages.Write(folder, manifest, normals, add.m_queue));
+                yield return JobStep.Of(add.Finish(manifest));
+                progress?.End();
+                done?.Invoke(manifest);
+            }
+        }
+
+        static CloudFolder Open(string path)
+        {
+            if (SourcePath.IsRemote(path))
+                throw new PointCloudException(FailureCode.Unsupported, path, -1,
+                    "wanted a cloud on this machine, got an address");
+            var folder = CloudFolder.Open(path);
+            if (!folder.IsUnfinished && !folder.Manifest.IsWhole)
+                return folder;
+            folder.Dispose();
+            throw new PointCloudException(FailureCode.Unsupported, path, -1, "wanted a finished cloud of several files, got " +
+                (folder.Manifest.IsWhole ? "one of a single file" : "one that is being built"));
+        }
+
+        public void Dispose()
+        {
+            if (m_isDisposed)
+                return;
+            m_isDisposed = true;
+            m_queue.End();
+            m_lock.Dispose();
+            m_slices.Dispose();
+        }
+
+        IEnumerator<JobStep> Estimate(NormalCubes cubes, NormalContainers normals, StageProgress progress)
+        {
+            var schema = LoadNodes.SchemaFor(m_folder);
+            long doneBytes = 0, all = Math.Max(1, m_folder.Manifest.Points * sizeof(ushort));
+            foreach (var cube in cubes.Cubes())
+            {
+                var region = cubes.Choose(cube);
+                using var batch = new PointBatch(schema, Math.Max(1, cubes.CheckedPoints), Allocator.Persistent);
+                using var found = new NativeArray<ushort>(batch.Capacity, Allocator.Persistent);
+                Fill(found);
+                yield return JobStep.Of(LoadNodes.Run(m_folder, cubes, batch, null));
+                yield return JobStep.Of(NormalEstimator.Run(batch, region, found, m_slices));
+                yield return JobStep.Of(normals.Take(found));
+                if (normals.Bytes != doneBytes)
+                    progress?.Report(Math.Min(1, (doneBytes = normals.Bytes) / (double)all), 0, doneBytes);
+            }
+        }
+
+        static unsafe void Fill(NativeArray<ushort> found) =>
+            new Span<ushort>(found.GetUnsafePtr(), found.Length).Fill(OctahedralNormal.Unset);
+
+        WriteTicket Write(string name, NativeArray<byte> bytes)
+        {
+            string path = Path.Combine(m_path, name.Replace('/', Path.DirectorySeparatorChar));
+            m_queue.Run(path, () => Directory.CreateDirectory(Path.GetDirectoryName(path)));
+            return m_queue.Write(path, bytes);
+        }
+
+        /// <summary>Coroutine: the cloud has its normals once cloud.json is replaced; streams close its files for that.</summary>
+        IEnumerator<JobStep> Finish(CloudManifest manifest)
+        {
+            // What was written is read once before it counts.
+            using (var written = CloudFolder.Open(m_path, manifest))
+                foreach (var _ in written.LoadAll())
+                    yield return default;
+            FolderReleases.Release(m_path);
+            try
+            {
+                while (!FolderReleases.HasReleased)
+                    yield return default;
+                using var text = new NativeArray<byte>(new UTF8Encoding(false).GetBytes(manifest.ToJson()), Allocator.Persistent);
+                yield return JobStep.Of(CloudFolderWriter.Await(
+                    m_queue.Write(Path.Combine(m_path, StoreFormat.ManifestName), text)));
+                DeleteOthers(manifest);
+                yield return JobStep.Of(CloudFolderWriter.Await(m_queue.Run(m_path, () => { })));
+            }
+            finally
+            {
+                FolderReleases.Reacquire(m_path);
+            }
+        }
+
+        /// <summary>Queues the deletion of pages and layers that the manifest does not name.</summary>
+        void DeleteOthers(CloudManifest manifest) => m_queue.Run(m_path, () =>
+        {
+            foreach (string file in Directory.GetFiles(m_path, "hierarchy*.bin*"))
+                if (Path.GetFileName(file) != manifest.HierarchyName)
+                    FileChanges.TryDelete(file, m_queue.ShouldRetry);
+            string layers = Path.Combine(m_path, StoreFormat.LayerFolderName);
+            foreach (string layer in Directory.Exists(layers) ? Directory.GetDirectories(layers) : Array.Empty<string>())
+                if (Path.GetFileName(layer) != NumberText.Of((long)manifest.NormalLayer))
+                    FileChanges.DeleteFolder(layer);
+        });
+    }
+}

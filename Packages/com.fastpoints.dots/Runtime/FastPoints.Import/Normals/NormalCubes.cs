@@ -1,0 +1,158 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Build;
+using FastPoints.Store;
+using Unity.Mathematics;
+
+namespace FastPoints.Normals
+{
+    /// <summary>A cloud's nodes by place. All tables of its pages are in memory.</summary>
+    internal sealed class NormalCubes : ChosenNodes
+    {
+        /// <summary>Cubes are cut until they have no more, but for what upper nodes have there.</summary>
+        const long MaxPoints = 600_000;
+
+        /// <summary>Finest cells of a region are at least this far below the smallest node in it.</summary>
+        const int MaxLevelsBelow = 12;
+
+        /// <summary>Neighbours are looked for as far from a cube as twice as many would reach, where the density is that of
+        /// most points.</summary>
+        const double MarginSpacings = 2;
+
+        readonly double3 m_metres;
+        readonly int m_neighbours;
+
+        public NormalCubes(CloudFolder folder, int neighbours) : base(folder)
+        {
+            var manifest = folder.Manifest;
+            m_neighbours = neighbours;
+            m_metres = manifest.Crs.Units.MetresAt(manifest.BoundsGeo.Center, UpAxis.Z) * manifest.Grid.Step;
+        }
+
+        /// <summary>Every node of a page whose blocks are in planes of its own.</summary>
+        public IEnumerable<int> PlaneNodesOf(int page)
+        {
+            var nodes = Load(page).Nodes;
+            for (int n = 0; n < nodes.Length; n++)
+                if (nodes[n].PlaneNode == n)
+                    yield return n;
+        }
+
+        /// <summary>The cubes that all points are in, along the Morton curve.</summary>
+        public IEnumerable<GridCube> Cubes() => CubesOf(Folder.Manifest.Root);
+
+        IEnumerable<GridCube> CubesOf(GridCube cube)
+        {
+            long inside = 0;
+            int smallest = cube.SideLog2;
+            bool isAny = false;
+            foreach (var (page, index) in NodesIn(cube.Corner, EndOf(cube)))
+            {
+                var node = TableOf(page).Nodes[index];
+                isAny |= Intersects(node, cube.Corner, EndOf(cube));
+                if (!cube.Contains(node.Cube))
+                    continue;
+                inside += node.PointCount;
+                smallest = Math.Min(smallest, node.SideLog2);
+            }
+            if (!isAny)
+                yield break;
+            if (cube.SideLog2 == 0 || inside <= MaxPoints && smallest >= cube.SideLog2 - MaxLevelsBelow)
+            {
+                yield return cube;
+                yield break;
+            }
+            for (int octant = 0; octant < 8; octant++)
+                foreach (var below in CubesOf(cube.Child(octant)))
+                    yield return below;
+        }
+
+        /// <summary>Chooses the nodes with points in a cube or around it.</summary>
+        public NormalRegion Choose(GridCube cube)
+        {
+            Clear();
+            double weight = 0, sum = 0;
+            foreach (var (page, index) in NodesIn(cube.Corner, EndOf(cube)))
+            {
+                var node = TableOf(page).Nodes[index];
+                if (!Intersects(node, cube.Corner, EndOf(cube)))
+                    continue;
+                weight += node.PointCount;
+                sum += node.PointCount * SpacingOf(node);
+            }
+            var corner = cube.Corner - Folder.Manifest.Root.Corner;
+            var region = new NormalRegion
+            {
+                Min = new double3(corner.X, corner.Y, corner.Z),
+                Max = new double3(corner.X, corner.Y, corner.Z) + cube.Side,
+                Metres = m_metres,
+                Neighbours = m_neighbours,
+                Margin = MarginSpacings * math.sqrt(m_neighbours) * sum / math.max(1, weight),
+            };
+            var around = StepsOf(region.Margin);
+            foreach (var (page, index) in NodesIn(cube.Corner - around, EndOf(cube) + around))
+                if (Intersects(TableOf(page).Nodes[index], cube.Corner - around, EndOf(cube) + around))
+                    Add(page, index, TableOf(page).Nodes[index].PointCount);
+            SortNodes();
+            return region;
+        }
+
+        public override bool IsRefined(int page, int node) => true;
+
+        Grid3 StepsOf(double metres)
+        {
+            var steps = math.min(metres / m_metres, 1L << 60);
+            return new Grid3(1 + (long)steps.x, 1 + (long)steps.y, 1 + (long)steps.z);
+        }
+
+        /// <summary>Of points that are spread over the two longer sides of their bounds.</summary>
+        double SpacingOf(in NodeRecord node)
+        {
+            var size = new double3(node.MaxX - node.MinX + 1.0, node.MaxY - node.MinY + 1.0, node.MaxZ - node.MinZ + 1.0) *
+                m_metres * (1L << node.BoundsShift);
+            return math.sqrt(size.x * size.y * size.z / math.cmin(size) / node.PointCount);
+        }
+
+        static Grid3 EndOf(GridCube cube) => cube.Corner + new Grid3(cube.Side, cube.Side, cube.Side);
+
+        static bool Intersects(in NodeRecord node, Grid3 min, Grid3 end)
+        {
+            int shift = node.BoundsShift;
+            long rest = (1L << shift) - 1;
+            var low = node.Corner + new Grid3((long)node.MinX << shift, (long)node.MinY << shift, (long)node.MinZ << shift);
+            var high = node.Corner + new Grid3(((long)node.MaxX << shift) + rest, ((long)node.MaxY << shift) + rest,
+                ((long)node.MaxZ << shift) + rest);
+            return AreBelow(low, end) && !IsAnyBelow(high, min);
+        }
+
+        static bool AreBelow(Grid3 a, Grid3 b) => a.X < b.X && a.Y < b.Y && a.Z < b.Z;
+
+        static bool IsAnyBelow(Grid3 a, Grid3 b) => a.X < b.X || a.Y < b.Y || a.Z < b.Z;
+
+        /// <summary>Nodes whose cubes intersect a box, from the root down.</summary>
+        IEnumerable<(int Page, int Node)> NodesIn(Grid3 min, Grid3 end)
+        {
+            var next = new Stack<(int Page, int Node)>();
+            if (Load(0).Nodes.Length > 0)
+                next.Push((0, 0));
+            while (next.Count > 0)
+            {
+                var (page, index) = next.Pop();
+                var table = Load(page);
+                var node = table.Nodes[index];
+                if (!AreBelow(node.Corner, end) || !AreBelow(min, EndOf(node.Cube)))
+                    continue;
+                yield return (page, index);
+                for (int child = node.FirstChild; child < node.FirstChild + node.ChildCount; child++)
+                    next.Push((page, child));
+                for (int link = node.FirstLink; link < node.FirstLink + node.LinkCount; link++)
+                {
+                    int below = Folder.FirstBelow(page) + link;
+                    var roots = Load(below).Nodes;
+                    for (int root = 0; root < roots.Length && roots[root].Parent < 0; root++)
+                        next.Push((below, root));
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,52 @@
+using System;
+using System.Collections.Generic;
+using Unity.Collections;
+using Unity.Jobs;
+
+namespace FastPoints.Normals
+{
+    /// <summary>Estimates the normals of a region's points.</summary>
+    internal static class NormalEstimator
+    {
+        /// <summary>Coroutine.</summary>
+        /// <param name="batch">Positions in grid steps from the root's corner, those in the region's margin too.</param>
+        /// <param name="normals">By point of the batch; those of the region's own points are set.</param>
+        public static IEnumerator<JobStep> Run(PointBatch batch, NormalRegion region, NativeArray<ushort> normals,
+            SliceTimes slices)
+        {
+            var points = new RegionPoints(Math.Max(1, batch.Count), region);
+            var done = default(JobHandle);
+            try
+            {
+                NativeArray<double> x = batch.Column<double>(AttributeNames.X), y = batch.Column<double>(AttributeNames.Y),
+                    z = batch.Column<double>(AttributeNames.Z);
+                yield return JobStep.Of(Slices.Run(0, batch.Count, ListRegionJob.PointsPerSlice, (first, end, after) =>
+                    done = new ListRegionJob
+                    {
+                        First = first,
+                        End = end,
+                        Region = region,
+                        X = x,
+                        Y = y,
+                        Z = z,
+                        Points = points,
+                        Slices = slices,
+                    }.Schedule(after)));
+                int count = points.Count.Value;
+                yield return JobStep.Of(Slices.Run(0, count, ScatterRegionJob.PointsPerSlice, (first, end, after) =>
+                    done = new ScatterRegionJob { First = first, End = end, Points = points, Slices = slices }.Schedule(after)));
+                yield return JobStep.Of(Slices.Run(0, count, SortRegionJob.PointsPerSlice, (first, end, after) =>
+                    new SortRegionJob { First = first, End = end, Region = region, X = x, Y = y, Z = z, Points = points }
+                        .Schedule(after), Slices.MaxChains));
+                yield return JobStep.Of(Slices.Run(0, count, EstimateNormalsJob.PointsPerSlice, (first, end, after) =>
+                    new EstimateNormalsJob { First = first, End = end, Region = region, Points = points, Normals = normals }
+                        .Schedule(after), Slices.MaxChains));
+            }
+            finally
+            {
+                done.Complete();
+                points.Dispose();
+            }
+        }
+    }
+}
