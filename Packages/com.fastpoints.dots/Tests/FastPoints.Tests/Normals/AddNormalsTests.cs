@@ -4,7 +4,6 @@ using System.IO;
 using System.Linq;
 using FastPoints.Build;
 using FastPoints.Export;
-using FastPoints.Normals;
 using FastPoints.Reading;
 using FastPoints.Sources;
 using FastPoints.Store;

@@ -1,6 +1,6 @@
 using System;
 using System.Linq;
-using FastPoints.Normals;
+using FastPoints.Build;
 using NUnit.Framework;
 using Unity.Collections;
 using Unity.Mathematics;

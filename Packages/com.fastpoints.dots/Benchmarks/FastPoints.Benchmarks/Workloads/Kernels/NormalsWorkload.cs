@@ -1,6 +1,6 @@
 using System;
 using System.Collections.Generic;
-using FastPoints.Normals;
+using FastPoints.Build;
 using Unity.Collections;
 using Unity.Mathematics;
 

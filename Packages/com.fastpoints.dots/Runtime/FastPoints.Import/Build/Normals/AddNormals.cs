@@ -2,12 +2,11 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Text;
-using FastPoints.Build;
 using FastPoints.Store;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
 
-namespace FastPoints.Normals
+namespace FastPoints.Build
 {
     /// <summary>How normals are made.</summary>
     internal struct NormalSettings

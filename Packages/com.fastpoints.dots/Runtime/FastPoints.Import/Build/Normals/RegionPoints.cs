@@ -5,7 +5,7 @@ using Unity.Collections.LowLevel.Unsafe;
 using Unity.Jobs;
 using Unity.Mathematics;
 
-namespace FastPoints.Normals
+namespace FastPoints.Build
 {
     /// <summary>A box of a cloud, in grid steps from the root's corner, and how its points' neighbours are chosen.</summary>
     internal struct NormalRegion

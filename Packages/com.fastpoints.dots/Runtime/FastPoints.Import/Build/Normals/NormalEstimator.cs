@@ -3,7 +3,7 @@ using System.Collections.Generic;
 using Unity.Collections;
 using Unity.Jobs;
 
-namespace FastPoints.Normals
+namespace FastPoints.Build
 {
     /// <summary>Estimates the normals of a region's points.</summary>
     internal static class NormalEstimator

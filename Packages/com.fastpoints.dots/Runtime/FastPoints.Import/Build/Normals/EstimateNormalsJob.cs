@@ -4,7 +4,7 @@ using Unity.Collections.LowLevel.Unsafe;
 using Unity.Jobs;
 using Unity.Mathematics;
 
-namespace FastPoints.Normals
+namespace FastPoints.Build
 {
     /// <summary>A slice of estimating normals: of a region's points in the order of the curve. Slices run side by side.</summary>
     /// <remarks>

@@ -1,6 +1,6 @@
 using Unity.Mathematics;
 
-namespace FastPoints.Normals
+namespace FastPoints.Build
 {
     /// <summary>Sums over points, of offsets from one of them.</summary>
     internal struct OffsetSums

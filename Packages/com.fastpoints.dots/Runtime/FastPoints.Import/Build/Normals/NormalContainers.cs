@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using FastPoints.Build;
 using FastPoints.Nodes;
 using FastPoints.Store;
 using Unity.Burst;
@@ -8,7 +7,7 @@ using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
 using Unity.Jobs;
 
-namespace FastPoints.Normals
+namespace FastPoints.Build
 {
     /// <summary>The containers of a cloud's normals, beside those of its points: each is in memory from its first normal to its
     /// last, then it is written.</summary>

@@ -1,11 +1,10 @@
 using System;
 using System.Collections.Generic;
-using FastPoints.Build;
 using FastPoints.Store;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
 
-namespace FastPoints.Normals
+namespace FastPoints.Build
 {
     /// <summary>Writes the pages of a cloud anew, in their order, with one more plane; normals that they had are left out. Nodes
     /// stay in their pages, which get a tenth larger.</summary>

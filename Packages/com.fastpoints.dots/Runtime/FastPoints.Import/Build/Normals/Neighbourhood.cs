@@ -2,7 +2,7 @@ using Unity.Burst.Intrinsics;
 using Unity.Collections.LowLevel.Unsafe;
 using Unity.Mathematics;
 
-namespace FastPoints.Normals
+namespace FastPoints.Build
 {
     /// <summary>Points around a cell, in units of its edge from its middle, and their squared distances from one of them. Eight
     /// are worked on at once, with or without AVX2 in the same order: the results are the same.</summary>

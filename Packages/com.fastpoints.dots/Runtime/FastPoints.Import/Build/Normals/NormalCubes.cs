@@ -1,10 +1,9 @@
 using System;
 using System.Collections.Generic;
-using FastPoints.Build;
 using FastPoints.Store;
 using Unity.Mathematics;
 
-namespace FastPoints.Normals
+namespace FastPoints.Build
 {
     /// <summary>A cloud's nodes by place. All tables of its pages are in memory.</summary>
     internal sealed class NormalCubes : ChosenNodes
