@@ -1,5 +1,3 @@
-using System.Diagnostics;
-
 namespace FastPoints.Cli;
 
 public sealed class CliRun(TextWriter output, TextWriter error, RunSettings settings, CancellationToken cancellation)

@@ -1,6 +1,3 @@
-using System.Buffers;
-using System.Runtime.InteropServices;
-
 namespace FastPoints.Cli;
 
 /// <summary>Names of files that are not UTF-8, which Linux allows but .NET cannot open.</summary>

@@ -1,5 +1,3 @@
-using System.Runtime.InteropServices;
-
 namespace FastPoints.Cli;
 
 public static class Program

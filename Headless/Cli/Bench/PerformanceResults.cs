@@ -1,6 +1,3 @@
-using System.Runtime.InteropServices;
-using System.Text.Encodings.Web;
-
 namespace FastPoints.Cli.Bench;
 
 public static class PerformanceResults

@@ -1,5 +1,3 @@
-using System.Runtime.InteropServices;
-
 namespace FastPoints.Cli.Cluster;
 
 /// <summary>A folder, often of a parallel file system.</summary>

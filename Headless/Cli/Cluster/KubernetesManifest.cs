@@ -1,5 +1,3 @@
-using System.Text.Encodings.Web;
-
 namespace FastPoints.Cli.Cluster;
 
 /// <summary>A Job an array; which comes behind which is for whoever applies them, by their labels.</summary>

@@ -1,6 +1,3 @@
-using System.Buffers;
-using System.Text.Encodings.Web;
-
 namespace FastPoints.Cli.Cluster;
 
 /// <summary>JSON that ends in a hash of all before it: files of a plan, and what tasks leave.</summary>

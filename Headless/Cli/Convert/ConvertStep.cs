@@ -1,5 +1,4 @@
 using FastPoints.Build;
-using FastPoints.Cli.Preview;
 
 namespace FastPoints.Cli.Convert;
 

@@ -1,5 +1,3 @@
-using Unity.Collections.LowLevel.Unsafe;
-
 namespace FastPoints.Cli.Convert
 {
     /// <summary>How evenly the sampled points of one level lie. Lengths are in CRS units.</summary>

@@ -1,5 +1,3 @@
-using System.Buffers.Binary;
-
 namespace FastPoints.Cli.Demo;
 
 /// <summary>Repeats a LAS file's points side by side along x into one larger file: whole records, so that every attribute and

@@ -1,5 +1,3 @@
-using System.Buffers.Binary;
-
 namespace FastPoints.Cli.Demo;
 
 /// <summary>Repeats a LAZ file's points side by side along x without decoding them: all coordinates of a chunk but the first are

@@ -1,5 +1,3 @@
-using System.Buffers.Binary;
-
 namespace FastPoints.Cli.Demo;
 
 /// <summary>Returns of a scan as binary little-endian PLY: double coordinates, since floats would not hold them.</summary>

@@ -1,5 +1,3 @@
-using FastPoints.Cli.Settings;
-
 namespace FastPoints.Cli.Draw;
 
 public sealed class DrawStep

@@ -1,5 +1,3 @@
-using FastPoints.Cli.Settings;
-using FastPoints.Drawing;
 using FastPoints.Sampling;
 using FastPoints.Sources;
 

@@ -1,4 +1,3 @@
-using FastPoints.Drawing;
 using UnityEngine;
 using UnityEngine.Experimental.Rendering;
 using UnityEngine.Rendering;

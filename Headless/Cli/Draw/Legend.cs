@@ -1,5 +1,3 @@
-using FastPoints.Drawing;
-
 namespace FastPoints.Cli.Draw;
 
 /// <summary>Colours, a scale bar and, of projected systems, where north is: drawn on a picture.</summary>

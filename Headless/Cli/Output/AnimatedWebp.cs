@@ -1,5 +1,3 @@
-using System.Runtime.InteropServices;
-
 namespace FastPoints.Cli.Output;
 
 sealed unsafe class AnimatedWebp(string path, int widthPx, int heightPx, int pictures, int delayMs)

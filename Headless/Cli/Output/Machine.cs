@@ -1,5 +1,3 @@
-using System.Runtime.InteropServices;
-
 namespace FastPoints.Cli.Output;
 
 /// <summary>Describes the machine of a measurement.</summary>

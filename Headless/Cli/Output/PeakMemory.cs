@@ -1,5 +1,3 @@
-using System.Diagnostics;
-
 namespace FastPoints.Cli.Output;
 
 public static class PeakMemory

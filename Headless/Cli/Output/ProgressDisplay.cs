@@ -1,5 +1,3 @@
-using System.Diagnostics;
-
 namespace FastPoints.Cli.Output;
 
 /// <summary>Progress on standard error: a line redrawn in place on a terminal, elsewhere plain lines, at most one a second. Short

@@ -1,5 +1,4 @@
 using FastPoints.Cli.Convert;
-using FastPoints.Cli.Preview;
 
 namespace FastPoints.Cli.Page;
 

@@ -1,5 +1,4 @@
 using System.IO.Compression;
-using FastPoints.Cli.Preview;
 
 namespace FastPoints.Cli.Page;
 

@@ -1,5 +1,3 @@
-using FastPoints.Cli.Preview;
-
 namespace FastPoints.Cli.Page;
 
 /// <summary>How far the waves of a sample are from the cloud: RMS distance of a uniform choice of its points to the nearest one

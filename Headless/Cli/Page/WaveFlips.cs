@@ -1,6 +1,3 @@
-using FastPoints.Cli.Preview;
-using FastPoints.Drawing;
-
 namespace FastPoints.Cli.Page;
 
 /// <summary>FLIP of the waves' pictures against a smooth one of the octree (all points up to a picture's budget, else what it

@@ -1,5 +1,3 @@
-using Unity.Collections.LowLevel.Unsafe;
-
 namespace FastPoints.Cli.Preview;
 
 /// <summary>Some of a batch's points: the first one of each cell before all others, so that no cell is empty for which there

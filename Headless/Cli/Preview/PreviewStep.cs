@@ -1,5 +1,4 @@
 using FastPoints.Cli.Draw;
-using FastPoints.Cli.Settings;
 
 namespace FastPoints.Cli.Preview;
 

@@ -1,5 +1,3 @@
-using System.Diagnostics;
-
 namespace FastPoints.Cli.Preview;
 
 public sealed class SampleMethods(Func<PointReader> open, PreviewOptions options, CliRun run)

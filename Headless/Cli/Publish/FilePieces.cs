@@ -1,6 +1,4 @@
-using System.Runtime.InteropServices;
 using Microsoft.Win32.SafeHandles;
-using Unity.Collections.LowLevel.Unsafe;
 
 namespace FastPoints.Cli.Publish;
 

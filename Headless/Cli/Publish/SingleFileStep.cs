@@ -1,5 +1,3 @@
-using System.Runtime.InteropServices;
-
 namespace FastPoints.Cli.Publish;
 
 /// <summary>Puts the planes and pages of a cloud into one file: the planes of each container as they lie, then all pages, in

@@ -1,5 +1,3 @@
-using FastPoints.Cli.Cluster;
-
 namespace FastPoints.Cli.Settings;
 
 /// <summary>The options of what runs as one of many tasks.</summary>

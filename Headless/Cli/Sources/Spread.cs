@@ -1,5 +1,4 @@
 using FastPoints.Cli.Page;
-using Unity.Collections.LowLevel.Unsafe;
 
 namespace FastPoints.Cli.Sources;
 

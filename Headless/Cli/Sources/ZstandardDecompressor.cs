@@ -1,5 +1,3 @@
-using System.Runtime.InteropServices;
-
 namespace FastPoints.Cli.Sources;
 
 /// <summary>Zstandard (RFC 8878) by the system's libzstd, which Debian, Fedora and others have always installed: .NET has no

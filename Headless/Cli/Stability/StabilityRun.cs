@@ -1,5 +1,3 @@
-using System.Diagnostics;
-
 namespace FastPoints.Cli.Stability;
 
 public sealed class StabilityRun

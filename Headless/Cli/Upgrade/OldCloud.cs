@@ -1,5 +1,4 @@
 using System.Text.Json.Nodes;
-using Unity.Collections.LowLevel.Unsafe;
 
 namespace FastPoints.Cli.Upgrade;
 

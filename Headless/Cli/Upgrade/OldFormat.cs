@@ -1,5 +1,3 @@
-using System.Runtime.InteropServices;
-
 namespace FastPoints.Cli.Upgrade;
 
 /// <summary>What files of version 2 began with. A private copy, as are all layouts in this folder: nothing else reads them.

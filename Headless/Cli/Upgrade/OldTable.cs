@@ -1,5 +1,3 @@
-using Unity.Collections.LowLevel.Unsafe;
-
 namespace FastPoints.Cli.Upgrade;
 
 /// <summary>The nodes of a file of version 2, breadth first, and where their planes are: the table that pages are made of today.

@@ -1,4 +1,3 @@
-using System.Runtime.InteropServices;
 using FastPoints.Cli.Publish;
 
 namespace FastPoints.Cli.Upgrade;

@@ -1,5 +1,3 @@
-using Unity.Collections.LowLevel.Unsafe;
-
 namespace FastPoints.Cli.Upgrade;
 
 /// <summary>The upper nodes of a cloud of version 2, which were one table, as the parts that they were made in: nodes of a part

@@ -1,6 +1,5 @@
 using FastPoints.Cli.Convert;
 using FastPoints.Cli.Demo;
-using FastPoints.Cli.Preview;
 
 namespace FastPoints.Cli.Verbs;
 

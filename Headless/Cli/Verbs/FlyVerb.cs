@@ -1,4 +1,3 @@
-using System.Diagnostics;
 using StandIns.Io;
 
 namespace FastPoints.Cli.Verbs;

@@ -1,5 +1,3 @@
-using FastPoints.Cli.Cluster;
-
 namespace FastPoints.Cli.Verbs;
 
 public sealed class MergeVerb : Verb

@@ -1,6 +1,3 @@
-using System.Runtime.InteropServices;
-using FastPoints.Drawing;
-
 namespace FastPoints.Cli.Verbs;
 
 public sealed class PictureVerb : Verb

@@ -1,5 +1,3 @@
-using FastPoints.Cli.Preview;
-
 namespace FastPoints.Cli.Verbs;
 
 public sealed class PreviewVerb : Verb

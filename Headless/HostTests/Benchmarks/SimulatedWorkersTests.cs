@@ -1,5 +1,4 @@
 using FastPoints.Benchmarks;
-using FastPoints.Nodes;
 using StandIns.Scheduling;
 
 namespace FastPoints.HostTests.Benchmarks;

@@ -1,5 +1,3 @@
-using System.Reflection;
-using System.Xml.Linq;
 using FastPoints.Benchmarks;
 using FastPoints.Cli.Bench;
 

@@ -1,5 +1,3 @@
-using System.Diagnostics;
-
 namespace FastPoints.HostTests.Cli;
 
 [Platform(Exclude = "Win")]

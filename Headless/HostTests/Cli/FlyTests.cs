@@ -1,4 +1,3 @@
-using FastPoints.Cli.Draw;
 using FastPoints.Cli.Output;
 
 namespace FastPoints.HostTests.Cli;

@@ -1,5 +1,3 @@
-using System.Diagnostics;
-
 namespace FastPoints.HostTests.Cli;
 
 public sealed class InputTests : ScratchPerTest

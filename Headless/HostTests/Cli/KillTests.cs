@@ -1,4 +1,3 @@
-using System.Diagnostics;
 using Random = System.Random;
 
 namespace FastPoints.HostTests.Cli;

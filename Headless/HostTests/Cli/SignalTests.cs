@@ -1,4 +1,3 @@
-using System.Diagnostics;
 using FastPoints.Build;
 
 namespace FastPoints.HostTests.Cli;

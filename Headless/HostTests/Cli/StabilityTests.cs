@@ -1,5 +1,4 @@
 using FastPoints.Cli.Stability;
-using FastPoints.Nodes;
 
 namespace FastPoints.HostTests.Cli;
 

@@ -1,7 +1,6 @@
 using FastPoints.Cli;
 using FastPoints.Cli.Convert;
 using FastPoints.Cli.Settings;
-using FastPoints.Evaluation;
 
 namespace FastPoints.HostTests.Cli;
 

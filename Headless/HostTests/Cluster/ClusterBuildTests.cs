@@ -1,5 +1,3 @@
-using FastPoints.Cli.Cluster;
-
 namespace FastPoints.HostTests.Cluster;
 
 /// <summary>A cloud by many tasks is that of one convert, byte for byte.</summary>

@@ -1,5 +1,3 @@
-using System.Diagnostics;
-
 namespace FastPoints.HostTests.Cluster;
 
 /// <summary>Tasks in processes of their own, as schedulers run them: stopped, killed, twice at a time.</summary>

@@ -1,6 +1,3 @@
-using System.Diagnostics;
-using FastPoints.Cli.Cluster;
-
 namespace FastPoints.HostTests.Cluster;
 
 public sealed class ClusterScriptTests

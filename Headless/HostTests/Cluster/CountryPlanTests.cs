@@ -1,6 +1,4 @@
 using FastPoints.Build;
-using FastPoints.Cli.Cluster;
-using FastPoints.Nodes;
 using FastPoints.Sampling;
 using Unity.Collections;
 using Unity.Mathematics;

@@ -1,4 +1,3 @@
-using FastPoints.Cli.Cluster;
 using Random = System.Random;
 
 namespace FastPoints.HostTests.Cluster;

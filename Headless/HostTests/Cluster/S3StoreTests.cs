@@ -1,4 +1,3 @@
-using FastPoints.Cli.Cluster;
 using FastPoints.HostTests.Remote;
 
 namespace FastPoints.HostTests.Cluster;

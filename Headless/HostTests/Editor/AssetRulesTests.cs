@@ -1,5 +1,3 @@
-using FastPoints.Nodes;
-using UnityEditor.AssetImporters;
 using UnityEditor.Build;
 
 namespace FastPoints.HostTests.Editor;

@@ -1,6 +1,3 @@
-using System.Collections;
-using System.Diagnostics;
-
 namespace FastPoints.HostTests.Editor;
 
 public sealed class BuildSessionTests

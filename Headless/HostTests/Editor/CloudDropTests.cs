@@ -1,4 +1,3 @@
-using System.Diagnostics;
 using UnityEngine.SceneManagement;
 using PointCloud = FastPoints.Entities.PointCloud;
 

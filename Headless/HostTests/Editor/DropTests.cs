@@ -1,6 +1,3 @@
-using System.Reflection;
-using UnityEditor.AssetImporters;
-
 namespace FastPoints.HostTests.Editor;
 
 public sealed class DropTests

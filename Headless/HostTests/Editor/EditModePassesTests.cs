@@ -1,4 +1,3 @@
-using FastPoints.Rendering.BuiltIn;
 using FastPoints.Rendering.Hdrp;
 using FastPoints.Rendering.Urp;
 

@@ -1,6 +1,3 @@
-using System.Diagnostics;
-using UnityEditor.AssetImporters;
-
 namespace FastPoints.HostTests.Editor;
 
 sealed class EditorProject : IDisposable

@@ -1,5 +1,3 @@
-using System.Diagnostics;
-
 namespace FastPoints.HostTests.Editor;
 
 /// <summary>A project's folder, a scan, and settings with temporary files, so that a build can be resumed.</summary>

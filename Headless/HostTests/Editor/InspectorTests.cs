@@ -1,5 +1,3 @@
-using System.Reflection;
-
 namespace FastPoints.HostTests.Editor;
 
 public sealed class InspectorTests

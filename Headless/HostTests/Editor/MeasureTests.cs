@@ -1,4 +1,3 @@
-using FastPoints.Picking;
 using UnityEditor.SceneManagement;
 using PointCloud = FastPoints.Entities.PointCloud;
 

@@ -1,4 +1,3 @@
-using System.Xml.Linq;
 using UnityEditor.Build;
 using UnityEngine.SceneManagement;
 

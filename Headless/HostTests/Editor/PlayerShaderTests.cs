@@ -1,4 +1,3 @@
-using FastPoints.Cli.Draw;
 using UnityEditor.Rendering;
 
 namespace FastPoints.HostTests.Editor;

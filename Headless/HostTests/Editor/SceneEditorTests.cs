@@ -1,4 +1,3 @@
-using System.Reflection;
 using UnityEditor.IMGUI.Controls;
 using PointCloud = FastPoints.Entities.PointCloud;
 

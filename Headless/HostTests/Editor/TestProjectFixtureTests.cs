@@ -1,4 +1,3 @@
-using System.Collections;
 using FastPoints.UnityTests;
 using FastPoints.UnityTests.Performance;
 using UnityEngine.TestTools;

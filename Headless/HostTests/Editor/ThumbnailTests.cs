@@ -1,7 +1,3 @@
-using System.Diagnostics;
-using FastPoints.Evaluation;
-using UnityEditor.AssetImporters;
-
 namespace FastPoints.HostTests.Editor;
 
 public sealed class ThumbnailTests : EditorFixture

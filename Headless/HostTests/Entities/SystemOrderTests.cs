@@ -1,4 +1,3 @@
-using System.Reflection;
 using StandIns.Entities;
 
 namespace FastPoints.HostTests.Entities;

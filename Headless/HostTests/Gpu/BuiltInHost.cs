@@ -1,5 +1,3 @@
-using FastPoints.Rendering.BuiltIn;
-
 namespace FastPoints.HostTests.Gpu;
 
 sealed class BuiltInHost : PipelineHost

@@ -1,5 +1,4 @@
 using NUnit.Framework.Constraints;
-using UnityOutside.Tests.StandIns.Graphics;
 
 namespace FastPoints.HostTests.Gpu;
 

@@ -1,6 +1,3 @@
-using FastPoints.Evaluation;
-using UnityOutside.Tests.StandIns.Graphics;
-
 namespace FastPoints.HostTests.Gpu;
 
 public sealed class GpuVerbsTests : GraphicsFixture

@@ -1,8 +1,3 @@
-using System.Diagnostics;
-using FastPoints.Cli.Draw;
-using FastPoints.HostTests.Editor;
-using UnityOutside.Tests.StandIns.Graphics;
-
 namespace FastPoints.HostTests.Gpu;
 
 public sealed class GraphicsNodePoolTests : GraphicsFixture

@@ -1,6 +1,3 @@
-using System.Diagnostics;
-using UnityOutside.Tests.StandIns.Graphics;
-
 namespace FastPoints.HostTests.Gpu;
 
 public sealed class LazyDeviceTests : GraphicsFixture

@@ -1,6 +1,3 @@
-using FastPoints.Cli.Draw;
-using UnityOutside.Tests.StandIns.Graphics;
-
 namespace FastPoints.HostTests.Gpu;
 
 public abstract class PipelineFixture : GraphicsFixture

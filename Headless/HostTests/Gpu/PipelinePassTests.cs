@@ -1,4 +1,3 @@
-using FastPoints.Evaluation;
 using UnityEngine.Rendering.HighDefinition;
 
 namespace FastPoints.HostTests.Gpu;

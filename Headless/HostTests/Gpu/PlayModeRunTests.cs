@@ -1,9 +1,5 @@
-using FastPoints.Cli.Draw;
-using FastPoints.HostTests.Editor;
-using FastPoints.Rendering.BuiltIn;
 using FastPoints.UnityTests;
 using UnityEngine.TestTools;
-using UnityOutside.Tests.StandIns.Graphics;
 
 namespace FastPoints.HostTests.Gpu;
 

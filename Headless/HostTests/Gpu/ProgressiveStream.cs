@@ -1,6 +1,3 @@
-using FastPoints.Cli.Draw;
-using FastPoints.Evaluation;
-
 namespace FastPoints.HostTests.Gpu;
 
 /// <summary>A cloud in the GPU's memory, drawn whole and progressively.</summary>

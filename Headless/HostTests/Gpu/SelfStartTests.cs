@@ -1,8 +1,3 @@
-using FastPoints.Cli.Draw;
-using FastPoints.HostTests.Editor;
-using FastPoints.Rendering.BuiltIn;
-using UnityOutside.Tests.StandIns.Graphics;
-
 namespace FastPoints.HostTests.Gpu;
 
 public sealed class SelfStartTests : GraphicsFixture

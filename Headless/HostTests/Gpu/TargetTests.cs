@@ -1,5 +1,3 @@
-using FastPoints.Cli.Draw;
-
 namespace FastPoints.HostTests.Gpu;
 
 public sealed class TargetTests : PipelineFixture

@@ -1,6 +1,3 @@
-using FastPoints.Cli.Draw;
-using FastPoints.Evaluation;
-
 namespace FastPoints.HostTests.Gpu;
 
 /// <summary>One cloud twice: in ordinary memory and on the GPU, the same nodes of it, so that pictures of both

@@ -1,5 +1,3 @@
-using System.Diagnostics;
-using System.Reflection;
 using FastPoints.RepoTools.Reference;
 
 namespace FastPoints.HostTests.Manual;

@@ -1,5 +1,3 @@
-using System.Reflection;
-
 namespace FastPoints.HostTests.Manual;
 
 public sealed class ManualMenusTests

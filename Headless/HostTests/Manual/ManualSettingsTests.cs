@@ -1,6 +1,3 @@
-using System.Collections;
-using System.Reflection;
-
 namespace FastPoints.HostTests.Manual;
 
 public sealed class ManualSettingsTests

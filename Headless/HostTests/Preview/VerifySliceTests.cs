@@ -1,6 +1,3 @@
-using FastPoints.Evaluation;
-using FastPoints.Export;
-using FastPoints.Nodes;
 using FastPoints.Scenes;
 using StandIns.Scheduling;
 

@@ -1,5 +1,3 @@
-using Unity.Transforms;
-
 namespace FastPoints.HostTests.Probes;
 
 sealed class ProbeWorld : IDisposable

@@ -1,5 +1,4 @@
 using Unity.Entities.Serialization;
-using Unity.Transforms;
 
 namespace FastPoints.HostTests.Probes;
 

@@ -1,5 +1,3 @@
-using FastPoints.Cli.Draw;
-
 namespace FastPoints.HostTests.Remote;
 
 /// <summary>Time against latency, over nginx without TLS. FASTPOINTS_FIGURES names a file for the table; then each is the

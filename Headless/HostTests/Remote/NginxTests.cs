@@ -1,6 +1,3 @@
-using System.Diagnostics;
-using System.Net;
-using System.Net.Http;
 using System.Security.Cryptography;
 
 namespace FastPoints.HostTests.Remote;

@@ -1,8 +1,5 @@
 using System.Buffers.Binary;
-using System.Diagnostics;
-using System.Net.Http;
 using System.Net.Http.Headers;
-using FastPoints.Cli.Draw;
 
 namespace FastPoints.HostTests.Remote;
 

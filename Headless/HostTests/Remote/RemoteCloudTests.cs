@@ -1,5 +1,4 @@
 using FastPoints.HostTests.Cli;
-using FastPoints.Picking;
 
 namespace FastPoints.HostTests.Remote;
 

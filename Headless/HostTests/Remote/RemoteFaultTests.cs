@@ -1,4 +1,3 @@
-using System.Diagnostics;
 using StandIns.Memory;
 
 namespace FastPoints.HostTests.Remote;

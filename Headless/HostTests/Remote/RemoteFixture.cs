@@ -1,5 +1,3 @@
-using System.Diagnostics;
-
 namespace FastPoints.HostTests.Remote;
 
 // A folder that is served, with short waits, a cache that is empty and nothing left of other tests.

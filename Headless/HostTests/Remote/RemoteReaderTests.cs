@@ -1,5 +1,3 @@
-using FastPoints.Evaluation;
-
 namespace FastPoints.HostTests.Remote;
 
 /// <summary>Sources by address: what is read is what is read of the disk, without waiting, by few requests.</summary>

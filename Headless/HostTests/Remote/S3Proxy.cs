@@ -1,6 +1,3 @@
-using System.Net;
-using System.Net.Http;
-
 namespace FastPoints.HostTests.Remote;
 
 enum S3Fault { None, LostAnswer, Broken500, Busy503, CutBody, StalledBody, WrongTag }

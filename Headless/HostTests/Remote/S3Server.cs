@@ -1,4 +1,3 @@
-using System.Diagnostics;
 using Amazon.Runtime;
 
 namespace FastPoints.HostTests.Remote;

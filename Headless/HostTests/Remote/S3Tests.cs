@@ -1,5 +1,3 @@
-using System.Diagnostics;
-using System.Net.Http;
 using Amazon.S3;
 using Amazon.S3.Model;
 using FastPoints.Cli.Sources;

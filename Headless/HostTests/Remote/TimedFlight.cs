@@ -1,6 +1,3 @@
-using System.Diagnostics;
-using FastPoints.Cli.Draw;
-
 namespace FastPoints.HostTests.Remote;
 
 // A cloud flown over at 60 frames a second, from when its stream begins; then the camera rests.

@@ -1,4 +1,3 @@
-using System.Diagnostics;
 using FastPoints.RepoTools.House;
 
 namespace FastPoints.HostTests.Repository;

@@ -1,5 +1,3 @@
-using System.Reflection;
-
 namespace FastPoints.HostTests.Repository
 {
     public sealed class RepositoryTests

@@ -1,4 +1,3 @@
-using System.Collections;
 using FastPoints.RepoTools.Package;
 using UnityEngine.TestTools;
 

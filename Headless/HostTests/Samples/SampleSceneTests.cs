@@ -1,5 +1,3 @@
-using System.Reflection;
-using FastPoints.HostTests.Editor;
 using FastPoints.Samples.AttributeColours;
 using UnityEditor.SceneManagement;
 

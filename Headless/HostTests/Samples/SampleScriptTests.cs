@@ -1,4 +1,3 @@
-using System.Reflection;
 using FastPoints.HostTests.Remote;
 using FastPoints.Samples.AttributeColours;
 using FastPoints.Samples.EntitiesOnly;

@@ -1,12 +1,8 @@
 using System.Runtime.CompilerServices;
-using FastPoints.Cli.Draw;
-using FastPoints.HostTests.Editor;
-using FastPoints.Rendering.BuiltIn;
 using FastPoints.Samples.AttributeColours;
 using FastPoints.Samples.EntitiesOnly;
 using FastPoints.Samples.RunTimeLoading;
 using UnityEditor.Build;
-using UnityOutside.Tests.StandIns.Graphics;
 using PointCloud = FastPoints.Entities.PointCloud;
 
 namespace FastPoints.HostTests.Samples;

@@ -1,5 +1,3 @@
-using System.Diagnostics;
-
 namespace FastPoints.HostTests.Shaders;
 
 /// <summary>Direct3D's own compiler, d3dcompiler_47.dll, under Wine. Unity takes it for Direct3D 11 and 12, and for Metal, OpenGL

@@ -1,5 +1,4 @@
 using StandIns.Entities;
-using Unity.Transforms;
 
 namespace FastPoints.HostTests.StandIns;
 

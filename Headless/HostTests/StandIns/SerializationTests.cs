@@ -1,5 +1,3 @@
-using System.Reflection;
-
 namespace FastPoints.HostTests.StandIns;
 
 public sealed class SerializationTests

@@ -1,4 +1,3 @@
-using System.Diagnostics;
 using FastPoints.Cli.Upgrade;
 
 namespace FastPoints.HostTests.Upgrade;

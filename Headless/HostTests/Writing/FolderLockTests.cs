@@ -1,5 +1,3 @@
-using System.Diagnostics;
-
 namespace FastPoints.HostTests.Writing;
 
 public sealed class FolderLockTests : ScratchPerTest

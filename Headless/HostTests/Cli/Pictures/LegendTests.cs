@@ -1,4 +1,3 @@
-using FastPoints.Cli.Draw;
 using FastPoints.Drawing;
 using FastPoints.Picture;
 

@@ -1,4 +1,3 @@
-using System.Xml.Linq;
 using FastPoints.Cli.Charts;
 
 namespace FastPoints.HostTests.Cli.Pictures;

@@ -152,7 +152,8 @@ namespace FastPoints.Build
         {
             try
             {
-                using (var file = FileChanges.OpenToWrite(path, FileMode.CreateNew))
+                // Shared: .NET creates a file before it locks it, so that a reader could keep it from its creator.
+                using (var file = FileChanges.CreateShared(path))
                 using (var writer = new StreamWriter(file))
                     writer.Write(owner);
                 return true;
@@ -192,7 +193,7 @@ namespace FastPoints.Build
         static bool IsStale(string path, string owner, string machine)
         {
             string[] lines = owner.Split('\n');
-            if (lines.Length < 3 || !int.TryParse(lines[1], NumberStyles.None, CultureInfo.InvariantCulture, out int id) ||
+            if (lines.Length < 3 || lines[^1].Length > 0 || !int.TryParse(lines[1], NumberStyles.None, CultureInfo.InvariantCulture, out int id) ||
                 !long.TryParse(lines[2], NumberStyles.None, CultureInfo.InvariantCulture, out long began))
             {
                 // It is half-written: its writer completes it at once.
