@@ -40,7 +40,7 @@ namespace FastPoints.Tests
             Run();
             var cut = NormalsOf(Cloud).ToDictionary(n => n.Place, n => n.Normal);
             var places = cut.Keys.ToArray();
-            ushort[] whole = NormalEstimatorTests.Estimate(places, NormalSettings.DefaultNeighbours);
+            ushort[] whole = NormalEstimatorTests.Estimate(places, new NormalSettings().Neighbours);
             int differing = places.Where((p, i) => cut[p] != whole[i]).Count();
             // What float's rounding takes to another code.
             Assert.That(differing, Is.LessThan(places.Length / 1000));
@@ -153,7 +153,7 @@ namespace FastPoints.Tests
                 _ => { }, null));
         }
 
-        void Run() => JobCoroutine.RunToEnd(AddNormals.Run(Cloud, default, null, null));
+        void Run() => JobCoroutine.RunToEnd(AddNormals.Run(Cloud, new NormalSettings(), null, null));
 
         void Export(string path)
         {

@@ -9,12 +9,12 @@ using Unity.Collections.LowLevel.Unsafe;
 namespace FastPoints.Build
 {
     /// <summary>How normals are made.</summary>
-    internal struct NormalSettings
+    internal sealed class NormalSettings
     {
-        public const int DefaultNeighbours = 16;
+        public int Neighbours = 16;
 
-        /// <summary>0 for the default.</summary>
-        public int Neighbours;
+        /// <summary>The most workers to keep busy, 0 for all; may change meanwhile.</summary>
+        public Func<int> Workers = () => 0;
     }
 
     /// <summary>Computes the normals of a converted cloud's points, and stores them in containers beside those of the points. Of
@@ -68,11 +68,10 @@ namespace FastPoints.Build
                 manifest.Generation++;
                 manifest.NormalLayer = checked((ushort)(manifest.NormalLayer + 1));
                 manifest.NormalOrientation = manifest.Crs.Epsg != 0 || manifest.CrsGeoKeys != null ? Up : Viewer;
-                using var cubes = new NormalCubes(folder, settings.Neighbours > 0 ? settings.Neighbours
-                    : NormalSettings.DefaultNeighbours);
+                using var cubes = new NormalCubes(folder, settings.Neighbours);
                 using var normals = new NormalContainers(folder, cubes, manifest.NormalLayer, add.Write);
                 progress?.Begin(Stage);
-                yield return JobStep.Of(add.Estimate(cubes, normals, progress));
+                yield return JobStep.Of(add.Estimate(cubes, normals, settings.Workers, progress));
                 normals.CheckComplete();
                 yield return JobStep.Of(NormalPages.Write(folder, manifest, normals, add.m_queue));
                 yield return JobStep.Of(add.Finish(manifest));
@@ -104,10 +103,9 @@ namespace FastPoints.Build
             m_slices.Dispose();
         }
 
-        IEnumerator<JobStep> Estimate(NormalCubes cubes, NormalContainers normals, StageProgress progress)
+        IEnumerator<JobStep> Estimate(NormalCubes cubes, NormalContainers normals, Func<int> workers, StageProgress progress)
         {
             var schema = LoadNodes.SchemaFor(m_folder);
-            long doneBytes = 0, all = Math.Max(1, m_folder.Manifest.Points * sizeof(ushort));
             foreach (var cube in cubes.Cubes())
             {
                 var region = cubes.Choose(cube);
@@ -115,10 +113,9 @@ namespace FastPoints.Build
                 using var found = new NativeArray<ushort>(batch.Capacity, Allocator.Persistent);
                 Fill(found);
                 yield return JobStep.Of(LoadNodes.Run(m_folder, cubes, batch, null));
-                yield return JobStep.Of(NormalEstimator.Run(batch, region, found, m_slices));
+                yield return JobStep.Of(NormalEstimator.Run(batch, region, found, m_slices, workers()));
                 yield return JobStep.Of(normals.Take(found));
-                if (normals.Bytes != doneBytes)
-                    progress?.Report(Math.Min(1, (doneBytes = normals.Bytes) / (double)all), 0, doneBytes);
+                progress?.Report(normals.Points / (double)m_folder.Manifest.Points, normals.Points, normals.Bytes);
             }
         }
 
