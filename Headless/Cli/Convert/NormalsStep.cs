@@ -21,7 +21,8 @@ public sealed class NormalsStep
     }
 
     public string Describe() => "normals of " + NumberFormat.Count(Points, "point") + " in " + NumberFormat.Seconds(m_seconds)
-        + (m_orientation == AddNormals.Up ? ", which point up" : ", which are turned to the viewer");
+        + (m_orientation == AddNormals.Up ? ", which point up"
+        : m_orientation == AddNormals.Source ? ", which are those of the files" : ", which are turned to the viewer");
 
     public void WriteKeys(Utf8JsonWriter json)
     {

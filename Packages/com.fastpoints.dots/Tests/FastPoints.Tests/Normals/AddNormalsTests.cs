@@ -19,6 +19,8 @@ namespace FastPoints.Tests
 
         string Cloud => Folder.File("sphere.fastpoints");
 
+        int m_points;
+
         [SetUp]
         public void Convert() => Convert(60000, 9);
 
@@ -138,15 +140,89 @@ namespace FastPoints.Tests
             Assert.That(File.ReadAllBytes(after), Is.EqualTo(File.ReadAllBytes(before)));
         }
 
-        void Convert(int count, uint seed)
+        /// <summary>Inwards, of any length, and none for every tenth point.</summary>
+        static double3 InwardsOrNone(double3 place, int i) => i % 10 == 0 ? 0 : -0.25 * place;
+
+        [Test]
+        public void Run_FilesHaveNormals_StoresThese()
         {
+            Convert(20000, 5, InwardsOrNone);
+            Run();
+            var normals = NormalsOf(Cloud);
+            Assert.That(normals.Count(n => n.Normal == OctahedralNormal.None), Is.EqualTo(2000));
+            foreach (var (place, normal) in normals)
+                if (normal != OctahedralNormal.None)
+                    Assert.That(math.dot((double3)OctahedralNormal.Decode(normal), -place / Radius), Is.GreaterThan(0.9998));
+            Assert.That(Orientation(), Is.EqualTo(AddNormals.Source));
+            Assert.That(Problems(), Is.Empty);
+        }
+
+        [Test]
+        public void Run_FilesHaveOnlyRoomForNormals_EstimatesThem()
+        {
+            Convert(20000, 5, (_, _) => 0);
+            Run();
+            Assert.That(NormalsOf(Cloud).All(n => n.Normal != OctahedralNormal.None));
+            Assert.That(Orientation(), Is.EqualTo(AddNormals.Viewer));
+        }
+
+        [Test]
+        public void ChooseBatches_FewPointsEach_HaveAllNodes()
+        {
+            using var folder = CloudFolder.Open(Cloud);
+            using var cubes = new NormalCubes(folder, 16);
+            long points = 0, nodes = 0;
+            int batches = 0;
+            foreach (int chosen in cubes.ChooseBatches(10000))
+                (points, nodes, batches) = (points + cubes.Points, nodes + chosen, batches + 1);
+            Assert.That((points, nodes), Is.EqualTo((60000, folder.Manifest.NodeCount)));
+            Assert.That(batches, Is.InRange(3, 6));
+        }
+
+        [Test]
+        public void NormalsOfFiles_NoDirection_IsNone()
+        {
+            var schema = new PointSchema(new[]
+            {
+                new PointAttribute(AttributeNames.NormalX, AttributeType.Float64),
+                new PointAttribute(AttributeNames.NormalY, AttributeType.Float32),
+                new PointAttribute(AttributeNames.NormalZ, AttributeType.Int16, 0.5, 1),
+            });
+            var inputs = new (double X, float Y, short Z, float3 Wanted)[]
+            {
+                (1e-300, 0, -2, new float3(1, 0, 0)), (0, 3, 6, new float3(0, 0.6f, 0.8f)),
+                (1e300, -1, 5, new float3(1, 0, 0)), (0, 0, -2, 0), (double.NaN, 0, 1, 0), (0, float.NegativeInfinity, 1, 0),
+            };
+            using var batch = new PointBatch(schema, inputs.Length, Allocator.Persistent) { Count = inputs.Length };
+            batch.Column<double>(0).GetSubArray(0, inputs.Length).CopyFrom(inputs.Select(i => i.X).ToArray());
+            batch.Column<float>(1).GetSubArray(0, inputs.Length).CopyFrom(inputs.Select(i => i.Y).ToArray());
+            batch.Column<short>(2).GetSubArray(0, inputs.Length).CopyFrom(inputs.Select(i => i.Z).ToArray());
+            using var normals = new NativeArray<ushort>(inputs.Length, Allocator.Persistent);
+            NormalsOfFilesJob.Of(batch, schema.Select(a => a.Name).ToArray(), normals).Execute();
+            Assert.That(normals.ToArray(), Is.EqualTo(inputs.Select(i => i.Wanted.Equals(default) ? OctahedralNormal.None
+                : OctahedralNormal.Encode(i.Wanted))));
+        }
+
+        string Orientation()
+        {
+            using var folder = CloudFolder.Open(Cloud);
+            return folder.Manifest.NormalOrientation;
+        }
+
+        void Convert(int count, uint seed, Func<double3, int, double3> normalOf = null)
+        {
+            m_points = count;
             var random = new Unity.Mathematics.Random(seed);
             var text = new StringWriter();
+            if (normalOf != null)
+                text.WriteLine("x y z nx ny nz");
             for (int i = 0; i < count; i++)
             {
                 double z = random.NextDouble(-1, 1), angle = 2 * Math.PI * random.NextDouble(), r = Math.Sqrt(1 - z * z);
-                text.WriteLine(FormattableString.Invariant(
-                    $"{Radius * r * Math.Cos(angle):F6} {Radius * r * Math.Sin(angle):F6} {Radius * z:F6}"));
+                var p = Radius * new double3(r * Math.Cos(angle), r * Math.Sin(angle), z);
+                text.Write(FormattableString.Invariant($"{p.x:F6} {p.y:F6} {p.z:F6}"));
+                var n = normalOf?.Invoke(p, i) ?? default;
+                text.WriteLine(normalOf == null ? "" : FormattableString.Invariant($" {n.x:F6} {n.y:F6} {n.z:F6}"));
             }
             using var reader = PointReaders.Open(Folder.Write("sphere.xyz", text.ToString()));
             JobCoroutine.RunToEnd(ConvertCloud.Run(new[] { reader }, Cloud, new ConvertSettings { PointsPerChunk = 8000 },
@@ -165,7 +241,7 @@ namespace FastPoints.Tests
         {
             var result = new VerifyResult();
             JobCoroutine.RunToEnd(VerifyCloud.Run(Cloud, new PointReader[0], result, null));
-            Assert.That(result.Ok ? 60000 : result.Points, Is.EqualTo(result.Points));
+            Assert.That(result.Ok ? m_points : result.Points, Is.EqualTo(result.Points));
             return result.Problems;
         }
 

@@ -5,6 +5,7 @@ using System.Text;
 using FastPoints.Store;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
+using Unity.Jobs;
 
 namespace FastPoints.Build
 {
@@ -29,6 +30,11 @@ namespace FastPoints.Build
 
         /// <summary>Whoever shows them turns them to the viewer.</summary>
         public const string Viewer = "viewer";
+
+        /// <summary>They are those of the files.</summary>
+        public const string Source = "source";
+
+        static readonly string[] s_attributes = { AttributeNames.NormalX, AttributeNames.NormalY, AttributeNames.NormalZ };
 
         readonly CloudFolder m_folder;
         readonly string m_path;
@@ -67,11 +73,14 @@ namespace FastPoints.Build
                 var manifest = folder.Manifest.Clone();
                 manifest.Generation++;
                 manifest.NormalLayer = checked((ushort)(manifest.NormalLayer + 1));
-                manifest.NormalOrientation = manifest.Crs.Epsg != 0 || manifest.CrsGeoKeys != null ? Up : Viewer;
+                bool isPacked = HasDirections(manifest);
+                manifest.NormalOrientation = isPacked ? Source
+                    : manifest.Crs.Epsg != 0 || manifest.CrsGeoKeys != null ? Up : Viewer;
                 using var cubes = new NormalCubes(folder, settings.Neighbours);
                 using var normals = new NormalContainers(folder, cubes, manifest.NormalLayer, add.Write);
                 progress?.Begin(Stage);
-                yield return JobStep.Of(add.Estimate(cubes, normals, settings.Workers, progress));
+                yield return JobStep.Of(isPacked ? add.Pack(cubes, normals, progress)
+                    : add.Estimate(cubes, normals, settings.Workers, progress));
                 normals.CheckComplete();
                 yield return JobStep.Of(NormalPages.Write(folder, manifest, normals, add.m_queue));
                 yield return JobStep.Of(add.Finish(manifest));
@@ -101,6 +110,37 @@ namespace FastPoints.Build
             m_queue.End();
             m_lock.Dispose();
             m_slices.Dispose();
+        }
+
+        /// <summary>Whether its files have normals, not only room for them.</summary>
+        static bool HasDirections(CloudManifest manifest)
+        {
+            bool isAny = false;
+            foreach (string name in s_attributes)
+            {
+                int i = manifest.Attributes.IndexOf(name);
+                if (i < 0)
+                    return false;
+                isAny |= manifest.Ranges[i].Min != 0 || manifest.Ranges[i].Max != 0;
+            }
+            return isAny;
+        }
+
+        /// <summary>Takes the normals that the files have.</summary>
+        IEnumerator<JobStep> Pack(NormalCubes cubes, NormalContainers normals, StageProgress progress)
+        {
+            var schema = LoadNodes.SchemaFor(m_folder, s_attributes);
+            foreach (var _ in cubes.ChooseBatches())
+            {
+                using var batch = new PointBatch(schema, cubes.CheckedPoints, Allocator.Persistent);
+                using var found = new NativeArray<ushort>(batch.Capacity, Allocator.Persistent);
+                yield return JobStep.Of(LoadNodes.Run(m_folder, cubes, batch, null));
+                var job = NormalsOfFilesJob.Of(batch, s_attributes, found).Schedule();
+                yield return job;
+                job.Complete();
+                yield return JobStep.Of(normals.Take(found));
+                progress?.Report(normals.Points / (double)m_folder.Manifest.Points, normals.Points, normals.Bytes);
+            }
         }
 
         IEnumerator<JobStep> Estimate(NormalCubes cubes, NormalContainers normals, Func<int> workers, StageProgress progress)

@@ -37,6 +37,25 @@ namespace FastPoints.Build
                     yield return n;
         }
 
+        /// <summary>Chooses all nodes, so many at a time as have that many points.</summary>
+        /// <returns>How many are chosen.</returns>
+        public IEnumerable<int> ChooseBatches(long points = MaxPoints)
+        {
+            Clear();
+            for (int page = 0; page < Folder.PageCount; page++)
+            {
+                int nodes = Load(page).Nodes.Length;
+                for (int n = 0; n < nodes; n++)
+                {
+                    Add(page, n, TableOf(page).Nodes[n].PointCount);
+                    if (Points < points && !(page == Folder.PageCount - 1 && n == nodes - 1))
+                        continue;
+                    yield return NodeCount;
+                    Clear();
+                }
+            }
+        }
+
         /// <summary>The cubes that all points are in, along the Morton curve.</summary>
         public IEnumerable<GridCube> Cubes() => CubesOf(Folder.Manifest.Root);
 
