@@ -166,6 +166,22 @@ namespace FastPoints.Tests
             Assert.That(Orientation(), Is.EqualTo(AddNormals.Viewer));
         }
 
+        [TestCase("PROJCS[\"UTM\",GEOGCS[\"WGS 84\",UNIT[\"degree\",0.0174532925]],UNIT[\"metre\",1]]", 0, AddNormals.Up)]
+        [TestCase("GEOGCS[\"WGS 84\",UNIT[\"degree\",0.0174532925]]", 0, AddNormals.Up)]
+        [TestCase("LOCAL_CS[\"site\",UNIT[\"metre\",1]]", 0, AddNormals.Viewer)]
+        [TestCase("GEOCCS[\"WGS 84\",UNIT[\"metre\",1]]", 0, AddNormals.Viewer)]
+        [TestCase(null, 32633, AddNormals.Up)]
+        [TestCase(null, 4978, AddNormals.Viewer)]
+        public void Run_CoordinateSystem_SaysWhetherTheyPointUp(string wkt, int epsg, string wanted)
+        {
+            string file = Path.Combine(Cloud, StoreFormat.ManifestName);
+            var manifest = CloudManifest.FromJson(File.ReadAllText(file), file);
+            (manifest.CrsWkt, manifest.CrsEpsg) = (wkt, epsg);
+            File.WriteAllText(file, manifest.ToJson());
+            Run();
+            Assert.That(Orientation(), Is.EqualTo(wanted));
+        }
+
         [Test]
         public void ChooseBatches_FewPointsEach_HaveAllNodes()
         {

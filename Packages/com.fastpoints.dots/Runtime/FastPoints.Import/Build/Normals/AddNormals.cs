@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Text;
+using FastPoints.Reading;
 using FastPoints.Store;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
@@ -25,7 +26,7 @@ namespace FastPoints.Build
     {
         public const string Stage = "normals";
 
-        /// <summary>Points of LAS files in a system of the earth's surface were measured from above, or shown as if.</summary>
+        /// <summary>Points in a system of the earth's surface were measured from above, or are shown as if.</summary>
         public const string Up = "up";
 
         /// <summary>Whoever shows them turns them to the viewer.</summary>
@@ -75,7 +76,7 @@ namespace FastPoints.Build
                 manifest.NormalLayer = checked((ushort)(manifest.NormalLayer + 1));
                 bool isPacked = HasDirections(manifest);
                 manifest.NormalOrientation = isPacked ? Source
-                    : manifest.Crs.Epsg != 0 || manifest.CrsGeoKeys != null ? Up : Viewer;
+                    : IsOnTheEarth(manifest.Crs) ? Up : Viewer;
                 using var cubes = new NormalCubes(folder, settings.Neighbours);
                 using var normals = new NormalContainers(folder, cubes, manifest.NormalLayer, add.Write);
                 progress?.Begin(Stage);
@@ -110,6 +111,16 @@ namespace FastPoints.Build
             m_queue.End();
             m_lock.Dispose();
             m_slices.Dispose();
+        }
+
+        static bool IsOnTheEarth(CloudCrs crs)
+        {
+            var text = new CoordinateSystem();
+            var kind = CrsText.Read(crs.Wkt ?? crs.Name ?? "", text) ? text.Kind : CrsKind.Unknown;
+            if (kind == CrsKind.Unknown)
+                kind = EpsgTable.Find(crs.Epsg)?.Kind ?? CrsKind.Unknown;
+            return kind == CrsKind.Projected || kind == CrsKind.Geographic ||
+                kind == CrsKind.Unknown && (crs.Epsg != 0 || crs.GeoKeys != null);
         }
 
         /// <summary>Whether its files have normals, not only room for them.</summary>
