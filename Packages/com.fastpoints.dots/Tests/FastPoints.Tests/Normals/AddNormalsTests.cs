@@ -22,7 +22,7 @@ namespace FastPoints.Tests
         int m_points;
 
         [SetUp]
-        public void Convert() => Convert(60000, 9);
+        public void Convert() => ConvertText(60000, 9, (_, _) => "");
 
         [Test]
         public void Run_Sphere_StoresItsNormals()
@@ -183,6 +183,32 @@ namespace FastPoints.Tests
         }
 
         [Test]
+        public void Run_ScansOfKnownPlaces_PointToTheirScanner()
+        {
+            // The left half of the sphere is seen from within, the other from far outside.
+            var places = new List<double3>();
+            ConvertText(20000, 5, (p, _) =>
+            {
+                places.Add(p);
+                return "";
+            });
+            string ScanOf(string at, Func<double3, bool> isSeen, double3 from)
+            {
+                var seen = places.Where(isSeen).Select(p => p - from).ToArray();
+                return seen.Length + "\n1\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 0 0 0\n0 1 0 0\n0 0 1 0\n" + at + " 1\n" +
+                    string.Concat(seen.Select(p => FormattableString.Invariant($"{p.x:F6} {p.y:F6} {p.z:F6} 0.5\n")));
+            }
+            Convert(Folder.Write("scans.ptx", ScanOf("-3 0 0", p => p.x < 0, new double3(-3, 0, 0)) +
+                ScanOf("1000 0 0", p => p.x >= 0, new double3(1000, 0, 0))));
+            Run();
+            foreach (var (place, normal) in NormalsOf(Cloud))
+                if (math.abs(place.x) > 0.5)
+                    Assert.That(math.dot((double3)OctahedralNormal.Decode(normal), place), place.x < 0 ? Is.Negative : Is.Positive);
+            Assert.That(Orientation(), Is.EqualTo(AddNormals.Scanner));
+            Assert.That(Problems(), Is.Empty);
+        }
+
+        [Test]
         public void ChooseBatches_FewPointsEach_HaveAllNodes()
         {
             using var folder = CloudFolder.Open(Cloud);
@@ -225,22 +251,30 @@ namespace FastPoints.Tests
             return folder.Manifest.NormalOrientation;
         }
 
-        void Convert(int count, uint seed, Func<double3, int, double3> normalOf = null)
+        void Convert(int count, uint seed, Func<double3, int, double3> normalOf) => ConvertText(count, seed, (p, i) =>
+        {
+            var n = normalOf(p, i);
+            return FormattableString.Invariant($" {n.x:F6} {n.y:F6} {n.z:F6}");
+        }, "x y z nx ny nz\n");
+
+        void ConvertText(int count, uint seed, Func<double3, int, string> restOfLine, string head = "")
         {
             m_points = count;
             var random = new Unity.Mathematics.Random(seed);
             var text = new StringWriter();
-            if (normalOf != null)
-                text.WriteLine("x y z nx ny nz");
+            text.Write(head);
             for (int i = 0; i < count; i++)
             {
                 double z = random.NextDouble(-1, 1), angle = 2 * Math.PI * random.NextDouble(), r = Math.Sqrt(1 - z * z);
                 var p = Radius * new double3(r * Math.Cos(angle), r * Math.Sin(angle), z);
-                text.Write(FormattableString.Invariant($"{p.x:F6} {p.y:F6} {p.z:F6}"));
-                var n = normalOf?.Invoke(p, i) ?? default;
-                text.WriteLine(normalOf == null ? "" : FormattableString.Invariant($" {n.x:F6} {n.y:F6} {n.z:F6}"));
+                text.WriteLine(FormattableString.Invariant($"{p.x:F6} {p.y:F6} {p.z:F6}") + restOfLine(p, i));
             }
-            using var reader = PointReaders.Open(Folder.Write("sphere.xyz", text.ToString()));
+            Convert(Folder.Write("sphere.xyz", text.ToString()));
+        }
+
+        void Convert(string file)
+        {
+            using var reader = PointReaders.Open(file);
             JobCoroutine.RunToEnd(ConvertCloud.Run(new[] { reader }, Cloud, new ConvertSettings { PointsPerChunk = 8000 },
                 _ => { }, null));
         }

@@ -151,6 +151,8 @@ namespace FastPoints.Tests
                 var direction = OnSphere(random.NextDouble2(0, 1));
                 ushort code = OctahedralNormal.Encode((float3)direction);
                 Assert.That(code, Is.Not.EqualTo(OctahedralNormal.None));
+                Assert.That(math.dot(OctahedralNormal.Decode(code), OctahedralNormal.Decode(OctahedralNormal.Opposite(code))),
+                    Is.EqualTo(-1).Within(1e-6));
                 double error = DegreesBetween(code, direction);
                 sum += error;
                 largest = Math.Max(largest, error);

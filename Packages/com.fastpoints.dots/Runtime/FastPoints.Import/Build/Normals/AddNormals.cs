@@ -7,6 +7,7 @@ using FastPoints.Store;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
 using Unity.Jobs;
+using Unity.Mathematics;
 
 namespace FastPoints.Build
 {
@@ -31,6 +32,9 @@ namespace FastPoints.Build
 
         /// <summary>Whoever shows them turns them to the viewer.</summary>
         public const string Viewer = "viewer";
+
+        /// <summary>To the scanner of each point.</summary>
+        public const string Scanner = "scanner";
 
         /// <summary>They are those of the files.</summary>
         public const string Source = "source";
@@ -75,7 +79,7 @@ namespace FastPoints.Build
                 manifest.Generation++;
                 manifest.NormalLayer = checked((ushort)(manifest.NormalLayer + 1));
                 bool isPacked = HasDirections(manifest);
-                manifest.NormalOrientation = isPacked ? Source
+                manifest.NormalOrientation = isPacked ? Source : AreScannersKnown(manifest) ? Scanner
                     : IsOnTheEarth(manifest.Crs) ? Up : Viewer;
                 using var cubes = new NormalCubes(folder, settings.Neighbours);
                 using var normals = new NormalContainers(folder, cubes, manifest.NormalLayer, add.Write);
@@ -112,6 +116,9 @@ namespace FastPoints.Build
             m_lock.Dispose();
             m_slices.Dispose();
         }
+
+        static bool AreScannersKnown(CloudManifest manifest) => manifest.Scanners != null &&
+            (manifest.Scanners.Length == 1 || manifest.Attributes.IndexOf(AttributeNames.PointSourceId) >= 0);
 
         static bool IsOnTheEarth(CloudCrs crs)
         {
@@ -156,7 +163,11 @@ namespace FastPoints.Build
 
         IEnumerator<JobStep> Estimate(NormalCubes cubes, NormalContainers normals, Func<int> workers, StageProgress progress)
         {
-            var schema = LoadNodes.SchemaFor(m_folder);
+            var schema = LoadNodes.SchemaFor(m_folder, AttributeNames.PointSourceId);
+            var manifest = m_folder.Manifest;
+            var toGeo = manifest.Grid.FromCorner(manifest.Root.Corner);
+            using var scanners = new NativeArray<double3>(!AreScannersKnown(manifest) ? Array.Empty<double3>()
+                : Array.ConvertAll(manifest.Scanners, at => (at - toGeo.Offset) / toGeo.Scale), Allocator.Persistent);
             foreach (var cube in cubes.Cubes())
             {
                 var region = cubes.Choose(cube);
@@ -165,8 +176,14 @@ namespace FastPoints.Build
                 Fill(found);
                 yield return JobStep.Of(LoadNodes.Run(m_folder, cubes, batch, null));
                 yield return JobStep.Of(NormalEstimator.Run(batch, region, found, m_slices, workers()));
+                if (scanners.Length > 0)
+                {
+                    var job = OrientNormalsJob.Of(batch, scanners, region.Metres, found).Schedule();
+                    yield return job;
+                    job.Complete();
+                }
                 yield return JobStep.Of(normals.Take(found));
-                progress?.Report(normals.Points / (double)m_folder.Manifest.Points, normals.Points, normals.Bytes);
+                progress?.Report(normals.Points / (double)manifest.Points, normals.Points, normals.Bytes);
             }
         }
 
