@@ -167,7 +167,8 @@ namespace FastPoints.Tests
             float* scratch = stackalloc float[Neighbourhood.ScratchFloats], lanes = stackalloc float[9 * 8];
             var near = new Neighbourhood(scratch);
             var random = new Random(11);
-            float* x = near.Add(101);
+            float* x = near.End;
+            near.Add(101);
             for (int i = 0; i < 101; i++)
                 for (int axis = 0; axis < 3; axis++)
                     x[i + axis * Neighbourhood.MaxPoints] = random.NextFloat(-1.5f, 1.5f);
