@@ -39,7 +39,9 @@ namespace FastPoints.Tests
         [Test]
         public void Run_CutIntoCubes_IsAsOfTheWhole()
         {
-            Run();
+            var settings = new NormalSettings { PointsPerCube = 3000 };
+            Run(settings);
+            Assert.That(CubesOf(settings).Count, Is.GreaterThan(20));
             var cut = NormalsOf(Cloud).ToDictionary(n => n.Place, n => n.Normal);
             var places = cut.Keys.ToArray();
             ushort[] whole = NormalEstimatorTests.Estimate(places, new NormalSettings().Neighbours);
@@ -212,10 +214,10 @@ namespace FastPoints.Tests
         public void ChooseBatches_FewPointsEach_HaveAllNodes()
         {
             using var folder = CloudFolder.Open(Cloud);
-            using var cubes = new NormalCubes(folder, 16);
+            using var cubes = new NormalCubes(folder, new NormalSettings { PointsPerCube = 10000 });
             long points = 0, nodes = 0;
             int batches = 0;
-            foreach (int chosen in cubes.ChooseBatches(10000))
+            foreach (int chosen in cubes.ChooseBatches())
                 (points, nodes, batches) = (points + cubes.Points, nodes + chosen, batches + 1);
             Assert.That((points, nodes), Is.EqualTo((60000, folder.Manifest.NodeCount)));
             Assert.That(batches, Is.InRange(3, 6));
@@ -255,9 +257,9 @@ namespace FastPoints.Tests
         {
             var n = normalOf(p, i);
             return FormattableString.Invariant($" {n.x:F6} {n.y:F6} {n.z:F6}");
-        }, "x y z nx ny nz\n");
+        }, head: "x y z nx ny nz\n");
 
-        void ConvertText(int count, uint seed, Func<double3, int, string> restOfLine, string head = "")
+        void ConvertText(int count, uint seed, Func<double3, int, string> restOfLine, double noise = 0, string head = "")
         {
             m_points = count;
             var random = new Unity.Mathematics.Random(seed);
@@ -266,7 +268,8 @@ namespace FastPoints.Tests
             for (int i = 0; i < count; i++)
             {
                 double z = random.NextDouble(-1, 1), angle = 2 * Math.PI * random.NextDouble(), r = Math.Sqrt(1 - z * z);
-                var p = Radius * new double3(r * Math.Cos(angle), r * Math.Sin(angle), z);
+                double gauss = Math.Sqrt(-2 * Math.Log(1 - random.NextDouble())) * Math.Cos(2 * Math.PI * random.NextDouble());
+                var p = (Radius + noise * gauss) * new double3(r * Math.Cos(angle), r * Math.Sin(angle), z);
                 text.WriteLine(FormattableString.Invariant($"{p.x:F6} {p.y:F6} {p.z:F6}") + restOfLine(p, i));
             }
             Convert(Folder.Write("sphere.xyz", text.ToString()));
@@ -279,7 +282,44 @@ namespace FastPoints.Tests
                 _ => { }, null));
         }
 
-        void Run() => JobCoroutine.RunToEnd(AddNormals.Run(Cloud, new NormalSettings(), null, null));
+        /// <summary>Without a seam a picture of the error shows no cubes.</summary>
+        [Test]
+        public void Run_FacesOfCubes_HaveNoLargerErrors()
+        {
+            double spacing = Radius * Math.Sqrt(4 * Math.PI / 60000);
+            ConvertText(60000, 3, (_, _) => "", 0.3 * spacing);
+            var settings = new NormalSettings { PointsPerCube = 3000 };
+            Run(settings);
+            var cubes = CubesOf(settings);
+            double[] ends = { 1, 2, 4, double.PositiveInfinity };
+            var errors = ends.Select(_ => new List<double>()).ToArray();
+            foreach (var (place, normal) in NormalsOf(Cloud))
+            {
+                var (min, max) = cubes.Single(c => math.all(place >= c.Min) && math.all(place < c.Max));
+                double distance = math.cmin(math.min(place - min, max - place)) / spacing;
+                errors[Array.FindIndex(ends, end => distance < end)].Add(NormalEstimatorTests.DegreesBetween(normal, place));
+            }
+            double all = NormalEstimatorTests.Median(errors.SelectMany(e => e).ToArray());
+            for (int i = 0; i < ends.Length; i++)
+            {
+                var sorted = errors[i].OrderBy(e => e).ToArray();
+                double median = sorted[sorted.Length / 2];
+                TestContext.WriteLine(FormattableString.Invariant($"up to {ends[i]} spacings from a face: {sorted.Length} points, ") +
+                    FormattableString.Invariant($"median {median:F2}, 95 % {sorted[sorted.Length * 95 / 100]:F2} degrees"));
+                Assert.That(median, Is.EqualTo(all).Within(8).Percent);
+            }
+        }
+
+        List<(double3 Min, double3 Max)> CubesOf(NormalSettings settings)
+        {
+            using var folder = CloudFolder.Open(Cloud);
+            using var cubes = new NormalCubes(folder, settings);
+            return cubes.Cubes().Select(cube => (folder.Manifest.Grid.ToGeo(cube.Corner),
+                folder.Manifest.Grid.ToGeo(cube.Corner + new Grid3(cube.Side, cube.Side, cube.Side)))).ToList();
+        }
+
+        void Run(NormalSettings settings = null) =>
+            JobCoroutine.RunToEnd(AddNormals.Run(Cloud, settings ?? new NormalSettings(), null, null));
 
         void Export(string path)
         {

@@ -16,6 +16,10 @@ namespace FastPoints.Build
     {
         public int Neighbours = 16;
 
+        /// <summary>Cubes that are worked on at once are cut until they have no more, but for what upper nodes have
+        /// there.</summary>
+        public long PointsPerCube = 600_000;
+
         /// <summary>The most workers to keep busy, 0 for all; may change meanwhile.</summary>
         public Func<int> Workers = () => 0;
     }
@@ -81,7 +85,7 @@ namespace FastPoints.Build
                 bool isPacked = HasDirections(manifest);
                 manifest.NormalOrientation = isPacked ? Source : AreScannersKnown(manifest) ? Scanner
                     : IsOnTheEarth(manifest.Crs) ? Up : Viewer;
-                using var cubes = new NormalCubes(folder, settings.Neighbours);
+                using var cubes = new NormalCubes(folder, settings);
                 using var normals = new NormalContainers(folder, cubes, manifest.NormalLayer, add.Write);
                 progress?.Begin(Stage);
                 yield return JobStep.Of(isPacked ? add.Pack(cubes, normals, progress)
