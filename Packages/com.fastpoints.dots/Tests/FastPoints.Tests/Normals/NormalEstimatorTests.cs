@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.Linq;
 using FastPoints.Build;
 using NUnit.Framework;
@@ -111,6 +112,62 @@ namespace FastPoints.Tests
             Assert.That(Estimate(Enumerable.Range(0, 1000).Select(i => i * new double3(1, 2, 3)).ToArray(), 16),
                 Is.All.EqualTo(OctahedralNormal.None));
             Assert.That(Estimate(new[] { default, new double3(1, 2, 3) }, 16), Is.All.EqualTo(OctahedralNormal.None));
+        }
+
+        [Test]
+        public void Estimate_ThreePoints_HaveTheirPlane()
+        {
+            var three = new[] { new double3(1, 0, 5), new double3(0, 2, 5), new double3(-3, 0, 5) };
+            Assert.That(Estimate(three, 16), Is.All.EqualTo(OctahedralNormal.Encode(new float3(0, 0, 1))));
+        }
+
+        /// <summary>Beyond the distance of 16 neighbours they are those of the one plane or the other; nearer, in between.</summary>
+        [Test]
+        public void Estimate_Edge_ReachesAsFarAsNeighboursDo()
+        {
+            var beyondTwo = new List<double>();
+            var random = new Random(9);
+            var points = Enumerable.Range(0, Count).Select(i => i % 2 == 0
+                ? new double3(random.NextDouble(0, 1.41), random.NextDouble(0, 1.41), 0)
+                : new double3(0, random.NextDouble(0, 1.41), random.NextDouble(0, 1.41))).ToArray();
+            ushort[] normals = Estimate(points, 16);
+            for (int i = 0; i < Count; i++)
+            {
+                bool isFlat = points[i].z == 0;
+                double error = DegreesBetween(normals[i], isFlat ? new double3(0, 0, 1) : new double3(1, 0, 0));
+                double spacings = (isFlat ? points[i].x : points[i].z) / s_spacing;
+                Assert.That(error, Is.LessThan(spacings < 3.5 ? 85 : 0.01));
+                if (spacings >= 2)
+                    beyondTwo.Add(error);
+            }
+            Assert.That(Median(beyondTwo.ToArray()), Is.LessThan(1), "the bar is 3");
+        }
+
+        [Test]
+        public void TryFit_AnySums_GivesAUnitVectorOrNone()
+        {
+            var random = new Random(13);
+            int fitted = 0;
+            for (int i = 0; i < 100000; i++)
+            {
+                // Points, lines and planes, nearly so, of any size and distance from the first.
+                double3 size = new double3(math.pow(10, random.NextDouble(-18, 18)), math.pow(10, random.NextDouble(-18, 18)),
+                    math.pow(10, random.NextDouble(-18, 18))), far = i % 3 == 0 ? random.NextDouble3(-1, 1) : 0;
+                var sums = new OffsetSums();
+                for (int p = 0; p <= i % 17; p++)
+                {
+                    var d = (float3)(far + (p % 4 == 3 ? 0 : size * random.NextDouble3(-1, 1)));
+                    sums.Count++;
+                    sums.Offset += d;
+                    sums.Squares += d * d;
+                    sums.Mixed += new float3(d.x * d.y, d.x * d.z, d.y * d.z);
+                }
+                if (!PlaneFit.TryFit(sums, out var normal))
+                    continue;
+                Assert.That(math.length(normal), Is.EqualTo(1).Within(1e-4));
+                fitted++;
+            }
+            Assert.That(fitted, Is.InRange(1000, 99000));
         }
 
         [Test]
