@@ -121,7 +121,7 @@ namespace FastPoints.Tests
             Assert.That(Estimate(three, 16), Is.All.EqualTo(OctahedralNormal.Encode(new float3(0, 0, 1))));
         }
 
-        /// <summary>Beyond the distance of 16 neighbours they are those of the one plane or the other; nearer, in between.</summary>
+        /// <summary>Beyond the distance of 16 neighbours they are those of one plane; nearer, in between.</summary>
         [Test]
         public void Estimate_Edge_ReachesAsFarAsNeighboursDo()
         {

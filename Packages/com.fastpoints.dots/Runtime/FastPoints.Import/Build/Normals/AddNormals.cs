@@ -6,7 +6,6 @@ using FastPoints.Reading;
 using FastPoints.Store;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
-using Unity.Jobs;
 using Unity.Mathematics;
 
 namespace FastPoints.Build
@@ -157,9 +156,8 @@ namespace FastPoints.Build
                 using var batch = new PointBatch(schema, cubes.CheckedPoints, Allocator.Persistent);
                 using var found = new NativeArray<ushort>(batch.Capacity, Allocator.Persistent);
                 yield return JobStep.Of(LoadNodes.Run(m_folder, cubes, batch, null));
-                var job = NormalsOfFilesJob.Of(batch, s_attributes, found).Schedule();
-                yield return job;
-                job.Complete();
+                var job = NormalsOfFilesJob.Of(batch, s_attributes, found);
+                yield return JobStep.Of(Slices.Run(0, batch.Count, NormalsOfFilesJob.PointsPerSlice, job.Schedule));
                 yield return JobStep.Of(normals.Take(found));
                 progress?.Report(normals.Points / (double)m_folder.Manifest.Points, normals.Points, normals.Bytes);
             }
@@ -182,9 +180,8 @@ namespace FastPoints.Build
                 yield return JobStep.Of(NormalEstimator.Run(batch, region, found, m_slices, workers()));
                 if (scanners.Length > 0)
                 {
-                    var job = OrientNormalsJob.Of(batch, scanners, region.Metres, found).Schedule();
-                    yield return job;
-                    job.Complete();
+                    var job = OrientNormalsJob.Of(batch, scanners, region.Metres, found);
+                    yield return JobStep.Of(Slices.Run(0, batch.Count, OrientNormalsJob.PointsPerSlice, job.Schedule));
                 }
                 yield return JobStep.Of(normals.Take(found));
                 progress?.Report(normals.Points / (double)manifest.Points, normals.Points, normals.Bytes);
