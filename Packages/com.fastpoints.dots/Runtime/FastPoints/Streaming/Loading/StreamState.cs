@@ -91,6 +91,8 @@ namespace FastPoints.Streaming
             cloud.Source.Distrust(node.Page);
             if (!cloud.Source.TranscodesNodes)
                 Files.Close(cloud, cloud.Source.PathOf(node.Page));
+            if (cloud.Source.PathOfComputed(node.Page) is string computed)
+                Files.Close(cloud, computed);
             if (cloud.IsRemoving || ++state->Failures < Settings.MaxTries)
                 return;
             state->Failures = NodeState.IsHole;
