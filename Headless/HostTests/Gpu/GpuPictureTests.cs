@@ -19,12 +19,12 @@ public sealed class GpuPictureTests : GraphicsFixture
     [OneTimeTearDown]
     public void DeleteCloud() => m_scratch?.Dispose();
 
-    string Convert(string file, string name)
+    string Convert(string file, string name, params string[] options)
     {
         string folder = m_scratch[name + ".fastpoints"];
         if (Directory.Exists(folder))
             return folder;
-        var call = CliCall.Of("convert", file, "-o", folder, "--sampler", "random", "--quiet");
+        var call = CliCall.Of(["convert", file, "-o", folder, "--sampler", "random", "--quiet", .. options]);
         Assert.That(call.Status, Is.EqualTo(ExitStatus.Done), call.Error);
         return folder;
     }
@@ -160,6 +160,28 @@ public sealed class GpuPictureTests : GraphicsFixture
         var center = streams.Ranges.Robust.Center;
         Compare(streams, PictureCamera.Orthographic(center, center + new double3(0.3, 0.4, -1), new double3(0, 1, 0),
             2 * streams.Ranges.Robust.Size.y), name + "-flat", 1, canCompute ? 0 : 200);
+    }
+
+    /// <summary>A primitive's point may fall into the pixel beside.</summary>
+    [TestCase("1", "round")]
+    [TestCase("1", "round", false)]
+    [TestCase("5", "round")]
+    [TestCase("adaptive", "paraboloid")]
+    [TestCase("5", "splat")]
+    public void Draw_LitByStoredNormals_MatchesTheSoftwareRasterizer(string size, string points, bool canCompute = true)
+    {
+        string cloud = Convert(m_scratch.Demo(points: Points), "normals", "--normals");
+        var options = Options(0, true, ColorMode.Elevation);
+        foreach (var (key, value) in new[] { ("size", size), ("points", points), ("light", "200,40,0.9") })
+            Assert.That(options.TrySetStyle(key, value, out string error), Is.True, error);
+        using var streams = new TwinStreams(cloud, options, Points, canCompute: canCompute);
+        string name = "normals-" + size + points + canCompute;
+        Compare(streams, streams.Plan.Camera, name, 1, canCompute ? 0 : 50);
+        var center = streams.Ranges.Robust.Center;
+        Compare(streams, PictureCamera.Orthographic(center, center + new double3(0.3, 0.4, -1), new double3(0, 1, 0),
+            2 * streams.Ranges.Robust.Size.y), name + "-flat", 1, canCompute ? 0 : 50);
+        using var byDepth = new TwinStreams(m_demo, options, Points, canCompute: canCompute);
+        Assert.That(streams.Draw(streams.Plan.Camera).Cpu.Rgba, Is.Not.EqualTo(byDepth.Draw(streams.Plan.Camera).Cpu.Rgba));
     }
 
     [Test]
