@@ -1,5 +1,5 @@
-// Light on points: the twin of FastPoints.Drawing.PointLight. Where FASTPOINTS_LIT is defined, by the normal that the depths around
-// a pixel show: the twin of PixelPlaces and FastPoints.Picture.DepthNormals.
+// Light on points: the twin of FastPoints.Drawing.PointLight. Where FASTPOINTS_LIT is defined, by the normal that the depths
+// around a pixel show: the twin of PixelPlaces and FastPoints.Picture.DepthNormals.
 #ifndef FASTPOINTS_POINT_LIGHT_INCLUDED
 #define FASTPOINTS_POINT_LIGHT_INCLUDED
 

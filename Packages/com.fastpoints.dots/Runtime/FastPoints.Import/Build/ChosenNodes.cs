@@ -11,7 +11,7 @@ namespace FastPoints.Build
     {
         const int MaxPageFetches = 16;
 
-        protected CloudFolder Folder { get; }
+        public CloudFolder Folder { get; }
         readonly Dictionary<int, NodeTable> m_tables = new Dictionary<int, NodeTable>();
         readonly Dictionary<int, List<int>> m_nodesOfPage = new Dictionary<int, List<int>>();
 

@@ -98,7 +98,7 @@ namespace FastPoints.Build
                 int points = 0;
                 foreach (int page in selection.Pages)
                 {
-                    var load = new PageLoad(folder, selection, page, batch, points, maxBytes, isComputed);
+                    var load = new PageLoad(selection, page, batch, points, maxBytes, isComputed);
                     loads.Add(load);
                     points += load.Points;
                     for (int part = 0; part < load.Parts.Count; part++)
@@ -182,9 +182,9 @@ namespace FastPoints.Build
 
             readonly NativeArray<bool>[] m_isDamaged;
 
-            public PageLoad(CloudFolder folder, ChosenNodes selection, int page, PointBatch batch, int firstPoint,
-                long maxBytes, bool isComputed)
+            public PageLoad(ChosenNodes selection, int page, PointBatch batch, int firstPoint, long maxBytes, bool isComputed)
             {
+                var folder = selection.Folder;
                 m_isComputed = isComputed;
                 m_selection = selection;
                 m_page = page;
