@@ -74,12 +74,13 @@ namespace FastPoints.Streaming
         }
 
         // Its bytes differ from those written: it is retried, then reported and left as a hole.
-        public void DropDamaged(int slot)
+        public void DropDamaged(int slot, int plane)
         {
             var node = Cache[slot];
             var cloud = Clouds[node.Cloud];
-            DropDamaged(slot, new StreamFailure(cloud.Source.PathOf(node.Page),
-                cloud.RangeOf(node.Page, node.Node, 0).OffsetBytes, "node " + node.Node + " is damaged"));
+            string path = cloud.Source.IsComputed(plane) ? cloud.Source.PathOfComputed(node.Page) : cloud.Source.PathOf(node.Page);
+            DropDamaged(slot, new StreamFailure(path, cloud.RangeOf(node.Page, node.Node, plane).OffsetBytes,
+                "node " + node.Node + " is damaged"));
         }
 
         public void DropDamaged(int slot, in StreamFailure failure)
