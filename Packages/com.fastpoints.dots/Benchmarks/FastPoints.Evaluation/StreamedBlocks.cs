@@ -84,7 +84,7 @@ namespace FastPoints.Evaluation
                 W = camera.ToView(cloud.Placement.OriginWorld),
             };
             var source = cloud.Source;
-            var toWorld = OctahedralNormal.ToWorld(linear,
+            var toWorld = DrawListCloud.NormalsToWorld(linear,
                 source.Crs.Units.MetresAt(source.Grid.ToGeo(source.Root.Corner), UpAxis.Z));
             drawing.Normals.ToLight = toWorld;
             drawing.Normals.ToView = new double3x3(Turned(camera, toWorld.c0), Turned(camera, toWorld.c1),

@@ -80,7 +80,7 @@ namespace FastPoints.Drawing
             if (Look.NormalPlane > 0)
             {
                 cloud.ColorSource |= StoredNormalsBit;
-                var normals = OctahedralNormal.ToWorld(linear, Look.Metres);
+                var normals = NormalsToWorld(linear, Look.Metres);
                 cloud.NormalX = (float4)new double4(normals.c0, 0);
                 cloud.NormalY = (float4)new double4(normals.c1, 0);
                 cloud.NormalZ = (float4)new double4(normals.c2, 0);
@@ -98,6 +98,15 @@ namespace FastPoints.Drawing
                 cloud.Scale[c] = (float)(Look.Scale * column.Divisor);
             }
             return cloud;
+        }
+
+        // From normals along a cloud's axes, in metres, to vectors of the world of any length but 0. linear is of the cloud's units.
+        public static double3x3 NormalsToWorld(in double3x3 linear, double3 metres)
+        {
+            var to = math.transpose(math.inverse(linear));
+            (to.c0, to.c1, to.c2) = (to.c0 * metres.x, to.c1 * metres.y, to.c2 * metres.z);
+            double longest = math.sqrt(math.max(math.lengthsq(to.c0), math.max(math.lengthsq(to.c1), math.lengthsq(to.c2))));
+            return new double3x3(to.c0 / longest, to.c1 / longest, to.c2 / longest);
         }
 
         // The position in the node's box that is nearest to the camera, in grid steps from the node's corner.

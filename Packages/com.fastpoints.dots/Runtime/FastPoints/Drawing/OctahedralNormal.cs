@@ -34,17 +34,6 @@ namespace FastPoints.Drawing
             return math.normalize(new float3(p, z));
         }
 
-        /// <summary>From normals along a cloud's axes, in metres, to vectors of the world, of any length but 0.</summary>
-        /// <param name="linear">From the cloud's units.</param>
-        /// <param name="metres">Of a unit.</param>
-        public static double3x3 ToWorld(in double3x3 linear, double3 metres)
-        {
-            var to = math.transpose(math.inverse(linear));
-            (to.c0, to.c1, to.c2) = (to.c0 * metres.x, to.c1 * metres.y, to.c2 * metres.z);
-            double longest = math.sqrt(math.max(math.lengthsq(to.c0), math.max(math.lengthsq(to.c1), math.lengthsq(to.c2))));
-            return new double3x3(to.c0 / longest, to.c1 / longest, to.c2 / longest);
-        }
-
         static float2 Fold(float2 p) =>
             new float2((1 - math.abs(p.y)) * (p.x >= 0 ? 1 : -1), (1 - math.abs(p.x)) * (p.y >= 0 ? 1 : -1));
     }

@@ -78,7 +78,8 @@ namespace FastPoints.Streaming
         {
             var node = Cache[slot];
             var cloud = Clouds[node.Cloud];
-            string path = cloud.Source.IsComputed(plane) ? cloud.Source.PathOfComputed(node.Page) : cloud.Source.PathOf(node.Page);
+            var source = cloud.Source;
+            string path = source.IsComputed(plane) ? source.PathOfComputed(node.Page) : source.PathOf(node.Page);
             DropDamaged(slot, new StreamFailure(path, cloud.RangeOf(node.Page, node.Node, plane).OffsetBytes,
                 "node " + node.Node + " is damaged"));
         }
