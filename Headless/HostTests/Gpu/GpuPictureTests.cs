@@ -215,9 +215,12 @@ public sealed class GpuPictureTests : GraphicsFixture
     [TestCase(1, 0)]
     [TestCase(3, 0)]
     [TestCase(3, 0.25f)]
-    public void Draw_LitTwoMillionPoints_TakesAThirdMoreAtMost(float sizePx, float edlStrength)
+    [TestCase(1, 0, true)]
+    [TestCase(3, 0, true)]
+    public void Draw_LitTwoMillionPoints_TakesAThirdMoreAtMost(float sizePx, float edlStrength, bool hasNormals = false)
     {
-        string cloud = Convert(TestData.PathOrIgnore("data/lion.laz"), "lion");
+        string lion = TestData.PathOrIgnore("data/lion.laz");
+        string cloud = hasNormals ? Convert(lion, "lion-normals", "--normals") : Convert(lion, "lion");
         double Measure(float share)
         {
             var options = Options(sizePx, true, ColorMode.Elevation);
@@ -226,7 +229,7 @@ public sealed class GpuPictureTests : GraphicsFixture
             return streams.LeastMilliseconds(streams.Plan.Camera);
         }
         double unlit = Measure(0), lit = Measure(0.7f);
-        TestContext.Out.WriteLine($"{sizePx} px, lighting {edlStrength}: {unlit:0} ms, lit {lit:0} ms, {lit / unlit:0.00}");
+        TestContext.Out.WriteLine($"{sizePx} px, lighting {edlStrength}, normals {hasNormals}: {unlit:0} ms, lit {lit:0} ms, {lit / unlit:0.00}");
         Assert.That(lit, Is.LessThan(1.3 * unlit));
     }
 
