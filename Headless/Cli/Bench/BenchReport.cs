@@ -1,8 +1,11 @@
+using System.Text.RegularExpressions;
+
 namespace FastPoints.Cli.Bench;
 
 public static class BenchReport
 {
     const double WideRange = 8;
+    static readonly Regex s_number = new("[0-9]+");
 
     public static byte[] Make(PerformanceRun run, IReadOnlyList<WorkloadSamples> samples, Baseline? baseline,
         IReadOnlyList<BaselineRow>? rows, int points)
@@ -25,6 +28,8 @@ public static class BenchReport
             var present = family.Where(p => p.Samples.HadInput).ToList();
             if (present.Count > 0)
                 page.Chart(Times(family.Key, present, baseline != null));
+            if (ErrorsOf(family.Select(p => p.Samples)) is { IsEmpty: false } errors)
+                page.Chart(errors);
             page.Table(BenchTable.Of(family.Select(p => p.Samples).ToList(),
                 rows == null ? null : family.Select(p => p.Row!).ToList()));
             foreach (var noted in family.Where(p => p.Samples.Note != null))
@@ -96,6 +101,17 @@ public static class BenchReport
         };
         foreach (var (samples, row) in workloads)
             chart.Add(samples.Name, BenchTable.Error(samples), isCompared ? [samples.Ms, row!.Times] : [samples.Ms]);
+        return chart;
+    }
+
+    /// <summary>Of workloads that are told apart by one number in their names, N.</summary>
+    public static LineChart ErrorsOf(IEnumerable<WorkloadSamples> workloads)
+    {
+        var known = workloads.Where(w => w.HadInput && w.MedianError > 0 && w.ErrorUnit != null).ToList();
+        var chart = new LineChart("Error by N", "N", known.FirstOrDefault()?.ErrorUnit ?? "");
+        foreach (var series in known.GroupBy(w => s_number.Replace(w.Name, "N")).Where(s => s.Count() > 2))
+            chart.Add(series.Key, series.Select(w => (double.Parse(s_number.Match(w.Name).Value, CultureInfo.InvariantCulture),
+                w.MedianError)));
         return chart;
     }
 

@@ -14,14 +14,16 @@ public sealed class NormalsStep
     {
         double begin = run.Seconds;
         var step = new NormalsStep();
-        JobCoroutine.RunToEnd(AddNormals.Run(cloud, default, manifest =>
+        JobCoroutine.RunToEnd(AddNormals.Run(cloud, new NormalSettings(), manifest =>
             (step.Points, step.m_orientation) = (manifest.Points, manifest.NormalOrientation), run.Progress), run.Cancellation);
         step.m_seconds = run.Seconds - begin;
         return step;
     }
 
     public string Describe() => "normals of " + NumberFormat.Count(Points, "point") + " in " + NumberFormat.Seconds(m_seconds)
-        + (m_orientation == AddNormals.Up ? ", which point up" : ", which are turned to the viewer");
+        + (m_orientation == AddNormals.Up ? ", which point up"
+        : m_orientation == AddNormals.Scanner ? ", which point to the scanner"
+        : m_orientation == AddNormals.Source ? ", which are those of the files" : ", which are turned to the viewer");
 
     public void WriteKeys(Utf8JsonWriter json)
     {

@@ -125,6 +125,8 @@ public sealed class BenchVerb : Verb
         string page = Path.Combine(folder, "report.html");
         OutputFile.Write(page, BenchReport.Make(performance, results, baseline, rows, points));
 
+        if (BenchReport.ErrorsOf(results) is { IsEmpty: false } errors)
+            OutputFile.Write(Path.Combine(folder, "errors.svg"), errors.ToBytes());
         BenchTable.Of(results, rows).Write(run.Out, "");
         run.Out.WriteLine();
         foreach (var noted in results.Where(m => m.Note != null))

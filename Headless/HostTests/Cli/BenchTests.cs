@@ -70,6 +70,16 @@ public sealed class BenchTests : ScratchTests
     }
 
     [Test]
+    public void Errors_OfWorkloadsWithANumber_AreACurve()
+    {
+        Assert.That(CliCall.Of("bench", "neighbours", "--runs", "1", "--points", "2000", "--out", Scratch["curve"]).Status,
+            Is.EqualTo(ExitStatus.Done));
+        string svg = File.ReadAllText(Path.Combine(Scratch["curve"], "errors.svg"));
+        Assert.That(svg, Does.Contain("normals, N neighbours").And.Contain("degrees"));
+        Assert.That(File.Exists(Path.Combine(Scratch["first"], "errors.svg")), Is.False);
+    }
+
+    [Test]
     public void Page_OfARun_HasAChartAndTheErrorBesideTheTime()
     {
         string html = File.ReadAllText(Path.Combine(Scratch["first"], "report.html"));

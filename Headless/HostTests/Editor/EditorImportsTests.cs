@@ -87,6 +87,25 @@ public sealed class EditorImportsTests : EditorFixture
     }
 
     [Test]
+    public void CreateAsset_NormalsOn_TheCloudGetsThemAndTheHandleStays()
+    {
+        FastPointsSettings.instance.Normals = true;
+        try
+        {
+            m_project.Imports.CreateAsset(m_project.Scratch.Demo("scan.las", 20_000), "Assets");
+            m_project.UpdateToTheEnd();
+        }
+        finally
+        {
+            FastPointsSettings.instance.Normals = false;
+        }
+        var asset = m_project.Asset("Assets/scan.pointcloud");
+        Assert.That(asset.Points, Is.EqualTo(20_000));
+        Assert.That(ImportProject.NormalLayerOf(asset.Paths.FullPath), Is.EqualTo(1));
+        Assert.That(m_project.Imports.Queue.Requests, Is.Empty);
+    }
+
+    [Test]
     public void Suspend_InTheMiddle_IsFinishedAfterTheReload()
     {
         string source = m_project.Scratch.Demo("scan.las", 100_000);

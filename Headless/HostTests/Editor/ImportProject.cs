@@ -31,6 +31,13 @@ sealed class ImportProject : IDisposable
         Cloud = Paths.Stored(Target(name)),
     };
 
+    /// <summary>0 for none.</summary>
+    public static int NormalLayerOf(string target)
+    {
+        using var folder = CloudFolder.Open(target);
+        return folder.Manifest.NormalLayer;
+    }
+
     /// <summary>Ends an endless wait; not a bound on speed: on a busy machine any number of turns may pass
     /// idly.</summary>
     public static readonly TimeSpan MaxWait = TimeSpan.FromMinutes(4);

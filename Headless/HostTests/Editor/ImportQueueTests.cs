@@ -299,6 +299,69 @@ public sealed class ImportQueueTests
         Assert.That(queue.SaveCount - saves, Is.EqualTo(1));
     }
 
+    ImportRequest RequestWithNormals()
+    {
+        var request = m_project.Request();
+        request.Normals = true;
+        return request;
+    }
+
+    [Test]
+    public void Tick_Normals_AreAddedBehindTheBuild()
+    {
+        using var queue = Open();
+        queue.Add(RequestWithNormals());
+        queue.Add(m_project.Request("other"));
+        double share = 0;
+        UpdateUntil(queue, () =>
+        {
+            if (queue.Running?.IsBuilt == true)
+            {
+                Assert.That(queue.Session.Share, Is.InRange(share, 1));
+                share = queue.Session.Share;
+            }
+            return queue.Requests.Count == 0;
+        });
+        Assert.That(m_ended, Is.EqualTo(new[] { "asset of scan: Done", "asset of scan: Done", "asset of other: Done" }));
+        Assert.That(share, Is.GreaterThan(0));
+        Assert.That(ImportProject.NormalLayerOf(m_project.Target()), Is.EqualTo(1));
+        Assert.That(ImportProject.NormalLayerOf(m_project.Target("other")), Is.Zero);
+        m_project.AssertIsWhole(m_project.Target());
+    }
+
+    [TestCase(false)]
+    [TestCase(true)]
+    public void Suspend_DuringNormals_NextQueueAddsThemWithoutBuilding(bool crashes)
+    {
+        using (var before = Open())
+        {
+            before.Add(RequestWithNormals());
+            UpdateUntil(before, () => before.Session?.Progress.Current == AddNormals.Stage);
+            if (crashes)
+                Crash(before);
+        }
+        Assert.That(ImportProject.NormalLayerOf(m_project.Target()), Is.Zero);
+        m_ended.Clear();
+        using var after = Open();
+        UpdateUntil(after, () => after.Session != null);
+        UpdateUntil(after, () => after.Requests.Count == 0);
+        Assert.That(m_ended, Is.EqualTo(new[] { "asset of scan: Done" }));
+        Assert.That(ImportProject.NormalLayerOf(m_project.Target()), Is.EqualTo(1));
+        m_project.AssertIsWhole(m_project.Target());
+    }
+
+    [Test]
+    public void Cancel_DuringNormals_LeavesTheCloudWithoutThem()
+    {
+        using var queue = Open();
+        queue.Add(RequestWithNormals());
+        UpdateUntil(queue, () => queue.Session?.Progress.Current == AddNormals.Stage);
+        queue.Cancel(queue.Running);
+        Assert.That((queue.Requests.Count, m_ended.Last()), Is.EqualTo((0, "asset of scan: Cancelled")));
+        Assert.That(ImportProject.NormalLayerOf(m_project.Target()), Is.Zero);
+        m_project.AssertIsWhole(m_project.Target());
+    }
+
     [Test]
     public void Load_DamagedList_IsRenamedAndReported()
     {

@@ -243,7 +243,8 @@ namespace FastPoints.Editor
         internal void Cancel(ImportRequest request)
         {
             Queue.Cancel(request);
-            DisableAutoConvert(request.Cloud);
+            if (!request.IsBuilt)
+                DisableAutoConvert(request.Cloud);
         }
 
         /// <summary>However often Unity imports its asset, the cloud is no longer converted automatically, nor asked
@@ -314,6 +315,7 @@ namespace FastPoints.Editor
                 Cloud = handle.CloudPath,
                 Sources = new List<string>(handle.Sources),
                 Sampler = m_settings.Sampler,
+                Normals = m_settings.Normals,
             };
         }
 
@@ -376,15 +378,19 @@ namespace FastPoints.Editor
                 Debug.LogException(session.Failure);
             if (session.State != BuildState.Done)
                 return;
-            foreach (var warning in session.Source.Warnings)
-                Debug.LogWarning("FastPoints: " + warning);
-            foreach (var loss in session.Source.Losses)
-                Debug.LogWarning("FastPoints: " + loss);
+            if (session.Source is { } source)
+            {
+                foreach (var warning in source.Warnings)
+                    Debug.LogWarning("FastPoints: " + warning);
+                foreach (var loss in source.Losses)
+                    Debug.LogWarning("FastPoints: " + loss);
+            }
             string cloud = Paths.Absolute(request.Cloud);
             // A copy of an asset has the same cloud.
             foreach (string user in new List<string>(Assets.Of(cloud)))
             {
-                Update(user, cloud, session, DateTime.UtcNow.AddMilliseconds(FileChanges.RetryTimeoutMs));
+                if (session.Result != null)
+                    Update(user, cloud, session, DateTime.UtcNow.AddMilliseconds(FileChanges.RetryTimeoutMs));
                 Refresh(user);
             }
             Thumbnails.Add(cloud);

@@ -12,7 +12,7 @@ namespace FastPoints.Editor
 
         [SettingsProvider]
         static SettingsProvider Create() => new SettingsProvider("Project/FastPoints", SettingsScope.Project,
-            new[] { "point cloud", "lidar", "las", "laz", "octree", "sampler", "memory", "threads", "vram" })
+            new[] { "point cloud", "lidar", "las", "laz", "octree", "sampler", "normals", "memory", "threads", "vram" })
         {
             guiHandler = _ => Draw(FastPointsSettings.instance),
         };
@@ -38,6 +38,8 @@ namespace FastPoints.Editor
                     "Otherwise they are streamed as they are."), settings.ConvertOctrees);
             settings.Sampler = (Sampler)EditorGUILayout.EnumPopup(new GUIContent("Sampler",
                 "Which points stand for the others where a cloud is seen from afar."), settings.Sampler);
+            settings.Normals = EditorGUILayout.Toggle(new GUIContent("Normals",
+                "Computed once a cloud is converted, for light: at most 2 bytes a point."), settings.Normals);
         }
 
         static void DrawLimits(FastPointsSettings settings)

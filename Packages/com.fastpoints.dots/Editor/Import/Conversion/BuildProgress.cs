@@ -25,11 +25,13 @@ namespace FastPoints.Editor
             new Weight { Stage = BuildStages.Finish, Share = 0.01 },
         };
 
-        /// <summary>Share of the whole build that is done, 0 to 1; it never falls during a build.</summary>
+        /// <summary>Share of the whole build, or of the normals, that is done, 0 to 1; it never falls during a build.</summary>
         public static double ShareOf(StageProgress progress)
         {
             int finished = progress.Finished.Count;
             string stage = progress.Current ?? (finished > 0 ? progress.Finished[finished - 1].Name : null);
+            if (stage == AddNormals.Stage)
+                return progress.Share;
             double before = 0;
             foreach (var weight in s_weights)
             {

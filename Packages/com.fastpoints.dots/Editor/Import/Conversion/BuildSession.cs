@@ -21,20 +21,21 @@ namespace FastPoints.Editor
         PointReader m_reader;
         JobCoroutine m_coroutine;
 
+        /// <param name="sources">Null if the target is a converted cloud, which gets normals.</param>
         /// <param name="settings">The settings, which the session owns from now on.</param>
         public BuildSession(IReadOnlyList<string> sources, string target, ConvertSettings settings)
         {
             m_target = target;
             m_settings = settings;
             m_settings.KeepUnfinished = true;
-            m_opening = PoolTask.Begin(target, () => Open(sources));
+            m_opening = sources == null ? null : PoolTask.Begin(target, () => Open(sources));
         }
 
         public BuildState State { get; private set; } = BuildState.Opening;
 
         public StageProgress Progress { get; } = new StageProgress();
 
-        /// <summary>The source's header; null until it is open.</summary>
+        /// <summary>The source's header; null until it is open, or without one.</summary>
         public SourceInfo Source { get; private set; }
 
         /// <summary>The source's stamp from before it was opened; null until it is open.</summary>
@@ -71,7 +72,7 @@ namespace FastPoints.Editor
         {
             try
             {
-                if (State == BuildState.Opening && m_opening.IsDone)
+                if (State == BuildState.Opening && m_opening?.IsDone != false)
                     Begin();
                 if (State == BuildState.Building && m_coroutine.Tick(budgetMs))
                     End(BuildState.Done);
@@ -129,13 +130,19 @@ namespace FastPoints.Editor
 
         void Begin()
         {
+            m_coroutine = new JobCoroutine(m_opening == null ? AddNormals.Run(m_target,
+                new NormalSettings { Workers = () => m_settings.Workers }, null, Progress) : Convert());
+            State = BuildState.Building;
+            m_watch.Start();
+        }
+
+        IEnumerator<JobStep> Convert()
+        {
             var opened = m_opening;
             m_opening = null;
             m_reader = opened.Take();
             Source = m_reader.Info;
-            m_coroutine = new JobCoroutine(ConvertCloud.Run(new[] { m_reader }, m_target, m_settings, r => Result = r, Progress));
-            State = BuildState.Building;
-            m_watch.Start();
+            return ConvertCloud.Run(new[] { m_reader }, m_target, m_settings, r => Result = r, Progress);
         }
 
         PointReader Open(IReadOnlyList<string> sources)

@@ -55,7 +55,8 @@ namespace FastPoints.Editor
         /// all is well.</summary>
         public string Problem { get; private set; }
 
-        /// <summary>Raised when a conversion has ended, with success or without; the session says which.</summary>
+        /// <summary>Raised when a conversion has ended, and when its cloud has got normals, with success or without; the
+        /// session says which.</summary>
         public event Action<ImportRequest, BuildSession> Ended;
 
         string FilePath => Path.Combine(m_paths.Clouds, FileName);
@@ -230,7 +231,7 @@ namespace FastPoints.Editor
             m_running.State = ImportState.Running;
             m_running.Attempts++;
             Save();
-            var sources = m_running.Sources.ConvertAll(m_paths.Absolute);
+            var sources = m_running.IsBuilt ? null : m_running.Sources.ConvertAll(m_paths.Absolute);
             Session = new BuildSession(sources, m_paths.Absolute(m_running.Cloud), m_settings(m_running));
         }
 
@@ -253,6 +254,10 @@ namespace FastPoints.Editor
             {
                 request.State = ImportState.Failed;
                 request.Failure = session.Failure.Message;
+            }
+            else if (session.State == BuildState.Done && request.Normals && !request.IsBuilt)
+            {
+                (request.IsBuilt, request.State) = (true, ImportState.Waiting);
             }
             else
             {

@@ -15,6 +15,13 @@ namespace FastPoints.Editor
         public string Cloud;
 
         public Sampler Sampler;
+
+        /// <summary>Whether the cloud gets normals once it is built.</summary>
+        public bool Normals;
+
+        /// <summary>Only the normals are missing.</summary>
+        public bool IsBuilt { get; internal set; }
+
         public ImportState State { get; internal set; }
 
         /// <summary>Why it failed: one line.</summary>
@@ -28,8 +35,8 @@ namespace FastPoints.Editor
             json.BeginObject().Add("asset", Asset).Add("cloud", Cloud).BeginArray("sources");
             foreach (string source in Sources)
                 json.Add(null, source);
-            json.EndArray().Add("sampler", Sampler.ToString()).Add("state", State.ToString()).Add("attempts", Attempts)
-                .Add("failure", Failure).EndObject();
+            json.EndArray().Add("sampler", Sampler.ToString()).Add("normals", Normals).Add("isBuilt", IsBuilt)
+                .Add("state", State.ToString()).Add("attempts", Attempts).Add("failure", Failure).EndObject();
         }
 
         internal static ImportRequest Read(JsonMembers json) => new ImportRequest
@@ -38,6 +45,8 @@ namespace FastPoints.Editor
             Cloud = json.Text("cloud"),
             Sources = json.Texts("sources"),
             Sampler = Named<Sampler>(json, "sampler"),
+            Normals = json.Flag("normals"),
+            IsBuilt = json.Flag("isBuilt"),
             State = Named<ImportState>(json, "state"),
             Attempts = (int)Math.Min(int.MaxValue, Math.Max(0, json.Long("attempts"))),
             Failure = json.TextOrNull("failure"),

@@ -146,6 +146,7 @@ namespace FastPoints.Build
         {
             manifest.Crs = readers[0].Info.Crs.ToCloudCrs();
             manifest.GpsTime = MeaningOf(readers).GpsTime;
+            manifest.Scanners = readers.Count == 1 ? readers[0].Info.Scanners : null;
         }
     }
 

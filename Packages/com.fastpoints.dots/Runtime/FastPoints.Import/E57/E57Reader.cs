@@ -51,6 +51,7 @@ namespace FastPoints.E57
                 var schema = new E57Schema(scans);
                 info.Schema = schema.Schema;
                 info.Transform = schema.Transform;
+                info.Scanners = schema.Scanners;
                 E57Facts.AddSchema(schema, scans, info);
                 return new E57Reader(new E57Blocks(new E57File(info, crc), info, schema, sections));
             }

@@ -21,6 +21,9 @@ namespace FastPoints.E57
         public readonly List<E57Field> Fields = new List<E57Field>();
         public E57Pose Pose = E57Pose.Identity;
 
+        // Without a pose, positions from elsewhere may have been written as those of a scanner.
+        public bool IsScannerKnown;
+
         // In the scanner's own coordinates; empty if the file does not say.
         public BoundsGeo BoundsClaimed = BoundsGeo.Empty;
 
@@ -70,6 +73,7 @@ namespace FastPoints.E57
             scan.Pose = E57Pose.Read(node.Child("pose"), out comment);
             scan.ReadLimits(node);
             problem = scan.ReadPoints(node.Child("points"));
+            scan.IsScannerKnown = node.Child("pose") != null || !scan.IsCartesian;
             return scan;
         }
 

@@ -49,6 +49,22 @@ namespace FastPoints.E57
         }
 
         public PointSchema Schema { get; }
+
+        // Null unless all are known, and the scan of each point.
+        public double3[] Scanners
+        {
+            get
+            {
+                bool isOne = m_scans.Count == 1;
+                if (!m_scans.TrueForAll(s => s.IsScannerKnown) || !isOne && m_fieldOf.ContainsKey(AttributeNames.PointSourceId))
+                    return null;
+                var scanners = new double3[isOne ? 1 : 1 + m_scans.Max(s => s.Index)];
+                foreach (var scan in m_scans)
+                    scanners[isOne ? 0 : scan.Index] = scan.Pose.Translation;
+                return scanners;
+            }
+        }
+
         public PositionTransform Transform { get; private set; } = PositionTransform.Identity;
         public string PositionSummary { get; private set; }
 

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using Unity.Mathematics;
 
 namespace FastPoints.Reading
 {
@@ -63,6 +64,10 @@ namespace FastPoints.Reading
 
         /// <summary>Unknown if there are no GPS times.</summary>
         internal GpsTime GpsTime;
+
+        /// <summary>Where each scan was made, in the order of its number in PointSourceId (0, 0, 0 for those that are left out),
+        /// or where the only one was; null if that is not known.</summary>
+        internal double3[] Scanners;
 
         /// <summary>Why the files cannot be one cloud; null if they can. Each can still be inspected.</summary>
         internal string Conflict;

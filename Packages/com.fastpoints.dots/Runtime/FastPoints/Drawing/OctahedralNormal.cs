@@ -34,6 +34,9 @@ namespace FastPoints.Drawing
             return math.normalize(new float3(p, z));
         }
 
+        /// <summary>The code of the opposite vector, exactly.</summary>
+        public static ushort Opposite(ushort code) => Encode(-Decode(code));
+
         static float2 Fold(float2 p) =>
             new float2((1 - math.abs(p.y)) * (p.x >= 0 ? 1 : -1), (1 - math.abs(p.x)) * (p.y >= 0 ? 1 : -1));
     }

@@ -80,6 +80,9 @@ namespace FastPoints.Store
 
         internal GpsTime GpsTime;
 
+        // Where the scans were made, by PointSourceId from 1, or the only one; null where unknown.
+        internal double3[] Scanners;
+
         public CloudCrs Crs
         {
             get => new CloudCrs
@@ -182,6 +185,13 @@ namespace FastPoints.Store
             if (GpsTime.Kind != GpsTimeKind.Unknown)
                 json.BeginObject("gpsTime").Add("kind", GpsTime.Kind.ToString()).Add("offsetMegaseconds",
                     GpsTime.OffsetMegaseconds).EndObject();
+            if (Scanners != null)
+            {
+                json.BeginArray("scanners");
+                foreach (var at in Scanners)
+                    json.BeginObject().Add("at", at.x, at.y, at.z).EndObject();
+                json.EndArray();
+            }
             json.BeginObject("settings").Add("sampler", Sampler).EndObject();
             json.BeginObject("hierarchy").Add("whole", IsWhole).Add("bytes", HierarchyBytes).Add("rootOffset", RootOffset)
                 .Add("rootBytes", RootBytes).AddHex("rootHash", RootHash).EndObject();
@@ -339,6 +349,8 @@ namespace FastPoints.Store
                     throw time.Bad("kind", "a kind of GPS time");
                 GpsTime = new GpsTime(kind, (int)time.Count("offsetMegaseconds", ushort.MaxValue));
             }
+            if (json.Has("scanners"))
+                Scanners = json.Objects("scanners").ConvertAll(scan => scan.Vector("at")).ToArray();
             Sampler = json.Object("settings").Text("sampler");
         }
 

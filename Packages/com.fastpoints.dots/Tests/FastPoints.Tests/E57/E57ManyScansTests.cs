@@ -2,12 +2,30 @@ using System;
 using System.Linq;
 using FastPoints.Tests.Reading;
 using NUnit.Framework;
+using Unity.Mathematics;
 using static FastPoints.Tests.E57.E57TestScans;
 
 namespace FastPoints.Tests.E57
 {
     public class E57ManyScansTests
     {
+        [TestCase(false, false)]
+        [TestCase(true, false)]
+        [TestCase(true, true)]
+        public void Open_PosesOfScans_AreTheScannersIfAllHaveOne(bool first, bool second)
+        {
+            E57TestScan Scan(int x, bool hasPose)
+            {
+                var scan = Floats(10);
+                scan.Xml = hasPose ? E57TestScan.Pose(1, 0, 0, 0, x, 20, 30) : "";
+                return scan;
+            }
+            double3 a = new double3(10, 20, 30), b = new double3(11, 20, 30);
+            Assert.That(FileContents.OfE57(File(Scan(10, first), Scan(11, second))).Info.Scanners,
+                Is.EqualTo(second ? new[] { a, b } : null));
+            Assert.That(FileContents.OfE57(File(Scan(10, first))).Info.Scanners, Is.EqualTo(first ? new[] { a } : null));
+        }
+
         [Test]
         public void Read_SeveralScansOnOneGrid_KeepsTheirDigits()
         {

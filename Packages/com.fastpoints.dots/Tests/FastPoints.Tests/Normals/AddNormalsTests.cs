@@ -20,8 +20,10 @@ namespace FastPoints.Tests
 
         string Cloud => Folder.File("sphere.fastpoints");
 
+        int m_points;
+
         [SetUp]
-        public void Convert() => Convert(60000, 9);
+        public void Convert() => ConvertText(60000, 9, (_, _) => "");
 
         [Test]
         public void Run_Sphere_StoresItsNormals()
@@ -38,10 +40,12 @@ namespace FastPoints.Tests
         [Test]
         public void Run_CutIntoCubes_IsAsOfTheWhole()
         {
-            Run();
+            var settings = new NormalSettings { PointsPerCube = 3000 };
+            Run(settings);
+            Assert.That(CubesOf(settings).Count, Is.GreaterThan(20));
             var cut = NormalsOf(Cloud).ToDictionary(n => n.Place, n => n.Normal);
             var places = cut.Keys.ToArray();
-            ushort[] whole = NormalEstimatorTests.Estimate(places, NormalSettings.DefaultNeighbours);
+            ushort[] whole = NormalEstimatorTests.Estimate(places, new NormalSettings().Neighbours);
             int differing = places.Where((p, i) => cut[p] != whole[i]).Count();
             // What float's rounding takes to another code.
             Assert.That(differing, Is.LessThan(places.Length / 1000));
@@ -139,22 +143,184 @@ namespace FastPoints.Tests
             Assert.That(File.ReadAllBytes(after), Is.EqualTo(File.ReadAllBytes(before)));
         }
 
-        void Convert(int count, uint seed)
+        /// <summary>Inwards, of any length, and none for every tenth point.</summary>
+        static double3 InwardsOrNone(double3 place, int i) => i % 10 == 0 ? 0 : -0.25 * place;
+
+        [Test]
+        public void Run_FilesHaveNormals_StoresThese()
         {
+            Convert(20000, 5, InwardsOrNone);
+            Run();
+            var normals = NormalsOf(Cloud);
+            Assert.That(normals.Count(n => n.Normal == OctahedralNormal.None), Is.EqualTo(2000));
+            foreach (var (place, normal) in normals)
+                if (normal != OctahedralNormal.None)
+                    Assert.That(math.dot((double3)OctahedralNormal.Decode(normal), -place / Radius), Is.GreaterThan(0.9998));
+            Assert.That(Orientation(), Is.EqualTo(AddNormals.Source));
+            Assert.That(Problems(), Is.Empty);
+        }
+
+        [Test]
+        public void Run_FilesHaveOnlyRoomForNormals_EstimatesThem()
+        {
+            Convert(20000, 5, (_, _) => 0);
+            Run();
+            Assert.That(NormalsOf(Cloud).All(n => n.Normal != OctahedralNormal.None));
+            Assert.That(Orientation(), Is.EqualTo(AddNormals.Viewer));
+        }
+
+        [TestCase("PROJCS[\"UTM\",GEOGCS[\"WGS 84\",UNIT[\"degree\",0.0174532925]],UNIT[\"metre\",1]]", 0, AddNormals.Up)]
+        [TestCase("GEOGCS[\"WGS 84\",UNIT[\"degree\",0.0174532925]]", 0, AddNormals.Up)]
+        [TestCase("LOCAL_CS[\"site\",UNIT[\"metre\",1]]", 0, AddNormals.Viewer)]
+        [TestCase("GEOCCS[\"WGS 84\",UNIT[\"metre\",1]]", 0, AddNormals.Viewer)]
+        [TestCase(null, 32633, AddNormals.Up)]
+        [TestCase(null, 4978, AddNormals.Viewer)]
+        public void Run_CoordinateSystem_SaysWhetherTheyPointUp(string wkt, int epsg, string wanted)
+        {
+            string file = Path.Combine(Cloud, StoreFormat.ManifestName);
+            var manifest = CloudManifest.FromJson(File.ReadAllText(file), file);
+            (manifest.CrsWkt, manifest.CrsEpsg) = (wkt, epsg);
+            File.WriteAllText(file, manifest.ToJson());
+            Run();
+            Assert.That(Orientation(), Is.EqualTo(wanted));
+        }
+
+        [Test]
+        public void Run_ScansOfKnownPlaces_PointToTheirScanner()
+        {
+            // The left half of the sphere is seen from within, the other from far outside.
+            var places = new List<double3>();
+            ConvertText(20000, 5, (p, _) =>
+            {
+                places.Add(p);
+                return "";
+            });
+            string ScanOf(string at, Func<double3, bool> isSeen, double3 from)
+            {
+                var seen = places.Where(isSeen).Select(p => p - from).ToArray();
+                return seen.Length + "\n1\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 0 0 0\n0 1 0 0\n0 0 1 0\n" + at + " 1\n" +
+                    string.Concat(seen.Select(p => FormattableString.Invariant($"{p.x:F6} {p.y:F6} {p.z:F6} 0.5\n")));
+            }
+            Convert(Folder.Write("scans.ptx", ScanOf("-3 0 0", p => p.x < 0, new double3(-3, 0, 0)) +
+                ScanOf("1000 0 0", p => p.x >= 0, new double3(1000, 0, 0))));
+            Run();
+            foreach (var (place, normal) in NormalsOf(Cloud))
+                if (math.abs(place.x) > 0.5)
+                    Assert.That(math.dot((double3)OctahedralNormal.Decode(normal), place), place.x < 0 ? Is.Negative : Is.Positive);
+            Assert.That(Orientation(), Is.EqualTo(AddNormals.Scanner));
+            Assert.That(Problems(), Is.Empty);
+        }
+
+        [Test]
+        public void ChooseBatches_FewPointsEach_HaveAllNodes()
+        {
+            using var folder = CloudFolder.Open(Cloud);
+            using var cubes = new NormalCubes(folder, new NormalSettings { PointsPerCube = 10000 });
+            long points = 0, nodes = 0;
+            int batches = 0;
+            foreach (int chosen in cubes.ChooseBatches())
+                (points, nodes, batches) = (points + cubes.Points, nodes + chosen, batches + 1);
+            Assert.That((points, nodes), Is.EqualTo((60000, folder.Manifest.NodeCount)));
+            Assert.That(batches, Is.InRange(3, 6));
+        }
+
+        [Test]
+        public void NormalsOfFiles_NoDirection_IsNone()
+        {
+            var schema = new PointSchema(new[]
+            {
+                new PointAttribute(AttributeNames.NormalX, AttributeType.Float64),
+                new PointAttribute(AttributeNames.NormalY, AttributeType.Float32),
+                new PointAttribute(AttributeNames.NormalZ, AttributeType.Int16, 0.5, 1),
+            });
+            var inputs = new (double X, float Y, short Z, float3 Wanted)[]
+            {
+                (1e-300, 0, -2, new float3(1, 0, 0)), (0, 3, 6, new float3(0, 0.6f, 0.8f)),
+                (1e300, -1, 5, new float3(1, 0, 0)), (0, 0, -2, 0), (double.NaN, 0, 1, 0), (0, float.NegativeInfinity, 1, 0),
+            };
+            using var batch = new PointBatch(schema, inputs.Length, Allocator.Persistent) { Count = inputs.Length };
+            batch.Column<double>(0).GetSubArray(0, inputs.Length).CopyFrom(inputs.Select(i => i.X).ToArray());
+            batch.Column<float>(1).GetSubArray(0, inputs.Length).CopyFrom(inputs.Select(i => i.Y).ToArray());
+            batch.Column<short>(2).GetSubArray(0, inputs.Length).CopyFrom(inputs.Select(i => i.Z).ToArray());
+            using var normals = new NativeArray<ushort>(inputs.Length, Allocator.Persistent);
+            NormalsOfFilesJob.Of(batch, schema.Select(a => a.Name).ToArray(), normals).Execute();
+            Assert.That(normals.ToArray(), Is.EqualTo(inputs.Select(i => i.Wanted.Equals(default) ? OctahedralNormal.None
+                : OctahedralNormal.Encode(i.Wanted))));
+        }
+
+        string Orientation()
+        {
+            using var folder = CloudFolder.Open(Cloud);
+            return folder.Manifest.NormalOrientation;
+        }
+
+        void Convert(int count, uint seed, Func<double3, int, double3> normalOf) => ConvertText(count, seed, (p, i) =>
+        {
+            var n = normalOf(p, i);
+            return FormattableString.Invariant($" {n.x:F6} {n.y:F6} {n.z:F6}");
+        }, head: "x y z nx ny nz\n");
+
+        void ConvertText(int count, uint seed, Func<double3, int, string> restOfLine, double noise = 0, string head = "")
+        {
+            m_points = count;
             var random = new Unity.Mathematics.Random(seed);
             var text = new StringWriter();
+            text.Write(head);
             for (int i = 0; i < count; i++)
             {
                 double z = random.NextDouble(-1, 1), angle = 2 * Math.PI * random.NextDouble(), r = Math.Sqrt(1 - z * z);
-                text.WriteLine(FormattableString.Invariant(
-                    $"{Radius * r * Math.Cos(angle):F6} {Radius * r * Math.Sin(angle):F6} {Radius * z:F6}"));
+                double gauss = Math.Sqrt(-2 * Math.Log(1 - random.NextDouble())) * Math.Cos(2 * Math.PI * random.NextDouble());
+                var p = (Radius + noise * gauss) * new double3(r * Math.Cos(angle), r * Math.Sin(angle), z);
+                text.WriteLine(FormattableString.Invariant($"{p.x:F6} {p.y:F6} {p.z:F6}") + restOfLine(p, i));
             }
-            using var reader = PointReaders.Open(Folder.Write("sphere.xyz", text.ToString()));
+            Convert(Folder.Write("sphere.xyz", text.ToString()));
+        }
+
+        void Convert(string file)
+        {
+            using var reader = PointReaders.Open(file);
             JobCoroutine.RunToEnd(ConvertCloud.Run(new[] { reader }, Cloud, new ConvertSettings { PointsPerChunk = 8000 },
                 _ => { }, null));
         }
 
-        void Run() => JobCoroutine.RunToEnd(AddNormals.Run(Cloud, default, null, null));
+        /// <summary>Without a seam a picture of the error shows no cubes.</summary>
+        [Test]
+        public void Run_FacesOfCubes_HaveNoLargerErrors()
+        {
+            double spacing = Radius * Math.Sqrt(4 * Math.PI / 60000);
+            ConvertText(60000, 3, (_, _) => "", 0.3 * spacing);
+            var settings = new NormalSettings { PointsPerCube = 3000 };
+            Run(settings);
+            var cubes = CubesOf(settings);
+            double[] ends = { 1, 2, 4, double.PositiveInfinity };
+            var errors = ends.Select(_ => new List<double>()).ToArray();
+            foreach (var (place, normal) in NormalsOf(Cloud))
+            {
+                var (min, max) = cubes.Single(c => math.all(place >= c.Min) && math.all(place < c.Max));
+                double distance = math.cmin(math.min(place - min, max - place)) / spacing;
+                errors[Array.FindIndex(ends, end => distance < end)].Add(NormalEstimatorTests.DegreesBetween(normal, place));
+            }
+            double all = NormalEstimatorTests.Median(errors.SelectMany(e => e).ToArray());
+            for (int i = 0; i < ends.Length; i++)
+            {
+                var sorted = errors[i].OrderBy(e => e).ToArray();
+                double median = sorted[sorted.Length / 2];
+                TestContext.WriteLine(FormattableString.Invariant($"up to {ends[i]} spacings from a face: {sorted.Length} points, ") +
+                    FormattableString.Invariant($"median {median:F2}, 95 % {sorted[sorted.Length * 95 / 100]:F2} degrees"));
+                Assert.That(median, Is.EqualTo(all).Within(8).Percent);
+            }
+        }
+
+        List<(double3 Min, double3 Max)> CubesOf(NormalSettings settings)
+        {
+            using var folder = CloudFolder.Open(Cloud);
+            using var cubes = new NormalCubes(folder, settings);
+            return cubes.Cubes().Select(cube => (folder.Manifest.Grid.ToGeo(cube.Corner),
+                folder.Manifest.Grid.ToGeo(cube.Corner + new Grid3(cube.Side, cube.Side, cube.Side)))).ToList();
+        }
+
+        void Run(NormalSettings settings = null) =>
+            JobCoroutine.RunToEnd(AddNormals.Run(Cloud, settings ?? new NormalSettings(), null, null));
 
         void Export(string path)
         {
@@ -166,7 +332,7 @@ namespace FastPoints.Tests
         {
             var result = new VerifyResult();
             JobCoroutine.RunToEnd(VerifyCloud.Run(Cloud, new PointReader[0], result, null));
-            Assert.That(result.Ok ? 60000 : result.Points, Is.EqualTo(result.Points));
+            Assert.That(result.Ok ? m_points : result.Points, Is.EqualTo(result.Points));
             return result.Problems;
         }
 

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.Linq;
 using FastPoints.Build;
 using FastPoints.Drawing;
@@ -115,6 +116,62 @@ namespace FastPoints.Tests
         }
 
         [Test]
+        public void Estimate_ThreePoints_HaveTheirPlane()
+        {
+            var three = new[] { new double3(1, 0, 5), new double3(0, 2, 5), new double3(-3, 0, 5) };
+            Assert.That(Estimate(three, 16), Is.All.EqualTo(OctahedralNormal.Encode(new float3(0, 0, 1))));
+        }
+
+        /// <summary>Beyond the distance of 16 neighbours they are those of the one plane or the other; nearer, in between.</summary>
+        [Test]
+        public void Estimate_Edge_ReachesAsFarAsNeighboursDo()
+        {
+            var beyondTwo = new List<double>();
+            var random = new Random(9);
+            var points = Enumerable.Range(0, Count).Select(i => i % 2 == 0
+                ? new double3(random.NextDouble(0, 1.41), random.NextDouble(0, 1.41), 0)
+                : new double3(0, random.NextDouble(0, 1.41), random.NextDouble(0, 1.41))).ToArray();
+            ushort[] normals = Estimate(points, 16);
+            for (int i = 0; i < Count; i++)
+            {
+                bool isFlat = points[i].z == 0;
+                double error = DegreesBetween(normals[i], isFlat ? new double3(0, 0, 1) : new double3(1, 0, 0));
+                double spacings = (isFlat ? points[i].x : points[i].z) / s_spacing;
+                Assert.That(error, Is.LessThan(spacings < 3.5 ? 85 : 0.01));
+                if (spacings >= 2)
+                    beyondTwo.Add(error);
+            }
+            Assert.That(Median(beyondTwo.ToArray()), Is.LessThan(1), "the bar is 3");
+        }
+
+        [Test]
+        public void TryFit_AnySums_GivesAUnitVectorOrNone()
+        {
+            var random = new Random(13);
+            int fitted = 0;
+            for (int i = 0; i < 100000; i++)
+            {
+                // Points, lines and planes, nearly so, of any size and distance from the first.
+                double3 size = new double3(math.pow(10, random.NextDouble(-18, 18)), math.pow(10, random.NextDouble(-18, 18)),
+                    math.pow(10, random.NextDouble(-18, 18))), far = i % 3 == 0 ? random.NextDouble3(-1, 1) : 0;
+                var sums = new OffsetSums();
+                for (int p = 0; p <= i % 17; p++)
+                {
+                    var d = (float3)(far + (p % 4 == 3 ? 0 : size * random.NextDouble3(-1, 1)));
+                    sums.Count++;
+                    sums.Offset += d;
+                    sums.Squares += d * d;
+                    sums.Mixed += new float3(d.x * d.y, d.x * d.z, d.y * d.z);
+                }
+                if (!PlaneFit.TryFit(sums, out var normal))
+                    continue;
+                Assert.That(math.length(normal), Is.EqualTo(1).Within(1e-4));
+                fitted++;
+            }
+            Assert.That(fitted, Is.InRange(1000, 99000));
+        }
+
+        [Test]
         public void Estimate_PlaneWithDuplicatesAndAFarPoint_IsThePlane()
         {
             var points = PointsOf(s_surfaces[0], 0).SelectMany(p => new[] { p, p }).Append(new double3(1e7, 1e7, 1e7)).ToArray();
@@ -152,6 +209,8 @@ namespace FastPoints.Tests
                 var direction = OnSphere(random.NextDouble2(0, 1));
                 ushort code = OctahedralNormal.Encode((float3)direction);
                 Assert.That(code, Is.Not.EqualTo(OctahedralNormal.None));
+                Assert.That(math.dot(OctahedralNormal.Decode(code), OctahedralNormal.Decode(OctahedralNormal.Opposite(code))),
+                    Is.EqualTo(-1).Within(1e-6));
                 double error = DegreesBetween(code, direction);
                 sum += error;
                 largest = Math.Max(largest, error);
@@ -166,7 +225,8 @@ namespace FastPoints.Tests
             float* scratch = stackalloc float[Neighbourhood.ScratchFloats], lanes = stackalloc float[9 * 8];
             var near = new Neighbourhood(scratch);
             var random = new Random(11);
-            float* x = near.Add(101);
+            float* x = near.End;
+            near.Add(101);
             for (int i = 0; i < 101; i++)
                 for (int axis = 0; axis < 3; axis++)
                     x[i + axis * Neighbourhood.MaxPoints] = random.NextFloat(-1.5f, 1.5f);

@@ -3,19 +3,26 @@ using System.Collections.Generic;
 using System.IO;
 using System.Text;
 using FastPoints.Drawing;
+using FastPoints.Reading;
 using FastPoints.Store;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
+using Unity.Jobs;
+using Unity.Mathematics;
 
 namespace FastPoints.Build
 {
     /// <summary>How normals are made.</summary>
-    internal struct NormalSettings
+    internal sealed class NormalSettings
     {
-        public const int DefaultNeighbours = 16;
+        public int Neighbours = 16;
 
-        /// <summary>0 for the default.</summary>
-        public int Neighbours;
+        /// <summary>Cubes that are worked on at once are cut until they have no more, but for what upper nodes have
+        /// there.</summary>
+        public long PointsPerCube = 600_000;
+
+        /// <summary>The most workers to keep busy, 0 for all; may change meanwhile.</summary>
+        public Func<int> Workers = () => 0;
     }
 
     /// <summary>Computes the normals of a converted cloud's points, and stores them in containers beside those of the points. Of
@@ -25,11 +32,19 @@ namespace FastPoints.Build
     {
         public const string Stage = "normals";
 
-        /// <summary>Points of LAS files in a system of the earth's surface were measured from above, or shown as if.</summary>
+        /// <summary>Points in a system of the earth's surface were measured from above, or are shown as if.</summary>
         public const string Up = "up";
 
         /// <summary>Whoever shows them turns them to the viewer.</summary>
         public const string Viewer = "viewer";
+
+        /// <summary>To the scanner of each point.</summary>
+        public const string Scanner = "scanner";
+
+        /// <summary>They are those of the files.</summary>
+        public const string Source = "source";
+
+        static readonly string[] s_attributes = { AttributeNames.NormalX, AttributeNames.NormalY, AttributeNames.NormalZ };
 
         readonly CloudFolder m_folder;
         readonly string m_path;
@@ -68,12 +83,14 @@ namespace FastPoints.Build
                 var manifest = folder.Manifest.Clone();
                 manifest.Generation++;
                 manifest.NormalLayer = checked((ushort)(manifest.NormalLayer + 1));
-                manifest.NormalOrientation = manifest.Crs.Epsg != 0 || manifest.CrsGeoKeys != null ? Up : Viewer;
-                using var cubes = new NormalCubes(folder, settings.Neighbours > 0 ? settings.Neighbours
-                    : NormalSettings.DefaultNeighbours);
+                bool isPacked = HasDirections(manifest);
+                manifest.NormalOrientation = isPacked ? Source : AreScannersKnown(manifest) ? Scanner
+                    : IsOnTheEarth(manifest.Crs) ? Up : Viewer;
+                using var cubes = new NormalCubes(folder, settings);
                 using var normals = new NormalContainers(folder, cubes, manifest.NormalLayer, add.Write);
                 progress?.Begin(Stage);
-                yield return JobStep.Of(add.Estimate(cubes, normals, progress));
+                yield return JobStep.Of(isPacked ? add.Pack(cubes, normals, progress)
+                    : add.Estimate(cubes, normals, settings.Workers, progress));
                 normals.CheckComplete();
                 yield return JobStep.Of(NormalPages.Write(folder, manifest, normals, add.m_queue));
                 yield return JobStep.Of(add.Finish(manifest));
@@ -105,10 +122,57 @@ namespace FastPoints.Build
             m_slices.Dispose();
         }
 
-        IEnumerator<JobStep> Estimate(NormalCubes cubes, NormalContainers normals, StageProgress progress)
+        static bool AreScannersKnown(CloudManifest manifest) => manifest.Scanners != null &&
+            (manifest.Scanners.Length == 1 || manifest.Attributes.IndexOf(AttributeNames.PointSourceId) >= 0);
+
+        static bool IsOnTheEarth(CloudCrs crs)
         {
-            var schema = LoadNodes.SchemaFor(m_folder);
-            long doneBytes = 0, all = Math.Max(1, m_folder.Manifest.Points * sizeof(ushort));
+            var text = new CoordinateSystem();
+            var kind = CrsText.Read(crs.Wkt ?? crs.Name ?? "", text) ? text.Kind : CrsKind.Unknown;
+            if (kind == CrsKind.Unknown)
+                kind = EpsgTable.Find(crs.Epsg)?.Kind ?? CrsKind.Unknown;
+            return kind == CrsKind.Projected || kind == CrsKind.Geographic ||
+                kind == CrsKind.Unknown && (crs.Epsg != 0 || crs.GeoKeys != null);
+        }
+
+        /// <summary>Whether its files have normals, not only room for them.</summary>
+        static bool HasDirections(CloudManifest manifest)
+        {
+            bool isAny = false;
+            foreach (string name in s_attributes)
+            {
+                int i = manifest.Attributes.IndexOf(name);
+                if (i < 0)
+                    return false;
+                isAny |= manifest.Ranges[i].Min != 0 || manifest.Ranges[i].Max != 0;
+            }
+            return isAny;
+        }
+
+        /// <summary>Takes the normals that the files have.</summary>
+        IEnumerator<JobStep> Pack(NormalCubes cubes, NormalContainers normals, StageProgress progress)
+        {
+            var schema = LoadNodes.SchemaFor(m_folder, s_attributes);
+            foreach (var _ in cubes.ChooseBatches())
+            {
+                using var batch = new PointBatch(schema, cubes.CheckedPoints, Allocator.Persistent);
+                using var found = new NativeArray<ushort>(batch.Capacity, Allocator.Persistent);
+                yield return JobStep.Of(LoadNodes.Run(m_folder, cubes, batch, null));
+                var job = NormalsOfFilesJob.Of(batch, s_attributes, found).Schedule();
+                yield return job;
+                job.Complete();
+                yield return JobStep.Of(normals.Take(found));
+                progress?.Report(normals.Points / (double)m_folder.Manifest.Points, normals.Points, normals.Bytes);
+            }
+        }
+
+        IEnumerator<JobStep> Estimate(NormalCubes cubes, NormalContainers normals, Func<int> workers, StageProgress progress)
+        {
+            var schema = LoadNodes.SchemaFor(m_folder, AttributeNames.PointSourceId);
+            var manifest = m_folder.Manifest;
+            var toGeo = manifest.Grid.FromCorner(manifest.Root.Corner);
+            using var scanners = new NativeArray<double3>(!AreScannersKnown(manifest) ? Array.Empty<double3>()
+                : Array.ConvertAll(manifest.Scanners, at => (at - toGeo.Offset) / toGeo.Scale), Allocator.Persistent);
             foreach (var cube in cubes.Cubes())
             {
                 var region = cubes.Choose(cube);
@@ -116,10 +180,15 @@ namespace FastPoints.Build
                 using var found = new NativeArray<ushort>(batch.Capacity, Allocator.Persistent);
                 Fill(found);
                 yield return JobStep.Of(LoadNodes.Run(m_folder, cubes, batch, null));
-                yield return JobStep.Of(NormalEstimator.Run(batch, region, found, m_slices));
+                yield return JobStep.Of(NormalEstimator.Run(batch, region, found, m_slices, workers()));
+                if (scanners.Length > 0)
+                {
+                    var job = OrientNormalsJob.Of(batch, scanners, region.Metres, found).Schedule();
+                    yield return job;
+                    job.Complete();
+                }
                 yield return JobStep.Of(normals.Take(found));
-                if (normals.Bytes != doneBytes)
-                    progress?.Report(Math.Min(1, (doneBytes = normals.Bytes) / (double)all), 0, doneBytes);
+                progress?.Report(normals.Points / (double)manifest.Points, normals.Points, normals.Bytes);
             }
         }
 

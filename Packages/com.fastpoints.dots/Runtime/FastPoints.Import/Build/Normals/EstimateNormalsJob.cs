@@ -10,9 +10,10 @@ namespace FastPoints.Build
     /// <summary>A slice of estimating normals: of a region's points in the order of the curve. Slices run side by side.</summary>
     /// <remarks>
     /// Points are taken cell by cell: the largest cells of the octree that have at most <see cref="PointsPerCell"/>. Neighbours
-    /// come from the 27 cells around, each a range along the curve. Where the k-th may be beyond these, the point is taken again
-    /// with cells twice as large, so that the neighbours are the nearest wherever cells are: but where 27 cells have more than
-    /// 8,192 points, every second, third, ... of them.
+    /// come from the 27 cells around, each a range along the curve: at first from what is as near to the cell as the k-th is
+    /// expected to be. Where that may be farther away, the point is taken again with all of them, then with cells twice as
+    /// large, so that the neighbours are the nearest wherever cells are: but where 27 cells have more than 8,192 points, every
+    /// second, third, ... of them.
     /// </remarks>
     [BurstCompile]
     internal unsafe struct EstimateNormalsJob : IJob
@@ -20,7 +21,11 @@ namespace FastPoints.Build
         /// <summary>A slice takes about 3 ms.</summary>
         public const int PointsPerSlice = 6000;
 
-        const int PointsPerCell = 28;
+        const int PointsPerCell = 48;
+
+        /// <summary>Of a cell's points, so many times their distance to the k-th neighbour on average is looked at first.</summary>
+        const float MeanReaches = 1.35f;
+
         const int Cells = 27;
         const int MaxScanned = 1 << 13;
 
@@ -123,7 +128,6 @@ namespace FastPoints.Build
         /// level up.</summary>
         void Estimate(int* pending, int count, int level)
         {
-            m_limit = 0;
             for (; count > 0; level--)
             {
                 int shift = Morton.BitsPerAxis - level;
@@ -132,30 +136,41 @@ namespace FastPoints.Build
                 double edge = Points.Cell * (1L << shift);
                 var middle = new double3(cell.x + 0.5, cell.y + 0.5, cell.z + 0.5) * edge;
                 FindRanges(cell, level);
-                bool fits = m_total <= Neighbourhood.MaxPoints, isLast = level == 0 || m_total > MaxScanned;
                 // On a plane so near, if it cuts ten of the cells.
-                if (m_limit == 0)
-                    m_limit = (int)math.asuint(3.2f * (1 + Region.Neighbours) / m_total);
-                if (fits)
-                    Copy(middle, 1 / edge, default);
-                int left = 0;
-                for (int i = 0; i < count; i++)
+                float limit = 3.2f * (1 + Region.Neighbours) / m_total;
+                m_limit = (int)math.asuint(limit);
+                // First those that are little farther from the cell, then all around.
+                for (float reach = math.min(1, MeanReaches * math.sqrt(limit)); ; reach = 1)
                 {
-                    int p = pending[i];
-                    var q = (float3)((At(p) - middle) / edge);
-                    if (!fits)
-                        Copy(middle, 1 / edge, q);
-                    if (!TryEstimate(q, isLast, out ushort normal))
-                        pending[left++] = p;
-                    else
-                        Normals[(int)Points.Ids[p]] = normal;
+                    bool isLast = reach == 1 && (level == 0 || m_total > MaxScanned);
+                    count = Estimate(pending, count, middle, edge, reach, isLast);
+                    if (reach == 1 || count == 0)
+                        break;
                 }
-                count = left;
             }
         }
 
+        int Estimate(int* pending, int count, double3 middle, double edge, float reach, bool isLast)
+        {
+            bool fits = TryCopy(middle, 1 / edge, 0.5f + reach, default, false);
+            int left = 0;
+            for (int i = 0; i < count; i++)
+            {
+                int p = pending[i];
+                var q = (float3)((At(p) - middle) / edge);
+                if (!fits)
+                    TryCopy(middle, 1 / edge, 0.5f + reach, q, true);
+                if (!TryEstimate(q, 0.5f + reach - math.cmax(math.abs(q)), isLast, out ushort normal))
+                    pending[left++] = p;
+                else
+                    Normals[(int)Points.Ids[p]] = normal;
+            }
+            return left;
+        }
+
         /// <param name="q">From the middle of the cell, in units of its edge.</param>
-        bool TryEstimate(float3 q, bool isLast, out ushort normal)
+        /// <param name="known">All points so near have been copied.</param>
+        bool TryEstimate(float3 q, float known, bool isLast, out ushort normal)
         {
             normal = OctahedralNormal.None;
             int wanted = 1 + Region.Neighbours;
@@ -163,8 +178,6 @@ namespace FastPoints.Build
                 return false;
             m_near.MeasureFrom(q);
             int found = m_near.FindLimit(math.min(wanted, m_near.Count), ref m_limit);
-            // All points so near are in the 27 cells.
-            float known = 1.5f - math.cmax(math.abs(q));
             if (math.asfloat((uint)m_limit) > known * known && !isLast && !AreAllWithin(known, wanted))
                 return false;
             if (!PlaneFit.TryFit(m_near.Sum(q, m_limit, found), out var direction))
@@ -199,30 +212,41 @@ namespace FastPoints.Build
                     }
         }
 
-        /// <summary>The points of the cells around: if there is not room for all, those that are nearest to one.</summary>
-        void Copy(double3 middle, double scale, float3 q)
+        /// <summary>Copies points of the cells around that are no farther from the middle, along any axis, than half.</summary>
+        /// <returns>False if there is not room for all, unless those are wanted that are nearest to one.</returns>
+        bool TryCopy(double3 middle, double scale, float half, float3 q, bool isForOne)
         {
             int step = 1 + (m_total - 1) / MaxScanned, skip = 0;
+            uint limit = math.asuint(half) + 1;
             m_near.Clear();
             for (int r = 0; r < m_ranges; r++)
             {
                 int p = m_begins[r] + skip;
                 while (p < m_ends[r])
                 {
+                    if (m_near.Room == 0 && !isForOne)
+                        return false;
                     if (m_near.Room == 0)
                         m_near.KeepNearest(q, 1 + Region.Neighbours, ref m_limit);
-                    int count = math.min((m_ends[r] - p + step - 1) / step, m_near.Room);
-                    float* x = m_near.Add(count), y = x + Neighbourhood.MaxPoints, z = y + Neighbourhood.MaxPoints;
+                    int count = math.min((m_ends[r] - p + step - 1) / step, m_near.Room), kept = 0;
+                    float* x = m_near.End, y = x + Neighbourhood.MaxPoints, z = y + Neighbourhood.MaxPoints;
                     for (int i = 0; i < count; i++, p += step)
                     {
-                        x[i] = (float)((m_x[p] - middle.x) * scale);
-                        y[i] = (float)((m_y[p] - middle.y) * scale);
-                        z[i] = (float)((m_z[p] - middle.z) * scale);
+                        float dx = (float)((m_x[p] - middle.x) * scale), dy = (float)((m_y[p] - middle.y) * scale),
+                            dz = (float)((m_z[p] - middle.z) * scale);
+                        x[kept] = dx;
+                        y[kept] = dy;
+                        z[kept] = dz;
+                        // Without a branch: all three differences are negative.
+                        kept += (int)(((math.asuint(dx) & int.MaxValue) - limit & (math.asuint(dy) & int.MaxValue) - limit &
+                            (math.asuint(dz) & int.MaxValue) - limit) >> 31);
                     }
+                    m_near.Add(kept);
                 }
                 skip = p - m_ends[r];
             }
             m_near.Pad();
+            return true;
         }
 
         int EndOf(int first, ulong code)

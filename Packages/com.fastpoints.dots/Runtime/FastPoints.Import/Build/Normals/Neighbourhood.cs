@@ -33,12 +33,10 @@ namespace FastPoints.Build
 
         public void Clear() => Count = 0;
 
-        /// <summary>Where the X of so many more go; Y and Z are <see cref="MaxPoints"/> further each.</summary>
-        public float* Add(int count)
-        {
-            Count += count;
-            return m_x + Count - count;
-        }
+        /// <summary>Where the X of more go; Y and Z are <see cref="MaxPoints"/> further each.</summary>
+        public readonly float* End => m_x + Count;
+
+        public void Add(int count) => Count += count;
 
         /// <summary>Fills the last eight up with points at infinity, which are not counted.</summary>
         public void Pad()
@@ -159,8 +157,6 @@ namespace FastPoints.Build
             for (int i = 0; i < Count; i += Lanes)
             {
                 var isNear = X86.Avx2.mm256_cmpgt_epi32(limits, X86.Avx.mm256_loadu_si256(DistancesSq + i));
-                if (X86.Avx2.mm256_movemask_epi8(isNear) == 0)
-                    continue;
                 var dx = X86.Avx.mm256_and_ps(isNear, X86.Avx.mm256_sub_ps(X86.Avx.mm256_loadu_ps(m_x + i), qx));
                 var dy = X86.Avx.mm256_and_ps(isNear, X86.Avx.mm256_sub_ps(X86.Avx.mm256_loadu_ps(Y + i), qy));
                 var dz = X86.Avx.mm256_and_ps(isNear, X86.Avx.mm256_sub_ps(X86.Avx.mm256_loadu_ps(Z + i), qz));

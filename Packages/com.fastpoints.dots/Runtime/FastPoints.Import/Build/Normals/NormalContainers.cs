@@ -54,6 +54,9 @@ namespace FastPoints.Build
             m_count = new NativeReference<int>(Allocator.Persistent);
         }
 
+        /// <summary>That have been taken.</summary>
+        public long Points { get; private set; }
+
         public long Bytes { get; private set; }
 
         public PlaneRange RangeOf(int page, int node) => m_ranges[page][node];
@@ -105,6 +108,7 @@ namespace FastPoints.Build
                         yield return job;
                         job.Complete();
                         container.Left -= m_count.Value;
+                        Points += m_count.Value;
                         if (container.Left == 0)
                             complete.Add(container);
                     }

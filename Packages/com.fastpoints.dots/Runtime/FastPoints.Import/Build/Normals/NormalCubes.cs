@@ -8,9 +8,6 @@ namespace FastPoints.Build
     /// <summary>A cloud's nodes by place. All tables of its pages are in memory.</summary>
     internal sealed class NormalCubes : ChosenNodes
     {
-        /// <summary>Cubes are cut until they have no more, but for what upper nodes have there.</summary>
-        const long MaxPoints = 600_000;
-
         /// <summary>Finest cells of a region are at least this far below the smallest node in it.</summary>
         const int MaxLevelsBelow = 12;
 
@@ -19,12 +16,12 @@ namespace FastPoints.Build
         const double MarginSpacings = 2;
 
         readonly double3 m_metres;
-        readonly int m_neighbours;
+        readonly NormalSettings m_settings;
 
-        public NormalCubes(CloudFolder folder, int neighbours) : base(folder)
+        public NormalCubes(CloudFolder folder, NormalSettings settings) : base(folder)
         {
             var manifest = folder.Manifest;
-            m_neighbours = neighbours;
+            m_settings = settings;
             m_metres = manifest.Crs.Units.MetresAt(manifest.BoundsGeo.Center, UpAxis.Z) * manifest.Grid.Step;
         }
 
@@ -35,6 +32,25 @@ namespace FastPoints.Build
             for (int n = 0; n < nodes.Length; n++)
                 if (nodes[n].PlaneNode == n)
                     yield return n;
+        }
+
+        /// <summary>Chooses all nodes, so many at a time as have the points of a cube.</summary>
+        /// <returns>How many are chosen.</returns>
+        public IEnumerable<int> ChooseBatches()
+        {
+            Clear();
+            for (int page = 0; page < Folder.PageCount; page++)
+            {
+                int nodes = Load(page).Nodes.Length;
+                for (int n = 0; n < nodes; n++)
+                {
+                    Add(page, n, TableOf(page).Nodes[n].PointCount);
+                    if (Points < m_settings.PointsPerCube && !(page == Folder.PageCount - 1 && n == nodes - 1))
+                        continue;
+                    yield return NodeCount;
+                    Clear();
+                }
+            }
         }
 
         /// <summary>The cubes that all points are in, along the Morton curve.</summary>
@@ -56,7 +72,7 @@ namespace FastPoints.Build
             }
             if (!isAny)
                 yield break;
-            if (cube.SideLog2 == 0 || inside <= MaxPoints && smallest >= cube.SideLog2 - MaxLevelsBelow)
+            if (cube.SideLog2 == 0 || inside <= m_settings.PointsPerCube && smallest >= cube.SideLog2 - MaxLevelsBelow)
             {
                 yield return cube;
                 yield break;
@@ -85,8 +101,8 @@ namespace FastPoints.Build
                 Min = new double3(corner.X, corner.Y, corner.Z),
                 Max = new double3(corner.X, corner.Y, corner.Z) + cube.Side,
                 Metres = m_metres,
-                Neighbours = m_neighbours,
-                Margin = MarginSpacings * math.sqrt(m_neighbours) * sum / math.max(1, weight),
+                Neighbours = m_settings.Neighbours,
+                Margin = MarginSpacings * math.sqrt(m_settings.Neighbours) * sum / math.max(1, weight),
             };
             var around = StepsOf(region.Margin);
             foreach (var (page, index) in NodesIn(cube.Corner - around, EndOf(cube) + around))

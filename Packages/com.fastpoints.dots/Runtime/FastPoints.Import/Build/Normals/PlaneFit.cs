@@ -31,15 +31,15 @@ namespace FastPoints.Build
         public static bool TryFit(in OffsetSums sums, out float3 normal)
         {
             normal = default;
-            double n = sums.Count;
-            var mean = (double3)sums.Offset / n;
-            var squares = (double3)sums.Squares / n - mean * mean;
-            var mixed = (double3)sums.Mixed / n - new double3(mean.x * mean.y, mean.x * mean.z, mean.y * mean.z);
+            double share = 1.0 / sums.Count;
+            var mean = (double3)sums.Offset * share;
+            var squares = (double3)sums.Squares * share - mean * mean;
+            var mixed = (double3)sums.Mixed * share - new double3(mean.x * mean.y, mean.x * mean.z, mean.y * mean.z);
             double trace = math.csum(squares);
             if (!(trace > 0))
                 return false;
-            squares /= trace;
-            mixed /= trace;
+            squares *= 1 / trace;
+            mixed *= 1 / trace;
             // The characteristic polynomial is x^3 - x^2 + minors x - determinant.
             double minors = squares.x * squares.y + squares.x * squares.z + squares.y * squares.z - math.lengthsq(mixed);
             double determinant = squares.x * (squares.y * squares.z - mixed.z * mixed.z) -
@@ -65,7 +65,8 @@ namespace FastPoints.Build
                     break;
                 double change = (((x - 1) * x + minors) * x - determinant) / slope;
                 x -= change;
-                if (math.abs(change) < 1e-12)
+                // The next one would be about as small as the square of it.
+                if (math.abs(change) < 1e-7)
                     break;
             }
             return math.max(0, x);

@@ -23,10 +23,15 @@ namespace FastPoints.Text
         public ulong Columns;
         public ulong Rows;
 
+        // Where points are in the world's coordinates already.
+        public double3 Position;
+
         // World = x * X + y * Y + z * Z + Shift.
         public double3 X, Y, Z, Shift;
 
         public int Bytes;
+
+        public double3 Scanner => math.all(Shift == 0) ? Position : Shift;
 
         public override string ToString() => "x " + NumberText.Of(X) + ", y " + NumberText.Of(Y) + ", z " + NumberText.Of(Z) +
             ", shift " + NumberText.Of(Shift);
@@ -65,6 +70,8 @@ namespace FastPoints.Text
             {
                 if (!NumberText.TryRead(words[i], out double value) || double.IsNaN(value) || double.IsInfinity(value))
                     return false;
+                if (line == 2)
+                    header.Position[i] = value;
                 if (line >= 6)
                     rows[line - 6][i] = value;
             }
@@ -186,6 +193,7 @@ namespace FastPoints.Text
             for (int i = 0; i < m_scans.Count && i < MaxScansShown; i++)
                 Info.Fact("scan " + NumberText.Of(i + 1), m_scans[i].ToString());
             m_isReported = new BitArray(blocks.Count);
+            Info.Scanners = m_scans.ConvertAll(scan => scan.Scanner).ToArray();
             m_areAllFound = true;
         }
 
