@@ -100,7 +100,8 @@ namespace FastPoints.Drawing
             return cloud;
         }
 
-        // From normals along a cloud's axes, in metres, to vectors of the world of any length but 0. linear is of the cloud's units.
+        // From normals along a cloud's axes, in metres, to vectors of the world of any length but 0. linear: of the cloud's
+        // units.
         public static double3x3 NormalsToWorld(in double3x3 linear, double3 metres)
         {
             var to = math.transpose(math.inverse(linear));

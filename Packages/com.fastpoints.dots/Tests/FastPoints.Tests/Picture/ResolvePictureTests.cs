@@ -122,8 +122,8 @@ namespace FastPoints.Tests.Picture
             Assert.That(LightOnPlane(normal, isOrthographic), Is.EqualTo(expected).Within(0.01));
         }
 
-        /// <summary>A micrometre from the eye, or as far as the sun. Where squares of lengths leave single precision, it is a pixel
-        /// without a normal: half of the light.</summary>
+        /// <summary>A micrometre from the eye, or as far as the sun. Where squares of lengths leave single precision, it is a
+        /// pixel without a normal: half of the light.</summary>
         [TestCase(1e-15f, true)]
         [TestCase(1e-6f, false), TestCase(0.1f, false), TestCase(1e7f, false), TestCase(1.5e11f, false)]
         [TestCase(1e30f, true)]
