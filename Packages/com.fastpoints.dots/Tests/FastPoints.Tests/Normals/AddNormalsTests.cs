@@ -307,7 +307,7 @@ namespace FastPoints.Tests
                 double median = sorted[sorted.Length / 2];
                 TestContext.WriteLine(FormattableString.Invariant($"up to {ends[i]} spacings from a face: {sorted.Length} points, ") +
                     FormattableString.Invariant($"median {median:F2}, 95 % {sorted[sorted.Length * 95 / 100]:F2} degrees"));
-                Assert.That(median, Is.EqualTo(all).Within(8).Percent);
+                Assert.That(median, Is.EqualTo(all).Within(3).Percent);
             }
         }
 
