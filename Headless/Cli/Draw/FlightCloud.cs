@@ -31,7 +31,7 @@ sealed record FlightCloud(PicturePlan Plan, DisplayRanges Ranges, int Number)
             using (var batch = ReadTop(reader, options.AttributesToMeasure(), cancellation))
                 JobCoroutine.RunToEnd(ranges.Measure(batch, reader.Info.Transform, options.UpAxis), cancellation);
             var source = new TreeSource(reader,
-                CloudLooks.PlanesFor(ranges.Resolve(options.Color), !options.HiddenClasses.IsEmpty));
+                CloudLooks.PlanesFor(ranges.Resolve(options.Color), !options.HiddenClasses.IsEmpty, false));
             var plan = new PicturePlan(options, ranges, source.Grid.FromCorner(source.Root.Corner));
             return new FlightCloud(plan, ranges, stream.Add(source, CloudPlacement.Geo(source.Grid, source.Root)))
             {
@@ -83,7 +83,8 @@ sealed record FlightCloud(PicturePlan Plan, DisplayRanges Ranges, int Number)
             ranges = preview.Ranges;
             sample = new SampleReader(preview.Sample, reader.Info.Path);
         }
-        var source = new TreeSource(sample, CloudLooks.PlanesFor(ranges.Resolve(options.Color), !options.HiddenClasses.IsEmpty));
+        var source = new TreeSource(sample,
+            CloudLooks.PlanesFor(ranges.Resolve(options.Color), !options.HiddenClasses.IsEmpty, false));
         return new FlightCloud(new PicturePlan(options, ranges, source.Grid.FromCorner(source.Root.Corner)), ranges,
             stream.Add(source, CloudPlacement.Geo(source.Grid, source.Root)))
         {
@@ -102,7 +103,8 @@ sealed record FlightCloud(PicturePlan Plan, DisplayRanges Ranges, int Number)
             var ranges = plansByManifest && folder.Manifest.Shown != null ? DisplayRanges.Of(folder.Manifest)
                 : MeasureRanges(folder, options, cancellation);
             var plan = new PicturePlan(options, ranges, transform);
-            var source = new FolderSource(folder, CloudLooks.PlanesFor(plan.Mode, !options.HiddenClasses.IsEmpty));
+            var source = new FolderSource(folder,
+                CloudLooks.PlanesFor(plan.Mode, !options.HiddenClasses.IsEmpty, plan.LitParts > 0));
             return new FlightCloud(plan, ranges, stream.Add(source, CloudPlacement.Geo(source.Grid, source.Root)))
             {
                 Crs = folder.Manifest.Crs,

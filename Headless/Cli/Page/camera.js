@@ -45,6 +45,15 @@ class Camera {
     return { right, forward, above: cross(right, forward) };
   }
 
+  /** From the left and above, from behind the camera too, but of maps from their upper left; in right, above and behind of
+   * the view, as the command line's pictures have it. */
+  light() {
+    const { right, forward, above } = this.axes(), back = add(forward, this.up, -dot(forward, this.up)), far = Math.hypot(...back);
+    const from = add(far > 0.3 ? back.map(v => -0.6 * v / far) : above, right, -1), long = Math.hypot(...from) * Math.SQRT2;
+    const seen = v => [dot(v, right), dot(v, above), -dot(v, forward)];
+    return { light: seen(add(from.map(v => v / long), this.up, Math.SQRT1_2)), up: seen(this.up) };
+  }
+
   turn(dx, dy) {
     this.yaw += dx;
     this.pitch = Math.max(-Math.PI / 2, Math.min(Math.PI / 2, this.pitch + dy));

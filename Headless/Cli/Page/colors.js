@@ -26,6 +26,8 @@ class Coloring {
   get name() { return this.modes.find(m => m.id === this.mode).name; }
   get column() { return this.data.columns[this.mode]; }
   get isRgb() { return this.mode === colorsOfPointsMode; }
+  /** Colours that are no scanner's, and show no amount by how bright they are, have light on them. */
+  get isLit() { return !this.data.rgb && (this.mode === elevationMode || this.column?.name === "Classification"); }
   get isCategory() { return this.column?.kind === "category"; }
 
   /** How a point's value of the mode comes from what is stored. */

@@ -1,28 +1,53 @@
 // Draws points by WebGL 2: into a texture with depth, then a pass that darkens what lies behind a near edge (eye-dome lighting:
-// Boucheny 2009), by which shapes can be read without normals. No library: a page has to work without a network in ten years.
+// Boucheny 2009), and lights where colours are not the scanner's, as FastPoints.Picture.DepthNormals does. No library: a page has to work without a network in ten years.
 "use strict";
 
 const pointShader = `#version 300 es
-  uniform mat4 toClip; uniform float size, least, most; uniform vec3 low, high; in vec3 position; in vec4 color; out vec3 shown;
+  uniform mat4 toClip; uniform float size, least, most; uniform vec3 low, high; in vec3 position; in vec4 color; out vec4 shown;
   void main() {
     bool isShown = color.a > 0. && all(greaterThanEqual(position, low)) && all(lessThanEqual(position, high));
     gl_Position = isShown ? toClip * vec4(position, 1) : vec4(2, 2, 2, 1);
     gl_PointSize = clamp(size / gl_Position.w, least, most);
-    shown = color.rgb;
+    shown = vec4(color.rgb, max(1., gl_PointSize / 2.) / 255.);
   }`;
 const fragmentShader = `#version 300 es
-  precision highp float; in vec3 shown; out vec4 color;
-  void main() { vec2 p = gl_PointCoord - .5; if (dot(p, p) > .25) discard; color = vec4(shown, 1); }`;
+  precision highp float; in vec4 shown; out vec4 color;
+  void main() { vec2 p = gl_PointCoord - .5; if (dot(p, p) > .25) discard; color = shown; }`;
 const screenShader = `#version 300 es
   void main() { gl_Position = vec4(gl_VertexID == 1 ? 3 : -1, gl_VertexID == 2 ? 3 : -1, 0, 1); }`;
 const shadeShader = `#version 300 es
   precision highp float; uniform sampler2D colors; uniform highp sampler2D depths;
-  uniform vec2 range; uniform float strength, radius, isFlat; uniform vec3 background; out vec4 color;
+  uniform vec2 range, perPixel; uniform float strength, radius, isFlat, share; uniform vec3 background, light, up; out vec4 color;
   float distanceAt(ivec2 at) {
     float d = texelFetch(depths, clamp(at, ivec2(0), textureSize(depths, 0) - 1), 0).r;
     float z = 2. * d - 1.;
     return isFlat > 0. ? range.x + d * (range.y - range.x)
       : 2. * range.x * range.y / (range.y + range.x - z * (range.y - range.x));
+  }
+  vec3 placeOf(ivec2 at) {
+    float d = distanceAt(at);
+    return vec3((vec2(at) + .5 - .5 * vec2(textureSize(depths, 0))) * perPixel * (isFlat > 0. ? 1. : d), -d);
+  }
+  vec3 along(ivec2 at, ivec2 step, vec3 here, float edge) {
+    vec3 sum = vec3(0);
+    for (int side = 1; side >= -1; side -= 2) {
+      ivec2 there = at + side * step;
+      if (any(lessThan(there, ivec2(0))) || any(greaterThanEqual(there, textureSize(depths, 0))) ||
+        texelFetch(depths, there, 0).r == 1.) continue;
+      vec3 way = placeOf(there) - here;
+      sum += way * float(side) / (edge * edge + way.z * way.z);
+    }
+    return sum * edge * edge;
+  }
+  vec3 lit(vec3 shown, ivec2 at, int apart) {
+    vec3 here = placeOf(at);
+    float edge = float(apart) * perPixel.y * (isFlat > 0. ? 1. : -here.z);
+    vec3 n = cross(along(at, ivec2(apart, 0), here, edge), along(at, ivec2(0, apart), here, edge));
+    n = dot(n, n) > 0. ? normalize(n) : vec3(0);
+    n = dot(n, isFlat > 0. ? vec3(0, 0, -1) : here) > 0. ? -n : n;
+    float on = dot(n, n) > 0. ? max(0., dot(n, light)) : .5;
+    vec3 linear = pow(shown, vec3(2.2)) * (1. - share + share * (.175 + .075 * dot(n, up) + 1.06 * on));
+    return pow(min(linear, 1.), vec3(1. / 2.2));
   }
   void main() {
     ivec2 at = ivec2(gl_FragCoord.xy);
@@ -32,7 +57,9 @@ const shadeShader = `#version 300 es
       float a = float(i) * 0.785398;
       behind += clamp(here - log2(distanceAt(at + ivec2(round(radius * vec2(cos(a), sin(a)))))), 0., .06);
     }
-    color = vec4(texelFetch(colors, at, 0).rgb * exp(-strength * behind), 1);
+    vec4 shown = texelFetch(colors, at, 0);
+    if (share > 0.) shown.rgb = lit(shown.rgb, at, int(round(shown.a * 255.)));
+    color = vec4(shown.rgb * exp(-strength * behind), 1);
   }`;
 
 class Renderer {
@@ -111,7 +138,7 @@ class Renderer {
   }
 
   /** Of a set's first points; the box is in places. */
-  draw(camera, set, count, { sizeFactor, isShaded, box }) {
+  draw(camera, set, count, { sizeFactor, isShaded, isLit, box }) {
     const { gl, points, shade, data, sets, ratio } = this, background = [24 / 255, 26 / 255, 30 / 255];
     const { m, near, far } = camera.projection();
     // Points are as large as their distance from one another, which grows where fewer are shown.
@@ -143,6 +170,11 @@ class Renderer {
     gl.uniform1f(shade.strength, isShaded ? 4 : 0);
     gl.uniform1f(shade.radius, 1.5 * ratio);
     gl.uniform3fv(shade.background, background);
+    const { light, up } = camera.light();
+    gl.uniform1f(shade.share, isLit ? 0.7 : 0);
+    gl.uniform2f(shade.perPixel, 1 / perLength, 1 / perLength);
+    gl.uniform3fv(shade.light, light);
+    gl.uniform3fv(shade.up, up);
     gl.drawArrays(gl.TRIANGLES, 0, 3);
   }
 }

@@ -37,7 +37,7 @@
     frame = 0;
     renderer.resize(camera);
     const { set, count } = view.shown;
-    renderer.draw(camera, set, count, { ...look, box });
+    renderer.draw(camera, set, count, { ...look, isLit: look.isShaded && coloring.isLit, box });
     drawMarks();
     canvas.dataset.frames = 1 + Number(canvas.dataset.frames || 0);
   }

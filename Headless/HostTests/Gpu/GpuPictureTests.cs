@@ -19,12 +19,12 @@ public sealed class GpuPictureTests : GraphicsFixture
     [OneTimeTearDown]
     public void DeleteCloud() => m_scratch?.Dispose();
 
-    string Convert(string file, string name)
+    string Convert(string file, string name, params string[] options)
     {
         string folder = m_scratch[name + ".fastpoints"];
         if (Directory.Exists(folder))
             return folder;
-        var call = CliCall.Of("convert", file, "-o", folder, "--sampler", "random", "--quiet");
+        var call = CliCall.Of(["convert", file, "-o", folder, "--sampler", "random", "--quiet", .. options]);
         Assert.That(call.Status, Is.EqualTo(ExitStatus.Done), call.Error);
         return folder;
     }
@@ -162,6 +162,28 @@ public sealed class GpuPictureTests : GraphicsFixture
             2 * streams.Ranges.Robust.Size.y), name + "-flat", 1, canCompute ? 0 : 200);
     }
 
+    /// <summary>A primitive's point may fall into the pixel beside.</summary>
+    [TestCase("1", "round")]
+    [TestCase("1", "round", false)]
+    [TestCase("5", "round")]
+    [TestCase("adaptive", "paraboloid")]
+    [TestCase("5", "splat")]
+    public void Draw_LitByStoredNormals_MatchesTheSoftwareRasterizer(string size, string points, bool canCompute = true)
+    {
+        string cloud = Convert(m_scratch.Demo(points: Points), "normals", "--normals");
+        var options = Options(0, true, ColorMode.Elevation);
+        foreach (var (key, value) in new[] { ("size", size), ("points", points), ("light", "200,40,0.9") })
+            Assert.That(options.TrySetStyle(key, value, out string error), Is.True, error);
+        using var streams = new TwinStreams(cloud, options, Points, canCompute: canCompute);
+        string name = "normals-" + size + points + canCompute;
+        Compare(streams, streams.Plan.Camera, name, 1, canCompute ? 0 : 50);
+        var center = streams.Ranges.Robust.Center;
+        Compare(streams, PictureCamera.Orthographic(center, center + new double3(0.3, 0.4, -1), new double3(0, 1, 0),
+            2 * streams.Ranges.Robust.Size.y), name + "-flat", 1, canCompute ? 0 : 50);
+        using var byDepth = new TwinStreams(m_demo, options, Points, canCompute: canCompute);
+        Assert.That(streams.Draw(streams.Plan.Camera).Cpu.Rgba, Is.Not.EqualTo(byDepth.Draw(streams.Plan.Camera).Cpu.Rgba));
+    }
+
     [Test]
     public void Draw_OneCloudOfTwoLit_LeavesTheOther()
     {
@@ -193,9 +215,12 @@ public sealed class GpuPictureTests : GraphicsFixture
     [TestCase(1, 0)]
     [TestCase(3, 0)]
     [TestCase(3, 0.25f)]
-    public void Draw_LitTwoMillionPoints_TakesAThirdMoreAtMost(float sizePx, float edlStrength)
+    [TestCase(1, 0, true)]
+    [TestCase(3, 0, true)]
+    public void Draw_LitTwoMillionPoints_TakesAThirdMoreAtMost(float sizePx, float edlStrength, bool hasNormals = false)
     {
-        string cloud = Convert(TestData.PathOrIgnore("data/lion.laz"), "lion");
+        string lion = TestData.PathOrIgnore("data/lion.laz");
+        string cloud = hasNormals ? Convert(lion, "lion-normals", "--normals") : Convert(lion, "lion");
         double Measure(float share)
         {
             var options = Options(sizePx, true, ColorMode.Elevation);
@@ -204,7 +229,7 @@ public sealed class GpuPictureTests : GraphicsFixture
             return streams.LeastMilliseconds(streams.Plan.Camera);
         }
         double unlit = Measure(0), lit = Measure(0.7f);
-        TestContext.Out.WriteLine($"{sizePx} px, lighting {edlStrength}: {unlit:0} ms, lit {lit:0} ms, {lit / unlit:0.00}");
+        TestContext.Out.WriteLine($"{sizePx} px, lighting {edlStrength}, normals {hasNormals}: {unlit:0} ms, lit {lit:0} ms, {lit / unlit:0.00}");
         Assert.That(lit, Is.LessThan(1.3 * unlit));
     }
 

@@ -18,7 +18,8 @@ public sealed class GpuVerbsTests : GraphicsFixture
     [Test]
     public void Picture_OnTheGpu_NamesTheDeviceAndIsNearTheCpus()
     {
-        string cpu = m_scratch["cpu.png"], gpu = m_scratch["gpu.png"], style = "size=3,points=round";
+        string cpu = m_scratch["cpu.png"], gpu = m_scratch["gpu.png"];
+        string style = "color=elevation,light=215,40,0.9,size=3,points=round";
         Assert.That(CliCall.Of("picture", m_cloud, "-o", cpu, "--size", "160x90", "--style", style).Status,
             Is.EqualTo(ExitStatus.Done));
         var call = CliCall.Of("picture", m_cloud, "-o", gpu, "--gpu", "--size", "160x90", "--style", style,

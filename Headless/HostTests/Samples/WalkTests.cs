@@ -134,6 +134,7 @@ public sealed class WalkTests : GraphicsFixture
         Change(nameof(settings.SizeMode), () => (settings.SizeMode, settings.Size) = (PointSizeMode.Pixels, 2));
         Change(nameof(settings.EyeDomeLighting), () => settings.EyeDomeLighting = 2);
         Change(nameof(settings.FillHoles), () => settings.FillHoles = true);
+        Change(nameof(PointCloud.Light), () => SceneLoop.Find<PointCloud>().Single().Light = 1);
         Change(nameof(settings.MillionPoints), () => settings.MillionPoints = 0.004f);
         Assert.That(Group.Stats.DrawnPoints, Is.LessThanOrEqualTo(4000), "step 4");
     }

@@ -8,8 +8,8 @@
 #if defined(FASTPOINTS_PROGRESSIVE)
 #include "ProgressivePoints.hlsl"
 #endif
+#include "PointLight.hlsl"
 #include "PointSizes.hlsl"
-#include "PointValues.hlsl"
 #include "Generated/GpuNode.hlsl"
 
 // FastPoints.Drawing.ColorSource.
@@ -39,6 +39,9 @@ float3 _FastPointsRightEyeOffset;
 
 // 1: colours are written as light, not as sRGB.
 uint _FastPointsIsLinear;
+
+// 1: the view has no perspective.
+uint _FastPointsIsOrthographic;
 
 struct FastPointsPoint
 {
@@ -113,7 +116,7 @@ float3 FastPointsColor(GpuNode node, GpuCloud cloud, uint blockIndex, uint index
     uint source = cloud.ColorSource & 0xFFu;
     float3 color;
     if (source == FASTPOINTS_COLOR_POSITION)
-        color = FastPointsLookUp(palette, FastPointsEntry(node.AnchorValue + dot(cloud.ValuePerStep, steps)));
+        color = FastPointsLookUp(palette, FastPointsEntry(asfloat(node.ColorWord) + dot(cloud.ValuePerStep, steps)));
     else
     {
         uint columns = cloud.Columns & 0xFFu, wide = cloud.Columns >> 8;
@@ -135,6 +138,29 @@ float3 FastPointsColor(GpuNode node, GpuCloud cloud, uint blockIndex, uint index
         }
     }
     return color;
+}
+
+// DrawListCloud.StoredNormalsBit.
+#define FASTPOINTS_STORED_NORMALS 0x800u
+
+// What a stored normal shows of the world, turned to the viewer, since points have no back; 0 for none. The twin of
+// FastPoints.Drawing.OctahedralNormal.
+// seen: the point, from the eye or along the view of an orthographic one.
+float3 FastPointsNormal(GpuNode node, GpuCloud cloud, uint blockIndex, uint index, float3 seen)
+{
+    // A plane of two columns: two words and their minima.
+    FastPointsBlock block = FastPointsOpenBlock(node.NormalWord, 4u, blockIndex);
+    uint2 code = _FastPointsBank.Load2((block.Descriptor + 2u) * 4u);
+    code.x += FastPointsOffset(block.Packed, FastPointsWidthOf(block, 0u), index);
+    code.y += FastPointsOffset(block.Packed + FastPointsWordsOf(block, 0u), FastPointsWidthOf(block, 1u), index);
+    float2 p = (float2(code) - 128.0) / 127.0;
+    float z = 1.0 - abs(p.x) - abs(p.y);
+    float2 folded = (1.0 - abs(p.yx)) * float2(p.x >= 0.0 ? 1.0 : -1.0, p.y >= 0.0 ? 1.0 : -1.0);
+    p = z < 0.0 ? folded : p;
+    float3 normal = cloud.NormalX.xyz * p.x + cloud.NormalY.xyz * p.y + cloud.NormalZ.xyz * z;
+    normal *= rsqrt(max(dot(normal, normal), 1e-30));
+    normal = dot(normal, seen) > 0.0 ? -normal : normal;
+    return code.x + code.y == 0u ? float3(0.0, 0.0, 0.0) : normal;
 }
 
 // Which eye an instance is for: 1 for the right one.
@@ -180,7 +206,7 @@ FastPointsPoint FastPointsLoadPoint(uint instance, uint index)
 #endif
     uint number = _FastPointsLists.Load(_FastPointsNodeOfInstanceAt + instance * 4u);
     GpuNode node = FastPointsGpuNodeAt(_FastPointsNodesAt + number * 96u);
-    GpuCloud cloud = FastPointsGpuCloudAt(_FastPointsCloudsAt + node.Cloud * 112u);
+    GpuCloud cloud = FastPointsGpuCloudAt(_FastPointsCloudsAt + node.Cloud * 160u);
     uint blockIndex = instance - node.FirstInstance;
     FastPointsBlock block = FastPointsOpenBlock(node.PositionWord, (node.Bits & 1u) != 0u ? 8u : 5u, blockIndex);
     FastPointsPoint loaded;
@@ -192,7 +218,7 @@ FastPointsPoint FastPointsLoadPoint(uint instance, uint index)
     loaded.Color = float3(0.0, 0.0, 0.0);
     loaded.SizePx = 0.0;
     loaded.Depth = 0.0;
-    loaded.LitParts = cloud.ColorSource >> 8;
+    loaded.LitParts = (cloud.ColorSource & FASTPOINTS_STORED_NORMALS) != 0u ? 0u : cloud.ColorSource >> 8;
 #if defined(FASTPOINTS_PROGRESSIVE)
     loaded.Number = instance * FASTPOINTS_POINTS_PER_BLOCK + index;
     loaded.WasVisible = wasVisible;
@@ -218,6 +244,12 @@ FastPointsPoint FastPointsLoadPoint(uint instance, uint index)
 #endif
             loaded.SizePx = FastPointsSizePx(gap, loaded.Depth);
             float3 color = FastPointsColor(node, cloud, blockIndex, index, steps) * FastPointsUnpackColor(node.Tint);
+            if ((cloud.ColorSource & FASTPOINTS_STORED_NORMALS) != 0u)
+            {
+                float3 view = _FastPointsIsOrthographic != 0u ? _FastPointsForward : seen;
+                float3 normal = FastPointsNormal(node, cloud, blockIndex, index, view);
+                color = FastPointsLit(color, float(cloud.ColorSource >> 8 & 7u) / 7.0, normal);
+            }
             loaded.Color = _FastPointsIsLinear != 0u ? FastPointsLinearFromSrgb(color) : color;
         }
     }

@@ -1,5 +1,5 @@
-// Light on points by the normal that the depths around a pixel show: the twin of FastPoints.Drawing.PointLight and PixelPlaces,
-// and of FastPoints.Picture.DepthNormals.
+// Light on points: the twin of FastPoints.Drawing.PointLight. Where FASTPOINTS_LIT is defined, by the normal that the depths
+// around a pixel show: the twin of PixelPlaces and FastPoints.Picture.DepthNormals.
 #ifndef FASTPOINTS_POINT_LIGHT_INCLUDED
 #define FASTPOINTS_POINT_LIGHT_INCLUDED
 
@@ -8,15 +8,16 @@
 // PointLight.ShareWithoutNormal.
 #define FASTPOINTS_LIGHT_WITHOUT_NORMAL 0.5
 
-// Rows: First, StepX, StepY, Forward of PixelPlaces.
-float4x4 _FastPointsPlaces;
-
 // Rows: AmbientX, AmbientY, AmbientZ, AmbientAll of PointLight.
 float4x4 _FastPointsAmbient;
 
 // Towards the main light; linear.
 float3 _FastPointsLightDirection;
 float3 _FastPointsLightColor;
+
+#if defined(FASTPOINTS_LIT)
+// Rows: First, StepX, StepY, Forward of PixelPlaces.
+float4x4 _FastPointsPlaces;
 
 float3 FastPointsPlaceOf(int2 pixel, float depth)
 {
@@ -56,6 +57,7 @@ float3 FastPointsNormalAt(int2 pixel, float depth, int radius)
     normal = lengthSq > 0.0 ? normal * rsqrt(lengthSq) : float3(0.0, 0.0, 0.0);
     return dot(normal, _FastPointsScalePx.y != 0.0 ? _FastPointsPlaces[3].xyz : place) > 0.0 ? -normal : normal;
 }
+#endif
 
 float3 FastPointsLightOn(float3 normal)
 {

@@ -45,7 +45,7 @@ namespace FastPoints.Evaluation
                 for (int c = of.FirstColumn; plane != StoreLayout.PositionPlane && c < of.FirstColumn + of.ColumnCount; c++)
                 {
                     columns.Add(layout.Columns[c]);
-                    attributes.Add(layout.Attributes[layout.AttributeOfColumn[c]]);
+                    attributes.Add(new PointAttribute(layout.NameOfColumn(of, c), layout.Columns[c].Type));
                 }
             }
             m_block = new PointBatch(new PointSchema(attributes), PlaneShape.MaxPointsPerBlock, Allocator.Persistent);
@@ -83,6 +83,12 @@ namespace FastPoints.Evaluation
                 Z = Turned(camera, linear.c2) * step.z,
                 W = camera.ToView(cloud.Placement.OriginWorld),
             };
+            var source = cloud.Source;
+            var toWorld = DrawListCloud.NormalsToWorld(linear,
+                source.Crs.Units.MetresAt(source.Grid.ToGeo(source.Root.Corner), UpAxis.Z));
+            drawing.Normals.ToLight = toWorld;
+            drawing.Normals.ToView = new double3x3(Turned(camera, toWorld.c0), Turned(camera, toWorld.c1),
+                Turned(camera, toWorld.c2));
             return drawing;
         }
 

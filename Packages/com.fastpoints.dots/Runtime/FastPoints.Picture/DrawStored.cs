@@ -52,6 +52,8 @@ namespace FastPoints.Picture
                 if (!PlansByManifest)
                     yield return JobStep.Of(LoadNodes.MeasureRanges(m_folder, selection, schema, m_options.UpAxis, ranges));
                 Plan = new PicturePlan(m_options, ranges, transform);
+                if (Plan.LitParts > 0)
+                    schema = LoadNodes.WithNormals(schema, m_folder);
 
                 selection.Choose(Plan.Camera.ToStreamView(m_options.WidthPx * m_options.SamplesPerEdge,
                     m_options.HeightPx * m_options.SamplesPerEdge), m_budget);

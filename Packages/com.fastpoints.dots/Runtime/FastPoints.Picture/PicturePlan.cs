@@ -63,6 +63,12 @@ namespace FastPoints.Picture
             var world = m_options.SizeInWorld.GetValueOrDefault();
             world.MaxPx *= canvas.SamplesPerEdge;
             bool isWorldSize = world.Mode == PointSizeMode.World;
+            var lengths = m_ranges.LengthsPerUnit;
+            var normals = new PointNormals(batch, LitParts, Light)
+            {
+                ToLight = double3x3.identity,
+                ToView = math.transpose(new double3x3(Camera.Right / lengths, Camera.Up / lengths, Camera.Forward / lengths)),
+            };
             return new PointDrawing
             {
                 Positions = PositionColumns.Of(batch),
@@ -71,7 +77,8 @@ namespace FastPoints.Picture
                 LargestPx = isWorldSize ? world.MaxPx : canvas.LargestPx,
                 IsWorldSize = isWorldSize,
                 Size = world,
-                LitParts = LitParts,
+                LitParts = normals.LitParts > 0 ? 0 : LitParts,
+                Normals = normals,
                 IsRound = m_options.RoundPoints,
                 IsParaboloid = m_options.ParaboloidPoints,
             };

@@ -33,7 +33,8 @@ namespace FastPoints.Picture
         public bool IsWorldSize; // Whatever the tiles' sizes are.
         public PointSize Size;
         public bool IsRound;
-        public int LitParts; // Of PointLight.Parts.
+        public int LitParts; // Of PointLight.Parts; 0 for points that are lit by normals of their own.
+        public PointNormals Normals;
 
         // Discs that bulge towards the camera: paraboloids whose rim is farther away by the radius than the middle, which has
         // the point's own depth. Each pixel of overlapping points goes to the nearest centre.
@@ -52,6 +53,8 @@ namespace FastPoints.Picture
                 span.Count = math.min(ColumnValues.BatchLength, count - done);
                 Positions.Load(bytes, first + done, span.Count, x, y, z);
                 PointColoring.ColorBatch(bytes, first + done, Colors, picture.Palettes, span);
+                if (Normals.LitParts > 0)
+                    Normals.LightColors(bytes, first + done, Projection, span);
                 if (LargestPx <= 1 && picture.Sums == null)
                     DrawPixels(span, picture.Pixels);
                 else

@@ -1,3 +1,4 @@
+using System;
 using FastPoints.Drawing;
 using UnityEngine;
 using UnityEngine.Rendering;
@@ -41,4 +42,10 @@ namespace FastPoints.Rendering
                 RightEye = hasBothEyes ? EyeMatrices.Of(camera, Camera.StereoscopicEye.Right) : default,
             };
     }
+
+    /// <summary>Marks a static method without parameters that begins to draw clouds in a pipeline; calling it again changes
+    /// nothing. The editor calls it after loading scripts, and <c>End</c> beside it before they are reloaded. In players it is
+    /// called through an attribute of Unity's that edit mode ignores.</summary>
+    [AttributeUsage(AttributeTargets.Method)]
+    internal sealed class BeginsPassAttribute : Attribute { }
 }

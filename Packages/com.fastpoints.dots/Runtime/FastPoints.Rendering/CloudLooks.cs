@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using FastPoints.Drawing;
 using FastPoints.Store;
 using FastPoints.Streaming;
@@ -8,15 +9,15 @@ namespace FastPoints.Rendering
     // Translates a picture's colours into shader parameters, so that both colour a point alike.
     internal static class CloudLooks
     {
-        // Besides the position.
-        public static string[] PlanesFor(ColorMode mode, bool hidesClasses)
+        // Besides the position; normals of clouds that have some.
+        public static string[] PlanesFor(ColorMode mode, bool hidesClasses, bool isLit)
         {
-            var planes = PlanesFor(mode);
-            if (!hidesClasses || mode == ColorMode.Classification)
-                return planes;
-            Array.Resize(ref planes, planes.Length + 1);
-            planes[planes.Length - 1] = AttributeNames.Classification;
-            return planes;
+            var planes = new List<string>(PlanesFor(mode));
+            if (hidesClasses && mode != ColorMode.Classification)
+                planes.Add(AttributeNames.Classification);
+            if (isLit)
+                planes.Add(StoreLayout.NormalName);
+            return planes.ToArray();
         }
 
         public static string[] PlanesFor(ColorMode mode) => mode == ColorMode.Rgb ? new[] { StoreLayout.ColorName }
@@ -29,6 +30,8 @@ namespace FastPoints.Rendering
             var look = new CloudLook { Scale = colors.Scale, Bias = colors.Bias, Palette = colors.FirstEntry / Palettes.Length };
             if (!hidden.IsEmpty && FindPlane(source, AttributeNames.Classification, out look.ClassPlane))
                 look.HiddenClasses = hidden;
+            if (FindPlane(source, StoreLayout.NormalName, out look.NormalPlane))
+                look.Metres = source.Crs.Units.MetresAt(source.Grid.ToGeo(source.Root.Corner), UpAxis.Z);
             switch (colors.Mode)
             {
                 case ColorMode.Rgb:

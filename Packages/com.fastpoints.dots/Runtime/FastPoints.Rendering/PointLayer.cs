@@ -76,18 +76,30 @@ namespace FastPoints.Rendering
             m_properties.SetInteger(ShaderNames.FillsHoles, view.Style.FillsHoles ? 1 : 0);
             m_properties.SetInteger(ShaderNames.IsLinear, view.IsLinear ? 1 : 0);
             if (view.Style.IsLit)
-                SetLight(view.Light, view.Places);
+            {
+                var places = view.Places;
+                m_properties.SetMatrix(ShaderNames.Places, RowsOf(places.First, places.StepX, places.StepY, places.Forward));
+                SetLight(m_properties, view.Light);
+            }
             commands.DrawProcedural(Matrix4x4.identity, compose, 0, MeshTopology.Triangles, 3, 1, m_properties);
         }
 
-        void SetLight(in PointLight light, in PixelPlaces places)
+        public static void SetLight(MaterialPropertyBlock properties, in PointLight light)
         {
-            m_properties.SetMatrix(ShaderNames.Places, RowsOf(places.First, places.StepX, places.StepY, places.Forward));
-            m_properties.SetMatrix(ShaderNames.Ambient,
-                RowsOf(light.AmbientX, light.AmbientY, light.AmbientZ, light.AmbientAll));
-            m_properties.SetVector(ShaderNames.LightDirection, VectorOf(light.Direction));
-            m_properties.SetVector(ShaderNames.LightColor, VectorOf(light.Color));
+            properties.SetMatrix(ShaderNames.Ambient, AmbientOf(light));
+            properties.SetVector(ShaderNames.LightDirection, VectorOf(light.Direction));
+            properties.SetVector(ShaderNames.LightColor, VectorOf(light.Color));
         }
+
+        public static void SetLight(CommandBuffer commands, ComputeShader shader, in PointLight light)
+        {
+            commands.SetComputeMatrixParam(shader, ShaderNames.Ambient, AmbientOf(light));
+            commands.SetComputeVectorParam(shader, ShaderNames.LightDirection, VectorOf(light.Direction));
+            commands.SetComputeVectorParam(shader, ShaderNames.LightColor, VectorOf(light.Color));
+        }
+
+        static Matrix4x4 AmbientOf(in PointLight light) =>
+            RowsOf(light.AmbientX, light.AmbientY, light.AmbientZ, light.AmbientAll);
 
         static Vector4 VectorOf(float3 value) => new Vector4(value.x, value.y, value.z, 0);
 

@@ -198,6 +198,9 @@ namespace FastPoints.Rendering
             m_properties.SetVector(ShaderNames.Size, new Vector4(size.IsConstant ? size.Value : 0, perGap,
                 view.IsOrthographic ? 1 : 0, 0));
             m_properties.SetVector(ShaderNames.SizeLimitsPx, new Vector4(size.LimitsPx.x, size.LimitsPx.y, 0, 0));
+            m_properties.SetInteger(ShaderNames.IsOrthographic, view.IsOrthographic ? 1 : 0);
+            if (List.IsLitByNormals)
+                PointLayer.SetLight(m_properties, view.Light);
             // A layer's colours become linear when it is composed.
             m_properties.SetInteger(ShaderNames.IsLinear, view.IsLinear && !view.Style.IsLayered ? 1 : 0);
         }

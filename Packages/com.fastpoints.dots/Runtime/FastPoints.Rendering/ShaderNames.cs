@@ -29,6 +29,7 @@ namespace FastPoints.Rendering
         public static readonly int GroupsPerRow = Shader.PropertyToID("_FastPointsGroupsPerRow");
         public static readonly int InstanceCount = Shader.PropertyToID("_FastPointsInstanceCount");
         public static readonly int IsLinear = Shader.PropertyToID("_FastPointsIsLinear");
+        public static readonly int IsOrthographic = Shader.PropertyToID("_FastPointsIsOrthographic");
         public static readonly int LastOfNodeAt = Shader.PropertyToID("_FastPointsLastOfNodeAt");
         public static readonly int LayerColor = Shader.PropertyToID("_FastPointsLayerColor");
         public static readonly int LayerDepth = Shader.PropertyToID("_FastPointsLayerDepth");

@@ -2,6 +2,8 @@ using System;
 using System.Collections.Generic;
 using FastPoints.Streaming;
 using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.Mathematics;
 using UnityEngine;
 using UnityEngine.Rendering;
 
@@ -70,5 +72,144 @@ namespace FastPoints.Rendering
 
         // Frames are only counted for GPUs without fences, which may lag further than any setting says.
         bool HasBeenRead(long frame) => m_hasFences ? m_fences[m_next].passed : m_freeAtFrame[m_next] <= frame;
+    }
+
+    // One upload in flight: mapped memory into which jobs write nodes, each starting on a page, and a list of the pages that
+    // they go to. Mapped memory may be uncached: it is written front to back and never read.
+    internal sealed unsafe class StagingBuffer : IDisposable
+    {
+        const int MaxGroups = 65535; // Of one dispatch on any GPU.
+        const int PageEntryBytes = 2 * sizeof(uint);
+        const int WordsPerPage = NodePool.PageBytes / sizeof(uint);
+
+        GraphicsBuffer m_bytes;
+        GraphicsBuffer m_pages;
+        NativeArray<uint> m_words;
+        NativeList<PoolRange> m_ranges; // In the order in which the nodes lie here.
+        int m_pageCount;
+
+        // A larger node may have allocated more.
+        int m_requestedPages;
+
+        public StagingBuffer() => m_ranges = new NativeList<PoolRange>(256, Allocator.Persistent);
+
+        public int Capacity => m_pages.count;
+        public bool IsLocked { get; private set; }
+
+        // Begins an upload, in a new buffer if the requested size has changed.
+        public void Begin(int pages)
+        {
+            if (pages != m_requestedPages)
+                Create(m_requestedPages = pages);
+            Lock();
+        }
+
+        void Lock()
+        {
+            m_words = m_bytes.LockBufferForWrite<uint>(0, m_bytes.count);
+            m_ranges.Clear();
+            m_pageCount = 0;
+            IsLocked = true;
+        }
+
+        // Null if it does not fit. The first always fits.
+        public byte* Take(PoolRange range)
+        {
+            if (m_pageCount + range.PageCount > Capacity)
+            {
+                if (m_pageCount > 0)
+                    return null;
+                Grow(range.PageCount);
+            }
+            m_ranges.Add(range);
+            byte* at = (byte*)m_words.GetUnsafePtr() + (long)m_pageCount * NodePool.PageBytes;
+            m_pageCount += range.PageCount;
+            return at;
+        }
+
+        // After earlier draws. endOfBank is scratch.
+        public void CopyTo(List<GraphicsBuffer> banks, ComputeShader copyPages, int kernel, NativeList<int> endOfBank)
+        {
+            Unlock();
+            ListPages(banks.Count, endOfBank);
+            copyPages.SetBuffer(kernel, ShaderNames.Staging, m_bytes);
+            copyPages.SetBuffer(kernel, ShaderNames.Pages, m_pages);
+            int first = 0;
+            for (int bank = 0; bank < endOfBank.Length; bank++)
+            {
+                if (endOfBank[bank] == first)
+                    continue;
+                copyPages.SetBuffer(kernel, ShaderNames.BankOut, banks[bank]);
+                while (first < endOfBank[bank])
+                {
+                    int groups = math.min(endOfBank[bank] - first, MaxGroups);
+                    copyPages.SetInt(ShaderNames.FirstPage, first);
+                    copyPages.Dispatch(kernel, groups, 1, 1);
+                    first += groups;
+                }
+            }
+        }
+
+        public void Dispose()
+        {
+            if (!m_ranges.IsCreated)
+                return;
+            if (IsLocked)
+                Unlock();
+            m_bytes?.Dispose();
+            m_pages?.Dispose();
+            m_ranges.Dispose();
+        }
+
+        // Where each lies here and where it goes, bank by bank.
+        void ListPages(int bankCount, NativeList<int> endOfBank)
+        {
+            endOfBank.ResizeUninitialized(bankCount);
+            for (int bank = 0; bank < bankCount; bank++)
+                endOfBank[bank] = 0;
+            for (int i = 0; i < m_ranges.Length; i++)
+                endOfBank[m_ranges[i].Bank] += m_ranges[i].PageCount;
+            int first = 0;
+            for (int bank = 0; bank < bankCount; bank++)
+            {
+                int count = endOfBank[bank];
+                endOfBank[bank] = first;
+                first += count;
+            }
+            var pages = m_pages.LockBufferForWrite<uint2>(0, m_pageCount);
+            var to = (uint2*)pages.GetUnsafePtr();
+            uint from = 0;
+            for (int i = 0; i < m_ranges.Length; i++)
+            {
+                var range = m_ranges[i];
+                for (int page = 0; page < range.PageCount; page++)
+                    to[endOfBank[range.Bank]++] = new uint2(from++, (uint)(range.FirstPage + page));
+            }
+            m_pages.UnlockBufferAfterWrite<uint2>(m_pageCount);
+        }
+
+        void Unlock()
+        {
+            m_bytes.UnlockBufferAfterWrite<uint>(m_pageCount * WordsPerPage);
+            m_words = default;
+            IsLocked = false;
+        }
+
+        void Grow(int pages)
+        {
+            Unlock();
+            Create(pages);
+            Lock();
+        }
+
+        void Create(int pages)
+        {
+            m_bytes?.Dispose();
+            m_pages?.Dispose();
+            m_bytes = new GraphicsBuffer(GraphicsBuffer.Target.Raw, GraphicsBuffer.UsageFlags.LockBufferForWrite,
+                pages * WordsPerPage, sizeof(uint));
+            m_pages = new GraphicsBuffer(GraphicsBuffer.Target.Structured, GraphicsBuffer.UsageFlags.LockBufferForWrite, pages,
+                PageEntryBytes);
+        }
     }
 }

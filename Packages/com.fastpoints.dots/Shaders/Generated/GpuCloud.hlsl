@@ -1,4 +1,4 @@
-// Written by RepoTools hlsl from FastPoints.Drawing.GpuCloud: 112 bytes.
+// Written by RepoTools hlsl from FastPoints.Drawing.GpuCloud: 160 bytes.
 #ifndef FASTPOINTS_GPU_CLOUD_INCLUDED
 #define FASTPOINTS_GPU_CLOUD_INCLUDED
 
@@ -18,6 +18,9 @@ struct GpuCloud
     uint ClassDivisor;   // 76, 4
     uint4 HiddenLow;     // 80, 16
     uint4 HiddenHigh;    // 96, 16
+    float4 NormalX;      // 112, 16
+    float4 NormalY;      // 128, 16
+    float4 NormalZ;      // 144, 16
 };
 
 // at: where it begins in the lists, in bytes.
@@ -36,6 +39,9 @@ GpuCloud FastPointsGpuCloudAt(uint at)
     loaded.ClassDivisor = _FastPointsLists.Load(at + 76u);
     loaded.HiddenLow = _FastPointsLists.Load4(at + 80u);
     loaded.HiddenHigh = _FastPointsLists.Load4(at + 96u);
+    loaded.NormalX = asfloat(_FastPointsLists.Load4(at + 112u));
+    loaded.NormalY = asfloat(_FastPointsLists.Load4(at + 128u));
+    loaded.NormalZ = asfloat(_FastPointsLists.Load4(at + 144u));
     return loaded;
 }
 

@@ -11,7 +11,7 @@ struct GpuNode
     uint3 AnchorHigh;    // 16, 12
     uint ColorWord;      // 28, 4
     float3 AnchorView;   // 32, 12
-    float AnchorValue;   // 44, 4
+    uint NormalWord;     // 44, 4
     uint FirstInstance;  // 48, 4
     uint Cloud;          // 52, 4
     uint Bits;           // 56, 4
@@ -31,7 +31,7 @@ GpuNode FastPointsGpuNodeAt(uint at)
     loaded.AnchorHigh = _FastPointsLists.Load3(at + 16u);
     loaded.ColorWord = _FastPointsLists.Load(at + 28u);
     loaded.AnchorView = asfloat(_FastPointsLists.Load3(at + 32u));
-    loaded.AnchorValue = asfloat(_FastPointsLists.Load(at + 44u));
+    loaded.NormalWord = _FastPointsLists.Load(at + 44u);
     loaded.FirstInstance = _FastPointsLists.Load(at + 48u);
     loaded.Cloud = _FastPointsLists.Load(at + 52u);
     loaded.Bits = _FastPointsLists.Load(at + 56u);

@@ -11,7 +11,7 @@ namespace FastPoints.Build
     {
         const int MaxPageFetches = 16;
 
-        protected CloudFolder Folder { get; }
+        public CloudFolder Folder { get; }
         readonly Dictionary<int, NodeTable> m_tables = new Dictionary<int, NodeTable>();
         readonly Dictionary<int, List<int>> m_nodesOfPage = new Dictionary<int, List<int>>();
 
@@ -32,9 +32,12 @@ namespace FastPoints.Build
 
         public NodeTable TableOf(int page) => page == 0 ? Folder.Root : m_tables[page];
 
-        public RemoteFile RemoteOf(int page) => Folder.RemoteOf(page);
+        /// <summary>The file of planes that were computed, or of the others.</summary>
+        public RemoteFile RemoteOf(int page, bool isComputed = false) =>
+            isComputed ? Folder.RemoteOfComputed(page) : Folder.RemoteOf(page);
 
-        public string PathOf(int page) => Folder.PathOf(page);
+        public string PathOf(int page, bool isComputed = false) =>
+            isComputed ? Folder.PathOfComputed(page) : Folder.PathOf(page);
 
         /// <summary>Chooses what streaming would choose without a camera: the children of the widest spacing first,
         /// ties by page and node number, until the next one would exceed the budget.</summary>

@@ -36,6 +36,16 @@ namespace FastPoints.Build
             return new PointSchema(attributes);
         }
 
+        /// <summary>The same with the two columns of the cloud's normals, if it has some.</summary>
+        public static PointSchema WithNormals(PointSchema schema, CloudFolder folder)
+        {
+            var attributes = new List<PointAttribute>(schema);
+            foreach (string column in StoreLayout.NormalColumns)
+                if (folder.Layout.ComputedPlanes > 0)
+                    attributes.Add(new PointAttribute(column, AttributeType.UInt8));
+            return new PointSchema(attributes);
+        }
+
         /// <summary>Coroutine: measures what a display needs to know of a converted cloud, from the points of its upper
         /// levels.</summary>
         /// <exception cref="PointCloudException">The cloud cannot be read.</exception>
@@ -56,6 +66,15 @@ namespace FastPoints.Build
         /// <exception cref="PointCloudException">A file cannot be read, or a node is damaged.</exception>
         public static IEnumerator<JobStep> Run(CloudFolder folder, ChosenNodes selection, PointBatch batch,
             StageProgress progress, long maxBytes = MaxBytesPerRead)
+        {
+            yield return JobStep.Of(Run(folder, selection, batch, progress, maxBytes, false));
+            // They lie in files of their own.
+            if (batch.Schema.Has(StoreLayout.NormalColumns[0]))
+                yield return JobStep.Of(Run(folder, selection, batch, null, maxBytes, true));
+        }
+
+        static IEnumerator<JobStep> Run(CloudFolder folder, ChosenNodes selection, PointBatch batch,
+            StageProgress progress, long maxBytes, bool isComputed)
         {
             var fetched = new Queue<(PageLoad Load, int Part, StoreRead Read)>();
             var inFlight = new Queue<(PageLoad Load, int Part, StoreRead Read, JobHandle Decoded)>();
@@ -79,7 +98,7 @@ namespace FastPoints.Build
                 int points = 0;
                 foreach (int page in selection.Pages)
                 {
-                    var load = new PageLoad(folder, selection, page, batch, points, maxBytes);
+                    var load = new PageLoad(selection, page, batch, points, maxBytes, isComputed);
                     loads.Add(load);
                     points += load.Points;
                     for (int part = 0; part < load.Parts.Count; part++)
@@ -151,6 +170,7 @@ namespace FastPoints.Build
             readonly ChosenNodes m_selection;
             readonly int m_page;
             readonly PointBatch m_batch;
+            readonly bool m_isComputed; // Reads planes that were computed, else positions and those of the source.
 
             /// <summary>Index among the chosen nodes, in the order of their bytes.</summary>
             readonly int[] m_order;
@@ -162,9 +182,10 @@ namespace FastPoints.Build
 
             readonly NativeArray<bool>[] m_isDamaged;
 
-            public PageLoad(CloudFolder folder, ChosenNodes selection, int page, PointBatch batch, int firstPoint,
-                long maxBytes)
+            public PageLoad(ChosenNodes selection, int page, PointBatch batch, int firstPoint, long maxBytes, bool isComputed)
             {
+                var folder = selection.Folder;
+                m_isComputed = isComputed;
                 m_selection = selection;
                 m_page = page;
                 m_batch = batch;
@@ -213,22 +234,24 @@ namespace FastPoints.Build
                 m_isDamaged = new NativeArray<bool>[Parts.Count];
             }
 
-            // Those whose attributes are all in the batch, and the positions.
+            // Those whose attributes are all in the batch, and the positions; or those that were computed.
             List<int> ListPlanes(StoreLayout layout)
             {
-                var planes = new List<int> { StoreLayout.PositionPlane };
+                var planes = new List<int>();
                 var shapes = new List<PlaneShape>();
+                if (!m_isComputed)
+                    planes.Add(StoreLayout.PositionPlane);
                 var columns = new List<StoredColumn>();
                 var targets = new List<PointColumn>();
                 for (int p = 1; p < layout.Planes.Count; p++)
                 {
                     var plane = layout.Planes[p];
-                    if (!plane.IsSource)
+                    if (m_isComputed ? !plane.IsComputed : !plane.IsSource)
                         continue;
                     int first = targets.Count;
                     for (int c = plane.FirstColumn; c < plane.FirstColumn + plane.ColumnCount; c++)
                     {
-                        int column = m_batch.Schema.IndexOf(layout.Attributes[layout.AttributeOfColumn[c]].Name);
+                        int column = m_batch.Schema.IndexOf(layout.NameOfColumn(plane, c));
                         if (column >= 0)
                             targets.Add(m_batch.Column(column));
                     }
@@ -256,15 +279,15 @@ namespace FastPoints.Build
             public void Begin(int number, StoreRead read)
             {
                 var part = Parts[number];
-                var remote = m_selection.RemoteOf(m_page);
+                var remote = m_selection.RemoteOf(m_page, m_isComputed);
                 if (remote == null)
                 {
-                    read.Begin(m_selection.PathOf(m_page), part.FirstByte, part.ByteCount);
+                    read.Begin(m_selection.PathOf(m_page, m_isComputed), part.FirstByte, part.ByteCount);
                     return;
                 }
                 // What lies between the planes stays on the server.
                 var pieces = new List<PlaneRange>();
-                int planes = 1 + m_shapes.Length;
+                int planes = (m_isComputed ? 0 : 1) + m_shapes.Length;
                 for (int i = part.FirstNode; i < part.FirstNode + part.NodeCount; i++)
                     for (int p = 0; p < planes; p++)
                         pieces.Add(m_ranges[m_nodes[i].FirstRange + p]);
@@ -280,6 +303,7 @@ namespace FastPoints.Build
                 {
                     File = bytes,
                     FileOffset = part.FirstByte,
+                    FirstPlane = m_isComputed ? 1 : 0,
                     Nodes = m_nodes.GetSubArray(part.FirstNode, part.NodeCount),
                     Ranges = m_ranges,
                     Shapes = m_shapes,
@@ -299,7 +323,7 @@ namespace FastPoints.Build
                 var part = Parts[number];
                 for (int i = 0; i < part.NodeCount; i++)
                     if (m_isDamaged[number][i])
-                        throw new PointCloudException(FailureCode.BadInput, m_selection.PathOf(m_page),
+                        throw new PointCloudException(FailureCode.BadInput, m_selection.PathOf(m_page, m_isComputed),
                             m_ranges[m_nodes[part.FirstNode + i].FirstRange].OffsetBytes,
                             "node " + m_selection.NodesOf(m_page)[m_order[part.FirstNode + i]] + " is damaged");
             }
@@ -346,9 +370,12 @@ namespace FastPoints.Build
         [ReadOnly] public NativeArray<byte> File;
 
         public long FileOffset;
+
+        /// <summary>1 where positions are not unpacked.</summary>
+        public int FirstPlane;
         [ReadOnly] public NativeArray<ChosenNode> Nodes;
 
-        /// <summary>Indexed by node times planes, plus plane: position first, then the wanted ones.</summary>
+        /// <summary>Indexed by node times planes, plus plane: position first if there, then the wanted ones.</summary>
         [ReadOnly] public NativeArray<PlaneRange> Ranges;
 
         /// <summary>Indexed by wanted plane, without the position.</summary>
@@ -372,9 +399,9 @@ namespace FastPoints.Build
         {
             var node = Nodes[index];
             var file = (byte*)File.GetUnsafeReadOnlyPtr();
-            for (int p = 0; p <= Shapes.Length; p++)
+            for (int p = FirstPlane; p <= Shapes.Length; p++)
             {
-                var range = Ranges[node.FirstRange + p];
+                var range = RangeOf(node, p);
                 byte* plane = file + (range.OffsetBytes - FileOffset);
                 if (ContentHash.Of(plane, range.LengthBytes) != range.Hash ||
                     !PlaneView.IsValid(plane, range.LengthBytes, ShapeOf(p, node.IsWide), node.PlaneBlocks))
@@ -383,17 +410,20 @@ namespace FastPoints.Build
                     return;
                 }
             }
-            WritePositions(node, file);
+            if (FirstPlane == 0)
+                WritePositions(node, file);
             int column = 0;
             for (int p = 1; p <= Shapes.Length; p++)
                 for (int c = 0; c < Shapes[p - 1].ColumnCount; c++)
                     WriteColumn(node, file, p, c, Columns[column], Targets[column++]);
         }
 
+        PlaneRange RangeOf(in ChosenNode node, int plane) => Ranges[node.FirstRange + plane - FirstPlane];
+
         PlaneShape ShapeOf(int plane, bool isWide) => plane == 0 ? PlaneShape.OfPositions(isWide) : Shapes[plane - 1];
 
         PlaneView ViewOf(in ChosenNode node, byte* file, int plane) =>
-            new PlaneView(file + (Ranges[node.FirstRange + plane].OffsetBytes - FileOffset), ShapeOf(plane, node.IsWide),
+            new PlaneView(file + (RangeOf(node, plane).OffsetBytes - FileOffset), ShapeOf(plane, node.IsWide),
                 node.PlaneBlocks);
 
         void WritePositions(in ChosenNode node, byte* file)

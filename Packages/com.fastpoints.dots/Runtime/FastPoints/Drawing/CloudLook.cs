@@ -29,6 +29,10 @@ namespace FastPoints.Drawing
 
         /// <summary>How much of its colours is lit, from 0 (at no cost) to 1, in sevenths.</summary>
         public float Light;
+
+        // Index of stored normals among the streamed planes; 0 where it is lit by depth.
+        internal int NormalPlane;
+        internal double3 Metres; // Of a unit, along the axes of stored normals.
     }
 
     /// <summary>What a point's colour is taken from.</summary>

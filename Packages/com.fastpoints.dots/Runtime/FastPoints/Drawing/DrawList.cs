@@ -43,8 +43,9 @@ namespace FastPoints.Drawing
         // Whether points of listed nodes are left out: of hidden classes, or because a node appears or leaves.
         internal bool FiltersPoints { get; private set; }
 
-        // Whether points of any cloud are lit.
+        // Whether points of any cloud are lit by the depths around them, or by their own normals.
         internal bool IsLit { get; private set; }
+        internal bool IsLitByNormals { get; private set; }
 
         // Adaptive sizes are looked up in these; empty if there are none.
         internal NativeArray<GpuSizeNode> SizeNodes => m_sizes.Nodes;
@@ -82,7 +83,7 @@ namespace FastPoints.Drawing
             m_clouds.Clear();
             m_clipBoxes.Clear();
             FiltersPoints = stream.IsFading;
-            IsLit = false;
+            IsLit = IsLitByNormals = false;
             foreach (var box in stream.ClipBoxes)
                 m_clipBoxes.Add(new GpuClipBox(box, view.EyeWorld));
             for (int c = 0; c < stream.Clouds.Count; c++)
@@ -109,7 +110,9 @@ namespace FastPoints.Drawing
                     PlaneCount = cloud.Source.Planes.Length,
                 };
                 m_listed.Add(listed);
-                IsLit |= PointLight.PartsOf(listed.Look.Light) > 0;
+                bool isLit = PointLight.PartsOf(listed.Look.Light) > 0;
+                IsLit |= isLit && listed.Look.NormalPlane == 0;
+                IsLitByNormals |= isLit && listed.Look.NormalPlane > 0;
                 FiltersPoints |= !listed.Look.HiddenClasses.IsEmpty;
                 m_clouds.Add(listed.Describe(cloud.Source.Layout, cloud.Source.Planes[listed.Look.Plane],
                     cloud.Source.Planes[listed.Look.ClassPlane]));

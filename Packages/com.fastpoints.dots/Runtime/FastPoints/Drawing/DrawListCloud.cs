@@ -6,6 +6,8 @@ namespace FastPoints.Drawing
 {
     internal unsafe struct DrawListCloud
     {
+        const uint StoredNormalsBit = 1 << 11;
+
         public HierarchyPage* Pages;
         public CloudView View;
         public CloudView RightView; // A headset's right eye: nodes that it alone sees are drawn, too.
@@ -39,9 +41,10 @@ namespace FastPoints.Drawing
                 Anchor = new uint3((uint)anchor.X, (uint)anchor.Y, (uint)anchor.Z),
                 AnchorHigh = new uint3((uint)(anchor.X >> 32), (uint)(anchor.Y >> 32), (uint)(anchor.Z >> 32)),
                 AnchorView = (float3)(math.mul(Placement.Linear, anchorGrid * Step) + fromEye),
-                AnchorValue = (float)(math.dot(Look.ValuePerUnit, anchorGrid * Step) + Look.Bias),
                 PositionWord = firstWord,
-                ColorWord = WordOf(planes, Look.Plane, firstWord),
+                ColorWord = Look.Source != ColorSource.Position ? WordOf(planes, Look.Plane, firstWord)
+                    : math.asuint((float)(math.dot(Look.ValuePerUnit, anchorGrid * Step) + Look.Bias)),
+                NormalWord = WordOf(planes, Look.NormalPlane, firstWord),
                 ClassWord = WordOf(planes, Look.ClassPlane, firstWord),
                 Cloud = (uint)drawn.Cloud,
                 Bits = (address.IsWide ? 1u : 0u) | PointFade.BitsOf(drawn),
@@ -74,6 +77,14 @@ namespace FastPoints.Drawing
                 HiddenLow = Look.HiddenClasses.Low,
                 HiddenHigh = Look.HiddenClasses.High,
             };
+            if (Look.NormalPlane > 0)
+            {
+                cloud.ColorSource |= StoredNormalsBit;
+                var normals = NormalsToWorld(linear, Look.Metres);
+                cloud.NormalX = (float4)new double4(normals.c0, 0);
+                cloud.NormalY = (float4)new double4(normals.c1, 0);
+                cloud.NormalZ = (float4)new double4(normals.c2, 0);
+            }
             if (!Look.HiddenClasses.IsEmpty)
                 cloud.ClassDivisor = (uint)layout.Columns[layout.Planes[classPlane].FirstColumn].Divisor;
             if (Look.Source == ColorSource.Position)
@@ -87,6 +98,16 @@ namespace FastPoints.Drawing
                 cloud.Scale[c] = (float)(Look.Scale * column.Divisor);
             }
             return cloud;
+        }
+
+        // From normals along a cloud's axes, in metres, to vectors of the world of any length but 0. linear: of the cloud's
+        // units.
+        public static double3x3 NormalsToWorld(in double3x3 linear, double3 metres)
+        {
+            var to = math.transpose(math.inverse(linear));
+            (to.c0, to.c1, to.c2) = (to.c0 * metres.x, to.c1 * metres.y, to.c2 * metres.z);
+            double longest = math.sqrt(math.max(math.lengthsq(to.c0), math.max(math.lengthsq(to.c1), math.lengthsq(to.c2))));
+            return new double3x3(to.c0 / longest, to.c1 / longest, to.c2 / longest);
         }
 
         // The position in the node's box that is nearest to the camera, in grid steps from the node's corner.

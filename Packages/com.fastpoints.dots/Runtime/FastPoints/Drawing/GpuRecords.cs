@@ -15,9 +15,9 @@ namespace FastPoints.Drawing
         public uint3 Anchor; // Grid steps from the node's corner: the lower 32 bits.
         public uint PositionWord; // First word of the position plane in its bank.
         public uint3 AnchorHigh; // The upper 32 bits: 0 except for wide nodes.
-        public uint ColorWord;
+        public uint ColorWord; // If points are coloured by position: the bits of the anchor's place in palette entries.
         public float3 AnchorView; // From the camera to the anchor, along the world's axes.
-        public float AnchorValue; // In palette entries, if points are coloured by position.
+        public uint NormalWord;
         public uint FirstInstance; // Of the node's first block; the others follow.
         public uint Cloud;
 
@@ -37,7 +37,7 @@ namespace FastPoints.Drawing
     internal struct GpuCloud
     {
         public float3 StepX; // World vector of one grid step along the cloud's X.
-        public uint ColorSource; // Bits 0-7; bits 8-10: PointLight.PartsOf the share that is lit.
+        public uint ColorSource; // Bits 0-7; bits 8-10: PointLight.PartsOf the share that is lit; bit 11: by stored normals.
         public float3 StepY;
 
         // Types of the colour plane's columns: bits 0-7, 8-15, 16-23; bits 24-31: number of the palette.
@@ -52,6 +52,9 @@ namespace FastPoints.Drawing
         public uint ClassDivisor; // Multiplies stored units to give classes.
         public uint4 HiddenLow; // The ClassMask of points that are not drawn.
         public uint4 HiddenHigh;
+        public float4 NormalX; // World vector of a normal's X, Y, Z, of one length.
+        public float4 NormalY;
+        public float4 NormalZ;
     }
 
     // A clip box for one view: the dot product of a row's x, y, z with the vector from the camera, plus its w, is a coordinate

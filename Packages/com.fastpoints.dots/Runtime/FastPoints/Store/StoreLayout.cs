@@ -13,6 +13,9 @@ namespace FastPoints.Store
         public const string ColorName = "color";
         internal const string NormalName = "normal";
 
+        // Of that plane: an octahedral vector's two bytes.
+        internal static readonly string[] NormalColumns = { "normal.u", "normal.v" };
+
         /// <summary>Suffix for the name of a plane with averages of another.</summary>
         public const string AverageSuffix = ".average";
 
@@ -142,6 +145,10 @@ namespace FastPoints.Store
 
         static bool CanAverage(AttributeType type) =>
             type == AttributeType.UInt8 || type == AttributeType.UInt16 || type == AttributeType.Float32;
+
+        // Of an attribute, or of what was computed.
+        internal string NameOfColumn(Plane plane, int column) =>
+            plane.IsComputed ? NormalColumns[column - plane.FirstColumn] : Attributes[AttributeOfColumn[column]].Name;
 
         /// <returns>The plane with the averages of another, or -1.</returns>
         public int AverageOf(int plane) => plane == PositionPlane ? -1 : m_planes.FindIndex(p => p.AverageOf == plane);

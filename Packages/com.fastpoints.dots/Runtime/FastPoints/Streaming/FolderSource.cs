@@ -76,6 +76,15 @@ namespace FastPoints.Streaming
 
         public override string PathOf(int page) => m_folder.PathOf(page);
 
+        internal override bool IsComputed(int plane) => m_folder.Layout.Planes[m_planes[plane]].IsComputed;
+
+        internal override string PathOfComputed(int page) => StreamsComputed ? m_folder.PathOfComputed(page) : null;
+
+        internal override RemoteFile RemoteOfComputed(int page) => StreamsComputed ? m_folder.RemoteOfComputed(page) : null;
+
+        // They are the last.
+        bool StreamsComputed => IsComputed(m_planes.Length - 1);
+
         internal override bool IsChecked(int page, int node, int plane) =>
             m_checked[page] != null && CheckedPlanes.Has(m_checked[page], BitOf(node, plane));
 
@@ -92,6 +101,7 @@ namespace FastPoints.Streaming
             m_folder.DropTail();
             RemoteOfTable(page)?.DropCached();
             RemoteOf(page)?.DropCached();
+            RemoteOfComputed(page)?.DropCached();
             Doubt();
         }
 

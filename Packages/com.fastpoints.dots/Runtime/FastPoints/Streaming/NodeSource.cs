@@ -46,6 +46,13 @@ namespace FastPoints.Streaming
         /// <summary>The file that holds the planes of a page's nodes.</summary>
         public abstract string PathOf(int page);
 
+        // Whether a streamed plane was computed later: it lies in another file.
+        internal virtual bool IsComputed(int plane) => false;
+
+        internal virtual string PathOfComputed(int page) => null;
+
+        internal virtual RemoteFile RemoteOfComputed(int page) => null;
+
         internal abstract FilePiece TableOf(int page);
 
         // The bytes of a page, if they are in memory.

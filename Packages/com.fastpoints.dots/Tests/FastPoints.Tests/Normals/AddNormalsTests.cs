@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using FastPoints.Build;
+using FastPoints.Drawing;
 using FastPoints.Export;
 using FastPoints.Reading;
 using FastPoints.Sources;

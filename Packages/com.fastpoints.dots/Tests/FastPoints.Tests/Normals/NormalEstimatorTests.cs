@@ -2,10 +2,11 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using FastPoints.Build;
+using FastPoints.Drawing;
 using NUnit.Framework;
+using Random = Unity.Mathematics.Random;
 using Unity.Collections;
 using Unity.Mathematics;
-using Random = Unity.Mathematics.Random;
 
 namespace FastPoints.Tests
 {

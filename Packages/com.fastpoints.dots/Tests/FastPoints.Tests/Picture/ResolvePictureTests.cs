@@ -79,7 +79,7 @@ namespace FastPoints.Tests.Picture
 
         /// <summary>The light on white pixels of a plane, by the middle one: share 1, from the left, above and behind the
         /// viewer, nothing from the sky.</summary>
-        static float LightOnPlane(float3 normal, bool isOrthographic, int lastColumn = Edge)
+        static float LightOnPlane(float3 normal, bool isOrthographic, int lastColumn = Edge, float distance = 500)
         {
             using var pixels = new NativeArray<ulong>(Edge * Edge, Allocator.Persistent);
             using var colors = new NativeArray<uint>(Edge * Edge, Allocator.Persistent);
@@ -95,10 +95,10 @@ namespace FastPoints.Tests.Picture
             };
             for (int i = 0; i < Edge * Edge; i++)
             {
-                // The plane through (0, 0, 500).
+                // The plane through (0, 0, distance).
                 var across = places.First + places.StepX * (i % Edge) + places.StepY * (i / Edge);
-                float depth = isOrthographic ? 500 - (normal.x * across.x + normal.y * across.y) / normal.z
-                    : 500 * normal.z / math.dot(normal, across + places.Forward);
+                float depth = isOrthographic ? distance - (normal.x * across.x + normal.y * across.y) / normal.z
+                    : distance * normal.z / math.dot(normal, across + places.Forward);
                 depth += i % Edge > lastColumn ? 100 : 0;
                 keys[i] = PointDrawing.KeyOf(depth, 1, PointLight.Parts, 0xFFFFFF);
             }
@@ -120,6 +120,26 @@ namespace FastPoints.Tests.Picture
             var normal = math.normalize(new float3(x, y, -1));
             float expected = math.max(0, math.dot(normal, math.normalize(new float3(-1, 1, -2))));
             Assert.That(LightOnPlane(normal, isOrthographic), Is.EqualTo(expected).Within(0.01));
+        }
+
+        /// <summary>A micrometre from the eye, or as far as the sun. Where squares of lengths leave single precision, it is a
+        /// pixel without a normal: half of the light.</summary>
+        [TestCase(1e-15f, true)]
+        [TestCase(1e-6f, false), TestCase(0.1f, false), TestCase(1e7f, false), TestCase(1.5e11f, false)]
+        [TestCase(1e30f, true)]
+        public void Resolve_LitPlaneAtAnyDistance_IsAsBrightAsItsAngle(float distance, bool isLost)
+        {
+            var normal = math.normalize(new float3(-0.5f, 0.3f, -1));
+            float expected = isLost ? 0.5f : math.dot(normal, math.normalize(new float3(-1, 1, -2)));
+            Assert.That(LightOnPlane(normal, false, Edge, distance), Is.EqualTo(expected).Within(0.01));
+        }
+
+        /// <summary>Seen along itself, as steep as depths can be: the light is one that a surface can have.</summary>
+        [TestCase(true), TestCase(false)]
+        public void Resolve_LitPlaneSeenAlongItself_HasALight(bool isOrthographic)
+        {
+            foreach (float x in new[] { 1e2f, 1e3f, 1e4f, 1e6f })
+                Assert.That(LightOnPlane(math.normalize(new float3(-x, 0.5f * x, -1)), isOrthographic), Is.InRange(0f, 1f));
         }
 
         /// <summary>A surface far behind begins beside the pixel: the other side counts.</summary>

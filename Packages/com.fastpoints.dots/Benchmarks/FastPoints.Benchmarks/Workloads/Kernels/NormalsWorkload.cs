@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using FastPoints.Build;
+using FastPoints.Drawing;
 using Unity.Collections;
 using Unity.Mathematics;
 

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Text;
+using FastPoints.Drawing;
 using FastPoints.Reading;
 using FastPoints.Store;
 using Unity.Collections;

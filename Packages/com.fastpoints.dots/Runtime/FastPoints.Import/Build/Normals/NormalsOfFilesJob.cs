@@ -1,3 +1,4 @@
+using FastPoints.Drawing;
 using Unity.Burst;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;

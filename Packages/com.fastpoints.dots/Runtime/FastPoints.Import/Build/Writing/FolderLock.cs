@@ -35,12 +35,7 @@ namespace FastPoints.Build
         readonly string m_owner;
         DateTime m_renewed;
 
-        FolderLock(string path, string owner)
-        {
-            m_path = path;
-            m_owner = owner;
-            m_renewed = DateTime.UtcNow;
-        }
+        FolderLock(string path, string owner) => (m_path, m_owner, m_renewed) = (path, owner, DateTime.UtcNow);
 
         /// <summary>Whether the lock still belongs to this owner, according to the file.</summary>
         public bool IsHeld
@@ -68,7 +63,7 @@ namespace FastPoints.Build
             TryTake(path, Environment.MachineName, Self(), out taken);
 
         /// <summary>The same on behalf of another process or machine.</summary>
-        /// <param name="process">The number of the process, and when it began in ticks of UTC.</param>
+        /// <param name="process">Its number, and when it began in ticks of UTC.</param>
         public static string TryTake(string path, string machine, (int Id, long Began) process, out FolderLock taken)
         {
             taken = null;
@@ -153,9 +148,8 @@ namespace FastPoints.Build
             try
             {
                 // Shared: .NET creates a file before it locks it, so that a reader could keep it from its creator.
-                using (var file = FileChanges.CreateShared(path))
-                using (var writer = new StreamWriter(file))
-                    writer.Write(owner);
+                using var writer = new StreamWriter(FileChanges.CreateShared(path));
+                writer.Write(owner);
                 return true;
             }
             catch (IOException e) when (FileFailures.WriteFailure(path, e).Code == FailureCode.WriteFailed)
@@ -193,7 +187,8 @@ namespace FastPoints.Build
         static bool IsStale(string path, string owner, string machine)
         {
             string[] lines = owner.Split('\n');
-            if (lines.Length < 3 || lines[^1].Length > 0 || !int.TryParse(lines[1], NumberStyles.None, CultureInfo.InvariantCulture, out int id) ||
+            if (lines.Length < 3 || lines[^1].Length > 0 ||
+                !int.TryParse(lines[1], NumberStyles.None, CultureInfo.InvariantCulture, out int id) ||
                 !long.TryParse(lines[2], NumberStyles.None, CultureInfo.InvariantCulture, out long began))
             {
                 // It is half-written: its writer completes it at once.

@@ -13,9 +13,7 @@ namespace FastPoints.Streaming
     {
         public const int TableRank = -1; // Before all nodes: none is known until its table is read.
 
-        readonly StreamState m_state;
         NativeArray<byte> m_bytes;
-        NativeList<ReadCommand> m_commands = new NativeList<ReadCommand>(64, Allocator.Persistent);
         NativeList<FetchPart> m_parts = new NativeList<FetchPart>(256, Allocator.Persistent);
         NativeList<FetchPart> m_sorted = new NativeList<FetchPart>(256, Allocator.Persistent);
         NativeList<FetchedNode> m_nodes = new NativeList<FetchedNode>(64, Allocator.Persistent);
@@ -24,15 +22,15 @@ namespace FastPoints.Streaming
         NativeList<long> m_offsets = new NativeList<long>(256, Allocator.Persistent);
         NativeReference<HierarchyPage> m_built = new NativeReference<HierarchyPage>(Allocator.Persistent);
         NativeReference<TableProblem> m_problem = new NativeReference<TableProblem>(Allocator.Persistent);
-        ReadHandle m_read;
         JobHandle m_building;
         NodeTranscoder m_transcoder;
         long m_readBytes;
 
-        public NodeFetch(StreamState state) => m_state = state;
+        // A table, or planes that the cloud was built with, and planes that were computed later.
+        readonly FetchRead m_main;
+        readonly FetchRead m_computed;
 
-        // What reads, where the file is on a web server.
-        public RemoteRead Remote { get; private set; }
+        public NodeFetch(StreamState state) => (m_main, m_computed) = (new FetchRead(state), new FetchRead(state));
 
         public FetchPhase Phase { get; private set; }
         public long SequenceNumber { get; private set; }
@@ -45,8 +43,8 @@ namespace FastPoints.Streaming
         public int FirstWaiting { get; set; }
         public bool IsBeingCopied { get; set; }
 
-        // Of the last read of a remote file.
-        public PointCloudException Failure { get; private set; }
+        // Of the file whose read has not ended well.
+        public FetchRead Failed => m_main.HasFailed ? m_main : m_computed;
 
         public NativeArray<FetchedNode> Nodes => m_nodes.AsArray();
 
@@ -65,8 +63,9 @@ namespace FastPoints.Streaming
                 Build();
                 return;
             }
-            m_commands.Add(new ReadCommand { Offset = piece.OffsetBytes, Size = piece.LengthBytes });
-            Read(piece.Path, rank);
+            m_main.Add(piece.OffsetBytes, piece.LengthBytes, 0);
+            m_main.Begin(cloud, piece.Path, cloud.Source.RemoteOfTable(page), rank, (byte*)m_bytes.GetUnsafePtr());
+            Phase = FetchPhase.Reading;
         }
 
         // Begins an empty read: Add some nodes, then call ReadNodes.
@@ -95,6 +94,7 @@ namespace FastPoints.Streaming
                     LengthBytes = range.LengthBytes,
                     Node = m_nodes.Length,
                     Plane = p,
+                    IsComputed = Cloud.Source.IsComputed(p),
                 });
             }
             m_nodes.Add(node);
@@ -104,7 +104,9 @@ namespace FastPoints.Streaming
         // are sent for. Of those, the lowest rank comes first.
         public void ReadNodes(int gapBytes, int rank)
         {
-            if (Cloud.Source.RemoteOf(Page) != null)
+            var source = Cloud.Source;
+            var remote = source.RemoteOf(Page);
+            if (remote != null)
                 gapBytes = 0;
             SortParts();
             m_offsets.ResizeUninitialized(m_parts.Length);
@@ -112,32 +114,30 @@ namespace FastPoints.Streaming
             for (int i = 0; i < m_parts.Length; i++)
             {
                 var part = m_parts[i];
-                long end = part.OffsetBytes + part.LengthBytes;
-                int last = m_commands.Length - 1;
-                long lastEnd = last < 0 ? 0 : m_commands[last].Offset + m_commands[last].Size;
-                if (last >= 0 && part.OffsetBytes >= lastEnd && part.OffsetBytes - lastEnd <= gapBytes)
-                {
-                    total += end - lastEnd;
-                    m_commands.ElementAt(last).Size += end - lastEnd;
-                }
-                else
-                {
-                    m_commands.Add(new ReadCommand { Offset = part.OffsetBytes, Size = part.LengthBytes });
-                    total += part.LengthBytes;
-                }
-                m_offsets[part.Node * Cloud.Source.Planes.Length + part.Plane] = total - part.LengthBytes;
+                total += (part.IsComputed ? m_computed : m_main).Add(part.OffsetBytes, part.LengthBytes, gapBytes);
+                m_offsets[part.Node * source.Planes.Length + part.Plane] = total - part.LengthBytes;
             }
             Reserve(total);
-            Read(Cloud.Source.PathOf(Page), rank);
+            byte* to = m_main.Begin(Cloud, source.PathOf(Page), remote, rank, (byte*)m_bytes.GetUnsafePtr());
+            if (m_parts[m_parts.Length - 1].IsComputed)
+                m_computed.Begin(Cloud, source.PathOfComputed(Page), source.RemoteOfComputed(Page), rank, to);
+            Phase = FetchPhase.Reading;
+        }
+
+        public void SetRank(int rank)
+        {
+            m_main.SetRank(rank);
+            m_computed.SetRank(rank);
         }
 
         // The read continues until it reports its end.
         public void Cancel()
         {
-            if (Phase == FetchPhase.Reading && !IsCancelled && Remote != null)
-                Remote.Cancel();
-            else if (Phase == FetchPhase.Reading && !IsCancelled)
-                m_read.Cancel();
+            if (Phase == FetchPhase.Reading && !IsCancelled)
+            {
+                m_main.Cancel();
+                m_computed.Cancel();
+            }
             else if (Phase == FetchPhase.Transcoding)
                 m_transcoder.Cancel();
             IsCancelled = true;
@@ -145,31 +145,12 @@ namespace FastPoints.Streaming
 
         public bool TryEndRead(out ReadStatus status, out long bytes)
         {
-            status = default;
             bytes = m_readBytes;
-            if (Remote != null)
-                return TryEndRemote(out status);
-            // Its status is not enough: a read that waits for its file has one that the enum lacks.
-            if (!JobCoroutine.HasEnded(m_read.JobHandle))
-                return false;
-            m_read.JobHandle.Complete();
-            status = m_read.Status;
-            m_read.Dispose();
-            m_read = default;
-            Phase = FetchPhase.Arrived;
-            return true;
-        }
-
-        bool TryEndRemote(out ReadStatus status)
-        {
-            status = default;
-            if (!Remote.IsDone)
-                return false;
-            Failure = Remote.Failure;
-            status = Remote.IsCancelled ? ReadStatus.Canceled : Failure != null ? ReadStatus.Failed : ReadStatus.Complete;
-            Remote = null;
-            Phase = FetchPhase.Arrived;
-            return true;
+            bool hasEnded = m_main.HasEnded() & m_computed.HasEnded();
+            status = Failed.Status;
+            if (hasEnded)
+                Phase = FetchPhase.Arrived;
+            return hasEnded;
         }
 
         public bool TryEndTranscoding(out TranscodeResult outcome, out StreamFailure failure, out long bytes)
@@ -245,15 +226,10 @@ namespace FastPoints.Streaming
 
         public void Abandon()
         {
-            if (Phase == FetchPhase.Reading && Remote != null)
+            if (Phase == FetchPhase.Reading)
             {
-                Remote.Cancel();
-                Remote = null;
-            }
-            else if (Phase == FetchPhase.Reading)
-            {
-                m_read.JobHandle.Complete();
-                m_read.Dispose();
+                m_main.Abandon();
+                m_computed.Abandon();
             }
             else if (Phase == FetchPhase.Building)
             {
@@ -272,12 +248,13 @@ namespace FastPoints.Streaming
 
         public void Dispose()
         {
-            if (!m_commands.IsCreated)
+            if (!m_parts.IsCreated)
                 return;
             Abandon();
             if (m_bytes.IsCreated)
                 m_bytes.Dispose();
-            m_commands.Dispose();
+            m_main.Dispose();
+            m_computed.Dispose();
             m_parts.Dispose();
             m_sorted.Dispose();
             m_nodes.Dispose();
@@ -289,7 +266,7 @@ namespace FastPoints.Streaming
         // Of a page that was read.
         public NativeArray<byte> Table => m_readBytes > 0 ? m_bytes.GetSubArray(0, (int)m_readBytes) : default;
 
-        // By offset in the file: a stable merge sort.
+        // By file and offset in it: a stable merge sort.
         void SortParts()
         {
             int count = m_parts.Length;
@@ -301,7 +278,7 @@ namespace FastPoints.Streaming
                 {
                     int middle = Math.Min(begin + width, count), end = Math.Min(begin + 2 * width, count);
                     for (int a = begin, b = middle, at = begin; at < end; at++)
-                        to[at] = b >= end || (a < middle && from[a].OffsetBytes <= from[b].OffsetBytes) ? from[a++] : from[b++];
+                        to[at] = b >= end || (a < middle && !from[b].IsBefore(from[a])) ? from[a++] : from[b++];
                 }
                 var swapped = from;
                 from = to;
@@ -320,8 +297,8 @@ namespace FastPoints.Streaming
             IsCancelled = false;
             FirstWaiting = 0;
             m_readBytes = 0;
-            Failure = null;
-            m_commands.Clear();
+            m_main.Clear();
+            m_computed.Clear();
             m_parts.Clear();
             m_nodes.Clear();
         }
@@ -336,23 +313,6 @@ namespace FastPoints.Streaming
                     NativeArrayOptions.UninitializedMemory);
             }
             m_readBytes = bytes;
-        }
-
-        void Read(string path, int rank)
-        {
-            byte* to = (byte*)m_bytes.GetUnsafePtr();
-            for (int i = 0; i < m_commands.Length; i++)
-            {
-                m_commands.ElementAt(i).Buffer = to;
-                to += m_commands[i].Size;
-            }
-            var remote = IsTable ? Cloud.Source.RemoteOfTable(Page) : Cloud.Source.RemoteOf(Page);
-            if (remote != null)
-                Remote = remote.Begin(m_commands.GetUnsafePtr(), m_commands.Length, rank);
-            else
-                m_read = m_state.Files.Read(Cloud, path, m_state.Selector.Frame, m_commands.GetUnsafePtr(),
-                    m_commands.Length);
-            Phase = FetchPhase.Reading;
         }
     }
 
@@ -372,6 +332,10 @@ namespace FastPoints.Streaming
         public long LengthBytes;
         public int Node;
         public int Plane;
+        public bool IsComputed;
+
+        public readonly bool IsBefore(in FetchPart other) =>
+            IsComputed != other.IsComputed ? other.IsComputed : OffsetBytes < other.OffsetBytes;
     }
 
     // Its slot shows whether it is still wanted.
@@ -380,5 +344,124 @@ namespace FastPoints.Streaming
         public int Node;
         public int Slot;
         public int Version;
+    }
+
+    // What a fetch reads of one file, here or on a web server, in as few pieces as possible. Main thread.
+    internal sealed unsafe class FetchRead : IDisposable
+    {
+        readonly StreamState m_state;
+        NativeList<ReadCommand> m_commands = new NativeList<ReadCommand>(64, Allocator.Persistent);
+        ReadHandle m_read;
+        RemoteRead m_remote;
+        bool m_isReading;
+        ReadStatus m_status;
+
+        public FetchRead(StreamState state) => m_state = state;
+
+        public string Path { get; private set; }
+
+        // Of the last read of a remote file.
+        public PointCloudException Failure { get; private set; }
+
+        public bool HasFailed => m_status != ReadStatus.Complete;
+
+        public ReadStatus Status => m_status;
+
+        public void Clear()
+        {
+            m_commands.Clear();
+            (Path, Failure, m_status) = (null, null, ReadStatus.Complete);
+        }
+
+        // Of pieces in the order of their offsets. Those that are no farther apart than the gap are read as one. Returns the
+        // bytes that are read more than before; the piece is at their end.
+        public long Add(long offset, long bytes, long gap)
+        {
+            int last = m_commands.Length - 1;
+            long lastEnd = last < 0 ? 0 : m_commands[last].Offset + m_commands[last].Size;
+            if (last < 0 || offset < lastEnd || offset - lastEnd > gap)
+            {
+                m_commands.Add(new ReadCommand { Offset = offset, Size = bytes });
+                return bytes;
+            }
+            m_commands.ElementAt(last).Size += offset + bytes - lastEnd;
+            return offset + bytes - lastEnd;
+        }
+
+        // Returns the end of what is read.
+        public byte* Begin(StreamedCloud cloud, string path, RemoteFile remote, int rank, byte* to)
+        {
+            if (m_commands.Length == 0)
+                return to;
+            Path = path;
+            for (int i = 0; i < m_commands.Length; i++)
+            {
+                m_commands.ElementAt(i).Buffer = to;
+                to += m_commands[i].Size;
+            }
+            if (remote != null)
+                m_remote = remote.Begin(m_commands.GetUnsafePtr(), m_commands.Length, rank);
+            else
+                m_read = m_state.Files.Read(cloud, path, m_state.Selector.Frame, m_commands.GetUnsafePtr(), m_commands.Length);
+            m_isReading = true;
+            return to;
+        }
+
+        public void SetRank(int rank)
+        {
+            if (m_remote != null)
+                m_remote.Rank = rank;
+        }
+
+        // The read continues until it reports its end.
+        public void Cancel()
+        {
+            if (m_remote != null)
+                m_remote.Cancel();
+            else if (m_isReading)
+                m_read.Cancel();
+        }
+
+        public bool HasEnded()
+        {
+            if (!m_isReading)
+                return true;
+            // Its status is not enough: a read that waits for its file has one that the enum lacks.
+            if (m_remote != null ? !m_remote.IsDone : !JobCoroutine.HasEnded(m_read.JobHandle))
+                return false;
+            if (m_remote != null)
+            {
+                Failure = m_remote.Failure;
+                m_status = m_remote.IsCancelled ? ReadStatus.Canceled : Failure != null ? ReadStatus.Failed : ReadStatus.Complete;
+                m_remote = null;
+            }
+            else
+            {
+                m_read.JobHandle.Complete();
+                m_status = m_read.Status;
+                m_read.Dispose();
+                m_read = default;
+            }
+            m_isReading = false;
+            return true;
+        }
+
+        // Waits for a file of this machine.
+        public void Abandon()
+        {
+            if (m_remote != null)
+            {
+                m_remote.Cancel();
+                m_remote = null;
+            }
+            else if (m_isReading)
+            {
+                m_read.JobHandle.Complete();
+                m_read.Dispose();
+            }
+            m_isReading = false;
+        }
+
+        public void Dispose() => m_commands.Dispose();
     }
 }

@@ -266,8 +266,7 @@ namespace FastPoints.Streaming
                 else
                     rank = Math.Min(rank, m_state.Cache[node.Slot].Rank);
             }
-            if (fetch.Remote != null)
-                fetch.Remote.Rank = rank;
+            fetch.SetRank(rank);
             if (rank == int.MaxValue)
                 fetch.Cancel();
         }
@@ -283,8 +282,8 @@ namespace FastPoints.Streaming
             if (status != ReadStatus.Complete)
             {
                 var source = fetch.Cloud.Source;
-                string path = fetch.IsTable ? source.TableOf(fetch.Page).Path : source.PathOf(fetch.Page);
-                var failure = fetch.Failure;
+                string path = fetch.Failed.Path;
+                var failure = fetch.Failed.Failure;
                 m_state.Files.Close(fetch.Cloud, path);
                 Drop(fetch, page);
                 if (failure != null)

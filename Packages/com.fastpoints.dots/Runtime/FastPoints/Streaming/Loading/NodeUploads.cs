@@ -99,20 +99,20 @@ namespace FastPoints.Streaming
             m_copied.Clear();
             for (int part = 0, upload = 0; upload < m_slots.Length; upload++)
             {
-                bool isDamaged = false;
+                int damaged = -1;
                 var node = m_state.Cache[m_slots[upload]];
                 var source = m_state.Clouds[node.Cloud].Source;
                 for (int plane = 0; part < m_parts.Length && m_parts[part].Upload == upload; part++, plane++)
                 {
-                    isDamaged |= m_isDamaged[part];
+                    damaged = m_isDamaged[part] ? plane : damaged;
                     stats.UploadedBytes += m_parts[part].LengthBytes;
                     if (m_parts[part].Check == UploadCheck.Hash && !m_isDamaged[part])
                         source.SetChecked(node.Page, node.Node, plane);
                 }
                 stats.UploadedNodes++;
                 m_state.Cache.SetPhase(m_slots[upload], CachePhase.Resident);
-                if (isDamaged)
-                    m_state.DropDamaged(m_slots[upload]);
+                if (damaged >= 0)
+                    m_state.DropDamaged(m_slots[upload], damaged);
             }
         }
 

@@ -74,12 +74,14 @@ namespace FastPoints.Streaming
         }
 
         // Its bytes differ from those written: it is retried, then reported and left as a hole.
-        public void DropDamaged(int slot)
+        public void DropDamaged(int slot, int plane)
         {
             var node = Cache[slot];
             var cloud = Clouds[node.Cloud];
-            DropDamaged(slot, new StreamFailure(cloud.Source.PathOf(node.Page),
-                cloud.RangeOf(node.Page, node.Node, 0).OffsetBytes, "node " + node.Node + " is damaged"));
+            var source = cloud.Source;
+            string path = source.IsComputed(plane) ? source.PathOfComputed(node.Page) : source.PathOf(node.Page);
+            DropDamaged(slot, new StreamFailure(path, cloud.RangeOf(node.Page, node.Node, plane).OffsetBytes,
+                "node " + node.Node + " is damaged"));
         }
 
         public void DropDamaged(int slot, in StreamFailure failure)
@@ -91,6 +93,8 @@ namespace FastPoints.Streaming
             cloud.Source.Distrust(node.Page);
             if (!cloud.Source.TranscodesNodes)
                 Files.Close(cloud, cloud.Source.PathOf(node.Page));
+            if (cloud.Source.PathOfComputed(node.Page) is string computed)
+                Files.Close(cloud, computed);
             if (cloud.IsRemoving || ++state->Failures < Settings.MaxTries)
                 return;
             state->Failures = NodeState.IsHole;

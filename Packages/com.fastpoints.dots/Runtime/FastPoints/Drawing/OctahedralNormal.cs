@@ -1,6 +1,6 @@
 using Unity.Mathematics;
 
-namespace FastPoints.Build
+namespace FastPoints.Drawing
 {
     /// <summary>A unit vector as two bytes: the octahedron that it points through, unfolded into a square (Meyer et al., On
     /// Floating-Point Normal Vectors, 2010). 128 is the middle of both, and 0 stands for no normal.</summary>
