@@ -11,19 +11,6 @@ using Unity.Mathematics;
 
 namespace FastPoints.Build
 {
-    /// <summary>How normals are made.</summary>
-    internal sealed class NormalSettings
-    {
-        public int Neighbours = 16;
-
-        /// <summary>Cubes that are worked on at once are cut until they have no more, but for what upper nodes have
-        /// there.</summary>
-        public long PointsPerCube = 600_000;
-
-        /// <summary>The most workers to keep busy, 0 for all; may change meanwhile.</summary>
-        public Func<int> Workers = () => 0;
-    }
-
     /// <summary>Computes the normals of a converted cloud's points, and stores them in containers beside those of the points. Of
     /// what is there pages alone are written anew, under a new name, and cloud.json last: until then, also if it is stopped, the
     /// cloud is as it was.</summary>

@@ -134,10 +134,7 @@ namespace FastPoints.Build
         public OffsetSums Sum(float3 q, int limit, int count)
         {
             float* sums = stackalloc float[Sums * Lanes];
-            if (X86.Avx2.IsAvx2Supported)
-                SumLanes(q, limit, sums);
-            else
-                SumLanesPlain(q, limit, sums);
+            SumLanes(q, limit, sums);
             return Total(sums, count);
         }
 
@@ -151,6 +148,11 @@ namespace FastPoints.Build
 
         void SumLanes(float3 q, int limit, float* sums)
         {
+            if (!X86.Avx2.IsAvx2Supported)
+            {
+                SumLanesPlain(q, limit, sums);
+                return;
+            }
             v256 qx = X86.Avx.mm256_set1_ps(q.x), qy = X86.Avx.mm256_set1_ps(q.y), qz = X86.Avx.mm256_set1_ps(q.z);
             var limits = X86.Avx.mm256_set1_epi32(limit);
             v256 x = X86.Avx.mm256_set1_ps(0), y = x, z = x, xx = x, yy = x, zz = x, xy = x, xz = x, yz = x;

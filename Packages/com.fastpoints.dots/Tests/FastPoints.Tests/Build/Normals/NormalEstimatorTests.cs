@@ -8,7 +8,7 @@ using Random = Unity.Mathematics.Random;
 using Unity.Collections;
 using Unity.Mathematics;
 
-namespace FastPoints.Tests
+namespace FastPoints.Tests.Build
 {
     public class NormalEstimatorTests
     {

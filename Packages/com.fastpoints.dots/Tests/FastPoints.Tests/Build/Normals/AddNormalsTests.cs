@@ -12,7 +12,7 @@ using NUnit.Framework;
 using Unity.Collections;
 using Unity.Mathematics;
 
-namespace FastPoints.Tests
+namespace FastPoints.Tests.Build
 {
     public class AddNormalsTests : FolderTests
     {
