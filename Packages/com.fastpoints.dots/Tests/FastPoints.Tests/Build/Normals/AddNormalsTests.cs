@@ -121,6 +121,24 @@ namespace FastPoints.Tests.Build
             Assert.That(Directory.GetFiles(Cloud, "hierarchy*").Length, Is.EqualTo(1));
         }
 
+        /// <summary>Containers of jobs in flight must not be freed.</summary>
+        [Test]
+        public void Run_CancelledAnywhere_AwaitsItsJobs([Values(false, true)] bool ofFiles)
+        {
+            Convert(10000, 5, ofFiles ? InwardsOrNone : (Func<double3, int, double3>)((_, _) => 0));
+            bool isDone = false;
+            for (int stop = 1; !isDone; stop += 1 + stop / 4)
+            {
+                using var work = new CoroutineStack(AddNormals.Run(Cloud, new NormalSettings(), null, null));
+                for (int step = 0; step < stop && !isDone; step++)
+                {
+                    work.Current.Complete();
+                    isDone = !work.MoveNext();
+                }
+            }
+            Assert.That(Problems(), Is.Empty);
+        }
+
         [TestCase("layers")]
         [TestCase("hierarchy-2.bin")]
         public void Verify_DamagedNormals_AreFound(string where)
