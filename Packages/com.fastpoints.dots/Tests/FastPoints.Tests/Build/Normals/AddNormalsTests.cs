@@ -127,10 +127,12 @@ namespace FastPoints.Tests.Build
         {
             Convert(10000, 5, ofFiles ? InwardsOrNone : (Func<double3, int, double3>)((_, _) => 0));
             bool isDone = false;
-            for (int stop = 1; !isDone; stop += 1 + stop / 4)
+            // Without workers a job is in flight until it is awaited.
+            using var workers = new WorkerCount(0);
+            for (int stop = 1; !isDone; stop++)
             {
                 using var work = new CoroutineStack(AddNormals.Run(Cloud, new NormalSettings(), null, null));
-                for (int step = 0; step < stop && !isDone; step++)
+                for (int jobs = 0; jobs < stop && !isDone; jobs += work.Current.Equals(default) ? 0 : 1)
                 {
                     work.Current.Complete();
                     isDone = !work.MoveNext();
