@@ -131,7 +131,7 @@ namespace FastPoints.Tests.Build
             using var workers = new WorkerCount(0);
             for (int stop = 1; !isDone; stop++)
             {
-                using var work = new CoroutineStack(AddNormals.Run(Cloud, new NormalSettings(), null, null));
+                using var work = new CoroutineStack(AddNormals.Run(Cloud, null, null, null));
                 for (int jobs = 0; jobs < stop && !isDone; jobs += work.Current.Equals(default) ? 0 : 1)
                 {
                     work.Current.Complete();
@@ -340,7 +340,7 @@ namespace FastPoints.Tests.Build
         }
 
         void Run(NormalSettings settings = null) =>
-            JobCoroutine.RunToEnd(AddNormals.Run(Cloud, settings ?? new NormalSettings(), null, null));
+            JobCoroutine.RunToEnd(AddNormals.Run(Cloud, settings, null, null));
 
         void Export(string path)
         {
