@@ -162,6 +162,47 @@ public sealed class GpuPictureTests : GraphicsFixture
             2 * streams.Ranges.Robust.Size.y), name + "-flat", 1, canCompute ? 0 : 200);
     }
 
+    /// <summary>A point light, a cone and a second sun, beside the main one.</summary>
+    [Test]
+    public void Draw_Lamps_MatchesTheSoftwareRasterizer()
+    {
+        var options = Options(5, true);
+        options.LightShare = 1;
+        using var streams = new TwinStreams(m_demo, options, Points);
+        var camera = streams.Plan.Camera;
+        var center = streams.Ranges.Robust.Center;
+        var size = (float3)streams.Ranges.Robust.Size;
+        float3 middle = (float3)center, eye = (float3)camera.EyeGeo;
+        float sizeSq = math.lengthsq(size);
+        var light = streams.Plan.Light;
+        light.Color = 0.3f;
+        streams.Light(light);
+        var unlit = streams.Draw(camera).Gpu;
+        light.Add(new PointLamp
+        {
+            Place = middle + size / 4,
+            Color = new float3(sizeSq / 8, 0, 0),
+            OneOverRangeSq = 4 / sizeSq,
+            ConeOffset = 1,
+        }, eye);
+        light.Add(new PointLamp
+        {
+            Place = middle + new float3(0, 0, size.x / 2),
+            Color = new float3(0, sizeSq / 8, 0),
+            OneOverRangeSq = 1 / sizeSq,
+            Axis = new float3(0, 0, 1),
+            ConeScale = 3,
+            ConeOffset = -2,
+        }, eye);
+        light.Add(new PointLamp { Place = new float3(1, 0, 0), Color = new float3(0, 0, 0.5f), ConeOffset = 1 }, eye);
+        streams.Light(light);
+        Compare(streams, camera, "lamps", 1);
+        var lit = streams.Draw(camera).Gpu;
+        for (int channel = 0; channel < 3; channel++)
+            Assert.That(Enumerable.Range(0, 320 * 180).Count(i => lit.Rgba[4 * i + channel] > unlit.Rgba[4 * i + channel] + 8),
+                Is.GreaterThan(300), "channel " + channel);
+    }
+
     [Test]
     public void Draw_OneCloudOfTwoLit_LeavesTheOther()
     {

@@ -11,6 +11,7 @@ sealed class TwinStreams : IDisposable
     readonly FlightRenderer m_cpuPicture;
     readonly FlightRenderer m_gpuPicture;
     readonly PictureOptions m_options;
+    readonly List<PicturePlan> m_plans = [];
     bool m_isFading;
 
     public TwinStreams(string cloud, PictureOptions options, long budget, Func<CloudPlacement, CloudPlacement> place = null,
@@ -40,6 +41,7 @@ sealed class TwinStreams : IDisposable
                 stream.Clouds[number].Placement = place(stream.Clouds[number].Placement);
             picture.Add(number, plan);
             Plan = plan;
+            m_plans.Add(plan);
             Ranges = ranges;
         }
     }
@@ -53,6 +55,8 @@ sealed class TwinStreams : IDisposable
 
     public PicturePlan Plan { get; private set; }
     public DisplayRanges Ranges { get; private set; }
+
+    public void Light(PointLight light) => m_plans.ForEach(plan => plan.Light = light);
 
     public void Clip()
     {

@@ -183,7 +183,8 @@ FastPointsComposed FastPointsComposeFragment(FastPointsPlace place)
 #if defined(FASTPOINTS_LIT)
     int litParts = FastPointsLitPartsOf(color);
     if (litParts != 0)
-        color.xyz = FastPointsLit(color.xyz, float(litParts) / 7.0, FastPointsNormalAt(pixel, depth.x, radius));
+        color.xyz = FastPointsLit(color.xyz, float(litParts) / 7.0, FastPointsNormalAt(pixel, depth.x, radius),
+            FastPointsPlaceOf(pixel, depth.x));
 #endif
     color.xyz *= exp(-_FastPointsEdlStrength * before / 8.0);
     FastPointsComposed composed;

@@ -18,6 +18,12 @@ float4x4 _FastPointsAmbient;
 float3 _FastPointsLightDirection;
 float3 _FastPointsLightColor;
 
+// Rows: a lamp each, see PointLamp. Place, ConeOffset; Color, OneOverRangeSq; Axis, ConeScale.
+float4x4 _FastPointsLampPlaces;
+float4x4 _FastPointsLampColors;
+float4x4 _FastPointsLampAxes;
+int _FastPointsLampCount;
+
 float3 FastPointsPlaceOf(int2 pixel, float depth)
 {
     float3 across = _FastPointsPlaces[0].xyz + _FastPointsPlaces[1].xyz * float(pixel.x)
@@ -57,18 +63,38 @@ float3 FastPointsNormalAt(int2 pixel, float depth, int radius)
     return dot(normal, _FastPointsScalePx.y != 0.0 ? _FastPointsPlaces[3].xyz : place) > 0.0 ? -normal : normal;
 }
 
-float3 FastPointsLightOn(float3 normal)
+float FastPointsFacing(float3 normal, float3 direction)
+{
+    return dot(normal, normal) > 0.0 ? max(0.0, dot(normal, direction)) : FASTPOINTS_LIGHT_WITHOUT_NORMAL;
+}
+
+// PointLamp.On.
+float3 FastPointsLampOn(float4 lamp, float4 color, float4 axis, float3 normal, float3 place)
+{
+    float3 to = color.w > 0.0 ? lamp.xyz - place : lamp.xyz;
+    float distanceSq = max(6.1e-5, dot(to, to));
+    to *= rsqrt(distanceSq);
+    float fade = saturate(1.0 - distanceSq * color.w * distanceSq * color.w);
+    float cone = saturate(dot(axis.xyz, to) * axis.w + lamp.w);
+    float falloff = color.w > 0.0 ? fade * fade / distanceSq : 1.0;
+    return color.xyz * (falloff * cone * cone * FastPointsFacing(normal, to));
+}
+
+float3 FastPointsLightOn(float3 normal, float3 place)
 {
     float3 ambient = _FastPointsAmbient[3].xyz + _FastPointsAmbient[0].xyz * normal.x + _FastPointsAmbient[1].xyz * normal.y
         + _FastPointsAmbient[2].xyz * normal.z;
-    float main = dot(normal, normal) > 0.0 ? max(0.0, dot(normal, _FastPointsLightDirection)) : FASTPOINTS_LIGHT_WITHOUT_NORMAL;
-    return max(float3(0.0, 0.0, 0.0), ambient) + _FastPointsLightColor * main;
+    float3 light = max(float3(0.0, 0.0, 0.0), ambient)
+        + _FastPointsLightColor * FastPointsFacing(normal, _FastPointsLightDirection);
+    for (int i = 0; i < _FastPointsLampCount; i++)
+        light += FastPointsLampOn(_FastPointsLampPlaces[i], _FastPointsLampColors[i], _FastPointsLampAxes[i], normal, place);
+    return light;
 }
 
 // From sRGB to sRGB.
-float3 FastPointsLit(float3 color, float share, float3 normal)
+float3 FastPointsLit(float3 color, float share, float3 normal, float3 place)
 {
-    float3 lit = FastPointsLinearFromSrgb(color) * (1.0 - share + share * FastPointsLightOn(normal));
+    float3 lit = FastPointsLinearFromSrgb(color) * (1.0 - share + share * FastPointsLightOn(normal, place));
     return saturate(FastPointsSrgbFromLinear(lit));
 }
 

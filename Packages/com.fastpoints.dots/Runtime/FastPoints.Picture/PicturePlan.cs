@@ -40,7 +40,7 @@ namespace FastPoints.Picture
         public DisplayRanges Ranges => m_ranges;
         public float EdlStrength { get; }
         public int LitParts { get; } // Of PointLight.Parts.
-        public PointLight Light { get; }
+        public PointLight Light { get; set; }
         public Gradient Gradient => m_options.Gradient;
 
         public ClassMask HiddenClasses => m_options.HiddenClasses;
@@ -83,7 +83,7 @@ namespace FastPoints.Picture
             Projection = new PointProjection(camera, PositionTransform.Identity, canvas.WidthPx, canvas.HeightPx),
             Background = m_options.Background,
             EdlStrength = EdlStrength,
-            Light = Light,
+            Light = Light.From(camera.EyeGeo),
             Places = PlacesFor(camera, canvas.WidthPx, canvas.HeightPx),
             FillsHoles = m_options.FillsHoles,
         };

@@ -129,7 +129,8 @@ namespace FastPoints.Picture
                 HeightPx = Projection.HeightPx,
                 Places = Places,
             };
-            return 255 * Light.Lit(color / 255, parts, around.NormalAt(x, y, pixel));
+            var place = Places.Of(x, y, PointProjection.DepthFromBits((uint)(pixel >> 32)));
+            return 255 * Light.Lit(color / 255, parts, around.NormalAt(x, y, pixel), place);
         }
 
         static uint Darken(float3 color, float shade)

@@ -82,22 +82,36 @@ namespace FastPoints.Rendering
 
         void SetLight(in PointLight light, in PixelPlaces places)
         {
-            m_properties.SetMatrix(ShaderNames.Places, RowsOf(places.First, places.StepX, places.StepY, places.Forward));
-            m_properties.SetMatrix(ShaderNames.Ambient,
-                RowsOf(light.AmbientX, light.AmbientY, light.AmbientZ, light.AmbientAll));
+            m_properties.SetMatrix(ShaderNames.Places, RowsOf(VectorOf(places.First),
+                VectorOf(places.StepX), VectorOf(places.StepY), VectorOf(places.Forward)));
+            m_properties.SetMatrix(ShaderNames.Ambient, RowsOf(VectorOf(light.AmbientX), VectorOf(light.AmbientY),
+                VectorOf(light.AmbientZ), VectorOf(light.AmbientAll)));
             m_properties.SetVector(ShaderNames.LightDirection, VectorOf(light.Direction));
             m_properties.SetVector(ShaderNames.LightColor, VectorOf(light.Color));
+            m_properties.SetInteger(ShaderNames.LampCount, light.LampCount);
+            if (light.LampCount > 0)
+                SetLamps(light.Lamp0, light.Lamp1, light.Lamp2, light.Lamp3);
         }
 
-        static Vector4 VectorOf(float3 value) => new Vector4(value.x, value.y, value.z, 0);
+        void SetLamps(in PointLamp a, in PointLamp b, in PointLamp c, in PointLamp d)
+        {
+            m_properties.SetMatrix(ShaderNames.LampPlaces, RowsOf(VectorOf(a.Place, a.ConeOffset),
+                VectorOf(b.Place, b.ConeOffset), VectorOf(c.Place, c.ConeOffset), VectorOf(d.Place, d.ConeOffset)));
+            m_properties.SetMatrix(ShaderNames.LampColors, RowsOf(VectorOf(a.Color, a.OneOverRangeSq),
+                VectorOf(b.Color, b.OneOverRangeSq), VectorOf(c.Color, c.OneOverRangeSq), VectorOf(d.Color, d.OneOverRangeSq)));
+            m_properties.SetMatrix(ShaderNames.LampAxes, RowsOf(VectorOf(a.Axis, a.ConeScale), VectorOf(b.Axis, b.ConeScale),
+                VectorOf(c.Axis, c.ConeScale), VectorOf(d.Axis, d.ConeScale)));
+        }
 
-        static Matrix4x4 RowsOf(float3 row0, float3 row1, float3 row2, float3 row3)
+        static Vector4 VectorOf(float3 value, float w = 0) => new Vector4(value.x, value.y, value.z, w);
+
+        static Matrix4x4 RowsOf(Vector4 row0, Vector4 row1, Vector4 row2, Vector4 row3)
         {
             var rows = new Matrix4x4();
-            rows.SetRow(0, VectorOf(row0));
-            rows.SetRow(1, VectorOf(row1));
-            rows.SetRow(2, VectorOf(row2));
-            rows.SetRow(3, VectorOf(row3));
+            rows.SetRow(0, row0);
+            rows.SetRow(1, row1);
+            rows.SetRow(2, row2);
+            rows.SetRow(3, row3);
             return rows;
         }
 

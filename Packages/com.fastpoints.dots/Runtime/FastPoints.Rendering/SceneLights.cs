@@ -45,12 +45,25 @@ namespace FastPoints.Rendering
             if (main != null)
             {
                 light.Direction = DirectionOf(main.Value.localToWorldMatrix);
-                var color = VectorOf(main.Value.finalColor);
-                light.Color = IsLinear ? color : PointLight.LinearOf(color);
+                light.Color = ColorOf(main.Value.finalColor);
             }
             SetAmbient(ref light, RenderSettings.ambientProbe);
             return light;
         }
+
+        // From what URP gives its shaders: place (w: 0 for a direction), colour, 1 / range squared and the cone's scale and
+        // offset, the cone's axis.
+        public static PointLamp LampOf(Vector4 place, Vector4 color, Vector4 attenuation, Vector4 axis) => new PointLamp
+        {
+            Place = VectorOf(place),
+            Color = ColorOf(color),
+            OneOverRangeSq = place.w > 0 ? attenuation.x : 0,
+            Axis = VectorOf(axis),
+            ConeScale = attenuation.z,
+            ConeOffset = attenuation.w,
+        };
+
+        static float3 ColorOf(Vector4 color) => IsLinear ? VectorOf(color) : PointLight.LinearOf(VectorOf(color));
 
         static bool IsLinear => QualitySettings.activeColorSpace == ColorSpace.Linear;
 
@@ -71,6 +84,6 @@ namespace FastPoints.Rendering
         // Lights shine along their Z.
         static float3 DirectionOf(in Matrix4x4 toWorld) => -math.normalizesafe(VectorOf(toWorld.GetColumn(2)));
 
-        static float3 VectorOf(Vector4 value) => new float3(value.x, value.y, value.z);
+        public static float3 VectorOf(Vector4 value) => new float3(value.x, value.y, value.z);
     }
 }
