@@ -120,11 +120,14 @@ namespace FastPoints.Evaluation
             }
         }
 
-        internal JobHandle ScheduleDraw(DrawnBlocks drawn, in Camera camera, PictureCanvas canvas)
+        // isPixels: whatever size the points have.
+        internal JobHandle ScheduleDraw(DrawnBlocks drawn, in Camera camera, PictureCanvas canvas, bool isPixels = false)
         {
             var cloud = m_stream.Clouds[m_cloud];
             var drawing = DrawingFor(camera, canvas);
-            if (drawn.SizeNodes.Length > 0)
+            if (isPixels)
+                (drawing.IsWorldSize, drawing.LargestPx) = (false, 1);
+            else if (drawn.SizeNodes.Length > 0)
             {
                 drawing.IsWorldSize = true;
                 drawing.LargestPx = drawing.Size.MaxPx;

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using FastPoints.Drawing;
+using FastPoints.Streaming;
 using Unity.Mathematics;
 
 namespace FastPoints.Picture
@@ -77,6 +78,32 @@ namespace FastPoints.Picture
             };
         }
 
+        // The same for the light's depth map.
+        public PointDrawing ShadowDrawingOf(PointBatch batch, ShadowCanvas shadows)
+        {
+            var drawing = DrawingOf(batch, shadows.Canvas);
+            drawing.Projection = new PointProjection(shadows.Camera, m_transform, ShadowFrame.EdgePx, ShadowFrame.EdgePx);
+            (drawing.IsWorldSize, drawing.LargestPx) = (false, 1);
+            return drawing;
+        }
+
+        public bool HasShadows => m_options.Shadows && LitParts > 0;
+
+        public ShadowFrame NewShadowFrame() => new ShadowFrame(Light.Direction, m_ranges.LengthsPerUnit);
+
+        // Around what the camera sees; null without shadows.
+        public ShadowCanvas NewShadows()
+        {
+            if (!HasShadows)
+                return null;
+            var frame = NewShadowFrame();
+            var bounds = m_ranges.Robust;
+            frame.Add(Camera.ToStreamView(m_options.WidthPx, m_options.HeightPx),
+                new CloudPlacement(double3x3.identity, bounds.Center), 0, bounds.Size / 2);
+            frame.Fit();
+            return new ShadowCanvas(frame);
+        }
+
         // For a picture by any camera.
         public ResolvePictureJob ResolveFor(in Camera camera, PictureCanvas canvas) => new ResolvePictureJob
         {
@@ -84,6 +111,7 @@ namespace FastPoints.Picture
             Background = m_options.Background,
             EdlStrength = EdlStrength,
             Light = Light.From(camera.EyeGeo),
+            Shadows = canvas.Shadows?.MapFor(camera.EyeGeo) ?? default,
             Places = PlacesFor(camera, canvas.WidthPx, canvas.HeightPx),
             FillsHoles = m_options.FillsHoles,
         };

@@ -4,7 +4,7 @@ using Unity.Mathematics;
 namespace FastPoints.Drawing
 {
     // The light on a scene's points, linear, along the world's axes. A point of which a share is lit has the colour
-    //     albedo * (1 - share + share * (ambient(normal) + main * max(0, dot(normal, direction)) + lamps)).
+    //     albedo * (1 - share + share * (ambient(normal) + main * max(0, dot(normal, direction)) * shadow + lamps)).
     // PointLight.hlsl is its twin.
     internal struct PointLight
     {
@@ -81,18 +81,18 @@ namespace FastPoints.Drawing
             math.select(1.055f * math.pow(linear, 1 / 2.4f) - 0.055f, linear * 12.92f, linear <= 0.0031308f);
 
         // From sRGB to sRGB.
-        public readonly float3 Lit(float3 srgb, int parts, float3 normal, float3 place)
+        public readonly float3 Lit(float3 srgb, int parts, float3 normal, float3 place, float shadow)
         {
             float share = parts / (float)Parts;
-            return math.saturate(SrgbOf(LinearOf(srgb) * (1 - share + share * On(normal, place))));
+            return math.saturate(SrgbOf(LinearOf(srgb) * (1 - share + share * On(normal, place, shadow))));
         }
 
-        // normal: 0 where it is not known. place: from the eye.
+        // normal: 0 where it is not known. place: from the eye. shadow: 1 where the whole main light falls.
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public readonly float3 On(float3 normal, float3 place)
+        public readonly float3 On(float3 normal, float3 place, float shadow = 1)
         {
             var ambient = AmbientAll + AmbientX * normal.x + AmbientY * normal.y + AmbientZ * normal.z;
-            var light = math.max(0, ambient) + Color * Facing(normal, Direction);
+            var light = math.max(0, ambient) + Color * (Facing(normal, Direction) * shadow);
             return LampCount == 0 ? light
                 : light + Lamp0.On(normal, place) + Lamp1.On(normal, place) + Lamp2.On(normal, place) + Lamp3.On(normal, place);
         }
