@@ -162,6 +162,33 @@ public sealed class GpuPictureTests : GraphicsFixture
             2 * streams.Ranges.Robust.Size.y), name + "-flat", 1, canCompute ? 0 : 200);
     }
 
+    /// <summary>From the side, so that the cloud shades itself.</summary>
+    [TestCase("1", "round")]
+    [TestCase("5", "round")]
+    [TestCase("adaptive", "paraboloid")]
+    [TestCase("5", "splat")]
+    public void Draw_Shadows_MatchesTheSoftwareRasterizer(string size, string points)
+    {
+        var options = Options(0, true, ColorMode.Elevation);
+        foreach (var (key, value) in new[] { ("size", size), ("points", points), ("light", "200,20,1") })
+            Assert.That(options.TrySetStyle(key, value, out string error), Is.True, error);
+        using var lit = new TwinStreams(m_demo, options, Points);
+        var camera = lit.Plan.Camera;
+        var without = lit.Draw(camera).Cpu;
+        options.Shadows = true;
+        using var streams = new TwinStreams(m_demo, options, Points);
+        string name = "shadows-" + size + points;
+        Compare(streams, camera, name, 1);
+        Assert.That(streams.Draw(camera).Gpu.Rgba, Is.EqualTo(streams.Draw(camera).Gpu.Rgba));
+        var with = streams.Draw(camera).Cpu;
+        int darker = Enumerable.Range(0, 320 * 180).Count(i => (with[i % 320, i / 320] >> 8 & 255) + 8 <
+            (without[i % 320, i / 320] >> 8 & 255));
+        Assert.That(darker, Is.GreaterThan(300));
+        var center = streams.Ranges.Robust.Center;
+        Compare(streams, PictureCamera.Orthographic(center, center + new double3(0.3, 0.4, -1), new double3(0, 1, 0),
+            2 * streams.Ranges.Robust.Size.y), name + "-flat", 1);
+    }
+
     /// <summary>A point light, a cone and a second sun, beside the main one.</summary>
     [Test]
     public void Draw_Lamps_MatchesTheSoftwareRasterizer()

@@ -232,7 +232,7 @@ public sealed class GraphicsNodePoolTests : GraphicsFixture
     {
         var shaders = new GpuShaders();
         var materials = new PointMaterials(shaders.Points, shaders.Compose);
-        var made = new[] { materials.For(PointStyle.Default, false, false, false), materials.Compose(ComposedFrom.Layer, false) };
+        var made = new[] { materials.For(PointStyle.Default, false, false, false), materials.Compose(ComposedFrom.Layer, default) };
         EditorApplication.isPlaying = true;
         try
         {

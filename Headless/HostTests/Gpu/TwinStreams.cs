@@ -123,12 +123,10 @@ sealed class TwinStreams : IDisposable
 
     void Settle(StreamContext stream, FlightRenderer picture, PictureCamera camera)
     {
-        using var views = new NativeArray<StreamView>(1, Allocator.Persistent);
-        var view = views;
-        view[0] = camera.ToStreamView(m_options.WidthPx, m_options.HeightPx);
+        using var views = new NativeArray<StreamView>(2, Allocator.Persistent);
         for (int frame = 0; frame < MaxFrames; frame++)
         {
-            var stats = FrameStep.Run(stream, views);
+            var stats = FrameStep.Run(stream, picture.Plan.ViewsFor(stream, camera, views));
             picture.EndFrame();
             if (stats.IsSettled || m_isFading)
                 return;

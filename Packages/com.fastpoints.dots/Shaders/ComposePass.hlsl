@@ -88,6 +88,10 @@ float2 _FastPointsScalePx;
 // 1: colours are written as light, not as sRGB.
 uint _FastPointsIsLinear;
 
+#if defined(FASTPOINTS_SHADOWED)
+#define FASTPOINTS_LIT
+#endif
+
 #if defined(FASTPOINTS_LIT)
 #include "PointLight.hlsl"
 #endif

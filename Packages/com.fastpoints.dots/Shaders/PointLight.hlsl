@@ -24,6 +24,49 @@ float4x4 _FastPointsLampColors;
 float4x4 _FastPointsLampAxes;
 int _FastPointsLampCount;
 
+#if defined(FASTPOINTS_SHADOWED)
+// ShadowFrame.EdgePx; PointShadow.BiasTexels, SlopeTexels; 4 * WholeShare.
+#define FASTPOINTS_SHADOW_EDGE 1024
+#define FASTPOINTS_SHADOW_BIAS 1.0
+#define FASTPOINTS_SHADOW_SLOPE 2.0
+#define FASTPOINTS_SHADOW_WHOLE 2.0
+
+// What RasterPoints.hlsl made, seen by the light: depths and no colours.
+ByteAddressBuffer _FastPointsShadowPixels;
+
+// Rows: Column, Row, Forward of PointShadow, each with its part of Eye; the length of a texel.
+float4x4 _FastPointsShadow;
+
+// FastPoints.Picture.ShadowMap.At.
+float FastPointsShadow(float3 place, float facing)
+{
+    float4 from = float4(place, 1.0);
+    float column = dot(_FastPointsShadow[0], from), row = dot(_FastPointsShadow[1], from);
+    float slope = sqrt(max(0.0, 1.0 - facing * facing)) / facing;
+    float depth = dot(_FastPointsShadow[2], from)
+        - _FastPointsShadow[3].x * (FASTPOINTS_SHADOW_BIAS + FASTPOINTS_SHADOW_SLOPE * slope);
+    uint bits = asuint(depth);
+    uint nearest = bits & 0x80000000u ? ~bits : bits | 0x80000000u;
+    float most = float(FASTPOINTS_SHADOW_EDGE - 1), shaded = 0.0;
+    if (column >= 1.0 && row >= 1.0 && column <= most && row <= most)
+    {
+        int2 first = int2(int(column - 1.0), int(row - 1.0));
+        float2 part = float2(column - 1.0, row - 1.0) - float2(first);
+        float3 across = float3(1.0 - part.x, 1.0, part.x), down = float3(1.0 - part.y, 1.0, part.y);
+        for (int y = 0; y < 3; y++)
+        {
+            for (int x = 0; x < 3; x++)
+            {
+                int2 at = min(first + int2(x, y), FASTPOINTS_SHADOW_EDGE - 1);
+                if (_FastPointsShadowPixels.Load(uint(at.y * FASTPOINTS_SHADOW_EDGE + at.x) * 8u) < nearest)
+                    shaded += across[x] * down[y];
+            }
+        }
+    }
+    return 1.0 - saturate(shaded / FASTPOINTS_SHADOW_WHOLE);
+}
+#endif
+
 float3 FastPointsPlaceOf(int2 pixel, float depth)
 {
     float3 across = _FastPointsPlaces[0].xyz + _FastPointsPlaces[1].xyz * float(pixel.x)
@@ -84,8 +127,15 @@ float3 FastPointsLightOn(float3 normal, float3 place)
 {
     float3 ambient = _FastPointsAmbient[3].xyz + _FastPointsAmbient[0].xyz * normal.x + _FastPointsAmbient[1].xyz * normal.y
         + _FastPointsAmbient[2].xyz * normal.z;
-    float3 light = max(float3(0.0, 0.0, 0.0), ambient)
-        + _FastPointsLightColor * FastPointsFacing(normal, _FastPointsLightDirection);
+    float facing = FastPointsFacing(normal, _FastPointsLightDirection);
+    float3 light = max(float3(0.0, 0.0, 0.0), ambient);
+    if (facing > 0.0)
+    {
+#if defined(FASTPOINTS_SHADOWED)
+        facing *= FastPointsShadow(place, facing);
+#endif
+        light += _FastPointsLightColor * facing;
+    }
     for (int i = 0; i < _FastPointsLampCount; i++)
         light += FastPointsLampOn(_FastPointsLampPlaces[i], _FastPointsLampColors[i], _FastPointsLampAxes[i], normal, place);
     return light;

@@ -63,8 +63,7 @@ namespace FastPoints.Evaluation
                 ChooseSizes(blocksOfCloud, camera);
             else
                 m_canvas.UseSize(math.max(PointSizing.MinPx, m_options.PointSizePx));
-            if (m_clouds[0].Plan.HasShadows)
-                DrawShadows(blocksOfCloud, camera);
+            DrawShadows(blocksOfCloud, camera);
             var drawn = DrawAll(blocksOfCloud, camera, m_canvas);
             if (m_options.BlendedPoints)
             {
@@ -80,15 +79,14 @@ namespace FastPoints.Evaluation
 
         void DrawShadows(List<DrawnBlocks> blocksOfCloud, in Camera camera)
         {
-            var frame = m_clouds[0].Plan.NewShadowFrame();
-            frame.Add(m_clouds[0].Stream, camera.ToStreamView(m_options.WidthPx, m_options.HeightPx));
-            frame.Fit();
-            m_canvas.Shadows ??= new ShadowCanvas(frame);
-            var shadows = m_canvas.Shadows;
-            shadows.Frame = frame;
+            var frame = m_clouds[0].Plan.ShadowFrameFor(m_clouds[0].Stream, camera);
+            if (m_canvas.Shadows != null)
+                m_canvas.Shadows.Frame = frame;
+            if (!(frame.TexelWorld > 0))
+                return;
+            var shadows = m_canvas.Shadows ??= new ShadowCanvas(frame);
             shadows.Canvas.Clear();
-            if (frame.TexelWorld > 0)
-                DrawAll(blocksOfCloud, shadows.Camera, shadows.Canvas, true).Complete();
+            DrawAll(blocksOfCloud, shadows.Camera, shadows.Canvas, true).Complete();
         }
 
         public void Dispose()

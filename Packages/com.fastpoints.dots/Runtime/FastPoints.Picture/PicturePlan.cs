@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using FastPoints.Drawing;
 using FastPoints.Streaming;
+using Unity.Collections;
 using Unity.Mathematics;
 
 namespace FastPoints.Picture
@@ -87,11 +88,34 @@ namespace FastPoints.Picture
             return drawing;
         }
 
-        public bool HasShadows => m_options.Shadows && LitParts > 0;
+        bool HasShadows => m_options.Shadows && LitParts > 0;
 
-        public ShadowFrame NewShadowFrame() => new ShadowFrame(Light.Direction, m_ranges.LengthsPerUnit);
+        ShadowFrame NewShadowFrame() => new ShadowFrame(Light.Direction, m_ranges.LengthsPerUnit);
 
-        // Around what the camera sees; null without shadows.
+        // Around what a camera sees of the stream's clouds; without texels where nothing is shaded.
+        public ShadowFrame ShadowFrameFor(StreamContext stream, in Camera camera)
+        {
+            if (!HasShadows)
+                return default;
+            var frame = NewShadowFrame();
+            frame.Add(stream, camera.ToStreamView(m_options.WidthPx, m_options.HeightPx));
+            frame.Fit();
+            return frame;
+        }
+
+        // What is streamed for a picture: the camera's view, then the light's. There is room for both.
+        public NativeArray<StreamView> ViewsFor(StreamContext stream, in Camera camera, NativeArray<StreamView> views)
+        {
+            views[0] = camera.ToStreamView(m_options.WidthPx * m_options.SamplesPerEdge,
+                m_options.HeightPx * m_options.SamplesPerEdge);
+            var frame = ShadowFrameFor(stream, camera);
+            if (!(frame.TexelWorld > 0))
+                return views.GetSubArray(0, 1);
+            views[1] = frame.ViewFor(views[0]);
+            return views;
+        }
+
+        // Around what the picture's own camera sees; null without shadows.
         public ShadowCanvas NewShadows()
         {
             if (!HasShadows)

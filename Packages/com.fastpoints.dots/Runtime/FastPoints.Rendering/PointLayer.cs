@@ -21,6 +21,8 @@ namespace FastPoints.Rendering
         readonly RenderTargetIdentifier[] m_numberedTargets =
             { ShaderNames.LayerColor, ShaderNames.LayerDepth, ShaderNames.LayerNumbers };
 
+        public PointShadows Shadows { get; set; } // Of styles that are shadowed.
+
         public void Begin(CommandBuffer commands, in RenderView view)
         {
             commands.GetTemporaryRT(ShaderNames.LayerColor, Describe(view, GraphicsFormat.R8G8B8A8_UNorm, GraphicsFormat.None));
@@ -52,7 +54,7 @@ namespace FastPoints.Rendering
         public void End(CommandBuffer commands, in RenderView view, PointMaterials materials)
         {
             var from = view.Style.IsBlended ? ComposedFrom.Sums : ComposedFrom.Layer;
-            Compose(commands, view, materials.Compose(from, view.Style.IsLit));
+            Compose(commands, view, materials.Compose(from, view.Style));
             if (view.Style.IsBlended)
                 commands.ReleaseTemporaryRT(ShaderNames.LayerSums);
             commands.ReleaseTemporaryRT(ShaderNames.LayerColor);
@@ -64,7 +66,7 @@ namespace FastPoints.Rendering
         {
             m_properties.SetBuffer(ShaderNames.Pixels, raster.Pixels);
             m_properties.SetVector(ShaderNames.DepthToDevice, ComputeRaster.DepthToDevice(view));
-            Compose(commands, view, materials.Compose(ComposedFrom.Pixels, view.Style.IsLit));
+            Compose(commands, view, materials.Compose(ComposedFrom.Pixels, view.Style));
         }
 
         void Compose(CommandBuffer commands, in RenderView view, Material compose)
@@ -77,6 +79,8 @@ namespace FastPoints.Rendering
             m_properties.SetInteger(ShaderNames.IsLinear, view.IsLinear ? 1 : 0);
             if (view.Style.IsLit)
                 SetLight(view.Light, view.Places);
+            if (view.Style.IsShadowed)
+                Shadows.Set(m_properties, view.EyeOffset);
             commands.DrawProcedural(Matrix4x4.identity, compose, 0, MeshTopology.Triangles, 3, 1, m_properties);
         }
 

@@ -81,7 +81,7 @@ namespace FastPoints.Rendering
             }
         }
 
-        // Views of the recently announced cameras: one for each size and mask of a camera.
+        // Views of the recently announced cameras: one for each size and mask of a camera; then of lights that shade.
         public NativeArray<StreamView> NextViews
         {
             get
@@ -97,6 +97,9 @@ namespace FastPoints.Rendering
                         m_nextViews.Add(view);
                     }
                 }
+                foreach (var seen in m_cameras)
+                    if (seen.Views.Count > 0 && seen.Renderer.ShadowView != null)
+                        m_nextViews.Add(seen.Renderer.ShadowView.Value);
                 return m_nextViews.AsArray();
             }
         }

@@ -57,6 +57,8 @@ namespace FastPoints.Rendering
         public static readonly int RightViewProjection = Shader.PropertyToID("_FastPointsRightViewProjection");
         public static readonly int ScalePx = Shader.PropertyToID("_FastPointsScalePx");
         public static readonly int ScreenPx = Shader.PropertyToID("_FastPointsScreenPx");
+        public static readonly int Shadow = Shader.PropertyToID("_FastPointsShadow");
+        public static readonly int ShadowPixels = Shader.PropertyToID("_FastPointsShadowPixels");
         public static readonly int Size = Shader.PropertyToID("_FastPointsSize");
         public static readonly int SizeLimitsPx = Shader.PropertyToID("_FastPointsSizeLimitsPx");
         public static readonly int SizeNodesAt = Shader.PropertyToID("_FastPointsSizeNodesAt");
@@ -82,6 +84,7 @@ namespace FastPoints.Rendering
         public const string FromPixelsKeyword = "FASTPOINTS_FROM_PIXELS";
         public const string LayeredKeyword = "FASTPOINTS_LAYERED";
         public const string LitKeyword = "FASTPOINTS_LIT";
+        public const string ShadowedKeyword = "FASTPOINTS_SHADOWED";
         public const string StereoKeyword = "FASTPOINTS_STEREO";
         public const string SquaresKeyword = "FASTPOINTS_SQUARES";
         public const string DiscsKeyword = "FASTPOINTS_DISCS";

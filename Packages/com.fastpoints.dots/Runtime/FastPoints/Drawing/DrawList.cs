@@ -70,6 +70,12 @@ namespace FastPoints.Drawing
             m_looks[cloud] = look;
         }
 
+        internal void UseLooks(DrawList other)
+        {
+            m_looks.Clear();
+            m_looks.AddRange(other.m_looks);
+        }
+
         /// <summary>Fills the list from the stream's last frame, relative to the view's eye. With a headset's right eye beside
         /// the left one, everything that either sees is listed.</summary>
         public void Build(StreamContext stream, in StreamView view, bool isAdaptive = false, StreamView? rightEye = null)
