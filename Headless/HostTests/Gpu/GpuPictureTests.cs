@@ -191,7 +191,7 @@ public sealed class GpuPictureTests : GraphicsFixture
 
     /// <summary>A point light, a cone and a second sun, beside the main one.</summary>
     [Test]
-    public void Draw_Lamps_MatchesTheSoftwareRasterizer()
+    public void Draw_AdditionalLights_MatchesTheSoftwareRasterizer()
     {
         var options = Options(5, true);
         options.LightShare = 1;
@@ -205,14 +205,14 @@ public sealed class GpuPictureTests : GraphicsFixture
         light.Color = 0.3f;
         streams.Light(light);
         var unlit = streams.Draw(camera).Gpu;
-        light.Add(new PointLamp
+        light.Add(new AdditionalLight
         {
             Place = middle + size / 4,
             Color = new float3(sizeSq / 8, 0, 0),
             OneOverRangeSq = 4 / sizeSq,
             ConeOffset = 1,
         }, eye);
-        light.Add(new PointLamp
+        light.Add(new AdditionalLight
         {
             Place = middle + new float3(0, 0, size.x / 2),
             Color = new float3(0, sizeSq / 8, 0),
@@ -221,9 +221,9 @@ public sealed class GpuPictureTests : GraphicsFixture
             ConeScale = 3,
             ConeOffset = -2,
         }, eye);
-        light.Add(new PointLamp { Place = new float3(1, 0, 0), Color = new float3(0, 0, 0.5f), ConeOffset = 1 }, eye);
+        light.Add(new AdditionalLight { Place = new float3(1, 0, 0), Color = new float3(0, 0, 0.5f), ConeOffset = 1 }, eye);
         streams.Light(light);
-        Compare(streams, camera, "lamps", 1);
+        Compare(streams, camera, "additional", 1);
         var lit = streams.Draw(camera).Gpu;
         for (int channel = 0; channel < 3; channel++)
             Assert.That(Enumerable.Range(0, 320 * 180).Count(i => lit.Rgba[4 * i + channel] > unlit.Rgba[4 * i + channel] + 8),
@@ -264,15 +264,17 @@ public sealed class GpuPictureTests : GraphicsFixture
     public void Draw_LitTwoMillionPoints_TakesAThirdMoreAtMost(float sizePx, float edlStrength)
     {
         string cloud = Convert(TestData.PathOrIgnore("data/lion.laz"), "lion");
-        double Measure(float share)
+        double Measure(float share, bool hasShadows = false)
         {
             var options = Options(sizePx, true, ColorMode.Elevation);
+            options.Shadows = hasShadows;
             (options.WidthPx, options.HeightPx, options.EdlStrength, options.LightShare) = (1280, 720, edlStrength, share);
             using var streams = new TwinStreams(cloud, options, 2_000_000);
             return streams.LeastMilliseconds(streams.Plan.Camera);
         }
-        double unlit = Measure(0), lit = Measure(0.7f);
-        TestContext.Out.WriteLine($"{sizePx} px, lighting {edlStrength}: {unlit:0} ms, lit {lit:0} ms, {lit / unlit:0.00}");
+        double unlit = Measure(0), lit = Measure(0.7f), shadowed = Measure(0.7f, true);
+        TestContext.Out.WriteLine($"{sizePx} px, lighting {edlStrength}: {unlit:0} ms, lit {lit:0} ms, {lit / unlit:0.00}, " +
+            $"with shadows {shadowed:0} ms");
         Assert.That(lit, Is.LessThan(1.3 * unlit));
     }
 

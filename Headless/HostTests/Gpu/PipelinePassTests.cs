@@ -115,7 +115,7 @@ public sealed class PipelinePassTests : PipelineFixture
             // Above the middle of the cloud.
             var above = Matrix4x4.identity;
             above.SetColumn(3, new Vector4(0, 0, 30, 1));
-            host.Lamp = new VisibleLight
+            host.Additional = new VisibleLight
             {
                 finalColor = new Color(0, 1000, 0),
                 lightType = LightType.Point,
@@ -125,7 +125,7 @@ public sealed class PipelinePassTests : PipelineFixture
             var green = Mean(1, away, Color.red);
             Assert.That(green.Green, Is.GreaterThan(1.3 * red.Green));
             Assert.That(green.Red, Is.EqualTo(red.Red));
-            host.HasLamps = false;
+            host.HasAdditional = false;
             Assert.That(Mean(1, away, Color.red), Is.EqualTo(red));
         }
         (RenderSettings.sun, RenderSettings.ambientProbe) = (null, default);

@@ -56,6 +56,8 @@ sealed class TwinStreams : IDisposable
     public PicturePlan Plan { get; private set; }
     public DisplayRanges Ranges { get; private set; }
 
+    public ShadowFrame ShadowFrame(PictureCamera camera) => Plan.ShadowFrameFor(m_gpu, camera);
+
     public void Light(PointLight light) => m_plans.ForEach(plan => plan.Light = light);
 
     public void Clip()

@@ -14,8 +14,8 @@ sealed class UrpHost : PipelineHost
     public bool IsWithoutDepth { get; set; }
 
     public VisibleLight? MainLight { get; set; }
-    public VisibleLight Lamp { get; set; }
-    public bool HasLamps { get; set; } = true;
+    public VisibleLight Additional { get; set; }
+    public bool HasAdditional { get; set; } = true;
 
     public int PassCount { get; private set; }
 
@@ -51,11 +51,11 @@ sealed class UrpHost : PipelineHost
         cameraData.xrRendering = camera.stereoEnabled &&
             (!camera.TryGetComponent<UniversalAdditionalCameraData>(out var data) || data.allowXRRendering);
         cameraData.Eye = Eye;
-        VisibleLight[] visible = MainLight != null ? [Lamp, MainLight.Value] : [];
+        VisibleLight[] visible = MainLight != null ? [Additional, MainLight.Value] : [];
         using var lights = new NativeArray<VisibleLight>(visible, Allocator.Persistent);
         var lightData = frame.GetOrCreate<UniversalLightData>();
         (lightData.mainLightIndex, lightData.visibleLights) = (lights.Length - 1, lights);
-        lightData.additionalLightsCount = HasLamps ? lights.Length / 2 : 0;
+        lightData.additionalLightsCount = HasAdditional ? lights.Length / 2 : 0;
         foreach (var pass in m_renderer.Passes)
             pass.RecordRenderGraph(graph, frame);
         m_renderer.Passes.Clear();

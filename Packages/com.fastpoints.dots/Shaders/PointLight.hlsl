@@ -18,11 +18,11 @@ float4x4 _FastPointsAmbient;
 float3 _FastPointsLightDirection;
 float3 _FastPointsLightColor;
 
-// Rows: a lamp each, see PointLamp. Place, ConeOffset; Color, OneOverRangeSq; Axis, ConeScale.
-float4x4 _FastPointsLampPlaces;
-float4x4 _FastPointsLampColors;
-float4x4 _FastPointsLampAxes;
-int _FastPointsLampCount;
+// Rows: a light each, see AdditionalLight. Place, ConeOffset; Color, OneOverRangeSq; Axis, ConeScale.
+float4x4 _FastPointsAdditionalPlaces;
+float4x4 _FastPointsAdditionalColors;
+float4x4 _FastPointsAdditionalAxes;
+int _FastPointsAdditionalCount;
 
 #if defined(FASTPOINTS_SHADOWED)
 // ShadowFrame.EdgePx; PointShadow.BiasTexels, SlopeTexels; 4 * WholeShare.
@@ -111,14 +111,14 @@ float FastPointsFacing(float3 normal, float3 direction)
     return dot(normal, normal) > 0.0 ? max(0.0, dot(normal, direction)) : FASTPOINTS_LIGHT_WITHOUT_NORMAL;
 }
 
-// PointLamp.On.
-float3 FastPointsLampOn(float4 lamp, float4 color, float4 axis, float3 normal, float3 place)
+// AdditionalLight.On.
+float3 FastPointsAdditionalLightOn(float4 additional, float4 color, float4 axis, float3 normal, float3 place)
 {
-    float3 to = color.w > 0.0 ? lamp.xyz - place : lamp.xyz;
+    float3 to = color.w > 0.0 ? additional.xyz - place : additional.xyz;
     float distanceSq = max(6.1e-5, dot(to, to));
     to *= rsqrt(distanceSq);
     float fade = saturate(1.0 - distanceSq * color.w * distanceSq * color.w);
-    float cone = saturate(dot(axis.xyz, to) * axis.w + lamp.w);
+    float cone = saturate(dot(axis.xyz, to) * axis.w + additional.w);
     float falloff = color.w > 0.0 ? fade * fade / distanceSq : 1.0;
     return color.xyz * (falloff * cone * cone * FastPointsFacing(normal, to));
 }
@@ -136,8 +136,9 @@ float3 FastPointsLightOn(float3 normal, float3 place)
 #endif
         light += _FastPointsLightColor * facing;
     }
-    for (int i = 0; i < _FastPointsLampCount; i++)
-        light += FastPointsLampOn(_FastPointsLampPlaces[i], _FastPointsLampColors[i], _FastPointsLampAxes[i], normal, place);
+    for (int i = 0; i < _FastPointsAdditionalCount; i++)
+        light += FastPointsAdditionalLightOn(_FastPointsAdditionalPlaces[i], _FastPointsAdditionalColors[i],
+            _FastPointsAdditionalAxes[i], normal, place);
     return light;
 }
 

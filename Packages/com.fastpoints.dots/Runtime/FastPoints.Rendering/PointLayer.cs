@@ -92,19 +92,19 @@ namespace FastPoints.Rendering
                 VectorOf(light.AmbientZ), VectorOf(light.AmbientAll)));
             m_properties.SetVector(ShaderNames.LightDirection, VectorOf(light.Direction));
             m_properties.SetVector(ShaderNames.LightColor, VectorOf(light.Color));
-            m_properties.SetInteger(ShaderNames.LampCount, light.LampCount);
-            if (light.LampCount > 0)
-                SetLamps(light.Lamp0, light.Lamp1, light.Lamp2, light.Lamp3);
+            m_properties.SetInteger(ShaderNames.AdditionalCount, light.AdditionalCount);
+            if (light.AdditionalCount > 0)
+                SetAdditional(light.Light0, light.Light1, light.Light2, light.Light3);
         }
 
-        void SetLamps(in PointLamp a, in PointLamp b, in PointLamp c, in PointLamp d)
+        void SetAdditional(in AdditionalLight a, in AdditionalLight b, in AdditionalLight c, in AdditionalLight d)
         {
-            m_properties.SetMatrix(ShaderNames.LampPlaces, RowsOf(VectorOf(a.Place, a.ConeOffset),
+            m_properties.SetMatrix(ShaderNames.AdditionalPlaces, RowsOf(VectorOf(a.Place, a.ConeOffset),
                 VectorOf(b.Place, b.ConeOffset), VectorOf(c.Place, c.ConeOffset), VectorOf(d.Place, d.ConeOffset)));
-            m_properties.SetMatrix(ShaderNames.LampColors, RowsOf(VectorOf(a.Color, a.OneOverRangeSq),
+            m_properties.SetMatrix(ShaderNames.AdditionalColors, RowsOf(VectorOf(a.Color, a.OneOverRangeSq),
                 VectorOf(b.Color, b.OneOverRangeSq), VectorOf(c.Color, c.OneOverRangeSq), VectorOf(d.Color, d.OneOverRangeSq)));
-            m_properties.SetMatrix(ShaderNames.LampAxes, RowsOf(VectorOf(a.Axis, a.ConeScale), VectorOf(b.Axis, b.ConeScale),
-                VectorOf(c.Axis, c.ConeScale), VectorOf(d.Axis, d.ConeScale)));
+            m_properties.SetMatrix(ShaderNames.AdditionalAxes, RowsOf(VectorOf(a.Axis, a.ConeScale),
+                VectorOf(b.Axis, b.ConeScale), VectorOf(c.Axis, c.ConeScale), VectorOf(d.Axis, d.ConeScale)));
         }
 
         static Vector4 VectorOf(float3 value, float w = 0) => new Vector4(value.x, value.y, value.z, w);

@@ -3,6 +3,7 @@ using FastPoints.Drawing;
 using FastPoints.Store;
 using FastPoints.Streaming;
 using Unity.Collections;
+using Unity.Mathematics;
 using UnityEngine;
 using UnityEngine.Rendering;
 
@@ -162,7 +163,8 @@ namespace FastPoints.Rendering
         {
             m_progressive.DrawWholeIfItFits(ref view.Style, List);
             view.Style.IsLit = List.IsLit;
-            view.Style.IsShadowed = List.IsLit && m_layer.Shadows != null && m_layer.Shadows.Fit(view.Light.Direction);
+            view.Style.IsShadowed = List.IsLit && m_layer.Shadows != null && math.csum(view.Light.Color) > 0 &&
+                m_layer.Shadows.Fit(view.Light.Direction);
         }
 
         void RecordLayer(CommandBuffer commands, in RenderView view)

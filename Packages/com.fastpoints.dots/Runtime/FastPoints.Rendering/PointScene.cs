@@ -98,8 +98,13 @@ namespace FastPoints.Rendering
                     }
                 }
                 foreach (var seen in m_cameras)
-                    if (seen.Views.Count > 0 && seen.Renderer.ShadowView != null)
-                        m_nextViews.Add(seen.Renderer.ShadowView.Value);
+                {
+                    if (seen.Views.Count == 0 || seen.Renderer.ShadowView == null)
+                        continue;
+                    var light = seen.Renderer.ShadowView.Value;
+                    light.EyeWorld += seen.Moved;
+                    m_nextViews.Add(light);
+                }
                 return m_nextViews.AsArray();
             }
         }

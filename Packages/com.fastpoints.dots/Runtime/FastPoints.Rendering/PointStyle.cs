@@ -17,8 +17,8 @@ namespace FastPoints.Rendering
         /// <summary>Fills a pixel without a point, most of whose neighbours have one. It uses the same layer.</summary>
         public bool FillsHoles;
 
-        /// <summary>Points that are lit shade each other from the main light, where a compute shader can draw its depth map: 8 MiB
-        /// and a pass over what the light sees.</summary>
+        /// <summary>Points that are lit shade each other from the main light, where a compute shader can draw its depth map:
+        /// 8 MiB and a pass over what the light sees.</summary>
         public bool Shadows;
 
         /// <summary>A picture of more points is drawn over several frames: each draws those that were visible in the last one,

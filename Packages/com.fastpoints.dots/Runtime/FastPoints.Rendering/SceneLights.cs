@@ -53,15 +53,16 @@ namespace FastPoints.Rendering
 
         // From what URP gives its shaders: place (w: 0 for a direction), colour, 1 / range squared and the cone's scale and
         // offset, the cone's axis.
-        public static PointLamp LampOf(Vector4 place, Vector4 color, Vector4 attenuation, Vector4 axis) => new PointLamp
-        {
-            Place = VectorOf(place),
-            Color = ColorOf(color),
-            OneOverRangeSq = place.w > 0 ? attenuation.x : 0,
-            Axis = VectorOf(axis),
-            ConeScale = attenuation.z,
-            ConeOffset = attenuation.w,
-        };
+        public static void Add(ref PointLight light, Vector3 eye, Vector4 place, Vector4 color, Vector4 attenuation,
+            Vector4 axis) => light.Add(new AdditionalLight
+            {
+                Place = VectorOf(place),
+                Color = ColorOf(color),
+                OneOverRangeSq = place.w > 0 ? attenuation.x : 0,
+                Axis = VectorOf(axis),
+                ConeScale = attenuation.z,
+                ConeOffset = attenuation.w,
+            }, VectorOf(eye));
 
         static float3 ColorOf(Vector4 color) => IsLinear ? VectorOf(color) : PointLight.LinearOf(VectorOf(color));
 
@@ -84,6 +85,6 @@ namespace FastPoints.Rendering
         // Lights shine along their Z.
         static float3 DirectionOf(in Matrix4x4 toWorld) => -math.normalizesafe(VectorOf(toWorld.GetColumn(2)));
 
-        public static float3 VectorOf(Vector4 value) => new float3(value.x, value.y, value.z);
+        static float3 VectorOf(Vector4 value) => new float3(value.x, value.y, value.z);
     }
 }

@@ -4,6 +4,10 @@ namespace FastPoints.Rendering
 {
     static class ShaderNames
     {
+        public static readonly int AdditionalAxes = Shader.PropertyToID("_FastPointsAdditionalAxes");
+        public static readonly int AdditionalColors = Shader.PropertyToID("_FastPointsAdditionalColors");
+        public static readonly int AdditionalCount = Shader.PropertyToID("_FastPointsAdditionalCount");
+        public static readonly int AdditionalPlaces = Shader.PropertyToID("_FastPointsAdditionalPlaces");
         public static readonly int Ambient = Shader.PropertyToID("_FastPointsAmbient");
         public static readonly int ArgumentsOut = Shader.PropertyToID("_FastPointsArgumentsOut");
         public static readonly int Bank = Shader.PropertyToID("_FastPointsBank");
@@ -29,10 +33,6 @@ namespace FastPoints.Rendering
         public static readonly int GroupsPerRow = Shader.PropertyToID("_FastPointsGroupsPerRow");
         public static readonly int InstanceCount = Shader.PropertyToID("_FastPointsInstanceCount");
         public static readonly int IsLinear = Shader.PropertyToID("_FastPointsIsLinear");
-        public static readonly int LampAxes = Shader.PropertyToID("_FastPointsLampAxes");
-        public static readonly int LampColors = Shader.PropertyToID("_FastPointsLampColors");
-        public static readonly int LampCount = Shader.PropertyToID("_FastPointsLampCount");
-        public static readonly int LampPlaces = Shader.PropertyToID("_FastPointsLampPlaces");
         public static readonly int LastOfNodeAt = Shader.PropertyToID("_FastPointsLastOfNodeAt");
         public static readonly int LayerColor = Shader.PropertyToID("_FastPointsLayerColor");
         public static readonly int LayerDepth = Shader.PropertyToID("_FastPointsLayerDepth");

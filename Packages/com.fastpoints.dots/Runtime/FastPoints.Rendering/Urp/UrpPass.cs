@@ -84,7 +84,7 @@ namespace FastPoints.Rendering.Urp
                     continue;
                 UniversalRenderPipeline.InitializeLightConstants_Common(lights.visibleLights, i, out var place, out var color,
                     out var attenuation, out var axis, out _);
-                light.Add(SceneLights.LampOf(place, color, attenuation, axis), SceneLights.VectorOf(camera.transform.position));
+                SceneLights.Add(ref light, camera.transform.position, place, color, attenuation, axis);
             }
             return light;
         }

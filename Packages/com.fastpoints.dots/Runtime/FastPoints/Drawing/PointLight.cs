@@ -4,7 +4,7 @@ using Unity.Mathematics;
 namespace FastPoints.Drawing
 {
     // The light on a scene's points, linear, along the world's axes. A point of which a share is lit has the colour
-    //     albedo * (1 - share + share * (ambient(normal) + main * max(0, dot(normal, direction)) * shadow + lamps)).
+    //     albedo * (1 - share + share * (ambient(normal) + main * max(0, dot(normal, direction)) * shadow + additional)).
     // PointLight.hlsl is its twin.
     internal struct PointLight
     {
@@ -26,8 +26,8 @@ namespace FastPoints.Drawing
         public float3 AmbientZ;
 
         // Those that light the eye most; Count of them, the first ones.
-        public PointLamp Lamp0, Lamp1, Lamp2, Lamp3;
-        public int LampCount;
+        public AdditionalLight Light0, Light1, Light2, Light3;
+        public int AdditionalCount;
 
         // Level ground is as bright as its own colour by light from 45 degrees.
         public static PointLight Default(float3 direction, float3 up)
@@ -47,29 +47,29 @@ namespace FastPoints.Drawing
         }
 
         // The first of two that are alike stays.
-        public void Add(PointLamp lamp, float3 eye)
+        public void Add(AdditionalLight additional, float3 eye)
         {
-            Keep(ref Lamp0, ref lamp, eye);
-            Keep(ref Lamp1, ref lamp, eye);
-            Keep(ref Lamp2, ref lamp, eye);
-            Keep(ref Lamp3, ref lamp, eye);
-            LampCount = math.min(LampCount + 1, PointLamp.MaxCount);
+            Keep(ref Light0, ref additional, eye);
+            Keep(ref Light1, ref additional, eye);
+            Keep(ref Light2, ref additional, eye);
+            Keep(ref Light3, ref additional, eye);
+            AdditionalCount = math.min(AdditionalCount + 1, AdditionalLight.MaxCount);
         }
 
-        static void Keep(ref PointLamp kept, ref PointLamp lamp, float3 eye)
+        static void Keep(ref AdditionalLight kept, ref AdditionalLight additional, float3 eye)
         {
-            if (lamp.BrightnessAt(eye) > kept.BrightnessAt(eye))
-                (kept, lamp) = (lamp, kept);
+            if (additional.BrightnessAt(eye) > kept.BrightnessAt(eye))
+                (kept, additional) = (additional, kept);
         }
 
-        // Lamps as seen from an eye.
+        // Additional lights as seen from an eye.
         public readonly PointLight From(double3 eye)
         {
             var light = this;
-            light.Lamp0.MoveTo(eye);
-            light.Lamp1.MoveTo(eye);
-            light.Lamp2.MoveTo(eye);
-            light.Lamp3.MoveTo(eye);
+            light.Light0.MoveTo(eye);
+            light.Light1.MoveTo(eye);
+            light.Light2.MoveTo(eye);
+            light.Light3.MoveTo(eye);
             return light;
         }
 
@@ -93,8 +93,9 @@ namespace FastPoints.Drawing
         {
             var ambient = AmbientAll + AmbientX * normal.x + AmbientY * normal.y + AmbientZ * normal.z;
             var light = math.max(0, ambient) + Color * (Facing(normal, Direction) * shadow);
-            return LampCount == 0 ? light
-                : light + Lamp0.On(normal, place) + Lamp1.On(normal, place) + Lamp2.On(normal, place) + Lamp3.On(normal, place);
+            return AdditionalCount == 0 ? light
+                : light + Light0.On(normal, place) + Light1.On(normal, place) + Light2.On(normal, place) +
+                    Light3.On(normal, place);
         }
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -103,7 +104,7 @@ namespace FastPoints.Drawing
     }
 
     // A light besides the main one, of the brightness and reach that URP's shaders give it. All zero: none.
-    internal struct PointLamp
+    internal struct AdditionalLight
     {
         public const int MaxCount = 4;
 
