@@ -136,9 +136,13 @@ float3 FastPointsLightOn(float3 normal, float3 place)
 #endif
         light += _FastPointsLightColor * facing;
     }
-    for (int i = 0; i < _FastPointsAdditionalCount; i++)
-        light += FastPointsAdditionalLightOn(_FastPointsAdditionalPlaces[i], _FastPointsAdditionalColors[i],
-            _FastPointsAdditionalAxes[i], normal, place);
+    // By numbers: WebGPU's compilers take no others for a matrix.
+    float4x4 places = _FastPointsAdditionalPlaces, colors = _FastPointsAdditionalColors, axes = _FastPointsAdditionalAxes;
+    if (_FastPointsAdditionalCount > 0)
+        light += FastPointsAdditionalLightOn(places[0], colors[0], axes[0], normal, place)
+            + FastPointsAdditionalLightOn(places[1], colors[1], axes[1], normal, place)
+            + FastPointsAdditionalLightOn(places[2], colors[2], axes[2], normal, place)
+            + FastPointsAdditionalLightOn(places[3], colors[3], axes[3], normal, place);
     return light;
 }
 
