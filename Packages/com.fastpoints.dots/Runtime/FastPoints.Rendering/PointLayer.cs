@@ -107,9 +107,9 @@ namespace FastPoints.Rendering
                 VectorOf(b.Axis, b.ConeScale), VectorOf(c.Axis, c.ConeScale), VectorOf(d.Axis, d.ConeScale)));
         }
 
-        static Vector4 VectorOf(float3 value, float w = 0) => new Vector4(value.x, value.y, value.z, w);
+        public static Vector4 VectorOf(float3 value, float w = 0) => new Vector4(value.x, value.y, value.z, w);
 
-        static Matrix4x4 RowsOf(Vector4 row0, Vector4 row1, Vector4 row2, Vector4 row3)
+        public static Matrix4x4 RowsOf(Vector4 row0, Vector4 row1, Vector4 row2, Vector4 row3)
         {
             var rows = new Matrix4x4();
             rows.SetRow(0, row0);

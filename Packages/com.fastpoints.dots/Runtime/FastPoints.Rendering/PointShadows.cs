@@ -55,18 +55,14 @@ namespace FastPoints.Rendering
             m_list.Build(m_stream, m_frame.ViewFor(m_view));
             m_lists.Write(commands, m_list);
             float perUnit = (float)(2 / m_frame.EdgeWorld);
-            var clip = new Matrix4x4();
-            clip.SetRow(0, VectorOf((float3)m_frame.Right * perUnit));
-            clip.SetRow(1, VectorOf((float3)m_frame.Up * perUnit));
-            // However far: the map keeps what is nearest to the light.
-            clip.SetRow(2, new Vector4(0, 0, 0, 0.5f));
-            clip.SetRow(3, new Vector4(0, 0, 0, 1));
             var view = new RenderView
             {
-                ViewProjection = clip,
+                // However near or far: the map keeps what is nearest to the light.
+                ViewProjection = PointLayer.RowsOf(PointLayer.VectorOf((float3)m_frame.Right * perUnit),
+                    PointLayer.VectorOf((float3)m_frame.Up * perUnit), new Vector4(0, 0, 0, 0.5f), new Vector4(0, 0, 0, 1)),
                 WidthPx = ShadowFrame.EdgePx,
                 HeightPx = ShadowFrame.EdgePx,
-                Forward = VectorOf((float3)m_frame.Forward),
+                Forward = PointLayer.VectorOf((float3)m_frame.Forward),
                 IsOrthographic = true,
             };
             m_raster.Record(commands, view, m_list, m_lists, pool, null);
@@ -76,12 +72,9 @@ namespace FastPoints.Rendering
         public void Set(MaterialPropertyBlock properties, Vector3 eyeOffset)
         {
             var shadow = m_frame.From(m_view.EyeWorld + new double3(eyeOffset.x, eyeOffset.y, eyeOffset.z));
-            var rows = new Matrix4x4();
-            rows.SetRow(0, VectorOf(shadow.Column, shadow.Eye.x));
-            rows.SetRow(1, VectorOf(shadow.Row, shadow.Eye.y));
-            rows.SetRow(2, VectorOf(shadow.Forward, shadow.Eye.z));
-            rows.SetRow(3, new Vector4(shadow.TexelWorld, 0, 0, 0));
-            properties.SetMatrix(ShaderNames.Shadow, rows);
+            properties.SetMatrix(ShaderNames.Shadow, PointLayer.RowsOf(PointLayer.VectorOf(shadow.Column, shadow.Eye.x),
+                PointLayer.VectorOf(shadow.Row, shadow.Eye.y), PointLayer.VectorOf(shadow.Forward, shadow.Eye.z),
+                new Vector4(shadow.TexelWorld, 0, 0, 0)));
             properties.SetBuffer(ShaderNames.ShadowPixels, m_raster.Pixels);
         }
 
@@ -91,8 +84,5 @@ namespace FastPoints.Rendering
             m_lists.Dispose();
             m_raster.Dispose();
             m_noSizes.Dispose();
-        }
-
-        static Vector4 VectorOf(float3 value, float w = 0) => new Vector4(value.x, value.y, value.z, w);
-    }
+        }    }
 }
