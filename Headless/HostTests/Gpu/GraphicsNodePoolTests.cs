@@ -232,7 +232,8 @@ public sealed class GraphicsNodePoolTests : GraphicsFixture
     {
         var shaders = new GpuShaders();
         var materials = new PointMaterials(shaders.Points, shaders.Compose);
-        var made = new[] { materials.For(PointStyle.Default, false, false, false), materials.Compose(ComposedFrom.Layer, false) };
+        var style = PointStyle.Default;
+        var made = new[] { materials.For(style, false, false, false), materials.Compose(ComposedFrom.Layer, style) };
         EditorApplication.isPlaying = true;
         try
         {
