@@ -7,24 +7,10 @@ using FastPoints.Reading;
 using FastPoints.Store;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
-using Unity.Jobs;
 using Unity.Mathematics;
 
 namespace FastPoints.Build
 {
-    /// <summary>How normals are made.</summary>
-    internal sealed class NormalSettings
-    {
-        public int Neighbours = 16;
-
-        /// <summary>Cubes that are worked on at once are cut until they have no more, but for what upper nodes have
-        /// there.</summary>
-        public long PointsPerCube = 600_000;
-
-        /// <summary>The most workers to keep busy, 0 for all; may change meanwhile.</summary>
-        public Func<int> Workers = () => 0;
-    }
-
     /// <summary>Computes the normals of a converted cloud's points, and stores them in containers beside those of the points. Of
     /// what is there pages alone are written anew, under a new name, and cloud.json last: until then, also if it is stopped, the
     /// cloud is as it was.</summary>
@@ -158,9 +144,8 @@ namespace FastPoints.Build
                 using var batch = new PointBatch(schema, cubes.CheckedPoints, Allocator.Persistent);
                 using var found = new NativeArray<ushort>(batch.Capacity, Allocator.Persistent);
                 yield return JobStep.Of(LoadNodes.Run(m_folder, cubes, batch, null));
-                var job = NormalsOfFilesJob.Of(batch, s_attributes, found).Schedule();
-                yield return job;
-                job.Complete();
+                var job = NormalsOfFilesJob.Of(batch, s_attributes, found);
+                yield return JobStep.Of(Slices.Run(0, batch.Count, NormalsOfFilesJob.PointsPerSlice, job.Schedule));
                 yield return JobStep.Of(normals.Take(found));
                 progress?.Report(normals.Points / (double)m_folder.Manifest.Points, normals.Points, normals.Bytes);
             }
@@ -183,9 +168,8 @@ namespace FastPoints.Build
                 yield return JobStep.Of(NormalEstimator.Run(batch, region, found, m_slices, workers()));
                 if (scanners.Length > 0)
                 {
-                    var job = OrientNormalsJob.Of(batch, scanners, region.Metres, found).Schedule();
-                    yield return job;
-                    job.Complete();
+                    var job = OrientNormalsJob.Of(batch, scanners, region.Metres, found);
+                    yield return JobStep.Of(Slices.Run(0, batch.Count, OrientNormalsJob.PointsPerSlice, job.Schedule));
                 }
                 yield return JobStep.Of(normals.Take(found));
                 progress?.Report(normals.Points / (double)manifest.Points, normals.Points, normals.Bytes);

@@ -23,7 +23,7 @@ namespace FastPoints.Build
 
         const int PointsPerCell = 48;
 
-        /// <summary>Of a cell's points, so many times their distance to the k-th neighbour on average is looked at first.</summary>
+        /// <summary>At first points are looked at that are so many times as far as the k-th neighbour is on average.</summary>
         const float MeanReaches = 1.35f;
 
         const int Cells = 27;

@@ -134,10 +134,7 @@ namespace FastPoints.Build
         public OffsetSums Sum(float3 q, int limit, int count)
         {
             float* sums = stackalloc float[Sums * Lanes];
-            if (X86.Avx2.IsAvx2Supported)
-                SumLanes(q, limit, sums);
-            else
-                SumLanesPlain(q, limit, sums);
+            SumLanes(q, limit, sums);
             return Total(sums, count);
         }
 
@@ -151,34 +148,39 @@ namespace FastPoints.Build
 
         void SumLanes(float3 q, int limit, float* sums)
         {
-            v256 qx = X86.Avx.mm256_set1_ps(q.x), qy = X86.Avx.mm256_set1_ps(q.y), qz = X86.Avx.mm256_set1_ps(q.z);
-            var limits = X86.Avx.mm256_set1_epi32(limit);
-            v256 x = X86.Avx.mm256_set1_ps(0), y = x, z = x, xx = x, yy = x, zz = x, xy = x, xz = x, yz = x;
-            for (int i = 0; i < Count; i += Lanes)
+            if (X86.Avx2.IsAvx2Supported)
             {
-                var isNear = X86.Avx2.mm256_cmpgt_epi32(limits, X86.Avx.mm256_loadu_si256(DistancesSq + i));
-                var dx = X86.Avx.mm256_and_ps(isNear, X86.Avx.mm256_sub_ps(X86.Avx.mm256_loadu_ps(m_x + i), qx));
-                var dy = X86.Avx.mm256_and_ps(isNear, X86.Avx.mm256_sub_ps(X86.Avx.mm256_loadu_ps(Y + i), qy));
-                var dz = X86.Avx.mm256_and_ps(isNear, X86.Avx.mm256_sub_ps(X86.Avx.mm256_loadu_ps(Z + i), qz));
-                x = X86.Avx.mm256_add_ps(x, dx);
-                y = X86.Avx.mm256_add_ps(y, dy);
-                z = X86.Avx.mm256_add_ps(z, dz);
-                xx = X86.Avx.mm256_add_ps(xx, X86.Avx.mm256_mul_ps(dx, dx));
-                yy = X86.Avx.mm256_add_ps(yy, X86.Avx.mm256_mul_ps(dy, dy));
-                zz = X86.Avx.mm256_add_ps(zz, X86.Avx.mm256_mul_ps(dz, dz));
-                xy = X86.Avx.mm256_add_ps(xy, X86.Avx.mm256_mul_ps(dx, dy));
-                xz = X86.Avx.mm256_add_ps(xz, X86.Avx.mm256_mul_ps(dx, dz));
-                yz = X86.Avx.mm256_add_ps(yz, X86.Avx.mm256_mul_ps(dy, dz));
+                v256 qx = X86.Avx.mm256_set1_ps(q.x), qy = X86.Avx.mm256_set1_ps(q.y), qz = X86.Avx.mm256_set1_ps(q.z);
+                var limits = X86.Avx.mm256_set1_epi32(limit);
+                v256 x = X86.Avx.mm256_set1_ps(0), y = x, z = x, xx = x, yy = x, zz = x, xy = x, xz = x, yz = x;
+                for (int i = 0; i < Count; i += Lanes)
+                {
+                    var isNear = X86.Avx2.mm256_cmpgt_epi32(limits, X86.Avx.mm256_loadu_si256(DistancesSq + i));
+                    var dx = X86.Avx.mm256_and_ps(isNear, X86.Avx.mm256_sub_ps(X86.Avx.mm256_loadu_ps(m_x + i), qx));
+                    var dy = X86.Avx.mm256_and_ps(isNear, X86.Avx.mm256_sub_ps(X86.Avx.mm256_loadu_ps(Y + i), qy));
+                    var dz = X86.Avx.mm256_and_ps(isNear, X86.Avx.mm256_sub_ps(X86.Avx.mm256_loadu_ps(Z + i), qz));
+                    x = X86.Avx.mm256_add_ps(x, dx);
+                    y = X86.Avx.mm256_add_ps(y, dy);
+                    z = X86.Avx.mm256_add_ps(z, dz);
+                    xx = X86.Avx.mm256_add_ps(xx, X86.Avx.mm256_mul_ps(dx, dx));
+                    yy = X86.Avx.mm256_add_ps(yy, X86.Avx.mm256_mul_ps(dy, dy));
+                    zz = X86.Avx.mm256_add_ps(zz, X86.Avx.mm256_mul_ps(dz, dz));
+                    xy = X86.Avx.mm256_add_ps(xy, X86.Avx.mm256_mul_ps(dx, dy));
+                    xz = X86.Avx.mm256_add_ps(xz, X86.Avx.mm256_mul_ps(dx, dz));
+                    yz = X86.Avx.mm256_add_ps(yz, X86.Avx.mm256_mul_ps(dy, dz));
+                }
+                X86.Avx.mm256_storeu_ps(sums, x);
+                X86.Avx.mm256_storeu_ps(sums + Lanes, y);
+                X86.Avx.mm256_storeu_ps(sums + 2 * Lanes, z);
+                X86.Avx.mm256_storeu_ps(sums + 3 * Lanes, xx);
+                X86.Avx.mm256_storeu_ps(sums + 4 * Lanes, yy);
+                X86.Avx.mm256_storeu_ps(sums + 5 * Lanes, zz);
+                X86.Avx.mm256_storeu_ps(sums + 6 * Lanes, xy);
+                X86.Avx.mm256_storeu_ps(sums + 7 * Lanes, xz);
+                X86.Avx.mm256_storeu_ps(sums + 8 * Lanes, yz);
+                return;
             }
-            X86.Avx.mm256_storeu_ps(sums, x);
-            X86.Avx.mm256_storeu_ps(sums + Lanes, y);
-            X86.Avx.mm256_storeu_ps(sums + 2 * Lanes, z);
-            X86.Avx.mm256_storeu_ps(sums + 3 * Lanes, xx);
-            X86.Avx.mm256_storeu_ps(sums + 4 * Lanes, yy);
-            X86.Avx.mm256_storeu_ps(sums + 5 * Lanes, zz);
-            X86.Avx.mm256_storeu_ps(sums + 6 * Lanes, xy);
-            X86.Avx.mm256_storeu_ps(sums + 7 * Lanes, xz);
-            X86.Avx.mm256_storeu_ps(sums + 8 * Lanes, yz);
+            SumLanesPlain(q, limit, sums);
         }
 
         internal void SumLanesPlain(float3 q, int limit, float* sums)

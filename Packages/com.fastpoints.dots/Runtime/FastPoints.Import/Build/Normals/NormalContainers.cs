@@ -105,8 +105,14 @@ namespace FastPoints.Build
                             To = container.Normals.GetSubArray(FirstOf(container, page, n, nodes), count),
                             Count = m_count,
                         }.Schedule();
-                        yield return job;
-                        job.Complete();
+                        try
+                        {
+                            yield return job;
+                        }
+                        finally
+                        {
+                            job.Complete();
+                        }
                         container.Left -= m_count.Value;
                         Points += m_count.Value;
                         if (container.Left == 0)

@@ -5,6 +5,19 @@ using Unity.Mathematics;
 
 namespace FastPoints.Build
 {
+    /// <summary>How normals are made.</summary>
+    internal sealed class NormalSettings
+    {
+        public int Neighbours = 16;
+
+        /// <summary>Cubes that are worked on at once are cut until they have no more, but for what upper nodes have
+        /// there.</summary>
+        public long PointsPerCube = 600_000;
+
+        /// <summary>The most workers to keep busy, 0 for all; may change meanwhile.</summary>
+        public Func<int> Workers = () => 0;
+    }
+
     /// <summary>A cloud's nodes by place. All tables of its pages are in memory.</summary>
     internal sealed class NormalCubes : ChosenNodes
     {

@@ -7,17 +7,21 @@ using Unity.Mathematics;
 
 namespace FastPoints.Build
 {
-    /// <summary>Packs normals that points have as attributes; those that are no direction become none.</summary>
+    /// <summary>A slice of packing normals that points have as attributes; those that are no direction become none.</summary>
     [BurstCompile]
     internal unsafe struct NormalsOfFilesJob : IJob
     {
+        /// <summary>A slice takes about 2 ms.</summary>
+        public const int PointsPerSlice = 50_000;
+
+        public int First;
+        public int End;
         [ReadOnly] public NativeArray<byte> Batch;
         public PointColumn X;
         public PointColumn Y;
         public PointColumn Z;
         public double3 Scale;
         public double3 Offset;
-        public int Count;
 
         /// <summary>Out, by point.</summary>
         public NativeArray<ushort> Normals;
@@ -34,15 +38,20 @@ namespace FastPoints.Build
                 Z = batch.Column(z),
                 Scale = new double3(ofX.Scale, ofY.Scale, ofZ.Scale),
                 Offset = new double3(ofX.Offset, ofY.Offset, ofZ.Offset),
-                Count = batch.Count,
                 Normals = normals,
             };
+        }
+
+        public JobHandle Schedule(int first, int end, JobHandle after)
+        {
+            (First, End) = (first, end);
+            return this.Schedule(after);
         }
 
         public void Execute()
         {
             var bytes = (byte*)Batch.GetUnsafeReadOnlyPtr();
-            for (int i = 0; i < Count; i++)
+            for (int i = First; i < End; i++)
             {
                 var n = Offset + Scale * new double3(ColumnValues.ToDouble(bytes + X.OffsetBytes, X.Type, i),
                     ColumnValues.ToDouble(bytes + Y.OffsetBytes, Y.Type, i),

@@ -7,10 +7,15 @@ using Unity.Mathematics;
 
 namespace FastPoints.Build
 {
-    /// <summary>Turns normals to the scanners that saw their points.</summary>
+    /// <summary>A slice of turning normals to the scanners that saw their points.</summary>
     [BurstCompile]
     internal unsafe struct OrientNormalsJob : IJob
     {
+        /// <summary>A slice takes about 2 ms.</summary>
+        public const int PointsPerSlice = 50_000;
+
+        public int First;
+        public int End;
         [ReadOnly] public NativeArray<byte> Batch;
         public PointColumn X;
         public PointColumn Y;
@@ -23,7 +28,6 @@ namespace FastPoints.Build
         [ReadOnly] public NativeArray<double3> Scanners;
 
         public double3 Metres;
-        public int Count;
 
         /// <summary>In, out.</summary>
         public NativeArray<ushort> Normals;
@@ -38,14 +42,19 @@ namespace FastPoints.Build
                 Scan = scanners.Length > 1 ? batch.Column(batch.Schema.IndexOf(AttributeNames.PointSourceId)) : default,
                 Scanners = scanners,
                 Metres = metres,
-                Count = batch.Count,
                 Normals = normals,
             };
+
+        public JobHandle Schedule(int first, int end, JobHandle after)
+        {
+            (First, End) = (first, end);
+            return this.Schedule(after);
+        }
 
         public void Execute()
         {
             var bytes = (byte*)Batch.GetUnsafeReadOnlyPtr();
-            for (int i = 0; i < Count; i++)
+            for (int i = First; i < End; i++)
             {
                 ushort normal = Normals[i];
                 if (normal == OctahedralNormal.None || normal == OctahedralNormal.Unset)

@@ -8,7 +8,7 @@ using Random = Unity.Mathematics.Random;
 using Unity.Collections;
 using Unity.Mathematics;
 
-namespace FastPoints.Tests
+namespace FastPoints.Tests.Build
 {
     public class NormalEstimatorTests
     {
@@ -122,7 +122,7 @@ namespace FastPoints.Tests
             Assert.That(Estimate(three, 16), Is.All.EqualTo(OctahedralNormal.Encode(new float3(0, 0, 1))));
         }
 
-        /// <summary>Beyond the distance of 16 neighbours they are those of the one plane or the other; nearer, in between.</summary>
+        /// <summary>Beyond the distance of 16 neighbours they are those of one plane; nearer, in between.</summary>
         [Test]
         public void Estimate_Edge_ReachesAsFarAsNeighboursDo()
         {
