@@ -57,12 +57,11 @@ namespace FastPoints.Picture
 
                 var view = Plan.Camera.ToStreamView(m_options.WidthPx * m_options.SamplesPerEdge,
                     m_options.HeightPx * m_options.SamplesPerEdge);
-                var shadows = Plan.NewShadows();
-                selection.Choose(view, m_budget, shadows?.Frame.ViewFor(view));
-                using var batch = new PointBatch(schema, selection.CheckedPoints, Allocator.Persistent);
                 using var canvas = new PictureCanvas(m_options.WidthPx, m_options.HeightPx, Allocator.Persistent,
                     m_options.SamplesPerEdge);
-                canvas.Shadows = shadows;
+                canvas.Shadows = Plan.NewShadows();
+                selection.Choose(view, m_budget, canvas.Shadows?.Frame.ViewFor(view));
+                using var batch = new PointBatch(schema, selection.CheckedPoints, Allocator.Persistent);
                 yield return JobStep.Of(LoadNodes.Run(m_folder, selection, batch, progress));
                 NodesDrawn = selection.NodeCount;
                 PointsDrawn = batch.Count;

@@ -98,14 +98,12 @@ namespace FastPoints.Picture
             return drawing;
         }
 
-        bool HasShadows => m_options.Shadows && LitParts > 0;
-
         ShadowFrame NewShadowFrame() => new ShadowFrame(Light.Direction, m_ranges.LengthsPerUnit);
 
         // Around what a camera sees of the stream's clouds; without texels where nothing is shaded.
         public ShadowFrame ShadowFrameFor(StreamContext stream, in Camera camera)
         {
-            if (!HasShadows)
+            if (!m_options.Shadows)
                 return default;
             var frame = NewShadowFrame();
             frame.Add(stream, camera.ToStreamView(m_options.WidthPx, m_options.HeightPx));
@@ -128,7 +126,7 @@ namespace FastPoints.Picture
         // Around what the picture's own camera sees; null without shadows.
         public ShadowCanvas NewShadows()
         {
-            if (!HasShadows)
+            if (!m_options.Shadows)
                 return null;
             var frame = NewShadowFrame();
             var bounds = m_ranges.Robust;

@@ -25,7 +25,7 @@ namespace FastPoints.Drawing
         public float3 AmbientY;
         public float3 AmbientZ;
 
-        // Those that light the eye most; Count of them, the first ones.
+        // Those that are brightest at the eye; of the four, the first AdditionalCount.
         public AdditionalLight Light0, Light1, Light2, Light3;
         public int AdditionalCount;
 

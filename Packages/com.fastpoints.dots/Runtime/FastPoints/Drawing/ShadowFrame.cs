@@ -45,10 +45,13 @@ namespace FastPoints.Drawing
         // What a view shows of all clouds.
         public void Add(StreamContext stream, in StreamView view)
         {
-            foreach (var cloud in stream.Clouds)
+            for (int c = 0; c < stream.Clouds.Count; c++)
+            {
+                var cloud = stream.Clouds[c];
                 if (cloud != null && cloud.Placement.IsValid && view.Mask.Shows(cloud.Placement.Visibility) &&
                     cloud.Pages[0].IsLoaded && cloud.Pages[0].NodeCount > 0)
                     Add(view, cloud.Placement, cloud.Pages[0].Nodes[0].Center, cloud.Pages[0].Nodes[0].Half);
+            }
         }
 
         // The part of a box that a view shows: the corners of its faces, cut by the view's planes, and the eye inside.
