@@ -68,7 +68,7 @@ namespace FastPoints.Picture
             var lengths = m_ranges.LengthsPerUnit;
             // Shadows are of what a layer has: with them, light is by its depths.
             var axes = new double3x3(Camera.Right / lengths, Camera.Up / lengths, Camera.Forward / lengths);
-            var normals = new PointNormals(batch, HasShadows ? 0 : LitParts, Light.From(Camera.EyeGeo))
+            var normals = new PointNormals(batch, m_options.Shadows ? 0 : LitParts, Light.From(Camera.EyeGeo))
             {
                 ToLight = double3x3.identity,
                 ViewToLight = axes,

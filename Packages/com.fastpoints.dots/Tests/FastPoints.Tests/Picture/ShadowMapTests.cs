@@ -33,7 +33,8 @@ namespace FastPoints.Tests.Picture
                 for (int i = 0; i < 27; i++)
                 {
                     var place = origin + new double3(i % 3, i / 3 % 3, i / 9) * 40 / lengths;
-                    Assert.That(projection.Project(place.x, place.y, place.z, out double column, out double row, out float depth));
+                    Assert.That(projection.Project(place.x, place.y, place.z, out double column, out double row,
+                        out float depth));
                     var fromEye = (float3)((place - camera.EyeGeo) * lengths);
                     Assert.That(math.dot(seen.Column, fromEye) + seen.Eye.x, Is.EqualTo(column).Within(2e-3));
                     Assert.That(math.dot(seen.Row, fromEye) + seen.Eye.y, Is.EqualTo(row).Within(2e-3));
@@ -59,7 +60,8 @@ namespace FastPoints.Tests.Picture
             for (int i = 0; i < 500 * 500; i++)
             {
                 var place = new double3(i % 500, i / 500, 0) / 5;
-                if (!picture.Project(place.x, place.y, 0, out double x, out double y, out _) || x < 0 || y < 0 || x > 640 || y > 360)
+                if (!picture.Project(place.x, place.y, 0, out double x, out double y, out _) ||
+                    x < 0 || y < 0 || x > 640 || y > 360)
                     continue;
                 shown++;
                 light.Project(place.x, place.y, 0, out double column, out double row, out _);
