@@ -14,7 +14,7 @@ public sealed class NormalsStep
     {
         double begin = run.Seconds;
         var step = new NormalsStep();
-        JobCoroutine.RunToEnd(AddNormals.Run(cloud, new NormalSettings(), manifest =>
+        JobCoroutine.RunToEnd(AddNormals.Run(cloud, null, manifest =>
             (step.Points, step.m_orientation) = (manifest.Points, manifest.NormalOrientation), run.Progress), run.Cancellation);
         step.m_seconds = run.Seconds - begin;
         return step;

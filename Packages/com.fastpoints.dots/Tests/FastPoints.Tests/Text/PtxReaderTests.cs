@@ -1,6 +1,7 @@
 using System.Linq;
 using FastPoints.Tests.Reading;
 using NUnit.Framework;
+using Unity.Mathematics;
 
 namespace FastPoints.Tests.Text
 {
@@ -38,6 +39,15 @@ namespace FastPoints.Tests.Text
             });
             Assert.That(at, Is.EqualTo(wanted.Length));
             Assert.That(reader.Info.Warnings, Is.Empty);
+            Assert.That(reader.Info.Scanners, Is.EqualTo(new[] { new double3(1000, 20, 3), new double3(7, 20, 3) }));
+        }
+
+        [Test]
+        public void Open_ScanInTheWorldsCoordinates_HasItsScannersPosition()
+        {
+            using var reader = ReadPoints.Open(Write(PtxTestFile.Scan(2, 3).Replace("1000 20 3 1", "0 0 0 1")));
+            ReadPoints.EachBlock(reader, reader.Info.Schema, _ => { });
+            Assert.That(reader.Info.Scanners, Is.EqualTo(new[] { new double3(1, 2, 3) }));
         }
 
         [Test]

@@ -54,11 +54,13 @@ namespace FastPoints.Build
 
         /// <summary>Coroutine.</summary>
         /// <param name="path">A finished cloud of several files on this machine.</param>
+        /// <param name="settings">Null for defaults.</param>
         /// <param name="done">Receives its manifest.</param>
         /// <exception cref="PointCloudException">It is none, is damaged, or cannot be written.</exception>
         public static IEnumerator<JobStep> Run(string path, NormalSettings settings, Action<CloudManifest> done,
             StageProgress progress)
         {
+            settings ??= new NormalSettings();
             CloudFolder folder = null;
             yield return JobStep.Of(PoolTask.Run(path, () => Open(path), opened => folder = opened,
                 unwanted => unwanted.Dispose()));

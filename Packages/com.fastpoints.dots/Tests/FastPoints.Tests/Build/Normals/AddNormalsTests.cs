@@ -121,6 +121,26 @@ namespace FastPoints.Tests.Build
             Assert.That(Directory.GetFiles(Cloud, "hierarchy*").Length, Is.EqualTo(1));
         }
 
+        /// <summary>Containers of jobs in flight must not be freed.</summary>
+        [Test]
+        public void Run_CancelledAnywhere_AwaitsItsJobs([Values(false, true)] bool ofFiles)
+        {
+            Convert(10000, 5, ofFiles ? InwardsOrNone : (Func<double3, int, double3>)((_, _) => 0));
+            bool isDone = false;
+            // Without workers a job is in flight until it is awaited.
+            using var workers = new WorkerCount(0);
+            for (int stop = 1; !isDone; stop++)
+            {
+                using var work = new CoroutineStack(AddNormals.Run(Cloud, null, null, null));
+                for (int jobs = 0; jobs < stop && !isDone; jobs += work.Current.Equals(default) ? 0 : 1)
+                {
+                    work.Current.Complete();
+                    isDone = !work.MoveNext();
+                }
+            }
+            Assert.That(Problems(), Is.Empty);
+        }
+
         [TestCase("layers")]
         [TestCase("hierarchy-2.bin")]
         public void Verify_DamagedNormals_AreFound(string where)
@@ -321,7 +341,7 @@ namespace FastPoints.Tests.Build
         }
 
         void Run(NormalSettings settings = null) =>
-            JobCoroutine.RunToEnd(AddNormals.Run(Cloud, settings ?? new NormalSettings(), null, null));
+            JobCoroutine.RunToEnd(AddNormals.Run(Cloud, settings, null, null));
 
         void Export(string path)
         {
