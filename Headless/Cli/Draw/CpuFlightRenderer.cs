@@ -4,7 +4,12 @@ public sealed class CpuFlightRenderer(StreamContext stream, PictureOptions optio
 {
     readonly StreamedPicture m_picture = new(options);
 
-    internal override void Add(int cloud, PicturePlan plan) => m_picture.Add(new StreamedBlocks(stream, cloud, plan), plan.Mode);
+    internal override void Add(int cloud, PicturePlan plan)
+    {
+        base.Add(cloud, plan);
+        m_picture.Add(new StreamedBlocks(stream, cloud, plan), plan.Mode);
+    }
+
     public override RgbaImage Draw(in Camera camera) => m_picture.Draw(camera);
 
     public override double MeasurePopping(in Camera camera, RgbaImage picture, bool isCut)

@@ -72,7 +72,7 @@ public sealed class DrawStep
             assumptions.AddRange(plan.Assumptions);
             camera ??= plan.Camera;
         }
-        var stats = Settle(stream, renderer, camera!.Value, options, run);
+        var stats = Settle(stream, renderer, camera!.Value, run);
         run.Progress.Begin("draw");
         var image = renderer.Draw(camera.Value);
         run.Progress.End();
@@ -89,15 +89,13 @@ public sealed class DrawStep
         };
     }
 
-    static FrameStats Settle(StreamContext stream, GpuFlightRenderer renderer, Camera camera, PictureOptions options, CliRun run)
+    static FrameStats Settle(StreamContext stream, GpuFlightRenderer renderer, Camera camera, CliRun run)
     {
-        using var views = new NativeArray<StreamView>(1, Allocator.Persistent);
-        var view = views;
-        view[0] = camera.ToStreamView(options.WidthPx, options.HeightPx);
+        using var views = new NativeArray<StreamView>(2, Allocator.Persistent);
         while (true)
         {
             run.Cancellation.ThrowIfCancellationRequested();
-            var stats = FrameStep.Run(stream, views);
+            var stats = FrameStep.Run(stream, renderer.Plan!.ViewsFor(stream, camera, views));
             JobHandle.ScheduleBatchedJobs();
             renderer.EndFrame();
             run.Progress.Report(stats.DrawnPoints / (double)Math.Max(1, stats.SelectedPoints), stats.DrawnPoints, 0);

@@ -104,7 +104,7 @@ sealed record FlightCloud(PicturePlan Plan, DisplayRanges Ranges, int Number)
                 : MeasureRanges(folder, options, cancellation);
             var plan = new PicturePlan(options, ranges, transform);
             var source = new FolderSource(folder,
-                CloudLooks.PlanesFor(plan.Mode, !options.HiddenClasses.IsEmpty, plan.LitParts > 0));
+                CloudLooks.PlanesFor(plan.Mode, !options.HiddenClasses.IsEmpty, plan.LitParts > 0 && !options.Shadows));
             return new FlightCloud(plan, ranges, stream.Add(source, CloudPlacement.Geo(source.Grid, source.Root)))
             {
                 Crs = folder.Manifest.Crs,

@@ -4,7 +4,10 @@ public abstract class FlightRenderer(PictureOptions options) : IDisposable
 {
     public PictureOptions Options => options;
 
-    internal abstract void Add(int cloud, PicturePlan plan);
+    /// <summary>Of the first cloud: light falls on all.</summary>
+    internal PicturePlan? Plan { get; private set; }
+
+    internal virtual void Add(int cloud, PicturePlan plan) => Plan ??= plan;
 
     public abstract RgbaImage Draw(in Camera camera);
 

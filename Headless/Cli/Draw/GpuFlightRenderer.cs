@@ -16,7 +16,6 @@ public sealed class GpuFlightRenderer : FlightRenderer
     readonly RenderTexture m_target;
     readonly CommandBuffer m_commands = new() { name = "FastPoints" };
     float m_edlStrength;
-    PointLight? m_light;
 
     /// <param name="canCompute">Draws one-pixel points with a compute shader instead of point primitives.</param>
     public GpuFlightRenderer(GpuShaders shaders, StreamContext stream, PictureOptions options, bool canCompute = true)
@@ -36,7 +35,7 @@ public sealed class GpuFlightRenderer : FlightRenderer
     internal override void Add(int cloud, PicturePlan plan)
     {
         m_edlStrength = Math.Max(m_edlStrength, plan.EdlStrength);
-        m_light ??= plan.Light;
+        base.Add(cloud, plan);
         var look = CloudLooks.Of(plan.Colors, m_stream.Clouds[cloud].Source, plan.HiddenClasses);
         look.Light = plan.LitParts / (float)PointLight.Parts;
         m_renderer.List.SetLook(cloud, look);
@@ -48,7 +47,7 @@ public sealed class GpuFlightRenderer : FlightRenderer
         var view = RenderViews.Of(camera, width, height, camera.IsOrthographic ? MaxCloudDepth(camera) : 0);
         view.Style = StyleOf(Options, m_edlStrength);
         view.Style.PointsPerFrame = PointsPerFrame;
-        view.Light = m_light.GetValueOrDefault();
+        view.Light = Plan?.Light.From(camera.EyeGeo) ?? default;
         view.Color = m_target;
         view.Depth = m_target;
         m_renderer.Prepare(m_stream, camera.ToStreamView(width, height), view.Style);
@@ -92,6 +91,7 @@ public sealed class GpuFlightRenderer : FlightRenderer
             Size = size,
             EdlStrength = edlStrength,
             FillsHoles = options.FillsHoles,
+            Shadows = options.Shadows,
         };
     }
 

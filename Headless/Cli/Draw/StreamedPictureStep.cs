@@ -42,7 +42,7 @@ public static class StreamedPictureStep
             new double3(1, 1, 1));
 
         run.Progress.Begin("stream");
-        var stats = RunUntilSettled(stream, camera, options, run);
+        var stats = RunUntilSettled(stream, first!.Plan, camera, run);
         run.Progress.Begin("draw");
         var image = picture.Draw(camera);
         run.Progress.End();
@@ -58,15 +58,13 @@ public static class StreamedPictureStep
         };
     }
 
-    static FrameStats RunUntilSettled(StreamContext stream, in Camera camera, PictureOptions options, CliRun run)
+    static FrameStats RunUntilSettled(StreamContext stream, PicturePlan plan, in Camera camera, CliRun run)
     {
-        using var views = new NativeArray<StreamView>([camera.ToStreamView(
-            options.WidthPx * options.SamplesPerEdge, options.HeightPx * options.SamplesPerEdge)],
-            Allocator.Persistent);
+        using var views = new NativeArray<StreamView>(2, Allocator.Persistent);
         for (int idleFrames = 0; ;)
         {
             run.Cancellation.ThrowIfCancellationRequested();
-            var stats = FrameStep.Run(stream, views);
+            var stats = FrameStep.Run(stream, plan.ViewsFor(stream, camera, views));
             JobHandle.ScheduleBatchedJobs();
             bool isIdle = stats.ReadsInFlight + stats.RequestedNodes + stats.UploadedNodes + stats.MissingPages == 0;
             idleFrames = isIdle ? idleFrames + 1 : 0;

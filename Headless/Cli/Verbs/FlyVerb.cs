@@ -178,8 +178,7 @@ public sealed class FlyVerb : Verb
     {
         int frames = log.Frames;
         run.Progress.Begin("fly");
-        using var views = new NativeArray<StreamView>(1, Allocator.Persistent);
-        var view = views;
+        using var views = new NativeArray<StreamView>(2, Allocator.Persistent);
         RgbaImage? last = null;
         IoThreads.Prepare(2 * stream.Files.MaxOpenFiles);
         double begin = log.BeginSeconds = run.Seconds;
@@ -187,7 +186,7 @@ public sealed class FlyVerb : Verb
         {
             run.Cancellation.ThrowIfCancellationRequested();
             var camera = path.CameraAt(frame);
-            view[0] = camera.ToStreamView(picture.Options.WidthPx, picture.Options.HeightPx);
+            var view = picture.Plan!.ViewsFor(stream, camera, views);
             long garbage = GC.GetAllocatedBytesForCurrentThread(), start = Stopwatch.GetTimestamp();
             var stats = FrameStep.Run(stream, view);
             double mainThreadMs = Stopwatch.GetElapsedTime(start).TotalMilliseconds;

@@ -184,6 +184,76 @@ public sealed class GpuPictureTests : GraphicsFixture
         Assert.That(streams.Draw(streams.Plan.Camera).Cpu.Rgba, Is.Not.EqualTo(byDepth.Draw(streams.Plan.Camera).Cpu.Rgba));
     }
 
+    /// <summary>From the side, so that the cloud shades itself.</summary>
+    [TestCase("1", "round")]
+    [TestCase("5", "round")]
+    [TestCase("adaptive", "paraboloid")]
+    [TestCase("5", "splat")]
+    public void Draw_Shadows_MatchesTheSoftwareRasterizer(string size, string points)
+    {
+        var options = Options(0, true, ColorMode.Elevation);
+        foreach (var (key, value) in new[] { ("size", size), ("points", points), ("light", "200,20,1") })
+            Assert.That(options.TrySetStyle(key, value, out string error), Is.True, error);
+        using var lit = new TwinStreams(m_demo, options, Points);
+        var camera = lit.Plan.Camera;
+        var without = lit.Draw(camera).Cpu;
+        options.Shadows = true;
+        using var streams = new TwinStreams(m_demo, options, Points);
+        string name = "shadows-" + size + points;
+        Compare(streams, camera, name, 1);
+        Assert.That(streams.Draw(camera).Gpu.Rgba, Is.EqualTo(streams.Draw(camera).Gpu.Rgba));
+        var with = streams.Draw(camera).Cpu;
+        int darker = Enumerable.Range(0, 320 * 180).Count(i => (with[i % 320, i / 320] >> 8 & 255) + 8 <
+            (without[i % 320, i / 320] >> 8 & 255));
+        Assert.That(darker, Is.GreaterThan(300));
+        var center = streams.Ranges.Robust.Center;
+        Compare(streams, PictureCamera.Orthographic(center, center + new double3(0.3, 0.4, -1), new double3(0, 1, 0),
+            2 * streams.Ranges.Robust.Size.y), name + "-flat", 1);
+    }
+
+    /// <summary>A point light, a cone and a second sun, beside the main one.</summary>
+    [TestCase(false)]
+    [TestCase(true)]
+    public void Draw_AdditionalLights_MatchesTheSoftwareRasterizer(bool hasNormals)
+    {
+        var options = Options(5, true);
+        options.LightShare = 1;
+        string cloud = hasNormals ? Convert(m_scratch.Demo(points: Points), "normals", "--normals") : m_demo;
+        using var streams = new TwinStreams(cloud, options, Points);
+        var camera = streams.Plan.Camera;
+        var center = streams.Ranges.Robust.Center;
+        var size = (float3)streams.Ranges.Robust.Size;
+        float3 middle = (float3)center, eye = (float3)camera.EyeGeo;
+        float sizeSq = math.lengthsq(size);
+        var light = streams.Plan.Light;
+        light.Color = 0.3f;
+        streams.Light(light);
+        var unlit = streams.Draw(camera).Gpu;
+        light.Add(new AdditionalLight
+        {
+            Place = middle + size / 4,
+            Color = new float3(sizeSq / 8, 0, 0),
+            OneOverRangeSq = 4 / sizeSq,
+            ConeOffset = 1,
+        }, eye);
+        light.Add(new AdditionalLight
+        {
+            Place = middle + new float3(0, 0, size.x / 2),
+            Color = new float3(0, sizeSq / 8, 0),
+            OneOverRangeSq = 1 / sizeSq,
+            Axis = new float3(0, 0, 1),
+            ConeScale = 3,
+            ConeOffset = -2,
+        }, eye);
+        light.Add(new AdditionalLight { Place = new float3(1, 0, 0), Color = new float3(0, 0, 0.5f), ConeOffset = 1 }, eye);
+        streams.Light(light);
+        Compare(streams, camera, "additional" + hasNormals, 1);
+        var lit = streams.Draw(camera).Gpu;
+        for (int channel = 0; channel < 3; channel++)
+            Assert.That(Enumerable.Range(0, 320 * 180).Count(i => lit.Rgba[4 * i + channel] > unlit.Rgba[4 * i + channel] + 8),
+                Is.GreaterThan(300), "channel " + channel);
+    }
+
     [Test]
     public void Draw_OneCloudOfTwoLit_LeavesTheOther()
     {
@@ -221,15 +291,17 @@ public sealed class GpuPictureTests : GraphicsFixture
     {
         string lion = TestData.PathOrIgnore("data/lion.laz");
         string cloud = hasNormals ? Convert(lion, "lion-normals", "--normals") : Convert(lion, "lion");
-        double Measure(float share)
+        double Measure(float share, bool hasShadows = false)
         {
             var options = Options(sizePx, true, ColorMode.Elevation);
+            options.Shadows = hasShadows;
             (options.WidthPx, options.HeightPx, options.EdlStrength, options.LightShare) = (1280, 720, edlStrength, share);
             using var streams = new TwinStreams(cloud, options, 2_000_000);
             return streams.LeastMilliseconds(streams.Plan.Camera);
         }
-        double unlit = Measure(0), lit = Measure(0.7f);
-        TestContext.Out.WriteLine($"{sizePx} px, lighting {edlStrength}, normals {hasNormals}: {unlit:0} ms, lit {lit:0} ms, {lit / unlit:0.00}");
+        double unlit = Measure(0), lit = Measure(0.7f), shadowed = Measure(0.7f, true);
+        TestContext.Out.WriteLine($"{sizePx} px, lighting {edlStrength}, normals {hasNormals}: {unlit:0} ms, " +
+            $"lit {lit:0} ms, {lit / unlit:0.00}, with shadows {shadowed:0} ms");
         Assert.That(lit, Is.LessThan(1.3 * unlit));
     }
 

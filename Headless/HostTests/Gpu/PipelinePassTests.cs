@@ -110,6 +110,24 @@ public sealed class PipelinePassTests : PipelineFixture
         var red = Mean(1, away, Color.red);
         Assert.That(red.Red / red.Green, Is.GreaterThan(1.3 * lit.Red / lit.Green));
         Assert.That(Mean(0, -away, Color.red), Is.EqualTo(Mean(0, away, Color.white)));
+        if (Pipeline is UrpHost host)
+        {
+            // Above the middle of the cloud.
+            var above = Matrix4x4.identity;
+            above.SetColumn(3, new Vector4(0, 0, 30, 1));
+            host.Additional = new VisibleLight
+            {
+                finalColor = new Color(0, 1000, 0),
+                lightType = LightType.Point,
+                range = 100,
+                localToWorldMatrix = above,
+            };
+            var green = Mean(1, away, Color.red);
+            Assert.That(green.Green, Is.GreaterThan(1.3 * red.Green));
+            Assert.That(green.Red, Is.EqualTo(red.Red));
+            host.HasAdditional = false;
+            Assert.That(Mean(1, away, Color.red), Is.EqualTo(red));
+        }
         (RenderSettings.sun, RenderSettings.ambientProbe) = (null, default);
         UnityEngine.Object.DestroyImmediate(sun.gameObject);
         UnityEngine.Object.DestroyImmediate(camera.gameObject);

@@ -11,6 +11,7 @@ sealed class TwinStreams : IDisposable
     readonly FlightRenderer m_cpuPicture;
     readonly FlightRenderer m_gpuPicture;
     readonly PictureOptions m_options;
+    readonly List<PicturePlan> m_plans = [];
     bool m_isFading;
 
     public TwinStreams(string cloud, PictureOptions options, long budget, Func<CloudPlacement, CloudPlacement> place = null,
@@ -40,6 +41,7 @@ sealed class TwinStreams : IDisposable
                 stream.Clouds[number].Placement = place(stream.Clouds[number].Placement);
             picture.Add(number, plan);
             Plan = plan;
+            m_plans.Add(plan);
             Ranges = ranges;
         }
     }
@@ -53,6 +55,10 @@ sealed class TwinStreams : IDisposable
 
     public PicturePlan Plan { get; private set; }
     public DisplayRanges Ranges { get; private set; }
+
+    public ShadowFrame ShadowFrame(PictureCamera camera) => Plan.ShadowFrameFor(m_gpu, camera);
+
+    public void Light(PointLight light) => m_plans.ForEach(plan => plan.Light = light);
 
     public void Clip()
     {
@@ -119,12 +125,10 @@ sealed class TwinStreams : IDisposable
 
     void Settle(StreamContext stream, FlightRenderer picture, PictureCamera camera)
     {
-        using var views = new NativeArray<StreamView>(1, Allocator.Persistent);
-        var view = views;
-        view[0] = camera.ToStreamView(m_options.WidthPx, m_options.HeightPx);
+        using var views = new NativeArray<StreamView>(2, Allocator.Persistent);
         for (int frame = 0; frame < MaxFrames; frame++)
         {
-            var stats = FrameStep.Run(stream, views);
+            var stats = FrameStep.Run(stream, picture.Plan.ViewsFor(stream, camera, views));
             picture.EndFrame();
             if (stats.IsSettled || m_isFading)
                 return;

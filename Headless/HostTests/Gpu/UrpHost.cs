@@ -14,6 +14,8 @@ sealed class UrpHost : PipelineHost
     public bool IsWithoutDepth { get; set; }
 
     public VisibleLight? MainLight { get; set; }
+    public VisibleLight Additional { get; set; }
+    public bool HasAdditional { get; set; } = true;
 
     public int PassCount { get; private set; }
 
@@ -49,10 +51,11 @@ sealed class UrpHost : PipelineHost
         cameraData.xrRendering = camera.stereoEnabled &&
             (!camera.TryGetComponent<UniversalAdditionalCameraData>(out var data) || data.allowXRRendering);
         cameraData.Eye = Eye;
-        VisibleLight[] visible = MainLight != null ? [default, MainLight.Value] : [];
+        VisibleLight[] visible = MainLight != null ? [Additional, MainLight.Value] : [];
         using var lights = new NativeArray<VisibleLight>(visible, Allocator.Persistent);
         var lightData = frame.GetOrCreate<UniversalLightData>();
         (lightData.mainLightIndex, lightData.visibleLights) = (lights.Length - 1, lights);
+        lightData.additionalLightsCount = HasAdditional ? lights.Length / 2 : 0;
         foreach (var pass in m_renderer.Passes)
             pass.RecordRenderGraph(graph, frame);
         m_renderer.Passes.Clear();

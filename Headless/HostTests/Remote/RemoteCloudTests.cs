@@ -371,18 +371,22 @@ public sealed class RemoteCloudTests : ScratchTests
     }
 
     [Test]
-    public void Picture_OfAnAddress_HasThePixelsOfTheDisk([Values("adaptive", "2")] string size)
+    public void Picture_OfAnAddress_HasThePixelsOfTheDisk([Values("adaptive", "2")] string size, [Values] bool hasNormals)
     {
+        string disk = Path.Combine(m_served, "scan.fastpoints"), style = "size=" + size + (hasNormals ? ",light=on" : "");
+        if (hasNormals)
+            JobCoroutine.RunToEnd(AddNormals.Run(disk, new NormalSettings(), null, null));
         byte[] Picture(string path)
         {
             string picture = Scratch["picture.png"];
-            var call = CliCall.Of("picture", path, "-o", picture, "--size", "200x120", "--style", "size=" + size, "--quiet",
+            var call = CliCall.Of("picture", path, "-o", picture, "--size", "200x120", "--style", style, "--quiet",
                 "--force", "--plain");
             Assert.That(call.Status, Is.EqualTo(ExitStatus.Done), call.Error);
             return File.ReadAllBytes(picture);
         }
-        Assert.That(Picture(Address + "?sig=secret"), Is.EqualTo(Picture(m_cloud)));
+        Assert.That(Picture(Address + "?sig=secret"), Is.EqualTo(Picture(disk)));
         Assert.That(RemoteStatistics.Waits, Is.Zero);
+        Assert.That(m_server.Requests.Any(r => r.Name.Contains(StoreFormat.LayerFolderName)), Is.EqualTo(hasNormals));
     }
 
     [Test]

@@ -14,7 +14,7 @@ Shader "Hidden/FastPoints/Compose"
             #pragma vertex FastPointsComposeVertex
             #pragma fragment FastPointsComposeFragment
             #pragma multi_compile_local _ FASTPOINTS_FROM_PIXELS FASTPOINTS_BLENDED
-            #pragma multi_compile_local _ FASTPOINTS_LIT
+            #pragma multi_compile_local _ FASTPOINTS_LIT FASTPOINTS_SHADOWED
             #include "Packages/com.fastpoints.dots/Shaders/ComposePass.hlsl"
             ENDHLSL
         }

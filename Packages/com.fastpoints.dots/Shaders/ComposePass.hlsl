@@ -88,6 +88,10 @@ float2 _FastPointsScalePx;
 // 1: colours are written as light, not as sRGB.
 uint _FastPointsIsLinear;
 
+#if defined(FASTPOINTS_SHADOWED)
+#define FASTPOINTS_LIT
+#endif
+
 #if defined(FASTPOINTS_LIT)
 #include "PointLight.hlsl"
 #endif
@@ -183,7 +187,8 @@ FastPointsComposed FastPointsComposeFragment(FastPointsPlace place)
 #if defined(FASTPOINTS_LIT)
     int litParts = FastPointsLitPartsOf(color);
     if (litParts != 0)
-        color.xyz = FastPointsLit(color.xyz, float(litParts) / 7.0, FastPointsNormalAt(pixel, depth.x, radius));
+        color.xyz = FastPointsLit(color.xyz, float(litParts) / 7.0, FastPointsNormalAt(pixel, depth.x, radius),
+            FastPointsPlaceOf(pixel, depth.x));
 #endif
     color.xyz *= exp(-_FastPointsEdlStrength * before / 8.0);
     FastPointsComposed composed;

@@ -248,7 +248,7 @@ FastPointsPoint FastPointsLoadPoint(uint instance, uint index)
             {
                 float3 view = _FastPointsIsOrthographic != 0u ? _FastPointsForward : seen;
                 float3 normal = FastPointsNormal(node, cloud, blockIndex, index, view);
-                color = FastPointsLit(color, float(cloud.ColorSource >> 8 & 7u) / 7.0, normal);
+                color = FastPointsLit(color, float(cloud.ColorSource >> 8 & 7u) / 7.0, normal, seen - _FastPointsEyeOffset);
             }
             loaded.Color = _FastPointsIsLinear != 0u ? FastPointsLinearFromSrgb(color) : color;
         }

@@ -15,6 +15,55 @@ float4x4 _FastPointsAmbient;
 float3 _FastPointsLightDirection;
 float3 _FastPointsLightColor;
 
+// Rows: a light each, see AdditionalLight. Place, ConeOffset; Color, OneOverRangeSq; Axis, ConeScale.
+float4x4 _FastPointsAdditionalPlaces;
+float4x4 _FastPointsAdditionalColors;
+float4x4 _FastPointsAdditionalAxes;
+int _FastPointsAdditionalCount;
+
+#if defined(FASTPOINTS_SHADOWED)
+// ShadowFrame.EdgePx; PointShadow.BiasTexels, SlopeTexels; 4 * WholeShare.
+#define FASTPOINTS_SHADOW_EDGE 1024
+#define FASTPOINTS_SHADOW_BIAS 1.0
+#define FASTPOINTS_SHADOW_SLOPE 2.0
+#define FASTPOINTS_SHADOW_WHOLE 2.0
+
+// What RasterPoints.hlsl made, seen by the light: depths and no colours.
+ByteAddressBuffer _FastPointsShadowPixels;
+
+// Rows: Column, Row, Forward of PointShadow, each with its part of Eye; the length of a texel.
+float4x4 _FastPointsShadow;
+
+// FastPoints.Picture.ShadowMap.At.
+float FastPointsShadow(float3 place, float facing)
+{
+    float4 from = float4(place, 1.0);
+    float column = dot(_FastPointsShadow[0], from), row = dot(_FastPointsShadow[1], from);
+    float slope = sqrt(max(0.0, 1.0 - facing * facing)) / facing;
+    float depth = dot(_FastPointsShadow[2], from)
+        - _FastPointsShadow[3].x * (FASTPOINTS_SHADOW_BIAS + FASTPOINTS_SHADOW_SLOPE * slope);
+    uint bits = asuint(depth);
+    uint nearest = bits & 0x80000000u ? ~bits : bits | 0x80000000u;
+    float most = float(FASTPOINTS_SHADOW_EDGE - 1), shaded = 0.0;
+    if (column >= 1.0 && row >= 1.0 && column <= most && row <= most)
+    {
+        int2 first = int2(int(column - 1.0), int(row - 1.0));
+        float2 part = float2(column - 1.0, row - 1.0) - float2(first);
+        float3 across = float3(1.0 - part.x, 1.0, part.x), down = float3(1.0 - part.y, 1.0, part.y);
+        for (int y = 0; y < 3; y++)
+        {
+            for (int x = 0; x < 3; x++)
+            {
+                int2 at = min(first + int2(x, y), FASTPOINTS_SHADOW_EDGE - 1);
+                if (_FastPointsShadowPixels.Load(uint(at.y * FASTPOINTS_SHADOW_EDGE + at.x) * 8u) < nearest)
+                    shaded += across[x] * down[y];
+            }
+        }
+    }
+    return 1.0 - saturate(shaded / FASTPOINTS_SHADOW_WHOLE);
+}
+#endif
+
 #if defined(FASTPOINTS_LIT)
 // Rows: First, StepX, StepY, Forward of PixelPlaces.
 float4x4 _FastPointsPlaces;
@@ -59,18 +108,50 @@ float3 FastPointsNormalAt(int2 pixel, float depth, int radius)
 }
 #endif
 
-float3 FastPointsLightOn(float3 normal)
+float FastPointsFacing(float3 normal, float3 direction)
+{
+    return dot(normal, normal) > 0.0 ? max(0.0, dot(normal, direction)) : FASTPOINTS_LIGHT_WITHOUT_NORMAL;
+}
+
+// AdditionalLight.On.
+float3 FastPointsAdditionalLightOn(float4 additional, float4 color, float4 axis, float3 normal, float3 place)
+{
+    float3 to = color.w > 0.0 ? additional.xyz - place : additional.xyz;
+    float distanceSq = max(6.1e-5, dot(to, to));
+    to *= rsqrt(distanceSq);
+    float fade = saturate(1.0 - distanceSq * color.w * distanceSq * color.w);
+    float cone = saturate(dot(axis.xyz, to) * axis.w + additional.w);
+    float falloff = color.w > 0.0 ? fade * fade / distanceSq : 1.0;
+    return color.xyz * (falloff * cone * cone * FastPointsFacing(normal, to));
+}
+
+float3 FastPointsLightOn(float3 normal, float3 place)
 {
     float3 ambient = _FastPointsAmbient[3].xyz + _FastPointsAmbient[0].xyz * normal.x + _FastPointsAmbient[1].xyz * normal.y
         + _FastPointsAmbient[2].xyz * normal.z;
-    float main = dot(normal, normal) > 0.0 ? max(0.0, dot(normal, _FastPointsLightDirection)) : FASTPOINTS_LIGHT_WITHOUT_NORMAL;
-    return max(float3(0.0, 0.0, 0.0), ambient) + _FastPointsLightColor * main;
+    float facing = FastPointsFacing(normal, _FastPointsLightDirection);
+    float3 light = max(float3(0.0, 0.0, 0.0), ambient);
+    if (facing > 0.0)
+    {
+#if defined(FASTPOINTS_SHADOWED)
+        facing *= FastPointsShadow(place, facing);
+#endif
+        light += _FastPointsLightColor * facing;
+    }
+    // By numbers: WebGPU's compilers take no others for a matrix.
+    float4x4 places = _FastPointsAdditionalPlaces, colors = _FastPointsAdditionalColors, axes = _FastPointsAdditionalAxes;
+    if (_FastPointsAdditionalCount > 0)
+        light += FastPointsAdditionalLightOn(places[0], colors[0], axes[0], normal, place)
+            + FastPointsAdditionalLightOn(places[1], colors[1], axes[1], normal, place)
+            + FastPointsAdditionalLightOn(places[2], colors[2], axes[2], normal, place)
+            + FastPointsAdditionalLightOn(places[3], colors[3], axes[3], normal, place);
+    return light;
 }
 
 // From sRGB to sRGB.
-float3 FastPointsLit(float3 color, float share, float3 normal)
+float3 FastPointsLit(float3 color, float share, float3 normal, float3 place)
 {
-    float3 lit = FastPointsLinearFromSrgb(color) * (1.0 - share + share * FastPointsLightOn(normal));
+    float3 lit = FastPointsLinearFromSrgb(color) * (1.0 - share + share * FastPointsLightOn(normal, place));
     return saturate(FastPointsSrgbFromLinear(lit));
 }
 

@@ -54,9 +54,37 @@ public class UniversalLightData : ContextItem
 {
     /// <summary>In <see cref="visibleLights"/>; -1 for none.</summary>
     public int mainLightIndex = -1;
+
+    /// <summary>0 where the pipeline's asset has them disabled.</summary>
+    public int additionalLightsCount;
     public NativeArray<VisibleLight> visibleLights;
 
-    public override void Reset() => (mainLightIndex, visibleLights) = (-1, default);
+    public override void Reset() => (mainLightIndex, additionalLightsCount, visibleLights) = (-1, 0, default);
+}
+
+public sealed class UniversalRenderPipeline
+{
+    /// <summary>As URP 17 has it, for lights whose inner angle is not known.</summary>
+    public static void InitializeLightConstants_Common(NativeArray<VisibleLight> lights, int lightIndex, out Vector4 lightPos,
+        out Vector4 lightColor, out Vector4 lightAttenuation, out Vector4 lightSpotDir, out Vector4 lightOcclusionProbeChannel)
+    {
+        var light = lights[lightIndex];
+        var back = -light.localToWorldMatrix.GetColumn(2);
+        bool isDirectional = light.lightType == LightType.Directional;
+        lightPos = isDirectional ? new Vector4(back.x, back.y, back.z, 0) : light.localToWorldMatrix.GetColumn(3);
+        lightColor = light.finalColor;
+        lightAttenuation = new Vector4(0, 1, 0, 1);
+        lightSpotDir = new Vector4(0, 0, 1, 0);
+        lightOcclusionProbeChannel = default;
+        if (!isDirectional)
+            (lightAttenuation.x, lightAttenuation.y) = (1 / Math.Max(0.0001f, light.range * light.range), 1 / 0.36f);
+        if (light.lightType != LightType.Spot)
+            return;
+        double half = light.spotAngle * Math.PI / 360, inner = Math.Atan(Math.Tan(half) * 46 / 64);
+        lightAttenuation.z = 1 / (float)Math.Max(0.001, Math.Cos(inner) - Math.Cos(half));
+        lightAttenuation.w = -(float)Math.Cos(half) * lightAttenuation.z;
+        lightSpotDir = back;
+    }
 }
 
 public class UniversalCameraData : ContextItem

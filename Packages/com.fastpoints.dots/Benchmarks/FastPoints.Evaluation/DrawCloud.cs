@@ -53,6 +53,7 @@ namespace FastPoints.Evaluation
             {
                 long points = drawSample ? sample.Count : m_reader.PointCount;
                 yield return JobStep.Of(SamplePicture.ChooseSize(m_canvas, sample.Points, Plan, points));
+                m_canvas.Shadows = Plan.NewShadows();
                 yield return JobStep.Of(drawSample
                     ? SamplePicture.Draw(m_canvas, sample.Points, Plan, progress)
                     : DrawAll(progress));
@@ -81,15 +82,23 @@ namespace FastPoints.Evaluation
                 : schema.Select(AttributeNames.X, AttributeNames.Y, AttributeNames.Z);
         }
 
-        public JobHandle Schedule(BlockRead read, int slot, JobHandle decoded) =>
+        public JobHandle Schedule(BlockRead read, int slot, JobHandle decoded)
+        {
+            var drawn = Schedule(read, Plan.DrawingOf(read.Points, m_canvas), m_canvas, decoded);
+            var shadows = m_canvas.Shadows;
+            return shadows == null ? drawn
+                : Schedule(read, Plan.ShadowDrawingOf(read.Points, shadows), shadows.Canvas, drawn);
+        }
+
+        static JobHandle Schedule(BlockRead read, in PointDrawing drawing, PictureCanvas canvas, JobHandle decoded) =>
             new DrawBlockJob
             {
                 Block = read.Points.Bytes,
                 Result = read.Result,
-                Palettes = m_canvas.Palettes,
-                SizeOfTile = m_canvas.SizeOfTile,
-                Drawing = Plan.DrawingOf(read.Points, m_canvas),
-                Pixels = m_canvas.Pixels,
+                Palettes = canvas.Palettes,
+                SizeOfTile = canvas.SizeOfTile,
+                Drawing = drawing,
+                Pixels = canvas.Pixels,
             }.ScheduleParallel(RasterizePointsJob.PieceCount(read.Range.Count), 1, decoded);
 
         public void Completed(BlockRead read, int slot) => PointsDrawn += read.Points.Count;

@@ -86,7 +86,9 @@ namespace FastPoints.Evaluation
             var source = cloud.Source;
             var toWorld = DrawListCloud.NormalsToWorld(linear,
                 source.Crs.Units.MetresAt(source.Grid.ToGeo(source.Root.Corner), UpAxis.Z));
+            drawing.Normals.Light = m_plan.Light.From(camera.EyeGeo);
             drawing.Normals.ToLight = toWorld;
+            drawing.Normals.ViewToLight = new double3x3(camera.Right, camera.Up, camera.Forward);
             drawing.Normals.ToView = new double3x3(Turned(camera, toWorld.c0), Turned(camera, toWorld.c1),
                 Turned(camera, toWorld.c2));
             return drawing;
@@ -126,11 +128,14 @@ namespace FastPoints.Evaluation
             }
         }
 
-        internal JobHandle ScheduleDraw(DrawnBlocks drawn, in Camera camera, PictureCanvas canvas)
+        // isPixels: whatever size the points have.
+        internal JobHandle ScheduleDraw(DrawnBlocks drawn, in Camera camera, PictureCanvas canvas, bool isPixels = false)
         {
             var cloud = m_stream.Clouds[m_cloud];
             var drawing = DrawingFor(camera, canvas);
-            if (drawn.SizeNodes.Length > 0)
+            if (isPixels)
+                (drawing.IsWorldSize, drawing.LargestPx) = (false, 1);
+            else if (drawn.SizeNodes.Length > 0)
             {
                 drawing.IsWorldSize = true;
                 drawing.LargestPx = drawing.Size.MaxPx;

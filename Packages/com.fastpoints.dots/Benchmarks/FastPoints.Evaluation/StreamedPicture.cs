@@ -63,6 +63,7 @@ namespace FastPoints.Evaluation
                 ChooseSizes(blocksOfCloud, camera);
             else
                 m_canvas.UseSize(math.max(PointSizing.MinPx, m_options.PointSizePx));
+            DrawShadows(blocksOfCloud, camera);
             var drawn = DrawAll(blocksOfCloud, camera, m_canvas);
             if (m_options.BlendedPoints)
             {
@@ -74,6 +75,18 @@ namespace FastPoints.Evaluation
             resolve.EdlStrength = m_edlStrength;
             m_canvas.ScheduleResolve(resolve, drawn).Complete();
             return m_canvas.ToImage();
+        }
+
+        void DrawShadows(List<DrawnBlocks> blocksOfCloud, in Camera camera)
+        {
+            var frame = m_clouds[0].Plan.ShadowFrameFor(m_clouds[0].Stream, camera);
+            if (m_canvas.Shadows != null)
+                m_canvas.Shadows.Frame = frame;
+            if (!(frame.TexelWorld > 0))
+                return;
+            var shadows = m_canvas.Shadows ??= new ShadowCanvas(frame);
+            shadows.Canvas.Clear();
+            DrawAll(blocksOfCloud, shadows.Camera, shadows.Canvas, true).Complete();
         }
 
         public void Dispose()
@@ -95,12 +108,12 @@ namespace FastPoints.Evaluation
             m_canvas.UseSizesOf(canvas);
         }
 
-        JobHandle DrawAll(List<DrawnBlocks> blocksOfCloud, in Camera camera, PictureCanvas canvas)
+        JobHandle DrawAll(List<DrawnBlocks> blocksOfCloud, in Camera camera, PictureCanvas canvas, bool isPixels = false)
         {
             var drawn = default(JobHandle);
             for (int cloud = 0; cloud < m_clouds.Count; cloud++)
                 drawn = JobHandle.CombineDependencies(drawn,
-                    m_clouds[cloud].ScheduleDraw(blocksOfCloud[cloud], camera, canvas));
+                    m_clouds[cloud].ScheduleDraw(blocksOfCloud[cloud], camera, canvas, isPixels));
             return drawn;
         }
     }

@@ -52,14 +52,16 @@ namespace FastPoints.Picture
                 if (!PlansByManifest)
                     yield return JobStep.Of(LoadNodes.MeasureRanges(m_folder, selection, schema, m_options.UpAxis, ranges));
                 Plan = new PicturePlan(m_options, ranges, transform);
-                if (Plan.LitParts > 0)
+                if (Plan.LitParts > 0 && !m_options.Shadows)
                     schema = LoadNodes.WithNormals(schema, m_folder);
 
-                selection.Choose(Plan.Camera.ToStreamView(m_options.WidthPx * m_options.SamplesPerEdge,
-                    m_options.HeightPx * m_options.SamplesPerEdge), m_budget);
-                using var batch = new PointBatch(schema, selection.CheckedPoints, Allocator.Persistent);
+                var view = Plan.Camera.ToStreamView(m_options.WidthPx * m_options.SamplesPerEdge,
+                    m_options.HeightPx * m_options.SamplesPerEdge);
                 using var canvas = new PictureCanvas(m_options.WidthPx, m_options.HeightPx, Allocator.Persistent,
                     m_options.SamplesPerEdge);
+                canvas.Shadows = Plan.NewShadows();
+                selection.Choose(view, m_budget, canvas.Shadows?.Frame.ViewFor(view));
+                using var batch = new PointBatch(schema, selection.CheckedPoints, Allocator.Persistent);
                 yield return JobStep.Of(LoadNodes.Run(m_folder, selection, batch, progress));
                 NodesDrawn = selection.NodeCount;
                 PointsDrawn = batch.Count;

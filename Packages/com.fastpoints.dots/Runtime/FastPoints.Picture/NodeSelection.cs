@@ -57,8 +57,9 @@ namespace FastPoints.Picture
 
         /// <summary>Chooses for a view in georeferenced space, or, without one, evenly from the root down.</summary>
         /// <param name="budget">The most points, except that the root is always chosen.</param>
+        /// <param name="light">Of what shades the picture from outside of it.</param>
         /// <exception cref="PointCloudException">A page is damaged.</exception>
-        public void Choose(StreamView? camera, long budget)
+        public void Choose(StreamView? camera, long budget, StreamView? light = null)
         {
             m_hasView = camera.HasValue;
             if (!m_hasView)
@@ -69,8 +70,10 @@ namespace FastPoints.Picture
             var settings = LodSettings.Default;
             settings.PointBudget = budget;
             settings.Hysteresis = 1;
-            using (var views = new NativeArray<StreamView>(1, Allocator.TempJob) { [0] = camera.Value })
+            using (var all = new NativeArray<StreamView>(2, Allocator.TempJob)
+                { [0] = camera.Value, [1] = light.GetValueOrDefault() })
             {
+                var views = all.GetSubArray(0, light.HasValue ? 2 : 1);
                 do
                 {
                     foreach (var missing in m_selector.Missing)

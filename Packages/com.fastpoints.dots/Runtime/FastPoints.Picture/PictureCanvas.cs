@@ -58,6 +58,9 @@ namespace FastPoints.Picture
         // Sums of blended points, see BlendedPixels. Empty before BeginBlending.
         public NativeArray<ulong> Sums => m_isBlending ? m_sums : default;
 
+        // Of the main light; null without. Who draws a point here draws it there, too.
+        public ShadowCanvas Shadows { get; set; }
+
         public NativeArray<uint> Palettes => m_palettes;
 
         // Row by row from the top: see PointSizing.
@@ -178,6 +181,7 @@ namespace FastPoints.Picture
                 m_sums.Dispose();
             m_colors.Dispose();
             m_sizeOfTile.Dispose();
+            Shadows?.Dispose();
             m_typicalSizePx.Dispose();
             m_palettes.Dispose();
         }

@@ -90,8 +90,11 @@ namespace FastPoints.Picture
         public double LightAzimuth = double.NaN;
         public double LightElevation = 45;
 
+        /// <summary>Points shade each other from that light, which falls on them whatever they show.</summary>
+        public bool Shadows;
+
         internal float LightShareFor(ColorMode mode, ColorDepth color) => LightShare >= 0 ? LightShare
-            : color == ColorDepth.None && (mode == ColorMode.Elevation || mode == ColorMode.Classification)
+            : Shadows || color == ColorDepth.None && (mode == ColorMode.Elevation || mode == ColorMode.Classification)
                 ? DefaultLightShare : 0;
 
         /// <summary>See <see cref="ResolvePictureJob.FillsHoles"/>.</summary>
@@ -121,7 +124,7 @@ namespace FastPoints.Picture
             "gradient=auto|viridis|turbo|gray, size=auto|PIXELS|LENGTHu|adaptive[:GAPS], " +
             "points=square|round|paraboloid|splat (the last of converted clouds), " +
             "classes=N+N+... (shown; of converted clouds), edl=auto|on|off|STRENGTH, " +
-            "light=auto|on|off|AZIMUTH,ELEVATION[,SHARE], holes=fill|keep, " +
+            "light=auto|on|off|AZIMUTH,ELEVATION[,SHARE], shadows=on|off, holes=fill|keep, " +
             "background=RRGGBB[AA], up=x|y|z|-x|-y|-z";
 
         /// <summary>Sets one option from text, as for <c>--style</c>; the error says what was expected.</summary>
@@ -175,6 +178,11 @@ namespace FastPoints.Picture
                     if (!TryLight(value))
                         error = "light: wanted auto, on, off, or degrees from north and above the horizon and perhaps a " +
                             "share, as in 315,45,0.7; got " + value;
+                    break;
+                case "shadows":
+                    if (value != "on" && value != "off")
+                        error = "shadows: wanted on or off, got " + value;
+                    Shadows = value == "on";
                     break;
                 case "holes":
                     if (value != "fill" && value != "keep")

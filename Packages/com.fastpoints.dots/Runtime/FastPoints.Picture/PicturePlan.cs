@@ -1,6 +1,8 @@
 using System;
 using System.Collections.Generic;
 using FastPoints.Drawing;
+using FastPoints.Streaming;
+using Unity.Collections;
 using Unity.Mathematics;
 
 namespace FastPoints.Picture
@@ -40,7 +42,7 @@ namespace FastPoints.Picture
         public DisplayRanges Ranges => m_ranges;
         public float EdlStrength { get; }
         public int LitParts { get; } // Of PointLight.Parts.
-        public PointLight Light { get; }
+        public PointLight Light { get; set; }
         public Gradient Gradient => m_options.Gradient;
 
         public ClassMask HiddenClasses => m_options.HiddenClasses;
@@ -64,10 +66,13 @@ namespace FastPoints.Picture
             world.MaxPx *= canvas.SamplesPerEdge;
             bool isWorldSize = world.Mode == PointSizeMode.World;
             var lengths = m_ranges.LengthsPerUnit;
-            var normals = new PointNormals(batch, LitParts, Light)
+            // Shadows are of what a layer has: with them, light is by its depths.
+            var axes = new double3x3(Camera.Right / lengths, Camera.Up / lengths, Camera.Forward / lengths);
+            var normals = new PointNormals(batch, m_options.Shadows ? 0 : LitParts, Light.From(Camera.EyeGeo))
             {
                 ToLight = double3x3.identity,
-                ToView = math.transpose(new double3x3(Camera.Right / lengths, Camera.Up / lengths, Camera.Forward / lengths)),
+                ViewToLight = axes,
+                ToView = math.transpose(axes),
             };
             return new PointDrawing
             {
@@ -84,13 +89,61 @@ namespace FastPoints.Picture
             };
         }
 
+        // The same for the light's depth map.
+        public PointDrawing ShadowDrawingOf(PointBatch batch, ShadowCanvas shadows)
+        {
+            var drawing = DrawingOf(batch, shadows.Canvas);
+            drawing.Projection = new PointProjection(shadows.Camera, m_transform, ShadowFrame.EdgePx, ShadowFrame.EdgePx);
+            (drawing.IsWorldSize, drawing.LargestPx) = (false, 1);
+            return drawing;
+        }
+
+        ShadowFrame NewShadowFrame() => new ShadowFrame(Light.Direction, m_ranges.LengthsPerUnit);
+
+        // Around what a camera sees of the stream's clouds; without texels where nothing is shaded.
+        public ShadowFrame ShadowFrameFor(StreamContext stream, in Camera camera)
+        {
+            if (!m_options.Shadows)
+                return default;
+            var frame = NewShadowFrame();
+            frame.Add(stream, camera.ToStreamView(m_options.WidthPx, m_options.HeightPx));
+            frame.Fit();
+            return frame;
+        }
+
+        // What is streamed for a picture: the camera's view, then the light's. There is room for both.
+        public NativeArray<StreamView> ViewsFor(StreamContext stream, in Camera camera, NativeArray<StreamView> views)
+        {
+            views[0] = camera.ToStreamView(m_options.WidthPx * m_options.SamplesPerEdge,
+                m_options.HeightPx * m_options.SamplesPerEdge);
+            var frame = ShadowFrameFor(stream, camera);
+            if (!(frame.TexelWorld > 0))
+                return views.GetSubArray(0, 1);
+            views[1] = frame.ViewFor(views[0]);
+            return views;
+        }
+
+        // Around what the picture's own camera sees; null without shadows.
+        public ShadowCanvas NewShadows()
+        {
+            if (!m_options.Shadows)
+                return null;
+            var frame = NewShadowFrame();
+            var bounds = m_ranges.Robust;
+            frame.Add(Camera.ToStreamView(m_options.WidthPx, m_options.HeightPx),
+                new CloudPlacement(double3x3.identity, bounds.Center), 0, bounds.Size / 2);
+            frame.Fit();
+            return new ShadowCanvas(frame);
+        }
+
         // For a picture by any camera.
         public ResolvePictureJob ResolveFor(in Camera camera, PictureCanvas canvas) => new ResolvePictureJob
         {
             Projection = new PointProjection(camera, PositionTransform.Identity, canvas.WidthPx, canvas.HeightPx),
             Background = m_options.Background,
             EdlStrength = EdlStrength,
-            Light = Light,
+            Light = Light.From(camera.EyeGeo),
+            Shadows = canvas.Shadows?.MapFor(camera.EyeGeo) ?? default,
             Places = PlacesFor(camera, canvas.WidthPx, canvas.HeightPx),
             FillsHoles = m_options.FillsHoles,
         };

@@ -10,9 +10,10 @@ namespace FastPoints.Picture
         public int LitParts; // Of PointLight.Parts; 0 where there are no normals.
         public PointLight Light;
 
-        // From the axes of the normals to those of the light, and of the view: right, up, forward.
+        // From the axes of the normals to those of the light, and of the view: right, up, forward; and from these to the light's.
         public double3x3 ToLight;
         public double3x3 ToView;
+        public double3x3 ViewToLight;
 
         PointColumn m_u;
         PointColumn m_v;
@@ -35,17 +36,18 @@ namespace FastPoints.Picture
             {
                 ushort code = (ushort)(u[i] | v[i] << 8);
                 float3 normal = 0;
+                var point = projection.X * span.X[i] + projection.Y * span.Y[i] + projection.Z * span.Z[i] + projection.W;
                 if (code != OctahedralNormal.None)
                 {
                     var stored = OctahedralNormal.Decode(code);
                     normal = (float3)math.normalize(math.mul(ToLight, stored));
                     var view = math.mul(ToView, stored);
-                    var point = projection.IsOrthographic ? new double3(0, 0, 1) : projection.X * span.X[i] +
-                        projection.Y * span.Y[i] + projection.Z * span.Z[i] + projection.W;
-                    normal = math.dot(view, point) > 0 ? -normal : normal;
+                    double away = projection.IsOrthographic ? view.z : math.dot(view, point);
+                    normal = away > 0 ? -normal : normal;
                 }
                 uint color = span.Colors[i];
-                var lit = Light.Lit(new float3(color & 255, color >> 8 & 255, color >> 16 & 255) / 255, LitParts, normal);
+                var lit = Light.Lit(new float3(color & 255, color >> 8 & 255, color >> 16 & 255) / 255, LitParts, normal,
+                    (float3)math.mul(ViewToLight, point), 1);
                 lit = lit * 255 + 0.5f;
                 span.Colors[i] = (uint)lit.x | (uint)lit.y << 8 | (uint)lit.z << 16 | color & 0xFF000000u;
             }

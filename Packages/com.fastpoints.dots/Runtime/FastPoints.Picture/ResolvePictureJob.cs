@@ -29,6 +29,9 @@ namespace FastPoints.Picture
         public PointLight Light; // Of the points that are lit.
         public PixelPlaces Places;
 
+        // A canvas of its own, which nothing draws into any more.
+        [NativeDisableContainerSafetyRestriction] public ShadowMap Shadows;
+
         // Fills a pixel without a point, most of whose neighbours have one, with their mean: a gap in a surface.
         public bool FillsHoles;
 
@@ -129,7 +132,10 @@ namespace FastPoints.Picture
                 HeightPx = Projection.HeightPx,
                 Places = Places,
             };
-            return 255 * Light.Lit(color / 255, parts, around.NormalAt(x, y, pixel));
+            var place = Places.Of(x, y, PointProjection.DepthFromBits((uint)(pixel >> 32)));
+            var normal = around.NormalAt(x, y, pixel);
+            float facing = PointLight.Facing(normal, Light.Direction);
+            return 255 * Light.Lit(color / 255, parts, normal, place, facing > 0 ? Shadows.At(place, facing) : 1);
         }
 
         static uint Darken(float3 color, float shade)

@@ -14,11 +14,17 @@ namespace FastPoints.Picture
             Func<JobHandle, JobHandle> then = null)
         {
             var drawing = plan.DrawingOf(points, canvas);
+            var shadows = canvas.Shadows;
+            var shadowDrawing = shadows == null ? default : plan.ShadowDrawingOf(points, shadows);
             var all = default(JobHandle);
             try
             {
                 yield return JobStep.Of(Slices.Schedule(points.Count, PointsPerSlice, (first, end, after) =>
-                    canvas.ScheduleDraw(points, first, end - first, drawing, after), 1, default, drawn => all = drawn));
+                {
+                    after = canvas.ScheduleDraw(points, first, end - first, drawing, after);
+                    return shadows == null ? after
+                        : shadows.Canvas.ScheduleDraw(points, first, end - first, shadowDrawing, after);
+                }, 1, default, drawn => all = drawn));
                 all = then == null ? all : then(all);
                 yield return all;
             }

@@ -67,7 +67,7 @@ namespace FastPoints.Rendering
                 Depth = target.Depth,
                 IsPart = target.IsPart,
                 MayBeScreen = target.MayBeScreen,
-                Light = target.Light,
+                Light = target.Light.From(eye.PositionWorld),
             };
         }
 

@@ -22,11 +22,13 @@ namespace FastPoints.Rendering
         readonly ComputeShader m_shader;
         readonly int[] m_kernels;
         readonly int m_numberKernel;
+        readonly bool m_isDepthOnly;
 
         // shader: RasterPoints.compute, or ProgressiveRaster.compute.
-        public ComputeRaster(ComputeShader shader)
+        public ComputeRaster(ComputeShader shader, bool isDepthOnly = false)
         {
             m_shader = shader;
+            m_isDepthOnly = isDepthOnly;
             m_kernels = Array.ConvertAll(s_kernels, shader.FindKernel);
             m_numberKernel = shader.HasKernel(ShaderNames.RasterNumberKernel)
                 ? shader.FindKernel(ShaderNames.RasterNumberKernel) : -1;
@@ -74,7 +76,7 @@ namespace FastPoints.Rendering
             int clear = m_kernels[2];
             commands.SetComputeBufferParam(m_shader, clear, ShaderNames.PixelsOut, Pixels);
             commands.DispatchCompute(m_shader, clear, (view.WidthPx + ClearThreads - 1) / ClearThreads, view.HeightPx, 1);
-            for (int pass = 0; pass < (chosen != null ? 3 : 2); pass++)
+            for (int pass = 0; pass < (chosen != null ? 3 : m_isDepthOnly ? 1 : 2); pass++)
             {
                 int kernel = pass < 2 ? m_kernels[pass] : m_numberKernel;
                 commands.SetComputeBufferParam(m_shader, kernel, ShaderNames.PixelsOut, Pixels);

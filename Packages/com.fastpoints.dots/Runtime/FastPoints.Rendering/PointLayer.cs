@@ -21,6 +21,8 @@ namespace FastPoints.Rendering
         readonly RenderTargetIdentifier[] m_numberedTargets =
             { ShaderNames.LayerColor, ShaderNames.LayerDepth, ShaderNames.LayerNumbers };
 
+        public PointShadows Shadows { get; set; } // Of styles that are shadowed.
+
         public void Begin(CommandBuffer commands, in RenderView view)
         {
             commands.GetTemporaryRT(ShaderNames.LayerColor, Describe(view, GraphicsFormat.R8G8B8A8_UNorm, GraphicsFormat.None));
@@ -52,7 +54,7 @@ namespace FastPoints.Rendering
         public void End(CommandBuffer commands, in RenderView view, PointMaterials materials)
         {
             var from = view.Style.IsBlended ? ComposedFrom.Sums : ComposedFrom.Layer;
-            Compose(commands, view, materials.Compose(from, view.Style.IsLit));
+            Compose(commands, view, materials.Compose(from, view.Style));
             if (view.Style.IsBlended)
                 commands.ReleaseTemporaryRT(ShaderNames.LayerSums);
             commands.ReleaseTemporaryRT(ShaderNames.LayerColor);
@@ -64,7 +66,7 @@ namespace FastPoints.Rendering
         {
             m_properties.SetBuffer(ShaderNames.Pixels, raster.Pixels);
             m_properties.SetVector(ShaderNames.DepthToDevice, ComputeRaster.DepthToDevice(view));
-            Compose(commands, view, materials.Compose(ComposedFrom.Pixels, view.Style.IsLit));
+            Compose(commands, view, materials.Compose(ComposedFrom.Pixels, view.Style));
         }
 
         void Compose(CommandBuffer commands, in RenderView view, Material compose)
@@ -78,9 +80,12 @@ namespace FastPoints.Rendering
             if (view.Style.IsLit)
             {
                 var places = view.Places;
-                m_properties.SetMatrix(ShaderNames.Places, RowsOf(places.First, places.StepX, places.StepY, places.Forward));
+                m_properties.SetMatrix(ShaderNames.Places, RowsOf(VectorOf(places.First),
+                    VectorOf(places.StepX), VectorOf(places.StepY), VectorOf(places.Forward)));
                 SetLight(m_properties, view.Light);
             }
+            if (view.Style.IsShadowed)
+                Shadows.Set(m_properties, view.EyeOffset);
             commands.DrawProcedural(Matrix4x4.identity, compose, 0, MeshTopology.Triangles, 3, 1, m_properties);
         }
 
@@ -89,6 +94,12 @@ namespace FastPoints.Rendering
             properties.SetMatrix(ShaderNames.Ambient, AmbientOf(light));
             properties.SetVector(ShaderNames.LightDirection, VectorOf(light.Direction));
             properties.SetVector(ShaderNames.LightColor, VectorOf(light.Color));
+            properties.SetInteger(ShaderNames.AdditionalCount, light.AdditionalCount);
+            if (light.AdditionalCount == 0)
+                return;
+            properties.SetMatrix(ShaderNames.AdditionalPlaces, PlacesOf(light));
+            properties.SetMatrix(ShaderNames.AdditionalColors, ColorsOf(light));
+            properties.SetMatrix(ShaderNames.AdditionalAxes, AxesOf(light));
         }
 
         public static void SetLight(CommandBuffer commands, ComputeShader shader, in PointLight light)
@@ -96,20 +107,36 @@ namespace FastPoints.Rendering
             commands.SetComputeMatrixParam(shader, ShaderNames.Ambient, AmbientOf(light));
             commands.SetComputeVectorParam(shader, ShaderNames.LightDirection, VectorOf(light.Direction));
             commands.SetComputeVectorParam(shader, ShaderNames.LightColor, VectorOf(light.Color));
+            commands.SetComputeIntParam(shader, ShaderNames.AdditionalCount, light.AdditionalCount);
+            commands.SetComputeMatrixParam(shader, ShaderNames.AdditionalPlaces, PlacesOf(light));
+            commands.SetComputeMatrixParam(shader, ShaderNames.AdditionalColors, ColorsOf(light));
+            commands.SetComputeMatrixParam(shader, ShaderNames.AdditionalAxes, AxesOf(light));
         }
 
-        static Matrix4x4 AmbientOf(in PointLight light) =>
-            RowsOf(light.AmbientX, light.AmbientY, light.AmbientZ, light.AmbientAll);
+        static Matrix4x4 AmbientOf(in PointLight light) => RowsOf(VectorOf(light.AmbientX), VectorOf(light.AmbientY),
+            VectorOf(light.AmbientZ), VectorOf(light.AmbientAll));
 
-        static Vector4 VectorOf(float3 value) => new Vector4(value.x, value.y, value.z, 0);
+        static Matrix4x4 PlacesOf(in PointLight light) => RowsOf(VectorOf(light.Light0.Place, light.Light0.ConeOffset),
+            VectorOf(light.Light1.Place, light.Light1.ConeOffset), VectorOf(light.Light2.Place, light.Light2.ConeOffset),
+            VectorOf(light.Light3.Place, light.Light3.ConeOffset));
 
-        static Matrix4x4 RowsOf(float3 row0, float3 row1, float3 row2, float3 row3)
+        static Matrix4x4 ColorsOf(in PointLight light) => RowsOf(VectorOf(light.Light0.Color, light.Light0.OneOverRangeSq),
+            VectorOf(light.Light1.Color, light.Light1.OneOverRangeSq), VectorOf(light.Light2.Color, light.Light2.OneOverRangeSq),
+            VectorOf(light.Light3.Color, light.Light3.OneOverRangeSq));
+
+        static Matrix4x4 AxesOf(in PointLight light) => RowsOf(VectorOf(light.Light0.Axis, light.Light0.ConeScale),
+            VectorOf(light.Light1.Axis, light.Light1.ConeScale), VectorOf(light.Light2.Axis, light.Light2.ConeScale),
+            VectorOf(light.Light3.Axis, light.Light3.ConeScale));
+
+        public static Vector4 VectorOf(float3 value, float w = 0) => new Vector4(value.x, value.y, value.z, w);
+
+        public static Matrix4x4 RowsOf(Vector4 row0, Vector4 row1, Vector4 row2, Vector4 row3)
         {
             var rows = new Matrix4x4();
-            rows.SetRow(0, VectorOf(row0));
-            rows.SetRow(1, VectorOf(row1));
-            rows.SetRow(2, VectorOf(row2));
-            rows.SetRow(3, VectorOf(row3));
+            rows.SetRow(0, row0);
+            rows.SetRow(1, row1);
+            rows.SetRow(2, row2);
+            rows.SetRow(3, row3);
             return rows;
         }
 

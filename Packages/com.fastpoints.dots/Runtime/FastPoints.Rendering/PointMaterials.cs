@@ -10,12 +10,13 @@ namespace FastPoints.Rendering
     public sealed class PointMaterials : IDisposable
     {
         static readonly string[] s_composed = { null, ShaderNames.FromPixelsKeyword, ShaderNames.BlendedKeyword };
+        static readonly string[] s_lights = { null, ShaderNames.LitKeyword, ShaderNames.ShadowedKeyword };
         static readonly int[] s_corners = { 0, 1, 2, 2, 1, 3 };
 
         readonly Shader m_points;
         readonly Shader m_compose;
         readonly Material[] m_ofVariant = new Material[PointVariant.Count];
-        readonly Material[] m_composeOf = new Material[2 * s_composed.Length];
+        readonly Material[] m_composeOf = new Material[s_lights.Length * s_composed.Length];
         GraphicsBuffer m_squareIndices;
 
         /// <param name="progressive">ProgressiveRaster.compute: without it, all points are drawn in every frame.</param>
@@ -55,16 +56,17 @@ namespace FastPoints.Rendering
             return m_ofVariant[variant.Number] = material;
         }
 
-        internal Material Compose(ComposedFrom from, bool isLit)
+        internal Material Compose(ComposedFrom from, in PointStyle style)
         {
-            ref var material = ref m_composeOf[2 * (int)from + (isLit ? 1 : 0)];
+            int light = style.IsShadowed ? 2 : style.IsLit ? 1 : 0;
+            ref var material = ref m_composeOf[s_lights.Length * (int)from + light];
             if (material != null)
                 return material;
             material = Make(m_compose);
             if (s_composed[(int)from] != null)
                 material.EnableKeyword(s_composed[(int)from]);
-            if (isLit)
-                material.EnableKeyword(ShaderNames.LitKeyword);
+            if (light > 0)
+                material.EnableKeyword(s_lights[light]);
             return material;
         }
 

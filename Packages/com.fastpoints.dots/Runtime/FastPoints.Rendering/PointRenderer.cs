@@ -3,6 +3,7 @@ using FastPoints.Drawing;
 using FastPoints.Store;
 using FastPoints.Streaming;
 using Unity.Collections;
+using Unity.Mathematics;
 using UnityEngine;
 using UnityEngine.Rendering;
 
@@ -42,17 +43,34 @@ namespace FastPoints.Rendering
         /// <summary>Lists what a camera in the world of the stream's placements sees of the last frame.</summary>
         public void Prepare(StreamContext stream, in StreamView view, in PointStyle style)
         {
-            m_pool.BeginPicture();
-            List.IsProgressive = m_progressive.Begin(style);
+            BeginPicture(stream, view, style, null);
             List.Build(stream, view, style.IsAdaptive);
         }
 
         /// <summary>Lists what either eye sees, relative to the left one.</summary>
         public void Prepare(StreamContext stream, in StreamView left, in StreamView right, in PointStyle style)
         {
+            BeginPicture(stream, left, style, right);
+            List.Build(stream, left, style.IsAdaptive, right);
+        }
+
+        // What the light of the last picture needs to have loaded; null without shadows.
+        internal StreamView? ShadowView => m_layer.Shadows?.View;
+
+        void BeginPicture(StreamContext stream, in StreamView view, in PointStyle style, StreamView? rightEye)
+        {
             m_pool.BeginPicture();
             List.IsProgressive = m_progressive.Begin(style);
-            List.Build(stream, left, style.IsAdaptive, right);
+            // Shadows are of what a layer has.
+            List.LightsByDepths = style.Shadows && m_raster != null;
+            if (!List.LightsByDepths)
+            {
+                m_layer.Shadows?.Dispose();
+                m_layer.Shadows = null;
+                return;
+            }
+            m_layer.Shadows ??= new PointShadows(m_materials.Raster);
+            m_layer.Shadows.Begin(stream, view, rightEye);
         }
 
         /// <summary>Records the draws into the view's target, which it sets after its uploads.</summary>
@@ -147,6 +165,8 @@ namespace FastPoints.Rendering
         {
             m_progressive.DrawWholeIfItFits(ref view.Style, List);
             view.Style.IsLit = List.IsLit;
+            view.Style.IsShadowed = List.IsLit && m_layer.Shadows != null && math.csum(view.Light.Color) > 0 &&
+                m_layer.Shadows.Fit(view.Light.Direction);
         }
 
         void RecordLayer(CommandBuffer commands, in RenderView view)
@@ -178,6 +198,7 @@ namespace FastPoints.Rendering
             m_lists.Dispose();
             m_arguments.Dispose();
             m_raster?.Dispose();
+            m_layer.Shadows?.Dispose();
             m_progressive.Dispose();
             m_drawArguments.Dispose();
         }
@@ -248,6 +269,8 @@ namespace FastPoints.Rendering
             m_arguments.Reserve((long)m_drawArguments.Length * GraphicsBuffer.IndirectDrawIndexedArgs.size);
             m_arguments.Write(commands, m_drawArguments.AsArray());
             m_lists.Write(commands, List);
+            if (style.IsShadowed)
+                m_layer.Shadows.Record(commands, List, m_pool);
         }
     }
 }

@@ -81,7 +81,7 @@ namespace FastPoints.Rendering
             }
         }
 
-        // Views of the recently announced cameras: one for each size and mask of a camera.
+        // Views of the recently announced cameras: one for each size and mask of a camera; then of lights that shade.
         public NativeArray<StreamView> NextViews
         {
             get
@@ -96,6 +96,14 @@ namespace FastPoints.Rendering
                         view.EyeWorld += moved;
                         m_nextViews.Add(view);
                     }
+                }
+                foreach (var seen in m_cameras)
+                {
+                    if (seen.Views.Count == 0 || seen.Renderer.ShadowView == null)
+                        continue;
+                    var light = seen.Renderer.ShadowView.Value;
+                    light.EyeWorld += seen.Moved;
+                    m_nextViews.Add(light);
                 }
                 return m_nextViews.AsArray();
             }

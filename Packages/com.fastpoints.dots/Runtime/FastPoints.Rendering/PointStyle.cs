@@ -17,6 +17,10 @@ namespace FastPoints.Rendering
         /// <summary>Fills a pixel without a point, most of whose neighbours have one. It uses the same layer.</summary>
         public bool FillsHoles;
 
+        /// <summary>Points that are lit shade each other from the main light, where a compute shader can draw its depth map:
+        /// 8 MiB and a pass over what the light sees.</summary>
+        public bool Shadows;
+
         /// <summary>A picture of more points is drawn over several frames: each draws those that were visible in the last one,
         /// then as many others as fit, until the picture is that of all points. Of each camera, and each eye. 0 draws all points
         /// in every frame, as splats always are.</summary>
@@ -28,6 +32,7 @@ namespace FastPoints.Rendering
 
         // Points of a listed cloud are lit: see CloudLook.Light.
         internal bool IsLit;
+        internal bool IsShadowed;
 
         internal readonly bool IsProgressive => PointsPerFrame > 0 && !IsBlended;
 

@@ -45,12 +45,26 @@ namespace FastPoints.Rendering
             if (main != null)
             {
                 light.Direction = DirectionOf(main.Value.localToWorldMatrix);
-                var color = VectorOf(main.Value.finalColor);
-                light.Color = IsLinear ? color : PointLight.LinearOf(color);
+                light.Color = ColorOf(main.Value.finalColor);
             }
             SetAmbient(ref light, RenderSettings.ambientProbe);
             return light;
         }
+
+        // From what URP gives its shaders: place (w: 0 for a direction), colour, 1 / range squared and the cone's scale and
+        // offset, the cone's axis.
+        public static void Add(ref PointLight light, Vector3 eye, Vector4 place, Vector4 color, Vector4 attenuation,
+            Vector4 axis) => light.Add(new AdditionalLight
+            {
+                Place = VectorOf(place),
+                Color = ColorOf(color),
+                OneOverRangeSq = place.w > 0 ? attenuation.x : 0,
+                Axis = VectorOf(axis),
+                ConeScale = attenuation.z,
+                ConeOffset = attenuation.w,
+            }, VectorOf(eye));
+
+        static float3 ColorOf(Vector4 color) => IsLinear ? VectorOf(color) : PointLight.LinearOf(VectorOf(color));
 
         static bool IsLinear => QualitySettings.activeColorSpace == ColorSpace.Linear;
 

@@ -4,6 +4,10 @@ namespace FastPoints.Rendering
 {
     static class ShaderNames
     {
+        public static readonly int AdditionalAxes = Shader.PropertyToID("_FastPointsAdditionalAxes");
+        public static readonly int AdditionalColors = Shader.PropertyToID("_FastPointsAdditionalColors");
+        public static readonly int AdditionalCount = Shader.PropertyToID("_FastPointsAdditionalCount");
+        public static readonly int AdditionalPlaces = Shader.PropertyToID("_FastPointsAdditionalPlaces");
         public static readonly int Ambient = Shader.PropertyToID("_FastPointsAmbient");
         public static readonly int ArgumentsOut = Shader.PropertyToID("_FastPointsArgumentsOut");
         public static readonly int Bank = Shader.PropertyToID("_FastPointsBank");
@@ -54,6 +58,8 @@ namespace FastPoints.Rendering
         public static readonly int RightViewProjection = Shader.PropertyToID("_FastPointsRightViewProjection");
         public static readonly int ScalePx = Shader.PropertyToID("_FastPointsScalePx");
         public static readonly int ScreenPx = Shader.PropertyToID("_FastPointsScreenPx");
+        public static readonly int Shadow = Shader.PropertyToID("_FastPointsShadow");
+        public static readonly int ShadowPixels = Shader.PropertyToID("_FastPointsShadowPixels");
         public static readonly int Size = Shader.PropertyToID("_FastPointsSize");
         public static readonly int SizeLimitsPx = Shader.PropertyToID("_FastPointsSizeLimitsPx");
         public static readonly int SizeNodesAt = Shader.PropertyToID("_FastPointsSizeNodesAt");
@@ -79,6 +85,7 @@ namespace FastPoints.Rendering
         public const string FromPixelsKeyword = "FASTPOINTS_FROM_PIXELS";
         public const string LayeredKeyword = "FASTPOINTS_LAYERED";
         public const string LitKeyword = "FASTPOINTS_LIT";
+        public const string ShadowedKeyword = "FASTPOINTS_SHADOWED";
         public const string StereoKeyword = "FASTPOINTS_STEREO";
         public const string SquaresKeyword = "FASTPOINTS_SQUARES";
         public const string DiscsKeyword = "FASTPOINTS_DISCS";

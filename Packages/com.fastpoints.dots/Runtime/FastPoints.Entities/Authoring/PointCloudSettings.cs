@@ -59,6 +59,9 @@ namespace FastPoints.Entities
         [Tooltip("Fills single pixels that points leave open in a surface.")]
         public bool FillHoles;
 
+        [Tooltip("Points that are lit shade each other from the main light.")]
+        public bool Shadows;
+
         [Range(0, 100)]
         [Tooltip("A picture of more points, in millions, is drawn over several frames, the visible points in each. 0: all at " +
             "once, as splats always are.")]
@@ -76,6 +79,7 @@ namespace FastPoints.Entities
             Size = new PointSize { Mode = SizeMode, Value = Size, MinPx = 1, MaxPx = MaxSizePx },
             EdlStrength = EyeDomeLighting,
             FillsHoles = FillHoles,
+            Shadows = Shadows,
             PointsPerFrame = (int)math.round(MillionPointsPerFrame * 1e6),
             GpuFrameMs = GpuMilliseconds,
         };

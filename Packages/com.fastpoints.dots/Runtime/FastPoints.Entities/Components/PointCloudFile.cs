@@ -48,6 +48,6 @@ namespace FastPoints.Entities
         /// <summary>Whether this and another open the same cloud, except for its position.</summary>
         internal readonly bool OpensSameAs(in PointCloudFile other) => Color == other.Color && Gradient == other.Gradient &&
             HiddenClasses.Equals(other.HiddenClasses) && Up == other.Up && UnitMetres.Equals(other.UnitMetres) &&
-            Light > 0 == other.Light > 0 && (other.HasOrigin || !HasOrigin);
+            (other.HasOrigin || !HasOrigin);
     }
 }

@@ -61,7 +61,10 @@ namespace FastPoints.Entities
 
         /// <summary>Whether it was opened by an equal file, except for its position.</summary>
         public bool Matches(in PointCloudFile file, ReadOnlySpan<byte> paths) =>
-            AppliedFile.OpensSameAs(file) && paths.SequenceEqual(m_paths);
+            AppliedFile.OpensSameAs(file) && paths.SequenceEqual(m_paths) && !IsLitOtherwise(file);
+
+        // Stored normals are streamed where they are lit.
+        bool IsLitOtherwise(in PointCloudFile file) => AppliedFile.Light > 0 != file.Light > 0 && Newest?.HasNormals == true;
 
         public void Refresh() => m_feed?.Refresh();
 

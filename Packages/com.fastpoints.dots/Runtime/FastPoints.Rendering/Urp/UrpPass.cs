@@ -66,15 +66,28 @@ namespace FastPoints.Rendering.Urp
             data.Color = resources.activeColorTexture;
             data.Depth = resources.activeDepthTexture;
             if (data.Scene.IsLit)
-                data.Light = SceneLights.Of(MainLightOf(frameData.Get<UniversalLightData>()));
+                data.Light = LightOf(frameData.Get<UniversalLightData>(), cameraData.camera);
             builder.UseTexture(data.Color, AccessFlags.ReadWrite);
             builder.UseTexture(data.Depth, AccessFlags.ReadWrite);
             builder.AllowPassCulling(false);
             builder.SetRenderFunc(s_draw);
         }
 
-        static VisibleLight? MainLightOf(UniversalLightData lights) => lights.mainLightIndex < 0 ? (VisibleLight?)null
-            : lights.visibleLights[lights.mainLightIndex];
+        static PointLight LightOf(UniversalLightData lights, Camera camera)
+        {
+            int main = lights.mainLightIndex;
+            var light = SceneLights.Of(main < 0 ? (VisibleLight?)null : lights.visibleLights[main]);
+            // None where the asset turns additional lights off.
+            for (int i = 0; i < lights.visibleLights.Length && lights.additionalLightsCount > 0; i++)
+            {
+                if (i == main)
+                    continue;
+                UniversalRenderPipeline.InitializeLightConstants_Common(lights.visibleLights, i, out var place, out var color,
+                    out var attenuation, out var axis, out _);
+                SceneLights.Add(ref light, camera.transform.position, place, color, attenuation, axis);
+            }
+            return light;
+        }
 
         static void Draw(PassData data, UnsafeGraphContext context)
         {

@@ -43,6 +43,9 @@ namespace FastPoints.Drawing
         // Whether points of listed nodes are left out: of hidden classes, or because a node appears or leaves.
         internal bool FiltersPoints { get; private set; }
 
+        // Also clouds that have normals are lit by depths.
+        internal bool LightsByDepths { get; set; }
+
         // Whether points of any cloud are lit by the depths around them, or by their own normals.
         internal bool IsLit { get; private set; }
         internal bool IsLitByNormals { get; private set; }
@@ -69,6 +72,12 @@ namespace FastPoints.Drawing
             while (m_looks.Count <= cloud)
                 m_looks.Add(new CloudLook { Plane = -1 });
             m_looks[cloud] = look;
+        }
+
+        internal void UseLooks(DrawList other)
+        {
+            m_looks.Clear();
+            m_looks.AddRange(other.m_looks);
         }
 
         /// <summary>Fills the list from the stream's last frame, relative to the view's eye. With a headset's right eye beside
@@ -109,6 +118,8 @@ namespace FastPoints.Drawing
                     EyeWorld = view.EyeWorld,
                     PlaneCount = cloud.Source.Planes.Length,
                 };
+                if (LightsByDepths)
+                    listed.Look.NormalPlane = 0;
                 m_listed.Add(listed);
                 bool isLit = PointLight.PartsOf(listed.Look.Light) > 0;
                 IsLit |= isLit && listed.Look.NormalPlane == 0;

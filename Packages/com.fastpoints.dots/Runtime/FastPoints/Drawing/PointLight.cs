@@ -4,7 +4,7 @@ using Unity.Mathematics;
 namespace FastPoints.Drawing
 {
     // The light on a scene's points, linear, along the world's axes. A point of which a share is lit has the colour
-    //     albedo * (1 - share + share * (ambient(normal) + main * max(0, dot(normal, direction)) + others)).
+    //     albedo * (1 - share + share * (ambient(normal) + main * max(0, dot(normal, direction)) * shadow + additional)).
     // PointLight.hlsl is its twin.
     internal struct PointLight
     {
@@ -25,6 +25,10 @@ namespace FastPoints.Drawing
         public float3 AmbientY;
         public float3 AmbientZ;
 
+        // Those that are brightest at the eye; of the four, the first AdditionalCount.
+        public AdditionalLight Light0, Light1, Light2, Light3;
+        public int AdditionalCount;
+
         // Level ground is as bright as its own colour by light from 45 degrees.
         public static PointLight Default(float3 direction, float3 up)
         {
@@ -42,6 +46,33 @@ namespace FastPoints.Drawing
             (AmbientX, AmbientY, AmbientZ, AmbientAll) = (half * up.x, half * up.y, half * up.z, (sky + ground) / 2);
         }
 
+        // The first of two that are alike stays.
+        public void Add(AdditionalLight additional, float3 eye)
+        {
+            Keep(ref Light0, ref additional, eye);
+            Keep(ref Light1, ref additional, eye);
+            Keep(ref Light2, ref additional, eye);
+            Keep(ref Light3, ref additional, eye);
+            AdditionalCount = math.min(AdditionalCount + 1, AdditionalLight.MaxCount);
+        }
+
+        static void Keep(ref AdditionalLight kept, ref AdditionalLight additional, float3 eye)
+        {
+            if (additional.BrightnessAt(eye) > kept.BrightnessAt(eye))
+                (kept, additional) = (additional, kept);
+        }
+
+        // Additional lights as seen from an eye.
+        public readonly PointLight From(double3 eye)
+        {
+            var light = this;
+            light.Light0.MoveTo(eye);
+            light.Light1.MoveTo(eye);
+            light.Light2.MoveTo(eye);
+            light.Light3.MoveTo(eye);
+            return light;
+        }
+
         // IEC 61966-2-1; HLSL's PointValues.hlsl and PointLight.hlsl have the same.
         public static float3 LinearOf(float3 srgb) =>
             math.select(math.pow((srgb + 0.055f) / 1.055f, 2.4f), srgb / 12.92f, srgb <= 0.04045f);
@@ -50,18 +81,56 @@ namespace FastPoints.Drawing
             math.select(1.055f * math.pow(linear, 1 / 2.4f) - 0.055f, linear * 12.92f, linear <= 0.0031308f);
 
         // From sRGB to sRGB.
-        public readonly float3 Lit(float3 srgb, int parts, float3 normal)
+        public readonly float3 Lit(float3 srgb, int parts, float3 normal, float3 place, float shadow)
         {
             float share = parts / (float)Parts;
-            return math.saturate(SrgbOf(LinearOf(srgb) * (1 - share + share * On(normal))));
+            return math.saturate(SrgbOf(LinearOf(srgb) * (1 - share + share * On(normal, place, shadow))));
         }
 
-        // normal: 0 where it is not known.
+        // normal: 0 where it is not known. place: from the eye. shadow: 1 where the whole main light falls.
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public readonly float3 On(float3 normal)
+        public readonly float3 On(float3 normal, float3 place, float shadow = 1)
         {
-            float main = math.lengthsq(normal) > 0 ? math.max(0, math.dot(normal, Direction)) : ShareWithoutNormal;
-            return math.max(0, AmbientAll + AmbientX * normal.x + AmbientY * normal.y + AmbientZ * normal.z) + Color * main;
+            var ambient = AmbientAll + AmbientX * normal.x + AmbientY * normal.y + AmbientZ * normal.z;
+            var light = math.max(0, ambient) + Color * (Facing(normal, Direction) * shadow);
+            return AdditionalCount == 0 ? light
+                : light + Light0.On(normal, place) + Light1.On(normal, place) + Light2.On(normal, place) +
+                    Light3.On(normal, place);
+        }
+
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        internal static float Facing(float3 normal, float3 direction) =>
+            math.lengthsq(normal) > 0 ? math.max(0, math.dot(normal, direction)) : ShareWithoutNormal;
+    }
+
+    // A light besides the main one, of the brightness and reach that URP's shaders give it. All zero: none.
+    internal struct AdditionalLight
+    {
+        public const int MaxCount = 4;
+
+        const float MinDistanceSq = 6.1e-5f; // HLSL's HALF_MIN.
+
+        public float3 Place; // Or the direction towards it, where its range is endless.
+        public float ConeOffset; // 1, without a cone.
+        public float3 Color;
+        public float OneOverRangeSq; // 0: endless, and without falling off.
+        public float3 Axis; // Of the cone, towards the light.
+        public float ConeScale;
+
+        public readonly float BrightnessAt(float3 place) => math.csum(Color) /
+            (OneOverRangeSq > 0 ? math.max(MinDistanceSq, math.distancesq(Place, place)) : 1);
+
+        public void MoveTo(double3 eye) => Place = OneOverRangeSq > 0 ? (float3)(Place - eye) : Place;
+
+        public readonly float3 On(float3 normal, float3 place)
+        {
+            var to = OneOverRangeSq > 0 ? Place - place : Place;
+            float distanceSq = math.max(MinDistanceSq, math.lengthsq(to));
+            to /= math.sqrt(distanceSq);
+            float fade = math.saturate(1 - distanceSq * OneOverRangeSq * distanceSq * OneOverRangeSq);
+            float cone = math.saturate(math.dot(Axis, to) * ConeScale + ConeOffset);
+            float falloff = OneOverRangeSq > 0 ? fade * fade / distanceSq : 1;
+            return Color * (falloff * cone * cone * PointLight.Facing(normal, to));
         }
     }
 

@@ -93,6 +93,21 @@ namespace FastPoints.Tests.Streaming
         }
 
         [Test]
+        public void Choose_LightBesideACamera_TakesAFifthOfTheBudgetAtMost()
+        {
+            m_settings.PointBudget = 2_000_000;
+            var camera = Looking(s_middle, new double3(1, 0.3, -0.4));
+            camera.ScalePx /= 20;
+            var seen = Choose(camera, At(0));
+            long pointsSeen = m_selector.Points;
+            var light = StreamView.Everything(camera.ScalePx);
+            light.IsLight = true;
+            var both = Choose(new[] { camera, light }, At(0));
+            Assert.That(seen, Is.SubsetOf(both));
+            Assert.That(m_selector.Points - pointsSeen, Is.InRange(m_settings.PointBudget / 10, m_settings.PointBudget / 5));
+        }
+
+        [Test]
         public void Choose_NoBudget_SelectsAllVisibleCoarseNodes()
         {
             m_settings.PointBudget = long.MaxValue;

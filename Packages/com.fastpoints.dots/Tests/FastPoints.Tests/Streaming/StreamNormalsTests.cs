@@ -19,7 +19,7 @@ namespace FastPoints.Tests.Streaming
         public void MakeCloud()
         {
             m_cloud = new StreamedTestCloud(40_000);
-            JobCoroutine.RunToEnd(AddNormals.Run(m_cloud.Path, default, null, null));
+            JobCoroutine.RunToEnd(AddNormals.Run(m_cloud.Path, new NormalSettings(), null, null));
         }
 
         [TearDown]

@@ -8,6 +8,13 @@ namespace UnityEngine
         public float intensity { get; set; } = 1;
     }
 
+    public enum LightType
+    {
+        Spot,
+        Directional,
+        Point,
+    }
+
     public sealed class RenderSettings : Object
     {
         public static Light sun { get; set; }
@@ -33,6 +40,11 @@ namespace UnityEngine.Rendering
     public struct VisibleLight
     {
         public Color finalColor { readonly get; set; }
+        public LightType lightType { readonly get; set; }
         public Matrix4x4 localToWorldMatrix { readonly get; set; }
+        public float range { readonly get; set; }
+
+        /// <summary>Of the whole cone, in degrees.</summary>
+        public float spotAngle { readonly get; set; }
     }
 }

@@ -53,6 +53,9 @@ namespace FastPoints.Drawing
 
         /// <summary>Whether the ranges include outliers: those of a manifest without better ones.</summary>
         public bool RangesHaveOutliers;
+
+        // Those of a converted cloud's points are stored.
+        internal bool HasNormals;
     }
 
     /// <summary>Opens any cloud: converted ones here, others by a registered reader (FastPoints.Import, if it is

@@ -25,6 +25,9 @@ namespace FastPoints.Streaming
             {
                 var view = views[v];
                 var motion = view.EyeWorld - m_last[v].EyeWorld;
+                // A light's moves with the cameras, but by leaps.
+                if (view.IsLight)
+                    motion = 0;
                 step = math.max(step, math.length(motion));
                 view.EyeWorld += motion * frames;
                 m_predicted.Add(view);

@@ -9,6 +9,7 @@ namespace FastPoints.Streaming
         public double3 Eye;
         public bool IsOrthographic;
         public bool IsShown;
+        public bool IsLight;
         public int PlaneCount;
         public double ScalePx;
 
@@ -27,6 +28,7 @@ namespace FastPoints.Streaming
             var fromEye = placement.OriginWorld - view.EyeWorld;
             Eye = math.mul(math.inverse(linear), -fromEye);
             IsOrthographic = view.IsOrthographic;
+            IsLight = view.IsLight;
             IsShown = view.Mask.Shows(placement.Visibility);
             ScalePx = view.ScalePx;
             PlaneCount = view.PlaneCount;

@@ -13,6 +13,9 @@ namespace FastPoints.Streaming
     [BurstCompile]
     internal unsafe struct SelectNodesJob : IJob
     {
+        /// <summary>Of the budget, what is chosen for lights alone.</summary>
+        const float LightShare = 0.2f;
+
         [ReadOnly] public NativeArray<SelectionCloud> Clouds;
 
         /// <summary>Indexed by cloud times <see cref="ViewCount"/>, plus view.</summary>
@@ -51,7 +54,7 @@ namespace FastPoints.Streaming
             for (int c = 0; c < Clouds.Length; c++)
                 if (Clouds[c].Pages[0].IsLoaded && Clouds[c].Pages[0].NodeCount > 0 && IsShown(c))
                     Heap.Push(new SelectionCandidate { ScreenErrorPx = float.MaxValue, Cloud = c, Parent = -1 });
-            long points = 0, more = 0;
+            long points = 0, more = 0, pointsForLight = 0;
             while (!Heap.IsEmpty)
             {
                 var best = Heap.Pop();
@@ -68,6 +71,11 @@ namespace FastPoints.Streaming
                 int cost = page->IsHole(best.Node) ? 0 : node->PointCount;
                 if (points > 0 && points + cost > Settings.PointBudget)
                     break;
+                if (best.IsForLight && (pointsForLight += cost) > Settings.PointBudget * LightShare)
+                {
+                    pointsForLight -= cost;
+                    continue;
+                }
                 points += cost;
                 int index = Choose(best, cloud, page, ref more);
                 if (IsPrefetch && more >= PrefetchPoints)
@@ -109,7 +117,8 @@ namespace FastPoints.Streaming
         void PushNode(int cloud, HierarchyPage* page, int pageIndex, int index, float spacing, int parent)
         {
             var node = page->Nodes + index;
-            if (node->PointCount == 0 || !IntersectsAnyFrustum(cloud, node->Center, node->Half, spacing, out float screenErrorPx))
+            if (node->PointCount == 0 ||
+                !IntersectsAnyFrustum(cloud, node->Center, node->Half, spacing, out float screenErrorPx, out bool isForLight))
                 return;
             var state = page->States + index;
             // The selection before this one stamped it, or this frame's if this is a prefetch.
@@ -129,13 +138,14 @@ namespace FastPoints.Streaming
                     Page = pageIndex,
                     Node = index,
                     Parent = parent,
+                    IsForLight = isForLight,
                 });
         }
 
         void PushPage(int cloud, HierarchyPage* pages, int index, float spacing, int parent)
         {
             var page = pages + index;
-            if (!IntersectsAnyFrustum(cloud, page->Center, page->Half, spacing, out float screenErrorPx))
+            if (!IntersectsAnyFrustum(cloud, page->Center, page->Half, spacing, out float screenErrorPx, out _))
                 return;
             page->VisitedFrame = Frame;
             if (page->IsLoaded)
@@ -149,18 +159,24 @@ namespace FastPoints.Streaming
             }
         }
 
-        // Returns the spacing in the view that shows it largest.
-        bool IntersectsAnyFrustum(int cloud, double3 center, double3 half, float spacing, out float screenErrorPx)
+        // Returns the spacing in the camera that shows it largest; if none does, in such a light.
+        bool IntersectsAnyFrustum(int cloud, double3 center, double3 half, float spacing, out float screenErrorPx,
+            out bool isForLight)
         {
             screenErrorPx = 0;
+            isForLight = true;
             if (ClipCount > 0 &&
                 !LocalClip.MayKeep((LocalClip*)Clips.GetUnsafeReadOnlyPtr() + cloud * ClipCount, ClipCount, center, half))
                 return false;
             var views = (CloudView*)Views.GetUnsafeReadOnlyPtr() + cloud * ViewCount;
             for (int v = 0; v < ViewCount; v++)
             {
+                // Cameras come before lights.
+                if (views[v].IsLight && !isForLight)
+                    break;
                 if (!views[v].IntersectsFrustum(center, half))
                     continue;
+                isForLight &= views[v].IsLight;
                 double distance = views[v].DistanceTo(center, half);
                 double size = 2 * math.length(half * views[v].AxisScale);
                 // A box without extent, with one point or many at one place, counts as large as the gap that it fills.

@@ -58,6 +58,7 @@ namespace FastPoints.Streaming
         public int Page;
         public int Node; // -1 for the page itself.
         public int Parent;
+        public bool IsForLight; // No camera sees it.
 
         // Ties are decided by position, so that a choice can be repeated.
         [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -27,6 +27,9 @@ namespace FastPoints.Streaming
 
         internal ViewMask Mask;
 
+        // What no camera sees, but what shades that, is chosen for it, within a share of the budget.
+        internal bool IsLight;
+
         /// <summary>Without a position; its frustum contains everything. A length of one unit has this many pixels.</summary>
         public static StreamView Everything(double scalePx) => new StreamView { IsOrthographic = true, ScalePx = scalePx };
 

@@ -263,8 +263,8 @@ namespace FastPoints.Tests.Build
             batch.Column<float>(1).GetSubArray(0, inputs.Length).CopyFrom(inputs.Select(i => i.Y).ToArray());
             batch.Column<short>(2).GetSubArray(0, inputs.Length).CopyFrom(inputs.Select(i => i.Z).ToArray());
             using var normals = new NativeArray<ushort>(inputs.Length, Allocator.Persistent);
-            string[] names = schema.Select(a => a.Name).ToArray();
-            NormalsOfFilesJob.Of(batch, names, normals).Schedule(0, batch.Count, default).Complete();
+            NormalsOfFilesJob.Of(batch, schema.Select(a => a.Name).ToArray(), normals).Schedule(0, batch.Count, default)
+                .Complete();
             Assert.That(normals.ToArray(), Is.EqualTo(inputs.Select(i => i.Wanted.Equals(default) ? OctahedralNormal.None
                 : OctahedralNormal.Encode(i.Wanted))));
         }
