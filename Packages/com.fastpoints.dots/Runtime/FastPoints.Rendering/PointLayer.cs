@@ -21,7 +21,8 @@ namespace FastPoints.Rendering
         readonly RenderTargetIdentifier[] m_numberedTargets =
             { ShaderNames.LayerColor, ShaderNames.LayerDepth, ShaderNames.LayerNumbers };
 
-        public PointShadows Shadows { get; set; } // Of styles that are shadowed.
+        // Of composing.
+        public MaterialPropertyBlock Properties => m_properties;
 
         public void Begin(CommandBuffer commands, in RenderView view)
         {
@@ -79,8 +80,6 @@ namespace FastPoints.Rendering
             m_properties.SetInteger(ShaderNames.IsLinear, view.IsLinear ? 1 : 0);
             if (view.Style.IsLit)
                 SetLight(view.Light, view.Places);
-            if (view.Style.IsShadowed)
-                Shadows.Set(m_properties, view.EyeOffset);
             commands.DrawProcedural(Matrix4x4.identity, compose, 0, MeshTopology.Triangles, 3, 1, m_properties);
         }
 
