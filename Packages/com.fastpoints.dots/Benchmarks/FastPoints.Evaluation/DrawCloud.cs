@@ -53,7 +53,7 @@ namespace FastPoints.Evaluation
             {
                 long points = drawSample ? sample.Count : m_reader.PointCount;
                 yield return JobStep.Of(SamplePicture.ChooseSize(m_canvas, sample.Points, Plan, points));
-                m_canvas.Shadows = Plan.NewShadows();
+                m_canvas.UseShadows(Plan.ShadowFrameOfPicture());
                 yield return JobStep.Of(drawSample
                     ? SamplePicture.Draw(m_canvas, sample.Points, Plan, progress)
                     : DrawAll(progress));
@@ -87,7 +87,7 @@ namespace FastPoints.Evaluation
             var drawn = Schedule(read, Plan.DrawingOf(read.Points, m_canvas), m_canvas, decoded);
             var shadows = m_canvas.Shadows;
             return shadows == null ? drawn
-                : Schedule(read, Plan.ShadowDrawingOf(read.Points, shadows), shadows.Canvas, drawn);
+                : Schedule(read, Plan.ShadowDrawingOf(read.Points, m_canvas), shadows, drawn);
         }
 
         static JobHandle Schedule(BlockRead read, in PointDrawing drawing, PictureCanvas canvas, JobHandle decoded) =>

@@ -80,13 +80,11 @@ namespace FastPoints.Evaluation
         void DrawShadows(List<DrawnBlocks> blocksOfCloud, in Camera camera)
         {
             var frame = m_clouds[0].Plan.ShadowFrameFor(m_clouds[0].Stream, camera);
-            if (m_canvas.Shadows != null)
-                m_canvas.Shadows.Frame = frame;
+            m_canvas.UseShadows(frame);
             if (!(frame.TexelWorld > 0))
                 return;
-            var shadows = m_canvas.Shadows ??= new ShadowCanvas(frame);
-            shadows.Canvas.Clear();
-            DrawAll(blocksOfCloud, shadows.Camera, shadows.Canvas, true).Complete();
+            m_canvas.Shadows.Clear();
+            DrawAll(blocksOfCloud, ShadowMap.CameraOf(frame), m_canvas.Shadows, true).Complete();
         }
 
         public void Dispose()

@@ -2,6 +2,7 @@ using System.Collections.Generic;
 using FastPoints.Build;
 using FastPoints.Drawing;
 using FastPoints.Store;
+using FastPoints.Streaming;
 using Unity.Collections;
 
 namespace FastPoints.Picture
@@ -59,8 +60,8 @@ namespace FastPoints.Picture
                     m_options.HeightPx * m_options.SamplesPerEdge);
                 using var canvas = new PictureCanvas(m_options.WidthPx, m_options.HeightPx, Allocator.Persistent,
                     m_options.SamplesPerEdge);
-                canvas.Shadows = Plan.NewShadows();
-                selection.Choose(view, m_budget, canvas.Shadows?.Frame.ViewFor(view));
+                canvas.UseShadows(Plan.ShadowFrameOfPicture());
+                selection.Choose(view, m_budget, canvas.Shadows == null ? (StreamView?)null : canvas.ShadowFrame.ViewFor(view));
                 using var batch = new PointBatch(schema, selection.CheckedPoints, Allocator.Persistent);
                 yield return JobStep.Of(LoadNodes.Run(m_folder, selection, batch, progress));
                 NodesDrawn = selection.NodeCount;

@@ -1,4 +1,5 @@
 using System;
+using FastPoints.Drawing;
 using Unity.Burst;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
@@ -58,8 +59,20 @@ namespace FastPoints.Picture
         // Sums of blended points, see BlendedPixels. Empty before BeginBlending.
         public NativeArray<ulong> Sums => m_isBlending ? m_sums : default;
 
-        // Of the main light; null without. Who draws a point here draws it there, too.
-        public ShadowCanvas Shadows { get; set; }
+        // The main light's depth map; null without. Who draws a point here draws it there, too.
+        public PictureCanvas Shadows { get; private set; }
+        public ShadowFrame ShadowFrame { get; private set; }
+
+        // Of a frame without texels: none.
+        public void UseShadows(in ShadowFrame frame)
+        {
+            ShadowFrame = frame;
+            if (frame.TexelWorld > 0)
+                Shadows ??= new PictureCanvas(ShadowFrame.EdgePx, ShadowFrame.EdgePx, Allocator.Persistent);
+        }
+
+        public ShadowMap ShadowMapFor(double3 eye) => ShadowFrame.TexelWorld > 0
+            ? new ShadowMap { Pixels = Shadows.m_pixels, Shadow = ShadowFrame.From(eye) } : default;
 
         public NativeArray<uint> Palettes => m_palettes;
 

@@ -90,10 +90,11 @@ namespace FastPoints.Picture
         }
 
         // The same for the light's depth map.
-        public PointDrawing ShadowDrawingOf(PointBatch batch, ShadowCanvas shadows)
+        public PointDrawing ShadowDrawingOf(PointBatch batch, PictureCanvas canvas)
         {
-            var drawing = DrawingOf(batch, shadows.Canvas);
-            drawing.Projection = new PointProjection(shadows.Camera, m_transform, ShadowFrame.EdgePx, ShadowFrame.EdgePx);
+            var drawing = DrawingOf(batch, canvas.Shadows);
+            drawing.Projection = new PointProjection(ShadowMap.CameraOf(canvas.ShadowFrame), m_transform, ShadowFrame.EdgePx,
+                ShadowFrame.EdgePx);
             (drawing.IsWorldSize, drawing.LargestPx) = (false, 1);
             return drawing;
         }
@@ -123,17 +124,17 @@ namespace FastPoints.Picture
             return views;
         }
 
-        // Around what the picture's own camera sees; null without shadows.
-        public ShadowCanvas NewShadows()
+        // Around what the picture's own camera sees.
+        public ShadowFrame ShadowFrameOfPicture()
         {
             if (!m_options.Shadows)
-                return null;
+                return default;
             var frame = NewShadowFrame();
             var bounds = m_ranges.Robust;
             frame.Add(Camera.ToStreamView(m_options.WidthPx, m_options.HeightPx),
                 new CloudPlacement(double3x3.identity, bounds.Center), 0, bounds.Size / 2);
             frame.Fit();
-            return new ShadowCanvas(frame);
+            return frame;
         }
 
         // For a picture by any camera.
@@ -143,7 +144,7 @@ namespace FastPoints.Picture
             Background = m_options.Background,
             EdlStrength = EdlStrength,
             Light = Light.From(camera.EyeGeo),
-            Shadows = canvas.Shadows?.MapFor(camera.EyeGeo) ?? default,
+            Shadows = canvas.ShadowMapFor(camera.EyeGeo),
             Places = PlacesFor(camera, canvas.WidthPx, canvas.HeightPx),
             FillsHoles = m_options.FillsHoles,
         };

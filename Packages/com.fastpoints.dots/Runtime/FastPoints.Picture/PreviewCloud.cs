@@ -57,7 +57,7 @@ namespace FastPoints.Picture
             {
                 yield return default;
                 yield return JobStep.Of(SamplePicture.ChooseSize(canvas, Sample.Points, Plan, Sample.Count));
-                canvas.Shadows = Plan.NewShadows();
+                canvas.UseShadows(Plan.ShadowFrameOfPicture());
                 yield return JobStep.Of(SamplePicture.DrawAndResolve(canvas, Sample.Points, Plan, progress));
                 Image = canvas.ToImage();
             }

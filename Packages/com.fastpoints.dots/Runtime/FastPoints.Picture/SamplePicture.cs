@@ -15,7 +15,7 @@ namespace FastPoints.Picture
         {
             var drawing = plan.DrawingOf(points, canvas);
             var shadows = canvas.Shadows;
-            var shadowDrawing = shadows == null ? default : plan.ShadowDrawingOf(points, shadows);
+            var shadowDrawing = shadows == null ? default : plan.ShadowDrawingOf(points, canvas);
             var all = default(JobHandle);
             try
             {
@@ -23,7 +23,7 @@ namespace FastPoints.Picture
                 {
                     after = canvas.ScheduleDraw(points, first, end - first, drawing, after);
                     return shadows == null ? after
-                        : shadows.Canvas.ScheduleDraw(points, first, end - first, shadowDrawing, after);
+                        : shadows.ScheduleDraw(points, first, end - first, shadowDrawing, after);
                 }, 1, default, drawn => all = drawn));
                 all = then == null ? all : then(all);
                 yield return all;

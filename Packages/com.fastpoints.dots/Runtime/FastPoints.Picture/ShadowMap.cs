@@ -1,4 +1,3 @@
-using System;
 using FastPoints.Drawing;
 using Unity.Collections;
 using Unity.Mathematics;
@@ -11,6 +10,17 @@ namespace FastPoints.Picture
         // As a picture's, seen by the light; empty where nothing is shaded.
         [ReadOnly] public NativeArray<ulong> Pixels;
         public PointShadow Shadow;
+
+        // What draws it, as points of one pixel.
+        public static Camera CameraOf(in ShadowFrame frame) => new Camera
+        {
+            EyeGeo = frame.EyeWorld,
+            Right = frame.Right,
+            Up = frame.Up,
+            Forward = frame.AlongLight,
+            IsOrthographic = true,
+            HeightGeo = frame.EdgeWorld,
+        };
 
         // 1 for all. facing: the cosine between the surface and the light, more than 0.
         public readonly float At(float3 place, float facing)
@@ -37,34 +47,5 @@ namespace FastPoints.Picture
         }
 
         static float WeightOf(int texel, float part) => texel == 0 ? 1 - part : texel == 1 ? 1 : part;
-    }
-
-    // The depth map of a picture, drawn as points of one pixel.
-    internal sealed class ShadowCanvas : IDisposable
-    {
-        public ShadowCanvas(in ShadowFrame frame)
-        {
-            Frame = frame;
-            Canvas = new PictureCanvas(ShadowFrame.EdgePx, ShadowFrame.EdgePx, Allocator.Persistent);
-        }
-
-        public ShadowFrame Frame { get; set; }
-        public PictureCanvas Canvas { get; }
-
-        public Camera Camera => new Camera
-        {
-            EyeGeo = Frame.EyeWorld,
-            Right = Frame.Right,
-            Up = Frame.Up,
-            Forward = Frame.AlongLight,
-            IsOrthographic = true,
-            HeightGeo = Frame.EdgeWorld,
-        };
-
-        // Nothing is shaded where nothing is in view.
-        public ShadowMap MapFor(double3 eye) => Frame.TexelWorld > 0
-            ? new ShadowMap { Pixels = Canvas.Pixels, Shadow = Frame.From(eye) } : default;
-
-        public void Dispose() => Canvas.Dispose();
     }
 }

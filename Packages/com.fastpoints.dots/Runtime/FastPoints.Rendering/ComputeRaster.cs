@@ -72,7 +72,7 @@ namespace FastPoints.Rendering
             commands.SetComputeIntParam(m_shader, ShaderNames.IsLinear, 0);
             commands.SetComputeIntParam(m_shader, ShaderNames.IsOrthographic, view.IsOrthographic ? 1 : 0);
             if (list.IsLitByNormals)
-                PointLayer.SetLight(commands, m_shader, view.Light);
+                ShaderValues.SetLight(commands, m_shader, view.Light);
             int clear = m_kernels[2];
             commands.SetComputeBufferParam(m_shader, clear, ShaderNames.PixelsOut, Pixels);
             commands.DispatchCompute(m_shader, clear, (view.WidthPx + ClearThreads - 1) / ClearThreads, view.HeightPx, 1);

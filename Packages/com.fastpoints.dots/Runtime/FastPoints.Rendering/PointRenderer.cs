@@ -24,6 +24,7 @@ namespace FastPoints.Rendering
         readonly PointLayer m_layer = new PointLayer();
         readonly ComputeRaster m_raster;
         readonly ProgressivePictures m_progressive;
+        PointShadows m_shadows;
         NativeList<GraphicsBuffer.IndirectDrawIndexedArgs> m_drawArguments;
 
         /// <summary>Cameras' renderers may share all of these, which others dispose.</summary>
@@ -55,7 +56,7 @@ namespace FastPoints.Rendering
         }
 
         // What the light of the last picture needs to have loaded; null without shadows.
-        internal StreamView? ShadowView => m_layer.Shadows?.View;
+        internal StreamView? ShadowView => m_shadows?.View;
 
         void BeginPicture(StreamContext stream, in StreamView view, in PointStyle style, StreamView? rightEye)
         {
@@ -65,12 +66,12 @@ namespace FastPoints.Rendering
             List.LightsByDepths = style.Shadows && m_raster != null;
             if (!List.LightsByDepths)
             {
-                m_layer.Shadows?.Dispose();
-                m_layer.Shadows = null;
+                m_shadows?.Dispose();
+                m_shadows = null;
                 return;
             }
-            m_layer.Shadows ??= new PointShadows(m_materials.Raster);
-            m_layer.Shadows.Begin(stream, view, rightEye);
+            m_shadows ??= new PointShadows(m_materials.Raster);
+            m_shadows.Begin(stream, view, rightEye);
         }
 
         /// <summary>Records the draws into the view's target, which it sets after its uploads.</summary>
@@ -100,6 +101,8 @@ namespace FastPoints.Rendering
             if (List.Draws.Length == 0)
                 return;
             Adapt(ref view);
+            if (view.Style.IsShadowed)
+                m_shadows.Set(m_layer.Properties, view.EyeOffset);
             if (UsesCompute(view))
                 m_layer.Compose(commands, view, m_materials, RasterFor(view));
             else if (view.Style.IsLayered)
@@ -165,8 +168,8 @@ namespace FastPoints.Rendering
         {
             m_progressive.DrawWholeIfItFits(ref view.Style, List);
             view.Style.IsLit = List.IsLit;
-            view.Style.IsShadowed = List.IsLit && m_layer.Shadows != null && math.csum(view.Light.Color) > 0 &&
-                m_layer.Shadows.Fit(view.Light.Direction);
+            view.Style.IsShadowed = List.IsLit && m_shadows != null && math.csum(view.Light.Color) > 0 &&
+                m_shadows.Fit(view.Light.Direction);
         }
 
         void RecordLayer(CommandBuffer commands, in RenderView view)
@@ -198,7 +201,7 @@ namespace FastPoints.Rendering
             m_lists.Dispose();
             m_arguments.Dispose();
             m_raster?.Dispose();
-            m_layer.Shadows?.Dispose();
+            m_shadows?.Dispose();
             m_progressive.Dispose();
             m_drawArguments.Dispose();
         }
@@ -221,7 +224,7 @@ namespace FastPoints.Rendering
             m_properties.SetVector(ShaderNames.SizeLimitsPx, new Vector4(size.LimitsPx.x, size.LimitsPx.y, 0, 0));
             m_properties.SetInteger(ShaderNames.IsOrthographic, view.IsOrthographic ? 1 : 0);
             if (List.IsLitByNormals)
-                PointLayer.SetLight(m_properties, view.Light);
+                ShaderValues.SetLight(m_properties, view.Light);
             // A layer's colours become linear when it is composed.
             m_properties.SetInteger(ShaderNames.IsLinear, view.IsLinear && !view.Style.IsLayered ? 1 : 0);
         }
@@ -270,7 +273,7 @@ namespace FastPoints.Rendering
             m_arguments.Write(commands, m_drawArguments.AsArray());
             m_lists.Write(commands, List);
             if (style.IsShadowed)
-                m_layer.Shadows.Record(commands, List, m_pool);
+                m_shadows.Record(commands, List, m_pool);
         }
     }
 }

@@ -58,11 +58,11 @@ namespace FastPoints.Rendering
             var view = new RenderView
             {
                 // However near or far: the map keeps what is nearest to the light.
-                ViewProjection = PointLayer.RowsOf(PointLayer.VectorOf((float3)m_frame.Right * perUnit),
-                    PointLayer.VectorOf((float3)m_frame.Up * perUnit), new Vector4(0, 0, 0, 0.5f), new Vector4(0, 0, 0, 1)),
+                ViewProjection = ShaderValues.RowsOf(ShaderValues.VectorOf((float3)m_frame.Right * perUnit),
+                    ShaderValues.VectorOf((float3)m_frame.Up * perUnit), new Vector4(0, 0, 0, 0.5f), new Vector4(0, 0, 0, 1)),
                 WidthPx = ShadowFrame.EdgePx,
                 HeightPx = ShadowFrame.EdgePx,
-                Forward = PointLayer.VectorOf((float3)m_frame.Forward),
+                Forward = ShaderValues.VectorOf((float3)m_frame.Forward),
                 IsOrthographic = true,
             };
             m_raster.Record(commands, view, m_list, m_lists, pool, null);
@@ -72,8 +72,8 @@ namespace FastPoints.Rendering
         public void Set(MaterialPropertyBlock properties, Vector3 eyeOffset)
         {
             var shadow = m_frame.From(m_view.EyeWorld + new double3(eyeOffset.x, eyeOffset.y, eyeOffset.z));
-            properties.SetMatrix(ShaderNames.Shadow, PointLayer.RowsOf(PointLayer.VectorOf(shadow.Column, shadow.Eye.x),
-                PointLayer.VectorOf(shadow.Row, shadow.Eye.y), PointLayer.VectorOf(shadow.Forward, shadow.Eye.z),
+            properties.SetMatrix(ShaderNames.Shadow, ShaderValues.RowsOf(ShaderValues.VectorOf(shadow.Column, shadow.Eye.x),
+                ShaderValues.VectorOf(shadow.Row, shadow.Eye.y), ShaderValues.VectorOf(shadow.Forward, shadow.Eye.z),
                 new Vector4(shadow.TexelWorld, 0, 0, 0)));
             properties.SetBuffer(ShaderNames.ShadowPixels, m_raster.Pixels);
         }

@@ -1,4 +1,7 @@
+using FastPoints.Drawing;
+using Unity.Mathematics;
 using UnityEngine;
+using UnityEngine.Rendering;
 
 namespace FastPoints.Rendering
 {
@@ -90,5 +93,64 @@ namespace FastPoints.Rendering
         public const string SquaresKeyword = "FASTPOINTS_SQUARES";
         public const string DiscsKeyword = "FASTPOINTS_DISCS";
         public const string ParaboloidsKeyword = "FASTPOINTS_PARABOLOIDS";
+    }
+
+    // What shaders take of a light and of vectors.
+    static class ShaderValues
+    {
+        public static void SetPlaces(MaterialPropertyBlock properties, in PixelPlaces places) =>
+            properties.SetMatrix(ShaderNames.Places, RowsOf(VectorOf(places.First), VectorOf(places.StepX),
+                VectorOf(places.StepY), VectorOf(places.Forward)));
+
+        public static void SetLight(MaterialPropertyBlock properties, in PointLight light)
+        {
+            properties.SetMatrix(ShaderNames.Ambient, AmbientOf(light));
+            properties.SetVector(ShaderNames.LightDirection, VectorOf(light.Direction));
+            properties.SetVector(ShaderNames.LightColor, VectorOf(light.Color));
+            properties.SetInteger(ShaderNames.AdditionalCount, light.AdditionalCount);
+            if (light.AdditionalCount == 0)
+                return;
+            properties.SetMatrix(ShaderNames.AdditionalPlaces, PlacesOf(light));
+            properties.SetMatrix(ShaderNames.AdditionalColors, ColorsOf(light));
+            properties.SetMatrix(ShaderNames.AdditionalAxes, AxesOf(light));
+        }
+
+        public static void SetLight(CommandBuffer commands, ComputeShader shader, in PointLight light)
+        {
+            commands.SetComputeMatrixParam(shader, ShaderNames.Ambient, AmbientOf(light));
+            commands.SetComputeVectorParam(shader, ShaderNames.LightDirection, VectorOf(light.Direction));
+            commands.SetComputeVectorParam(shader, ShaderNames.LightColor, VectorOf(light.Color));
+            commands.SetComputeIntParam(shader, ShaderNames.AdditionalCount, light.AdditionalCount);
+            commands.SetComputeMatrixParam(shader, ShaderNames.AdditionalPlaces, PlacesOf(light));
+            commands.SetComputeMatrixParam(shader, ShaderNames.AdditionalColors, ColorsOf(light));
+            commands.SetComputeMatrixParam(shader, ShaderNames.AdditionalAxes, AxesOf(light));
+        }
+
+        static Matrix4x4 AmbientOf(in PointLight light) => RowsOf(VectorOf(light.AmbientX), VectorOf(light.AmbientY),
+            VectorOf(light.AmbientZ), VectorOf(light.AmbientAll));
+
+        static Matrix4x4 PlacesOf(in PointLight light) => RowsOf(VectorOf(light.Light0.Place, light.Light0.ConeOffset),
+            VectorOf(light.Light1.Place, light.Light1.ConeOffset), VectorOf(light.Light2.Place, light.Light2.ConeOffset),
+            VectorOf(light.Light3.Place, light.Light3.ConeOffset));
+
+        static Matrix4x4 ColorsOf(in PointLight light) => RowsOf(VectorOf(light.Light0.Color, light.Light0.OneOverRangeSq),
+            VectorOf(light.Light1.Color, light.Light1.OneOverRangeSq), VectorOf(light.Light2.Color, light.Light2.OneOverRangeSq),
+            VectorOf(light.Light3.Color, light.Light3.OneOverRangeSq));
+
+        static Matrix4x4 AxesOf(in PointLight light) => RowsOf(VectorOf(light.Light0.Axis, light.Light0.ConeScale),
+            VectorOf(light.Light1.Axis, light.Light1.ConeScale), VectorOf(light.Light2.Axis, light.Light2.ConeScale),
+            VectorOf(light.Light3.Axis, light.Light3.ConeScale));
+
+        public static Vector4 VectorOf(float3 value, float w = 0) => new Vector4(value.x, value.y, value.z, w);
+
+        public static Matrix4x4 RowsOf(Vector4 row0, Vector4 row1, Vector4 row2, Vector4 row3)
+        {
+            var rows = new Matrix4x4();
+            rows.SetRow(0, row0);
+            rows.SetRow(1, row1);
+            rows.SetRow(2, row2);
+            rows.SetRow(3, row3);
+            return rows;
+        }
     }
 }

@@ -66,10 +66,10 @@ namespace FastPoints.Drawing
         public readonly PointLight From(double3 eye)
         {
             var light = this;
-            light.Light0.MoveTo(eye);
-            light.Light1.MoveTo(eye);
-            light.Light2.MoveTo(eye);
-            light.Light3.MoveTo(eye);
+            light.Light0.SeeFrom(eye);
+            light.Light1.SeeFrom(eye);
+            light.Light2.SeeFrom(eye);
+            light.Light3.SeeFrom(eye);
             return light;
         }
 
@@ -120,7 +120,7 @@ namespace FastPoints.Drawing
         public readonly float BrightnessAt(float3 place) => math.csum(Color) /
             (OneOverRangeSq > 0 ? math.max(MinDistanceSq, math.distancesq(Place, place)) : 1);
 
-        public void MoveTo(double3 eye) => Place = OneOverRangeSq > 0 ? (float3)(Place - eye) : Place;
+        public void SeeFrom(double3 eye) => Place = OneOverRangeSq > 0 ? (float3)(Place - eye) : Place;
 
         public readonly float3 On(float3 normal, float3 place)
         {

@@ -26,15 +26,13 @@ namespace FastPoints.Tests.Picture
             foreach (var toLight in new[] { new float3(1, 2, 3), new float3(-1, 0.1f, 0.2f), new float3(0, 0, 1) })
             {
                 var frame = FrameOf(origin, lengths, toLight, out var camera);
-                using var shadows = new ShadowCanvas(frame);
-                var projection = new PointProjection(shadows.Camera, PositionTransform.Identity, ShadowFrame.EdgePx,
+                var projection = new PointProjection(ShadowMap.CameraOf(frame), PositionTransform.Identity, ShadowFrame.EdgePx,
                     ShadowFrame.EdgePx);
                 var seen = frame.From(camera.EyeGeo);
                 for (int i = 0; i < 27; i++)
                 {
                     var place = origin + new double3(i % 3, i / 3 % 3, i / 9) * 40 / lengths;
-                    Assert.That(projection.Project(place.x, place.y, place.z, out double column, out double row,
-                        out float depth));
+                    projection.Project(place.x, place.y, place.z, out double column, out double row, out float depth);
                     var fromEye = (float3)((place - camera.EyeGeo) * lengths);
                     Assert.That(math.dot(seen.Column, fromEye) + seen.Eye.x, Is.EqualTo(column).Within(2e-3));
                     Assert.That(math.dot(seen.Row, fromEye) + seen.Eye.y, Is.EqualTo(row).Within(2e-3));
@@ -53,15 +51,15 @@ namespace FastPoints.Tests.Picture
                 new double3(50, 50, 1));
             frame.Fit();
             Assert.That(frame.EdgeWorld, fovDegrees > 30 ? Is.InRange(64, 256) : Is.InRange(4, 32));
-            using var shadows = new ShadowCanvas(frame);
-            var light = new PointProjection(shadows.Camera, PositionTransform.Identity, ShadowFrame.EdgePx, ShadowFrame.EdgePx);
+            var light = new PointProjection(ShadowMap.CameraOf(frame), PositionTransform.Identity, ShadowFrame.EdgePx,
+                ShadowFrame.EdgePx);
             var picture = new PointProjection(camera, PositionTransform.Identity, 640, 360);
             int shown = 0;
             for (int i = 0; i < 500 * 500; i++)
             {
                 var place = new double3(i % 500, i / 500, 0) / 5;
-                if (!picture.Project(place.x, place.y, 0, out double x, out double y, out _) ||
-                    x < 0 || y < 0 || x > 640 || y > 360)
+                if (!picture.Project(place.x, place.y, 0, out double x, out double y, out _) || x < 0 || y < 0 || x > 640 ||
+                    y > 360)
                     continue;
                 shown++;
                 light.Project(place.x, place.y, 0, out double column, out double row, out _);
