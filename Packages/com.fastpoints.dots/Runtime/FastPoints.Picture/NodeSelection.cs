@@ -71,7 +71,7 @@ namespace FastPoints.Picture
             settings.PointBudget = budget;
             settings.Hysteresis = 1;
             using (var all = new NativeArray<StreamView>(2, Allocator.TempJob)
-                { [0] = camera.Value, [1] = light.GetValueOrDefault() })
+            { [0] = camera.Value, [1] = light.GetValueOrDefault() })
             {
                 var views = all.GetSubArray(0, light.HasValue ? 2 : 1);
                 do

@@ -84,5 +84,6 @@ namespace FastPoints.Rendering
             m_lists.Dispose();
             m_raster.Dispose();
             m_noSizes.Dispose();
-        }    }
+        }
+    }
 }
