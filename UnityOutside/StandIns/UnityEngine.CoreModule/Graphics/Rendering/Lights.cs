@@ -28,12 +28,17 @@ namespace UnityEngine.Rendering
     {
         const int CoefficientsOfChannel = 9;
 
-        fixed float m_values[3 * CoefficientsOfChannel];
+        Channels m_channels;
 
         public float this[int rgb, int coefficient]
         {
-            readonly get => m_values[rgb * CoefficientsOfChannel + coefficient];
-            set => m_values[rgb * CoefficientsOfChannel + coefficient] = value;
+            readonly get => m_channels.Values[rgb * CoefficientsOfChannel + coefficient];
+            set => m_channels.Values[rgb * CoefficientsOfChannel + coefficient] = value;
+        }
+
+        struct Channels
+        {
+            public fixed float Values[3 * CoefficientsOfChannel];
         }
     }
 

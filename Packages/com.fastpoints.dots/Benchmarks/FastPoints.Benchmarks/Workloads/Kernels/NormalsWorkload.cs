@@ -38,7 +38,8 @@ namespace FastPoints.Benchmarks
                 new PointAttribute(AttributeNames.X, AttributeType.Float64),
                 new PointAttribute(AttributeNames.Y, AttributeType.Float64),
                 new PointAttribute(AttributeNames.Z, AttributeType.Float64),
-            }), context.Points, Allocator.Persistent) { Count = context.Points };
+            }), context.Points, Allocator.Persistent)
+            { Count = context.Points };
             NativeArray<double> x = m_batch.Column<double>(0), y = m_batch.Column<double>(1), z = m_batch.Column<double>(2);
             double noise = 0.3 * Radius * Math.Sqrt(4 * Math.PI / context.Points);
             var random = new Unity.Mathematics.Random(context.Seed);
