@@ -4,9 +4,9 @@ using System.Linq;
 using FastPoints.Build;
 using FastPoints.Drawing;
 using NUnit.Framework;
-using Random = Unity.Mathematics.Random;
 using Unity.Collections;
 using Unity.Mathematics;
+using Random = Unity.Mathematics.Random;
 
 namespace FastPoints.Tests.Build
 {
