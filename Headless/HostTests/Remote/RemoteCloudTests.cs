@@ -399,9 +399,12 @@ public sealed class RemoteCloudTests : ScratchTests
         Assert.That(call.Json.GetProperty("pointsDrawn").GetInt64(), Is.GreaterThan(Points / 2));
     }
 
-    [Test]
-    public void Verify_OfAnAddress_FindsAllPoints()
+    [TestCase(false)]
+    [TestCase(true)]
+    public void Verify_OfAnAddress_FindsAllPoints(bool hasNormals)
     {
+        if (hasNormals)
+            JobCoroutine.RunToEnd(AddNormals.Run(Path.Combine(m_served, "scan.fastpoints"), null, null, null));
         var call = CliCall.Of("verify", Address, "--json", "-");
         Assert.That(call.Status, Is.EqualTo(ExitStatus.Done), call.Error);
         Assert.That(call.Json.GetProperty("points").GetInt64(), Is.EqualTo(Points));

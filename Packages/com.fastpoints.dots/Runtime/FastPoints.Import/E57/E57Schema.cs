@@ -56,7 +56,8 @@ namespace FastPoints.E57
             get
             {
                 bool isOne = m_scans.Count == 1;
-                if (!m_scans.TrueForAll(s => s.IsScannerKnown) || !isOne && m_fieldOf.ContainsKey(AttributeNames.PointSourceId))
+                if (m_scans.Count == 0 || !m_scans.TrueForAll(s => s.IsScannerKnown) ||
+                    !isOne && m_fieldOf.ContainsKey(AttributeNames.PointSourceId))
                     return null;
                 var scanners = new double3[isOne ? 1 : 1 + m_scans.Max(s => s.Index)];
                 foreach (var scan in m_scans)

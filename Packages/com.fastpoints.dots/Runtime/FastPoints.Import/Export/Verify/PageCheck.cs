@@ -37,8 +37,8 @@ namespace FastPoints.Export
             int built = table.PlaneCount - store.Layout.ComputedPlanes;
             m_bytes = Span.Of(table, 0, built);
             m_computedBytes = Span.Of(table, built, table.PlaneCount);
-            if (built < table.PlaneCount)
-                (m_remoteOfComputed, m_pathOfComputed) = (folder.RemoteOfComputed(page), folder.PathOfComputed(page));
+            (m_remoteOfComputed, m_pathOfComputed) = built < table.PlaneCount
+                ? (folder.RemoteOfComputed(page), folder.PathOfComputed(page)) : (m_remote, Path);
             ListParts();
             m_planeResults = new NativeArray<NodeCheckResult>(table.Nodes.Length, Allocator.Persistent);
             m_results = new NativeArray<NodeCheckResult>(m_parts.Length, Allocator.Persistent);
@@ -54,7 +54,7 @@ namespace FastPoints.Export
         public IEnumerator<JobStep> Begin()
         {
             m_read.Begin(Path, m_bytes.First, m_bytes.Count, m_remote);
-            m_computed.Begin(m_pathOfComputed ?? Path, m_computedBytes.First, m_computedBytes.Count, m_remoteOfComputed);
+            m_computed.Begin(m_pathOfComputed, m_computedBytes.First, m_computedBytes.Count, m_remoteOfComputed);
             while (!m_read.IsFetched || !m_computed.IsFetched)
                 yield return default;
             var read = JobHandle.CombineDependencies(m_read.Done, m_computed.Done);
