@@ -133,12 +133,13 @@ await_idle() { # seconds
 }
 field() { scontrol show job "$1" | tr ' ' '\n' | sed -n "s/^$2=//p" | head -n 1; } # job, name
 
-# A task that runs: "array_index pid", where there is one.
+# A task that runs, but none that was hit so often that its script would give it up soon.
 pick_task() {
-  local tasks pid
+  local tasks task
   mapfile -t tasks < <(squeue -h -r -t RUNNING -o %i | grep _)
   [ ${#tasks[@]} -gt 0 ] || return 1
-  echo "${tasks[RANDOM % ${#tasks[@]}]}"
+  task=${tasks[RANDOM % ${#tasks[@]}]}
+  [ "$(field "$task" Restarts)" -lt 6 ] && echo "$task"
 }
 pid_of() { # number of a task's own job
   local at
@@ -173,9 +174,9 @@ if ! check "Slurm starts" start_slurm; then finish; fi
 make_plan() {
   local same=(--quiet --sampler poisson --chunk-points 100k)
   "$fastpoints" demo-cloud --quiet -o "$scratch/one.las" --points 8M --seed 5 &&
-    "$fastpoints" demo-cloud --quiet -o "$scratch/cloud.las" --tile "$scratch/one.las" --times 4 &&
+    "$fastpoints" demo-cloud --quiet -o "$scratch/cloud.las" --tile "$scratch/one.las" --times 9 &&
     "$fastpoints" convert "$scratch/cloud.las" -o "$scratch/whole.fastpoints" "${same[@]}" &&
-    "$fastpoints" plan "$scratch/cloud.las" -o "$scratch/cloud.json" --store "$scratch/many.fastpoints" --cells --task-points 2M "${same[@]}"
+    "$fastpoints" plan "$scratch/cloud.las" -o "$scratch/cloud.json" --store "$scratch/many.fastpoints" --cells --task-points 4M "${same[@]}"
 }
 if ! check "plan" make_plan; then finish; fi
 tasks=$(grep -o '"tasks": *[0-9]*' "$scratch/cloud.json" | head -n 1 | grep -o '[0-9]*$')
