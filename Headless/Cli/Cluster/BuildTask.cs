@@ -44,35 +44,17 @@ static class BuildTask
         var json = task.Plan.ReadTask(task.Name);
         var cubes = task.Plan.ReadCubes();
         using var sources = TaskSources.Open(task, json);
-        var ranges = new List<BucketRange>();
-        string rangesPath = task.PartPath("ranges.json");
-        var result = task.Make(output => BucketBuild.Run(task.Plan.Whole, cubes, sources.Reader, sources.Blocks, ranges, output));
-        if (ranges.Count > 0)
-            WriteRanges(task, rangesPath, ranges);
-        var hashed = ReadRanges(rangesPath);
+        var result = task.Make(output => BucketBuild.Run(task.Plan.Whole, cubes, sources.Reader, sources.Blocks, output));
+        int stride = task.Plan.Whole.Records.StrideBytes;
+        string records = task.PartPath(BuildFiles.BucketName);
+        var hashed = Array.ConvertAll(BucketBuild.ReadRanges(Path.GetDirectoryName(records)), r => new TaskMarker.Range(r.Part, r.First,
+            r.Count, TaskRun.HashOf(records, r.First * stride, r.Count * stride)));
         var planned = json.Longs("builds").ToHashSet();
         foreach (var stray in hashed.Where(r => r.Task < cubes.Length && !planned.Contains(r.Task)))
             task.Store.PutText(StrayFolder(stray.Task) + task.Name, "\n", task.Scratch.Folder);
         task.Run.Warn(sources.Reader.Info);
         return task.Put(task.Files, result, result.Statistics.Count, hashed);
     }
-
-    static void WriteRanges(TaskRun task, string path, List<BucketRange> ranges)
-    {
-        int stride = task.Plan.Whole.Records.StrideBytes;
-        string records = task.PartPath(BuildFiles.BucketName);
-        OutputFile.Write(path, Encoding.UTF8.GetBytes(new TaskMarker
-        {
-            Task = task.Name,
-            Points = 0,
-            Checksum = 0,
-            Ranges = ranges.ConvertAll(r => new TaskMarker.Range(r.Part, r.First, r.Count,
-                TaskRun.HashOf(records, r.First * stride, r.Count * stride))),
-        }.ToText(task.Plan)));
-    }
-
-    static IReadOnlyList<TaskMarker.Range> ReadRanges(string path) =>
-        File.Exists(path) ? TaskMarker.Parse(File.ReadAllText(path), path).Ranges : [];
 }
 
 /// <summary>Records of one build in several buckets, or in what builds set aside.</summary>

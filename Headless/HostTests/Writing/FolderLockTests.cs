@@ -45,6 +45,45 @@ public sealed class FolderLockTests : ScratchPerTest
     }
 
     [Test]
+    public void TryTake_OwnerKilledAsItTookIt_IsReplacedAtOnce([Values(0, 3)] int written)
+    {
+        FolderLock.TryTake(m_path, out _);
+        File.WriteAllText(m_path, File.ReadAllText(m_path)[..written]);
+        Assert.That(FolderLock.TryTake(m_path, out var next), Is.Null);
+        next.Dispose();
+    }
+
+    [Test]
+    public void TryTake_OwnerThatIsStillTakingIt_IsAwaited()
+    {
+        FolderLock.TryTake(m_path, "far", (7, 1), out _);
+        string owner = File.ReadAllText(m_path);
+        File.WriteAllText(m_path, "");
+        int reads = 0;
+        using var completing = WindowsRules.Hear((change, path, _) =>
+        {
+            if (path == m_path && change == FileChange.Open && reads++ == 2)
+                File.WriteAllText(path, owner);
+        });
+        Assert.That(FolderLock.TryTake(m_path, out _), Is.EqualTo("process 7 on far"));
+    }
+
+    [Test]
+    public void TryTake_HeldUpUntilAnotherReplacedIt_IsNotTaken()
+    {
+        int reads = 0;
+        using var replacing = WindowsRules.Hear((change, path, to) =>
+        {
+            if (path != m_path || change != FileChange.Open || reads++ > 0)
+                return;
+            File.Delete(path);
+            FolderLock.TryTake(path, "far", (7, 1), out _);
+        });
+        Assert.That(FolderLock.TryTake(m_path, out var taken), Is.EqualTo("process 7 on far"));
+        Assert.That(taken, Is.Null);
+    }
+
+    [Test]
     public void TryTake_ProcessIdReused_IsReplaced()
     {
         var (id, began) = FolderLock.Self();

@@ -24,23 +24,41 @@ namespace FastPoints.Tests.Build
         // With it, parts and buckets are stopped now and then, and begun again.
         System.Random m_stops;
 
-        void RunToEnd(Func<IEnumerator<JobStep>> begin)
+        // Whether they are stopped instead when the folder has its name, while the writing thread is still at it.
+        bool m_isStoppedAtTheEnd;
+
+        ulong m_cloudId;
+
+        // A task asks whether its folder is there before it begins.
+        bool IsMade(string name) => File.Exists(InputOf(name).NodesPath);
+
+        void RunToEnd(string name, List<PartResult> results, Func<IEnumerator<JobStep>> begin)
         {
+            int taken = results.Count;
             // Stopped before its first step.
             if (m_stops != null)
                 begin().Dispose();
-            for (int attempt = 1; m_stops != null; attempt++)
+            for (int attempt = 1; m_stops != null && !IsMade(name); attempt++)
+                RunUntilStopped(name, begin(), m_isStoppedAtTheEnd ? int.MaxValue : m_stops.Next(300 * attempt));
+            if (!IsMade(name))
+                JobCoroutine.RunToEnd(begin());
+            if (results.Count == taken)
+                results.Add(PartFile.ReadResult(InputOf(name).NodesPath, m_cloudId));
+        }
+
+        void RunUntilStopped(string name, IEnumerator<JobStep> begun, int steps)
+        {
+            var stopped = new System.Threading.ManualResetEventSlim(!m_isStoppedAtTheEnd);
+            FileChanges.Intercept = (change, path, _) =>
             {
-                using var work = new CoroutineStack(begin());
-                int left = m_stops.Next(300 * attempt);
-                while (left-- > 0)
-                {
-                    if (!work.MoveNext())
-                        return;
-                    work.Current.Complete();
-                }
-            }
-            JobCoroutine.RunToEnd(begin());
+                if (change == FileChange.Delete && IsMade(name))
+                    stopped.Wait();
+            };
+            using var work = new CoroutineStack(begun);
+            while (steps-- > 0 && (stopped.IsSet || !IsMade(name)) && work.MoveNext())
+                work.Current.Complete();
+            stopped.Set();
+            FileChanges.Intercept = null;
         }
 
         static ConvertSettings Settings(int megabytes = 928) => new ConvertSettings
@@ -58,6 +76,7 @@ namespace FastPoints.Tests.Build
             CloudPlan plan = null;
             using var reader = Reader();
             JobCoroutine.RunToEnd(ConvertCloud.Plan(new[] { reader }, Settings(), p => plan = p, null));
+            m_cloudId = plan.Whole.CloudId;
             return plan;
         }
 
@@ -168,7 +187,8 @@ namespace FastPoints.Tests.Build
                 // Each block belongs to one part.
                 var isOwn = Array.ConvertAll(blocks, b => b % cubes.Length == folders.Count);
                 string name = "part" + folders.Count;
-                RunToEnd(() => PartBuild.Run(plan.Whole.Of(cube), reader, blocks, isOwn, Output(name, results, megabytes)));
+                RunToEnd(name, results, () => PartBuild.Run(plan.Whole.Of(cube), reader, blocks, isOwn,
+                    Output(name, results, megabytes)));
                 folders.Add(name);
                 string file = Path.Combine(Folder.File(name), BuildFiles.OutsideName);
                 Assert.That(File.Exists(file), Is.EqualTo(results[results.Count - 1].OutsidePoints > 0));
@@ -187,19 +207,15 @@ namespace FastPoints.Tests.Build
             var plan = Plan();
             var cubes = plan.CubesOf(pointsPerPart);
             var results = new List<PartResult>();
-            var ranges = new[] { new List<BucketRange>(), new List<BucketRange>() };
             for (int b = 0; b < 2; b++)
             {
-                int bucket = b;
+                string name = "bucket" + b;
                 using var reader = Reader();
-                var blocks = Enumerable.Range(0, reader.BlockCount).Where(n => n / (reader.BlockCount / 2) == bucket).ToArray();
-                RunToEnd(() =>
-                {
-                    ranges[bucket].Clear();
-                    return BucketBuild.Run(plan.Whole, cubes, reader, blocks, ranges[bucket],
-                        Output("bucket" + bucket, results, megabytes));
-                });
+                var blocks = Enumerable.Range(0, reader.BlockCount).Where(n => n / (reader.BlockCount / 2) == b).ToArray();
+                RunToEnd(name, results, () => BucketBuild.Run(plan.Whole, cubes, reader, blocks,
+                    Output(name, results, megabytes)));
             }
+            var ranges = new[] { BucketBuild.ReadRanges(Folder.File("bucket0")), BucketBuild.ReadRanges(Folder.File("bucket1")) };
             int stride = plan.Whole.Records.StrideBytes;
             var folders = new List<string>();
             void Fetch(int part, string path)
@@ -214,9 +230,10 @@ namespace FastPoints.Tests.Build
             for (int p = 0; p < cubes.Length; p++)
             {
                 int part = p;
-                RunToEnd(() => PartBuild.RunRecords(plan.Whole.Of(cubes[part]), CountOf(part), path => Fetch(part, path),
-                    Output("part" + part, results, megabytes)));
-                folders.Add("part" + p);
+                string name = "part" + p;
+                RunToEnd(name, results, () => PartBuild.RunRecords(plan.Whole.Of(cubes[part]), CountOf(part),
+                    path => Fetch(part, path), Output(name, results, megabytes)));
+                folders.Add(name);
             }
             Assert.That(CountOf(cubes.Length), Is.EqualTo(2L));
             BuildOutside(plan, results, 2, path => Fetch(cubes.Length, path), folders);
@@ -224,8 +241,9 @@ namespace FastPoints.Tests.Build
         }
 
         [Test]
-        public void Run_StoppedAnywhere_MakesTheChunksOfOneBuild([Values] bool ofBuckets)
+        public void Run_StoppedAnywhere_MakesTheChunksOfOneBuild([Values] bool ofBuckets, [Values] bool atTheEnd)
         {
+            m_isStoppedAtTheEnd = atTheEnd;
             m_stops = new System.Random(8);
             if (ofBuckets)
                 RunRecords_OfBuckets_MakesTheChunksOfOneBuild(30000, 1);

@@ -1,8 +1,10 @@
 using System;
 using System.Collections.Generic;
 using System.IO;
+using System.Runtime.InteropServices;
 using FastPoints.Nodes;
 using FastPoints.Reading;
+using FastPoints.Store;
 using Unity.Collections;
 
 namespace FastPoints.Build
@@ -13,16 +15,14 @@ namespace FastPoints.Build
     {
         BucketBuild(BuildContext build, PartSelection selection) : base(build, selection) { }
 
-        /// <summary>Coroutine. The folder then has the records, <see cref="BuildFiles.BucketName"/>, and what is known of
-        /// them.</summary>
+        /// <summary>Coroutine. The folder then has the records, <see cref="BuildFiles.BucketName"/>, what is known of them, and
+        /// their ranges, for <see cref="ReadRanges"/>.</summary>
         /// <param name="whole">All of the cloud.</param>
         /// <param name="cubes">Of the parts, which fill its cube, in Morton order.</param>
         /// <param name="blocks">Ascending. The reader's blocks are known.</param>
-        /// <param name="ranges">Receives where the records of each part are; those outside of all have the number behind the
-        /// last.</param>
         /// <exception cref="PointCloudException">A source or the folder is at fault, or a value contradicts the plan.</exception>
         public static IEnumerator<JobStep> Run(BuildPart whole, GridCube[] cubes, PointReader reader, IReadOnlyList<int> blocks,
-            List<BucketRange> ranges, PartOutput output)
+            PartOutput output)
         {
             var isOwn = new bool[blocks.Count];
             Array.Fill(isOwn, true);
@@ -35,8 +35,17 @@ namespace FastPoints.Build
             build.Map.BaseCells = whole.BaseCells;
             yield return JobStep.Of(bucket.Read());
             whole.RequireDivisors(bucket.Scatter.Attributes, reader.Info.Path);
-            yield return JobStep.Of(bucket.Write(ranges, output.Take));
+            yield return JobStep.Of(bucket.Write(output.Take));
             build.Progress?.End();
+        }
+
+        /// <summary>Where the records of each part are, in the folder of a bucket that has ended; those outside of all have the
+        /// number behind the last.</summary>
+        public static BucketRange[] ReadRanges(string folder)
+        {
+            string path = Path.Combine(folder, BuildFiles.RangesName);
+            using var bytes = StoreFile.Read(path, 0, StoreFile.SizeOf(path), Allocator.Persistent);
+            return MemoryMarshal.Cast<byte, BucketRange>(bytes.ToArray()).ToArray();
         }
 
         IEnumerator<JobStep> Read()
@@ -70,8 +79,9 @@ namespace FastPoints.Build
             });
         }
 
-        IEnumerator<JobStep> Write(List<BucketRange> ranges, Action<PartResult> take)
+        IEnumerator<JobStep> Write(Action<PartResult> take)
         {
+            var ranges = new List<BucketRange>();
             long first = 0;
             for (int part = 0; part <= Build.Map.Outside; part++)
             {
@@ -81,6 +91,8 @@ namespace FastPoints.Build
                 first += count;
             }
             yield return JobStep.Of(Build.Files == null ? WriteRecords(ranges) : JoinFiles(ranges));
+            yield return JobStep.Of(Build.Folder.Write(BuildFiles.RangesName,
+                MemoryMarshal.AsBytes<BucketRange>(ranges.ToArray()).ToArray()));
             var manifest = Build.Part.ToManifest(Build.Settings.Sampler);
             using var store = new NativeStoreLayout(manifest.CreateLayout());
             using var merge = new UpperMerge(Build, store, manifest);

@@ -362,6 +362,9 @@ namespace FastPoints.Build
         /// <summary>The records of all parts that a bucket has.</summary>
         public const string BucketName = "part.bucket";
 
+        /// <summary>Which of a bucket's records are of which part. It stays with the folder.</summary>
+        public const string RangesName = "ranges.bin";
+
         public static string RecordPath(int number) => PathOf(RecordFolderName, number);
 
         public static string TopPath(int number) => PathOf(TopFolderName, number);

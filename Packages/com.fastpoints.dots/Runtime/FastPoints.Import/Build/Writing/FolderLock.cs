@@ -2,6 +2,7 @@ using System;
 using System.Diagnostics;
 using System.Globalization;
 using System.IO;
+using System.Threading;
 using FastPoints.Reading;
 using FastPoints.Store;
 
@@ -19,6 +20,9 @@ namespace FastPoints.Build
 
         /// <summary>An owner on another machine that has not renewed it for this long counts as gone.</summary>
         public static readonly TimeSpan StaleAfter = TimeSpan.FromMinutes(3);
+
+        /// <summary>An owner that has not completed the file for this long after it made it was killed meanwhile.</summary>
+        static readonly TimeSpan s_completeWithin = TimeSpan.FromSeconds(1);
 
         const string UnknownOwner = "another process";
         const string UnknownId = "0";
@@ -77,6 +81,9 @@ namespace FastPoints.Build
                     return null;
                 }
                 string other = StoreFile.ReadText(path);
+                for (var watch = Stopwatch.StartNew(); !IsWhole(other, out _, out _, out _) && !IsStale(path, other, machine)
+                    && watch.Elapsed < 2 * s_completeWithin; other = StoreFile.ReadText(path))
+                    Thread.Sleep(1);
                 if (!IsStale(path, other, machine))
                     return Describe(other);
                 if (!TryReplaceStale(path, machine, owner))
@@ -148,9 +155,10 @@ namespace FastPoints.Build
             try
             {
                 // Shared: .NET creates a file before it locks it, so that a reader could keep it from its creator.
-                using var writer = new StreamWriter(FileChanges.CreateShared(path));
-                writer.Write(owner);
-                return true;
+                using (var writer = new StreamWriter(FileChanges.CreateShared(path)))
+                    writer.Write(owner);
+                // Who was held up for long enough meanwhile has lost it.
+                return StoreFile.ReadText(path) == owner;
             }
             catch (IOException e) when (FileFailures.WriteFailure(path, e).Code == FailureCode.WriteFailed)
             {
@@ -184,16 +192,20 @@ namespace FastPoints.Build
             }
         }
 
+        static bool IsWhole(string owner, out string[] lines, out int id, out long began)
+        {
+            lines = owner.Split('\n');
+            id = 0;
+            began = 0;
+            return lines.Length > 2 && lines[^1].Length == 0
+                && int.TryParse(lines[1], NumberStyles.None, CultureInfo.InvariantCulture, out id)
+                && long.TryParse(lines[2], NumberStyles.None, CultureInfo.InvariantCulture, out began);
+        }
+
         static bool IsStale(string path, string owner, string machine)
         {
-            string[] lines = owner.Split('\n');
-            if (lines.Length < 3 || lines[^1].Length > 0 ||
-                !int.TryParse(lines[1], NumberStyles.None, CultureInfo.InvariantCulture, out int id) ||
-                !long.TryParse(lines[2], NumberStyles.None, CultureInfo.InvariantCulture, out long began))
-            {
-                // It is half-written: its writer completes it at once.
-                return DateTime.UtcNow - File.GetLastWriteTimeUtc(path) > RenewAfter;
-            }
+            if (!IsWhole(owner, out string[] lines, out int id, out long began))
+                return DateTime.UtcNow - File.GetLastWriteTimeUtc(path) > s_completeWithin;
             bool isSilent = DateTime.UtcNow - File.GetLastWriteTimeUtc(path) > StaleAfter;
             if (lines[0] != machine)
                 return isSilent;
