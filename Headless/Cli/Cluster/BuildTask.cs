@@ -29,7 +29,7 @@ static class BuildTask
             .Order(StringComparer.Ordinal).ToArray();
         var records = new BucketRecords(task.Store, TaskMarker.ReadAll(task.Store, task.Plan, names, task.Missing), number);
         var result = task.Make(output => PartBuild.RunRecords(part, records.Count,
-            path => records.Fetch(path, part.Records.StrideBytes), output));
+            records.Fetch, output));
         return task.Put(task.Files, result, records.Count);
     }
 
@@ -45,10 +45,9 @@ static class BuildTask
         var cubes = task.Plan.ReadCubes();
         using var sources = TaskSources.Open(task, json);
         var result = task.Make(output => BucketBuild.Run(task.Plan.Whole, cubes, sources.Reader, sources.Blocks, output));
-        int stride = task.Plan.Whole.Records.StrideBytes;
         string records = task.PartPath(BuildFiles.BucketName);
-        var hashed = Array.ConvertAll(BucketBuild.ReadRanges(Path.GetDirectoryName(records)), r => new TaskMarker.Range(r.Part, r.First,
-            r.Count, TaskRun.HashOf(records, r.First * stride, r.Count * stride)));
+        var hashed = Array.ConvertAll(BucketBuild.ReadRanges(Path.GetDirectoryName(records)), r => new TaskMarker.Range(r.Part,
+            r.Count, r.Offset, r.Bytes, TaskRun.HashOf(records, r.Offset, r.Bytes)));
         var planned = json.Longs("builds").ToHashSet();
         foreach (var stray in hashed.Where(r => r.Task < cubes.Length && !planned.Contains(r.Task)))
             task.Store.PutText(StrayFolder(stray.Task) + task.Name, "\n", task.Scratch.Folder);
@@ -78,26 +77,26 @@ sealed class BucketRecords
         foreach (var build in builds.Where(b => b.OutsidePoints > 0))
         {
             string name = TaskStore.WorkFolder + build.Task + Path.GetExtension(BuildFiles.OutsideName);
-            m_ranges.Add((name, new TaskMarker.Range(0, 0, build.OutsidePoints, build.Objects.First(o => o.Name == name).Hash)));
+            var stored = build.Objects.First(o => o.Name == name);
+            m_ranges.Add((name, new TaskMarker.Range(0, build.OutsidePoints, 0, stored.Bytes, stored.Hash)));
         }
     }
 
     public long Count => m_ranges.Sum(r => r.Range.Count);
 
     /// <summary>Writes all into a file. Any thread.</summary>
-    public void Fetch(string path, int strideBytes)
+    public void Fetch(string path)
     {
         using (var to = FileChanges.OpenToWrite(path, FileMode.Create))
             foreach (var (name, range) in m_ranges)
-                m_store.Append(name, range.First * strideBytes, range.Count * strideBytes, to);
+                m_store.Append(name, range.Offset, range.Bytes, to);
         long at = 0;
         foreach (var (name, range) in m_ranges)
         {
-            ulong got = TaskRun.HashOf(path, at, range.Count * strideBytes);
+            ulong got = TaskRun.HashOf(path, at, range.Bytes);
             if (got != range.Hash)
-                throw new PointCloudException(FailureCode.ReadFailed, name, range.First * strideBytes,
-                    StoreFile.HashProblem(range.Hash, got));
-            at += range.Count * strideBytes;
+                throw new PointCloudException(FailureCode.ReadFailed, name, range.Offset, StoreFile.HashProblem(range.Hash, got));
+            at += range.Bytes;
         }
     }
 }

@@ -4,7 +4,8 @@ namespace FastPoints.Cli.Cluster;
 sealed class TaskMarker
 {
     /// <summary>Records of a bucket that belong to a build, or are outside of all.</summary>
-    public record struct Range(int Task, long First, long Count, ulong Hash);
+    /// <param name="Offset">Of their blocks in the object.</param>
+    public record struct Range(int Task, long Count, long Offset, long Bytes, ulong Hash);
 
     public record struct StoredObject(string Name, long Bytes, ulong Hash);
 
@@ -33,8 +34,9 @@ sealed class TaskMarker
         {
             json.WriteStartObject();
             json.WriteNumber("task", range.Task);
-            json.WriteNumber("first", range.First);
             json.WriteNumber("count", range.Count);
+            json.WriteNumber("offset", range.Offset);
+            json.WriteNumber("bytes", range.Bytes);
             json.WriteString("hash", PlanFile.ToHex(range.Hash));
             json.WriteEndObject();
         }
@@ -78,7 +80,7 @@ sealed class TaskMarker
             Checksum = json.Hex("checksum"),
             OutsidePoints = json.Count("outsidePoints"),
             Ranges = json.Objects("ranges").ConvertAll(r =>
-                new Range(r.Int("task"), r.Count("first"), r.Count("count"), r.Hex("hash"))),
+                new Range(r.Int("task"), r.Count("count"), r.Count("offset"), r.Count("bytes"), r.Hex("hash"))),
             Objects = json.Objects("objects").ConvertAll(o => new StoredObject(o.Text("name"), o.Count("bytes"), o.Hex("hash"))),
         };
     }

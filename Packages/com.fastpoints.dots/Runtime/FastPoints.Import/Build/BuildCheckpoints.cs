@@ -19,6 +19,8 @@ namespace FastPoints.Build
         readonly CloudFolderWriter m_folder;
         readonly ScatterPoints m_scatter;
         readonly ChunkSet m_chunks;
+        // Leftovers that cannot be resumed.
+        bool m_mustClear;
         NativeArray<byte> m_text;
         WriteTicket m_ticket;
 
@@ -34,10 +36,6 @@ namespace FastPoints.Build
 
         /// <summary>What became of an earlier, interrupted build of this target; null if there was none.</summary>
         public string Note { get; private set; }
-
-        /// <summary>Whether the folder has leftovers that cannot be resumed, and must be cleared before anything is
-        /// written.</summary>
-        public bool MustClear { get; private set; }
 
         /// <summary>Resumes a killed build of the same sources and settings, if its points are
         /// on disk.</summary>
@@ -71,12 +69,21 @@ namespace FastPoints.Build
                     ? "a build of this target was broken off that had its points in memory: began again"
                     : "a build of this target was broken off that had other sources, settings or versions: began again";
             }
-            checkpoints.MustClear = folder.HasLeftovers;
+            checkpoints.m_mustClear = folder.HasLeftovers;
             build.AddFirstFiles();
             return checkpoints;
         }
 
-        /// <summary>Coroutine: queues the journal after everything that it refers to, so that this reaches the disk before
+        /// <summary>Coroutine, once resumed: what must be done before the build goes on.</summary>
+        public IEnumerator<JobStep> Prepare()
+        {
+            if (m_mustClear)
+                yield return JobStep.Of(m_build.Folder.Clear());
+            if (m_build.Files != null)
+                yield return JobStep.Of(m_build.Files.ReadBlocks());
+        }
+
+        /// <summary>Coroutine, when nothing waits to be packed: queues the journal after everything that it refers to, so that this reaches the disk before
         /// the journal does. Does nothing if points are in memory.</summary>
         public IEnumerator<JobStep> Begin()
         {
@@ -125,8 +132,12 @@ namespace FastPoints.Build
             Journal.Attributes = m_scatter.Attributes;
             Journal.PeakBytes = m_build.Files?.PeakBytes ?? 0;
             Journal.Records.Clear();
+            Journal.RecordBytes.Clear();
             for (int file = 0; file < m_build.Files?.FileCount; file++)
+            {
                 Journal.Records.Add(m_build.Files.RecordsOf(file));
+                Journal.RecordBytes.Add(m_build.Files.BlocksOf(file).Bytes);
+            }
             Journal.Chunks.Clear();
             if (Journal.CurrentStage == BuildJournal.Stage.Split || Journal.CurrentStage == BuildJournal.Stage.Index)
                 foreach (var chunk in m_chunks.Chunks)

@@ -25,7 +25,7 @@ namespace FastPoints.Build
             public RecordRange[] Ranges;
         }
 
-        const int Version = 2;
+        const int Version = 3;
 
         /// <summary>Identifies the sources, the settings and the partition: if they differ, it is another build.</summary>
         public ulong Identity;
@@ -40,6 +40,9 @@ namespace FastPoints.Build
 
         /// <summary>Number of records in each file.</summary>
         public readonly List<long> Records = new List<long>();
+
+        /// <summary>Bytes of these files.</summary>
+        public readonly List<long> RecordBytes = new List<long>();
 
         /// <summary>Present from <see cref="Stage.Split"/> on.</summary>
         public readonly List<Chunk> Chunks = new List<Chunk>();
@@ -76,6 +79,9 @@ namespace FastPoints.Build
             json.EndArray().BeginArray("records");
             foreach (long count in Records)
                 json.Add(null, count);
+            json.EndArray().BeginArray("recordBytes");
+            foreach (long bytes in RecordBytes)
+                json.Add(null, bytes);
             json.EndArray().BeginArray("chunks");
             foreach (var chunk in Chunks)
             {
@@ -139,6 +145,7 @@ namespace FastPoints.Build
                 MaxRoundingSteps = item.Number("worstLossSteps"),
             }));
             journal.Records.AddRange(json.Longs("records"));
+            journal.RecordBytes.AddRange(json.Longs("recordBytes"));
             foreach (var item in json.Objects("chunks"))
             {
                 journal.Chunks.Add(new Chunk

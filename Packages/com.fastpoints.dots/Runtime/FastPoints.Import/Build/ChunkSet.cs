@@ -46,7 +46,7 @@ namespace FastPoints.Build
             m_build = build;
             // The pages that parts of chunks may take until they go to files.
             m_maxPages = build.Plan.MaxPages / 2;
-            m_load = new RecordLoad(build);
+            m_load = new RecordLoad(build, build.Slices);
         }
 
         public IReadOnlyList<Chunk> Chunks => m_chunks;
@@ -86,24 +86,40 @@ namespace FastPoints.Build
         public IEnumerator<JobStep> SplitOutside(BaseCells cells, Chunk outside) =>
             Regroup(outside, cells.Around, cells.Root.Corner);
 
-        /// <summary>Coroutine: writes a chunk's records to a file of the build, and takes it out.</summary>
+        /// <summary>Coroutine: packs pages, and writes them to a file that stays with the build.</summary>
+        /// <param name="written">Receives their bytes.</param>
+        public IEnumerator<JobStep> Write(string name, RecordPages pages, long offset, Action<long> written)
+        {
+            var packed = PackRecordsJob.Schedule(new PackRecordsJob
+            {
+                Pages = pages,
+                StrideBytes = m_build.Records.StrideBytes,
+                Slices = m_build.Slices,
+            }, default);
+            yield return packed;
+            packed.Complete();
+            yield return JobStep.Of(CloudFolderWriter.Await(m_build.Folder.WriteRecords(name, pages, offset)));
+            written(new RecordBlocks(name, 0).Add(pages));
+        }
+
+        /// <summary>Coroutine: writes the records of the chunk outside of all to a file of the build, and takes it out.</summary>
         public IEnumerator<JobStep> SetAside(Chunk chunk)
         {
             m_chunks.Remove(chunk);
-            long written = 0;
-            while (written < chunk.Count)
+            long done = 0, written = 0;
+            m_build.Folder.Truncate(BuildFiles.OutsideName, 0);
+            while (done < chunk.Count)
             {
                 var pages = chunk.Pages;
                 chunk.Pages = default;
                 if (chunk.Ranges.Count > 0)
                 {
-                    BeginBatch(chunk, written);
+                    BeginBatch(chunk, done);
                     yield return m_load.Done;
                     pages = m_load.Complete();
                 }
-                yield return JobStep.Of(CloudFolderWriter.Await(m_build.Folder.WriteRecords(BuildFiles.OutsideName, pages,
-                    m_build.Records.StrideBytes, written * m_build.Records.StrideBytes)));
-                written += pages.Count;
+                yield return JobStep.Of(Write(BuildFiles.OutsideName, pages, written, bytes => written += bytes));
+                done += pages.Count;
                 Return(ref pages);
             }
             yield return JobStep.Of(CloudFolderWriter.Await(m_build.Folder.SyncRecords(BuildFiles.OutsideName)));
@@ -318,6 +334,8 @@ namespace FastPoints.Build
                     yield return default;
                 }
 
+                if (isStored)
+                    Files.TakeSlices(m_build.Slices);
                 m_chunks.Remove(chunk);
                 for (int i = 0; i < cubes.Length; i++)
                 {

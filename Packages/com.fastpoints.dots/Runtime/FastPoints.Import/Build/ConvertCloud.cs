@@ -145,8 +145,7 @@ namespace FastPoints.Build
             m_scatter = new ScatterPoints(m_build);
             m_chunks = new ChunkSet(m_build);
             m_checkpoints = BuildCheckpoints.Resume(m_build, m_scatter, m_chunks);
-            if (m_checkpoints.MustClear)
-                yield return JobStep.Of(m_build.Folder.Clear());
+            yield return JobStep.Of(m_checkpoints.Prepare());
             m_generations = new BuildGenerations(m_build);
             // What the folder is for, if the build is killed.
             var sources = new List<CloudSource>();

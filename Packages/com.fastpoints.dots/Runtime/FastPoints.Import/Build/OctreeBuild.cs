@@ -249,9 +249,10 @@ namespace FastPoints.Build
             var slot = m_idle.Count > 0 ? m_idle.Pop() : new Slot
             {
                 Indexer = m_build.CreateIndexer(m_store, Manifest),
-                Load = files == null ? null : new RecordLoad(m_build),
                 Outside = new NativeReference<int>(Allocator.Persistent),
             };
+            if (files != null)
+                slot.Load ??= new RecordLoad(m_build, slot.Indexer.SliceTimes);
             m_inFlight.Enqueue(slot);
             var chunk = m_chunks.Chunks[number];
             slot.Chunk = number;
@@ -343,9 +344,7 @@ namespace FastPoints.Build
             {
                 slot.Load.Complete();
                 if (slot.Outside.Value > 0)
-                    throw new PointCloudException(FailureCode.ReadFailed,
-                        m_build.Files.PathOf(m_chunks.Chunks[slot.Chunk].Ranges[0].File), -1,
-                        "the points that were set aside there are damaged: delete the folder, and start again");
+                    throw RecordLoad.Damaged(m_build.Files.PathOf(m_chunks.Chunks[slot.Chunk].Ranges[0].File));
             }
             m_writes.Poll(0);
             while (!m_writes.HasRoom)

@@ -1,25 +1,35 @@
 using System;
 using System.Collections.Generic;
+using System.IO;
 using FastPoints.Nodes;
+using FastPoints.Reading;
+using Unity.Collections;
+using Unity.Jobs;
 
 namespace FastPoints.Build
 {
     /// <summary>The records that do not fit in memory: one file for each chunk in the target's folder, only appended to, by the
-    /// one writer thread, with one file open at a time. Written pages can be reused.</summary>
+    /// one writer thread, with one file open at a time. Jobs pack their pages first. Written pages can be reused.</summary>
     internal sealed class RecordFiles : IDisposable
     {
         struct PendingWrite
         {
+            public int File;
+            public JobHandle Packed;
             public WriteTicket Ticket;
             public RecordPages Pages;
         }
 
         readonly CloudFolderWriter m_folder;
         readonly int m_strideBytes;
+        readonly List<RecordBlocks> m_files = new List<RecordBlocks>();
         readonly List<long> m_recordsOfFile = new List<long>();
         readonly List<int> m_usersOfFile = new List<int>();
         readonly SortedSet<int> m_notSynced = new SortedSet<int>();
+        readonly Queue<PendingWrite> m_pendingPacks = new Queue<PendingWrite>();
         readonly Queue<PendingWrite> m_pendingWrites = new Queue<PendingWrite>();
+        readonly SliceTimes m_slices = new SliceTimes(Allocator.Persistent);
+        JobHandle m_lastPacked;
         RecordPages m_written;
         long m_bytes;
 
@@ -36,24 +46,30 @@ namespace FastPoints.Build
 
         public int FileCount => m_recordsOfFile.Count;
 
-        public string PathOf(int file) => m_folder.PathOf(BuildFiles.RecordPath(file));
+        public RecordBlocks BlocksOf(int file) => m_files[file];
 
+        public string PathOf(int file) => m_files[file].Path;
+
+        /// <summary>Records handed over so far.</summary>
         public long RecordsOf(int file) => m_recordsOfFile[file];
 
         /// <summary>Adds an empty file, which does not exist on disk before it has records.</summary>
         public int Add()
         {
+            m_files.Add(new RecordBlocks(m_folder.PathOf(BuildFiles.RecordPath(m_files.Count)), 0));
             m_recordsOfFile.Add(0);
             m_usersOfFile.Add(1);
             return m_recordsOfFile.Count - 1;
         }
 
-        /// <summary>Resumes with the files of a killed build, truncated to the lengths in its journal; other files are
-        /// deleted.</summary>
+        /// <summary>Resumes with the files of a killed build, truncated to the lengths in its journal; other files are deleted.
+        /// Then <see cref="ReadBlocks"/>.</summary>
         /// <returns>Whether they all exist, except those of chunks that may be done; otherwise none is used.</returns>
         public bool TryResume(BuildJournal journal)
         {
             var users = new int[journal.Records.Count];
+            if (journal.RecordBytes.Count != users.Length)
+                return false;
             bool isReading = journal.CurrentStage == BuildJournal.Stage.Read;
             foreach (var chunk in journal.Chunks)
                 foreach (var range in chunk.Ranges)
@@ -65,46 +81,72 @@ namespace FastPoints.Build
             var known = new HashSet<string>();
             for (int file = 0; file < users.Length; file++)
             {
-                long records = isReading || users[file] > 0 ? journal.Records[file] : 0;
-                if (!m_folder.Truncate(BuildFiles.RecordPath(file), records * m_strideBytes) &&
+                long bytes = isReading || users[file] > 0 ? journal.RecordBytes[file] : 0;
+                if (!m_folder.Truncate(BuildFiles.RecordPath(file), bytes) &&
                     journal.CurrentStage != BuildJournal.Stage.Index)
                     return false;
-                if (records > 0)
-                    known.Add(PathOf(file));
+                if (bytes > 0)
+                    known.Add(m_folder.PathOf(BuildFiles.RecordPath(file)));
             }
             m_folder.DeleteOthers(BuildFiles.RecordFolderName, known);
 
             PeakBytes = journal.PeakBytes;
             for (int file = 0; file < users.Length; file++)
             {
-                m_recordsOfFile.Add(isReading || users[file] > 0 ? journal.Records[file] : 0);
-                m_usersOfFile.Add(isReading ? 1 : users[file]);
-                Count(m_recordsOfFile[file]);
+                bool isUsed = isReading || users[file] > 0;
+                Add();
+                m_usersOfFile[file] = isReading ? 1 : users[file];
+                m_recordsOfFile[file] = isUsed ? journal.Records[file] : 0;
+                m_files[file] = new RecordBlocks(PathOf(file), isUsed ? journal.RecordBytes[file] : 0);
+                Count(m_files[file].Bytes);
             }
             return true;
         }
 
-        /// <summary>Takes over records that others have written.</summary>
-        public void Adopt(int file, long records)
+        /// <summary>Coroutine: finds the blocks of files that others have written, or a build before this one.</summary>
+        /// <exception cref="PointCloudException">They are not what the journal says.</exception>
+        public IEnumerator<JobStep> ReadBlocks()
         {
-            m_recordsOfFile[file] = records;
-            Count(records);
+            for (int file = 0; file < m_files.Count; file++)
+            {
+                var (blocks, records) = (m_files[file], m_recordsOfFile[file]);
+                // A chunk that is done has none.
+                if (records == 0 || !File.Exists(blocks.Path))
+                    continue;
+                yield return JobStep.Of(PoolTask.Run(blocks.Path, () => RecordBlocks.Read(blocks.Path), read => blocks = read));
+                if (blocks.Records != records)
+                    throw PointCloudException.Wanted(FailureCode.ReadFailed, blocks.Path, -1, "records that were set aside",
+                        records, blocks.Records);
+                m_files[file] = blocks;
+            }
+        }
+
+        /// <summary>Takes over packed records that others have written.</summary>
+        public void Adopt(int file, RecordBlocks blocks)
+        {
+            m_files[file] = blocks;
+            m_recordsOfFile[file] = blocks.Records;
+            Count(blocks.Bytes);
         }
 
         public void Append(int file, RecordPages pages)
         {
             if (pages.Count == 0)
                 return;
-            var ticket = m_folder.WriteRecords(BuildFiles.RecordPath(file), pages, m_strideBytes,
-                m_recordsOfFile[file] * m_strideBytes);
-            m_pendingWrites.Enqueue(new PendingWrite { Ticket = ticket, Pages = pages });
             m_notSynced.Add(file);
             m_recordsOfFile[file] += pages.Count;
             PagesWaiting += pages.PageCount;
-            Count(pages.Count);
+            while (pages.PageCount > 0)
+            {
+                var run = pages.Cut(PackRecordsJob.PagesPerRun);
+                m_lastPacked = new PackRecordsJob { Pages = run, StrideBytes = m_strideBytes, Slices = m_slices }
+                    .Schedule(m_lastPacked);
+                m_pendingPacks.Enqueue(new PendingWrite { File = file, Packed = m_lastPacked, Pages = run });
+            }
         }
 
-        /// <summary>Queues a flush: everything handed over is on disk before the writer's next request.</summary>
+        /// <summary>Queues a flush: everything that was handed over, and is packed, is on disk before the writer's next
+        /// request.</summary>
         public void Sync()
         {
             foreach (int file in m_notSynced)
@@ -112,10 +154,17 @@ namespace FastPoints.Build
             m_notSynced.Clear();
         }
 
-        /// <summary>Checks what is written by now.</summary>
-        /// <exception cref="FastPoints.PointCloudException">Something could not be written.</exception>
+        /// <summary>Checks what is packed and written by now.</summary>
+        /// <exception cref="PointCloudException">Something could not be written.</exception>
         public void Poll(int waitMs)
         {
+            // There is nothing else to wait for.
+            bool mustPack = waitMs > 0 && m_pendingWrites.Count == 0;
+            while (m_pendingPacks.Count > 0 && (mustPack || m_pendingPacks.Peek().Packed.IsCompleted))
+            {
+                Write(m_pendingPacks.Dequeue());
+                mustPack = false;
+            }
             while (m_pendingWrites.Count > 0 && m_pendingWrites.Peek().Ticket.IsDone(waitMs))
             {
                 var pages = m_pendingWrites.Dequeue().Pages;
@@ -123,6 +172,15 @@ namespace FastPoints.Build
                 m_written.Join(ref pages);
                 waitMs = 0;
             }
+        }
+
+        unsafe void Write(PendingWrite packed)
+        {
+            packed.Packed.Complete();
+            var blocks = m_files[packed.File];
+            packed.Ticket = m_folder.WriteRecords(BuildFiles.RecordPath(packed.File), packed.Pages, blocks.Bytes);
+            Count(blocks.Add(packed.Pages));
+            m_pendingWrites.Enqueue(packed);
         }
 
         /// <summary>Pages that were written, for the pool.</summary>
@@ -133,6 +191,13 @@ namespace FastPoints.Build
             return pages;
         }
 
+        /// <summary>When no page waits: adds how long packing took.</summary>
+        public void TakeSlices(SliceTimes all)
+        {
+            m_lastPacked.Complete();
+            all.Take(m_slices);
+        }
+
         /// <summary>Adds a user that reads a file and releases it.</summary>
         public void Share(int file) => m_usersOfFile[file]++;
 
@@ -141,7 +206,8 @@ namespace FastPoints.Build
         {
             if (--m_usersOfFile[file] > 0 || m_recordsOfFile[file] == 0)
                 return;
-            Count(-m_recordsOfFile[file]);
+            Count(-m_files[file].Bytes);
+            m_files[file] = new RecordBlocks(PathOf(file), 0);
             m_recordsOfFile[file] = 0;
             m_notSynced.Remove(file);
             m_folder.Delete(BuildFiles.RecordPath(file));
@@ -149,14 +215,88 @@ namespace FastPoints.Build
 
         public void Dispose()
         {
+            m_lastPacked.Complete();
             while (m_pendingWrites.Count > 0)
                 m_pendingWrites.Dequeue().Ticket.Wait();
+            m_slices.Dispose();
         }
 
-        void Count(long records)
+        void Count(long bytes)
         {
-            m_bytes += records * m_strideBytes;
+            m_bytes += bytes;
             PeakBytes = Math.Max(PeakBytes, m_bytes);
+        }
+    }
+
+    /// <summary>Where the blocks of a temporary file are.</summary>
+    internal sealed class RecordBlocks
+    {
+        readonly List<long> m_firsts = new List<long>();
+        readonly List<long> m_offsets = new List<long>();
+
+        /// <param name="bytes">Of blocks that are there, and not known yet.</param>
+        public RecordBlocks(string path, long bytes) => (Path, Bytes) = (path, bytes);
+
+        public string Path { get; }
+        public long Records { get; private set; }
+        public long Bytes { get; private set; }
+        public int Count => m_firsts.Count;
+
+        /// <summary>The number of its first record; of the block behind the last, that of all records.</summary>
+        public long FirstOf(int block) => block < Count ? m_firsts[block] : Records;
+
+        public long OffsetOf(int block) => block < Count ? m_offsets[block] : Bytes;
+
+        /// <summary>The block that has a record.</summary>
+        public int Find(long record)
+        {
+            int found = m_firsts.BinarySearch(record);
+            return found >= 0 ? found : ~found - 1;
+        }
+
+        /// <returns>Bytes of the packed pages.</returns>
+        public unsafe long Add(in RecordPages packed)
+        {
+            long before = Bytes;
+            var page = packed.First;
+            for (int i = 0; i < packed.PageCount; i++, page = page->Next)
+                Add(page->Count, page->BlockBytes);
+            return Bytes - before;
+        }
+
+        /// <summary>Reads the headers of all blocks of a file. Any thread.</summary>
+        /// <exception cref="PointCloudException">They do not fill the file.</exception>
+        public static RecordBlocks Read(string path)
+        {
+            var blocks = new RecordBlocks(path, 0);
+            try
+            {
+                using var file = new BinaryReader(FileChanges.OpenToRead(path, 4096));
+                long size = file.BaseStream.Length;
+                while (blocks.Bytes < size)
+                {
+                    file.BaseStream.Position = blocks.Bytes;
+                    long records = size - blocks.Bytes < RecordBlock.HeaderBytes ? 0 : file.ReadUInt32();
+                    long bytes = records == 0 ? 0 : RecordBlock.HeaderBytes + (long)file.ReadUInt32();
+                    if (records == 0 || records > RecordPages.RecordsPerPage || bytes > size - blocks.Bytes)
+                        throw PointCloudException.Wanted(FailureCode.ReadFailed, path, blocks.Bytes, "records of a block",
+                            "1 to " + RecordPages.RecordsPerPage, records);
+                    blocks.Add((int)records, (int)bytes);
+                }
+            }
+            catch (Exception e) when (FileFailures.IsFileFailure(e))
+            {
+                throw FileFailures.ReadFailure(path, e);
+            }
+            return blocks;
+        }
+
+        void Add(int records, int bytes)
+        {
+            m_firsts.Add(Records);
+            m_offsets.Add(Bytes);
+            Records += records;
+            Bytes += bytes;
         }
     }
 }

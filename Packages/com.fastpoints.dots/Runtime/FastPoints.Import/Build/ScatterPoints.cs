@@ -146,6 +146,7 @@ namespace FastPoints.Build
         /// <summary>Coroutine, after a source's scan: frees what the next source has no use for, a part a step.</summary>
         public IEnumerator<JobStep> EndSource()
         {
+            m_build.Files?.TakeSlices(m_build.Slices);
             for (; m_slots.Count > 0; m_slots.RemoveAt(m_slots.Count - 1))
             {
                 var slot = m_slots[m_slots.Count - 1];

@@ -216,7 +216,6 @@ namespace FastPoints.Tests.Build
                     Output(name, results, megabytes)));
             }
             var ranges = new[] { BucketBuild.ReadRanges(Folder.File("bucket0")), BucketBuild.ReadRanges(Folder.File("bucket1")) };
-            int stride = plan.Whole.Records.StrideBytes;
             var folders = new List<string>();
             void Fetch(int part, string path)
             {
@@ -224,7 +223,7 @@ namespace FastPoints.Tests.Build
                 for (int bucket = 0; bucket < 2; bucket++)
                     foreach (var range in ranges[bucket].Where(r => r.Part == part))
                         to.Write(File.ReadAllBytes(Path.Combine(Folder.File("bucket" + bucket), BuildFiles.BucketName)),
-                            (int)range.First * stride, (int)range.Count * stride);
+                            (int)range.Offset, (int)range.Bytes);
             }
             long CountOf(int part) => ranges.Sum(r => r.Where(x => x.Part == part).Sum(x => x.Count));
             for (int p = 0; p < cubes.Length; p++)

@@ -9,7 +9,7 @@ using Unity.Collections;
 
 namespace FastPoints.Build
 {
-    /// <summary>For sources whose points are anywhere: writes the points of some blocks as plain records, those of each part
+    /// <summary>For sources whose points are anywhere: writes the points of some blocks as packed records, those of each part
     /// together, so that parts read these and no source.</summary>
     internal sealed class BucketBuild : PartStages
     {
@@ -58,10 +58,17 @@ namespace FastPoints.Build
         IEnumerator<JobStep> WriteRecords(List<BucketRange> ranges)
         {
             var chunks = Scatter.Chunks;
-            int stride = Build.Records.StrideBytes;
-            foreach (var range in ranges)
-                yield return JobStep.Of(CloudFolderWriter.Await(Build.Folder.WriteRecords(BuildFiles.BucketName,
-                    chunks[range.Part], stride, range.First * stride)));
+            long written = 0;
+            Build.Folder.Truncate(BuildFiles.BucketName, 0);
+            for (int i = 0; i < ranges.Count; i++)
+            {
+                var range = ranges[i];
+                yield return JobStep.Of(Chunks.Write(BuildFiles.BucketName, chunks[range.Part], written,
+                    bytes => range.Bytes = bytes));
+                range.Offset = written;
+                written += range.Bytes;
+                ranges[i] = range;
+            }
             yield return JobStep.Of(CloudFolderWriter.Await(Build.Folder.SyncRecords(BuildFiles.BucketName)));
         }
 
@@ -82,13 +89,14 @@ namespace FastPoints.Build
         IEnumerator<JobStep> Write(Action<PartResult> take)
         {
             var ranges = new List<BucketRange>();
-            long first = 0;
+            long offset = 0;
             for (int part = 0; part <= Build.Map.Outside; part++)
             {
                 long count = Build.Files?.RecordsOf(part) ?? Scatter.Chunks[part].Count;
+                long bytes = Build.Files?.BlocksOf(part).Bytes ?? 0;
                 if (count > 0)
-                    ranges.Add(new BucketRange { Part = part, First = first, Count = count });
-                first += count;
+                    ranges.Add(new BucketRange { Part = part, Count = count, Offset = offset, Bytes = bytes });
+                offset += bytes;
             }
             yield return JobStep.Of(Build.Files == null ? WriteRecords(ranges) : JoinFiles(ranges));
             yield return JobStep.Of(Build.Folder.Write(BuildFiles.RangesName,
@@ -114,7 +122,10 @@ namespace FastPoints.Build
     internal struct BucketRange
     {
         public int Part;
-        public long First;
         public long Count;
+
+        /// <summary>Of their blocks in the file.</summary>
+        public long Offset;
+        public long Bytes;
     }
 }

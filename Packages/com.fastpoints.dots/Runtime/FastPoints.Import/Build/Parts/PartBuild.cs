@@ -38,8 +38,7 @@ namespace FastPoints.Build
             Scatter = new ScatterPoints(Build);
             Chunks = new ChunkSet(Build);
             Checkpoints = BuildCheckpoints.Resume(Build, Scatter, Chunks);
-            if (Checkpoints.MustClear)
-                yield return JobStep.Of(Build.Folder.Clear());
+            yield return JobStep.Of(Checkpoints.Prepare());
             m_generations = new BuildGenerations(Build);
         }
 
@@ -78,7 +77,7 @@ namespace FastPoints.Build
                     output.Progress), selection);
             }, output.Take);
 
-        /// <summary>Coroutine: from plain records in a file.</summary>
+        /// <summary>Coroutine: from packed records in a file.</summary>
         /// <param name="records">Number of records.</param>
         /// <param name="fetch">Writes the file, on the thread that writes; it may be called again.</param>
         public static IEnumerator<JobStep> RunRecords(BuildPart part, long records, RecordFetch fetch, PartOutput output) =>
@@ -148,19 +147,19 @@ namespace FastPoints.Build
             // In memory they are in a file, too, until they are loaded.
             Build.RequireRoom(Build.Points);
             string path = Build.Folder.PathOf(BuildFiles.RecordPath(0));
-            long wanted = Build.Points * Build.Records.StrideBytes;
-            long bytes = 0;
+            RecordBlocks blocks = null;
             yield return JobStep.Of(Build.Folder.Run(BuildFiles.RecordPath(0), () =>
             {
                 m_fetch(path);
-                bytes = StoreFile.SizeOf(path);
+                blocks = RecordBlocks.Read(path);
             }));
-            if (bytes != wanted)
-                throw PointCloudException.Wanted(FailureCode.ReadFailed, path, -1, "bytes of the part's points", wanted, bytes);
+            if (blocks.Records != Build.Points)
+                throw PointCloudException.Wanted(FailureCode.ReadFailed, path, -1, "points of the part", Build.Points,
+                    blocks.Records);
             if (Build.Files != null)
-                Build.Files.Adopt(0, Build.Points);
+                Build.Files.Adopt(0, blocks);
             else
-                yield return JobStep.Of(Load(path));
+                yield return JobStep.Of(Load(blocks));
             var cube = Build.Part.Cube;
             Checkpoints.Journal.Statistics.Add(new PointStatistics
             {
@@ -171,16 +170,16 @@ namespace FastPoints.Build
             Scatter.Resume(Checkpoints.Journal);
         }
 
-        IEnumerator<JobStep> Load(string path)
+        IEnumerator<JobStep> Load(RecordBlocks blocks)
         {
-            using var load = new RecordLoad(Build);
+            using var load = new RecordLoad(Build, Build.Slices);
             using var outside = new NativeReference<int>(Allocator.Persistent);
             var ranges = new[] { new RecordRange { Count = Build.Points } };
             var chunks = Scatter.Chunks;
             for (long first = 0, count; first < Build.Points; first += count)
             {
                 count = Math.Min(ChunkSet.PagesPerBatch * RecordPages.RecordsPerPage, Build.Points - first);
-                load.Begin(ranges, first, count, path);
+                load.Begin(ranges, first, count, blocks);
                 yield return load.Done;
                 var pages = load.Complete();
                 var checkedRecords = CheckRecordsJob.Schedule(new CheckRecordsJob
@@ -198,7 +197,7 @@ namespace FastPoints.Build
                 chunks[0] = all;
             }
             if (outside.Value > 0)
-                throw PointCloudException.Wanted(FailureCode.ReadFailed, path, -1, "points outside of the part", 0,
+                throw PointCloudException.Wanted(FailureCode.ReadFailed, blocks.Path, -1, "points outside of the part", 0,
                     outside.Value);
             Build.Folder.Delete(BuildFiles.RecordPath(0));
         }
@@ -229,14 +228,14 @@ namespace FastPoints.Build
             result.Include(merge.LowestSideLog2, merge.BytesOfPlane);
             string outside = Build.Folder.PathOf(BuildFiles.OutsideName);
             if (System.IO.File.Exists(outside))
-                result.OutsidePoints = StoreFile.SizeOf(outside) / Build.Records.StrideBytes;
+                result.OutsidePoints = RecordBlocks.Read(outside).Records;
             yield return JobStep.Of(PartFile.Write(Build.Folder, part.Cube, part.CloudId, merge, result));
             yield return JobStep.Of(Build.Folder.Complete());
             take(result);
         }
     }
 
-    /// <summary>Writes plain records to a file, on the thread that writes.</summary>
+    /// <summary>Writes packed records, blocks one after the other, to a file, on the thread that writes.</summary>
     internal delegate void RecordFetch(string path);
 
     /// <summary>Where a task of a build of many goes.</summary>

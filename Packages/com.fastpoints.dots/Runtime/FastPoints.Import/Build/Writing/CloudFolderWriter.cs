@@ -131,8 +131,8 @@ namespace FastPoints.Build
 
         public WriteTicket Seal(string name, NativeArray<byte> bytes) => m_queue.Seal(PathOf(name), bytes);
 
-        public WriteTicket WriteRecords(string name, in RecordPages pages, int strideBytes, long offset) =>
-            m_queue.WriteRecords(PathOf(name), pages, strideBytes, offset);
+        public WriteTicket WriteRecords(string name, in RecordPages pages, long offset) =>
+            m_queue.WriteRecords(PathOf(name), pages, offset);
 
         /// <summary>Queues a flush of a temporary file: when the ticket is done, everything queued for it before is on disk and
         /// survives a loss of power.</summary>
@@ -350,13 +350,13 @@ namespace FastPoints.Build
         /// <summary>The journal of the build, from which a killed one is continued.</summary>
         public const string JournalName = "build.json";
 
-        /// <summary>The folder of points that are not in their nodes yet, as plain records.</summary>
+        /// <summary>The folder of points that are not in their nodes yet, packed: see <see cref="RecordBlock"/>.</summary>
         public const string RecordFolderName = "records";
 
         /// <summary>Chunks' top nodes, which the merge of the upper levels consumes.</summary>
         public const string TopFolderName = "tops";
 
-        /// <summary>Of a part: points outside of the cloud's planned cube, as plain records.</summary>
+        /// <summary>Of a part: points outside of the cloud's planned cube, packed.</summary>
         public const string OutsideName = "part.outside";
 
         /// <summary>The records of all parts that a bucket has.</summary>

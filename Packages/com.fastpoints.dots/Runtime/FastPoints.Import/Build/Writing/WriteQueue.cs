@@ -42,7 +42,6 @@ namespace FastPoints.Build
             public long Count;
             public long Offset;
             public RecordPages Pages;
-            public int StrideBytes;
             public Action Call;
             public WriteTicket Ticket;
         }
@@ -81,13 +80,12 @@ namespace FastPoints.Build
         /// <summary>Queues the first bytes of a file in pieces, which complete it.</summary>
         public WriteTicket Seal(string path, NativeArray<byte> bytes) => Enqueue(WriteKind.Seal, path, bytes, 0);
 
-        /// <summary>Queues records at the end of a file that only the build reads.</summary>
-        public WriteTicket WriteRecords(string path, in RecordPages pages, int strideBytes, long offset) => Enqueue(new Request
+        /// <summary>Queues packed pages at the end of a file that only the build reads.</summary>
+        public WriteTicket WriteRecords(string path, in RecordPages pages, long offset) => Enqueue(new Request
         {
             Kind = WriteKind.Records,
             Path = path,
             Pages = pages,
-            StrideBytes = strideBytes,
             Offset = offset,
             Ticket = new WriteTicket(m_stopRetrying),
         });
@@ -208,7 +206,7 @@ namespace FastPoints.Build
                 default:
                     using (var file = Open(request.Path, FileMode.OpenOrCreate, request.Offset))
                         for (var page = request.Pages.First; page != null; page = page->Next)
-                            file.Write(new ReadOnlySpan<byte>(RecordPages.RecordsOf(page), page->Count * request.StrideBytes));
+                            file.Write(new ReadOnlySpan<byte>(RecordBlock.Of(page), page->BlockBytes));
                     break;
             }
         }

@@ -19,6 +19,9 @@ namespace FastPoints.Nodes
         {
             public Page* Next;
             public int Count;
+
+            /// <summary>Of the <see cref="RecordBlock"/> that has taken the place of its records.</summary>
+            public int BlockBytes;
         }
 
         const int HeaderBytes = 64;
@@ -91,6 +94,240 @@ namespace FastPoints.Nodes
 
         /// <summary>Cuts off all pages except a last one that has room.</summary>
         public RecordPages CutFull() => Cut(Last != null && Last->Count < RecordsPerPage ? PageCount - 1 : PageCount);
+    }
+
+    /// <summary>
+    /// The records of a page as temporary files have them: of each word of a record only the bits that differ within the block.
+    /// <code>
+    /// number of records, bytes that follow (4 each)
+    /// for each word: what all records have in common (4) | which bits of the difference to it any has (4)
+    ///     | these bits of all records, padded to whole words
+    /// </code>
+    /// Where that is no less than the records, they follow as they are. Pages and records are aligned to words.
+    /// </summary>
+    internal static unsafe class RecordBlock
+    {
+        public const int HeaderBytes = 2 * sizeof(uint);
+
+        /// <summary>Consecutive bits of a word.</summary>
+        struct BitRuns
+        {
+            const int MaxCount = 16;
+
+            public int Count;
+            fixed int m_shift[MaxCount];
+            fixed uint m_mask[MaxCount];
+
+            public BitRuns(uint bits)
+            {
+                Count = 0;
+                for (int done = 0; bits != 0; Count++)
+                {
+                    int first = math.tzcnt(bits);
+                    uint rest = bits >> first;
+                    int length = rest == uint.MaxValue ? 32 : math.tzcnt(~rest);
+                    uint mask = (uint)((1UL << length) - 1) << first;
+                    m_shift[Count] = first - done;
+                    m_mask[Count] = mask;
+                    done += length;
+                    bits &= ~mask;
+                }
+            }
+
+            public uint Gather(uint value)
+            {
+                uint gathered = 0;
+                for (int i = 0; i < Count; i++)
+                    gathered |= (value & m_mask[i]) >> m_shift[i];
+                return gathered;
+            }
+
+            public uint Scatter(uint gathered)
+            {
+                uint value = 0;
+                for (int i = 0; i < Count; i++)
+                    value |= gathered << m_shift[i] & m_mask[i];
+                return value;
+            }
+        }
+
+        /// <summary>Where a block begins that is in a page.</summary>
+        public static byte* Of(RecordPages.Page* page) => RecordPages.RecordsOf(page) - HeaderBytes;
+
+        public static long MaxBytes(int strideBytes) => HeaderBytes + (long)RecordPages.RecordsPerPage * strideBytes;
+
+        /// <summary>Packs the records of a page in their place.</summary>
+        /// <param name="scratch">Has room for the records.</param>
+        public static void Pack(RecordPages.Page* page, int strideBytes, uint* scratch)
+        {
+            var records = RecordPages.RecordsOf(page);
+            int bytes = sizeof(uint) * PackWords((uint*)records, page->Count, strideBytes / sizeof(uint), scratch);
+            if (bytes > 0)
+                UnsafeUtility.MemCpy(records, scratch, bytes);
+            else
+                bytes = page->Count * strideBytes;
+            var header = (uint*)Of(page);
+            header[0] = (uint)page->Count;
+            header[1] = (uint)bytes;
+            page->BlockBytes = HeaderBytes + bytes;
+        }
+
+        // Returns the words written; 0 if they would not be fewer.
+        static int PackWords(uint* records, int count, int words, uint* to)
+        {
+            int written = 0;
+            for (int w = 0; w < words; w++)
+            {
+                uint* first = records + w;
+                uint min = uint.MaxValue, max = 0, differ = 0;
+                for (int i = 0; i < count; i++)
+                {
+                    uint value = first[(long)i * words];
+                    min = math.min(min, value);
+                    max = math.max(max, value);
+                    differ |= value ^ *first;
+                }
+                // Coordinates are next to one another; other words have several values, some of them equal.
+                uint range = max == min ? 0 : uint.MaxValue >> math.lzcnt(max - min);
+                bool isRange = math.countbits(range) <= math.countbits(differ);
+                uint common = isRange ? min : *first & ~differ, bits = isRange ? range : differ;
+                int size = WordsOf(count, math.countbits(bits));
+                if (written + 2 + size >= count * words)
+                    return 0;
+                to[written] = common;
+                to[written + 1] = bits;
+                if (bits != 0)
+                    WriteBits(first, count, words, common, bits, to + written + 2);
+                written += 2 + size;
+            }
+            return written;
+        }
+
+        static int WordsOf(int count, int bits) => (count * bits + 31) / 32;
+
+        static void WriteBits(uint* first, int count, int words, uint common, uint mask, uint* to)
+        {
+            var runs = new BitRuns(mask);
+            int bits = math.countbits(mask), shift = math.tzcnt(mask), filled = 0;
+            ulong waiting = 0;
+            for (int i = 0; i < count; i++)
+            {
+                uint value = first[(long)i * words] - common;
+                waiting |= (ulong)(runs.Count == 1 ? value >> shift : runs.Gather(value)) << filled;
+                filled += bits;
+                if (filled < 32)
+                    continue;
+                *to++ = (uint)waiting;
+                waiting >>= 32;
+                filled -= 32;
+            }
+            if (filled > 0)
+                *to = (uint)waiting;
+        }
+
+        /// <returns>False if the block is damaged: the records are then zeros, or wrong.</returns>
+        public static bool Unpack(in BlockPart part, int strideBytes)
+        {
+            var header = (uint*)part.Block;
+            int words = strideBytes / sizeof(uint), left = part.BlockBytes / sizeof(uint) - 2, all = part.BlockRecords * words;
+            if (header[0] != part.BlockRecords || header[1] + HeaderBytes != part.BlockBytes || left > all)
+            {
+                UnsafeUtility.MemClear(part.Records, (long)part.Count * strideBytes);
+                return false;
+            }
+            uint* from = header + 2;
+            if (left == all)
+            {
+                UnsafeUtility.MemCpy(part.Records, (byte*)from + (long)part.First * strideBytes, (long)part.Count * strideBytes);
+                return true;
+            }
+            for (int w = 0; w < words; w++)
+            {
+                int size = left < 2 ? 0 : WordsOf(part.BlockRecords, math.countbits(from[1]));
+                left -= 2 + size;
+                if (left < 0)
+                {
+                    UnsafeUtility.MemClear(part.Records, (long)part.Count * strideBytes);
+                    return false;
+                }
+                ReadBits(from, part.First, part.Count, (uint*)part.Records + w, words);
+                from += 2 + size;
+            }
+            return left == 0;
+        }
+
+        static void ReadBits(uint* from, int first, int wanted, uint* to, int words)
+        {
+            uint common = from[0], mask = from[1];
+            var runs = new BitRuns(mask);
+            int bits = math.countbits(mask), shift = math.tzcnt(mask), filled = -(first * bits & 31);
+            uint low = (uint)((1UL << bits) - 1);
+            ulong waiting = 0;
+            from += 2 + first * bits / 32;
+            if (filled < 0)
+            {
+                waiting = *from++ >> -filled;
+                filled += 32;
+            }
+            for (int i = 0; i < wanted; i++)
+            {
+                if (filled < bits)
+                {
+                    waiting |= (ulong)*from++ << filled;
+                    filled += 32;
+                }
+                uint value = (uint)waiting & low;
+                to[(long)i * words] = common + (runs.Count == 1 ? value << shift : runs.Scatter(value));
+                waiting >>= bits;
+                filled -= bits;
+            }
+        }
+    }
+
+    /// <summary>Some records of a block in memory, and where they go. Blittable.</summary>
+    internal unsafe struct BlockPart
+    {
+        [NativeDisableUnsafePtrRestriction] public byte* Block;
+        public int BlockBytes;
+        public int BlockRecords;
+        public int First;
+        public int Count;
+        [NativeDisableUnsafePtrRestriction] public byte* Records;
+    }
+
+    /// <summary>Packs consecutive pages of a list, each in its place.</summary>
+    [BurstCompile]
+    internal unsafe struct PackRecordsJob : IJob
+    {
+        /// <summary>A few: this many take about a millisecond.</summary>
+        public const int PagesPerRun = 32;
+
+        public RecordPages Pages;
+        public int StrideBytes;
+        public SliceTimes Slices;
+
+        /// <summary>Schedules jobs for all pages of a list.</summary>
+        public static JobHandle Schedule(PackRecordsJob job, JobHandle before)
+        {
+            var rest = job.Pages;
+            while (rest.PageCount > 0)
+            {
+                job.Pages = rest.Cut(PagesPerRun);
+                before = job.Schedule(before);
+            }
+            return before;
+        }
+
+        public void Execute()
+        {
+            long begin = SliceTimes.Begin();
+            var scratch = new NativeArray<uint>(RecordPages.RecordsPerPage * StrideBytes / sizeof(uint), Allocator.Temp,
+                NativeArrayOptions.UninitializedMemory);
+            var page = Pages.First;
+            for (int p = 0; p < Pages.PageCount; p++, page = page->Next)
+                RecordBlock.Pack(page, StrideBytes, (uint*)scratch.GetUnsafePtr());
+            Slices.End(begin);
+        }
     }
 
     /// <summary>Full pages of one chunk that no longer fit in memory. Blittable.</summary>
