@@ -34,10 +34,15 @@ namespace FastPoints.Tests.Nodes
             for (int w = 0; w < Words; w++)
             {
                 uint mask = s_masks[random.Next(s_masks.Length)], common = (uint)random.Next() & ~mask;
+                // Colours of 8 bits, in the lower, the upper or both halves.
+                uint repeated = random.Next(3) == 0 ? 0 : new uint[] { 0x00ff, 0x00ff0000, 0x00ff00ff }[random.Next(3)];
                 bool isCounting = random.Next(3) == 0;
                 for (int i = 0; i < count; i++)
-                    records[i * Words + w] = isCounting ? common + (uint)(i * 3 + random.Next(5))
+                {
+                    uint value = isCounting ? common + (uint)(i * 3 + random.Next(5))
                         : common | mask & (uint)(random.Next() * 2L + random.Next(2));
+                    records[i * Words + w] = value & ~(repeated << 8) | (value & repeated) << 8;
+                }
             }
             return records;
         }
@@ -86,7 +91,16 @@ namespace FastPoints.Tests.Nodes
         public void Pack_EqualRecords_TakesNoBitsOfThem()
         {
             Pack(Enumerable.Repeat(new uint[] { 1, uint.MaxValue, 0, 5, 1u << 31 }, 2048).SelectMany(r => r).ToArray());
-            Assert.That(m_page->BlockBytes, Is.EqualTo(RecordBlock.HeaderBytes + Words * 8));
+            Assert.That(m_page->BlockBytes, Is.EqualTo(RecordBlock.HeaderBytes + Words * 12));
+        }
+
+        [Test]
+        public void Pack_ColoursOf8Bits_TakesHalfOfTheirBits()
+        {
+            var random = new System.Random(7);
+            uint Colours() => (uint)(random.Next(256) * 257 | random.Next(256) * 257 << 16);
+            Pack(Enumerable.Range(0, 2048).SelectMany(i => new[] { 1u, 2u, 3u, 4u, Colours() }).ToArray());
+            Assert.That(m_page->BlockBytes, Is.EqualTo(RecordBlock.HeaderBytes + Words * 12 + 2048 * 2));
         }
 
         [Test]

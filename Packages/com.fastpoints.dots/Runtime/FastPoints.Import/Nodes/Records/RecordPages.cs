@@ -100,14 +100,19 @@ namespace FastPoints.Nodes
     /// The records of a page as temporary files have them: of each word of a record only the bits that differ within the block.
     /// <code>
     /// number of records, bytes that follow (4 each)
-    /// for each word: what all records have in common (4) | which bits of the difference to it any has (4)
-    ///     | these bits of all records, padded to whole words
+    /// for each word: what all records have in common (4) | which bits of the difference to it any has (4) | which bits repeat
+    ///     those 8 below them (4) | the bits of the second, of all records, padded to whole words
     /// </code>
     /// Where that is no less than the records, they follow as they are. Pages and records are aligned to words.
     /// </summary>
     internal static unsafe class RecordBlock
     {
         public const int HeaderBytes = 2 * sizeof(uint);
+
+        const int WordsBeforeBits = 3;
+
+        // A byte of 16 bits that repeats the other one, as in colours of 8 bits.
+        const uint LowRepeated = 0xff00, HighRepeated = 0xff000000;
 
         /// <summary>Consecutive bits of a word.</summary>
         struct BitRuns
@@ -179,26 +184,30 @@ namespace FastPoints.Nodes
             for (int w = 0; w < words; w++)
             {
                 uint* first = records + w;
-                uint min = uint.MaxValue, max = 0, differ = 0;
+                uint min = uint.MaxValue, max = 0, differ = 0, differBy8 = 0;
                 for (int i = 0; i < count; i++)
                 {
                     uint value = first[(long)i * words];
                     min = math.min(min, value);
                     max = math.max(max, value);
                     differ |= value ^ *first;
+                    differBy8 |= (value ^ value << 8) & (LowRepeated | HighRepeated);
                 }
                 // Coordinates are next to one another; other words have several values, some of them equal.
                 uint range = max == min ? 0 : uint.MaxValue >> math.lzcnt(max - min);
-                bool isRange = math.countbits(range) <= math.countbits(differ);
-                uint common = isRange ? min : *first & ~differ, bits = isRange ? range : differ;
-                int size = WordsOf(count, math.countbits(bits));
-                if (written + 2 + size >= count * words)
+                uint repeated = ((differBy8 & LowRepeated) == 0 ? LowRepeated : 0)
+                    | ((differBy8 & HighRepeated) == 0 ? HighRepeated : 0);
+                bool isRange = math.countbits(range) <= math.countbits(differ & ~repeated);
+                uint common = isRange ? min : *first & ~differ, bits = isRange ? range : differ & ~repeated;
+                int size = WordsBeforeBits + WordsOf(count, math.countbits(bits));
+                if (written + size >= count * words)
                     return 0;
                 to[written] = common;
                 to[written + 1] = bits;
+                to[written + 2] = isRange ? 0 : repeated;
                 if (bits != 0)
-                    WriteBits(first, count, words, common, bits, to + written + 2);
-                written += 2 + size;
+                    WriteBits(first, count, words, common, bits, to + written + WordsBeforeBits);
+                written += size;
             }
             return written;
         }
@@ -212,7 +221,7 @@ namespace FastPoints.Nodes
             ulong waiting = 0;
             for (int i = 0; i < count; i++)
             {
-                uint value = first[(long)i * words] - common;
+                uint value = (first[(long)i * words] - common) & mask;
                 waiting |= (ulong)(runs.Count == 1 ? value >> shift : runs.Gather(value)) << filled;
                 filled += bits;
                 if (filled < 32)
@@ -229,7 +238,7 @@ namespace FastPoints.Nodes
         public static bool Unpack(in BlockPart part, int strideBytes)
         {
             var header = (uint*)part.Block;
-            int words = strideBytes / sizeof(uint), left = part.BlockBytes / sizeof(uint) - 2, all = part.BlockRecords * words;
+            int words = strideBytes / sizeof(uint), left = (part.BlockBytes - HeaderBytes) / sizeof(uint), all = part.BlockRecords * words;
             if (header[0] != part.BlockRecords || header[1] + HeaderBytes != part.BlockBytes || left > all)
             {
                 UnsafeUtility.MemClear(part.Records, (long)part.Count * strideBytes);
@@ -243,27 +252,28 @@ namespace FastPoints.Nodes
             }
             for (int w = 0; w < words; w++)
             {
-                int size = left < 2 ? 0 : WordsOf(part.BlockRecords, math.countbits(from[1]));
-                left -= 2 + size;
+                int size = WordsBeforeBits
+                    + (left < WordsBeforeBits ? 0 : WordsOf(part.BlockRecords, math.countbits(from[1])));
+                left -= size;
                 if (left < 0)
                 {
                     UnsafeUtility.MemClear(part.Records, (long)part.Count * strideBytes);
                     return false;
                 }
                 ReadBits(from, part.First, part.Count, (uint*)part.Records + w, words);
-                from += 2 + size;
+                from += size;
             }
             return left == 0;
         }
 
         static void ReadBits(uint* from, int first, int wanted, uint* to, int words)
         {
-            uint common = from[0], mask = from[1];
+            uint common = from[0], mask = from[1], repeated = from[2];
             var runs = new BitRuns(mask);
             int bits = math.countbits(mask), shift = math.tzcnt(mask), filled = -(first * bits & 31);
             uint low = (uint)((1UL << bits) - 1);
             ulong waiting = 0;
-            from += 2 + first * bits / 32;
+            from += WordsBeforeBits + first * bits / 32;
             if (filled < 0)
             {
                 waiting = *from++ >> -filled;
@@ -277,7 +287,8 @@ namespace FastPoints.Nodes
                     filled += 32;
                 }
                 uint value = (uint)waiting & low;
-                to[(long)i * words] = common + (runs.Count == 1 ? value << shift : runs.Scatter(value));
+                value = runs.Count == 1 ? value << shift : runs.Scatter(value);
+                to[(long)i * words] = common + value + (value << 8 & repeated);
                 waiting >>= bits;
                 filled -= bits;
             }
