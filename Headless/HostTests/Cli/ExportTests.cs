@@ -63,6 +63,25 @@ public sealed class ExportTests : ScratchTests
         Assert.That(Export("outside.laz", m_demo, "--cut", half).GetProperty("points").GetInt64(), Is.EqualTo(60_000 - inside));
     }
 
+    // Numbers of the second tile have 64 bits along one axis, for its offset is another.
+    [TestCase("tiles.las"), TestCase("tiles.laz")]
+    public void Export_OfTilesWithTheirOwnOffsetAlongOneAxis_HasAllPoints(string output)
+    {
+        const int xOffsetAt = 155;
+        string tiles = Scratch["offsets"];
+        Directory.CreateDirectory(tiles);
+        byte[] tile = File.ReadAllBytes(m_demo);
+        File.WriteAllBytes(Path.Combine(tiles, "a.las"), tile);
+        BitConverter.TryWriteBytes(tile.AsSpan(xOffsetAt), BitConverter.ToDouble(tile, xOffsetAt) + 1234.57);
+        File.WriteAllBytes(Path.Combine(tiles, "b.las"), tile);
+        var schema = Scan(tiles).GetProperty("attributes").EnumerateArray().Select(a => a.GetProperty("type").GetString()).Take(3);
+        Assert.That(schema, Is.EqualTo(new[] { "Int64", "Int32", "Int32" }));
+        var json = Export(output, tiles);
+        Assert.That(json.GetProperty("points").GetInt64(), Is.EqualTo(120_000));
+        string Bounds(string path) => Scan(path).GetProperty("bounds").GetRawText();
+        Assert.That(Bounds(Scratch[output]), Is.EqualTo(Bounds(tiles)));
+    }
+
     [Test]
     public void Export_CopcOfTextInLittleMemory_SummarisesTheResult()
     {

@@ -143,8 +143,8 @@ namespace FastPoints.Export
             }
             if (Position.Kind == PositionKind.Narrowed)
             {
-                var stored = new Grid3(((long*)(columns + Positions.X.OffsetBytes))[point],
-                    ((long*)(columns + Positions.Y.OffsetBytes))[point], ((long*)(columns + Positions.Z.OffsetBytes))[point]);
+                var stored = new Grid3(StoredAt(columns, Positions.X, point), StoredAt(columns, Positions.Y, point),
+                    StoredAt(columns, Positions.Z, point));
                 if (Buffers.Length == 0)
                 {
                     state.MinStored = Grid3.Min(state.MinStored, stored);
@@ -179,6 +179,10 @@ namespace FastPoints.Export
             state.MaxPositionError = math.max(state.MaxPositionError, math.max(off.x, math.max(off.y, off.z)));
             return PutPosition(new Grid3((long)rounded.x, (long)rounded.y, (long)rounded.z), converted, to, ref state);
         }
+
+        // Tiles may have 64 bits along one axis alone.
+        static long StoredAt(byte* columns, in PointColumn column, int point) => column.Type == AttributeType.Int64
+            ? ((long*)(columns + column.OffsetBytes))[point] : ((int*)(columns + column.OffsetBytes))[point];
 
         static bool PutPosition(Grid3 position, byte* converted, int to, ref ExportState state)
         {
@@ -289,7 +293,7 @@ namespace FastPoints.Export
     {
         /// <summary>The columns are copied.</summary>
         Copied,
-        /// <summary>64-bit integers to 32-bit ones.</summary>
+        /// <summary>Integers of 64 bits, along some axes perhaps of 32, to those of 32.</summary>
         Narrowed,
         /// <summary>Rounded to a grid of 32-bit integers.</summary>
         Rounded,

@@ -183,33 +183,42 @@ namespace FastPoints.Nodes
             int written = 0;
             for (int w = 0; w < words; w++)
             {
-                uint* first = records + w;
-                uint min = uint.MaxValue, max = 0, differ = 0, differBy8 = 0;
-                for (int i = 0; i < count; i++)
-                {
-                    uint value = first[(long)i * words];
-                    min = math.min(min, value);
-                    max = math.max(max, value);
-                    differ |= value ^ *first;
-                    differBy8 |= (value ^ value << 8) & (LowRepeated | HighRepeated);
-                }
-                // Coordinates are next to one another; other words have several values, some of them equal.
-                uint range = max == min ? 0 : uint.MaxValue >> math.lzcnt(max - min);
-                uint repeated = ((differBy8 & LowRepeated) == 0 ? LowRepeated : 0)
-                    | ((differBy8 & HighRepeated) == 0 ? HighRepeated : 0);
-                bool isRange = math.countbits(range) <= math.countbits(differ & ~repeated);
-                uint common = isRange ? min : *first & ~differ, bits = isRange ? range : differ & ~repeated;
+                var (common, bits, repeated) = FindBits(records + w, count, words);
                 int size = WordsBeforeBits + WordsOf(count, math.countbits(bits));
                 if (written + size >= count * words)
                     return 0;
                 to[written] = common;
                 to[written + 1] = bits;
-                to[written + 2] = isRange ? 0 : repeated;
+                to[written + 2] = repeated;
                 if (bits != 0)
-                    WriteBits(first, count, words, common, bits, to + written + WordsBeforeBits);
+                    WriteBits(records + w, count, words, common, bits, to + written + WordsBeforeBits);
                 written += size;
             }
             return written;
+        }
+
+        static (uint Common, uint Bits, uint Repeated) FindBits(uint* first, int count, int words)
+        {
+            uint differ = 0;
+            for (int i = 1; i < count; i++)
+                differ |= first[(long)i * words] ^ *first;
+            // Most words are the same in all records.
+            if (differ == 0)
+                return (*first, 0, 0);
+            uint min = uint.MaxValue, max = 0, differBy8 = 0;
+            for (int i = 0; i < count; i++)
+            {
+                uint value = first[(long)i * words];
+                min = math.min(min, value);
+                max = math.max(max, value);
+                differBy8 |= value ^ value << 8;
+            }
+            uint repeated = ((differBy8 & LowRepeated) == 0 ? LowRepeated : 0)
+                | ((differBy8 & HighRepeated) == 0 ? HighRepeated : 0);
+            // Coordinates are next to one another; other words have several values, some of them equal.
+            uint range = uint.MaxValue >> math.lzcnt(max - min);
+            return math.countbits(range) <= math.countbits(differ & ~repeated) ? (min, range, 0)
+                : (*first & ~differ, differ & ~repeated, repeated);
         }
 
         static int WordsOf(int count, int bits) => (count * bits + 31) / 32;
