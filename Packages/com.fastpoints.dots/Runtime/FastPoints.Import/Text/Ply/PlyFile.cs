@@ -2,7 +2,7 @@ using System;
 using System.Collections.Generic;
 using FastPoints.Reading;
 
-namespace FastPoints.Ply
+namespace FastPoints.Text
 {
     sealed class PlyFile
     {

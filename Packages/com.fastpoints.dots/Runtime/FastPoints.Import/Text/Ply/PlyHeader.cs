@@ -3,7 +3,7 @@ using System.Collections.Generic;
 using System.Globalization;
 using System.Text;
 
-namespace FastPoints.Ply
+namespace FastPoints.Text
 {
     // Lines end in LF, CR or CR LF, even mixed; words are separated by any blanks. What may declare something unknown is refused:
     // a property that is left out would shift all that follows it.

@@ -2,13 +2,13 @@ using System;
 using System.Collections.Generic;
 using System.Globalization;
 using System.IO;
-using FastPoints.Ply;
+using FastPoints.Text;
 using FastPoints.Reading;
 using FastPoints.Tests.Reading;
 using NUnit.Framework;
 using Unity.Collections;
 
-namespace FastPoints.Tests.Ply
+namespace FastPoints.Tests.Text
 {
     [Category("Smoke")]
     public class PlyReaderTests

@@ -2,7 +2,7 @@ using System;
 using System.IO;
 using System.Text;
 
-namespace FastPoints.Tests.Ply
+namespace FastPoints.Tests.Text
 {
     sealed class PlyTestFile : TemporaryFile
     {

@@ -5,7 +5,7 @@ using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
 using Unity.Jobs;
 
-namespace FastPoints.Ply
+namespace FastPoints.Text
 {
     [BurstCompile]
     unsafe struct DecodePlyListsJob : IJob

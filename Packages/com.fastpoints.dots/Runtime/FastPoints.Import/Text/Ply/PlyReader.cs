@@ -3,7 +3,7 @@ using System.Collections.Generic;
 using FastPoints.Reading;
 using Unity.Collections;
 
-namespace FastPoints.Ply
+namespace FastPoints.Text
 {
     // The vertices of a PLY file, ascii or binary, as points: each scalar property is an attribute of its own type, under its
     // usual name (PlyNames) or the file's. Lists and all other elements are skipped. If a file breaks off or has a bad value, the

@@ -1,7 +1,7 @@
-using FastPoints.Ply;
+using FastPoints.Text;
 using NUnit.Framework;
 
-namespace FastPoints.Tests.Ply
+namespace FastPoints.Tests.Text
 {
     public class PlyNamesTests
     {

@@ -6,7 +6,7 @@ using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
 using Unity.Jobs;
 
-namespace FastPoints.Ply
+namespace FastPoints.Text
 {
     // Walks up to the vertices of a binary file, and through these if they have lists: one window of the file at a time, each as
     // one job. Windows that lie within a list or an element of fixed length are not read at all.

@@ -1,6 +1,6 @@
 using Unity.Mathematics;
 
-namespace FastPoints.Build
+namespace FastPoints
 {
     /// <summary>Sums over points, of offsets from one of them.</summary>
     internal struct OffsetSums

@@ -2,7 +2,7 @@ using System;
 using FastPoints.Tests.Reading;
 using NUnit.Framework;
 
-namespace FastPoints.Tests.Ply
+namespace FastPoints.Tests.Text
 {
     public class PlyMutationTests
     {

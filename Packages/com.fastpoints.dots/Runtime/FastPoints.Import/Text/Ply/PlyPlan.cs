@@ -5,7 +5,7 @@ using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
 using Unity.Jobs;
 
-namespace FastPoints.Ply
+namespace FastPoints.Text
 {
     // A line that lacks a value or has an invalid one ends the block there; unwanted values are skipped unread.
     [BurstCompile]

@@ -3,7 +3,7 @@ using System.Text;
 using FastPoints.Tests.Reading;
 using NUnit.Framework;
 
-namespace FastPoints.Tests.Ply
+namespace FastPoints.Tests.Text
 {
     public class PlyAsciiReaderTests
     {

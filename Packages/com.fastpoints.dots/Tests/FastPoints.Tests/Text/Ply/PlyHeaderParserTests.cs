@@ -1,8 +1,8 @@
 using System.Text;
-using FastPoints.Ply;
+using FastPoints.Text;
 using NUnit.Framework;
 
-namespace FastPoints.Tests.Ply
+namespace FastPoints.Tests.Text
 {
     public class PlyHeaderParserTests
     {
