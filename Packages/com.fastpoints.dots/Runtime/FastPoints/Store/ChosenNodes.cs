@@ -1,9 +1,8 @@
 using System;
 using System.Collections.Generic;
-using FastPoints.Store;
 using Unity.Mathematics;
 
-namespace FastPoints.Build
+namespace FastPoints.Store
 {
     /// <summary>Nodes of a converted cloud that were chosen, by page of its hierarchy. Pages are loaded as a choice reaches
     /// them.</summary>
@@ -100,6 +99,17 @@ namespace FastPoints.Build
             }
         }
 
+        /// <summary>Chooses all nodes with points in a box.</summary>
+        /// <exception cref="PointCloudException">A page is damaged.</exception>
+        public void ChooseIn(Grid3 min, Grid3 end)
+        {
+            Clear();
+            foreach (var (page, index) in NodesIn(min, end))
+                if (Intersects(TableOf(page).Nodes[index], min, end))
+                    Add(page, index, TableOf(page).Nodes[index].PointCount);
+            SortNodes();
+        }
+
         /// <summary>Whether everything below a chosen node that the picture could show is also chosen, so that the node's points
         /// represent only themselves.</summary>
         public virtual bool IsRefined(int page, int node)
@@ -178,6 +188,48 @@ namespace FastPoints.Build
             foreach (var nodes in m_nodesOfPage.Values)
                 nodes.Sort();
         }
+
+        /// <summary>Nodes whose cubes intersect a box, from the root down.</summary>
+        protected IEnumerable<(int Page, int Node)> NodesIn(Grid3 min, Grid3 end)
+        {
+            var next = new Stack<(int Page, int Node)>();
+            if (Load(0).Nodes.Length > 0)
+                next.Push((0, 0));
+            while (next.Count > 0)
+            {
+                var (page, index) = next.Pop();
+                var table = Load(page);
+                var node = table.Nodes[index];
+                if (!AreBelow(node.Corner, end) || !AreBelow(min, EndOf(node.Cube)))
+                    continue;
+                yield return (page, index);
+                for (int child = node.FirstChild; child < node.FirstChild + node.ChildCount; child++)
+                    next.Push((page, child));
+                for (int link = node.FirstLink; link < node.FirstLink + node.LinkCount; link++)
+                {
+                    int below = Folder.FirstBelow(page) + link;
+                    var roots = Load(below).Nodes;
+                    for (int root = 0; root < roots.Length && roots[root].Parent < 0; root++)
+                        next.Push((below, root));
+                }
+            }
+        }
+
+        protected static Grid3 EndOf(GridCube cube) => cube.Corner + new Grid3(cube.Side, cube.Side, cube.Side);
+
+        protected static bool Intersects(in NodeRecord node, Grid3 min, Grid3 end)
+        {
+            int shift = node.BoundsShift;
+            long rest = (1L << shift) - 1;
+            var low = node.Corner + new Grid3((long)node.MinX << shift, (long)node.MinY << shift, (long)node.MinZ << shift);
+            var high = node.Corner + new Grid3(((long)node.MaxX << shift) + rest, ((long)node.MaxY << shift) + rest,
+                ((long)node.MaxZ << shift) + rest);
+            return AreBelow(low, end) && !IsAnyBelow(high, min);
+        }
+
+        static bool AreBelow(Grid3 a, Grid3 b) => a.X < b.X && a.Y < b.Y && a.Z < b.Z;
+
+        static bool IsAnyBelow(Grid3 a, Grid3 b) => a.X < b.X || a.Y < b.Y || a.Z < b.Z;
 
         bool IsChosen(int page, int node) => m_nodesOfPage.TryGetValue(page, out var nodes) && nodes.BinarySearch(node) >= 0;
 

@@ -1,13 +1,11 @@
 using System;
 using System.Collections.Generic;
-using FastPoints.Drawing;
-using FastPoints.Store;
 using Unity.Burst;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
 using Unity.Jobs;
 
-namespace FastPoints.Build
+namespace FastPoints.Store
 {
     /// <summary>Reads chosen nodes of a converted cloud into one batch.</summary>
     internal static class LoadNodes
@@ -15,8 +13,6 @@ namespace FastPoints.Build
         /// <summary>The most bytes of a file that are read at once, unless the planes of one node lie farther apart. The nodes of
         /// a few points may be scattered over a file.</summary>
         public const long MaxBytesPerRead = 4 << 20;
-
-        const int PointsToMeasure = 200_000;
 
         const int PartsInFlight = 4;
 
@@ -44,19 +40,6 @@ namespace FastPoints.Build
                 if (folder.Layout.ComputedPlanes > 0)
                     attributes.Add(new PointAttribute(column, AttributeType.UInt8));
             return new PointSchema(attributes);
-        }
-
-        /// <summary>Coroutine: measures what a display needs to know of a converted cloud, from the points of its upper
-        /// levels.</summary>
-        /// <exception cref="PointCloudException">The cloud cannot be read.</exception>
-        public static IEnumerator<JobStep> MeasureRanges(CloudFolder folder, ChosenNodes nodes, PointSchema schema,
-            UpAxis upAxis, DisplayRanges ranges)
-        {
-            nodes.ChooseEvenly(PointsToMeasure);
-            var transform = folder.Manifest.Grid.FromCorner(folder.Manifest.Root.Corner);
-            using var batch = new PointBatch(schema, nodes.CheckedPoints, Allocator.Persistent);
-            yield return JobStep.Of(Run(folder, nodes, batch, null));
-            yield return JobStep.Of(ranges.Measure(batch, transform, upAxis));
         }
 
         /// <summary>Reads the nodes as a coroutine. Positions come as grid steps from the root's corner: see
