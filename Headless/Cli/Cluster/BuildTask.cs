@@ -47,8 +47,8 @@ static class BuildTask
         var result = task.Make(output => BucketBuild.Run(task.Plan.Whole, cubes, sources.Reader, sources.Blocks, output));
         int stride = task.Plan.Whole.Records.StrideBytes;
         string records = task.PartPath(BuildFiles.BucketName);
-        var hashed = Array.ConvertAll(BucketBuild.ReadRanges(Path.GetDirectoryName(records)), r => new TaskMarker.Range(r.Part, r.First,
-            r.Count, TaskRun.HashOf(records, r.First * stride, r.Count * stride)));
+        var hashed = Array.ConvertAll(BucketBuild.ReadRanges(Path.GetDirectoryName(records)),
+            r => new TaskMarker.Range(r.Part, r.First, r.Count, TaskRun.HashOf(records, r.First * stride, r.Count * stride)));
         var planned = json.Longs("builds").ToHashSet();
         foreach (var stray in hashed.Where(r => r.Task < cubes.Length && !planned.Contains(r.Task)))
             task.Store.PutText(StrayFolder(stray.Task) + task.Name, "\n", task.Scratch.Folder);

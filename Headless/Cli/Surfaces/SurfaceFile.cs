@@ -29,8 +29,9 @@ static class SurfaceFile
     static void WritePly(Stream stream, IReadOnlyList<double3> vertices, List<int3> triangles, CancellationToken cancellation)
     {
         using var writer = new BinaryWriter(stream, Encoding.ASCII, leaveOpen: true);
-        writer.Write(Encoding.ASCII.GetBytes("ply\nformat binary_little_endian 1.0\ncomment written by FastPoints\nelement vertex "
-            + vertices.Count + "\nproperty double x\nproperty double y\nproperty double z\nelement face " + triangles.Count
+        writer.Write(Encoding.ASCII.GetBytes("ply\nformat binary_little_endian 1.0\ncomment written by FastPoints\n"
+            + "element vertex " + vertices.Count + "\nproperty double x\nproperty double y\nproperty double z\n"
+            + "element face " + triangles.Count
             + "\nproperty list uchar int vertex_indices\nend_header\n"));
         foreach (var vertex in vertices)
         {

@@ -5,15 +5,15 @@ namespace FastPoints.Cli.Verbs;
 
 public sealed class SurfaceVerb : Verb
 {
-    const double CellVoxels = 80;
+    const int CellVoxels = 80;
 
     readonly Argument<string> m_cloud = new("NAME.fastpoints") { Description = "A converted cloud." };
     readonly Option<string> m_output = new("--output", "-o")
     {
         HelpName = "S.ply|.obj",
         Required = true,
-        Description = "The file to write: thin sheets with two faces where the points are, in the cloud's coordinates, binary PLY "
-            + "or OBJ. All of it is kept in memory, some 100 bytes a triangle.",
+        Description = "The file to write: thin sheets with two faces where the points are, in the cloud's coordinates, binary "
+            + "PLY or OBJ. All of it is kept in memory, some 100 bytes a triangle.",
     };
     readonly Option<double> m_voxel = new("--voxel")
     {
@@ -88,7 +88,7 @@ public sealed class SurfaceVerb : Verb
         if (!(hole >= 0 && hole <= SurfaceGrid.MaxHoleVoxels * voxel))
             throw new UsageException("--hole: wanted 0 to " + SurfaceGrid.MaxHoleVoxels + " voxels, which are "
                 + NumberFormat.Value(SurfaceGrid.MaxHoleVoxels * voxel) + " m");
-        return new SurfaceGrid(voxel, (int)CellVoxels, (float)(hole / voxel));
+        return new SurfaceGrid(voxel, CellVoxels, (float)(hole / voxel));
     }
 
     PointFilter? FilterOf(ParseResult parsed, PointReader reader)

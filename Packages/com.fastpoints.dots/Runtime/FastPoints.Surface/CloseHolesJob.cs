@@ -5,9 +5,9 @@ using Unity.Mathematics;
 
 namespace FastPoints.Surface
 {
-    /// <summary>A slice of closing holes by surfels in empty voxels beside others: where surfels of one plane are on all sides, none
-    /// of them farther than a hole is wide. An edge has some on one side only, so nothing grows over it. What is decided depends on
-    /// the points alone, not on the order. Slices run one after another.</summary>
+    /// <summary>A slice of closing holes by surfels in empty voxels beside others: where surfels of one plane are on all
+    /// sides, none of them farther than a hole is wide. An edge has some on one side only, so nothing grows over it. What is
+    /// decided depends on the points alone, not on the order. Slices run one after another.</summary>
     [BurstCompile]
     internal unsafe struct CloseHolesJob : IJob
     {
@@ -25,7 +25,8 @@ namespace FastPoints.Surface
         /// <summary>One layer of voxels is that near to a plane.</summary>
         const float MaxHeight = 0.6f;
 
-        /// <summary>Surfels are of one plane whose normals have at least this cosine, and that are no farther off it than this.</summary>
+        /// <summary>Surfels are of one plane whose normals have at least this cosine, and that are no farther off it than
+        /// this.</summary>
         const float MinCosine = 0.7f;
         const float MaxOffPlane = 1;
 
@@ -148,11 +149,11 @@ namespace FastPoints.Surface
                 return false;
             var right = math.normalize(math.abs(normal.x) < 0.6f ? new float3(0, normal.z, -normal.y)
                 : new float3(-normal.z, 0, normal.x));
-            var ahead = math.cross(normal, right);
+            var other = math.cross(normal, right);
             uint seen = 0;
             for (int i = 0; i < count; i++)
                 if (IsOfPlane(near[i], reference))
-                    seen |= 1u << SectorOf(math.dot(near[i].Position, right), math.dot(near[i].Position, ahead));
+                    seen |= 1u << SectorOf(math.dot(near[i].Position, right), math.dot(near[i].Position, other));
             return !HasWideGap(seen);
         }
 

@@ -5,9 +5,10 @@ using Unity.Mathematics;
 
 namespace FastPoints.Surface
 {
-    /// <summary>A slice of layers of Surface Nets (Gibson 1998): a vertex in each cube of lattice points that the shell's surface
-    /// passes, and two triangles across each edge that it cuts. Vertices are moved onto the surfels' plane, but for a hair on either
-    /// side: what was a shell is a sheet with two faces, as high as the points. Slices run one after another.</summary>
+    /// <summary>A slice of layers of Surface Nets (Gibson 1998): a vertex in each cube of lattice points that the shell's
+    /// surface passes, and two triangles across each edge that it cuts. Vertices are moved onto the surfels' plane, but for a
+    /// hair on either side: what was a shell is a sheet with two faces, as high as the points. Slices run one after
+    /// another.</summary>
     [BurstCompile]
     internal unsafe struct ExtractSurfaceJob : IJob
     {
@@ -87,9 +88,14 @@ namespace FastPoints.Surface
             var surfels = Memory.Surfels.GetUnsafePtr();
             for (int z = -reach; z <= reach; z++)
                 for (int y = -reach; y <= reach; y++)
+                {
+                    var row = surfelOf + side * (y + side * z);
+                    // Most rows are empty.
+                    if ((row[-2] | row[-1] | row[0] | row[1] | row[2]) == 0)
+                        continue;
                     for (int x = -reach; x <= reach; x++)
                     {
-                        int number = surfelOf[x + side * (y + side * z)];
+                        int number = row[x];
                         if (number <= 0)
                             continue;
                         var offset = surfels[number - 1].Position + new float3(x, y, z) - middle;
@@ -103,6 +109,7 @@ namespace FastPoints.Surface
                         }
                         near[count++] = new Surfel { Position = offset, Normal = surfels[number - 1].Normal };
                     }
+                }
             return count == 0 ? middle : middle + WayToPlane(near, count, near[nearest]);
         }
 
@@ -151,7 +158,7 @@ namespace FastPoints.Surface
             return sum / cuts;
         }
 
-        /// <summary>Across the edges from a row of the cell's lattice points, of a layer whose cubes have their vertices.</summary>
+        /// <summary>Across the edges from a row of the cell's lattice points, of a layer whose cubes have vertices.</summary>
         void AddTriangles(int row, int layer)
         {
             int side = Grid.Side, cubes = Grid.CellVoxels + 1, margin = Grid.Margin;
@@ -174,10 +181,10 @@ namespace FastPoints.Surface
             }
         }
 
-        void AddQuad(int* cube, int u, int v, bool facesAhead)
+        void AddQuad(int* cube, int u, int v, bool isOutsideBehind)
         {
             int a = cube[-u - v] - 1, b = cube[-v] - 1, c = cube[0] - 1, d = cube[-u] - 1;
-            if (!facesAhead)
+            if (!isOutsideBehind)
                 (b, d) = (d, b);
             var at = Memory.Vertices.GetUnsafePtr();
             // Along the shorter of its diagonals; of equal ones along the first.

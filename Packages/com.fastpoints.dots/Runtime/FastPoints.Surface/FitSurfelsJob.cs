@@ -5,13 +5,13 @@ using Unity.Mathematics;
 
 namespace FastPoints.Surface
 {
-    /// <summary>A slice of making a surfel of each voxel: its points' mean, moved onto the plane through those around it. All sums go
-    /// in the order of places and count from the voxel, so that each cell that has it makes the same surfel.</summary>
+    /// <summary>A slice of making a surfel of each voxel: its points' mean, moved onto the plane through those around it. All
+    /// sums go in the order of places and count from the voxel, so that each cell that has it makes the same surfel.</summary>
     [BurstCompile]
     internal unsafe struct FitSurfelsJob : IJob
     {
         /// <summary>A slice takes about 2 ms.</summary>
-        public const int VoxelsPerSlice = 4000;
+        public const int VoxelsPerSlice = 2500;
 
         /// <summary>Voxels farther away than this do not count.</summary>
         const float Radius = 2.5f;
@@ -36,40 +36,42 @@ namespace FastPoints.Surface
             long begin = SliceTimes.Begin();
             int side = Grid.Side;
             var voxels = Memory.Voxels.GetUnsafePtr();
+            var means = Memory.Means.GetUnsafePtr();
+            var surfels = Memory.Surfels.GetUnsafePtr();
             for (int i = First; i < End; i++)
             {
                 int at = voxels[i].At;
                 var place = new int3(at % side, at / side % side, at / (side * side));
-                var own = MeanOf(voxels[i]);
+                var own = means[i];
                 var surfel = new Surfel { Position = own, Normal = Up };
                 if (math.all(place >= SurfaceGrid.FitReach) && math.all(place < side - SurfaceGrid.FitReach))
                     Fit(at, own, ref surfel);
-                Memory.Surfels[i] = surfel;
+                surfels[i] = surfel;
             }
             Times.End(begin);
         }
-
-        static float3 MeanOf(in SurfaceVoxel voxel) => new float3(voxel.X, voxel.Y, voxel.Z) *
-            (1f / (CollectVoxelsJob.StepsPerVoxel * (float)voxel.Count)) + 0.5f / CollectVoxelsJob.StepsPerVoxel;
 
         void Fit(int at, float3 own, ref Surfel surfel)
         {
             const int reach = SurfaceGrid.FitReach;
             int side = Grid.Side;
             var surfelOf = (int*)Memory.SurfelOf.GetUnsafePtr();
-            var voxels = Memory.Voxels.GetUnsafePtr();
+            var means = Memory.Means.GetUnsafePtr();
             var sums = new OffsetSums { Count = 1 };
             float weights = 0;
             for (int z = -reach; z <= reach; z++)
                 for (int y = -reach; y <= reach; y++)
                 {
                     var row = surfelOf + at + side * (y + side * z);
+                    // Most rows are empty.
+                    if ((row[-2] | row[-1] | row[0] | row[1] | row[2]) == 0)
+                        continue;
                     for (int x = -reach; x <= reach; x++)
                     {
                         int number = row[x];
                         if (number <= 0)
                             continue;
-                        var offset = MeanOf(voxels[number - 1]) - own + new float3(x, y, z);
+                        var offset = means[number - 1] - own + new float3(x, y, z);
                         float weight = 1 - math.lengthsq(offset) * (1 / (Radius * Radius));
                         if (weight <= 0)
                             continue;
@@ -95,6 +97,27 @@ namespace FastPoints.Surface
             if (across > MaxAcross * MaxAcross)
                 return;
             surfel.Position = own + normal * math.clamp(math.dot(normal, sums.Offset), -MaxMove, MaxMove);
+        }
+    }
+
+    /// <summary>A slice of the means of voxels' points.</summary>
+    [BurstCompile]
+    internal unsafe struct AverageVoxelsJob : IJob
+    {
+        /// <summary>A slice takes about a millisecond.</summary>
+        public const int VoxelsPerSlice = 100000;
+
+        public int First;
+        public int End;
+        public SurfaceMemory Memory;
+
+        public void Execute()
+        {
+            var voxels = Memory.Voxels.GetUnsafePtr();
+            var means = Memory.Means.GetUnsafePtr();
+            for (int i = First; i < End; i++)
+                means[i] = new float3(voxels[i].X, voxels[i].Y, voxels[i].Z) *
+                    (1f / (CollectVoxelsJob.StepsPerVoxel * (float)voxels[i].Count)) + 0.5f / CollectVoxelsJob.StepsPerVoxel;
         }
     }
 }

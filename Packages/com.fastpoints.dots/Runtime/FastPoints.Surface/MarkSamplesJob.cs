@@ -5,9 +5,9 @@ using Unity.Mathematics;
 
 namespace FastPoints.Surface
 {
-    /// <summary>A slice of marking the lattice points in a shell around the surfels: a flat cylinder each. It is thick enough that no
-    /// line between two lattice points passes it, whichever way it faces, and wide enough that cylinders of neighbouring voxels
-    /// overlap. Slices run one after another.</summary>
+    /// <summary>A slice of marking the lattice points in a shell around the surfels: a flat cylinder each. It is thick enough
+    /// that no line between two lattice points passes it, whichever way it faces, and wide enough that cylinders of
+    /// neighbouring voxels overlap. Slices run one after another.</summary>
     [BurstCompile]
     internal unsafe struct MarkSamplesJob : IJob
     {

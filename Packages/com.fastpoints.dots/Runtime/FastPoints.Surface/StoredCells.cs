@@ -24,7 +24,8 @@ namespace FastPoints.Surface
         {
             m_grid = grid;
             m_hidden = hidden;
-            Metres = folder.Manifest.Crs.Units.MetresAt(folder.Manifest.BoundsGeo.Center, UpAxis.Z) * folder.Manifest.Grid.Step;
+            var manifest = folder.Manifest;
+            Metres = manifest.Crs.Units.MetresAt(manifest.BoundsGeo.Center, UpAxis.Z) * manifest.Grid.Step;
             var names = new List<string>(attributes);
             if (!hidden.IsEmpty)
                 names.Add(AttributeNames.Classification);

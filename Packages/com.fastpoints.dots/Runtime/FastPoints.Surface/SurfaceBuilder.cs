@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using FastPoints.Drawing;
 using Unity.Burst;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
@@ -8,8 +9,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Surface
 {
-    /// <summary>Makes the surface of one cell after another, each by a chain of short jobs: voxels of points, surfels of voxels, a
-    /// shell around surfels, triangles of the shell. A cell and its neighbour agree on what both have.</summary>
+    /// <summary>Makes the surface of one cell after another, each by a chain of short jobs: voxels of points, surfels of
+    /// voxels, a shell around surfels, triangles of the shell. A cell and its neighbour agree on what both have.</summary>
     internal sealed class SurfaceBuilder : IDisposable
     {
         readonly SurfaceGrid m_grid;
@@ -45,7 +46,10 @@ namespace FastPoints.Surface
             int measured = VoxelCount = m_memory.Voxels.Length;
             if (measured == 0)
                 yield break;
+            m_memory.Means.Resize(measured, NativeArrayOptions.UninitializedMemory);
             m_memory.Surfels.Resize(measured, NativeArrayOptions.UninitializedMemory);
+            yield return JobStep.Of(Slices.Run(0, measured, AverageVoxelsJob.VoxelsPerSlice, (first, end, after) =>
+                new AverageVoxelsJob { First = first, End = end, Memory = m_memory }.Schedule(after)));
             yield return JobStep.Of(Slices.Run(0, measured, FitSurfelsJob.VoxelsPerSlice, (first, end, after) => new FitSurfelsJob
             {
                 First = first,
@@ -82,7 +86,7 @@ namespace FastPoints.Surface
         /// <param name="batch">Positions as doubles from the root's corner.</param>
         /// <param name="metres">Metres of what they are stored in.</param>
         /// <param name="hidden">Points of these classes are left out; the batch has classes, or it is empty.</param>
-        public IEnumerator<JobStep> Add(int3 cell, PointBatch batch, double3 metres, Drawing.ClassMask hidden = default)
+        public IEnumerator<JobStep> Add(int3 cell, PointBatch batch, double3 metres, ClassMask hidden = default)
         {
             var x = batch.Column<double>(AttributeNames.X);
             var y = batch.Column<double>(AttributeNames.Y);

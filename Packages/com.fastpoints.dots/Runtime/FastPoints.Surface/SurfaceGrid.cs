@@ -3,8 +3,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Surface
 {
-    /// <summary>Cubes of voxels that surfaces are made in. Places are metres from the corner of a cloud's root, along the source's
-    /// axes.</summary>
+    /// <summary>Cubes of voxels that surfaces are made in. Places are metres from the corner of a cloud's root, along the
+    /// source's axes.</summary>
     internal readonly struct SurfaceGrid : IEquatable<SurfaceGrid>
     {
         /// <summary>Vertices are at whole steps: neighbours have the same ones on their common faces.</summary>
@@ -46,8 +46,8 @@ namespace FastPoints.Surface
         /// <summary>How many voxels a hole is closed inwards from its rim.</summary>
         public int HoleRings => (int)math.ceil(HoleVoxels / 2);
 
-        /// <summary>Voxels around a cell that its surface depends on: a vertex of the cube before the first one, its surfels, which
-        /// may close a hole, whose rim has normals.</summary>
+        /// <summary>Voxels around a cell that its surface depends on: a vertex of the cube before the first one, its surfels,
+        /// which may close a hole, whose rim has normals.</summary>
         public int Margin => 1 + VertexReach + HoleRings + HoleReach + FitReach;
 
         /// <summary>Voxels along an edge of a cell with its margins.</summary>

@@ -35,6 +35,9 @@ namespace FastPoints.Surface
         /// <summary>By voxel with margins, x first: 1 more than the number of its surfel; 0 for none.</summary>
         public NativeArray<int> SurfelOf;
         public NativeList<SurfaceVoxel> Voxels;
+
+        /// <summary>Of a voxel's points, in voxels from its corner.</summary>
+        public NativeList<float3> Means;
         public NativeList<Surfel> Surfels;
 
         /// <summary>By lattice point, the corner of the voxel of that index: 1 within the shell around the surfels.</summary>
@@ -60,6 +63,7 @@ namespace FastPoints.Surface
             IsRowInside = new NativeArray<byte>(side * side, allocator);
             VertexOf = new NativeArray<int>(cubes * cubes * cubes, allocator);
             Voxels = new NativeList<SurfaceVoxel>(allocator);
+            Means = new NativeList<float3>(allocator);
             Surfels = new NativeList<Surfel>(allocator);
             Vertices = new NativeList<int3>(allocator);
             Triangles = new NativeList<int3>(allocator);
@@ -74,6 +78,7 @@ namespace FastPoints.Surface
             IsRowInside.Dispose();
             VertexOf.Dispose();
             Voxels.Dispose();
+            Means.Dispose();
             Surfels.Dispose();
             Vertices.Dispose();
             Triangles.Dispose();

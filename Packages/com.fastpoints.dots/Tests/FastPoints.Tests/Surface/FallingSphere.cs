@@ -4,8 +4,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Tests.Surface
 {
-    /// <summary>A sphere under gravity among triangles that hold from the side they face alone, as a physics engine has them: in each
-    /// step it moves, and is pushed out of what it touches.</summary>
+    /// <summary>A sphere under gravity among triangles that hold from the side they face alone, as a physics engine has them:
+    /// in each step it moves, and is pushed out of what it touches.</summary>
     internal static class FallingSphere
     {
         const double StepSeconds = 1.0 / 60, Gravity = 9.81;

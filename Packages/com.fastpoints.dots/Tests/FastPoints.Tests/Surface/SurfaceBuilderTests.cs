@@ -244,7 +244,8 @@ namespace FastPoints.Tests.Surface
             for (int i = 0; i < rays; i++)
             {
                 double turn = random.NextDouble() * 2 * Math.PI, fall = -Math.Acos(random.NextDouble(-0.2, 0.99)) + Math.PI / 2;
-                var way = new double3(Math.Cos(turn) * Math.Cos(fall), Math.Sin(turn) * Math.Cos(fall), -Math.Sin(Math.Abs(fall)));
+                var way = new double3(new double2(Math.Cos(turn), Math.Sin(turn)) * Math.Cos(fall),
+                    -Math.Sin(Math.Abs(fall)));
                 double toGround = 1.8 / Math.Max(1e-9, -way.z), toWall = 7 / Math.Max(1e-9, Math.Abs(way.y));
                 double reach = Math.Min(toGround, toWall);
                 if (reach > 14)

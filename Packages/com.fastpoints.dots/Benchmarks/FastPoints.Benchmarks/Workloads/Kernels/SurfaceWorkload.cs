@@ -6,8 +6,8 @@ using Random = Unity.Mathematics.Random;
 
 namespace FastPoints.Benchmarks
 {
-    /// <summary>The surface of a cell of 8 m in voxels of 10 cm: ground that rises and falls, a wall and a car's box on it, with noise
-    /// of 1 cm.</summary>
+    /// <summary>The surface of a cell of 8 m in voxels of 10 cm: ground that rises and falls, a wall and a car's box on it,
+    /// with noise of 1 cm.</summary>
     sealed class SurfaceWorkload : IWorkload
     {
         const double CellMetres = 8;
@@ -33,7 +33,7 @@ namespace FastPoints.Benchmarks
             var random = new Random(context.Seed);
             for (int i = 0; i < context.Points; i++)
             {
-                var place = PlaceOf(i, random.NextDouble2(), m_grid.Margin * m_grid.VoxelMetres);
+                var place = PlaceOf(i, random.NextDouble2(0, 1), m_grid.Margin * m_grid.VoxelMetres);
                 place += 0.01 * random.NextDouble3(-1, 1);
                 (x[i], y[i], z[i]) = (place.x, place.y, place.z);
             }
