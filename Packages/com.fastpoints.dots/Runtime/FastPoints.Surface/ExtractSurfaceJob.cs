@@ -5,15 +5,15 @@ using Unity.Mathematics;
 
 namespace FastPoints.Surface
 {
-    /// <summary>A slice of layers of Surface Nets (Gibson 1998): a vertex in each cube of lattice points that the shell's
+    /// <summary>A slice of rows of Surface Nets (Gibson 1998): a vertex in each cube of lattice points that the shell's
     /// surface passes, and two triangles across each edge that it cuts. Vertices are moved onto the surfels' plane, but for a
     /// hair on either side: what was a shell is a sheet with two faces, as high as the points. Slices run one after
     /// another.</summary>
     [BurstCompile]
     internal unsafe struct ExtractSurfaceJob : IJob
     {
-        /// <summary>A slice of a street takes about 2 ms.</summary>
-        public const int LayersPerSlice = 4;
+        /// <summary>A slice of level ground, which lies in few layers, takes about 2 ms.</summary>
+        public const int RowsPerSlice = 40;
 
         /// <summary>From the plane to either face, in voxels.</summary>
         internal const float HalfThickness = 0.1f;
@@ -24,7 +24,7 @@ namespace FastPoints.Surface
         /// <summary>Surfels farther away do not move a vertex.</summary>
         const float Radius = 2;
 
-        /// <summary>Counted from the cubes before the cell.</summary>
+        /// <summary>Rows of cubes, layer by layer, from those before the cell.</summary>
         public int First;
         public int End;
         public SurfaceGrid Grid;
@@ -34,12 +34,14 @@ namespace FastPoints.Surface
         public void Execute()
         {
             long begin = SliceTimes.Begin();
-            for (int layer = First; layer < End; layer++)
+            int rows = Grid.CellVoxels + 1;
+            for (int i = First; i < End; i++)
             {
-                for (int row = 0; row <= Grid.CellVoxels; row++)
-                    AddVertices(row, layer);
-                for (int row = 0; row < Grid.CellVoxels && layer > 0; row++)
-                    AddTriangles(row, layer - 1);
+                int row = i % rows, layer = i / rows;
+                AddVertices(row, layer);
+                // Cubes on all four sides of their edges have vertices now.
+                if (row > 0 && layer > 0)
+                    AddTriangles(row - 1, layer - 1);
             }
             Times.End(begin);
         }

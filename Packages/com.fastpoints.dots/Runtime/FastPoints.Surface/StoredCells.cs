@@ -35,7 +35,7 @@ namespace FastPoints.Surface
         /// <summary>Of a grid step along each axis.</summary>
         public double3 Metres { get; }
 
-        /// <summary>A coroutine that sees each batch before its points are taken, and may leave out some; null for none.</summary>
+        /// <summary>A coroutine that may leave out points of each batch before it is taken; null for none.</summary>
         public Func<PointBatch, IEnumerator<JobStep>> Prepare { get; set; }
 
         /// <summary>Coroutine: adds the points in a cell and around it to its surface.</summary>

@@ -77,7 +77,8 @@ namespace FastPoints.Surface
             yield return JobStep.Of(Slices.Run(0, m_memory.Surfels.Length, MarkSamplesJob.SurfelsPerSlice, (first, end, after) =>
                 new MarkSamplesJob { First = first, End = end, Grid = m_grid, Memory = m_memory, Times = m_times }
                     .Schedule(after)));
-            yield return JobStep.Of(Slices.Run(0, m_grid.CellVoxels + 1, ExtractSurfaceJob.LayersPerSlice, (first, end, after) =>
+            int rows = (m_grid.CellVoxels + 1) * (m_grid.CellVoxels + 1);
+            yield return JobStep.Of(Slices.Run(0, rows, ExtractSurfaceJob.RowsPerSlice, (first, end, after) =>
                 new ExtractSurfaceJob { First = first, End = end, Grid = m_grid, Memory = m_memory, Times = m_times }
                     .Schedule(after)));
         }
