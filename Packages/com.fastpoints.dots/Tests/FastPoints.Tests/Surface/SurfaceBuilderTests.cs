@@ -89,7 +89,7 @@ namespace FastPoints.Tests.Surface
             return points;
         }
 
-        [Test]
+        [Test, Category("Smoke")]
         public void Run_HoleUpToTheStatedSize_IsClosed()
         {
             // Wide enough that the noise of places leaves none of the plane within half a hole of the middle.
