@@ -68,8 +68,8 @@ public static class CommandLine
     [
         new DefaultVerb(), new InfoVerb(), new PreviewVerb(), new ConvertVerb(), new VerifyVerb(),
         new ExportVerb(), new PictureVerb(), new FlyVerb(), new DemoCloudVerb(), new BenchVerb(), new PublishVerb(),
-        new UpgradeVerb(), new PlanVerb(), new BuildVerb(), new MergeVerb(), new CommitVerb(), new ClusterVerb(), new CacheVerb(),
-        new CompletionVerb(),
+        new SurfaceVerb(), new UpgradeVerb(), new PlanVerb(), new BuildVerb(), new MergeVerb(), new CommitVerb(),
+        new ClusterVerb(), new CacheVerb(), new CompletionVerb(),
     ];
 
     static int ReportUsageError(TextWriter error, Command command, string what)

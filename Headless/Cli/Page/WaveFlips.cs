@@ -12,7 +12,7 @@ sealed record WaveFlips(List<double> OfWave, double Floor)
         using var selection = new NodeSelection(folder);
         var schema = LoadNodes.SchemaFor(folder, options.AttributesToMeasure());
         var ranges = options.NewRanges(folder.Manifest.Crs.Units);
-        run.RunSteps(LoadNodes.MeasureRanges(folder, selection, schema, options.UpAxis, ranges));
+        run.RunSteps(ConvertCloud.MeasureRanges(folder, selection, schema, options.UpAxis, ranges));
         int width = Math.Max(1, options.WidthPx / 2), height = Math.Max(1, options.HeightPx / 2);
         int samples = PictureCanvas.MaxSamplesPerEdge;
         selection.Choose(options.Camera!.Value.ToStreamView(width * samples, height * samples), DrawStored.DefaultBudget);

@@ -57,7 +57,8 @@ public sealed class RoomOrderTests
 
     [Test]
     public void Files_OfARoom_HaveNoCycles(
-        [Values("FastPoints", "FastPoints.Import", "FastPoints.Picture", "FastPoints.Rendering", "FastPoints.Entities")]
+        [Values("FastPoints", "FastPoints.Import", "FastPoints.Picture", "FastPoints.Surface", "FastPoints.Rendering",
+            "FastPoints.Entities")]
         string assembly)
     {
         using GenerationBuilds builds = Checkout.Builds(RepoTools.Repository.Generations[0]);

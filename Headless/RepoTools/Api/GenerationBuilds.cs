@@ -4,10 +4,11 @@ public sealed class GenerationBuilds : IDisposable
 {
     private static readonly string[] s_assemblies =
     {
-        "FastPoints", "FastPoints.Import", "FastPoints.Picture", "FastPoints.Rendering", "FastPoints.Rendering.BuiltIn",
-        "FastPoints.Rendering.Urp", "FastPoints.Rendering.Hdrp", "FastPoints.Entities", "FastPoints.Editor", "FastPoints.Scenes",
-        "FastPoints.Benchmarks", "FastPoints.Evaluation", "FastPoints.Samples", "FastPoints.Samples.Editor",
-        "FastPoints.Benchmarks.Unity", "FastPoints.Tests", "FastPoints.UnityTests", "FastPoints.UnityTests.Performance",
+        "FastPoints", "FastPoints.Import", "FastPoints.Picture", "FastPoints.Surface", "FastPoints.Rendering",
+        "FastPoints.Rendering.BuiltIn", "FastPoints.Rendering.Urp", "FastPoints.Rendering.Hdrp", "FastPoints.Entities",
+        "FastPoints.Editor", "FastPoints.Scenes", "FastPoints.Benchmarks", "FastPoints.Evaluation", "FastPoints.Samples",
+        "FastPoints.Samples.Editor", "FastPoints.Benchmarks.Unity", "FastPoints.Tests", "FastPoints.UnityTests",
+        "FastPoints.UnityTests.Performance",
     };
 
     private readonly Resolver m_resolver = new Resolver();

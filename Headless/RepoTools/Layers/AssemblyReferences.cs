@@ -16,6 +16,7 @@ public static class AssemblyReferences
         ["FastPoints"] = s_dots,
         ["FastPoints.Import"] = s_view,
         ["FastPoints.Picture"] = s_shared,
+        ["FastPoints.Surface"] = s_view,
         ["FastPoints.Rendering"] = s_view,
         ["FastPoints.Rendering.BuiltIn"] = s_drawing,
         ["FastPoints.Rendering.Urp"] = s_drawing
@@ -29,7 +30,7 @@ public static class AssemblyReferences
             .ToArray(),
         ["FastPoints.Tests"] = s_shared.Concat(s_entities)
             .Concat(new[] { "FastPoints.Picture", "FastPoints.Rendering", "FastPoints.Entities" })
-            .Concat(new[] { "FastPoints.Benchmarks", "FastPoints.Evaluation" })
+            .Concat(new[] { "FastPoints.Benchmarks", "FastPoints.Evaluation", "FastPoints.Surface" })
             .Concat(s_testRunner).ToArray(),
         ["FastPoints.Scenes"] = s_shared,
         ["FastPoints.Samples"] = s_shared.Concat(s_entities)
@@ -49,7 +50,7 @@ public static class AssemblyReferences
         ["FastPoints.Evaluation"] = s_shared.Append("FastPoints.Picture").ToArray(),
         ["FastPoints.Benchmarks"] = s_shared.Concat(s_entities)
             .Concat(new[] { "FastPoints.Entities", "FastPoints.Evaluation", "FastPoints.Picture", "FastPoints.Scenes" })
-            .ToArray(),
+            .Append("FastPoints.Surface").ToArray(),
         ["FastPoints.Benchmarks.Unity"] = new[] { "FastPoints.Benchmarks", "Unity.Burst", "Unity.PerformanceTesting" }
             .Concat(s_testRunner).ToArray(),
     };

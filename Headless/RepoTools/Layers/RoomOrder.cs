@@ -7,9 +7,10 @@ public static class RoomOrder
         ("FastPoints", new[] { "Core", "Store", "Streaming", "Drawing", "Picking" }),
         ("FastPoints.Import", new[]
         {
-            "Reading", "Las", "Laz", "Ply", "E57", "Text", "Sampling", "Nodes", "Sources", "Build", "Export",
+            "Reading", "Las", "Laz", "E57", "Text", "Sampling", "Nodes", "Sources", "Build", "Export",
         }),
         ("FastPoints.Picture", new[] { "Picture" }),
+        ("FastPoints.Surface", new[] { "Surface" }),
     };
 
     public static IEnumerable<string> Assemblies => s_order.Select(o => o.Assembly);

@@ -17,6 +17,7 @@ public struct int3 : IEquatable<int3>, IFormattable
     [MethodImpl(Inline)] public static int3 operator +(int lhs, int3 rhs) => new(lhs + rhs.x, lhs + rhs.y, lhs + rhs.z);
     [MethodImpl(Inline)] public static int3 operator +(int3 lhs, int rhs) => new(lhs.x + rhs, lhs.y + rhs, lhs.z + rhs);
     [MethodImpl(Inline)] public static int3 operator +(int3 lhs, int3 rhs) => new(lhs.x + rhs.x, lhs.y + rhs.y, lhs.z + rhs.z);
+    [MethodImpl(Inline)] public static int3 operator -(int3 lhs, int3 rhs) => new(lhs.x - rhs.x, lhs.y - rhs.y, lhs.z - rhs.z);
     [MethodImpl(Inline)] public static bool3 operator ==(int lhs, int3 rhs) => new(lhs == rhs.x, lhs == rhs.y, lhs == rhs.z);
     [MethodImpl(Inline)] public static bool3 operator ==(int3 lhs, int rhs) => new(lhs.x == rhs, lhs.y == rhs, lhs.z == rhs);
     [MethodImpl(Inline)]

@@ -51,7 +51,7 @@ namespace FastPoints.Picture
             using (var selection = new NodeSelection(m_folder))
             {
                 if (!PlansByManifest)
-                    yield return JobStep.Of(LoadNodes.MeasureRanges(m_folder, selection, schema, m_options.UpAxis, ranges));
+                    yield return JobStep.Of(ConvertCloud.MeasureRanges(m_folder, selection, schema, m_options.UpAxis, ranges));
                 Plan = new PicturePlan(m_options, ranges, transform);
                 if (Plan.LitParts > 0 && !m_options.Shadows)
                     schema = LoadNodes.WithNormals(schema, m_folder);

@@ -13,6 +13,7 @@ using UnityEngine.Scripting;
 [assembly: InternalsVisibleTo("FastPoints.Entities")]
 [assembly: InternalsVisibleTo("FastPoints.Scenes")]
 [assembly: InternalsVisibleTo("FastPoints.Picture")]
+[assembly: InternalsVisibleTo("FastPoints.Surface")]
 [assembly: InternalsVisibleTo("FastPoints.Editor")]
 [assembly: InternalsVisibleTo("FastPoints.Evaluation")]
 [assembly: InternalsVisibleTo("FastPoints.Benchmarks")]

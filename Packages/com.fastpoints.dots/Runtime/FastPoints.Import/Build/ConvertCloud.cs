@@ -15,6 +15,8 @@ namespace FastPoints.Build
     /// levels.</summary>
     public sealed class ConvertCloud : IDisposable
     {
+        const int PointsToMeasure = 200_000;
+
         readonly BuildContext m_build;
         readonly List<SourceSample> m_samples = new List<SourceSample>();
         readonly List<SampleStatistics> m_sampleStatistics = new List<SampleStatistics>();
@@ -178,9 +180,22 @@ namespace FastPoints.Build
             using var folder = CloudFolder.Open(path, manifest);
             using var nodes = new ChosenNodes(folder);
             var ranges = new DisplayRanges();
-            yield return JobStep.Of(LoadNodes.MeasureRanges(folder, nodes,
+            yield return JobStep.Of(MeasureRanges(folder, nodes,
                 LoadNodes.SchemaFor(folder, ColorModes.AttributesToMeasure(ColorMode.Auto)), UpAxis.Z, ranges));
             manifest.Shown = ranges.ToShown();
+        }
+
+        /// <summary>Coroutine: measures what a display needs to know of a converted cloud, from the points of its upper
+        /// levels.</summary>
+        /// <exception cref="PointCloudException">The cloud cannot be read.</exception>
+        internal static IEnumerator<JobStep> MeasureRanges(CloudFolder folder, ChosenNodes nodes, PointSchema schema,
+            UpAxis upAxis, DisplayRanges ranges)
+        {
+            nodes.ChooseEvenly(PointsToMeasure);
+            var transform = folder.Manifest.Grid.FromCorner(folder.Manifest.Root.Corner);
+            using var batch = new PointBatch(schema, nodes.CheckedPoints, Allocator.Persistent);
+            yield return JobStep.Of(LoadNodes.Run(folder, nodes, batch, null));
+            yield return JobStep.Of(ranges.Measure(batch, transform, upAxis));
         }
 
         IEnumerator<JobStep> Finish(Action<ConvertResult> done)

@@ -1,7 +1,7 @@
 using System;
 using System.Text;
 using FastPoints.Las;
-using FastPoints.Ply;
+using FastPoints.Text;
 using FastPoints.Reading;
 
 namespace FastPoints.Export

@@ -2,7 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Linq;
-using FastPoints.Ply;
+using FastPoints.Text;
 using FastPoints.Reading;
 using FastPoints.Sources;
 

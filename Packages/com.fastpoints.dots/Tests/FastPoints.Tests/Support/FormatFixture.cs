@@ -5,7 +5,7 @@ using System.Linq;
 using System.Text;
 using FastPoints.Sources;
 using FastPoints.Tests.Las;
-using FastPoints.Tests.Ply;
+using FastPoints.Tests.Text;
 
 namespace FastPoints.Tests
 {

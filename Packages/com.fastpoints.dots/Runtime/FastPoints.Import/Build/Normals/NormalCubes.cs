@@ -98,7 +98,6 @@ namespace FastPoints.Build
         /// <summary>Chooses the nodes with points in a cube or around it.</summary>
         public NormalRegion Choose(GridCube cube)
         {
-            Clear();
             double weight = 0, sum = 0;
             foreach (var (page, index) in NodesIn(cube.Corner, EndOf(cube)))
             {
@@ -118,10 +117,7 @@ namespace FastPoints.Build
                 Margin = MarginSpacings * math.sqrt(m_settings.Neighbours) * sum / math.max(1, weight),
             };
             var around = StepsOf(region.Margin);
-            foreach (var (page, index) in NodesIn(cube.Corner - around, EndOf(cube) + around))
-                if (Intersects(TableOf(page).Nodes[index], cube.Corner - around, EndOf(cube) + around))
-                    Add(page, index, TableOf(page).Nodes[index].PointCount);
-            SortNodes();
+            ChooseIn(cube.Corner - around, EndOf(cube) + around);
             return region;
         }
 
@@ -139,48 +135,6 @@ namespace FastPoints.Build
             var size = new double3(node.MaxX - node.MinX + 1.0, node.MaxY - node.MinY + 1.0, node.MaxZ - node.MinZ + 1.0) *
                 m_metres * (1L << node.BoundsShift);
             return math.sqrt(size.x * size.y * size.z / math.cmin(size) / node.PointCount);
-        }
-
-        static Grid3 EndOf(GridCube cube) => cube.Corner + new Grid3(cube.Side, cube.Side, cube.Side);
-
-        static bool Intersects(in NodeRecord node, Grid3 min, Grid3 end)
-        {
-            int shift = node.BoundsShift;
-            long rest = (1L << shift) - 1;
-            var low = node.Corner + new Grid3((long)node.MinX << shift, (long)node.MinY << shift, (long)node.MinZ << shift);
-            var high = node.Corner + new Grid3(((long)node.MaxX << shift) + rest, ((long)node.MaxY << shift) + rest,
-                ((long)node.MaxZ << shift) + rest);
-            return AreBelow(low, end) && !IsAnyBelow(high, min);
-        }
-
-        static bool AreBelow(Grid3 a, Grid3 b) => a.X < b.X && a.Y < b.Y && a.Z < b.Z;
-
-        static bool IsAnyBelow(Grid3 a, Grid3 b) => a.X < b.X || a.Y < b.Y || a.Z < b.Z;
-
-        /// <summary>Nodes whose cubes intersect a box, from the root down.</summary>
-        IEnumerable<(int Page, int Node)> NodesIn(Grid3 min, Grid3 end)
-        {
-            var next = new Stack<(int Page, int Node)>();
-            if (Load(0).Nodes.Length > 0)
-                next.Push((0, 0));
-            while (next.Count > 0)
-            {
-                var (page, index) = next.Pop();
-                var table = Load(page);
-                var node = table.Nodes[index];
-                if (!AreBelow(node.Corner, end) || !AreBelow(min, EndOf(node.Cube)))
-                    continue;
-                yield return (page, index);
-                for (int child = node.FirstChild; child < node.FirstChild + node.ChildCount; child++)
-                    next.Push((page, child));
-                for (int link = node.FirstLink; link < node.FirstLink + node.LinkCount; link++)
-                {
-                    int below = Folder.FirstBelow(page) + link;
-                    var roots = Load(below).Nodes;
-                    for (int root = 0; root < roots.Length && roots[root].Parent < 0; root++)
-                        next.Push((below, root));
-                }
-            }
         }
     }
 }

@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using FastPoints.Ply;
 using FastPoints.Reading;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;

@@ -2,7 +2,6 @@ using System;
 using System.Collections.Generic;
 using System.Globalization;
 using System.Text;
-using FastPoints.Ply;
 using FastPoints.Reading;
 
 namespace FastPoints.Text

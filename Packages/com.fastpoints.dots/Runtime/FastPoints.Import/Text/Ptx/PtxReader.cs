@@ -3,7 +3,6 @@ using System.Collections;
 using System.Collections.Generic;
 using System.Globalization;
 using System.Text;
-using FastPoints.Ply;
 using FastPoints.Reading;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;

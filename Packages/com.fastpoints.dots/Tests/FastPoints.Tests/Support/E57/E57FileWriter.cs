@@ -3,7 +3,7 @@ using System.Collections.Generic;
 using System.Globalization;
 using System.IO;
 using System.Text;
-using FastPoints.Tests.Ply;
+using FastPoints.Tests.Text;
 
 namespace FastPoints.Tests
 {

@@ -1,0 +1,79 @@
+using FastPoints.Drawing;
+using Unity.Burst;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.Jobs;
+using Unity.Mathematics;
+
+namespace FastPoints.Surface
+{
+    /// <summary>A slice of adding points to the voxels of a cell and its margins. Slices run one after another.</summary>
+    [BurstCompile]
+    internal unsafe struct CollectVoxelsJob : IJob
+    {
+        /// <summary>A slice takes about 2 ms.</summary>
+        public const int PointsPerSlice = 200000;
+
+        /// <summary>Of a voxel's edge: what is in a voxel is summed in these.</summary>
+        public const int StepsPerVoxel = 1024;
+
+        /// <summary>More points would overflow the sums; their mean has long been found.</summary>
+        const uint MaxPointsPerVoxel = 1u << 21;
+
+        public int First;
+        public int End;
+        public SurfaceGrid Grid;
+        public int3 Cell;
+
+        /// <summary>Metres of what positions are stored in.</summary>
+        public double3 Metres;
+
+        /// <summary>Points of these classes are left out.</summary>
+        public ClassMask Hidden;
+        [ReadOnly] public NativeArray<double> X;
+        [ReadOnly] public NativeArray<double> Y;
+        [ReadOnly] public NativeArray<double> Z;
+
+        /// <summary>By point; empty if all are taken.</summary>
+        [ReadOnly] public NativeArray<byte> Classes;
+        public SurfaceMemory Memory;
+        public SliceTimes Times;
+
+        public void Execute()
+        {
+            long begin = SliceTimes.Begin();
+            int side = Grid.Side;
+            var scale = Metres * (StepsPerVoxel / Grid.VoxelMetres);
+            // Rounded before it is moved to the cell, so that a point is at the same step in each.
+            var corner = (new double3(Cell.x, Cell.y, Cell.z) * Grid.CellVoxels - Grid.Margin) * StepsPerVoxel;
+            double end = (double)side * StepsPerVoxel;
+            double* xs = (double*)X.GetUnsafeReadOnlyPtr(), ys = (double*)Y.GetUnsafeReadOnlyPtr(),
+                zs = (double*)Z.GetUnsafeReadOnlyPtr();
+            var classes = Classes.Length == 0 ? null : (byte*)Classes.GetUnsafeReadOnlyPtr();
+            var surfelOf = (int*)Memory.SurfelOf.GetUnsafePtr();
+            for (int i = First; i < End; i++)
+            {
+                double x = math.floor(xs[i] * scale.x) - corner.x, y = math.floor(ys[i] * scale.y) - corner.y,
+                    z = math.floor(zs[i] * scale.z) - corner.z;
+                if (!(x >= 0 && y >= 0 && z >= 0 && x < end && y < end && z < end) ||
+                    classes != null && Hidden.Has(classes[i]))
+                    continue;
+                uint sx = (uint)x, sy = (uint)y, sz = (uint)z;
+                int at = (int)(sx / StepsPerVoxel) + side * ((int)(sy / StepsPerVoxel) + side * (int)(sz / StepsPerVoxel));
+                if (surfelOf[at] == 0)
+                {
+                    Memory.Voxels.Add(new SurfaceVoxel { At = at });
+                    surfelOf[at] = Memory.Voxels.Length;
+                }
+                var voxel = Memory.Voxels.GetUnsafePtr() + surfelOf[at] - 1;
+                if (voxel->Count == MaxPointsPerVoxel)
+                    continue;
+                voxel->Count++;
+                voxel->X += sx % StepsPerVoxel;
+                voxel->Y += sy % StepsPerVoxel;
+                voxel->Z += sz % StepsPerVoxel;
+            }
+            Times.End(begin);
+        }
+    }
+}

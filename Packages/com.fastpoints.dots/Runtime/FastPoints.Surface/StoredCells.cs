@@ -1,0 +1,97 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Drawing;
+using FastPoints.Store;
+using Unity.Collections;
+using Unity.Mathematics;
+
+namespace FastPoints.Surface
+{
+    /// <summary>The points of a converted cloud by cells of its surface.</summary>
+    internal sealed class StoredCells : ChosenNodes
+    {
+        /// <summary>So many points of a cell are read at once, or the points of a node.</summary>
+        const long PointsPerBatch = 1_000_000;
+
+        readonly SurfaceGrid m_grid;
+        readonly ClassMask m_hidden;
+        readonly PointSchema m_schema;
+
+        /// <param name="hidden">Points of these classes are left out.</param>
+        /// <param name="attributes">To read beside positions, for <see cref="Prepare"/>.</param>
+        public StoredCells(CloudFolder folder, in SurfaceGrid grid, ClassMask hidden = default, params string[] attributes)
+            : base(folder)
+        {
+            m_grid = grid;
+            m_hidden = hidden;
+            var manifest = folder.Manifest;
+            Metres = manifest.Crs.Units.MetresAt(manifest.BoundsGeo.Center, UpAxis.Z) * manifest.Grid.Step;
+            var names = new List<string>(attributes);
+            if (!hidden.IsEmpty)
+                names.Add(AttributeNames.Classification);
+            m_schema = LoadNodes.SchemaFor(folder, names.ToArray());
+        }
+
+        /// <summary>Of a grid step along each axis.</summary>
+        public double3 Metres { get; }
+
+        /// <summary>A coroutine that may leave out points of each batch before it is taken; null for none.</summary>
+        public Func<PointBatch, IEnumerator<JobStep>> Prepare { get; set; }
+
+        /// <summary>Coroutine: adds the points in a cell and around it to its surface.</summary>
+        /// <exception cref="PointCloudException">The cloud cannot be read.</exception>
+        public IEnumerator<JobStep> Add(SurfaceBuilder builder, int3 cell)
+        {
+            double margin = m_grid.Margin * m_grid.VoxelMetres;
+            var min = new double3(cell.x, cell.y, cell.z) * m_grid.CellMetres - margin;
+            return Read(StepsOf(min, false), StepsOf(min + m_grid.CellMetres + 2 * margin, true), batch =>
+                builder.Add(cell, batch, Metres, m_hidden));
+        }
+
+        /// <summary>Coroutine: all points of the cloud, batch by batch, in grid steps from the root's corner.</summary>
+        public IEnumerator<JobStep> ReadAll(Func<PointBatch, IEnumerator<JobStep>> take)
+        {
+            var root = Folder.Manifest.Root;
+            return Read(root.Corner, EndOf(root), take);
+        }
+
+        IEnumerator<JobStep> Read(Grid3 min, Grid3 end, Func<PointBatch, IEnumerator<JobStep>> take)
+        {
+            Clear();
+            // Pages are loaded on the way: what is chosen is complete before it is read.
+            var nodes = new List<(int Page, int Node)>();
+            foreach (var (page, index) in NodesIn(min, end))
+            {
+                if (Intersects(TableOf(page).Nodes[index], min, end))
+                    nodes.Add((page, index));
+                if (nodes.Count % 256 == 255)
+                    yield return default;
+            }
+            for (int n = 0; n < nodes.Count; n++)
+            {
+                var (page, index) = nodes[n];
+                Add(page, index, TableOf(page).Nodes[index].PointCount);
+                if (Points < PointsPerBatch && n < nodes.Count - 1)
+                    continue;
+                SortNodes();
+                using (var batch = new PointBatch(m_schema, Math.Max(1, CheckedPoints), Allocator.Persistent))
+                {
+                    yield return JobStep.Of(LoadNodes.Run(Folder, this, batch, null));
+                    if (Prepare != null)
+                        yield return JobStep.Of(Prepare(batch));
+                    yield return JobStep.Of(take(batch));
+                }
+                Clear();
+            }
+        }
+
+        public override bool IsRefined(int page, int node) => true;
+
+        Grid3 StepsOf(double3 metres, bool isEnd)
+        {
+            var steps = math.clamp(metres / Metres, -(1L << 60), 1L << 60);
+            steps = isEnd ? math.ceil(steps) + 1 : math.floor(steps);
+            return Folder.Manifest.Root.Corner + new Grid3((long)steps.x, (long)steps.y, (long)steps.z);
+        }
+    }
+}

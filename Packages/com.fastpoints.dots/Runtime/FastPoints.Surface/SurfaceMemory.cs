@@ -1,0 +1,87 @@
+using System;
+using Unity.Collections;
+using Unity.Mathematics;
+
+namespace FastPoints.Surface
+{
+    /// <summary>The points of a voxel. Sums are whole numbers, so their order does not matter.</summary>
+    internal struct SurfaceVoxel
+    {
+        /// <summary>Its index among all voxels of a cell with margins.</summary>
+        public int At;
+        public uint Count;
+
+        /// <summary>Of steps from its corner.</summary>
+        public uint X;
+        public uint Y;
+        public uint Z;
+    }
+
+    /// <summary>A piece of surface, in voxels from its own voxel's corner.</summary>
+    internal struct Surfel
+    {
+        public float3 Position;
+
+        /// <summary>Of length 1; its sign has no meaning.</summary>
+        public float3 Normal;
+    }
+
+    /// <summary>Working memory of one cell after another, and the surface of the last one.</summary>
+    internal struct SurfaceMemory : IDisposable
+    {
+        /// <summary>Of a voxel that closes no hole.</summary>
+        public const int Rejected = -1;
+
+        /// <summary>By voxel with margins, x first: 1 more than the number of its surfel; 0 for none.</summary>
+        public NativeArray<int> SurfelOf;
+        public NativeList<SurfaceVoxel> Voxels;
+
+        /// <summary>Of a voxel's points, in voxels from its corner.</summary>
+        public NativeList<float3> Means;
+        public NativeList<Surfel> Surfels;
+
+        /// <summary>By lattice point, the corner of the voxel of that index: 1 within the shell around the surfels.</summary>
+        public NativeArray<byte> IsInside;
+
+        /// <summary>By row of lattice points along x: whether any is.</summary>
+        public NativeArray<byte> IsRowInside;
+
+        /// <summary>By cube of the cell, and those before its first ones; 0 for none, else 1 more than its vertex.</summary>
+        public NativeArray<int> VertexOf;
+
+        /// <summary>In steps from the cell's corner.</summary>
+        public NativeList<int3> Vertices;
+
+        /// <summary>Three vertices each; counter-clockwise seen from outside, in the source's right-handed axes.</summary>
+        public NativeList<int3> Triangles;
+
+        public SurfaceMemory(in SurfaceGrid grid, Allocator allocator)
+        {
+            int side = grid.Side, cubes = grid.CellVoxels + 1;
+            SurfelOf = new NativeArray<int>(side * side * side, allocator);
+            IsInside = new NativeArray<byte>(side * side * side, allocator);
+            IsRowInside = new NativeArray<byte>(side * side, allocator);
+            VertexOf = new NativeArray<int>(cubes * cubes * cubes, allocator);
+            Voxels = new NativeList<SurfaceVoxel>(allocator);
+            Means = new NativeList<float3>(allocator);
+            Surfels = new NativeList<Surfel>(allocator);
+            Vertices = new NativeList<int3>(allocator);
+            Triangles = new NativeList<int3>(allocator);
+        }
+
+        public void Dispose()
+        {
+            if (!SurfelOf.IsCreated)
+                return;
+            SurfelOf.Dispose();
+            IsInside.Dispose();
+            IsRowInside.Dispose();
+            VertexOf.Dispose();
+            Voxels.Dispose();
+            Means.Dispose();
+            Surfels.Dispose();
+            Vertices.Dispose();
+            Triangles.Dispose();
+        }
+    }
+}
