@@ -9,7 +9,7 @@ namespace FastPoints.Queries
     /// <summary>Finds the first point that a ray hits among all clouds of a stream, beside its frames: <see cref="Begin"/>,
     /// then <see cref="Update"/> once a frame until it returns true. Main thread; it waits only when a search is
     /// cancelled.</summary>
-    public sealed class StreamPicker : IDisposable
+    internal sealed class StreamPicker : IDisposable
     {
         struct Target
         {

@@ -1,0 +1,215 @@
+using System;
+using FastPoints.Drawing;
+using FastPoints.Store;
+using FastPoints.Streaming;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.Mathematics;
+
+namespace FastPoints.Queries
+{
+    /// <summary>The points of a stream's clouds that are in memory, to be searched on any thread and in Burst jobs, without
+    /// garbage. See <see cref="PointCloudQueries.Resident"/>.</summary>
+    public unsafe struct ResidentPoints
+    {
+        [ReadOnly] internal NativeArray<ResidentCloud> Clouds;
+        [ReadOnly] internal NativeArray<ResidentNode> Nodes;
+        [ReadOnly] internal NativeArray<int> ChildrenOfNodes;
+
+        // Heaps of up to this many hits lie on the stack.
+        const int MaxOnStack = 16;
+
+        /// <summary>Finds the first point that a query asks for. Returns whether there is one.</summary>
+        public bool TryFindFirst(in PointQuery query, out PointHit hit)
+        {
+            var found = default(PickHit);
+            var heap = new HitHeap(&found, 1, false, PickHit.None);
+            Search(query, ref heap);
+            hit = heap.Totals.Count > 0 ? Describe(found) : default;
+            return heap.Totals.Count > 0;
+        }
+
+        /// <summary>Finds as many of the first points as there is room for, the first one first.</summary>
+        /// <returns>How many were found.</returns>
+        public int Find(in PointQuery query, NativeArray<PointHit> hits) =>
+            Find(query, (PointHit*)hits.GetUnsafePtr(), hits.Length);
+
+        /// <summary>Counts the points that a query asks for.</summary>
+        public long Count(in PointQuery query)
+        {
+            var heap = new HitHeap(null, 0, true, default);
+            Search(query, ref heap);
+            return heap.Totals.Matches;
+        }
+
+        internal int Find(in PointQuery query, PointHit* hits, int capacity)
+        {
+            PickHit* onStack = stackalloc PickHit[MaxOnStack];
+            var large = capacity > MaxOnStack
+                ? (PickHit*)UnsafeUtility.Malloc((long)capacity * sizeof(PickHit), 8, Allocator.TempJob) : null;
+            var heap = new HitHeap(large != null ? large : onStack, capacity, false, PickHit.None);
+            Search(query, ref heap);
+            heap.Sort();
+            for (int i = 0; i < heap.Totals.Count; i++)
+                hits[i] = Describe(heap[i]);
+            if (large != null)
+                UnsafeUtility.Free(large, Allocator.TempJob);
+            return heap.Totals.Count;
+        }
+
+        // A hit's cloud is its index in Clouds here, and its node the index in Nodes.
+        void Search(in PointQuery query, ref HitHeap hits)
+        {
+            ulong* scratch = stackalloc ulong[NodeSearch.ScratchCount];
+            var clouds = (ResidentCloud*)Clouds.GetUnsafeReadOnlyPtr();
+            var nodes = (ResidentNode*)Nodes.GetUnsafeReadOnlyPtr();
+            for (int c = 0; c < Clouds.Length; c++)
+            {
+                var search = new NodeSearch
+                {
+                    Space = new QuerySpace(query, clouds[c].Placement),
+                    Step = clouds[c].Grid.Step,
+                    RootCorner = clouds[c].RootCorner,
+                    Cloud = c,
+                };
+                Walk(clouds[c].Tree, nodes, clouds[c].FirstNode, ref search, scratch, ref hits);
+            }
+        }
+
+        // Without nodes the leaves are blocks of the node that is searched.
+        static void Walk(in BoxTree tree, ResidentNode* nodes, int firstNode, ref NodeSearch search, ulong* scratch,
+            ref HitHeap hits)
+        {
+            if (tree.LeafCount == 0)
+                return;
+            var pending = stackalloc PendingBox[BoxTree.MaxPending];
+            int count = 0;
+            Push(tree, tree.TopLevel, 0, search.Space, pending, ref count);
+            while (count > 0)
+            {
+                var next = pending[--count];
+                if (next.Distance > hits.Limit)
+                    continue;
+                if (next.Level > 0)
+                {
+                    Push(tree, next.Level - 1, next.Index * BoxTree.FanOut, search.Space, pending, ref count);
+                }
+                else if (nodes == null)
+                {
+                    search.SearchBlock(next.Index, scratch, ref hits);
+                }
+                else
+                {
+                    search.Node = firstNode + next.Index;
+                    search.Corner = nodes[search.Node].Corner;
+                    search.Positions = nodes[search.Node].Positions;
+                    Walk(nodes[search.Node].Tree, null, 0, ref search, scratch, ref hits);
+                }
+            }
+        }
+
+        // The nearest of a parent's boxes comes on top.
+        static void Push(in BoxTree tree, int level, int first, in QuerySpace space, PendingBox* pending, ref int count)
+        {
+            var boxes = tree.LevelOf(level, out int levelCount);
+            int bottom = count, end = math.min(first + BoxTree.FanOut, levelCount);
+            for (int i = first; i < end; i++)
+            {
+                double3 min = boxes[i].Min, max = boxes[i].Max;
+                if (!space.Intersects((min + max) * 0.5 + tree.Corner, (max - min) * 0.5, out double distance))
+                    continue;
+                int at = count++;
+                for (; at > bottom && pending[at - 1].Distance < distance; at--)
+                    pending[at] = pending[at - 1];
+                pending[at] = new PendingBox { Distance = distance, Level = level, Index = i };
+            }
+        }
+
+        PointHit Describe(in PickHit hit)
+        {
+            var cloud = Clouds[hit.Cloud];
+            var node = Nodes[hit.Node];
+            var from = hit.Position - cloud.RootCorner;
+            var local = new double3(from.X, from.Y, from.Z) * cloud.Grid.Step;
+            return new PointHit
+            {
+                PositionWorld = math.mul(cloud.Placement.Linear, local) + cloud.Placement.OriginWorld,
+                PositionGeo = cloud.Grid.ToGeo(hit.Position),
+                Position = hit.Position,
+                Distance = hit.Distance,
+                NormalWorld = node.NormalAt(hit.Block, hit.Index, cloud.NormalsToWorld),
+                SpacingWorld = SpacingAt(hit.Node, local) * cloud.LargestScale,
+                Cloud = cloud.Number,
+                Slot = node.Slot,
+                Version = node.Version,
+                Block = hit.Block,
+                Index = hit.Index,
+            };
+        }
+
+        // Down the nodes that are in memory and whose boxes hold the position.
+        double SpacingAt(int node, double3 local)
+        {
+            for (int child = 0; child < Nodes[node].ChildCount; child++)
+            {
+                int below = ChildrenOfNodes[Nodes[node].FirstChild + child];
+                if (!Nodes[below].Holds(local))
+                    continue;
+                node = below;
+                child = -1;
+            }
+            return Nodes[node].IsLeaf ? 0 : Nodes[node].Spacing;
+        }
+
+        struct PendingBox
+        {
+            public double Distance;
+            public int Level;
+            public int Index;
+        }
+    }
+
+    internal struct ResidentCloud
+    {
+        public int Number; // In the stream.
+        public CloudPlacement Placement;
+        public CloudGrid Grid;
+        public Grid3 RootCorner;
+        public double3x3 NormalsToWorld;
+        public double LargestScale; // World units of a CRS unit.
+        public int FirstNode;
+        public BoxTree Tree; // Of its nodes.
+    }
+
+    internal unsafe struct ResidentNode
+    {
+        public int Slot; // In the cache, with its version.
+        public int Version;
+        public PlaneView Positions;
+        public PlaneView Normals; // No words if there are none.
+        public Grid3 Corner; // From the root's.
+        public BoxTree Tree; // Of its blocks.
+        public double3 Center; // Of the box around all points from here down, in CRS units from the root's corner.
+        public double3 Half;
+        public float Spacing;
+        public bool IsLeaf;
+        public int FirstChild; // Among the children that are in memory.
+        public int ChildCount;
+
+        // What a float rounds away at the ends of the box.
+        const double Rounding = 1e-6;
+
+        public readonly bool Holds(double3 local) => math.all(math.abs(local - Center) <= Half * (1 + Rounding));
+
+        public readonly float3 NormalAt(int block, int index, in double3x3 toWorld)
+        {
+            if (Normals.Words == null)
+                return default;
+            ulong u = Normals.ValueAt(block, 0, index), v = Normals.ValueAt(block, 1, index);
+            ushort code = (ushort)(u | v << 8);
+            if (code == OctahedralNormal.None)
+                return default;
+            return (float3)math.normalize(math.mul(toWorld, (double3)OctahedralNormal.Decode(code)));
+        }
+    }
+}
