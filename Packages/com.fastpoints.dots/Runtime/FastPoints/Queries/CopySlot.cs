@@ -205,11 +205,12 @@ namespace FastPoints.Queries
                 to += from.Length;
             }
             m_isDamaged.Resize(m_parts.Length, NativeArrayOptions.ClearMemory);
-            m_job = new UploadPlanesJob { Parts = m_parts.AsArray(), IsDamaged = m_isDamaged.AsArray() }
+            var isDamaged = m_isDamaged.AsArray();
+            m_job = new UploadPlanesJob { Parts = m_parts.AsArray(), IsDamaged = isDamaged }
                 .ScheduleParallel(m_parts.Length, 1, default);
             m_job = new BuildResidentNodeJob
             {
-                IsDamaged = m_isDamaged.AsArray(),
+                IsDamaged = isDamaged,
                 Positions = m_node.PlaneOf(m_cloud, StoreLayout.PositionPlane),
                 Tree = m_node.Tree,
                 Step = m_cloud.Source.Grid.Step,

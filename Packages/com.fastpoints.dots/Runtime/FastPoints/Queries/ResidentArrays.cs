@@ -37,8 +37,8 @@ namespace FastPoints.Queries
             m_clouds.Clear();
             m_nodes.Clear();
             m_children.Clear();
+            m_nodeOfSlot.Clear();
             m_nodeOfSlot.Resize(m_stream.Cache.SlotCount, NativeArrayOptions.ClearMemory);
-            UnsafeUtility.MemClear(m_nodeOfSlot.GetUnsafePtr(), m_nodeOfSlot.Length * (long)sizeof(int));
             for (int c = 0; c < m_stream.Clouds.Count; c++)
                 if (m_stream.Clouds[c] != null && Order(c, copied) > 0)
                     AddNodes(c, copied);
@@ -63,8 +63,7 @@ namespace FastPoints.Queries
                 cloud.Placement = streamed.Placement;
                 cloud.LargestScale =
                     math.max(math.length(linear.c0), math.max(math.length(linear.c1), math.length(linear.c2)));
-                cloud.NormalsToWorld = DrawListCloud.NormalsToWorld(linear,
-                    streamed.Source.Crs.Units.MetresAt(streamed.Source.Grid.ToGeo(streamed.Source.Root.Corner), UpAxis.Z));
+                cloud.NormalsToWorld = DrawListCloud.NormalsToWorld(linear, cloud.Metres);
             }
         }
 
@@ -116,6 +115,7 @@ namespace FastPoints.Queries
                 Number = cloud,
                 Grid = streamed.Source.Grid,
                 RootCorner = streamed.Source.Root.Corner,
+                Metres = streamed.Source.Crs.Units.MetresAt(streamed.Source.Grid.ToGeo(streamed.Source.Root.Corner), UpAxis.Z),
                 FirstNode = m_nodes.Length,
                 Tree = new BoxTree { LeafCount = m_order.Length },
             });
@@ -138,7 +138,6 @@ namespace FastPoints.Queries
                     Center = stored.Center,
                     Half = stored.Half,
                     Spacing = stored.Spacing,
-                    IsLeaf = stored.ChildCount == 0 && stored.PageCount == 0,
                 });
                 m_nodeOfSlot.ElementAt(node.Slot) = m_nodes.Length;
             }
@@ -159,28 +158,37 @@ namespace FastPoints.Queries
             ref var node = ref m_nodes.ElementAt(index);
             var cached = m_stream.Cache[node.Slot];
             node.FirstChild = m_children.Length;
-            AddBelow(m_stream.Clouds[cached.Cloud].Pages, cached.Page, cached.Node);
+            node.HasAllBelow = AddBelow(m_stream.Clouds[cached.Cloud].Pages, cached.Page, cached.Node);
             node.ChildCount = m_children.Length - node.FirstChild;
         }
 
-        // Nodes that only hold others together are left out.
-        void AddBelow(HierarchyPage* pages, int page, int node)
+        // Nodes that only hold others together are left out. Returns whether none is missing.
+        bool AddBelow(HierarchyPage* pages, int page, int node)
         {
             var stored = pages[page].Nodes[node];
+            bool hasAll = true;
             for (int child = stored.FirstChild; child < stored.FirstChild + stored.ChildCount; child++)
-                AddBelowOrSelf(pages, page, child);
+                hasAll &= AddBelowOrSelf(pages, page, child);
             for (int below = stored.FirstPage; below < stored.FirstPage + stored.PageCount; below++)
+            {
+                hasAll &= pages[below].IsLoaded;
                 for (int root = 0; pages[below].IsLoaded && root < pages[below].RootCount; root++)
-                    AddBelowOrSelf(pages, below, root);
+                    hasAll &= AddBelowOrSelf(pages, below, root);
+            }
+            return hasAll;
         }
 
-        void AddBelowOrSelf(HierarchyPage* pages, int page, int node)
+        bool AddBelowOrSelf(HierarchyPage* pages, int page, int node)
         {
             int slot = pages[page].States[node].Slot;
             if (slot != NodeState.NoSlot && m_nodeOfSlot[slot] > 0)
+            {
                 m_children.Add(m_nodeOfSlot[slot] - 1);
-            else if (slot == NodeState.NoSlot && pages[page].Nodes[node].BlockCount == 0)
-                AddBelow(pages, page, node);
+                return true;
+            }
+            // The points of an inlined leaf are its parent's.
+            var stored = pages[page].Nodes[node];
+            return stored.PointCount == 0 || slot == NodeState.NoSlot && stored.BlockCount == 0 && AddBelow(pages, page, node);
         }
 
         // Returns how many boxes it has.

@@ -89,7 +89,8 @@ namespace FastPoints.Queries
             m_readers.Complete();
             foreach (var slot in m_slots)
             {
-                slot.Update(HasCloud(slot));
+                if (!HasCloud(slot))
+                    slot.Update(false);
                 slot.Dispose();
             }
             for (int i = 0; i < m_copied.Length; i++)
@@ -109,6 +110,7 @@ namespace FastPoints.Queries
         {
             bool isAny = false;
             long bytes = Bytes;
+            m_isLeaving.Clear();
             m_isLeaving.Resize(m_copied.Length, NativeArrayOptions.ClearMemory);
             for (int i = 0; i < m_copied.Length; i++)
                 if (!IsValid(m_copied[i]))

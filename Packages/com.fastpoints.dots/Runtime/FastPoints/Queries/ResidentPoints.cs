@@ -158,7 +158,7 @@ namespace FastPoints.Queries
                 node = below;
                 child = -1;
             }
-            return Nodes[node].IsLeaf ? 0 : Nodes[node].Spacing;
+            return Nodes[node].HasAllBelow ? 0 : Nodes[node].Spacing;
         }
 
         struct PendingBox
@@ -175,6 +175,7 @@ namespace FastPoints.Queries
         public CloudPlacement Placement;
         public CloudGrid Grid;
         public Grid3 RootCorner;
+        public double3 Metres; // Of a unit, along the axes of normals.
         public double3x3 NormalsToWorld;
         public double LargestScale; // World units of a CRS unit.
         public int FirstNode;
@@ -192,8 +193,8 @@ namespace FastPoints.Queries
         public double3 Center; // Of the box around all points from here down, in CRS units from the root's corner.
         public double3 Half;
         public float Spacing;
-        public bool IsLeaf;
-        public int FirstChild; // Among the children that are in memory.
+        public bool HasAllBelow; // No node directly below is missing.
+        public int FirstChild; // Among those that are in memory.
         public int ChildCount;
 
         // What a float rounds away at the ends of the box.
