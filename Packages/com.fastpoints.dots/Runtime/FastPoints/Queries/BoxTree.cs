@@ -57,7 +57,10 @@ namespace FastPoints.Queries
             {
                 var above = below + count;
                 for (int i = 0; i < count; i++)
-                    above[i >> FanOutLog2] = (i & (FanOut - 1)) == 0 ? below[i] : LocalBox.Union(above[i >> FanOutLog2], below[i]);
+                {
+                    var parent = above + (i >> FanOutLog2);
+                    *parent = (i & (FanOut - 1)) == 0 ? below[i] : LocalBox.Union(*parent, below[i]);
+                }
                 below = above;
             }
         }

@@ -7,7 +7,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Queries
 {
-    // The boxes of a node's blocks, from their descriptors, and the tree over them.
+    // The boxes of a node's blocks, and the tree over them. Descriptors allow up to twice the extent that points have, and rays
+    // would meet four times the blocks: so the largest values are looked up.
     [BurstCompile]
     internal unsafe struct BuildResidentNodeJob : IJob
     {
@@ -21,11 +22,20 @@ namespace FastPoints.Queries
             for (int plane = 0; plane < IsDamaged.Length; plane++)
                 if (IsDamaged[plane])
                     return;
-            var search = new NodeSearch { Positions = Positions, Step = Step };
+            ulong* values = stackalloc ulong[PlaneShape.MaxPointsPerBlock];
             for (int block = 0; block < Positions.BlockCount; block++)
             {
-                var center = search.BoxOf(block, out var half);
-                Tree.Boxes[block] = new LocalBox(center - half, center + half);
+                double3 min = default, max = default;
+                for (int axis = 0; axis < 3; axis++)
+                {
+                    Positions.UnpackWide(block, axis, values);
+                    ulong largest = 0;
+                    for (int i = 0; i < Positions.PointsOf(block); i++)
+                        largest = math.max(largest, values[i]);
+                    min[axis] = Positions.MinimumOf(block, axis);
+                    max[axis] = largest;
+                }
+                Tree.Boxes[block] = new LocalBox(min * Step, max * Step);
             }
             Tree.Build();
         }

@@ -12,6 +12,7 @@ namespace FastPoints.Queries
         public const int ScratchCount = 3 * PlaneShape.MaxPointsPerBlock;
 
         public QuerySpace Space;
+        public BlockFilter Filter; // Undefined without one.
         public PlaneView Positions;
         public double3 Step; // CRS units.
         public Grid3 RootCorner;
@@ -34,39 +35,61 @@ namespace FastPoints.Queries
             return ToDouble(CornerOf(block, out _)) * Step + half;
         }
 
-        public readonly void SearchBlock(int block, ulong* scratch, ref HitHeap hits)
+        public void SearchBlock(int block, ulong* scratch, ref HitHeap hits)
         {
             const int stride = PlaneShape.MaxPointsPerBlock;
             int count = Positions.PointsOf(block);
-            for (int axis = 0; axis < 3; axis++)
-                Positions.UnpackWide(block, axis, scratch + axis * stride);
-            var corner = CornerOf(block, out var min);
             // The corner's position is computed in full, and offsets from it in the cloud's own units: nothing is lost far from
             // the origin.
-            var cornerLocal = ToDouble(corner) * Step;
-            var fromOrigin = Space.FromOrigin(cornerLocal);
+            var corner = CornerOf(block, out var min);
+            var at = new BlockCorner { Block = block, Corner = corner, Local = ToDouble(corner) * Step };
+            at.FromOrigin = Space.FromOrigin(at.Local);
+            if (!Filter.IsUsed || Positions.Shape.IsWide(0))
+            {
+                for (int axis = 0; axis < 3; axis++)
+                    Positions.UnpackWide(block, axis, scratch + axis * stride);
+                for (int i = 0; i < count; i++)
+                {
+                    var position = new Grid3((long)scratch[i], (long)scratch[stride + i], (long)scratch[2 * stride + i]);
+                    Test(at, position - min, i, ref hits);
+                }
+                return;
+            }
+            uint* values = (uint*)scratch;
+            for (int axis = 0; axis < 3; axis++)
+                Positions.Unpack(block, axis, values + axis * stride);
+            uint minX = (uint)min.X, minY = (uint)min.Y, minZ = (uint)min.Z;
+            var widths = new float3(Positions.WidthOf(block, 0), Positions.WidthOf(block, 1), Positions.WidthOf(block, 2));
+            Filter.Begin(at.FromOrigin, math.exp2(widths), hits.Limit);
             for (int i = 0; i < count; i++)
             {
-                var steps = new Grid3((long)scratch[i], (long)scratch[stride + i], (long)scratch[2 * stride + i]) - min;
-                var offset = ToDouble(steps) * Step;
-                if (!Space.Holds(fromOrigin + Space.Rotate(offset), out double distance, out double rayDistanceSq) ||
-                    distance > hits.Limit)
-                    continue;
-                if (!Hidden.IsEmpty && Hidden.Has((byte)Classes.ValueAt(block, 0, i)) ||
-                    ClipCount > 0 && !LocalClip.MayKeep(Clips, ClipCount, cornerLocal + offset, 0))
-                    continue;
-                hits.Add(new PickHit
-                {
-                    Distance = distance,
-                    RayDistanceSq = rayDistanceSq,
-                    Position = RootCorner + corner + steps,
-                    Cloud = Cloud,
-                    Page = Page,
-                    Node = Node,
-                    Block = block,
-                    Index = i,
-                });
+                uint x = values[i] - minX, y = values[stride + i] - minY, z = values[2 * stride + i] - minZ;
+                if (Filter.MayHold(x, y, z))
+                    Test(at, new Grid3(x, y, z), i, ref hits);
             }
+        }
+
+        // A point so many steps from a block's corner.
+        readonly void Test(in BlockCorner at, Grid3 steps, int index, ref HitHeap hits)
+        {
+            var offset = ToDouble(steps) * Step;
+            if (!Space.Holds(at.FromOrigin + Space.Rotate(offset), out double distance, out double rayDistanceSq) ||
+                distance > hits.Limit)
+                return;
+            if (!Hidden.IsEmpty && Hidden.Has((byte)Classes.ValueAt(at.Block, 0, index)) ||
+                ClipCount > 0 && !LocalClip.MayKeep(Clips, ClipCount, at.Local + offset, 0))
+                return;
+            hits.Add(new PickHit
+            {
+                Distance = distance,
+                RayDistanceSq = rayDistanceSq,
+                Position = RootCorner + at.Corner + steps,
+                Cloud = Cloud,
+                Page = Page,
+                Node = Node,
+                Block = at.Block,
+                Index = index,
+            });
         }
 
         // Of the smallest position that a block's columns can have, from the root's corner.
@@ -78,5 +101,13 @@ namespace FastPoints.Queries
         }
 
         static double3 ToDouble(Grid3 position) => new double3(position.X, position.Y, position.Z);
+
+        struct BlockCorner
+        {
+            public int Block;
+            public Grid3 Corner; // From the root's.
+            public double3 Local;
+            public double3 FromOrigin;
+        }
     }
 }

@@ -28,6 +28,7 @@ namespace FastPoints.Queries
         public bool IsTranscoded; // Made in memory, so that there are no hashes.
 
         public QuerySpace Space;
+        public BlockFilter Filter;
         [ReadOnly] public NativeArray<LocalClip> Clips;
         public double3 Step; // CRS units.
         public Grid3 RootCorner;
@@ -48,6 +49,7 @@ namespace FastPoints.Queries
             var search = new NodeSearch
             {
                 Space = Space,
+                Filter = Filter,
                 Positions = View(Positions, PositionShape, PositionHash, out bool isValid),
                 Step = Step,
                 RootCorner = RootCorner,

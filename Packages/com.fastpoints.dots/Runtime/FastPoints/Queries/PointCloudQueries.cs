@@ -38,6 +38,9 @@ namespace FastPoints.Queries
         /// the budget.</summary>
         public bool IsComplete => m_copy != null && m_copy.IsComplete;
 
+        // Whether another frame would bring copies.
+        internal bool IsCopying => m_copy != null && m_copy.IsReading;
+
         /// <summary>What is in memory, for searches at once and in jobs; empty at first. It is valid until the next
         /// <see cref="Update"/>, unless a job that reads it was given to <see cref="AddReader"/>.</summary>
         public ResidentPoints Resident => Copy.Points;

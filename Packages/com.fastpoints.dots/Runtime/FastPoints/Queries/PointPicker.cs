@@ -185,6 +185,7 @@ namespace FastPoints.Queries
             {
                 Hidden = m_classPlane >= 0 ? m_options.HiddenClasses : default,
                 Space = m_space,
+                Filter = new BlockFilter(m_query, m_space, Source.Grid.Step),
                 Clips = clips,
                 Step = Source.Grid.Step,
                 RootCorner = Source.Root.Corner,

@@ -67,7 +67,7 @@ namespace FastPoints.Queries
             new PointQuery { OriginWorld = centerWorld, EdgesWorld = edgesWorld, Shape = QueryShape.Box };
 
         /// <summary>Radius of a ray at a distance, in world units.</summary>
-        public double RadiusAt(double distance) => Radius + RadiusPerUnit * distance;
+        public readonly double RadiusAt(double distance) => Radius + RadiusPerUnit * distance;
     }
 
     internal enum QueryShape : byte

@@ -19,7 +19,10 @@ namespace FastPoints.Queries
         double3x3 m_linear;
         double3 m_fromOrigin; // In the world, from the query's origin to the corner of the cloud's root cube.
         double3 m_originLocal;
-        double3 m_directionLocal;
+        double3 m_inverseDirection;
+        double3 m_alongAxes; // Along the ray, a unit along each of the cloud's axes.
+        readonly double m_alongCorner; // The corner of the root cube.
+        readonly double m_alongSlack;
 
         // How far a ball of radius 1 in the world reaches along each of the cloud's axes.
         double3 m_reachLocal;
@@ -39,7 +42,10 @@ namespace FastPoints.Queries
             m_fromOrigin = placement.OriginWorld - query.OriginWorld;
             var inverse = math.inverse(placement.Linear);
             m_originLocal = math.mul(inverse, -m_fromOrigin);
-            m_directionLocal = math.mul(inverse, query.DirectionWorld);
+            m_inverseDirection = 1 / math.mul(inverse, query.DirectionWorld);
+            m_alongAxes = math.mul(math.transpose(m_linear), query.DirectionWorld);
+            m_alongCorner = math.dot(m_fromOrigin, query.DirectionWorld);
+            m_alongSlack = Slack * math.csum(math.abs(m_fromOrigin));
             var rows = math.transpose(inverse);
             m_reachLocal = new double3(math.length(rows.c0), math.length(rows.c1), math.length(rows.c2));
             double x = math.length(m_linear.c0), y = math.length(m_linear.c1), z = math.length(m_linear.c2);
@@ -93,12 +99,8 @@ namespace FastPoints.Queries
 
         bool IntersectsRay(double3 center, double3 half, out double distance)
         {
-            var direction = m_query.DirectionWorld;
-            var at = FromOrigin(center);
-            double along = math.dot(at, direction);
-            double extent = math.abs(math.dot(m_linear.c0, direction)) * half.x +
-                math.abs(math.dot(m_linear.c1, direction)) * half.y + math.abs(math.dot(m_linear.c2, direction)) * half.z +
-                Slack * math.csum(math.abs(at) + math.abs(m_fromOrigin));
+            double along = math.dot(center, m_alongAxes) + m_alongCorner;
+            double extent = math.dot(math.abs(m_alongAxes), half + Slack * math.abs(center)) + m_alongSlack;
             distance = math.max(m_query.From, along - extent);
             double end = math.min(m_query.To, along + extent);
             if (!(distance <= end))
@@ -107,9 +109,9 @@ namespace FastPoints.Queries
             var from = center - m_originLocal;
             var reach = half + math.max(0, m_query.RadiusAt(end)) * m_reachLocal +
                 Slack * (math.abs(center) + math.abs(m_originLocal));
-            return Clip(from.x, reach.x, m_directionLocal.x, ref distance, ref end) &&
-                Clip(from.y, reach.y, m_directionLocal.y, ref distance, ref end) &&
-                Clip(from.z, reach.z, m_directionLocal.z, ref distance, ref end);
+            return Clip(from.x, reach.x, m_inverseDirection.x, ref distance, ref end) &&
+                Clip(from.y, reach.y, m_inverseDirection.y, ref distance, ref end) &&
+                Clip(from.z, reach.z, m_inverseDirection.z, ref distance, ref end);
         }
 
         // At most that of the box's nearest position.
@@ -123,11 +125,11 @@ namespace FastPoints.Queries
         static double3 Reach(in double3x3 toBox, double3 half) =>
             math.abs(toBox.c0) * half.x + math.abs(toBox.c1) * half.y + math.abs(toBox.c2) * half.z;
 
-        static bool Clip(double from, double reach, double direction, ref double start, ref double end)
+        static bool Clip(double from, double reach, double inverse, ref double start, ref double end)
         {
-            if (direction == 0)
+            if (double.IsInfinity(inverse))
                 return math.abs(from) <= reach;
-            double a = (from - reach) / direction, b = (from + reach) / direction;
+            double a = (from - reach) * inverse, b = (from + reach) * inverse;
             start = math.max(start, math.min(a, b));
             end = math.min(end, math.max(a, b));
             return start <= end;

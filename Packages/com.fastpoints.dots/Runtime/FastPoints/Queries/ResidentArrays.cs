@@ -92,8 +92,9 @@ namespace FastPoints.Queries
                 if (copied[i].Cloud != cloud || copied[i].BlockCount == 0)
                     continue;
                 var address = streamed.Pages[copied[i].Page].Addresses[copied[i].Node];
-                m_keys.Add((ulong)address.Level << 3 * CellBits |
-                    Morton.Encode(CellOf(address.Corner.X, shift), CellOf(address.Corner.Y, shift), CellOf(address.Corner.Z, shift)));
+                uint x = CellOf(address.Corner.X, shift), y = CellOf(address.Corner.Y, shift);
+                uint z = CellOf(address.Corner.Z, shift);
+                m_keys.Add((ulong)address.Level << 3 * CellBits | Morton.Encode(x, y, z));
                 m_order.Add((uint)i);
             }
             int count = m_keys.Length;

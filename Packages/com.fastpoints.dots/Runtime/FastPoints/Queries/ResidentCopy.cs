@@ -12,6 +12,8 @@ namespace FastPoints.Queries
     {
         const int SlotCount = 8; // Nodes that are read at the same time.
 
+        static readonly Predicate<CopySlot> s_isBusy = slot => !slot.IsIdle;
+
         readonly StreamContext m_stream;
         readonly List<CopySlot> m_slots = new List<CopySlot>();
         readonly ResidentArrays m_arrays;
@@ -41,6 +43,8 @@ namespace FastPoints.Queries
 
         // Whether all that was resident in the last frame is in the copy.
         public bool IsComplete { get; private set; }
+
+        public bool IsReading => m_slots.Exists(s_isBusy);
 
         public ResidentPoints Points => m_arrays.Points;
 
@@ -73,9 +77,10 @@ namespace FastPoints.Queries
         public bool TryRead(in PointHit hit, int plane, int column, out ulong packed)
         {
             packed = 0;
-            if (hit.Slot < 0 || hit.Slot >= m_known.Length || m_known[hit.Slot].Version != hit.Version || m_known[hit.Slot].Copied == 0)
+            var known = hit.Slot < 0 || hit.Slot >= m_known.Length ? default : m_known[hit.Slot];
+            if (known.Version != hit.Version || known.Copied == 0)
                 return false;
-            var node = m_copied[m_known[hit.Slot].Copied - 1];
+            var node = m_copied[known.Copied - 1];
             var view = node.PlaneOf(m_stream.Clouds[node.Cloud], plane);
             if (view.Words != null)
                 packed = view.ValueAt(hit.Block, column, hit.Index);

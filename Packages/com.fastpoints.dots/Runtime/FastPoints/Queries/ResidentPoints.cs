@@ -65,9 +65,11 @@ namespace FastPoints.Queries
             var nodes = (ResidentNode*)Nodes.GetUnsafeReadOnlyPtr();
             for (int c = 0; c < Clouds.Length; c++)
             {
+                var space = new QuerySpace(query, clouds[c].Placement);
                 var search = new NodeSearch
                 {
-                    Space = new QuerySpace(query, clouds[c].Placement),
+                    Space = space,
+                    Filter = new BlockFilter(query, space, clouds[c].Grid.Step),
                     Step = clouds[c].Grid.Step,
                     RootCorner = clouds[c].RootCorner,
                     Cloud = c,

@@ -62,7 +62,8 @@ namespace FastPoints.Tests.Queries
         }
 
         [Test]
-        public void Resident_AnyQueryAndPlacement_IsThatOfEveryPoint([Range(0, 2)] int placed, [Values(2_000, 1 << 30)] long budget)
+        public void Resident_AnyQueryAndPlacement_IsThatOfEveryPoint([Range(0, 2)] int placed,
+            [Values(2_000, 1 << 30)] long budget)
         {
             using var stream = new QueryTestStream(Open(), s_placements[placed], budget);
             var points = stream.Settle();

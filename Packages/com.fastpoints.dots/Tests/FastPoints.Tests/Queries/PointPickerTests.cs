@@ -179,7 +179,8 @@ namespace FastPoints.Tests.Queries
         {
             var eye = m_cloud.Geo(0) + new double3(0, 0, 1);
             var flat = new CloudPlacement(default, new double3(0, 0, 0));
-            Assert.That(PickTestCloud.Find(m_picker, PointQuery.FromEye(eye, new double3(0, 0, -1), 800, 5), flat).Point, Is.Null);
+            var wide = PointQuery.FromEye(eye, new double3(0, 0, -1), 800, 5);
+            Assert.That(PickTestCloud.Find(m_picker, wide, flat).Point, Is.Null);
             var thin = PointQuery.FromEye(eye + new double3(0.0003, 0.0003, 0), new double3(0, 0, -1), 800, 0);
             Assert.That(PickTestCloud.Find(m_picker, thin, m_geo).Point, Is.Null);
         }

@@ -71,7 +71,8 @@ namespace FastPoints.Benchmarks
                 int hit = 0;
                 foreach (int count in m_countOfRay)
                     hit += count;
-                return new WorkloadResult { Points = m_rays, Note = hit + " rays hit, " + (m_queries.Bytes >> 20) + " MiB of copies" };
+                string note = hit + " rays hit, " + (m_queries.Bytes >> 20) + " MiB of copies";
+                return new WorkloadResult { Points = m_rays, Note = note };
             }
             var found = new List<PointHit>();
             JobCoroutine.RunToEnd(m_queries.FindStored(m_rayList[m_next++ % m_rayList.Length], 1, found));
