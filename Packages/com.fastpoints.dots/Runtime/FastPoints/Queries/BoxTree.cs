@@ -26,6 +26,9 @@ namespace FastPoints.Queries
             return count;
         }
 
+        // The box around all leaves, of which there are some.
+        public readonly LocalBox All => Boxes[CountOf(LeafCount) - 1];
+
         public readonly int TopLevel
         {
             get
@@ -76,11 +79,17 @@ namespace FastPoints.Queries
         public float3 Min;
         public float3 Max;
 
-        // Rounded outwards.
-        public LocalBox(double3 min, double3 max)
+        public LocalBox(double3 min, double3 max) : this()
         {
-            Min = (float3)(min - math.abs(min) * Rounding);
-            Max = (float3)(max + math.abs(max) * Rounding);
+            for (int axis = 0; axis < 3; axis++)
+                SetAxis(axis, min[axis], max[axis]);
+        }
+
+        // Rounded outwards.
+        public void SetAxis(int axis, double min, double max)
+        {
+            Min[axis] = (float)(min - math.abs(min) * Rounding);
+            Max[axis] = (float)(max + math.abs(max) * Rounding);
         }
 
         public static LocalBox Union(in LocalBox a, in LocalBox b) =>

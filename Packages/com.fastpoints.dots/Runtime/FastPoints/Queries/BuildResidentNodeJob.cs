@@ -7,8 +7,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Queries
 {
-    // The boxes of a node's blocks, and the tree over them. Descriptors allow up to twice the extent that points have, and rays
-    // would meet four times the blocks: so the largest values are looked up.
+    // The boxes of runs of a node's points, and the tree over them. What descriptors say of blocks is up to twice as large on
+    // each axis: a ray would meet some five times the points.
     [BurstCompile]
     internal unsafe struct BuildResidentNodeJob : IJob
     {
@@ -24,20 +24,28 @@ namespace FastPoints.Queries
                     return;
             ulong* values = stackalloc ulong[PlaneShape.MaxPointsPerBlock];
             for (int block = 0; block < Positions.BlockCount; block++)
-            {
-                double3 min = default, max = default;
                 for (int axis = 0; axis < 3; axis++)
                 {
                     Positions.UnpackWide(block, axis, values);
-                    ulong largest = 0;
-                    for (int i = 0; i < Positions.PointsOf(block); i++)
-                        largest = math.max(largest, values[i]);
-                    min[axis] = Positions.MinimumOf(block, axis);
-                    max[axis] = largest;
+                    for (int run = 0; run < ResidentNode.RunsPerBlock; run++)
+                        SetAxis(ref Tree.Boxes[block * ResidentNode.RunsPerBlock + run], axis, values,
+                            run * ResidentNode.PointsPerRun, Positions.PointsOf(block));
                 }
-                Tree.Boxes[block] = new LocalBox(min * Step, max * Step);
-            }
             Tree.Build();
+        }
+
+        // A run without points lies at the block's end.
+        void SetAxis(ref LocalBox box, int axis, ulong* values, int first, int points)
+        {
+            int end = math.min(first + ResidentNode.PointsPerRun, points);
+            first = math.min(first, points - 1);
+            ulong min = values[first], max = min;
+            for (int i = first + 1; i < end; i++)
+            {
+                min = math.min(min, values[i]);
+                max = math.max(max, values[i]);
+            }
+            box.SetAxis(axis, min * Step[axis], max * Step[axis]);
         }
     }
 }

@@ -42,7 +42,7 @@ namespace FastPoints.Queries
         public long Bytes => m_phase == Phase.Idle ? 0 : m_node.Bytes;
 
         public static long BytesOf(StreamedCloud cloud, in CachedNode node) => cloud.BytesOf(node.Page, node.Node) +
-            BoxTree.CountOf(cloud.Pages[node.Page].Nodes[node.Node].BlockCount) * (long)sizeof(LocalBox);
+            CopiedNode.BytesOfTree(cloud.Pages[node.Page].Nodes[node.Node].BlockCount);
 
         // False if a transcoder is needed and all are busy.
         public bool TryBegin(StreamedCloud cloud, int slot, in CachedNode node)
@@ -169,7 +169,7 @@ namespace FastPoints.Queries
             m_phase = Phase.Ended;
             if (m_transcoder.End(out _) == TranscodeResult.Done)
             {
-                m_node.Bytes = BoxTree.CountOf(m_node.BlockCount) * (long)sizeof(LocalBox);
+                m_node.Bytes = CopiedNode.BytesOfTree(m_node.BlockCount);
                 for (int p = 0; p < m_cloud.Source.Planes.Length; p++)
                     m_node.Bytes += m_transcoder.LengthOf(p);
                 Build(UploadCheck.None);
@@ -182,7 +182,7 @@ namespace FastPoints.Queries
         void Build(UploadCheck check)
         {
             m_node.Memory = (byte*)UnsafeUtility.Malloc(Math.Max(16, m_node.Bytes), 16, Allocator.Persistent);
-            byte* to = m_node.Memory + (m_node.Bytes - BytesOfPlanes());
+            byte* to = m_node.Memory + CopiedNode.BytesOfTree(m_node.BlockCount);
             m_parts.Clear();
             for (int p = 0; p < m_cloud.Source.Planes.Length; p++)
             {
@@ -217,11 +217,9 @@ namespace FastPoints.Queries
             }.Schedule(m_job);
             m_phase = Phase.Building;
         }
-
-        long BytesOfPlanes() => m_node.Bytes - BoxTree.CountOf(m_node.BlockCount) * (long)sizeof(LocalBox);
     }
 
-    // The copy of a node: boxes of its blocks, then its streamed planes.
+    // The copy of a node: boxes of its points, then its streamed planes.
     internal unsafe struct CopiedNode
     {
         // Streamed planes beyond these cannot be read from the copy.
@@ -239,7 +237,12 @@ namespace FastPoints.Queries
 
         public readonly bool IsMade => Memory != null;
 
-        public readonly BoxTree Tree => new BoxTree { Boxes = (LocalBox*)Memory, LeafCount = BlockCount };
+        // Planes begin at multiples of 16 bytes.
+        public static long BytesOfTree(int blocks) =>
+            (BoxTree.CountOf(blocks * ResidentNode.RunsPerBlock) * (long)sizeof(LocalBox) + 15) & ~15L;
+
+        public readonly BoxTree Tree =>
+            new BoxTree { Boxes = (LocalBox*)Memory, LeafCount = BlockCount * ResidentNode.RunsPerBlock };
 
         public void SetPlane(int plane, long offset)
         {

@@ -8,7 +8,7 @@ namespace FastPoints.Queries
     // Finds the points of one node's blocks that a query asks for: the same arithmetic for what is in memory and what was read.
     internal unsafe struct NodeSearch
     {
-        // Values that SearchBlock needs room for.
+        // Values that Search needs room for.
         public const int ScratchCount = 3 * PlaneShape.MaxPointsPerBlock;
 
         public QuerySpace Space;
@@ -35,37 +35,27 @@ namespace FastPoints.Queries
             return ToDouble(CornerOf(block, out _)) * Step + half;
         }
 
-        public void SearchBlock(int block, ulong* scratch, ref HitHeap hits)
+        // Some of a block's points.
+        public void Search(int block, int first, int count, ulong* scratch, ref HitHeap hits)
         {
             const int stride = PlaneShape.MaxPointsPerBlock;
-            int count = Positions.PointsOf(block);
+            for (int axis = 0; axis < 3; axis++)
+                Positions.UnpackWide(block, axis, first, count, scratch + axis * stride);
             // The corner's position is computed in full, and offsets from it in the cloud's own units: nothing is lost far from
             // the origin.
             var corner = CornerOf(block, out var min);
             var at = new BlockCorner { Block = block, Corner = corner, Local = ToDouble(corner) * Step };
             at.FromOrigin = Space.FromOrigin(at.Local);
-            if (!Filter.IsUsed || Positions.Shape.IsWide(0))
+            if (Filter.IsUsed)
             {
-                for (int axis = 0; axis < 3; axis++)
-                    Positions.UnpackWide(block, axis, scratch + axis * stride);
-                for (int i = 0; i < count; i++)
-                {
-                    var position = new Grid3((long)scratch[i], (long)scratch[stride + i], (long)scratch[2 * stride + i]);
-                    Test(at, position - min, i, ref hits);
-                }
-                return;
+                var widths = new float3(Positions.WidthOf(block, 0), Positions.WidthOf(block, 1), Positions.WidthOf(block, 2));
+                Filter.Begin(at.FromOrigin, math.exp2(widths), hits.Limit);
             }
-            uint* values = (uint*)scratch;
-            for (int axis = 0; axis < 3; axis++)
-                Positions.Unpack(block, axis, values + axis * stride);
-            uint minX = (uint)min.X, minY = (uint)min.Y, minZ = (uint)min.Z;
-            var widths = new float3(Positions.WidthOf(block, 0), Positions.WidthOf(block, 1), Positions.WidthOf(block, 2));
-            Filter.Begin(at.FromOrigin, math.exp2(widths), hits.Limit);
             for (int i = 0; i < count; i++)
             {
-                uint x = values[i] - minX, y = values[stride + i] - minY, z = values[2 * stride + i] - minZ;
-                if (Filter.MayHold(x, y, z))
-                    Test(at, new Grid3(x, y, z), i, ref hits);
+                var steps = new Grid3((long)scratch[i], (long)scratch[stride + i], (long)scratch[2 * stride + i]) - min;
+                if (!Filter.IsUsed || Filter.MayHold(steps.X, steps.Y, steps.Z))
+                    Test(at, steps, first + i, ref hits);
             }
         }
 

@@ -71,7 +71,7 @@ namespace FastPoints.Queries
             ulong* scratch = stackalloc ulong[NodeSearch.ScratchCount];
             for (int block = 0; block < BlockCount; block++)
                 if (Space.Intersects(search.BoxOf(block, out var half), half, out double distance) && distance <= hits.Limit)
-                    search.SearchBlock(block, scratch, ref hits);
+                    search.Search(block, 0, search.Positions.PointsOf(block), scratch, ref hits);
             Totals.Value = hits.Totals;
         }
 

@@ -18,14 +18,9 @@ namespace FastPoints.Queries
         PointQuery m_query;
         double3x3 m_linear;
         double3 m_fromOrigin; // In the world, from the query's origin to the corner of the cloud's root cube.
-        double3 m_originLocal;
+        RayLocal m_local;
         double3 m_inverseDirection;
-        double3 m_alongAxes; // Along the ray, a unit along each of the cloud's axes.
-        readonly double m_alongCorner; // The corner of the root cube.
         readonly double m_alongSlack;
-
-        // How far a ball of radius 1 in the world reaches along each of the cloud's axes.
-        double3 m_reachLocal;
 
         // World lengths of the cloud's axes if they are at right angles; otherwise 0.
         double3 m_axisWorld;
@@ -41,13 +36,17 @@ namespace FastPoints.Queries
             m_linear = placement.Linear;
             m_fromOrigin = placement.OriginWorld - query.OriginWorld;
             var inverse = math.inverse(placement.Linear);
-            m_originLocal = math.mul(inverse, -m_fromOrigin);
-            m_inverseDirection = 1 / math.mul(inverse, query.DirectionWorld);
-            m_alongAxes = math.mul(math.transpose(m_linear), query.DirectionWorld);
-            m_alongCorner = math.dot(m_fromOrigin, query.DirectionWorld);
-            m_alongSlack = Slack * math.csum(math.abs(m_fromOrigin));
             var rows = math.transpose(inverse);
-            m_reachLocal = new double3(math.length(rows.c0), math.length(rows.c1), math.length(rows.c2));
+            m_local = new RayLocal
+            {
+                Origin = math.mul(inverse, -m_fromOrigin),
+                Direction = math.mul(inverse, query.DirectionWorld),
+                Reach = new double3(math.length(rows.c0), math.length(rows.c1), math.length(rows.c2)),
+                AlongAxes = math.mul(math.transpose(m_linear), query.DirectionWorld),
+                AlongCorner = math.dot(m_fromOrigin, query.DirectionWorld),
+            };
+            m_inverseDirection = 1 / m_local.Direction;
+            m_alongSlack = Slack * math.csum(math.abs(m_fromOrigin));
             double x = math.length(m_linear.c0), y = math.length(m_linear.c1), z = math.length(m_linear.c2);
             bool isRight = math.abs(math.dot(m_linear.c0, m_linear.c1)) <= RightAngle * x * y &&
                 math.abs(math.dot(m_linear.c0, m_linear.c2)) <= RightAngle * x * z &&
@@ -59,6 +58,10 @@ namespace FastPoints.Queries
             m_localToBox = math.mul(m_toBox, m_linear);
             m_halfBox = 0.5 + Reach(m_toBox, Rounding * (math.abs(query.OriginWorld) + math.abs(m_fromOrigin)));
         }
+
+        public bool IsRay => m_query.Shape == QueryShape.Ray;
+
+        public RayBoxes BoxesOf(in BoxTree tree) => new RayBoxes(m_query, m_local, tree.Corner, tree.All);
 
         // From CRS units from the corner of the root cube to the world, relative to the query's origin.
         public double3 FromOrigin(double3 local) => math.mul(m_linear, local) + m_fromOrigin;
@@ -99,16 +102,16 @@ namespace FastPoints.Queries
 
         bool IntersectsRay(double3 center, double3 half, out double distance)
         {
-            double along = math.dot(center, m_alongAxes) + m_alongCorner;
-            double extent = math.dot(math.abs(m_alongAxes), half + Slack * math.abs(center)) + m_alongSlack;
+            double along = math.dot(center, m_local.AlongAxes) + m_local.AlongCorner;
+            double extent = math.dot(math.abs(m_local.AlongAxes), half + Slack * math.abs(center)) + m_alongSlack;
             distance = math.max(m_query.From, along - extent);
             double end = math.min(m_query.To, along + extent);
             if (!(distance <= end))
                 return false;
             // A hit's foot on the ray is no farther from it than the largest radius: the slabs are thicker by that much.
-            var from = center - m_originLocal;
-            var reach = half + math.max(0, m_query.RadiusAt(end)) * m_reachLocal +
-                Slack * (math.abs(center) + math.abs(m_originLocal));
+            var from = center - m_local.Origin;
+            var reach = half + math.max(0, m_query.RadiusAt(end)) * m_local.Reach +
+                Slack * (math.abs(center) + math.abs(m_local.Origin));
             return Clip(from.x, reach.x, m_inverseDirection.x, ref distance, ref end) &&
                 Clip(from.y, reach.y, m_inverseDirection.y, ref distance, ref end) &&
                 Clip(from.z, reach.z, m_inverseDirection.z, ref distance, ref end);
@@ -117,9 +120,9 @@ namespace FastPoints.Queries
         // At most that of the box's nearest position.
         double DistanceTo(double3 center, double3 half)
         {
-            var slack = Slack * (math.abs(center) + math.abs(m_originLocal));
-            var outside = math.max(0, math.abs(center - m_originLocal) - half - slack);
-            return m_axisWorld.x > 0 ? math.length(outside * m_axisWorld) : math.cmax(outside / m_reachLocal);
+            var slack = Slack * (math.abs(center) + math.abs(m_local.Origin));
+            var outside = math.max(0, math.abs(center - m_local.Origin) - half - slack);
+            return m_axisWorld.x > 0 ? math.length(outside * m_axisWorld) : math.cmax(outside / m_local.Reach);
         }
 
         static double3 Reach(in double3x3 toBox, double3 half) =>

@@ -199,7 +199,7 @@ namespace FastPoints.Queries
             for (int n = 0; n < cloud.Tree.LeafCount; n++)
             {
                 var tree = m_nodes[cloud.FirstNode + n].Tree;
-                var box = tree.Boxes[BoxTree.CountOf(tree.LeafCount) - 1];
+                var box = tree.All;
                 boxes[n] = new LocalBox(tree.Corner + (double3)box.Min, tree.Corner + (double3)box.Max);
             }
             cloud.Tree.Build();

@@ -78,27 +78,30 @@ namespace FastPoints.Queries
             }
         }
 
-        // Without nodes the leaves are blocks of the node that is searched.
+        // Without nodes the leaves are runs of points of the node that is searched.
         static void Walk(in BoxTree tree, ResidentNode* nodes, int firstNode, ref NodeSearch search, ulong* scratch,
             ref HitHeap hits)
         {
             if (tree.LeafCount == 0)
                 return;
-            var pending = stackalloc PendingBox[BoxTree.MaxPending];
-            int count = 0;
-            Push(tree, tree.TopLevel, 0, search.Space, pending, ref count);
-            while (count > 0)
+            var items = stackalloc PendingBox[BoxTree.MaxPending];
+            var pending = new PendingBoxes { Items = items, Rays = search.Space.IsRay ? search.Space.BoxesOf(tree) : default };
+            pending.Push(tree, tree.TopLevel, 0, search.Space);
+            while (pending.Count > 0)
             {
-                var next = pending[--count];
+                var next = items[--pending.Count];
                 if (next.Distance > hits.Limit)
                     continue;
                 if (next.Level > 0)
                 {
-                    Push(tree, next.Level - 1, next.Index * BoxTree.FanOut, search.Space, pending, ref count);
+                    pending.Push(tree, next.Level - 1, next.Index * BoxTree.FanOut, search.Space);
                 }
                 else if (nodes == null)
                 {
-                    search.SearchBlock(next.Index, scratch, ref hits);
+                    int block = next.Index / ResidentNode.RunsPerBlock;
+                    int first = next.Index % ResidentNode.RunsPerBlock * ResidentNode.PointsPerRun;
+                    search.Search(block, first, math.min(ResidentNode.PointsPerRun, search.Positions.PointsOf(block) - first),
+                        scratch, ref hits);
                 }
                 else
                 {
@@ -107,23 +110,6 @@ namespace FastPoints.Queries
                     search.Positions = nodes[search.Node].Positions;
                     Walk(nodes[search.Node].Tree, null, 0, ref search, scratch, ref hits);
                 }
-            }
-        }
-
-        // The nearest of a parent's boxes comes on top.
-        static void Push(in BoxTree tree, int level, int first, in QuerySpace space, PendingBox* pending, ref int count)
-        {
-            var boxes = tree.LevelOf(level, out int levelCount);
-            int bottom = count, end = math.min(first + BoxTree.FanOut, levelCount);
-            for (int i = first; i < end; i++)
-            {
-                double3 min = boxes[i].Min, max = boxes[i].Max;
-                if (!space.Intersects((min + max) * 0.5 + tree.Corner, (max - min) * 0.5, out double distance))
-                    continue;
-                int at = count++;
-                for (; at > bottom && pending[at - 1].Distance < distance; at--)
-                    pending[at] = pending[at - 1];
-                pending[at] = new PendingBox { Distance = distance, Level = level, Index = i };
             }
         }
 
@@ -169,6 +155,37 @@ namespace FastPoints.Queries
             public int Level;
             public int Index;
         }
+
+        struct PendingBoxes
+        {
+            [NativeDisableUnsafePtrRestriction] public PendingBox* Items;
+            public RayBoxes Rays;
+            public int Count;
+
+            // The nearest of a parent's boxes comes on top.
+            public void Push(in BoxTree tree, int level, int first, in QuerySpace space)
+            {
+                var boxes = tree.LevelOf(level, out int levelCount);
+                int bottom = Count, end = math.min(first + BoxTree.FanOut, levelCount);
+                bool isRay = space.IsRay;
+                for (int i = first; i < end; i++)
+                {
+                    if (!(isRay ? Rays.Intersects(boxes[i], out double distance)
+                        : Intersects(boxes[i], tree, space, out distance)))
+                        continue;
+                    int at = Count++;
+                    for (; at > bottom && Items[at - 1].Distance < distance; at--)
+                        Items[at] = Items[at - 1];
+                    Items[at] = new PendingBox { Distance = distance, Level = level, Index = i };
+                }
+            }
+
+            static bool Intersects(in LocalBox box, in BoxTree tree, in QuerySpace space, out double distance)
+            {
+                double3 min = box.Min, max = box.Max;
+                return space.Intersects((min + max) * 0.5 + tree.Corner, (max - min) * 0.5, out distance);
+            }
+        }
     }
 
     internal struct ResidentCloud
@@ -191,13 +208,17 @@ namespace FastPoints.Queries
         public PlaneView Positions;
         public PlaneView Normals; // No words if there are none.
         public Grid3 Corner; // From the root's.
-        public BoxTree Tree; // Of its blocks.
+        public BoxTree Tree; // Of runs of its points.
         public double3 Center; // Of the box around all points from here down, in CRS units from the root's corner.
         public double3 Half;
         public float Spacing;
         public bool HasAllBelow; // No node directly below is missing.
         public int FirstChild; // Among those that are in memory.
         public int ChildCount;
+
+        // A block's points are in Morton order, so that a part of them lies close together.
+        public const int PointsPerRun = PlaneShape.MaxPointsPerBlock / RunsPerBlock;
+        public const int RunsPerBlock = BoxTree.FanOut;
 
         // What a float rounds away at the ends of the box.
         const double Rounding = 1e-6;

@@ -100,14 +100,11 @@ namespace FastPoints.Store
                     values[i] = minimum;
                 return;
             }
+            byte* bytes = (byte*)words;
             uint mask = width == 32 ? uint.MaxValue : (1u << width) - 1;
             int bit = 0;
-            // Word by word: see OffsetAt.
             for (int i = 0; i < count; i++, bit += width)
-            {
-                uint* at = words + (bit >> 5);
-                values[i] = minimum + ((uint)((at[0] | (ulong)at[1] << 32) >> (bit & 31)) & mask);
-            }
+                values[i] = minimum + ((uint)(*(ulong*)(bytes + (bit >> 3)) >> (bit & 7)) & mask);
         }
 
         /// <summary>Reads a whole column of up to 64 bits.</summary>

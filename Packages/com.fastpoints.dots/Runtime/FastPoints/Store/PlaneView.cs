@@ -40,6 +40,16 @@ namespace FastPoints.Store
             BlockCodec.UnpackWide(Packed(block, column), MinimumOf(block, column), PointsOf(block), WidthOf(block, column),
                 values);
 
+        // Some of the values.
+        public void UnpackWide(int block, int column, int first, int count, ulong* values)
+        {
+            uint* words = Packed(block, column);
+            ulong minimum = MinimumOf(block, column);
+            int width = WidthOf(block, column);
+            for (int i = 0; i < count; i++)
+                values[i] = BlockCodec.ValueAt(words, minimum, width, first + i);
+        }
+
         public ulong ValueAt(int block, int column, int index) =>
             BlockCodec.ValueAt(Packed(block, column), MinimumOf(block, column), WidthOf(block, column), index);
 
