@@ -14,6 +14,7 @@ namespace FastPoints.Queries
         readonly float3 m_x; // A step along each of the cloud's axes, so seen.
         readonly float3 m_y;
         readonly float3 m_z;
+        readonly float m_radiusPerUnit;
         float3 m_corner; // Of the block, from the ray at its distance.
         float m_radius;
         float m_near;
@@ -23,6 +24,7 @@ namespace FastPoints.Queries
         {
             IsUsed = query.Shape == QueryShape.Ray;
             m_ray = query;
+            m_radiusPerUnit = (float)query.RadiusPerUnit;
             var along = query.DirectionWorld;
             var other = math.abs(along.x) < 0.6 ? new double3(1, 0, 0) : new double3(0, 1, 0);
             var across = math.normalize(math.cross(along, other));
@@ -51,9 +53,11 @@ namespace FastPoints.Queries
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public readonly bool MayHold(float x, float y, float z)
         {
-            var at = m_corner + m_x * x + m_y * y + m_z * z;
-            float radius = m_radius + (float)m_ray.RadiusPerUnit * at.z;
-            return at.x * at.x + at.y * at.y <= radius * radius && at.z <= m_far && at.z >= m_near;
+            float across = m_corner.x + m_x.x * x + m_y.x * y + m_z.x * z;
+            float above = m_corner.y + m_x.y * x + m_y.y * y + m_z.y * z;
+            float along = m_x.z * x + m_y.z * y + m_z.z * z;
+            float radius = m_radius + m_radiusPerUnit * along;
+            return across * across + above * above <= radius * radius && along <= m_far && along >= m_near;
         }
     }
 }

@@ -28,7 +28,8 @@ namespace FastPoints.Queries
         public readonly double Limit
         {
             [MethodImpl(MethodImplOptions.AggressiveInlining)]
-            get => m_countsAll ? double.PositiveInfinity : Last.Distance;
+            get => m_countsAll ? double.PositiveInfinity : m_capacity == 0 ? 0
+                : Totals.Count < m_capacity ? m_bound.Distance : m_items[0].Distance;
         }
 
         // The hit that others must come before.

@@ -48,8 +48,8 @@ namespace FastPoints.Queries
             at.FromOrigin = Space.FromOrigin(at.Local);
             if (Filter.IsUsed)
             {
-                var widths = new float3(Positions.WidthOf(block, 0), Positions.WidthOf(block, 1), Positions.WidthOf(block, 2));
-                Filter.Begin(at.FromOrigin, math.exp2(widths), hits.Limit);
+                var extent = new float3(ExtentOf(block, 0), ExtentOf(block, 1), ExtentOf(block, 2));
+                Filter.Begin(at.FromOrigin, extent, hits.Limit);
             }
             for (int i = 0; i < count; i++)
             {
@@ -81,6 +81,9 @@ namespace FastPoints.Queries
                 Index = index,
             });
         }
+
+        // In steps, at most.
+        readonly float ExtentOf(int block, int axis) => math.asfloat((127u + (uint)Positions.WidthOf(block, axis)) << 23);
 
         // Of the smallest position that a block's columns can have, from the root's corner.
         readonly Grid3 CornerOf(int block, out Grid3 min)

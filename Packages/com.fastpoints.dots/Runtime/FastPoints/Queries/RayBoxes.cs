@@ -16,7 +16,9 @@ namespace FastPoints.Queries
         readonly double m_base; // Distance from which the others count.
         readonly float3 m_origin; // From the tree's corner, in CRS units.
         readonly float3 m_inverse;
+        readonly float3 m_absInverse;
         readonly float3 m_alongAxes;
+        readonly float3 m_absAlong;
         readonly float3 m_reach; // Of a world unit.
         readonly float3 m_slack;
         readonly float m_alongSlack;
@@ -33,7 +35,9 @@ namespace FastPoints.Queries
             var largest = math.max(math.abs(min), math.abs(max)) + math.abs(origin);
             m_origin = (float3)origin;
             m_inverse = (float3)math.clamp(1 / local.Direction, -LargestInverse, LargestInverse);
+            m_absInverse = math.abs(m_inverse);
             m_alongAxes = (float3)local.AlongAxes;
+            m_absAlong = math.abs(m_alongAxes);
             m_reach = (float3)local.Reach;
             double radius = ray.RadiusAt(m_base);
             double3 slack = Rounding * (largest + math.abs(radius) * local.Reach);
@@ -45,18 +49,36 @@ namespace FastPoints.Queries
             m_far = (float)(ray.To - m_base) + m_alongSlack;
         }
 
+        // Axis by axis, which compilers without vectors of three make faster code of.
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public bool Intersects(in LocalBox box, out double distance)
         {
-            float3 half = (box.Max - box.Min) * 0.5f + m_slack, from = (box.Max + box.Min) * 0.5f - m_origin;
+            float halfX = (box.Max.x - box.Min.x) * 0.5f + m_slack.x, x = (box.Max.x + box.Min.x) * 0.5f - m_origin.x;
+            float halfY = (box.Max.y - box.Min.y) * 0.5f + m_slack.y, y = (box.Max.y + box.Min.y) * 0.5f - m_origin.y;
+            float halfZ = (box.Max.z - box.Min.z) * 0.5f + m_slack.z, z = (box.Max.z + box.Min.z) * 0.5f - m_origin.z;
             // The ray's origin here is at distance 0, and a step of its direction is one.
-            float along = math.dot(from, m_alongAxes), extent = math.dot(math.abs(m_alongAxes), half) + m_alongSlack;
-            float start = math.max(m_near, along - extent), end = math.min(m_far, along + extent);
-            float radius = math.max(0, m_radius + math.max(m_radiusPerUnit * start, m_radiusPerUnit * end));
-            float3 middle = from * m_inverse, reach = (half + radius * m_reach) * math.abs(m_inverse);
-            start = math.max(start, math.cmax(middle - reach));
+            float along = x * m_alongAxes.x + y * m_alongAxes.y + z * m_alongAxes.z;
+            float extent = halfX * m_absAlong.x + halfY * m_absAlong.y + halfZ * m_absAlong.z + m_alongSlack;
+            float start = along - extent, end = along + extent;
+            start = start > m_near ? start : m_near;
+            end = end < m_far ? end : m_far;
             distance = m_base + start;
-            return start <= math.min(end, math.cmin(middle + reach));
+            if (!(start <= end))
+                return false;
+            float radius = m_radius + m_radiusPerUnit * (m_radiusPerUnit > 0 ? end : start);
+            radius = radius > 0 ? radius : 0;
+            return Clip(x * m_inverse.x, (halfX + radius * m_reach.x) * m_absInverse.x, ref start, ref end) &&
+                Clip(y * m_inverse.y, (halfY + radius * m_reach.y) * m_absInverse.y, ref start, ref end) &&
+                Clip(z * m_inverse.z, (halfZ + radius * m_reach.z) * m_absInverse.z, ref start, ref end);
+        }
+
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        static bool Clip(float middle, float reach, ref float start, ref float end)
+        {
+            float low = middle - reach, high = middle + reach;
+            start = low > start ? low : start;
+            end = high < end ? high : end;
+            return start <= end;
         }
     }
 

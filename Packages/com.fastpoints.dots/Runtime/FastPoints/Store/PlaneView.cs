@@ -46,8 +46,7 @@ namespace FastPoints.Store
             uint* words = Packed(block, column);
             ulong minimum = MinimumOf(block, column);
             int width = WidthOf(block, column);
-            for (int i = 0; i < count; i++)
-                values[i] = BlockCodec.ValueAt(words, minimum, width, first + i);
+            BlockCodec.UnpackWide(words, minimum, first, count, width, values);
         }
 
         public ulong ValueAt(int block, int column, int index) =>
