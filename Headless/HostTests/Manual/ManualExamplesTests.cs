@@ -28,8 +28,9 @@ public sealed class ManualExamplesTests
     {
         string code = string.Concat(ManualPage.All().SelectMany(Examples).Select(e => e.Code));
 
-        Assert.That(ManualPage.Of("api.md").TableUnder("## Where to begin").Select(r => ManualPage.Code(r[1]).First().Split('.')[0])
-            .Where(n => !Regex.IsMatch(code, @"\b" + n + @"\b")), Is.Empty);
+        Assert.That(ManualPage.Of("api.md").TableUnder("## Where to begin")
+            .Select(r => ManualPage.Code(r[1]).First().Split('.')[0]).Where(n => !Regex.IsMatch(code, @"\b" + n + @"\b")),
+            Is.Empty);
     }
 
     [Test]

@@ -74,19 +74,16 @@ namespace FastPoints.Queries
                     RootCorner = clouds[c].RootCorner,
                     Cloud = c,
                 };
-                Walk(clouds[c].Tree, nodes, clouds[c].FirstNode, ref search, scratch, ref hits);
+                Walk(clouds[c], nodes, ref search, scratch, ref hits);
             }
         }
 
-        // Without nodes the leaves are runs of points of the node that is searched.
-        static void Walk(in BoxTree tree, ResidentNode* nodes, int firstNode, ref NodeSearch search, ulong* scratch,
-            ref HitHeap hits)
+        // From the nearest box on: the cloud's leaves are nodes, those of a node are runs of its points.
+        static void Walk(in ResidentCloud cloud, ResidentNode* nodes, ref NodeSearch search, ulong* scratch, ref HitHeap hits)
         {
-            if (tree.LeafCount == 0)
-                return;
-            var items = stackalloc PendingBox[BoxTree.MaxPending];
-            var pending = new PendingBoxes { Items = items, Rays = search.Space.IsRay ? search.Space.BoxesOf(tree) : default };
-            pending.Push(tree, tree.TopLevel, 0, search.Space);
+            var items = stackalloc PendingBox[2 * BoxTree.MaxPending];
+            var pending = new PendingBoxes { Items = items };
+            pending.Begin(cloud.Tree, PendingBox.NoNode, search.Space);
             while (pending.Count > 0)
             {
                 var next = items[--pending.Count];
@@ -94,21 +91,22 @@ namespace FastPoints.Queries
                     continue;
                 if (next.Level > 0)
                 {
-                    pending.Push(tree, next.Level - 1, next.Index * BoxTree.FanOut, search.Space);
+                    var tree = next.Node < 0 ? cloud.Tree : nodes[next.Node].Tree;
+                    pending.Push(tree, next.Node, next.Level - 1, next.Index * BoxTree.FanOut, search.Space);
                 }
-                else if (nodes == null)
+                else if (next.Node < 0)
                 {
-                    int block = next.Index / ResidentNode.RunsPerBlock;
-                    int first = next.Index % ResidentNode.RunsPerBlock * ResidentNode.PointsPerRun;
-                    search.Search(block, first, math.min(ResidentNode.PointsPerRun, search.Positions.PointsOf(block) - first),
-                        scratch, ref hits);
+                    search.Node = cloud.FirstNode + next.Index;
+                    search.Corner = nodes[search.Node].Corner;
+                    search.Positions = nodes[search.Node].Positions;
+                    pending.Begin(nodes[search.Node].Tree, search.Node, search.Space);
                 }
                 else
                 {
-                    search.Node = firstNode + next.Index;
-                    search.Corner = nodes[search.Node].Corner;
-                    search.Positions = nodes[search.Node].Positions;
-                    Walk(nodes[search.Node].Tree, null, 0, ref search, scratch, ref hits);
+                    int block = next.Index / ResidentNode.RunsPerBlock;
+                    int first = next.Index % ResidentNode.RunsPerBlock * ResidentNode.PointsPerRun;
+                    int count = math.min(ResidentNode.PointsPerRun, search.Positions.PointsOf(block) - first);
+                    search.Search(block, first, count, scratch, ref hits);
                 }
             }
         }
@@ -151,32 +149,50 @@ namespace FastPoints.Queries
 
         struct PendingBox
         {
+            public const int NoNode = -1;
             public double Distance;
+            public int Node; // Or none, of the tree over nodes.
             public int Level;
             public int Index;
         }
 
+        // Those of the node that is searched lie above those of the tree over nodes.
         struct PendingBoxes
         {
             [NativeDisableUnsafePtrRestriction] public PendingBox* Items;
-            public RayBoxes Rays;
             public int Count;
+            RayBoxes m_raysOfCloud;
+            RayBoxes m_raysOfNode;
+
+            public void Begin(in BoxTree tree, int node, in QuerySpace space)
+            {
+                if (tree.LeafCount == 0)
+                    return;
+                if (space.IsRay && node < 0)
+                    m_raysOfCloud = space.BoxesOf(tree);
+                else if (space.IsRay)
+                    m_raysOfNode = space.BoxesOf(tree);
+                Push(tree, node, tree.TopLevel, 0, space);
+            }
 
             // The nearest of a parent's boxes comes on top.
-            public void Push(in BoxTree tree, int level, int first, in QuerySpace space)
+            public void Push(in BoxTree tree, int node, int level, int first, in QuerySpace space)
             {
                 var boxes = tree.LevelOf(level, out int levelCount);
                 int bottom = Count, end = math.min(first + BoxTree.FanOut, levelCount);
                 bool isRay = space.IsRay;
                 for (int i = first; i < end; i++)
                 {
-                    if (!(isRay ? Rays.Intersects(boxes[i], out double distance)
-                        : Intersects(boxes[i], tree, space, out distance)))
+                    double distance;
+                    bool intersects = !isRay ? Intersects(boxes[i], tree, space, out distance)
+                        : node < 0 ? m_raysOfCloud.Intersects(boxes[i], out distance)
+                        : m_raysOfNode.Intersects(boxes[i], out distance);
+                    if (!intersects)
                         continue;
                     int at = Count++;
                     for (; at > bottom && Items[at - 1].Distance < distance; at--)
                         Items[at] = Items[at - 1];
-                    Items[at] = new PendingBox { Distance = distance, Level = level, Index = i };
+                    Items[at] = new PendingBox { Distance = distance, Node = node, Level = level, Index = i };
                 }
             }
 
