@@ -134,6 +134,8 @@ namespace FastPoints.Queries
 
         public unsafe void Abandon()
         {
+            if (!m_totals.IsCreated)
+                return;
             Done.Complete();
             m_first.Abandon();
             m_classes.Abandon();

@@ -153,7 +153,8 @@ namespace FastPoints.Queries
 
         void Return(int kept)
         {
-            if (kept < 0)
+            // All have ended with the stream.
+            if (kept < 0 || kept >= m_pickers.Count)
                 return;
             m_pickers[kept].Picker.ReleaseTables();
             SetRented(kept, false);

@@ -8,6 +8,7 @@ using FastPoints.Sources;
 using FastPoints.Store;
 using FastPoints.Streaming;
 using FastPoints.Tests.Nodes;
+using FastPoints.Tests.Sources;
 using FastPoints.Tests.Streaming;
 using NUnit.Framework;
 using Unity.Collections;
@@ -87,6 +88,23 @@ namespace FastPoints.Tests.Queries
                 Assert.That(worlds.Min(world => math.distance(world, first.PositionWorld)), Is.LessThan(1e-8));
             }
             Assert.That(found, Is.InRange(30, 71), "some find points and some do not");
+        }
+
+        [Test]
+        public void Resident_CloudThatIsTranscoded_IsThatOfEveryPoint()
+        {
+            using var cloud = new TreeTestCloud(TreeTestCloud.Copc);
+            using var stream = new QueryTestStream(cloud.Open());
+            var points = stream.Settle();
+            var worlds = stream.Resident().Select(point => point.World).ToArray();
+            Assert.That(worlds.Length, Is.GreaterThan(1000));
+            foreach (var query in QueriesAround(worlds, 1, 6, 5))
+            {
+                var wanted = QueryTestStream.Distances(query, worlds);
+                QueryTestStream.Check(QueryTestStream.Find(points, query, 9), wanted, 9, 1e-6, query.Shape.ToString());
+                Assert.That(points.Count(query), Is.EqualTo(wanted.Length), query.Shape.ToString());
+            }
+            Assert.That(stream.CountStored(PointQuery.Nearest(worlds[0])), Is.EqualTo(worlds.Length));
         }
 
         [Test]
@@ -235,6 +253,9 @@ namespace FastPoints.Tests.Queries
                     new List<PointHit>()));
                 for (int tick = 0; tick < frames; tick++)
                     search.Tick(0.01);
+                // Also after its world has ended.
+                if (frames % 2 == 1)
+                    stream.Queries.Dispose();
                 search.Cancel();
             }
             Assert.That(UnsafeUtility.CheckForLeaks(), Is.Zero);
