@@ -56,15 +56,15 @@ public sealed class MeasureTests : ScratchTests
         return new double3(100 + 2 * space.z, 50 + 2 * space.y, -30 - 2 * space.x);
     }
 
-    PickRay Down(double east = 0)
+    PointQuery Down(double east = 0)
     {
         var bounds = m_folder.Manifest.BoundsGeo;
         var above = WorldOf(new double3(bounds.Center.xy + new double2(east, 0), bounds.Max.z + 10));
         // The scan is a thin one: wide enough to hit something anywhere.
-        return PickRay.FromEye(above, new double3(0, -1, 0), 100, 100);
+        return PointQuery.FromEye(above, new double3(0, -1, 0), 100, 100);
     }
 
-    StreamPick Find(ScenePicker picker, PickRay ray)
+    StreamPick Find(ScenePicker picker, PointQuery ray)
     {
         Assert.That(picker.Begin(ray), Is.True);
         Frames(() => picker.Update());
@@ -107,7 +107,7 @@ public sealed class MeasureTests : ScratchTests
             Assert.That(IsShown(), Is.False, "it is opened again");
             Frames(IsShown);
             var bounds = m_folder.Manifest.BoundsGeo;
-            from = Find(picker, PickRay.FromEye(WorldOf(new double3(bounds.Max.x + 10, bounds.Center.y, bounds.Center.z)),
+            from = Find(picker, PointQuery.FromEye(WorldOf(new double3(bounds.Max.x + 10, bounds.Center.y, bounds.Center.z)),
                 new double3(0, -1, 0), 100, 100));
 
             var set = new Measurement(from, to);
@@ -335,7 +335,7 @@ public sealed class MeasureTests : ScratchTests
             Assert.That(tool.Session.Lines[0], Is.EqualTo("From"));
             Assert.That(tool.Session.Text, Does.Contain("Intensity"));
             Click(60);
-            var measured = new FastPoints.Picking.Measurement(tool.Session.Picks[0], tool.Session.Picks[1]);
+            var measured = new FastPoints.Queries.Measurement(tool.Session.Picks[0], tool.Session.Picks[1]);
             Assert.That(measured.DeltaGeo.x, Is.EqualTo(60).Within(40));
             Assert.That(measured.WorldLength, Is.EqualTo(2 * measured.LengthGeo).Within(1e-5), "the scene is twice as large");
             Assert.That(tool.Session.Lines[0], Does.StartWith("Distance  "));

@@ -29,7 +29,7 @@ public sealed class RoomOrderTests
         Assert.That(RoomOrder.CheckSource(assembly, path, text), Is.Empty);
 
     [TestCase("FastPoints", "Core/A.cs", "using FastPoints.Store;\nnamespace FastPoints { }", "uses FastPoints.Store")]
-    [TestCase("FastPoints", "Picking/A.cs", "namespace FastPoints.Picking { class A : FastPoints.Reading.B { } }",
+    [TestCase("FastPoints", "Queries/A.cs", "namespace FastPoints.Queries { class A : FastPoints.Reading.B { } }",
         "uses FastPoints.Reading")]
     [TestCase("FastPoints.Import", "Reading/A.cs", "using FastPoints.Nodes;\nnamespace FastPoints.Reading { }",
         "comes after Reading")]
@@ -45,14 +45,14 @@ public sealed class RoomOrderTests
         using AssemblyDefinition planted = AssemblyDefinition.CreateAssembly(
             new AssemblyNameDefinition("FastPoints", new System.Version(1, 0)), "FastPoints", ModuleKind.Dll);
         ModuleDefinition module = planted.MainModule;
-        var late = new TypeDefinition("FastPoints.Picking", "Late", TypeAttributes.Public, module.TypeSystem.Object);
+        var late = new TypeDefinition("FastPoints.Queries", "Late", TypeAttributes.Public, module.TypeSystem.Object);
         var early = new TypeDefinition("FastPoints", "Early", TypeAttributes.Public, module.TypeSystem.Object);
         early.Fields.Add(new FieldDefinition("Lates", FieldAttributes.Public, new ArrayType(late)));
         module.Types.Add(late);
         module.Types.Add(early);
 
         Assert.That(RoomOrder.CheckIl(module),
-            Has.Some.Contains("FastPoints.Early.Lates (Core) names FastPoints.Picking.Late"));
+            Has.Some.Contains("FastPoints.Early.Lates (Core) names FastPoints.Queries.Late"));
     }
 
     [Test]

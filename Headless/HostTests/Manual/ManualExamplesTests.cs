@@ -24,13 +24,13 @@ public sealed class ManualExamplesTests
     public void Examples_OfAllPages_Compile() => Assert.That(ManualPage.All().SelectMany(Problems), Is.Empty);
 
     [Test]
-    public void Beginnings_OnTheApiPage_HaveAnExample()
+    public void Beginnings_OnTheApiPage_HaveAnExampleOnSomePage()
     {
-        var page = ManualPage.Of("api.md");
-        string code = string.Concat(Examples(page).Select(e => e.Code));
+        string code = string.Concat(ManualPage.All().SelectMany(Examples).Select(e => e.Code));
 
-        Assert.That(page.TableUnder("## Where to begin").Select(r => ManualPage.Code(r[1]).First().Split('.')[0])
-            .Where(n => !Regex.IsMatch(code, @"\b" + n + @"\b")), Is.Empty);
+        Assert.That(ManualPage.Of("api.md").TableUnder("## Where to begin")
+            .Select(r => ManualPage.Code(r[1]).First().Split('.')[0]).Where(n => !Regex.IsMatch(code, @"\b" + n + @"\b")),
+            Is.Empty);
     }
 
     [Test]

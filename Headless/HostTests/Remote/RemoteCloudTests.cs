@@ -358,7 +358,7 @@ public sealed class RemoteCloudTests : ScratchTests
             var bounds = source.Folder.Manifest.BoundsGeo;
             using var picker = new StreamPicker();
             var above = (bounds.Min + bounds.Max) / 2 + new double3(0, 0, 500);
-            picker.Begin(stream, PickRay.Parallel(above, new double3(0, 0, -1), 1, 5));
+            picker.Begin(stream, PointQuery.Parallel(above, new double3(0, 0, -1), 1, 5));
             for (int i = 0; i < 20_000 && !picker.Update(5); i++)
                 Thread.Sleep(1);
             Assert.That(picker.Pick.Failure, Is.Null);

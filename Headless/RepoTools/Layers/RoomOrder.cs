@@ -4,7 +4,7 @@ public static class RoomOrder
 {
     private static readonly (string Assembly, string[] Rooms)[] s_order =
     {
-        ("FastPoints", new[] { "Core", "Store", "Streaming", "Drawing", "Picking" }),
+        ("FastPoints", new[] { "Core", "Store", "Streaming", "Drawing", "Queries" }),
         ("FastPoints.Import", new[]
         {
             "Reading", "Las", "Laz", "E57", "Text", "Sampling", "Nodes", "Sources", "Build", "Export",

@@ -1,7 +1,7 @@
 using System;
 using System.Collections.Generic;
 using FastPoints.Entities;
-using FastPoints.Picking;
+using FastPoints.Queries;
 using Unity.Entities;
 using Unity.Mathematics;
 
@@ -23,7 +23,7 @@ namespace FastPoints.Editor
         public string Text => string.Join("\n", m_lines);
 
         /// <summary>Searches for a point along a ray: the second one, or, after that, the first of another pair.</summary>
-        public void Begin(PickRay ray)
+        public void Begin(PointQuery ray)
         {
             if (m_picks.Count == 2)
                 ClearPicks();

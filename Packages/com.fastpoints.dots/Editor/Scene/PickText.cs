@@ -1,7 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Globalization;
-using FastPoints.Picking;
+using FastPoints.Queries;
 using Unity.Mathematics;
 
 namespace FastPoints.Editor

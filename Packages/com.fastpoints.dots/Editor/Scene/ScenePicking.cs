@@ -4,7 +4,7 @@ using System.Diagnostics;
 using System.Threading;
 using FastPoints.Drawing;
 using FastPoints.Entities;
-using FastPoints.Picking;
+using FastPoints.Queries;
 using FastPoints.Rendering;
 using UnityEditor;
 using UnityEditor.SceneManagement;

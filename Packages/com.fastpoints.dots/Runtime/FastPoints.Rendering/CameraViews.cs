@@ -1,5 +1,5 @@
 using System;
-using FastPoints.Picking;
+using FastPoints.Queries;
 using FastPoints.Streaming;
 using Unity.Mathematics;
 using UnityEngine;
@@ -73,23 +73,23 @@ namespace FastPoints.Rendering
 
         /// <summary>The ray through a position in a camera's picture, from <c>Camera.ScreenPointToRay</c> or the editor's
         /// <c>GUIPointToWorldRay</c>: from the near plane. The radius is in pixels of the picture.</summary>
-        public static PickRay PickRayOf(Camera camera, Ray ray, double radiusPx)
+        public static PointQuery PickRayOf(Camera camera, Ray ray, double radiusPx)
         {
             var picked = UnmaskedRayOf(camera, ray, radiusPx);
             picked.Mask = MaskOf(camera);
             return picked;
         }
 
-        static PickRay UnmaskedRayOf(Camera camera, Ray ray, double radiusPx)
+        static PointQuery UnmaskedRayOf(Camera camera, Ray ray, double radiusPx)
         {
             var projection = camera.projectionMatrix;
             var near = new double3(ray.origin.x, ray.origin.y, ray.origin.z);
             var direction = new double3(ray.direction.x, ray.direction.y, ray.direction.z);
             double scalePx = ScalePxOf(projection, camera.pixelHeight);
             if (IsOrthographic(projection))
-                return PickRay.Parallel(near, direction, scalePx, radiusPx);
+                return PointQuery.Parallel(near, direction, scalePx, radiusPx);
             var eye = EyeMatrices.Of(camera).PositionWorld;
-            var picked = PickRay.FromEye(eye, direction, scalePx, radiusPx);
+            var picked = PointQuery.FromEye(eye, direction, scalePx, radiusPx);
             picked.From = math.max(0, math.dot(near - eye, picked.DirectionWorld));
             return picked;
         }

@@ -12,7 +12,7 @@ namespace FastPoints.Benchmarks
             .Where(t => typeof(IWorkload).IsAssignableFrom(t) && !t.IsAbstract && HasDefaultConstructor(t))
             .Select(t => (IWorkload)Activator.CreateInstance(t))
             .Concat(ReadingWorkloads.All()).Concat(SelectWorkload.All()).Concat(ConvertWorkload.All())
-            .Concat(SceneNodesWorkload.All()).Concat(NormalsWorkload.All())
+            .Concat(SceneNodesWorkload.All()).Concat(NormalsWorkload.All()).Concat(QueryWorkload.All())
             .Concat(ScenePreviewWorkload.All()).Concat(StreamSourceWorkload.All()).Concat(BesideFramesWorkload.All())
             .OrderBy(w => w.Name, StringComparer.Ordinal).ToList();
 

@@ -1,6 +1,6 @@
 using System;
 using FastPoints.Drawing;
-using FastPoints.Picking;
+using FastPoints.Queries;
 using FastPoints.Store;
 using FastPoints.Streaming;
 using Unity.Entities;
@@ -27,7 +27,7 @@ namespace FastPoints.Entities
         /// <summary>Begins a search of the clouds as they are now; a search in progress is cancelled.</summary>
         /// <param name="ray">See <see cref="Rendering.CameraViews.PickRayOf"/>.</param>
         /// <returns>Whether there is a world that shows clouds.</returns>
-        public bool Begin(PickRay ray)
+        public bool Begin(PointQuery ray)
         {
             var group = Group;
             if (group?.Stream == null)

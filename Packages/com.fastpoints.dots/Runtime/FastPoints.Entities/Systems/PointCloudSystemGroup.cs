@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using FastPoints.Queries;
 using FastPoints.Rendering;
 using FastPoints.Store;
 using FastPoints.Streaming;
@@ -59,6 +60,7 @@ namespace FastPoints.Entities
         int m_idleFrames;
         readonly List<Entity> m_toDestroy = new List<Entity>();
         EntityQuery m_files;
+        PointCloudQueries m_queries;
         bool m_cannotDraw;
         double m_lastSeconds;
         FrameStats m_stats;
@@ -66,6 +68,13 @@ namespace FastPoints.Entities
         /// <summary>Null until <see cref="Begin"/>, or until there is a <see cref="PointCloudFile"/>: from then on, clouds are
         /// streamed to the graphics card and drawn.</summary>
         public StreamContext Stream { get; private set; }
+
+        /// <summary>Asks the world's clouds for points, from the first call on: they then follow each frame. Null while nothing
+        /// is streamed.</summary>
+        public PointCloudQueries Queries => m_queries ??= Stream == null ? null : new PointCloudQueries(Stream);
+
+        /// <summary>The same of the clouds of GameObjects.</summary>
+        public static PointCloudQueries ObjectQueries => ObjectGroup?.Queries;
 
         /// <summary>The group of the world that GameObjects' clouds are in; null if no world has one.</summary>
         internal static PointCloudSystemGroup ObjectGroup
@@ -161,7 +170,9 @@ namespace FastPoints.Entities
             m_stats = default;
             CountSeconds();
             base.OnUpdate();
-            bool isBusy = m_stats.ReadsInFlight > 0 || m_stats.RequestedNodes > 0 || m_stats.UploadedNodes > 0 ||
+            m_queries?.Update();
+            bool isBusy = m_queries != null && m_queries.IsCopying || m_stats.ReadsInFlight > 0 ||
+                m_stats.RequestedNodes > 0 || m_stats.UploadedNodes > 0 ||
                 m_stats.FadingNodes > 0 || Stream.Uploads.IsInFlight || Stream.IsRemovingAny || Stream.IsReadingHierarchy ||
                 IsProgressive && HasMoved(m_views.AsArray());
             m_idleFrames = isBusy ? 0 : m_idleFrames + 1;
@@ -178,6 +189,8 @@ namespace FastPoints.Entities
             Live.Dispose();
             Scene?.Dispose();
             Scene = null;
+            m_queries?.Dispose();
+            m_queries = null;
             Stream?.Dispose();
             Stream = null;
             if (m_views.IsCreated)

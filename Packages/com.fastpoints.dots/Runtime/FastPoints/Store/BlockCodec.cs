@@ -114,6 +114,25 @@ namespace FastPoints.Store
                 values[i] = minimum + OffsetAt(words, (long)i * width, width);
         }
 
+        // Some of a column's values.
+        public static void UnpackWide(uint* words, ulong minimum, int first, int count, int width, ulong* values)
+        {
+            if (width > 32)
+            {
+                for (int i = 0; i < count; i++)
+                    values[i] = minimum + OffsetAt(words, (long)(first + i) * width, width);
+                return;
+            }
+            ulong mask = (1UL << width) - 1;
+            int bit = first * width;
+            // The second word may lie in what follows the last: see PlaneShape.SlackBytes.
+            for (int i = 0; i < count; i++, bit += width)
+            {
+                uint* at = words + (bit >> 5);
+                values[i] = minimum + ((at[0] | (ulong)at[1] << 32) >> (bit & 31) & mask);
+            }
+        }
+
         /// <summary>Reads one value of a column.</summary>
         public static ulong ValueAt(uint* words, ulong minimum, int width, int index) =>
             minimum + OffsetAt(words, (long)index * width, width);

@@ -40,6 +40,15 @@ namespace FastPoints.Store
             BlockCodec.UnpackWide(Packed(block, column), MinimumOf(block, column), PointsOf(block), WidthOf(block, column),
                 values);
 
+        // Some of the values.
+        public void UnpackWide(int block, int column, int first, int count, ulong* values)
+        {
+            uint* words = Packed(block, column);
+            ulong minimum = MinimumOf(block, column);
+            int width = WidthOf(block, column);
+            BlockCodec.UnpackWide(words, minimum, first, count, width, values);
+        }
+
         public ulong ValueAt(int block, int column, int index) =>
             BlockCodec.ValueAt(Packed(block, column), MinimumOf(block, column), WidthOf(block, column), index);
 

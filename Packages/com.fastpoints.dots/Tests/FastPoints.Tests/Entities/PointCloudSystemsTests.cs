@@ -1,6 +1,7 @@
 using System.Linq;
 using System.Threading;
 using FastPoints.Entities;
+using FastPoints.Queries;
 using FastPoints.Streaming;
 using FastPoints.Tests.Streaming;
 using NUnit.Framework;
@@ -122,6 +123,23 @@ namespace FastPoints.Tests.Entities
             {
                 Time.captureDeltaTime = 0;
             }
+        }
+
+        [Test]
+        public void Queries_FirstAsked_FollowTheWorldsFramesFromThenOn()
+        {
+            Assert.That(m_group.Queries, Is.Null, "nothing is streamed");
+            Begin();
+            Add();
+            Settle(StreamedTestCloud.Overview());
+            var queries = m_group.Queries;
+            Assert.That(queries.Bytes, Is.Zero);
+            var everything = PointQuery.Nearest(StreamedTestCloud.OriginGeo);
+            Assert.That(queries.Resident.Count(everything), Is.Zero);
+            for (int frame = 0; frame < MaxFrames && !queries.IsComplete; frame++)
+                Settle(StreamedTestCloud.Overview());
+            Assert.That(queries.Resident.Count(everything), Is.EqualTo(m_group.Stats.DrawnPoints));
+            Assert.That(m_group.Queries, Is.SameAs(queries));
         }
 
         [Test]

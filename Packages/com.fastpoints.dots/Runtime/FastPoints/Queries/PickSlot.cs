@@ -1,11 +1,11 @@
 using System;
-using FastPoints.Drawing;
 using FastPoints.Store;
 using FastPoints.Streaming;
 using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
 using Unity.Jobs;
 
-namespace FastPoints.Picking
+namespace FastPoints.Queries
 {
     // Examines one candidate of a search at a time: reads a page's table or a node's planes, or transcodes them, searches them
     // in a job and takes the result. Its memory is reused.
@@ -16,7 +16,8 @@ namespace FastPoints.Picking
         readonly StoreRead m_classes = new StoreRead();
         NativeReference<HierarchyPage> m_built = new NativeReference<HierarchyPage>(Allocator.Persistent);
         NativeReference<TableProblem> m_problem = new NativeReference<TableProblem>(Allocator.Persistent);
-        NativeReference<PickHit> m_best = new NativeReference<PickHit>(Allocator.Persistent);
+        NativeReference<HitTotals> m_totals = new NativeReference<HitTotals>(Allocator.Persistent);
+        NativeArray<PickHit> m_hits;
         NativeReference<bool> m_isDamaged = new NativeReference<bool>(Allocator.Persistent);
         PickCandidate m_candidate;
         NodeTranscoder m_transcoder;
@@ -88,38 +89,37 @@ namespace FastPoints.Picking
             m_built.Value = default;
         }
 
-        // The plane of classes is an index among the streamed ones.
-        public unsafe void BeginNode(in PickSpace space, NativeArray<LocalClip> clips, in ClassMask hidden, int classPlane,
-            in PickHit best)
+        // The job is the search's own, but for what it says of this node. The plane of classes is an index among the streamed
+        // ones.
+        public unsafe void BeginNode(in PickNodeJob search, int classPlane, int maxHits)
         {
             int page = m_candidate.Page, node = m_candidate.Node;
-            m_classPlane = hidden.IsEmpty ? StoreLayout.PositionPlane : classPlane;
-            m_job = new PickNodeJob
+            m_classPlane = search.Hidden.IsEmpty ? StoreLayout.PositionPlane : classPlane;
+            if (m_hits.Length != maxHits || !m_hits.IsCreated)
             {
-                PositionShape = m_cloud.ShapeOf(page, node, StoreLayout.PositionPlane),
-                ClassShape = m_cloud.ShapeOf(page, node, m_classPlane),
-                Hidden = hidden,
-                BlockCount = m_cloud.Pages[page].Nodes[node].BlockCount,
-                IsTranscoded = m_transcoder != null,
-                Space = space,
-                Clips = clips,
-                Step = Source.Grid.Step,
-                RootCorner = Source.Root.Corner,
-                Address = m_cloud.Pages[page].Addresses[node],
-                Page = page,
-                Node = node,
-                Best = m_best,
-                IsDamaged = m_isDamaged,
-            };
-            m_best.Value = best;
+                if (m_hits.IsCreated)
+                    m_hits.Dispose();
+                m_hits = new NativeArray<PickHit>(maxHits, Allocator.Persistent, NativeArrayOptions.UninitializedMemory);
+            }
+            m_job = search;
+            m_job.PositionShape = m_cloud.ShapeOf(page, node, StoreLayout.PositionPlane);
+            m_job.ClassShape = m_cloud.ShapeOf(page, node, m_classPlane);
+            m_job.BlockCount = m_cloud.Pages[page].Nodes[node].BlockCount;
+            m_job.IsTranscoded = m_transcoder != null;
+            m_job.Address = m_cloud.Pages[page].Addresses[node];
+            m_job.Page = page;
+            m_job.Node = node;
+            m_job.Hits = m_hits;
+            m_job.Totals = m_totals;
+            m_job.IsDamaged = m_isDamaged;
             if (m_transcoder != null)
                 BeginTranscoding();
             else
                 BeginReading();
         }
 
-        // The node's first hit, or the one that the search began with.
-        public PickHit EndNode()
+        // Adds the node's first hits.
+        public unsafe void EndNode(ref HitHeap hits)
         {
             Done.Complete();
             m_first.Complete();
@@ -129,11 +129,13 @@ namespace FastPoints.Picking
                 throw new PointCloudException(FailureCode.BadInput, Source.PathOf(m_candidate.Page),
                     m_cloud.RangeOf(m_candidate.Page, m_candidate.Node, StoreLayout.PositionPlane).OffsetBytes,
                     "node " + m_candidate.Node + " is damaged");
-            return m_best.Value;
+            hits.Add((PickHit*)m_hits.GetUnsafeReadOnlyPtr(), m_totals.Value);
         }
 
         public unsafe void Abandon()
         {
+            if (!m_totals.IsCreated)
+                return;
             Done.Complete();
             m_first.Abandon();
             m_classes.Abandon();
@@ -145,14 +147,16 @@ namespace FastPoints.Picking
 
         public void Dispose()
         {
-            if (!m_best.IsCreated)
+            if (!m_totals.IsCreated)
                 return;
             Abandon();
             m_first.Dispose();
             m_classes.Dispose();
             m_built.Dispose();
             m_problem.Dispose();
-            m_best.Dispose();
+            m_totals.Dispose();
+            if (m_hits.IsCreated)
+                m_hits.Dispose();
             m_isDamaged.Dispose();
         }
 

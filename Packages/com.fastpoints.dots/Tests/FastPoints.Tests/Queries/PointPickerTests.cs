@@ -2,14 +2,14 @@ using System;
 using System.IO;
 using System.Linq;
 using FastPoints.Drawing;
-using FastPoints.Picking;
+using FastPoints.Queries;
 using FastPoints.Store;
 using FastPoints.Streaming;
 using NUnit.Framework;
 using Unity.Collections.LowLevel.Unsafe;
 using Unity.Mathematics;
 
-namespace FastPoints.Tests.Picking
+namespace FastPoints.Tests.Queries
 {
     [Category("Smoke")]
     public sealed class PointPickerTests
@@ -60,8 +60,8 @@ namespace FastPoints.Tests.Picking
                 var target = ToWorld(m_cloud.Geo(random.NextInt(m_cloud.Positions.Length)));
                 var eye = target + math.normalize(random.NextDouble3(-1, 1)) * unit * random.NextDouble(0.01, 80);
                 var aim = target + random.NextDouble3(-1, 1) * unit * 0.1;
-                var ray = trial % 3 == 0 ? PickRay.Parallel(eye, aim - eye, 50 / unit, random.NextDouble(0.5, 10))
-                    : PickRay.FromEye(eye, aim - eye, 800, random.NextDouble(0.5, 8));
+                var ray = trial % 3 == 0 ? PointQuery.Parallel(eye, aim - eye, 50 / unit, random.NextDouble(0.5, 10))
+                    : PointQuery.FromEye(eye, aim - eye, 800, random.NextDouble(0.5, 8));
                 ray.From = trial % 4 == 0 ? unit * 5 : 0;
                 ray.To = trial % 5 == 0 ? unit * 30 : double.PositiveInfinity;
 
@@ -88,7 +88,7 @@ namespace FastPoints.Tests.Picking
             {
                 int point = random.NextInt(m_cloud.Positions.Length);
                 var direction = math.normalize(random.NextDouble3(-1, 1));
-                var ray = PickRay.FromEye(m_cloud.Geo(point) - 0.01 * direction, direction, 1000, 3);
+                var ray = PointQuery.FromEye(m_cloud.Geo(point) - 0.01 * direction, direction, 1000, 3);
                 var found = PickTestCloud.Find(m_picker, ray, m_geo).Point;
                 Assert.That(PickTestCloud.StoredOf(found), Is.EqualTo(m_cloud.Positions[point]));
                 Assert.That(found.PositionGeo, Is.EqualTo(m_cloud.Geo(point)), "not a digit is lost");
@@ -101,7 +101,7 @@ namespace FastPoints.Tests.Picking
         {
             for (int point = 0; point < 2000; point += 97)
             {
-                var ray = PickRay.FromEye(m_cloud.Geo(point) + new double3(0, 0, 0.002), new double3(0, 0, -1), 1000, 1);
+                var ray = PointQuery.FromEye(m_cloud.Geo(point) + new double3(0, 0, 0.002), new double3(0, 0, -1), 1000, 1);
                 var found = PickTestCloud.Find(m_picker, ray, m_geo, EveryPoint).Point;
                 Assert.That(PickTestCloud.StoredOf(found), Is.EqualTo(m_cloud.Positions[point]));
                 Assert.That(found.Attributes.Select(a => a.Attribute.Name), Is.EqualTo(new[] { "Classification", "GpsTime",
@@ -131,7 +131,7 @@ namespace FastPoints.Tests.Picking
             {
                 var target = m_cloud.Geo(random.NextInt(m_cloud.Positions.Length));
                 var eye = target + new double3(random.NextDouble2(-20, 20), 30);
-                var ray = PickRay.FromEye(eye, target - eye, 800, 12);
+                var ray = PointQuery.FromEye(eye, target - eye, 800, 12);
                 var found = PickTestCloud.Find(m_picker, ray, m_geo, options).Point;
                 int first = m_cloud.First(ray, geo => geo, IsShown, out double distance, out _);
                 Assert.That(found != null, Is.EqualTo(first >= 0), "trial " + trial);
@@ -151,7 +151,7 @@ namespace FastPoints.Tests.Picking
             {
                 var aim = PickTestCloud.OriginGeo + new double3(x, 30, 0) - eye;
                 // Beyond points that rise above the ground, of which each level has some.
-                var ray = PickRay.FromEye(eye, aim, 800, 2);
+                var ray = PointQuery.FromEye(eye, aim, 800, 2);
                 ray.From = math.length(aim) - 3;
                 all += PickTestCloud.Find(m_picker, ray, m_geo, EveryPoint).BytesRead;
                 var found = PickTestCloud.Find(m_picker, ray, m_geo);
@@ -165,7 +165,7 @@ namespace FastPoints.Tests.Picking
         [Test]
         public void Find_ByteLimitExceeded_ReturnsTheBestSoFar()
         {
-            var ray = PickRay.FromEye(m_cloud.Geo(5) + new double3(0, 0, 0.01), new double3(0, 0, -1), 800, 1);
+            var ray = PointQuery.FromEye(m_cloud.Geo(5) + new double3(0, 0, 0.01), new double3(0, 0, -1), 800, 1);
             var options = EveryPoint;
             Assert.That(PickTestCloud.Find(m_picker, ray, m_geo, options).NodesRead, Is.GreaterThan(2));
             options.MaxBytes = 1;
@@ -179,22 +179,23 @@ namespace FastPoints.Tests.Picking
         {
             var eye = m_cloud.Geo(0) + new double3(0, 0, 1);
             var flat = new CloudPlacement(default, new double3(0, 0, 0));
-            Assert.That(PickTestCloud.Find(m_picker, PickRay.FromEye(eye, new double3(0, 0, -1), 800, 5), flat).Point, Is.Null);
-            var thin = PickRay.FromEye(eye + new double3(0.0003, 0.0003, 0), new double3(0, 0, -1), 800, 0);
+            var wide = PointQuery.FromEye(eye, new double3(0, 0, -1), 800, 5);
+            Assert.That(PickTestCloud.Find(m_picker, wide, flat).Point, Is.Null);
+            var thin = PointQuery.FromEye(eye + new double3(0.0003, 0.0003, 0), new double3(0, 0, -1), 800, 0);
             Assert.That(PickTestCloud.Find(m_picker, thin, m_geo).Point, Is.Null);
         }
 
         [Test]
         public void Find_Aborted_LeavesNothingAndCanBeginAgain()
         {
-            var ray = PickRay.FromEye(m_cloud.Geo(7) + new double3(0, 0, 0.01), new double3(0, 0, -1), 800, 2);
+            var ray = PointQuery.FromEye(m_cloud.Geo(7) + new double3(0, 0, 0.01), new double3(0, 0, -1), 800, 2);
             Find(m_cloud, ray, steps: -1);
             UnsafeUtility.ForgiveLeaks();
             for (int steps = 0; steps < 8; steps++)
                 Find(m_cloud, ray, steps);
             Assert.That(UnsafeUtility.CheckForLeaks(), Is.Zero);
 
-            void Find(PickTestCloud cloud, PickRay of, int steps)
+            void Find(PickTestCloud cloud, PointQuery of, int steps)
             {
                 using var picker = cloud.Picker();
                 using (var work = new CoroutineStack(picker.Find(of, m_geo, EveryPoint, new PickResult())))
@@ -218,11 +219,11 @@ namespace FastPoints.Tests.Picking
                 File.WriteAllBytes(file, bytes);
             }
             using var picker = cloud.Picker();
-            var ray = PickRay.FromEye(cloud.Geo(3) + new double3(0, 0, 0.01), new double3(0, 0, -1), 800, 2);
+            var ray = PointQuery.FromEye(cloud.Geo(3) + new double3(0, 0, 0.01), new double3(0, 0, -1), 800, 2);
             var placement = CloudPlacement.Geo(picker.Source.Grid, picker.Source.Root);
             Assert.That(() => PickTestCloud.Find(picker, ray, placement, EveryPoint), Throws.TypeOf<PointCloudException>()
                 .With.Message.Match("chunks.*\\.bin: at byte \\d+: node \\d+ is damaged"));
-            var up = PickRay.FromEye(cloud.Geo(3) + new double3(0, 0, 50), new double3(0, 0, 1), 80, 8);
+            var up = PointQuery.FromEye(cloud.Geo(3) + new double3(0, 0, 50), new double3(0, 0, 1), 80, 8);
             Assert.That(PickTestCloud.Find(picker, up, placement).Point, Is.Null, "it goes on");
         }
     }

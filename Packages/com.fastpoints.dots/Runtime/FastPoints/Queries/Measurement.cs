@@ -1,6 +1,6 @@
 using Unity.Mathematics;
 
-namespace FastPoints.Picking
+namespace FastPoints.Queries
 {
     /// <summary>The distance between two picked points.</summary>
     public readonly struct Measurement

@@ -4,12 +4,12 @@ using FastPoints.Drawing;
 using FastPoints.Store;
 using FastPoints.Streaming;
 
-namespace FastPoints.Picking
+namespace FastPoints.Queries
 {
     /// <summary>Finds the first point that a ray hits among all clouds of a stream, beside its frames: <see cref="Begin"/>,
     /// then <see cref="Update"/> once a frame until it returns true. Main thread; it waits only when a search is
     /// cancelled.</summary>
-    public sealed class StreamPicker : IDisposable
+    internal sealed class StreamPicker : IDisposable
     {
         struct Target
         {
@@ -27,7 +27,7 @@ namespace FastPoints.Picking
         NodeSource m_opened;
         JobCoroutine m_search;
         PickResult m_found;
-        PickRay m_ray;
+        PointQuery m_ray;
 
         /// <summary>Result of the search that was begun last; complete when that is done.</summary>
         public StreamPick Pick { get; private set; } = new StreamPick();
@@ -36,7 +36,7 @@ namespace FastPoints.Picking
 
         /// <summary>Begins a search of all clouds, or of those that are to be searched; a search in progress is cancelled.
         /// Points of hidden classes are not hit. Both functions take a cloud's number.</summary>
-        public void Begin(StreamContext stream, PickRay ray, Func<int, ClassMask> hiddenOf = null,
+        public void Begin(StreamContext stream, PointQuery ray, Func<int, ClassMask> hiddenOf = null,
             Func<int, bool> isSearched = null)
         {
             Abort();

@@ -2,7 +2,7 @@ using System.Collections.Generic;
 using FastPoints.Store;
 using Unity.Mathematics;
 
-namespace FastPoints.Picking
+namespace FastPoints.Queries
 {
     /// <summary>A point of a cloud that a user has picked, with all that the cloud knows of it.</summary>
     public sealed class PickedPoint

@@ -7,7 +7,7 @@ using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
 using Unity.Jobs;
 
-namespace FastPoints.Picking
+namespace FastPoints.Queries
 {
     // Reads all that a cloud has of one point: every plane of its node except the position's, at once; or transcodes them.
     sealed class PickDetails : IDisposable

@@ -3,14 +3,15 @@ using System.Collections.Generic;
 using FastPoints.Drawing;
 using FastPoints.Streaming;
 using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
 using Unity.Jobs;
 using Unity.Mathematics;
 
-namespace FastPoints.Picking
+namespace FastPoints.Queries
 {
-    // Finds the first point of a cloud that a ray hits, among all points on disk and not only those that are shown. It reads or
-    // transcodes nodes from the nearest on, until none of the rest can have a nearer hit. Main thread; it waits only when it is
-    // disposed or a search is cancelled.
+    // Finds the first points of a cloud that a query asks for, among all points on disk and not only those that are shown. It
+    // reads or transcodes nodes from the nearest on, until none of the rest can have a nearer hit. Main thread; it waits only
+    // when it is disposed or a search is cancelled.
     internal sealed class PointPicker : IDisposable
     {
         const int SlotCount = 8; // Nodes and tables that are read at the same time.
@@ -24,13 +25,13 @@ namespace FastPoints.Picking
         readonly List<PickCandidate> m_taken = new List<PickCandidate>();
         readonly PickDetails m_details;
         readonly int m_classPlane = -1; // Among the streamed planes; -1 if there are no classes.
-        bool m_isSearching; // State of the search in progress.
-        PickRay m_ray;
-        PickSpace m_space;
+        NativeArray<PickHit> m_hitMemory;
+        PointQuery m_query; // State of the search in progress.
+        QuerySpace m_space;
         double m_largestScale;
         PickOptions m_options;
         PickResult m_result;
-        PickHit m_best;
+        HitHeap m_hits;
 
         // Owns the source, which has the planes that NodeSource.OpenForPicking promises.
         public PointPicker(NodeSource source)
@@ -46,21 +47,44 @@ namespace FastPoints.Picking
 
         public NodeSource Source => m_cloud.Source;
 
-        // Coroutine, one search at a time. A cloud without volume is never hit; the options must not change meanwhile.
-        public IEnumerator<JobStep> Find(PickRay ray, CloudPlacement placement, PickOptions options, PickResult result)
+        // A picker has one search at a time.
+        public bool IsSearching { get; private set; }
+
+        // Coroutine: the first point of all, with what the cloud knows of it. The options must not change meanwhile.
+        public IEnumerator<JobStep> Find(PointQuery query, CloudPlacement placement, PickOptions options, PickResult result)
         {
-            if (m_isSearching)
+            try
+            {
+                yield return JobStep.Of(Search(query, placement, options, result));
+                if (m_hits.Totals.Count == 0)
+                    yield break;
+                var hit = m_hits[0];
+                m_details.Begin(hit);
+                while (!m_details.IsFetched)
+                    yield return default;
+                yield return m_details.Done;
+                m_details.Continue();
+                yield return m_details.Done;
+                result.Point = new PickedPoint(hit.Position, Source.Grid, WorldOf(hit.Position, placement), hit.Distance,
+                    m_details.End());
+            }
+            finally
+            {
+                m_details.Abandon();
+                ReleaseTables();
+            }
+        }
+
+        // Coroutine: leaves the hits in Hits, the first one first, until the next search. A cloud without volume is never hit.
+        // Whoever calls it calls ReleaseTables, too.
+        public IEnumerator<JobStep> Search(PointQuery query, CloudPlacement placement, PickOptions options, PickResult result)
+        {
+            if (IsSearching)
                 throw new InvalidOperationException(Source.Path + ": is searched already");
+            Begin(query, placement, options ?? new PickOptions(), result);
             if (!placement.IsValid)
                 yield break;
-            m_isSearching = true;
-            m_ray = ray;
-            m_space = new PickSpace(ray, placement);
-            m_largestScale = math.max(math.length(placement.Linear.c0),
-                math.max(math.length(placement.Linear.c1), math.length(placement.Linear.c2)));
-            m_options = options ?? new PickOptions();
-            m_result = result;
-            m_best = PickHit.None;
+            IsSearching = true;
             var clips = new NativeArray<LocalClip>(m_options.ClipBoxes.Count, Allocator.Persistent);
             for (int i = 0; i < clips.Length; i++)
                 clips[i] = new LocalClip(m_options.ClipBoxes[i], placement);
@@ -72,7 +96,7 @@ namespace FastPoints.Picking
                 {
                     while (!ArePagesKnown())
                         yield return Source.Reading;
-                    bool hasMore = Begin(clips);
+                    bool hasMore = BeginTaken(clips);
                     while (!IsFetched)
                         yield return default;
                     yield return PendingJobs();
@@ -84,28 +108,19 @@ namespace FastPoints.Picking
                     }
                     End();
                 }
-                if (m_best.IsFound)
-                {
-                    m_details.Begin(m_best);
-                    while (!m_details.IsFetched)
-                        yield return default;
-                    yield return m_details.Done;
-                    m_details.Continue();
-                    yield return m_details.Done;
-                    result.Point = new PickedPoint(m_best.Position, Source.Grid, WorldOf(m_best.Position, placement),
-                        m_best.Distance, m_details.End());
-                }
+                m_hits.Sort();
             }
             finally
             {
                 foreach (var slot in m_slots)
                     slot.Abandon();
-                m_details.Abandon();
                 clips.Dispose();
-                ReleaseTables();
-                m_isSearching = false;
+                IsSearching = false;
             }
         }
+
+        // Of the last search.
+        public HitHeap Hits => m_hits;
 
         // A search in progress must be ended by its coroutine first.
         public void Dispose()
@@ -114,13 +129,30 @@ namespace FastPoints.Picking
                 slot.Dispose();
             m_details.Dispose();
             m_cloud.Dispose();
+            if (m_hitMemory.IsCreated)
+                m_hitMemory.Dispose();
+        }
+
+        unsafe void Begin(in PointQuery query, in CloudPlacement placement, PickOptions options, PickResult result)
+        {
+            m_query = query;
+            m_space = new QuerySpace(query, placement);
+            m_largestScale = math.max(math.length(placement.Linear.c0),
+                math.max(math.length(placement.Linear.c1), math.length(placement.Linear.c2)));
+            m_options = options;
+            m_result = result;
+            if (m_hitMemory.IsCreated && m_hitMemory.Length != options.MaxHits)
+                m_hitMemory.Dispose();
+            if (!m_hitMemory.IsCreated)
+                m_hitMemory = new NativeArray<PickHit>(options.MaxHits, Allocator.Persistent);
+            m_hits = new HitHeap((PickHit*)m_hitMemory.GetUnsafePtr(), options.MaxHits, options.CountsAll, PickHit.None);
         }
 
         // Whether a candidate remains that might have a nearer hit.
         bool TakeNearest()
         {
             m_taken.Clear();
-            while (m_taken.Count < SlotCount && m_queue.Count > 0 && m_queue.Next.Distance <= m_best.Distance)
+            while (m_taken.Count < SlotCount && m_queue.Count > 0 && m_queue.Next.Distance <= m_hits.Limit)
             {
                 if (m_result.BytesRead > m_options.MaxBytes)
                 {
@@ -146,16 +178,27 @@ namespace FastPoints.Picking
         }
 
         // Whether there is more to do before it can be ended.
-        bool Begin(NativeArray<LocalClip> clips)
+        bool BeginTaken(NativeArray<LocalClip> clips)
         {
             bool hasMore = Source.TranscodesNodes;
-            var hidden = m_classPlane >= 0 ? m_options.HiddenClasses : default;
+            var search = new PickNodeJob
+            {
+                Hidden = m_classPlane >= 0 ? m_options.HiddenClasses : default,
+                Space = m_space,
+                Filter = new BlockFilter(m_query, m_space, Source.Grid.Step),
+                Clips = clips,
+                Step = Source.Grid.Step,
+                RootCorner = Source.Root.Corner,
+                Cloud = m_options.Cloud,
+                Bound = m_hits.Last,
+                CountsAll = m_options.CountsAll,
+            };
             for (int i = 0; i < m_taken.Count; i++)
             {
                 if (m_taken[i].IsPage)
                     m_slots[i].BeginPage();
                 else
-                    m_slots[i].BeginNode(m_space, clips, hidden, m_classPlane, m_best);
+                    m_slots[i].BeginNode(search, m_classPlane, m_options.MaxHits);
                 hasMore |= m_taken[i].IsPage || Source.RemoteOf(m_taken[i].Page) != null;
                 m_result.BytesRead += m_slots[i].Bytes;
             }
@@ -192,10 +235,8 @@ namespace FastPoints.Picking
                     PushRoots(page, m_taken[i].SpacingAbove);
                     continue;
                 }
-                var hit = m_slots[i].EndNode();
+                m_slots[i].EndNode(ref m_hits);
                 m_result.NodesRead++;
-                if (hit.IsBefore(m_best))
-                    m_best = hit;
                 PushBelow(page, index);
             }
         }
@@ -238,8 +279,8 @@ namespace FastPoints.Picking
 
         void Push(int page, int node, double3 center, double3 half, double spacingAbove)
         {
-            if (!m_space.IntersectsBox(center, half, out double distance) || distance > m_best.Distance ||
-                spacingAbove * m_largestScale < m_options.FinestSpacing * m_ray.RadiusAt(distance))
+            if (!m_space.Intersects(center, half, out double distance) || distance > m_hits.Limit ||
+                spacingAbove * m_largestScale < m_options.FinestSpacing * m_query.RadiusAt(distance))
                 return;
             m_queue.Push(new PickCandidate { Distance = distance, Page = page, Node = node, SpacingAbove = spacingAbove });
         }
@@ -250,7 +291,7 @@ namespace FastPoints.Picking
             return math.mul(placement.Linear, new double3(from.X, from.Y, from.Z) * Source.Grid.Step) + placement.OriginWorld;
         }
 
-        unsafe void ReleaseTables()
+        public unsafe void ReleaseTables()
         {
             if (m_cloud.HierarchyBytes <= MaxHierarchyBytes)
                 return;
@@ -264,6 +305,9 @@ namespace FastPoints.Picking
     {
         public List<ClipBox> ClipBoxes = new List<ClipBox>(); // What is not shown is not hit.
         public ClassMask HiddenClasses;
+        public int MaxHits = 1;
+        public bool CountsAll; // Also those behind the first hits.
+        public int Cloud; // Number of the cloud in its stream, for the hits.
 
         // Nothing below a node is searched if its points lie nearer to each other than this share of the ray's radius: a screen
         // shows no more. 0 searches every point.

@@ -1,11 +1,11 @@
 using System;
-using FastPoints.Picking;
+using FastPoints.Queries;
 using FastPoints.Streaming;
 using FastPoints.Tests.Nodes;
 using FastPoints.Tests.Streaming;
 using Unity.Mathematics;
 
-namespace FastPoints.Tests.Picking
+namespace FastPoints.Tests.Queries
 {
     sealed class PickTestCloud : IDisposable
     {
@@ -72,7 +72,7 @@ namespace FastPoints.Tests.Picking
 
         public double3 Geo(int point) => new double3(Positions[point]) * Scale + OriginGeo;
 
-        public static PickResult Find(PointPicker picker, PickRay ray, CloudPlacement placement, PickOptions options = null)
+        public static PickResult Find(PointPicker picker, PointQuery ray, CloudPlacement placement, PickOptions options = null)
         {
             var result = new PickResult();
             JobCoroutine.RunToEnd(picker.Find(ray, placement, options, result));
@@ -81,7 +81,7 @@ namespace FastPoints.Tests.Picking
 
         /// <summary>The first hit by looking at every point; -1 if there is none.</summary>
         /// <param name="nextDistance">Of the second hit: if it is hardly farther, either may be found.</param>
-        public int First(PickRay ray, Func<double3, double3> toWorld, Func<int, bool> isShown, out double distance,
+        public int First(PointQuery ray, Func<double3, double3> toWorld, Func<int, bool> isShown, out double distance,
             out double nextDistance)
         {
             int first = -1;

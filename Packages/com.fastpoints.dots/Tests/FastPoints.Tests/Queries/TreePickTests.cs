@@ -4,7 +4,7 @@ using System.IO;
 using System.Linq;
 using System.Threading;
 using FastPoints.Drawing;
-using FastPoints.Picking;
+using FastPoints.Queries;
 using FastPoints.Picture;
 using FastPoints.Reading;
 using FastPoints.Sampling;
@@ -17,7 +17,7 @@ using NUnit.Framework;
 using Unity.Collections.LowLevel.Unsafe;
 using Unity.Mathematics;
 
-namespace FastPoints.Tests.Picking
+namespace FastPoints.Tests.Queries
 {
     public sealed class TreePickTests
     {
@@ -76,7 +76,7 @@ namespace FastPoints.Tests.Picking
                 {
                     var target = all[random.NextInt(all.Count)];
                     var eye = target + math.normalize(random.NextDouble3(-1, 1)) * size * random.NextDouble(0.1, 30);
-                    var ray = PickRay.FromEye(eye, target - eye, 800, random.NextDouble(0.5, 8));
+                    var ray = PointQuery.FromEye(eye, target - eye, 800, random.NextDouble(0.5, 8));
                     ray.OriginWorld += trial % 3 == 0 ? size : 0;
                     var want = PickTestCloud.Find(expected, ray, Geo(expected), options).Point;
                     var got = PickTestCloud.Find(picker, ray, Geo(picker), options).Point;
@@ -129,7 +129,7 @@ namespace FastPoints.Tests.Picking
             using var streamed = cloud.Open();
             using var picker = PickerOf(streamed);
             var at = PositionsOf(cloud.Path)[2000];
-            var ray = PickRay.FromEye(at + new double3(0, 0, 1), new double3(0, 0, -1), 800, 3);
+            var ray = PointQuery.FromEye(at + new double3(0, 0, 1), new double3(0, 0, -1), 800, 3);
             var options = EveryPoint;
             var whole = PickTestCloud.Find(picker, ray, Geo(picker), options);
             Assert.That(whole.NodesRead, Is.GreaterThan(3));
@@ -156,7 +156,7 @@ namespace FastPoints.Tests.Picking
             using var file = new TemporaryFile(bytes, ".copc.laz");
             using var streamed = TreeTestCloud.Open(file.Path);
             using var picker = PickerOf(streamed);
-            var ray = PickRay.FromEye(at + new double3(0, 0, 1), new double3(0, 0, -1), 800, 3);
+            var ray = PointQuery.FromEye(at + new double3(0, 0, 1), new double3(0, 0, -1), 800, 3);
             for (int again = 0; again < 2; again++)
             {
                 var failure = Assert.Throws<PointCloudException>(() => PickTestCloud.Find(picker, ray, Geo(picker), EveryPoint));
@@ -172,7 +172,7 @@ namespace FastPoints.Tests.Picking
             using var cloud = new TreeTestCloud(kind);
             using var streamed = cloud.Open();
             var at = PositionsOf(cloud.Path)[700];
-            var ray = PickRay.FromEye(at + new double3(0, 0, 0.01), new double3(0, 0, -1), 800, 3);
+            var ray = PointQuery.FromEye(at + new double3(0, 0, 0.01), new double3(0, 0, -1), 800, 3);
             UnsafeUtility.ForgiveLeaks();
             for (int steps = 0; steps < 30; steps++)
             {
@@ -191,7 +191,7 @@ namespace FastPoints.Tests.Picking
             Assert.That(() => UnsafeUtility.CheckForLeaks(), Is.Zero.After(10_000, 10), "what opens is disposed when it has");
         }
 
-        static StreamPick Find(StreamPicker picker, StreamContext stream, PickRay ray)
+        static StreamPick Find(StreamPicker picker, StreamContext stream, PointQuery ray)
         {
             picker.Begin(stream, ray);
             for (int frame = 0; frame < MaxFrames && !picker.Update(); frame++)
@@ -212,7 +212,7 @@ namespace FastPoints.Tests.Picking
             var at = PositionsOf(copc.Path)[1000];
             stream.Add(converted, StreamedTestCloud.Geo(converted));
             int number = stream.Add(tree, StreamedTestCloud.Geo(tree));
-            var ray = PickRay.FromEye(at + new double3(0, 0, 0.001), new double3(0, 0, -1), 800, 1);
+            var ray = PointQuery.FromEye(at + new double3(0, 0, 0.001), new double3(0, 0, -1), 800, 1);
 
             var pick = Find(picker, stream, ray);
 
@@ -244,7 +244,7 @@ namespace FastPoints.Tests.Picking
             int number = stream.Add(converted, StreamedTestCloud.Geo(converted));
             File.Delete(copc.Path);
             var eye = StreamedTestCloud.OriginGeo + new double3(100, 100, 100);
-            var pick = Find(picker, stream, PickRay.FromEye(eye, new double3(0, 0, -1), 100, 30));
+            var pick = Find(picker, stream, PointQuery.FromEye(eye, new double3(0, 0, -1), 100, 30));
             Assert.That(pick.Failure, Does.Contain(copc.Path));
             Assert.That(pick.Point, Is.Not.Null);
             Assert.That(pick.Cloud, Is.EqualTo(number));
@@ -265,7 +265,7 @@ namespace FastPoints.Tests.Picking
             var source = new TreeSource(new SampleReader(preview.Sample, "scan"));
             int number = stream.Add(source, StreamedTestCloud.Geo(source));
             var middle = preview.Sample.Bounds.Center;
-            var ray = PickRay.FromEye(middle + new double3(0, 0, 500), new double3(0, 0, -1), 100, 10);
+            var ray = PointQuery.FromEye(middle + new double3(0, 0, 500), new double3(0, 0, -1), 100, 10);
 
             var pick = Find(picker, stream, ray);
 

@@ -1,6 +1,6 @@
 using System.Collections.Generic;
 
-namespace FastPoints.Picking
+namespace FastPoints.Queries
 {
     // The candidates of a search, nearest first: a binary heap that keeps its memory.
     sealed class PickQueue

@@ -1,0 +1,63 @@
+using System.Runtime.CompilerServices;
+using Unity.Mathematics;
+
+namespace FastPoints.Queries
+{
+    // Leaves out most of a block's points that a ray misses, in floats and with room for what these round away.
+    internal struct BlockFilter
+    {
+        // Of what floats are computed of here, they lose less than this share.
+        const double Rounding = 1e-5;
+
+        readonly PointQuery m_ray;
+        readonly double3x3 m_toRay; // Two axes across the ray, and the one along it.
+        readonly float3 m_x; // A step along each of the cloud's axes, so seen.
+        readonly float3 m_y;
+        readonly float3 m_z;
+        readonly float m_radiusPerUnit;
+        float3 m_corner; // Of the block, from the ray at its distance.
+        float m_radius;
+        float m_near;
+        float m_far;
+
+        public BlockFilter(in PointQuery query, in QuerySpace space, double3 step) : this()
+        {
+            IsUsed = query.Shape == QueryShape.Ray;
+            m_ray = query;
+            m_radiusPerUnit = (float)query.RadiusPerUnit;
+            var along = query.DirectionWorld;
+            var other = math.abs(along.x) < 0.6 ? new double3(1, 0, 0) : new double3(0, 1, 0);
+            var across = math.normalize(math.cross(along, other));
+            m_toRay = math.transpose(new double3x3(across, math.cross(along, across), along));
+            m_x = (float3)math.mul(m_toRay, space.Rotate(new double3(step.x, 0, 0)));
+            m_y = (float3)math.mul(m_toRay, space.Rotate(new double3(0, step.y, 0)));
+            m_z = (float3)math.mul(m_toRay, space.Rotate(new double3(0, 0, step.z)));
+        }
+
+        public bool IsUsed { get; }
+
+        // A block whose smallest coordinates are here, and which extends so many steps; hits are no farther than the limit.
+        public void Begin(double3 fromOrigin, float3 steps, double limit)
+        {
+            var corner = math.mul(m_toRay, fromOrigin);
+            double size = math.abs(corner.x) + math.abs(corner.y) +
+                math.csum(math.abs(m_x) * steps.x + math.abs(m_y) * steps.y + math.abs(m_z) * steps.z);
+            double radius = m_ray.RadiusAt(corner.z), slack = Rounding * (size + math.abs(radius));
+            m_corner = new float3((float)corner.x, (float)corner.y, 0);
+            m_radius = (float)(radius + slack * (1 + math.abs(m_ray.RadiusPerUnit)));
+            m_near = (float)(m_ray.From - corner.z - slack);
+            m_far = (float)(math.min(m_ray.To, limit) - corner.z + slack);
+        }
+
+        // In steps from the block's smallest coordinates.
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public readonly bool MayHold(float x, float y, float z)
+        {
+            float across = m_corner.x + m_x.x * x + m_y.x * y + m_z.x * z;
+            float above = m_corner.y + m_x.y * x + m_y.y * y + m_z.y * z;
+            float along = m_x.z * x + m_y.z * y + m_z.z * z;
+            float radius = m_radius + m_radiusPerUnit * along;
+            return across * across + above * above <= radius * radius && along <= m_far && along >= m_near;
+        }
+    }
+}

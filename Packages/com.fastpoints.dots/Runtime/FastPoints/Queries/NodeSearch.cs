@@ -1,0 +1,106 @@
+using FastPoints.Drawing;
+using FastPoints.Store;
+using FastPoints.Streaming;
+using Unity.Mathematics;
+
+namespace FastPoints.Queries
+{
+    // Finds the points of one node's blocks that a query asks for: the same arithmetic for what is in memory and what was read.
+    internal unsafe struct NodeSearch
+    {
+        // Values that Search needs room for.
+        public const int ScratchCount = 3 * PlaneShape.MaxPointsPerBlock;
+
+        public QuerySpace Space;
+        public BlockFilter Filter; // Undefined without one.
+        public PlaneView Positions;
+        public double3 Step; // CRS units.
+        public Grid3 RootCorner;
+        public Grid3 Corner; // Of the node, from the root's.
+        public int Cloud;
+        public int Page;
+        public int Node;
+
+        // Points of these classes, which have a plane if there are any, and outside of these boxes do not exist.
+        public ClassMask Hidden;
+        public PlaneView Classes;
+        public LocalClip* Clips;
+        public int ClipCount;
+
+        // The box that the columns' minima and widths allow: its centre in CRS units from the root's corner.
+        public readonly double3 BoxOf(int block, out double3 half)
+        {
+            var widths = new double3(Positions.WidthOf(block, 0), Positions.WidthOf(block, 1), Positions.WidthOf(block, 2));
+            half = (math.exp2(widths) - 1) * 0.5 * Step;
+            return ToDouble(CornerOf(block, out _)) * Step + half;
+        }
+
+        // Some of a block's points.
+        public void Search(int block, int first, int count, ulong* scratch, ref HitHeap hits)
+        {
+            const int stride = PlaneShape.MaxPointsPerBlock;
+            for (int axis = 0; axis < 3; axis++)
+                Positions.UnpackWide(block, axis, first, count, scratch + axis * stride);
+            // The corner's position is computed in full, and offsets from it in the cloud's own units: nothing is lost far from
+            // the origin.
+            var corner = CornerOf(block, out var min);
+            var at = new BlockCorner { Block = block, Corner = corner, Local = ToDouble(corner) * Step };
+            at.FromOrigin = Space.FromOrigin(at.Local);
+            if (Filter.IsUsed)
+            {
+                var extent = new float3(ExtentOf(block, 0), ExtentOf(block, 1), ExtentOf(block, 2));
+                Filter.Begin(at.FromOrigin, extent, hits.Limit);
+            }
+            for (int i = 0; i < count; i++)
+            {
+                var steps = new Grid3((long)scratch[i], (long)scratch[stride + i], (long)scratch[2 * stride + i]) - min;
+                if (!Filter.IsUsed || Filter.MayHold(steps.X, steps.Y, steps.Z))
+                    Test(at, steps, first + i, ref hits);
+            }
+        }
+
+        // A point so many steps from a block's corner.
+        readonly void Test(in BlockCorner at, Grid3 steps, int index, ref HitHeap hits)
+        {
+            var offset = ToDouble(steps) * Step;
+            if (!Space.Holds(at.FromOrigin + Space.Rotate(offset), out double distance, out double rayDistanceSq) ||
+                distance > hits.Limit)
+                return;
+            if (!Hidden.IsEmpty && Hidden.Has((byte)Classes.ValueAt(at.Block, 0, index)) ||
+                ClipCount > 0 && !LocalClip.MayKeep(Clips, ClipCount, at.Local + offset, 0))
+                return;
+            hits.Add(new PickHit
+            {
+                Distance = distance,
+                RayDistanceSq = rayDistanceSq,
+                Position = RootCorner + at.Corner + steps,
+                Cloud = Cloud,
+                Page = Page,
+                Node = Node,
+                Block = at.Block,
+                Index = index,
+            });
+        }
+
+        // In steps, at most.
+        readonly float ExtentOf(int block, int axis) => math.asfloat((127u + (uint)Positions.WidthOf(block, axis)) << 23);
+
+        // Of the smallest position that a block's columns can have, from the root's corner.
+        readonly Grid3 CornerOf(int block, out Grid3 min)
+        {
+            min = new Grid3((long)Positions.MinimumOf(block, 0), (long)Positions.MinimumOf(block, 1),
+                (long)Positions.MinimumOf(block, 2));
+            return Corner + min;
+        }
+
+        static double3 ToDouble(Grid3 position) => new double3(position.X, position.Y, position.Z);
+
+        struct BlockCorner
+        {
+            public int Block;
+            public Grid3 Corner; // From the root's.
+            public double3 Local;
+            public double3 FromOrigin;
+        }
+    }
+}
