@@ -74,8 +74,8 @@ public sealed class ExportTests : ScratchTests
         File.WriteAllBytes(Path.Combine(tiles, "a.las"), tile);
         BitConverter.TryWriteBytes(tile.AsSpan(xOffsetAt), BitConverter.ToDouble(tile, xOffsetAt) + 1234.57);
         File.WriteAllBytes(Path.Combine(tiles, "b.las"), tile);
-        var schema = Scan(tiles).GetProperty("attributes").EnumerateArray().Select(a => a.GetProperty("type").GetString()).Take(3);
-        Assert.That(schema, Is.EqualTo(new[] { "Int64", "Int32", "Int32" }));
+        var types = Scan(tiles).GetProperty("attributes").EnumerateArray().Select(a => a.GetProperty("type").GetString());
+        Assert.That(types.Take(3), Is.EqualTo(new[] { "Int64", "Int32", "Int32" }));
         var json = Export(output, tiles);
         Assert.That(json.GetProperty("points").GetInt64(), Is.EqualTo(120_000));
         string Bounds(string path) => Scan(path).GetProperty("bounds").GetRawText();

@@ -83,8 +83,8 @@ namespace FastPoints.Build
                 yield return JobStep.Of(m_build.Files.ReadBlocks());
         }
 
-        /// <summary>Coroutine, when nothing waits to be packed: queues the journal after everything that it refers to, so that this reaches the disk before
-        /// the journal does. Does nothing if points are in memory.</summary>
+        /// <summary>Coroutine, when nothing waits to be packed: queues the journal after everything that it refers to, so that
+        /// this reaches the disk before the journal does. Does nothing if points are in memory.</summary>
         public IEnumerator<JobStep> Begin()
         {
             if (m_build.Files == null)

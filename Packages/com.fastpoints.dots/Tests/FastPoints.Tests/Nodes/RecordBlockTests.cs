@@ -11,7 +11,10 @@ namespace FastPoints.Tests.Nodes
     {
         const int Words = 5, StrideBytes = Words * sizeof(uint);
 
-        static readonly uint[] s_masks = { 0, 1, 1u << 31, uint.MaxValue, 0x000fffff, 0x03000f01, 0x55555555, 0xaaaaaaaa, 0xff00ff00 };
+        static readonly uint[] s_masks =
+        {
+            0, 1, 1u << 31, uint.MaxValue, 0x000fffff, 0x03000f01, 0x55555555, 0xaaaaaaaa, 0xff00ff00,
+        };
 
         RecordPagePool m_pool;
         RecordPages.Page* m_page;

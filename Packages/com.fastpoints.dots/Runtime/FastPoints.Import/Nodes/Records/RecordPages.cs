@@ -247,7 +247,8 @@ namespace FastPoints.Nodes
         public static bool Unpack(in BlockPart part, int strideBytes)
         {
             var header = (uint*)part.Block;
-            int words = strideBytes / sizeof(uint), left = (part.BlockBytes - HeaderBytes) / sizeof(uint), all = part.BlockRecords * words;
+            int words = strideBytes / sizeof(uint), all = part.BlockRecords * words;
+            int left = (part.BlockBytes - HeaderBytes) / sizeof(uint);
             if (header[0] != part.BlockRecords || header[1] + HeaderBytes != part.BlockBytes || left > all)
             {
                 UnsafeUtility.MemClear(part.Records, (long)part.Count * strideBytes);
