@@ -1,8 +1,8 @@
 using System;
 using System.Text;
 using FastPoints.Las;
-using FastPoints.Text;
 using FastPoints.Reading;
+using FastPoints.Text;
 
 namespace FastPoints.Export
 {

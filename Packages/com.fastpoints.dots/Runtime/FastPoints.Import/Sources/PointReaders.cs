@@ -5,9 +5,9 @@ using System.Text;
 using FastPoints.E57;
 using FastPoints.Las;
 using FastPoints.Laz;
-using FastPoints.Text;
 using FastPoints.Reading;
 using FastPoints.Store;
+using FastPoints.Text;
 
 namespace FastPoints.Sources
 {

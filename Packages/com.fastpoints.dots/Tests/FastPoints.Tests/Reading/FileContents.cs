@@ -2,9 +2,9 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Linq;
-using FastPoints.Text;
 using FastPoints.Reading;
 using FastPoints.Sources;
+using FastPoints.Text;
 
 namespace FastPoints.Tests.Reading
 {

@@ -2,9 +2,9 @@ using System;
 using System.Collections.Generic;
 using System.Globalization;
 using System.IO;
-using FastPoints.Text;
 using FastPoints.Reading;
 using FastPoints.Tests.Reading;
+using FastPoints.Text;
 using NUnit.Framework;
 using Unity.Collections;
 
