@@ -33,7 +33,8 @@ namespace FastPoints.Surface
             if (cellVoxels < 1 || cellVoxels > 256)
                 throw new ArgumentOutOfRangeException(nameof(cellVoxels), cellVoxels, "wanted 1 to 256 voxels");
             if (!(holeVoxels >= 0 && holeVoxels <= MaxHoleVoxels))
-                throw new ArgumentOutOfRangeException(nameof(holeVoxels), holeVoxels, "wanted 0 to " + MaxHoleVoxels + " voxels");
+                throw new ArgumentOutOfRangeException(nameof(holeVoxels), holeVoxels,
+                    "wanted 0 to " + NumberText.Of(MaxHoleVoxels) + " voxels");
             VoxelMetres = voxelMetres;
             CellVoxels = cellVoxels;
             HoleVoxels = holeVoxels;

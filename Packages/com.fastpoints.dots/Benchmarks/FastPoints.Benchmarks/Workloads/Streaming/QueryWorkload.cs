@@ -34,7 +34,8 @@ namespace FastPoints.Benchmarks
             yield return new QueryWorkload(0, 10);
         }
 
-        public string Name => (m_rays > 0 ? "query 1,000 rays" : "query a ray stored") + " from " + m_heightMetres + " m";
+        public string Name => (m_rays > 0 ? "query 1,000 rays" : "query a ray stored") + " from "
+            + NumberText.Of(m_heightMetres) + " m";
         public string LimitName => null;
 
         public void Prepare(WorkloadContext context)
