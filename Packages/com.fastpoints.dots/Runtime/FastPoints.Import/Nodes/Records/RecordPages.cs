@@ -33,7 +33,9 @@ namespace FastPoints.Nodes
         /// <summary>Pages in the list, of which the last few may not be full.</summary>
         public int PageCount;
 
-        public static long PageBytes(int strideBytes) => HeaderBytes + ((long)RecordsPerPage * strideBytes + 63 & ~63L);
+        /// <summary>With a word that unpacking may read beyond a block.</summary>
+        public static long PageBytes(int strideBytes) =>
+            HeaderBytes + ((long)RecordsPerPage * strideBytes + sizeof(uint) + 63 & ~63L);
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static byte* RecordsOf(Page* page) => (byte*)page + HeaderBytes;
@@ -126,6 +128,8 @@ namespace FastPoints.Nodes
             public BitRuns(uint bits)
             {
                 Count = 0;
+                m_shift[0] = m_shift[1] = 0;
+                m_mask[0] = m_mask[1] = 0;
                 for (int done = 0; bits != 0; Count++)
                 {
                     int first = math.tzcnt(bits);
@@ -138,6 +142,14 @@ namespace FastPoints.Nodes
                     bits &= ~mask;
                 }
             }
+
+            /// <summary>Whether <see cref="First"/> and <see cref="Second"/> are all.</summary>
+            public bool AreTwo => Count <= 2;
+
+            public (int Shift, uint Mask) First => (m_shift[0], m_mask[0]);
+
+            /// <summary>No bits if there is only one.</summary>
+            public (int Shift, uint Mask) Second => (m_shift[1], m_mask[1]);
 
             public uint Gather(uint value)
             {
@@ -200,18 +212,19 @@ namespace FastPoints.Nodes
         static (uint Common, uint Bits, uint Repeated) FindBits(uint* first, int count, int words)
         {
             uint differ = 0;
-            for (int i = 1; i < count; i++)
-                differ |= first[(long)i * words] ^ *first;
+            uint* at = first;
+            for (int i = 0; i < count; i++, at += words)
+                differ |= *at ^ *first;
             // Most words are the same in all records.
             if (differ == 0)
                 return (*first, 0, 0);
             uint min = uint.MaxValue, max = 0, differBy8 = 0;
-            for (int i = 0; i < count; i++)
+            at = first;
+            for (int i = 0; i < count; i++, at += words)
             {
-                uint value = first[(long)i * words];
-                min = math.min(min, value);
-                max = math.max(max, value);
-                differBy8 |= value ^ value << 8;
+                min = math.min(min, *at);
+                max = math.max(max, *at);
+                differBy8 |= *at ^ *at << 8;
             }
             uint repeated = ((differBy8 & LowRepeated) == 0 ? LowRepeated : 0)
                 | ((differBy8 & HighRepeated) == 0 ? HighRepeated : 0);
@@ -223,15 +236,19 @@ namespace FastPoints.Nodes
 
         static int WordsOf(int count, int bits) => (count * bits + 31) / 32;
 
-        static void WriteBits(uint* first, int count, int words, uint common, uint mask, uint* to)
+        static void WriteBits(uint* from, int count, int words, uint common, uint mask, uint* to)
         {
             var runs = new BitRuns(mask);
-            int bits = math.countbits(mask), shift = math.tzcnt(mask), filled = 0;
+            var (shift1, mask1) = runs.First;
+            var (shift2, mask2) = runs.Second;
+            bool areTwo = runs.AreTwo;
+            int bits = math.countbits(mask), filled = 0;
             ulong waiting = 0;
-            for (int i = 0; i < count; i++)
+            for (int i = 0; i < count; i++, from += words)
             {
-                uint value = (first[(long)i * words] - common) & mask;
-                waiting |= (ulong)(runs.Count == 1 ? value >> shift : runs.Gather(value)) << filled;
+                uint value = *from - common;
+                value = areTwo ? (value & mask1) >> shift1 | (value & mask2) >> shift2 : runs.Gather(value);
+                waiting |= (ulong)value << filled;
                 filled += bits;
                 if (filled < 32)
                     continue;
@@ -279,28 +296,25 @@ namespace FastPoints.Nodes
         static void ReadBits(uint* from, int first, int wanted, uint* to, int words)
         {
             uint common = from[0], mask = from[1], repeated = from[2];
-            var runs = new BitRuns(mask);
-            int bits = math.countbits(mask), shift = math.tzcnt(mask), filled = -(first * bits & 31);
-            uint low = (uint)((1UL << bits) - 1);
-            ulong waiting = 0;
-            from += WordsBeforeBits + first * bits / 32;
-            if (filled < 0)
+            if (mask == 0)
             {
-                waiting = *from++ >> -filled;
-                filled += 32;
+                for (int i = 0; i < wanted; i++, to += words)
+                    *to = common;
+                return;
             }
-            for (int i = 0; i < wanted; i++)
+            var runs = new BitRuns(mask);
+            var (shift1, mask1) = runs.First;
+            var (shift2, mask2) = runs.Second;
+            bool areTwo = runs.AreTwo;
+            from += WordsBeforeBits;
+            int bits = math.countbits(mask), at = first * bits;
+            for (int i = 0; i < wanted; i++, to += words, at += bits)
             {
-                if (filled < bits)
-                {
-                    waiting |= (ulong)*from++ << filled;
-                    filled += 32;
-                }
-                uint value = (uint)waiting & low;
-                value = runs.Count == 1 ? value << shift : runs.Scatter(value);
-                to[(long)i * words] = common + value + (value << 8 & repeated);
-                waiting >>= bits;
-                filled -= bits;
+                uint* word = from + (at >> 5);
+                uint value = (uint)((word[0] | (ulong)word[1] << 32) >> (at & 31));
+                // What is above its bits is in no mask.
+                value = areTwo ? value << shift1 & mask1 | value << shift2 & mask2 : runs.Scatter(value);
+                *to = common + value + (value << 8 & repeated);
             }
         }
     }
