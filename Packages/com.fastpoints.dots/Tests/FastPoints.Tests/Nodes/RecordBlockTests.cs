@@ -90,6 +90,26 @@ namespace FastPoints.Tests.Nodes
             }
         }
 
+        [TestCase(1), TestCase(PackRecordsJob.PagesPerRun), TestCase(3 * PackRecordsJob.PagesPerRun + 5)]
+        public void Schedule_AnyNumberOfPages_PacksAllAndLeavesTheListWhole(int count)
+        {
+            var pages = default(RecordPages);
+            for (int p = 0; p < count; p++)
+            {
+                var page = m_pool.Take();
+                page->Count = 1 + p;
+                UnsafeUtility.MemClear(RecordPages.RecordsOf(page), page->Count * StrideBytes);
+                pages.AddPage(page);
+            }
+            using var slices = new SliceTimes(Allocator.Persistent);
+            PackRecordsJob.Schedule(new PackRecordsJob { Pages = pages, StrideBytes = StrideBytes, Slices = slices }, default)
+                .Complete();
+            int found = 0;
+            for (var page = pages.First; page != null; page = page->Next)
+                Assert.That(((uint*)RecordBlock.Of(page))[0], Is.EqualTo(++found));
+            Assert.That(found, Is.EqualTo(count));
+        }
+
         [Test]
         public void Pack_EqualRecords_TakesNoBitsOfThem()
         {

@@ -344,11 +344,14 @@ namespace FastPoints.Nodes
         /// <summary>Schedules jobs for all pages of a list.</summary>
         public static JobHandle Schedule(PackRecordsJob job, JobHandle before)
         {
-            var rest = job.Pages;
-            while (rest.PageCount > 0)
+            for (var rest = job.Pages; rest.PageCount > 0; rest.PageCount -= PagesPerRun)
             {
-                job.Pages = rest.Cut(PagesPerRun);
+                // The list stays one.
+                job.Pages = rest;
+                job.Pages.PageCount = math.min(PagesPerRun, rest.PageCount);
                 before = job.Schedule(before);
+                for (int i = 0; i < job.Pages.PageCount; i++)
+                    rest.First = rest.First->Next;
             }
             return before;
         }
