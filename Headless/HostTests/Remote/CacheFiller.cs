@@ -21,6 +21,7 @@ static class CacheFiller
             file.Read(offset, read);
             if (!read.AsSpan().SequenceEqual(bytes.AsSpan(offset, count)))
                 return 1;
+            SpinWait.SpinUntil(() => RangeQueue.InFlight == 0);
             Console.WriteLine($"{offset} {count}");
         }
         return 0;

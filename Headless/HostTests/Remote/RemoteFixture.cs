@@ -43,6 +43,7 @@ abstract class RemoteFixture
     // As another process would, that begins now.
     protected void StartAnew()
     {
+        AwaitCache();
         HttpFile.Forget();
         RangeExchange.CloseClient();
         RemoteStatistics.Reset();
@@ -50,6 +51,9 @@ abstract class RemoteFixture
         _ = RangeCache.Current; // Closes the one before.
         RemoteAccess.CacheFolder = folder;
     }
+
+    // Who reads does not wait until what came is in the cache.
+    protected static void AwaitCache() => SpinWait.SpinUntil(() => RangeQueue.InFlight == 0, 10_000);
 
     // Returns the file's bytes.
     protected byte[] Make(string name, int length, int seed = 1)

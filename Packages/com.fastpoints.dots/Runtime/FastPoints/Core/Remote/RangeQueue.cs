@@ -70,6 +70,20 @@ namespace FastPoints
             }
         }
 
+        // Requests under way, and answers that are not in the cache yet. For tests.
+        public static int InFlight
+        {
+            get
+            {
+                int count = 0;
+                lock (s_queues)
+                    foreach (var queue in s_queues.Values)
+                        lock (queue.m_lock)
+                            count += queue.m_inFlight;
+                return count;
+            }
+        }
+
         // Seconds from a request to its answer, the shortest lately; 0 before the first one.
         public double RoundTrip => Volatile.Read(ref m_roundTrip);
 
