@@ -110,7 +110,6 @@ namespace FastPoints.Build
         /// <summary>Whether to retry what the system refuses: not while someone waits for the end.</summary>
         public bool ShouldRetry() => !m_isEnding && !m_isRetryStopped;
 
-
         /// <summary>Waits for everything queued. May be called twice.</summary>
         public void End()
         {
