@@ -8,8 +8,8 @@ public static class BehaviourCommand
     public static ToolResult Run(Repository repository, bool check)
     {
         string file = repository.Behaviour;
-        string folder = Path.Combine(repository.PackageRoot, "Documentation~");
-        string page = Path.Combine(folder, "internals", "unverified.md");
+        string folder = Path.Combine(repository.PackageRoot, "Documentation~", "internals");
+        string page = Path.Combine(folder, "unverified.md");
         string text = File.ReadAllText(file);
         string manual = File.ReadAllText(page);
         if (!s_table.IsMatch(manual))
