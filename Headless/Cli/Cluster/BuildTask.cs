@@ -46,7 +46,7 @@ static class BuildTask
         using var sources = TaskSources.Open(task, json);
         var result = task.Make(output => BucketBuild.Run(task.Plan.Whole, cubes, sources.Reader, sources.Blocks, output));
         string records = task.PartPath(BuildFiles.BucketName);
-        var hashed = Array.ConvertAll(BucketBuild.ReadRanges(Path.GetDirectoryName(records)), r => new TaskMarker.Range(r.Part,
+        var hashed = Array.ConvertAll(BucketBuild.ReadRanges(Path.GetDirectoryName(records)!), r => new TaskMarker.Range(r.Part,
             r.Count, r.Offset, r.Bytes, TaskRun.HashOf(records, r.Offset, r.Bytes)));
         var planned = json.Longs("builds").ToHashSet();
         foreach (var stray in hashed.Where(r => r.Task < cubes.Length && !planned.Contains(r.Task)))

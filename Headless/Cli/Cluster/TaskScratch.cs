@@ -7,8 +7,13 @@ sealed class TaskScratch : IDisposable
     const int MostCopies = 16;
 
     readonly FolderLock m_lock;
+    readonly Timer m_renewal;
 
-    TaskScratch(string folder, FolderLock taken) => (Folder, m_lock) = (folder, taken);
+    TaskScratch(string folder, FolderLock taken)
+    {
+        (Folder, m_lock) = (folder, taken);
+        m_renewal = new Timer(_ => m_lock.Renew(DateTime.UtcNow), null, FolderLock.RenewAfter, FolderLock.RenewAfter);
+    }
 
     public string Folder { get; }
 
@@ -33,6 +38,7 @@ sealed class TaskScratch : IDisposable
 
     public void Dispose()
     {
+        m_renewal.Dispose();
         m_lock.Dispose();
         FileChanges.AwaitDeletes();
         try

@@ -54,6 +54,16 @@ public sealed class FolderLockTests : ScratchPerTest
     }
 
     [Test]
+    public void TryTake_KilledAsItReplacedOne_IsReplacedAtOnce()
+    {
+        FolderLock.TryTake(m_path, Environment.MachineName, Dead(), out _);
+        FolderLock.TryTake(m_path + ".taking", Environment.MachineName, Dead(), out _);
+        Assert.That(FolderLock.TryTake(m_path, out var next), Is.Null);
+        next.Dispose();
+        Assert.That(Directory.GetFileSystemEntries(Scratch["PointClouds"]), Is.Empty);
+    }
+
+    [Test]
     public void TryTake_OwnerThatIsStillTakingIt_IsAwaited()
     {
         FolderLock.TryTake(m_path, "far", (7, 1), out _);
@@ -100,6 +110,21 @@ public sealed class FolderLockTests : ScratchPerTest
         lines[3] = "another load";
         File.WriteAllText(m_path, string.Join("\n", lines));
 
+        Assert.That(FolderLock.TryTake(m_path, out var next), Is.Null);
+        next.Dispose();
+    }
+
+    // Its processes have numbers of their own.
+    [Test]
+    public void TryTake_LockOfAContainerOfTheSameMachine_IsReplacedWhenItIsNotRenewed()
+    {
+        FolderLock.TryTake(m_path, Environment.MachineName, Dead(), out _);
+        string[] lines = File.ReadAllText(m_path).Split('\n');
+        lines[4] = "another root";
+        File.WriteAllText(m_path, string.Join("\n", lines));
+
+        Assert.That(FolderLock.TryTake(m_path, out _), Is.EqualTo("process " + lines[1] + " on " + Environment.MachineName));
+        File.SetLastWriteTimeUtc(m_path, DateTime.UtcNow - FolderLock.StaleAfter - TimeSpan.FromSeconds(1));
         Assert.That(FolderLock.TryTake(m_path, out var next), Is.Null);
         next.Dispose();
     }

@@ -96,8 +96,15 @@ namespace FastPoints.Build
                 StrideBytes = m_build.Records.StrideBytes,
                 Slices = m_build.Slices,
             }, default);
-            yield return packed;
-            packed.Complete();
+            try
+            {
+                yield return packed;
+            }
+            finally
+            {
+                // Who cancels frees the pages.
+                packed.Complete();
+            }
             yield return JobStep.Of(CloudFolderWriter.Await(m_build.Folder.WriteRecords(name, pages, offset)));
             written(new RecordBlocks(name, 0).Add(pages));
         }

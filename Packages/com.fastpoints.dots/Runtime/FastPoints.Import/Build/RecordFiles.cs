@@ -113,7 +113,8 @@ namespace FastPoints.Build
                 // A chunk that is done has none.
                 if (records == 0 || !File.Exists(blocks.Path))
                     continue;
-                yield return JobStep.Of(PoolTask.Run(blocks.Path, () => RecordBlocks.Read(blocks.Path), read => blocks = read));
+                yield return JobStep.Of(PoolTask.Run(blocks.Path, () => RecordBlocks.Read(blocks.Path, m_strideBytes),
+                    read => blocks = read));
                 if (blocks.Records != records)
                     throw PointCloudException.Wanted(FailureCode.ReadFailed, blocks.Path, -1, "records that were set aside",
                         records, blocks.Records);
@@ -266,7 +267,7 @@ namespace FastPoints.Build
 
         /// <summary>Reads the headers of all blocks of a file. Any thread.</summary>
         /// <exception cref="PointCloudException">They do not fill the file.</exception>
-        public static RecordBlocks Read(string path)
+        public static RecordBlocks Read(string path, int strideBytes)
         {
             var blocks = new RecordBlocks(path, 0);
             try
@@ -278,9 +279,11 @@ namespace FastPoints.Build
                     file.BaseStream.Position = blocks.Bytes;
                     long records = size - blocks.Bytes < RecordBlock.HeaderBytes ? 0 : file.ReadUInt32();
                     long bytes = records == 0 ? 0 : RecordBlock.HeaderBytes + (long)file.ReadUInt32();
-                    if (records == 0 || records > RecordPages.RecordsPerPage || bytes > size - blocks.Bytes)
+                    // A page has room for as many bytes.
+                    if (records == 0 || records > RecordPages.RecordsPerPage || bytes > size - blocks.Bytes ||
+                        bytes > RecordBlock.HeaderBytes + records * strideBytes)
                         throw PointCloudException.Wanted(FailureCode.ReadFailed, path, blocks.Bytes, "records of a block",
-                            "1 to " + RecordPages.RecordsPerPage, records);
+                            "1 to " + RecordPages.RecordsPerPage + " of " + strideBytes + " bytes", records + " in " + bytes);
                     blocks.Add((int)records, (int)bytes);
                 }
             }

@@ -110,7 +110,7 @@ namespace FastPoints.Queries
                 return false;
             // A hit's foot on the ray is no farther from it than the largest radius: the slabs are thicker by that much.
             var from = center - m_local.Origin;
-            var reach = half + math.max(0, m_query.RadiusAt(end)) * m_local.Reach +
+            var reach = half + math.max(0, math.max(m_query.RadiusAt(distance), m_query.RadiusAt(end))) * m_local.Reach +
                 Slack * (math.abs(center) + math.abs(m_local.Origin));
             return Clip(from.x, reach.x, m_inverseDirection.x, ref distance, ref end) &&
                 Clip(from.y, reach.y, m_inverseDirection.y, ref distance, ref end) &&

@@ -11,6 +11,7 @@ namespace FastPoints.Queries
     sealed unsafe class ResidentCopy : IDisposable
     {
         const int SlotCount = 8; // Nodes that are read at the same time.
+        const int MaxFailures = 3;
 
         static readonly Predicate<CopySlot> s_isBusy = slot => !slot.IsIdle;
 
@@ -29,6 +30,7 @@ namespace FastPoints.Queries
             public int Version;
             public bool IsKnown; // In flight, copied, or impossible to copy.
             public int Copied; // One more than the index of its copy.
+            public int Failures;
         }
 
         public ResidentCopy(StreamContext stream)
@@ -69,7 +71,7 @@ namespace FastPoints.Queries
                     Change();
                 m_arrays.Place();
             }
-            IsComplete = BeginReading(budgetBytes) == 0;
+            IsComplete = BeginReading(budgetBytes) == 0 && !IsAnyGivenUp();
             JobHandle.ScheduleBatchedJobs();
         }
 
@@ -78,7 +80,8 @@ namespace FastPoints.Queries
         {
             packed = 0;
             var known = hit.Slot < 0 || hit.Slot >= m_known.Length ? default : m_known[hit.Slot];
-            if (known.Version != hit.Version || known.Copied == 0)
+            // The cloud's number may be another's by now.
+            if (known.Version != hit.Version || known.Copied == 0 || !m_stream.Cache.IsValid(hit.Slot, hit.Version))
                 return false;
             var node = m_copied[known.Copied - 1];
             var view = node.PlaneOf(m_stream.Clouds[node.Cloud], plane);
@@ -160,6 +163,8 @@ namespace FastPoints.Queries
                 else
                 {
                     node.Free();
+                    if (IsValid(node))
+                        m_known.ElementAt(node.Slot).IsKnown = ++m_known.ElementAt(node.Slot).Failures >= MaxFailures;
                 }
             }
             for (int i = 0; i < m_copied.Length; i++)
@@ -198,9 +203,18 @@ namespace FastPoints.Queries
                 if (!slot.TryBegin(cloud, next, node))
                     break;
                 bytes += more;
-                m_known[next] = new Known { Version = node.Version, IsKnown = true };
+                int failures = m_known[next].Version == node.Version ? m_known[next].Failures : 0;
+                m_known[next] = new Known { Version = node.Version, IsKnown = true, Failures = failures };
             }
             return left;
+        }
+
+        bool IsAnyGivenUp()
+        {
+            for (int s = 0; s < m_known.Length; s++)
+                if (m_known[s].Failures >= MaxFailures && m_stream.Cache.IsValid(s, m_known[s].Version))
+                    return true;
+            return false;
         }
 
         int NextToCopy()

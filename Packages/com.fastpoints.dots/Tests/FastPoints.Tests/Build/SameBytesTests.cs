@@ -20,7 +20,7 @@ namespace FastPoints.Tests.Build
         static readonly PositionTransform s_centimetres = new PositionTransform { Scale = new double3(0.01, 0.01, 0.01) };
 
         /// <summary>A terrain with a dense corner, many points at one position, and outliers that no sample knows of.</summary>
-        internal static int3[] Terrain(int count)
+        public static int3[] Terrain(int count)
         {
             var random = new Unity.Mathematics.Random(5);
             var positions = new int3[count];

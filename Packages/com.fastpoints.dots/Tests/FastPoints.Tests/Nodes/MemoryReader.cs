@@ -5,7 +5,7 @@ using Unity.Mathematics;
 
 namespace FastPoints.Tests.Nodes
 {
-    sealed class MemoryReader : PointReader
+    public sealed class MemoryReader : PointReader
     {
         readonly int m_points, m_blockPoints;
         readonly Array[] m_columns;

@@ -79,6 +79,7 @@ namespace FastPoints.Build
                 using var cubes = new NormalCubes(folder, settings);
                 using var normals = new NormalContainers(folder, cubes, manifest.NormalLayer, add.Write);
                 progress?.Begin(Stage);
+                yield return JobStep.Of(normals.LoadPages());
                 yield return JobStep.Of(isPacked ? add.Pack(cubes, normals, progress)
                     : add.Estimate(cubes, normals, settings.Workers, progress));
                 normals.CheckComplete();
@@ -223,7 +224,7 @@ namespace FastPoints.Build
             string layers = Path.Combine(m_path, StoreFormat.LayerFolderName);
             foreach (string layer in Directory.Exists(layers) ? Directory.GetDirectories(layers) : Array.Empty<string>())
                 if (Path.GetFileName(layer) != NumberText.Of((long)manifest.NormalLayer))
-                    FileChanges.DeleteFolder(layer);
+                    FileChanges.TryDelete(layer, m_queue.ShouldRetry);
         });
     }
 

@@ -44,14 +44,19 @@ namespace FastPoints.Build
             m_cubes = cubes;
             m_layer = layer;
             m_write = write;
-            int page = 0;
-            foreach (var table in folder.LoadAll())
+            m_count = new NativeReference<int>(Allocator.Persistent);
+        }
+
+        /// <summary>Coroutine, first: a page of the hierarchy a step, which stays with the cubes.</summary>
+        public IEnumerator<JobStep> LoadPages()
+        {
+            for (int page = 0; page < m_folder.PageCount; page++)
             {
+                var table = m_cubes.TableAt(page);
                 m_ranges.Add(new PlaneRange[table.Nodes.Length]);
                 m_containerOfPage.Add(table.Nodes.Length == 0 ? null : Add(page, table));
-                page++;
+                yield return default;
             }
-            m_count = new NativeReference<int>(Allocator.Persistent);
         }
 
         /// <summary>That have been taken.</summary>

@@ -38,6 +38,8 @@ namespace FastPoints.Build
             m_metres = manifest.Crs.Units.MetresAt(manifest.BoundsGeo.Center, UpAxis.Z) * manifest.Grid.Step;
         }
 
+        public NodeTable TableAt(int page) => Load(page);
+
         /// <summary>Every node of a page whose blocks are in planes of its own.</summary>
         public IEnumerable<int> PlaneNodesOf(int page)
         {

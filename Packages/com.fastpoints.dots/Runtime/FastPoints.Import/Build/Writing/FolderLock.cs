@@ -35,6 +35,9 @@ namespace FastPoints.Build
         /// <summary>Identifies the loaded scripts: one process loads them many times.</summary>
         static readonly string s_load = Guid.NewGuid().ToString("N");
 
+        /// <summary>Containers may share the name of their machine, but neither its processes nor its root.</summary>
+        static readonly string s_root = RootDevice();
+
         readonly string m_path;
         readonly string m_owner;
         DateTime m_renewed;
@@ -86,7 +89,8 @@ namespace FastPoints.Build
                     Thread.Sleep(1);
                 if (!IsStale(path, other, machine))
                     return Describe(other);
-                if (!TryReplaceStale(path, machine, owner))
+                // The first try may only clear away what a crash left.
+                if (!TryReplaceStale(path, machine, owner) && !TryReplaceStale(path, machine, owner))
                     return Describe(StoreFile.ReadText(path));
                 taken = new FolderLock(path, owner);
                 return null;
@@ -175,7 +179,7 @@ namespace FastPoints.Build
             if (!TryCreate(guard, owner))
             {
                 // Left by a crash in this method.
-                if (DateTime.UtcNow - File.GetLastWriteTimeUtc(guard) > RenewAfter)
+                if (IsStale(guard, StoreFile.ReadText(guard), machine))
                     FileChanges.Delete(guard);
                 return false;
             }
@@ -207,7 +211,7 @@ namespace FastPoints.Build
             if (!IsWhole(owner, out string[] lines, out int id, out long began))
                 return DateTime.UtcNow - File.GetLastWriteTimeUtc(path) > s_completeWithin;
             bool isSilent = DateTime.UtcNow - File.GetLastWriteTimeUtc(path) > StaleAfter;
-            if (lines[0] != machine)
+            if (lines[0] != machine || lines.Length > 5 && lines[4] != s_root)
                 return isSilent;
             var self = Self();
             if (id == 0 || id == self.Id && Math.Abs(began - self.Began) <= BeginToleranceTicks)
@@ -235,7 +239,26 @@ namespace FastPoints.Build
         static bool IsMissingInRuntime(Exception e) => e is NotSupportedException || e is NotImplementedException;
 
         static string Describe(string machine, (int Id, long Began) process) => string.Format(CultureInfo.InvariantCulture,
-            "{0}\n{1}\n{2}\n{3}\n", machine, process.Id, process.Began, s_load);
+            "{0}\n{1}\n{2}\n{3}\n{4}\n", machine, process.Id, process.Began, s_load, s_root);
+
+        /// <summary>The device that is mounted as root, which Linux tells.</summary>
+        static string RootDevice()
+        {
+            try
+            {
+                foreach (string line in File.ReadLines("/proc/self/mountinfo"))
+                {
+                    string[] fields = line.Split(' ');
+                    if (fields.Length > 4 && fields[4] == "/")
+                        return fields[2];
+                }
+            }
+            catch (Exception e) when (FileFailures.IsFileFailure(e))
+            {
+                // Another system.
+            }
+            return "";
+        }
 
         static string Describe(string owner)
         {

@@ -44,7 +44,14 @@ namespace FastPoints
         public override bool HasVersion => m_identity.Tag.Length + m_identity.Modified.Length > 0;
         public override double RoundTrip => m_queue.RoundTrip;
 
-        public override void DropHead() => m_head = null;
+        // Forgets the file, too: a cloud may have as many as nodes.
+        public override void DropHead()
+        {
+            m_head = null;
+            lock (s_opened)
+                if (s_opened.TryGetValue(m_target.Address, out var opened) && opened == this)
+                    s_opened.Remove(m_target.Address);
+        }
 
         public override void Doubt() => Interlocked.Exchange(ref m_confirmed, long.MinValue / 2);
 

@@ -1,0 +1,243 @@
+namespace FastPoints.Cli.Parts;
+
+/// <summary>Where something hangs: on a node of a region of the same part, or, as long as nothing is above it, it is one of
+/// the part's open tops or belongs to one.</summary>
+struct PartPlace
+{
+    public const int Open = -1;
+    public const int Root = -2;
+
+    /// <summary>Number of the region, or one of the above.</summary>
+    public int Region;
+
+    /// <summary>Number of the node, or of the open top.</summary>
+    public int Node;
+
+    public void Write(BinaryWriter to)
+    {
+        to.Write(Region);
+        to.Write(Node);
+    }
+
+    public static PartPlace Read(BinaryReader from) =>
+        new PartPlace { Region = from.ReadInt32(), Node = from.ReadInt32() };
+}
+
+/// <summary>What part.nodes says: the chunks and regions with nodes, and what hangs where.</summary>
+sealed class PartNodes
+{
+    /// <summary>A chunk or a region.</summary>
+    public struct Entry
+    {
+        public ContainerRecord Container;
+        public int NodeCount;
+        public long TableOffset;
+        public ulong TableHash;
+        public PartPlace Place;
+
+        public void Write(BinaryWriter to)
+        {
+            PartBytes.Write(to, Container.Cube);
+            to.Write(Container.Part);
+            to.Write((ushort)Container.Kind);
+            to.Write(Container.FileBytes);
+            to.Write(Container.Hash);
+            to.Write(NodeCount);
+            to.Write(TableOffset);
+            to.Write(TableHash);
+            Place.Write(to);
+        }
+
+        public static Entry Read(BinaryReader from) => new Entry
+        {
+            Container = new ContainerRecord
+            {
+                Cube = PartBytes.ReadCube(from),
+                Part = from.ReadInt32(),
+                Kind = (ContainerKind)from.ReadUInt16(),
+                FileBytes = from.ReadInt64(),
+                Hash = from.ReadUInt64(),
+            },
+            NodeCount = from.ReadInt32(),
+            TableOffset = from.ReadInt64(),
+            TableHash = from.ReadUInt64(),
+            Place = PartPlace.Read(from),
+        };
+    }
+
+    /// <summary>A part that was merged: where its open tops hang.</summary>
+    public sealed class Input
+    {
+        public ulong NodesHash;
+        public readonly List<PartPlace> Places = new List<PartPlace>();
+    }
+
+    /// <summary>The part's cube; if it has the root's region, the root.</summary>
+    public GridCube Cube;
+
+    public PartResult Result = null!;
+
+    /// <summary>Tops that nothing is above of; 0 when the root's region is merged.</summary>
+    public int OpenTops;
+
+    /// <summary>Tells it from all other parts.</summary>
+    public ulong Hash;
+
+    public readonly List<Entry> Chunks = new List<Entry>();
+    public readonly List<Entry> Regions = new List<Entry>();
+    public readonly List<Input> Inputs = new List<Input>();
+
+    public byte[] FactsToBytes() => PartBytes.Of(to =>
+    {
+        PartBytes.Write(to, Cube);
+        to.Write(OpenTops);
+        Result.Write(to);
+    });
+
+    public static PartNodes OfFacts(string path, byte[] facts)
+    {
+        var nodes = new PartNodes();
+        PartBytes.Read(path, PartHeader.SizeBytes, facts, from =>
+        {
+            nodes.Cube = PartBytes.ReadCube(from);
+            nodes.OpenTops = from.ReadInt32();
+            nodes.Result = PartResult.Read(from);
+        });
+        return nodes;
+    }
+
+    public byte[] EntriesToBytes() => PartBytes.Of(to =>
+    {
+        foreach (var entries in new[] { Chunks, Regions })
+        {
+            to.Write(entries.Count);
+            foreach (var entry in entries)
+                entry.Write(to);
+        }
+        to.Write(Inputs.Count);
+        foreach (var input in Inputs)
+        {
+            to.Write(input.NodesHash);
+            to.Write(input.Places.Count);
+            foreach (var place in input.Places)
+                place.Write(to);
+        }
+    });
+
+    public void ReadEntries(string path, in PartHeader header) =>
+        PartBytes.Read(path, header.EntriesOffset, header.ReadEntries(path), from =>
+        {
+            foreach (var entries in new[] { Chunks, Regions })
+                for (int left = PartBytes.ReadCount(from); left > 0; left--)
+                    entries.Add(Entry.Read(from));
+            for (int inputs = PartBytes.ReadCount(from); inputs > 0; inputs--)
+            {
+                var input = new Input { NodesHash = from.ReadUInt64() };
+                Inputs.Add(input);
+                for (int left = PartBytes.ReadCount(from); left > 0; left--)
+                    input.Places.Add(PartPlace.Read(from));
+            }
+        });
+}
+
+/// <summary>What part.tops says: the tops that nothing is above of yet.</summary>
+sealed class PartTops
+{
+    public ulong NodesHash;
+    public PartResult Result = null!; // Where it was read.
+    public readonly List<UpperItem> Items = new List<UpperItem>();
+
+    public byte[] ToBytes() => PartBytes.Of(to =>
+    {
+        to.Write(Items.Count);
+        foreach (var item in Items)
+        {
+            PartBytes.Write(to, item.Cube);
+            to.Write(item.Top.SideLog2);
+            to.Write(item.Top.CellLog2);
+            to.Write(item.Top.IsLeaf);
+            to.Write(item.Top.HasNodes);
+            to.Write(item.TopPoints);
+            to.Write(item.RecordsOffset);
+            to.Write(item.RecordsHash);
+        }
+    });
+
+    public void ReadEntries(string path, in PartHeader header, int strideBytes)
+    {
+        long end = header.EntriesOffset;
+        PartBytes.Read(path, end, header.ReadEntries(path), from =>
+        {
+            for (int left = PartBytes.ReadCount(from); left > 0; left--)
+            {
+                var item = new UpperItem
+                {
+                    Path = path,
+                    Cube = PartBytes.ReadCube(from),
+                    Top = new ChunkTop
+                    {
+                        SideLog2 = from.ReadByte(),
+                        CellLog2 = from.ReadByte(),
+                        IsLeaf = from.ReadBoolean(),
+                        HasNodes = from.ReadBoolean(),
+                        AttachNode = -1,
+                    },
+                    TopPoints = from.ReadInt32(),
+                    RecordsOffset = from.ReadInt64(),
+                    RecordsHash = from.ReadUInt64(),
+                };
+                if (item.TopPoints < 0 || item.TopPoints > (end - item.RecordsOffset) / strideBytes)
+                    throw PointCloudException.Wanted(FailureCode.BadInput, path, item.RecordsOffset, "points of a top",
+                        "at most " + (end - item.RecordsOffset) / strideBytes, item.TopPoints);
+                Items.Add(item);
+            }
+        });
+    }
+}
+
+/// <summary>Finds what the items and regions of a merge hang on.</summary>
+sealed class PartPlaces
+{
+    readonly Dictionary<UpperPlace, int> m_open = new Dictionary<UpperPlace, int>();
+    readonly Dictionary<UpperPlace, int> m_numbers = new Dictionary<UpperPlace, int>();
+
+    public PartPlaces(UpperMerge merge)
+    {
+        foreach (var item in merge.Open)
+            m_open.Add(item.Place, m_open.Count);
+        foreach (var region in merge.Regions)
+        {
+            if (region.Part.NodeCount == 0)
+                continue;
+            m_numbers.Add(region, Regions.Count);
+            Regions.Add(region);
+        }
+    }
+
+    /// <summary>Those with nodes.</summary>
+    public readonly List<UpperRegion> Regions = new List<UpperRegion>();
+
+    public PartPlace Of(UpperPlace place)
+    {
+        place = place.OfNode();
+        if (place.Above != null)
+            return new PartPlace { Region = m_numbers[place.Above], Node = place.Node };
+        return m_open.TryGetValue(place, out int open) ? new PartPlace { Region = PartPlace.Open, Node = open }
+            : new PartPlace { Region = PartPlace.Root };
+    }
+
+    public void AddInputs(UpperMerge merge, IReadOnlyList<PartTops> from, List<PartNodes.Input> to)
+    {
+        var items = new Queue<UpperItem>();
+        foreach (var item in merge.Added)
+            if (item.Chunk == null)
+                items.Enqueue(item);
+        foreach (var tops in from)
+        {
+            var input = new PartNodes.Input { NodesHash = tops.NodesHash };
+            to.Add(input);
+            foreach (var _ in tops.Items)
+                input.Places.Add(Of(items.Dequeue().Place));
+        }
+    }
+}
