@@ -98,8 +98,7 @@ namespace FastPoints.Editor
                 target?.Show(new[] { asset });
         }
 
-        /// <summary>The dragged files. A drag has some sixty events a second: files are inspected
-        /// once.</summary>
+        /// <summary>Of the dragged files. A drag has some sixty events a second: files are inspected once.</summary>
         static DropKind KindOf(EditorImports imports, bool perform)
         {
             var (paths, now) = (DragAndDrop.paths, DateTime.UtcNow);

@@ -25,7 +25,7 @@ namespace FastPoints.Sampling
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public unsafe bool Mark(ulong* table, double x, double y, double z)
         {
-            // All distant points share a cell: a conversion that overflows always gives the same value.
+            // All distant points share a few cells: a conversion that overflows gives one value, or the nearest.
             long cellX = (long)math.floor((x - Corner.x) * CellsPerUnit);
             long cellY = (long)math.floor((y - Corner.y) * CellsPerUnit);
             long cellZ = (long)math.floor((z - Corner.z) * CellsPerUnit);

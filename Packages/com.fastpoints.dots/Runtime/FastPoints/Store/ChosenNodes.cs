@@ -21,7 +21,7 @@ namespace FastPoints.Store
 
         public int CheckedPoints => Points <= int.MaxValue / 64
             ? (int)Points
-            : throw PointCloudException.Wanted(FailureCode.Unsupported, Folder.FolderPath, -1, "points of one picture",
+            : throw PointCloudException.Wanted(FailureCode.Unsupported, Folder.FolderPath, -1, "points chosen at once",
                 "at most " + int.MaxValue / 64, Points);
 
         public IEnumerable<int> Pages => m_nodesOfPage.Keys;

@@ -6,8 +6,8 @@ namespace FastPoints.Streaming
 {
     // Gives out ranges of consecutive slots and takes them back: it keeps books on abstract indices, whatever memory they stand
     // for. Free ranges lie in lists by the power of two of their length; a range that is given back merges with its free
-    // neighbours. Both take constant time. The first and the last slot of a range hold its length: positive if it is taken,
-    // negative if it is free.
+    // neighbours. Both take constant time, but where only the list of its own length may have room. The first and the last slot
+    // of a range hold its length: positive if it is taken, negative if it is free.
     internal struct RangeAllocator : IDisposable
     {
         const int None = -1;
@@ -66,7 +66,7 @@ namespace FastPoints.Streaming
         {
             int length = first >= 0 && first < m_length.Length ? m_length[first] : 0;
             if (length <= 0 || first + length > m_length.Length || m_length[first + length - 1] != length)
-                throw new ArgumentException("slot " + first + " is not the first of a run that was taken", nameof(first));
+                throw new ArgumentException("slot " + first + " is not the first of a range that was taken", nameof(first));
             UsedSlots -= length;
             // What lies inside a longer range must not pass for a range.
             Mark(first, length, 0);
@@ -119,10 +119,10 @@ namespace FastPoints.Streaming
             {
                 int length = math.abs(m_length[at]);
                 if (length == 0 || at + length > m_length.Length || m_length[at + length - 1] != m_length[at])
-                    return "slot " + at + " begins a run of " + m_length[at] + " that does not end so";
+                    return "slot " + at + " begins a range of " + m_length[at] + " that does not end so";
                 bool isFree = m_length[at] < 0;
                 if (isFree && wasFree)
-                    return "slot " + at + " begins a free run beside another";
+                    return "slot " + at + " begins a free range beside another";
                 used += isFree ? 0 : length;
                 free += isFree ? 1 : 0;
                 wasFree = isFree;
@@ -137,9 +137,9 @@ namespace FastPoints.Streaming
                     return "bin " + bin + " is not as marked";
                 for (int range = m_firstOfBin[bin], before = None; range >= 0; before = range, range = m_next[range], listed++)
                     if (m_length[range] >= 0 || BinOf(-m_length[range]) != bin || m_previous[range] != before || listed > free)
-                        return "run " + range + " of " + m_length[range] + " is in bin " + bin;
+                        return "range " + range + " of " + m_length[range] + " is in bin " + bin;
             }
-            return listed == free ? null : "listed " + listed + " free runs, wanted " + free;
+            return listed == free ? null : "listed " + listed + " free ranges, wanted " + free;
         }
 
         static int BinOf(int length) => 31 - math.lzcnt(length);
