@@ -10,8 +10,10 @@ namespace FastPoints.Surface
     /// <summary>The points of a converted cloud by cells of its surface.</summary>
     internal sealed class StoredCells : ChosenNodes
     {
-        /// <summary>So many points of a cell are read at once, or the points of a node.</summary>
-        const long PointsPerBatch = 1_000_000;
+        const int NodesPerStep = 256, NoPage = -1;
+
+        /// <summary>Of 64 KiB each: a long way would collect all of a cloud's.</summary>
+        const int MaxTables = 500;
 
         readonly SurfaceGrid m_grid;
         readonly ClassMask m_hidden;
@@ -20,17 +22,28 @@ namespace FastPoints.Surface
         /// <param name="hidden">Points of these classes are left out.</param>
         /// <param name="attributes">To read beside positions, for <see cref="Prepare"/>.</param>
         public StoredCells(CloudFolder folder, in SurfaceGrid grid, ClassMask hidden = default, params string[] attributes)
-            : base(folder)
+            : this(folder, grid, hidden, MetresOf(folder.Manifest), attributes)
+        {
+        }
+
+        /// <param name="metresOfUnit">Metres of a CRS unit along each axis.</param>
+        public StoredCells(CloudFolder folder, in SurfaceGrid grid, ClassMask hidden, double3 metresOfUnit,
+            params string[] attributes) : base(folder)
         {
             m_grid = grid;
             m_hidden = hidden;
-            var manifest = folder.Manifest;
-            Metres = manifest.Crs.Units.MetresAt(manifest.BoundsGeo.Center, UpAxis.Z) * manifest.Grid.Step;
+            Metres = metresOfUnit * folder.Manifest.Grid.Step;
             var names = new List<string>(attributes);
             if (!hidden.IsEmpty)
                 names.Add(AttributeNames.Classification);
             m_schema = LoadNodes.SchemaFor(folder, names.ToArray());
         }
+
+        static double3 MetresOf(CloudManifest manifest) =>
+            manifest.Crs.Units.MetresAt(manifest.BoundsGeo.Center, UpAxis.Z);
+
+        /// <summary>So many points of a cell are read at once, or the points of a node.</summary>
+        public long PointsPerBatch { get; set; } = 1_000_000;
 
         /// <summary>Of a grid step along each axis.</summary>
         public double3 Metres { get; }
@@ -58,13 +71,21 @@ namespace FastPoints.Surface
         IEnumerator<JobStep> Read(Grid3 min, Grid3 end, Func<PointBatch, IEnumerator<JobStep>> take)
         {
             Clear();
+            if (TableCount > MaxTables)
+                DropTables();
             // Pages are loaded on the way: what is chosen is complete before it is read.
             var nodes = new List<(int Page, int Node)>();
-            foreach (var (page, index) in NodesIn(min, end))
+            int missing = NoPage, seen = 0;
+            foreach (var (page, index) in NodesIn(min, end, page => missing = page))
             {
-                if (Intersects(TableOf(page).Nodes[index], min, end))
+                if (missing != NoPage)
+                {
+                    yield return JobStep.Of(LoadPage(missing));
+                    missing = NoPage;
+                }
+                else if (Intersects(TableOf(page).Nodes[index], min, end))
                     nodes.Add((page, index));
-                if (nodes.Count % 256 == 255)
+                if (++seen % NodesPerStep == 0)
                     yield return default;
             }
             for (int n = 0; n < nodes.Count; n++)
