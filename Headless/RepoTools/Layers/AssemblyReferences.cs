@@ -34,10 +34,10 @@ public static class AssemblyReferences
             .Concat(s_testRunner).ToArray(),
         ["FastPoints.Scenes"] = s_shared,
         ["FastPoints.Samples"] = s_shared.Concat(s_entities)
-            .Concat(new[] { "FastPoints.Rendering", "FastPoints.Entities" }).ToArray(),
+            .Concat(new[] { "FastPoints.Rendering", "FastPoints.Entities", "FastPoints.Surface" }).ToArray(),
         ["FastPoints.Samples.Editor"] = new[]
         {
-            "FastPoints", "FastPoints.Editor", "FastPoints.Entities", "FastPoints.Rendering",
+            "FastPoints", "FastPoints.Editor", "FastPoints.Entities", "FastPoints.Rendering", "FastPoints.Surface",
             "FastPoints.Samples", "Unity.Collections", "Unity.Entities", "Unity.Mathematics",
         },
         ["FastPoints.UnityTests"] = s_shared.Concat(s_testRunner)

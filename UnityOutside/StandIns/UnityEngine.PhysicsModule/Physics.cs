@@ -2,7 +2,7 @@ namespace UnityEngine;
 
 public class Physics
 {
-    /// <summary>For any thread. What Unity does with the number of a mesh that is gone is not known: here it is refused.</summary>
+    /// <summary>For any thread. What Unity does with the number of a mesh that is gone is not known: it is refused.</summary>
 #if UNITY_6000_3_OR_NEWER
     public static void BakeMesh(EntityId meshEntityId, bool convex) => Bake(meshEntityId.Id);
 #else

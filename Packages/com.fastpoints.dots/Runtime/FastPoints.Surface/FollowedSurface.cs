@@ -2,6 +2,7 @@
 using System;
 using System.Collections.Generic;
 using FastPoints.Drawing;
+using FastPoints.Entities;
 using FastPoints.Store;
 using FastPoints.Streaming;
 using Unity.Burst;
@@ -18,19 +19,18 @@ namespace FastPoints.Surface
     /// from the corner of the cloud's root, in double; the space that the cloud is shown in places them. Main thread.</summary>
     internal sealed class FollowedSurface : IDisposable
     {
-        const double RetrySeconds = 5;
+        public const double RetrySeconds = 5;
         const long PointsPerBatch = 300_000; // Of a cell at once: 7 MB.
-
-        /// <summary>What has moved less, as a share of a cell, changes no plan.</summary>
-        const double MinMove = 0.125;
-
-        /// <summary>Metres of a degree change with the place: all is made anew where they have by more than this share.</summary>
-        const double MaxScaleChange = 1e-3;
+        const double MinMove = 0.125; // Of a cell: what has moved less changes no plan.
+        const double MaxScaleChange = 1e-3; // Metres of a degree change with the place: beyond this all is made anew.
 
         readonly CloudFolder m_folder;
         readonly SurfaceGrid m_grid;
         readonly ClassMask m_hidden;
+        readonly PointCloud m_cloud;
         readonly Transform m_parent;
+        readonly BoundsGeo m_boundsGeo;
+        readonly CloudUnits m_units;
         readonly StoredCells m_points;
         readonly SurfaceBuilder m_builder;
         readonly double3 m_rootGeo, m_scale;
@@ -46,10 +46,12 @@ namespace FastPoints.Surface
         JobCoroutine m_making;
 
         /// <param name="folder">Is owned from now on.</param>
-        public FollowedSurface(CloudFolder folder, in SurfaceGrid grid, ClassMask hidden, UnitySpace space, Transform parent)
+        public FollowedSurface(CloudFolder folder, in SurfaceGrid grid, ClassMask hidden, PointCloud cloud)
         {
-            (m_folder, m_grid, m_hidden, m_parent, m_space, m_scale) = (folder, grid, hidden, parent, space, space.Scale);
-            (BoundsGeo, Units) = (folder.Manifest.BoundsGeo, folder.Manifest.Crs.Units);
+            (m_folder, m_grid, m_hidden, m_cloud, m_parent) = (folder, grid, hidden, cloud, cloud.transform);
+            (m_boundsGeo, m_units) = (folder.Manifest.BoundsGeo, folder.Manifest.Crs.Units);
+            var space = m_space = cloud.SpaceOf(m_boundsGeo, m_units);
+            m_scale = space.Scale;
             m_rootGeo = folder.Manifest.Grid.ToGeo(folder.Manifest.Root.Corner);
             space.Up.Directions(out var east, out var north, out var up);
             m_fromCloud = math.transpose(new double3x3(east, up, north));
@@ -59,23 +61,22 @@ namespace FastPoints.Surface
         }
 
         public SurfaceCells Cells { get; }
-        public BoundsGeo BoundsGeo { get; }
-        public CloudUnits Units { get; }
-
-        /// <summary>Whether it would be made in the same way.</summary>
-        public bool IsOf(in SurfaceGrid grid, ClassMask hidden, UnitySpace space) => m_grid.Equals(grid) &&
-            m_hidden.Equals(hidden) && m_space.Up == space.Up &&
-            math.all(math.abs(space.Scale - m_scale) <= MaxScaleChange * m_scale);
+        public bool IsMaking => m_making != null && !m_making.IsDone;
 
         /// <summary>Plans anew where something has moved, and moves colliders where the cloud's origin has.</summary>
-        public void Follow(List<Transform> followed, double4x4 toWorld, UnitySpace space, double radius)
+        /// <returns>False if it was made in another way than is wanted.</returns>
+        public bool Follow(List<Transform> followed, double radius, in SurfaceGrid grid, ClassMask hidden)
         {
+            var space = m_cloud.SpaceOf(m_boundsGeo, m_units);
+            if (!m_grid.Equals(grid) || !m_hidden.Equals(hidden) || m_space.Up != space.Up ||
+                math.any(math.abs(space.Scale - m_scale) > MaxScaleChange * m_scale))
+                return false;
             bool isElsewhere = !m_space.OriginGeo.Equals(space.OriginGeo);
-            (m_space, m_toWorld) = (space, toWorld);
+            (m_space, m_toWorld) = (space, new double4x4(TransformMatrix.Of(m_parent).Value));
             foreach (var cell in Cells.Made)
                 if (isElsewhere && cell.Collider != null)
                     cell.Collider.transform.localPosition = PositionOf(cell.At);
-            var toAxes = math.mul(LinearOf(toWorld), m_fromCloud);
+            var toAxes = math.mul(LinearOf(m_toWorld), m_fromCloud);
             var lengths = new double3(math.length(toAxes.c0), math.length(toAxes.c1), math.length(toAxes.c2));
             m_places.Clear();
             foreach (var transform in followed)
@@ -85,38 +86,27 @@ namespace FastPoints.Surface
             for (int i = 0; i < m_places.Count && !isStale; i++)
                 isStale = math.distance(m_places[i], m_planned[i]) > MinMove * m_grid.CellMetres;
             if (!isStale)
-                return;
+                return true;
             (m_radius, m_lengths, m_isStale, m_places, m_planned) = (radius, lengths, false, m_planned, m_places);
             Cells.Plan(m_planned, lengths, radius);
+            return true;
         }
 
         /// <summary>Goes on with a cell. Returns whether one was completed.</summary>
         /// <exception cref="PointCloudException">It cannot be made, and is tried again later.</exception>
         public bool Update(double now, double budgetMs)
         {
-            if (m_making == null && (Cells.Busy = Cells.Next(now)) == null)
+            if (!IsMaking && (Cells.Busy = Cells.Next(now)) == null)
                 return false;
-            m_making ??= new JobCoroutine(Make(Cells.Busy));
-            bool isWhole = false;
-            try
-            {
-                isWhole = m_making.Tick(budgetMs);
-            }
-            finally
-            {
-                if (m_making.IsDone)
-                {
-                    Cells.Busy.RetryAt = isWhole ? 0 : now + RetrySeconds;
-                    (m_making, Cells.Busy, m_isStale) = (null, null, true);
-                }
-            }
-            return isWhole;
+            if (!IsMaking)
+                m_making = new JobCoroutine(Make(Cells.Busy));
+            Cells.Busy.RetryAt = now + RetrySeconds; // Where it fails.
+            return m_isStale |= m_making.Tick(budgetMs);
         }
 
         public bool IsReady(Vector3 world, double reach) => math.all(m_lengths > 0) &&
             Cells.IsMade(MetresOf(world), reach / m_lengths);
 
-        /// <summary>Awaits the jobs of a cell that is being made.</summary>
         public void Dispose()
         {
             m_making?.Cancel();
@@ -160,7 +150,6 @@ namespace FastPoints.Surface
                 job = new BakeMeshJob { Mesh = mesh.GetInstanceID() }.Schedule();
 #endif
                 yield return job;
-                job.Complete();
                 collider.transform.localPosition = PositionOf(cell.At);
                 collider.sharedMesh = mesh;
                 collider.gameObject.layer = m_parent.gameObject.layer;
@@ -181,8 +170,7 @@ namespace FastPoints.Surface
                 return m_free.Pop();
             var cell = new GameObject("Cell of a point cloud") { hideFlags = HideFlags.DontSave };
             var mesh = new Mesh { name = cell.name, hideFlags = HideFlags.DontSave, indexFormat = IndexFormat.UInt32 };
-            m_owned.Add(cell);
-            m_owned.Add(mesh);
+            m_owned.AddRange(new Object[] { cell, mesh });
             cell.SetActive(false);
             cell.transform.SetParent(m_parent, false);
             return (cell.AddComponent<MeshCollider>(), mesh);
@@ -200,7 +188,6 @@ namespace FastPoints.Surface
             m_free.Push((collider, mesh));
         }
 
-        /// <summary>Below the cloud's GameObject.</summary>
         Vector3 PositionOf(int3 cell) => Of(m_space.FromGeo(m_rootGeo +
             new double3(cell.x, cell.y, cell.z) * m_grid.CellMetres / m_scale));
 
@@ -208,7 +195,6 @@ namespace FastPoints.Surface
             new double3(world.x, world.y, world.z) - m_toWorld.c3.xyz)) - m_rootGeo) * m_scale;
 
         static double3x3 LinearOf(double4x4 m) => new double3x3(m.c0.xyz, m.c1.xyz, m.c2.xyz);
-
         static Vector3 Of(double3 v) => new Vector3((float)v.x, (float)v.y, (float)v.z);
     }
 

@@ -6,24 +6,18 @@ using FastPoints.Entities;
 using FastPoints.Store;
 using Unity.Mathematics;
 using UnityEngine;
-#if FASTPOINTS_AI
-using UnityEngine.AI;
-#endif
 
 namespace FastPoints.Surface
 {
     /// <summary>Ground and walls of a converted cloud for physics, near what moves: while the game plays, surfaces of its points
     /// are made cell by cell in jobs, the nearest first, and become mesh colliders below this GameObject. They are thin sheets
     /// that hold from both sides, as high as the points; where the scan has nothing, there is no ground.</summary>
-    [DisallowMultipleComponent]
-    [RequireComponent(typeof(PointCloud))]
-    [AddComponentMenu("FastPoints/Point Cloud Collider")]
-    [HelpPage("colliders")]
+    [DisallowMultipleComponent, RequireComponent(typeof(PointCloud))]
+    [AddComponentMenu("FastPoints/Point Cloud Collider"), HelpPage("colliders")]
     [Icon("Packages/com.fastpoints.dots/Editor/Icons/PointCloud.png")]
     public sealed class PointCloudCollider : MonoBehaviour
     {
         const int CellVoxels = 80;
-        const double RetrySeconds = 5;
 
         [Tooltip("What moves: players, vehicles, agents. There are colliders around each of them, and nowhere else.")]
         public List<Transform> Followed = new List<Transform>();
@@ -57,10 +51,8 @@ namespace FastPoints.Surface
         PoolTask<CloudFolder> m_opening;
         PointCloudAsset m_openedCloud;
         string m_openedPath;
-        string m_logged;
         double m_retryAt;
 
-        [field: NonSerialized]
         internal FollowedSurface Surface { get; private set; }
 
         /// <summary>What went wrong last, in one line; null if all is well. It is tried again every five seconds.</summary>
@@ -68,11 +60,10 @@ namespace FastPoints.Surface
 
         /// <summary>Cells that are kept, empty ones too.</summary>
         public int CellCount => Surface == null ? 0 : Surface.Cells.Made.Count;
-
         public long TriangleCount => Surface == null ? 0 : Surface.Cells.Triangles;
 
-        /// <summary>Whether the cells around a position of the world are made, with ground in them or without: hold a player
-        /// until then, as after a start or a jump to another place. Never where nothing that is followed is near.</summary>
+        /// <summary>Whether the cells around a position of the world are made, with ground in them or without: hold players until
+        /// then, after a start or a jump. Never where nothing that is followed is near.</summary>
         /// <param name="reach">How far around, in world units.</param>
         public bool IsReady(Vector3 position, float reach = 2) => Surface != null && Surface.IsReady(position, reach);
 
@@ -87,13 +78,13 @@ namespace FastPoints.Surface
 #if FASTPOINTS_AI
         /// <summary>Adds the colliders of now as sources of a navigation mesh: build it anew when <see cref="CellCount"/>
         /// changes.</summary>
-        public void AddNavMeshSources(List<NavMeshBuildSource> sources)
+        public void AddNavMeshSources(List<UnityEngine.AI.NavMeshBuildSource> sources)
         {
             for (int i = 0; i < CellCount; i++)
                 if (Surface.Cells.Made[i].Collider != null)
-                    sources.Add(new NavMeshBuildSource
+                    sources.Add(new UnityEngine.AI.NavMeshBuildSource
                     {
-                        shape = NavMeshBuildSourceShape.Mesh,
+                        shape = UnityEngine.AI.NavMeshBuildSourceShape.Mesh,
                         sourceObject = Surface.Cells.Made[i].Collider.sharedMesh,
                         transform = Surface.Cells.Made[i].Collider.transform.localToWorldMatrix,
                         component = Surface.Cells.Made[i].Collider,
@@ -102,7 +93,6 @@ namespace FastPoints.Surface
 #endif
 
         void OnEnable() => m_cloud = GetComponent<PointCloud>();
-
         void OnDisable() => Reopen();
 
         // What it follows has moved by then.
@@ -114,48 +104,40 @@ namespace FastPoints.Surface
                 if (m_openedCloud != m_cloud.Cloud || m_openedPath != m_cloud.Path)
                     Reopen();
                 if (Surface == null ? TryOpen(now) : Follow(now))
-                    Error = m_logged = null;
+                    Error = null;
             }
             catch (Exception e)
             {
-                m_retryAt = now + RetrySeconds;
-                Error = PointCloudException.Of(m_cloud.FullPath, e).Message;
-                if (Error != m_logged)
-                    Debug.LogError("FastPoints: " + name + " has no colliders: " + Error);
-                m_logged = Error;
+                m_retryAt = now + FollowedSurface.RetrySeconds;
+                string message = PointCloudException.Of(m_cloud.FullPath, e).Message;
+                if (Error != message)
+                    Debug.LogError("FastPoints: " + name + " lacks colliders: " + message);
+                Error = message;
             }
         }
 
-        /// <returns>Whether a cell was completed.</returns>
         bool Follow(double now)
         {
-            var space = m_cloud.SpaceOf(Surface.BoundsGeo, Surface.Units);
-            if (!Surface.IsOf(Grid, ClassMask.Of(HiddenClasses), space))
-            {
-                Reopen();
-                return false;
-            }
             (Surface.Cells.MaxCells, Surface.Cells.MaxTriangles) = (MaxCells, MaxTriangles);
-            Surface.Follow(Followed, new double4x4(TransformMatrix.Of(transform).Value), space, Radius);
-            return Surface.Update(now, FrameMs);
+            if (Surface.Follow(Followed, Radius, Grid, ClassMask.Of(HiddenClasses)))
+                return Surface.Update(now, FrameMs);
+            Reopen();
+            return false;
         }
 
-        /// <returns>Whether it is open now.</returns>
         bool TryOpen(double now)
         {
             if (m_opening == null && now >= m_retryAt && m_cloud.HasCloud)
             {
-                (m_openedCloud, m_openedPath) = (m_cloud.Cloud, m_cloud.Path);
                 string path = m_cloud.FullPath;
+                (m_openedCloud, m_openedPath) = (m_cloud.Cloud, m_cloud.Path);
                 m_opening = PoolTask.Begin(path, () => Open(path), unwanted => unwanted.Dispose());
             }
             if (m_opening == null || !m_opening.IsDone)
                 return false;
             var opening = m_opening;
             m_opening = null;
-            var folder = opening.Take();
-            var space = m_cloud.SpaceOf(folder.Manifest.BoundsGeo, folder.Manifest.Crs.Units);
-            Surface = new FollowedSurface(folder, Grid, ClassMask.Of(HiddenClasses), space, transform);
+            Surface = new FollowedSurface(opening.Take(), Grid, ClassMask.Of(HiddenClasses), m_cloud);
             return true;
         }
 

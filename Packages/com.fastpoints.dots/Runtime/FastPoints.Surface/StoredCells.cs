@@ -11,36 +11,27 @@ namespace FastPoints.Surface
     internal sealed class StoredCells : ChosenNodes
     {
         const int NodesPerStep = 256, NoPage = -1;
-
-        /// <summary>Of 64 KiB each: a long way would collect all of a cloud's.</summary>
-        const int MaxTables = 500;
+        const int MaxTables = 500; // Of 64 KiB each: a long way would collect all of a cloud's.
 
         readonly SurfaceGrid m_grid;
         readonly ClassMask m_hidden;
         readonly PointSchema m_schema;
 
         /// <param name="hidden">Points of these classes are left out.</param>
+        /// <param name="metresOfUnit">Along each axis; null for the cloud's own.</param>
         /// <param name="attributes">To read beside positions, for <see cref="Prepare"/>.</param>
-        public StoredCells(CloudFolder folder, in SurfaceGrid grid, ClassMask hidden = default, params string[] attributes)
-            : this(folder, grid, hidden, MetresOf(folder.Manifest), attributes)
-        {
-        }
-
-        /// <param name="metresOfUnit">Metres of a CRS unit along each axis.</param>
-        public StoredCells(CloudFolder folder, in SurfaceGrid grid, ClassMask hidden, double3 metresOfUnit,
+        public StoredCells(CloudFolder folder, in SurfaceGrid grid, ClassMask hidden, double3? metresOfUnit = null,
             params string[] attributes) : base(folder)
         {
             m_grid = grid;
             m_hidden = hidden;
-            Metres = metresOfUnit * folder.Manifest.Grid.Step;
+            var manifest = folder.Manifest;
+            Metres = (metresOfUnit ?? manifest.Crs.Units.MetresAt(manifest.BoundsGeo.Center, UpAxis.Z)) * manifest.Grid.Step;
             var names = new List<string>(attributes);
             if (!hidden.IsEmpty)
                 names.Add(AttributeNames.Classification);
             m_schema = LoadNodes.SchemaFor(folder, names.ToArray());
         }
-
-        static double3 MetresOf(CloudManifest manifest) =>
-            manifest.Crs.Units.MetresAt(manifest.BoundsGeo.Center, UpAxis.Z);
 
         /// <summary>So many points of a cell are read at once, or the points of a node.</summary>
         public long PointsPerBatch { get; set; } = 1_000_000;
@@ -71,8 +62,7 @@ namespace FastPoints.Surface
         IEnumerator<JobStep> Read(Grid3 min, Grid3 end, Func<PointBatch, IEnumerator<JobStep>> take)
         {
             Clear();
-            if (TableCount > MaxTables)
-                DropTables();
+            DropTables(MaxTables);
             // Pages are loaded on the way: what is chosen is complete before it is read.
             var nodes = new List<(int Page, int Node)>();
             int missing = NoPage, seen = 0;

@@ -11,8 +11,7 @@ namespace FastPoints.Surface
     {
         public int3 At;
         public double Distance; // From the nearest place, in world units.
-        public long NearInPlan; // The last plan that had it within the radius, and the last one that wanted it.
-        public long WantedInPlan;
+        public long NearInPlan, WantedInPlan; // The last plan that had it within the radius, and that wanted it.
         public int Triangles = -1; // Known once it was made, even if there was no room for it.
         public MeshCollider Collider; // Null while it is not made, or if it is empty.
         public double RetryAt; // It failed, and is not tried before.
@@ -26,8 +25,8 @@ namespace FastPoints.Surface
     {
         const int MaxReachCells = 8; // Nobody wants thousands of cells.
 
-        static readonly Comparison<SurfaceCell> s_nearestFirst = (a, b) => a.Distance != b.Distance
-            ? a.Distance.CompareTo(b.Distance) : (a.At.z, a.At.y, a.At.x).CompareTo((b.At.z, b.At.y, b.At.x));
+        static readonly Comparison<SurfaceCell> s_nearestFirst = (a, b) =>
+            (a.Distance, a.At.z, a.At.y, a.At.x).CompareTo((b.Distance, b.At.z, b.At.y, b.At.x));
 
         readonly SurfaceGrid m_grid;
         readonly Action<MeshCollider> m_free;
@@ -44,8 +43,7 @@ namespace FastPoints.Surface
         public List<SurfaceCell> Made { get; } = new List<SurfaceCell>();
         public long Triangles { get; private set; }
 
-        /// <summary>Is being made, and not forgotten meanwhile.</summary>
-        public SurfaceCell Busy { get; set; }
+        public SurfaceCell Busy; // Is being made, and not forgotten meanwhile.
 
         /// <summary>Plans anew, around places in metres along the source's axes from the root's corner.</summary>
         /// <param name="lengths">World units of a metre along these axes.</param>
@@ -85,10 +83,9 @@ namespace FastPoints.Surface
             return null;
         }
 
-        /// <summary>It may go at once.</summary>
         public void SetMade(SurfaceCell cell, int triangles, MeshCollider collider)
         {
-            (cell.Triangles, cell.Collider) = (triangles, collider);
+            (cell.Triangles, cell.Collider, cell.RetryAt) = (triangles, collider, 0);
             Triangles += triangles;
             Made.Add(cell);
             Trim();
@@ -132,7 +129,8 @@ namespace FastPoints.Surface
             {
                 SurfaceCell oldest = null;
                 foreach (var cell in Made)
-                    if ((m_wanted.Count == 0 || cell != m_wanted[0]) && (oldest == null || GoesBefore(cell, oldest)))
+                    if ((m_wanted.Count == 0 || cell != m_wanted[0]) && (oldest == null ||
+                        (cell.WantedInPlan, -cell.Distance).CompareTo((oldest.WantedInPlan, -oldest.Distance)) < 0))
                         oldest = cell;
                 Made.Remove(oldest);
                 Triangles -= oldest.Triangles;
@@ -143,9 +141,6 @@ namespace FastPoints.Surface
                 oldest.Collider = null;
             }
         }
-
-        static bool GoesBefore(SurfaceCell a, SurfaceCell b) => a.WantedInPlan != b.WantedInPlan
-            ? a.WantedInPlan < b.WantedInPlan : a.Distance > b.Distance;
     }
 }
 #endif

@@ -235,20 +235,15 @@ namespace FastPoints.Entities
         }
 
         PointCloudFile File => m_cloud != null ? m_cloud.File() : new PointCloudFile();
-
         PointCloudPaths Paths => m_cloud != null ? m_cloud.Paths : new PointCloudPaths { Path = m_path };
-
-        /// <summary>Where the cloud's folder is.</summary>
         internal string FullPath => Paths.FullPath;
 
         /// <summary>The space in which the cloud is shown, or will be: also where nothing draws it, as on a server.</summary>
         internal UnitySpace SpaceOf(BoundsGeo boundsGeo, CloudUnits units)
         {
-            if (TryGetSpace(out var space))
-                return space;
             var file = File;
             Place(ref file);
-            return file.SpaceOf(boundsGeo, units);
+            return TryGetSpace(out var space) ? space : file.SpaceOf(boundsGeo, units);
         }
 
         PointCloudLayer Layer => new PointCloudLayer

@@ -130,12 +130,12 @@ namespace FastPoints.Store
             return true;
         }
 
-        public virtual void Dispose() => DropTables();
+        public virtual void Dispose() => DropTables(-1);
 
-        protected int TableCount => m_tables.Count;
-
-        protected void DropTables()
+        protected void DropTables(int tables)
         {
+            if (m_tables.Count <= tables)
+                return;
             foreach (var table in m_tables.Values)
                 table.Dispose();
             m_tables.Clear();
@@ -205,8 +205,7 @@ namespace FastPoints.Store
         }
 
         /// <summary>Nodes whose cubes intersect a box, from the root down.</summary>
-        /// <param name="missing">Told of a page to be loaded before the walk goes on, which then gives no node; null to load
-        /// it at once.</param>
+        /// <param name="missing">Told of a page that is to be loaded before the walk, which gives no node, goes on.</param>
         protected IEnumerable<(int Page, int Node)> NodesIn(Grid3 min, Grid3 end, Action<int> missing = null)
         {
             var next = new Stack<(int Page, int Node)>();
