@@ -51,6 +51,7 @@ public sealed class PointCloudColliderTests : ScratchTests
     [SetUp]
     public void MakeWorld()
     {
+        SceneLoop.Clear();
         UnsafeUtility.ForgiveLeaks();
         m_world = new SampleWorld();
         m_logged = [];

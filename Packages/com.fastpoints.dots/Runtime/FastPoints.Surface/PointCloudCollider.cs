@@ -13,7 +13,8 @@ namespace FastPoints.Surface
     /// are made cell by cell in jobs, the nearest first, and become mesh colliders below this GameObject. They are thin sheets
     /// that hold from both sides, as high as the points; where the scan has nothing, there is no ground.</summary>
     [DisallowMultipleComponent, RequireComponent(typeof(PointCloud))]
-    [AddComponentMenu("FastPoints/Point Cloud Collider"), HelpPage("colliders")]
+    [AddComponentMenu("FastPoints/Point Cloud Collider")]
+    [HelpPage("colliders")]
     [Icon("Packages/com.fastpoints.dots/Editor/Icons/PointCloud.png")]
     public sealed class PointCloudCollider : MonoBehaviour
     {
