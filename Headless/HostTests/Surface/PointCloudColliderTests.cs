@@ -337,7 +337,8 @@ public sealed class PointCloudColliderTests : ScratchTests
             while (!IsAtRest(collider) && collider.Error == null);
         }
         times.Sort();
-        Console.WriteLine(times.Count + " frames, " + collider.CellCount + " cells, " + collider.TriangleCount + " triangles: median "
-            + times[times.Count / 2] + " ms, 99 % " + times[times.Count * 99 / 100] + " ms, longest " + times[^1] + " ms");
+        Console.WriteLine(times.Count + " frames, " + collider.CellCount + " cells, " + collider.TriangleCount + " triangles: "
+            + times[times.Count / 2] + " ms in the middle, 99 % within " + times[times.Count * 99 / 100] + " ms, longest "
+            + times[^1] + " ms");
     }
 }

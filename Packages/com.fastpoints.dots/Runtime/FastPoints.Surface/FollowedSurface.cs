@@ -140,10 +140,9 @@ namespace FastPoints.Surface
             try
             {
                 yield return job;
+                mesh.indexFormat = IndexFormat.UInt32;
                 mesh.SetVertices(oriented);
-                mesh.SetIndices(triangles.Reinterpret<int>(3 * sizeof(int)), MeshTopology.Triangles, 0, false);
-                var far = math.mul(m_fromCloud, m_grid.CellMetres * new double3(1, 1, 1));
-                mesh.bounds = new Bounds(Of(far * 0.5), Of(math.abs(far) + 4 * m_grid.VoxelMetres));
+                mesh.SetIndices(triangles.Reinterpret<int>(3 * sizeof(int)), MeshTopology.Triangles, 0);
 #if UNITY_6000_3_OR_NEWER
                 job = new BakeMeshJob { Mesh = mesh.GetEntityId() }.Schedule();
 #else
@@ -169,7 +168,7 @@ namespace FastPoints.Surface
             if (m_free.Count > 0)
                 return m_free.Pop();
             var cell = new GameObject("Cell of a point cloud") { hideFlags = HideFlags.DontSave };
-            var mesh = new Mesh { name = cell.name, hideFlags = HideFlags.DontSave, indexFormat = IndexFormat.UInt32 };
+            var mesh = new Mesh { name = cell.name, hideFlags = HideFlags.DontSave };
             m_owned.AddRange(new Object[] { cell, mesh });
             cell.SetActive(false);
             cell.transform.SetParent(m_parent, false);

@@ -4,7 +4,6 @@ namespace UnityEngine;
 public sealed class Mesh : Object
 {
     static readonly Dictionary<int, Mesh> s_all = new Dictionary<int, Mesh>();
-    Bounds m_bounds;
     IndexFormat m_format;
 
     public Mesh()
@@ -44,20 +43,11 @@ public sealed class Mesh : Object
         }
     }
 
-    public Bounds bounds
-    {
-        get => There(m_bounds);
-        set
-        {
-            CheckIsThere();
-            m_bounds = value;
-        }
-    }
-
+    /// <summary>Unity does not say whether the format stays: here it does not.</summary>
     public void Clear()
     {
         CheckIsThere();
-        (Vertices, Indices, IsBaked) = ([], [], false);
+        (Vertices, Indices, IsBaked, m_format) = ([], [], false, IndexFormat.UInt16);
     }
 
     public void SetVertices<T>(NativeArray<T> inVertices) where T : struct
@@ -76,8 +66,8 @@ public sealed class Mesh : Object
     {
         CheckIsThere();
         var numbers = indices.Reinterpret<uint>(SystemUnsafe.SizeOf<T>()).ToArray();
-        if (topology != MeshTopology.Triangles || submesh != 0 || calculateBounds || baseVertex != 0)
-            throw new NotSupportedException("wanted triangles of the first part, without bounds");
+        if (topology != MeshTopology.Triangles || submesh != 0 || !calculateBounds || baseVertex != 0)
+            throw new NotSupportedException("wanted triangles of the first part, with bounds");
         if (m_format == IndexFormat.UInt16 && Vertices.Length > ushort.MaxValue)
             throw new ArgumentException("The number of vertices is too high for indices of 16 bits.");
         if (numbers.Length % 3 != 0 || Array.Exists(numbers, n => n >= Vertices.Length))
