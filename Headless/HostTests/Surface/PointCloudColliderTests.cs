@@ -323,7 +323,7 @@ public sealed class PointCloudColliderTests : ScratchTests
     {
         var collider = Collider(c => (c.FrameMs, c.Radius) = (0.5f, 20));
         var times = new List<double>();
-        for (float x = -30; x <= 30; x += 0.1f)
+        for (float x = -30; x <= 30; x += 0.5f)
         {
             Put(x);
             do
@@ -332,7 +332,7 @@ public sealed class PointCloudColliderTests : ScratchTests
                 long begin = Stopwatch.GetTimestamp();
                 collider.LateUpdate();
                 times.Add(Stopwatch.GetElapsedTime(begin).TotalMilliseconds);
-                Thread.Sleep(4);
+                Thread.Sleep(2);
             }
             while (!IsAtRest(collider) && collider.Error == null);
         }

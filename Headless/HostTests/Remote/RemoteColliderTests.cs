@@ -1,16 +1,15 @@
-using FastPoints.HostTests.Remote;
 using FastPoints.HostTests.Samples;
 using FastPoints.Surface;
 using PointCloud = FastPoints.Entities.PointCloud;
 
-namespace FastPoints.HostTests.Surface;
+namespace FastPoints.HostTests.Remote;
 
 sealed class RemoteColliderTests : RemoteFixture
 {
     [Test]
     public void LateUpdate_ServerThatGoes_KeepsTheGroundAndSaysSoOnce()
     {
-        PointCloudColliderTests.Convert(Scratch["served/ground.fastpoints"]);
+        FastPoints.HostTests.Surface.PointCloudColliderTests.Convert(Scratch["served/ground.fastpoints"]);
         // What was read ahead would still be there.
         RemoteAccess.CacheBytes = 0;
         string address = Server.Of("ground.fastpoints");
