@@ -25,7 +25,7 @@ sealed class SurfaceStep : IDisposable
         m_grid = grid;
         m_run = run;
         m_mesh = new SurfaceMesh(grid);
-        m_cells = new StoredCells(m_folder, grid, default, [.. filter?.Attributes ?? []]);
+        m_cells = new StoredCells(m_folder, grid, default, null, [.. filter?.Attributes ?? []]);
         if (filter != null)
             m_cells.Prepare = batch => Filter(filter, batch);
     }

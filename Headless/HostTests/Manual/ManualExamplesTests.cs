@@ -13,7 +13,7 @@ public sealed class ManualExamplesTests
     static readonly string[] s_package =
     {
         "FastPoints", "FastPoints.Import", "FastPoints.Picture", "FastPoints.Rendering", "FastPoints.Entities",
-        "FastPoints.Editor",
+        "FastPoints.Editor", "FastPoints.Surface",
     };
 
     // As Unity compiles it.

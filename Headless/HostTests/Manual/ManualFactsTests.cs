@@ -8,6 +8,7 @@ public sealed class ManualFactsTests
     {
         typeof(JobCoroutine).Assembly, typeof(PointReaders).Assembly, typeof(PointRenderer).Assembly,
         typeof(PointCloudSettings).Assembly, typeof(EditorImports).Assembly, typeof(PreviewCloud).Assembly,
+        typeof(FastPoints.Surface.PointCloudCollider).Assembly,
     };
 
     static readonly Lazy<Dictionary<string, Type>> s_types = new(() => s_assemblies.SelectMany(a => a.GetTypes())
@@ -84,6 +85,7 @@ public sealed class ManualFactsTests
         var named = page.TableUnder("## Components of GameObjects").Concat(page.TableUnder("## Components of entities"))
             .SelectMany(r => ManualPage.Code(r[0]));
         var types = typeof(PointCloudSettings).Assembly.GetTypes().Concat(typeof(PointFileReaders).Assembly.GetTypes())
+            .Append(typeof(FastPoints.Surface.PointCloudCollider))
             .Where(t => t.IsPublic && !t.IsAbstract &&
             (typeof(MonoBehaviour).IsAssignableFrom(t) || typeof(IComponentData).IsAssignableFrom(t) ||
                 typeof(IBufferElementData).IsAssignableFrom(t)));

@@ -29,7 +29,8 @@ public sealed class ManualMenusTests
     static HashSet<string> Menus()
     {
         var types = new[] { typeof(PointCloudSettings).Assembly, typeof(EditorImports).Assembly,
-            typeof(PointFileReaders).Assembly, Assembly.Load("FastPoints.Samples"),
+            typeof(PointFileReaders).Assembly, typeof(FastPoints.Surface.PointCloudCollider).Assembly,
+            Assembly.Load("FastPoints.Samples"),
             Assembly.Load("FastPoints.Samples.Editor") }.SelectMany(a => a.GetTypes()).ToList();
         var methods = types.SelectMany(t => t.GetMethods(BindingFlags.Static | BindingFlags.Public | BindingFlags.NonPublic))
             .ToList();

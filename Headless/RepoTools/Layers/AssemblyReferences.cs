@@ -16,7 +16,7 @@ public static class AssemblyReferences
         ["FastPoints"] = s_dots,
         ["FastPoints.Import"] = s_view,
         ["FastPoints.Picture"] = s_shared,
-        ["FastPoints.Surface"] = s_view,
+        ["FastPoints.Surface"] = s_view.Concat(new[] { "FastPoints.Entities", "Unity.Entities", "Unity.Transforms" }).ToArray(),
         ["FastPoints.Rendering"] = s_view,
         ["FastPoints.Rendering.BuiltIn"] = s_drawing,
         ["FastPoints.Rendering.Urp"] = s_drawing
@@ -34,10 +34,10 @@ public static class AssemblyReferences
             .Concat(s_testRunner).ToArray(),
         ["FastPoints.Scenes"] = s_shared,
         ["FastPoints.Samples"] = s_shared.Concat(s_entities)
-            .Concat(new[] { "FastPoints.Rendering", "FastPoints.Entities" }).ToArray(),
+            .Concat(new[] { "FastPoints.Rendering", "FastPoints.Entities", "FastPoints.Surface" }).ToArray(),
         ["FastPoints.Samples.Editor"] = new[]
         {
-            "FastPoints", "FastPoints.Editor", "FastPoints.Entities", "FastPoints.Rendering",
+            "FastPoints", "FastPoints.Editor", "FastPoints.Entities", "FastPoints.Rendering", "FastPoints.Surface",
             "FastPoints.Samples", "Unity.Collections", "Unity.Entities", "Unity.Mathematics",
         },
         ["FastPoints.UnityTests"] = s_shared.Concat(s_testRunner)

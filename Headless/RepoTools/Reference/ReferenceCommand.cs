@@ -5,7 +5,7 @@ public static class ReferenceCommand
     private static readonly string[] s_assemblies =
     {
         "FastPoints", "FastPoints.Import", "FastPoints.Picture", "FastPoints.Rendering", "FastPoints.Rendering.BuiltIn",
-        "FastPoints.Rendering.Urp", "FastPoints.Rendering.Hdrp", "FastPoints.Entities", "FastPoints.Editor",
+        "FastPoints.Rendering.Urp", "FastPoints.Rendering.Hdrp", "FastPoints.Entities", "FastPoints.Surface", "FastPoints.Editor",
     };
 
     public static ToolResult Run(Repository repository, bool check)

@@ -13,4 +13,6 @@
 [assembly: InternalsVisibleTo("UnityEditor.TestRunner")]
 [assembly: InternalsVisibleTo("UnityEngine.ImageConversionModule")]
 [assembly: InternalsVisibleTo("UnityEngine.IMGUIModule")]
+[assembly: InternalsVisibleTo("UnityEngine.PhysicsModule")]
+[assembly: InternalsVisibleTo("UnityEngine.AIModule")]
 [assembly: InternalsVisibleTo("UnityEngine.VRModule")]

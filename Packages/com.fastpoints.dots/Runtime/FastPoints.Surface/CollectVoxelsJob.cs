@@ -11,8 +11,8 @@ namespace FastPoints.Surface
     [BurstCompile]
     internal unsafe struct CollectVoxelsJob : IJob
     {
-        /// <summary>A slice takes about 2 ms.</summary>
-        public const int PointsPerSlice = 200000;
+        /// <summary>A slice takes about a millisecond.</summary>
+        public const int PointsPerSlice = 100000;
 
         /// <summary>Of a voxel's edge: what is in a voxel is summed in these.</summary>
         public const int StepsPerVoxel = 1024;

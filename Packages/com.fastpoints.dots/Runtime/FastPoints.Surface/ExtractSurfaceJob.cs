@@ -12,8 +12,8 @@ namespace FastPoints.Surface
     [BurstCompile]
     internal unsafe struct ExtractSurfaceJob : IJob
     {
-        /// <summary>A slice of level ground, which lies in few layers, takes about 2 ms.</summary>
-        public const int RowsPerSlice = 40;
+        /// <summary>A slice of level ground, which lies in few layers, takes about a millisecond.</summary>
+        public const int RowsPerSlice = 20;
 
         /// <summary>From the plane to either face, in voxels.</summary>
         internal const float HalfThickness = 0.1f;

@@ -10,8 +10,8 @@ namespace FastPoints.Surface
     [BurstCompile]
     internal unsafe struct FitSurfelsJob : IJob
     {
-        /// <summary>A slice takes about 2 ms.</summary>
-        public const int VoxelsPerSlice = 2500;
+        /// <summary>A slice takes about a millisecond.</summary>
+        public const int VoxelsPerSlice = 1200;
 
         /// <summary>Voxels farther away than this do not count.</summary>
         const float Radius = 2.5f;

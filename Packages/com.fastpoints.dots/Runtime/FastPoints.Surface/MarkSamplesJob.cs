@@ -11,8 +11,8 @@ namespace FastPoints.Surface
     [BurstCompile]
     internal unsafe struct MarkSamplesJob : IJob
     {
-        /// <summary>A slice takes about 2 ms.</summary>
-        public const int SurfelsPerSlice = 10000;
+        /// <summary>A slice takes about a millisecond.</summary>
+        public const int SurfelsPerSlice = 5000;
 
         /// <summary>Half of a cylinder's height, and its radius, in voxels.</summary>
         internal const float HalfHeight = 0.75f;

@@ -10,27 +10,31 @@ namespace FastPoints.Surface
     /// <summary>The points of a converted cloud by cells of its surface.</summary>
     internal sealed class StoredCells : ChosenNodes
     {
-        /// <summary>So many points of a cell are read at once, or the points of a node.</summary>
-        const long PointsPerBatch = 1_000_000;
+        const int NodesPerStep = 256, NoPage = -1;
+        const int MaxTables = 500; // Of 64 KiB each: a long way would collect all of a cloud's.
 
         readonly SurfaceGrid m_grid;
         readonly ClassMask m_hidden;
         readonly PointSchema m_schema;
 
         /// <param name="hidden">Points of these classes are left out.</param>
+        /// <param name="metresOfUnit">Along each axis; null for the cloud's own.</param>
         /// <param name="attributes">To read beside positions, for <see cref="Prepare"/>.</param>
-        public StoredCells(CloudFolder folder, in SurfaceGrid grid, ClassMask hidden = default, params string[] attributes)
-            : base(folder)
+        public StoredCells(CloudFolder folder, in SurfaceGrid grid, ClassMask hidden, double3? metresOfUnit = null,
+            params string[] attributes) : base(folder)
         {
             m_grid = grid;
             m_hidden = hidden;
             var manifest = folder.Manifest;
-            Metres = manifest.Crs.Units.MetresAt(manifest.BoundsGeo.Center, UpAxis.Z) * manifest.Grid.Step;
+            Metres = (metresOfUnit ?? manifest.Crs.Units.MetresAt(manifest.BoundsGeo.Center, UpAxis.Z)) * manifest.Grid.Step;
             var names = new List<string>(attributes);
             if (!hidden.IsEmpty)
                 names.Add(AttributeNames.Classification);
             m_schema = LoadNodes.SchemaFor(folder, names.ToArray());
         }
+
+        /// <summary>So many points of a cell are read at once, or the points of a node.</summary>
+        public long PointsPerBatch { get; set; } = 1_000_000;
 
         /// <summary>Of a grid step along each axis.</summary>
         public double3 Metres { get; }
@@ -58,13 +62,20 @@ namespace FastPoints.Surface
         IEnumerator<JobStep> Read(Grid3 min, Grid3 end, Func<PointBatch, IEnumerator<JobStep>> take)
         {
             Clear();
+            DropTables(MaxTables);
             // Pages are loaded on the way: what is chosen is complete before it is read.
             var nodes = new List<(int Page, int Node)>();
-            foreach (var (page, index) in NodesIn(min, end))
+            int missing = NoPage, seen = 0;
+            foreach (var (page, index) in NodesIn(min, end, page => missing = page))
             {
-                if (Intersects(TableOf(page).Nodes[index], min, end))
+                if (missing != NoPage)
+                {
+                    yield return JobStep.Of(LoadPage(missing));
+                    missing = NoPage;
+                }
+                else if (Intersects(TableOf(page).Nodes[index], min, end))
                     nodes.Add((page, index));
-                if (nodes.Count % 256 == 255)
+                if (++seen % NodesPerStep == 0)
                     yield return default;
             }
             for (int n = 0; n < nodes.Count; n++)

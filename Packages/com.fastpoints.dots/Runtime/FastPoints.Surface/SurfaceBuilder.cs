@@ -41,7 +41,8 @@ namespace FastPoints.Surface
         public IEnumerator<JobStep> Run(int3 cell, Func<SurfaceBuilder, int3, IEnumerator<JobStep>> points)
         {
             VoxelCount = 0;
-            yield return new ClearSurfaceJob { Memory = m_memory, Times = m_times }.Schedule();
+            yield return JobStep.Of(Slices.Run(0, 1, 1, (first, end, after) =>
+                new ClearSurfaceJob { Memory = m_memory, Times = m_times }.Schedule(after)));
             yield return JobStep.Of(points(this, cell));
             int measured = VoxelCount = m_memory.Voxels.Length;
             if (measured == 0)

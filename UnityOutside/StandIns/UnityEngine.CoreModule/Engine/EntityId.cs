@@ -1,4 +1,7 @@
 namespace UnityEngine;
 
 /// <summary>An object's number from 6000.3 on.</summary>
-public struct EntityId { }
+public struct EntityId
+{
+    internal int Id;
+}

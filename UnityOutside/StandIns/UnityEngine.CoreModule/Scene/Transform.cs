@@ -16,6 +16,13 @@ public class Transform : Component
         }
     }
 
+    /// <summary>Of what has turned with its parent so far.</summary>
+    public Vector3 localPosition
+    {
+        get => Parent is null ? position : Parent.localToWorldMatrix.inverse.MultiplyPoint3x4(position);
+        set => position = Parent is null ? value : Parent.localToWorldMatrix.MultiplyPoint3x4(value);
+    }
+
     public Vector3 localScale
     {
         get => new Vector3(((Vector3)localToWorldMatrix.GetColumn(0)).magnitude,

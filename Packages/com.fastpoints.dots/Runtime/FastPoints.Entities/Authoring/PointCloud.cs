@@ -234,6 +234,18 @@ namespace FastPoints.Entities
                 group.Live.Of(Entity).Object = gameObject;
         }
 
+        PointCloudFile File => m_cloud != null ? m_cloud.File() : new PointCloudFile();
+        PointCloudPaths Paths => m_cloud != null ? m_cloud.Paths : new PointCloudPaths { Path = m_path };
+        internal string FullPath => Paths.FullPath;
+
+        /// <summary>The space in which the cloud is shown, or will be: also where nothing draws it, as on a server.</summary>
+        internal UnitySpace SpaceOf(BoundsGeo boundsGeo, CloudUnits units)
+        {
+            var file = File;
+            Place(ref file);
+            return TryGetSpace(out var space) ? space : file.SpaceOf(boundsGeo, units);
+        }
+
         PointCloudLayer Layer => new PointCloudLayer
         {
             Value = gameObject.layer,
@@ -293,7 +305,7 @@ namespace FastPoints.Entities
             m_openedColor == m_color && m_openedGradient == m_gradient && m_openedClasses.Equals(ClassMask.Of(m_hiddenClasses)) &&
             (m_cloud == null || m_openedUp == m_cloud.Up && m_openedUnitMetres == m_cloud.UnitMetres);
 
-        bool HasCloud => m_cloud != null || !string.IsNullOrEmpty(m_path);
+        internal bool HasCloud => m_cloud != null || !string.IsNullOrEmpty(m_path);
 
         void Set<T>(ref T field, T value)
         {
@@ -313,15 +325,14 @@ namespace FastPoints.Entities
                 return;
             entities.AddComponentData(Entity, m_placed = TransformMatrix.Of(transform));
             entities.AddComponentData(Entity, m_layer = Layer);
-            var file = m_cloud != null ? m_cloud.File() : new PointCloudFile();
-            var paths = m_cloud != null ? m_cloud.Paths : new PointCloudPaths { Path = m_path };
+            var file = File;
             file.Color = m_color;
             file.Gradient = m_gradient;
             file.HiddenClasses = m_openedClasses;
             file.Light = m_lit = m_light;
             Place(ref file);
             entities.AddComponentData(Entity, file);
-            paths.WriteTo(entities.AddBuffer<PointCloudPath>(Entity));
+            Paths.WriteTo(entities.AddBuffer<PointCloudPath>(Entity));
             AssignOwner(entities);
         }
     }

@@ -1,4 +1,5 @@
 using FastPoints.Drawing;
+using FastPoints.Streaming;
 using Unity.Entities;
 using Unity.Mathematics;
 
@@ -44,6 +45,15 @@ namespace FastPoints.Entities
         }
 
         internal readonly CloudUnits Units(CloudUnits ofCloud) => UnitMetres > 0 ? new CloudUnits(UnitMetres) : ofCloud;
+
+        /// <summary>The space of a cloud's first state.</summary>
+        internal readonly UnitySpace SpaceOf(BoundsGeo boundsGeo, CloudUnits ofCloud)
+        {
+            var space = UnitySpace.Of(boundsGeo, Units(ofCloud), Up);
+            if (HasOrigin)
+                space.OriginGeo = OriginGeo;
+            return space;
+        }
 
         /// <summary>Whether this and another open the same cloud, except for its position.</summary>
         internal readonly bool OpensSameAs(in PointCloudFile other) => Color == other.Color && Gradient == other.Gradient &&

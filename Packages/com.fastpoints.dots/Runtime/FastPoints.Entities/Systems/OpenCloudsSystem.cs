@@ -211,9 +211,7 @@ namespace FastPoints.Entities
         /// <summary>Places all states where the first one stood, so that nothing moves when it is replaced.</summary>
         void Place(Entity entity, CloudFacts facts, in PointCloudFile file, double3 shift)
         {
-            var space = UnitySpace.Of(facts.BoundsGeo, file.Units(facts.Units), file.Up);
-            if (file.HasOrigin)
-                space.OriginGeo = file.OriginGeo;
+            var space = file.SpaceOf(facts.BoundsGeo, facts.Units);
             space.OriginGeo = space.ToGeo(shift);
             EntityManager.AddComponentData(entity, new PointCloudSpace { Value = space });
             EntityManager.AddComponentData(entity, new PointCloudPlacement());

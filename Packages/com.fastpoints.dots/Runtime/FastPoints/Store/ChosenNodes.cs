@@ -130,8 +130,12 @@ namespace FastPoints.Store
             return true;
         }
 
-        public virtual void Dispose()
+        public virtual void Dispose() => DropTables(-1);
+
+        protected void DropTables(int tables)
         {
+            if (m_tables.Count <= tables)
+                return;
             foreach (var table in m_tables.Values)
                 table.Dispose();
             m_tables.Clear();
@@ -189,8 +193,20 @@ namespace FastPoints.Store
                 nodes.Sort();
         }
 
+        /// <summary>Coroutine: reads a page on another thread.</summary>
+        protected IEnumerator<JobStep> LoadPage(int page)
+        {
+            using var begun = Folder.BeginPage(page);
+            while (!begun.IsDone)
+                yield return default;
+            var table = begun.Take();
+            m_tables.Add(page, table);
+            Folder.Register(page, table.View);
+        }
+
         /// <summary>Nodes whose cubes intersect a box, from the root down.</summary>
-        protected IEnumerable<(int Page, int Node)> NodesIn(Grid3 min, Grid3 end)
+        /// <param name="missing">Told of a page that is to be loaded before the walk, which gives no node, goes on.</param>
+        protected IEnumerable<(int Page, int Node)> NodesIn(Grid3 min, Grid3 end, Action<int> missing = null)
         {
             var next = new Stack<(int Page, int Node)>();
             if (Load(0).Nodes.Length > 0)
@@ -208,6 +224,11 @@ namespace FastPoints.Store
                 for (int link = node.FirstLink; link < node.FirstLink + node.LinkCount; link++)
                 {
                     int below = Folder.FirstBelow(page) + link;
+                    if (missing != null && !m_tables.ContainsKey(below))
+                    {
+                        missing(below);
+                        yield return default;
+                    }
                     var roots = Load(below).Nodes;
                     for (int root = 0; root < roots.Length && roots[root].Parent < 0; root++)
                         next.Push((below, root));

@@ -35,6 +35,12 @@ public partial class Object
         }
     }
 
+#if UNITY_6000_3_OR_NEWER
+    public EntityId GetEntityId() => There(new EntityId { Id = m_id });
+#else
+    public int GetInstanceID() => There(m_id);
+#endif
+
     internal int Id => m_id;
     internal bool IsDestroyed => m_isDestroyed;
 

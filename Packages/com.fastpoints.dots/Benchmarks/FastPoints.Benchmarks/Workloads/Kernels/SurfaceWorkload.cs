@@ -53,8 +53,15 @@ namespace FastPoints.Benchmarks
         public WorkloadResult Run()
         {
             JobCoroutine.RunToEnd(m_builder.Run(default, (builder, cell) => builder.Add(cell, m_batch, 1)));
-            return new WorkloadResult { Points = m_batch.Count };
+            return new WorkloadResult
+            {
+                Points = m_batch.Count,
+                Note = "slices: half within " + SliceMs(0.5) + " ms, 99 % within " + SliceMs(0.99) + " ms, longest " +
+                    SliceMs(1) + " ms",
+            };
         }
+
+        string SliceMs(double share) => NumberText.Of(Math.Round(m_builder.Times.QuantileMs(share), 1));
 
         public void Dispose()
         {

@@ -1,0 +1,159 @@
+#if FASTPOINTS_PHYSICS
+using System;
+using System.Collections.Generic;
+using FastPoints.Drawing;
+using FastPoints.Entities;
+using FastPoints.Store;
+using Unity.Mathematics;
+using UnityEngine;
+
+namespace FastPoints.Surface
+{
+    /// <summary>Ground and walls of a converted cloud for physics, near what moves: while the game plays, surfaces of its points
+    /// are made cell by cell in jobs, the nearest first, and become mesh colliders below this GameObject. They are thin sheets
+    /// that hold from both sides, as high as the points; where the scan has nothing, there is no ground.</summary>
+    [DisallowMultipleComponent, RequireComponent(typeof(PointCloud))]
+    [AddComponentMenu("FastPoints/Point Cloud Collider")]
+    [HelpPage("colliders")]
+    [Icon("Packages/com.fastpoints.dots/Editor/Icons/PointCloud.png")]
+    public sealed class PointCloudCollider : MonoBehaviour
+    {
+        const int CellVoxels = 80;
+
+        [Tooltip("What moves: players, vehicles, agents. There are colliders around each of them, and nowhere else.")]
+        public List<Transform> Followed = new List<Transform>();
+
+        [Range(1, 100)]
+        [Tooltip("How far from what moves there are colliders, in world units; at most 8 cells of 80 voxels.")]
+        public float Radius = 10;
+
+        [Range(0.01f, 5)]
+        [Tooltip("Edge of a voxel in metres of the cloud: the size of triangles, and how far points of a surface may be apart.")]
+        public float VoxelSize = 0.1f;
+
+        [Range(0, 40)]
+        [Tooltip("The widest holes that are closed, in metres of the cloud; at most 8 voxels.")]
+        public float HoleSize = 0.3f;
+
+        [Tooltip("Classes, 0 to 255, that are left out: cars, people, plants.")]
+        public int[] HiddenClasses = new int[0];
+
+        [Tooltip("The most cells that are kept, empty ones too.")]
+        public int MaxCells = 256;
+
+        [Tooltip("The most triangles that are kept: those of the nearest cells, whatever the radius is.")]
+        public int MaxTriangles = 1_000_000;
+
+        [Range(0.1f, 4)]
+        [Tooltip("Time of the main thread in each frame while cells are made, in ms, beside what PhysX takes.")]
+        public float FrameMs = 0.5f;
+
+        PointCloud m_cloud;
+        PoolTask<CloudFolder> m_opening;
+        PointCloudAsset m_openedCloud;
+        string m_openedPath;
+        double m_retryAt;
+
+        internal FollowedSurface Surface { get; private set; }
+
+        /// <summary>What went wrong last, in one line; null if all is well. It is tried again every five seconds.</summary>
+        public string Error { get; private set; }
+
+        /// <summary>Cells that are kept, empty ones too.</summary>
+        public int CellCount => Surface == null ? 0 : Surface.Cells.Made.Count;
+        public long TriangleCount => Surface == null ? 0 : Surface.Cells.Triangles;
+
+        /// <summary>Whether the cells around a position of the world are made, with ground in them or without: hold players until
+        /// then, after a start or a jump. Never where nothing that is followed is near.</summary>
+        /// <param name="reach">How far around, in world units.</param>
+        public bool IsReady(Vector3 position, float reach = 2) => Surface != null && Surface.IsReady(position, reach);
+
+        /// <summary>Makes all anew, for example after the cloud was converted again.</summary>
+        public void Reopen()
+        {
+            m_opening?.Dispose();
+            Surface?.Dispose();
+            (m_opening, Surface, m_retryAt) = (null, null, 0);
+        }
+
+#if FASTPOINTS_AI
+        /// <summary>Adds the colliders of now as sources of a navigation mesh: build it anew when <see cref="CellCount"/>
+        /// changes.</summary>
+        public void AddNavMeshSources(List<UnityEngine.AI.NavMeshBuildSource> sources)
+        {
+            for (int i = 0; i < CellCount; i++)
+                if (Surface.Cells.Made[i].Collider != null)
+                    sources.Add(new UnityEngine.AI.NavMeshBuildSource
+                    {
+                        shape = UnityEngine.AI.NavMeshBuildSourceShape.Mesh,
+                        sourceObject = Surface.Cells.Made[i].Collider.sharedMesh,
+                        transform = Surface.Cells.Made[i].Collider.transform.localToWorldMatrix,
+                        component = Surface.Cells.Made[i].Collider,
+                    });
+        }
+#endif
+
+        void OnEnable() => m_cloud = GetComponent<PointCloud>();
+        void OnDisable() => Reopen();
+
+        // What it follows has moved by then.
+        internal void LateUpdate()
+        {
+            double now = Time.realtimeSinceStartupAsDouble;
+            try
+            {
+                if (m_openedCloud != m_cloud.Cloud || m_openedPath != m_cloud.Path)
+                    Reopen();
+                if (Surface == null ? TryOpen(now) : Follow(now))
+                    Error = null;
+            }
+            catch (Exception e)
+            {
+                m_retryAt = now + FollowedSurface.RetrySeconds;
+                string message = PointCloudException.Of(m_cloud.FullPath, e).Message;
+                if (Error != message)
+                    Debug.LogError("FastPoints: " + name + " lacks colliders: " + message);
+                Error = message;
+            }
+        }
+
+        bool Follow(double now)
+        {
+            (Surface.Cells.MaxCells, Surface.Cells.MaxTriangles) = (MaxCells, MaxTriangles);
+            if (Surface.Follow(Followed, Radius, Grid, ClassMask.Of(HiddenClasses)))
+                return Surface.Update(now, FrameMs);
+            Reopen();
+            return false;
+        }
+
+        bool TryOpen(double now)
+        {
+            if (m_opening == null && now >= m_retryAt && m_cloud.HasCloud)
+            {
+                string path = m_cloud.FullPath;
+                (m_openedCloud, m_openedPath) = (m_cloud.Cloud, m_cloud.Path);
+                m_opening = PoolTask.Begin(path, () => Open(path), unwanted => unwanted.Dispose());
+            }
+            if (m_opening == null || !m_opening.IsDone)
+                return false;
+            var opening = m_opening;
+            m_opening = null;
+            Surface = new FollowedSurface(opening.Take(), Grid, ClassMask.Of(HiddenClasses), m_cloud);
+            return true;
+        }
+
+        SurfaceGrid Grid => new SurfaceGrid(math.max(0.001, VoxelSize), CellVoxels,
+            (float)math.clamp(HoleSize / math.max(0.001, VoxelSize), 0, SurfaceGrid.MaxHoleVoxels));
+
+        static CloudFolder Open(string path)
+        {
+            var folder = CloudFolder.IsCloud(path) ? CloudFolder.Open(path) : null;
+            if (folder != null && !folder.IsUnfinished)
+                return folder;
+            folder?.Dispose();
+            throw new PointCloudException(FailureCode.Unsupported, path, -1, "colliders are made of whole converted clouds: " +
+                (folder == null ? "wanted a folder with " + StoreFormat.ManifestName : "this one is still being converted"));
+        }
+    }
+}
+#endif

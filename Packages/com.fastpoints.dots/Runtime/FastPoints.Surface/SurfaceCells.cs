@@ -1,0 +1,146 @@
+#if FASTPOINTS_PHYSICS
+using System;
+using System.Collections.Generic;
+using Unity.Mathematics;
+using UnityEngine;
+
+namespace FastPoints.Surface
+{
+    /// <summary>A cell of which somebody may want the surface.</summary>
+    internal sealed class SurfaceCell
+    {
+        public int3 At;
+        public double Distance; // From the nearest place, in world units.
+        public long NearInPlan, WantedInPlan; // The last plan that had it within the radius, and that wanted it.
+        public int Triangles = -1; // Known once it was made, even if there was no room for it.
+        public MeshCollider Collider; // Null while it is not made, or if it is empty.
+        public double RetryAt; // It failed, and is not tried before.
+
+        public bool IsMade => Triangles == 0 || !(Collider is null);
+    }
+
+    /// <summary>Which cells are wanted around places, the nearest first, within budgets. Those that were made stay until others
+    /// need the room; what was wanted longest ago goes first.</summary>
+    internal sealed class SurfaceCells
+    {
+        const int MaxReachCells = 8; // Nobody wants thousands of cells.
+
+        static readonly Comparison<SurfaceCell> s_nearestFirst = (a, b) =>
+            (a.Distance, a.At.z, a.At.y, a.At.x).CompareTo((b.Distance, b.At.z, b.At.y, b.At.x));
+
+        readonly SurfaceGrid m_grid;
+        readonly Action<MeshCollider> m_free;
+        readonly Dictionary<int3, SurfaceCell> m_cells = new Dictionary<int3, SurfaceCell>();
+        readonly List<SurfaceCell> m_wanted = new List<SurfaceCell>(), m_forgotten = new List<SurfaceCell>();
+        long m_plan;
+
+        public int MaxCells = int.MaxValue;
+        public long MaxTriangles = long.MaxValue;
+
+        public SurfaceCells(in SurfaceGrid grid, Action<MeshCollider> free) => (m_grid, m_free) = (grid, free);
+
+        /// <summary>Cells that were made, empty ones too.</summary>
+        public List<SurfaceCell> Made { get; } = new List<SurfaceCell>();
+        public long Triangles { get; private set; }
+
+        public SurfaceCell Busy; // Is being made, and not forgotten meanwhile.
+
+        /// <summary>Plans anew, around places in metres along the source's axes from the root's corner.</summary>
+        /// <param name="lengths">World units of a metre along these axes.</param>
+        /// <param name="radius">In world units.</param>
+        public void Plan(List<double3> places, double3 lengths, double radius)
+        {
+            m_plan++;
+            m_wanted.Clear();
+            foreach (var place in places)
+                AddNear(place, lengths, radius);
+            m_wanted.Sort(s_nearestFirst);
+            int count = 0;
+            for (long triangles = 0; count < m_wanted.Count; count++)
+            {
+                triangles += math.max(0, m_wanted[count].Triangles);
+                // The nearest one is wanted whatever it takes.
+                if (count > 0 && (count >= MaxCells || triangles > MaxTriangles))
+                    break;
+                m_wanted[count].WantedInPlan = m_plan;
+            }
+            m_wanted.RemoveRange(count, m_wanted.Count - count);
+            Trim();
+            foreach (var cell in m_cells.Values)
+                if (cell.NearInPlan != m_plan && !cell.IsMade && cell != Busy)
+                    m_forgotten.Add(cell);
+            foreach (var cell in m_forgotten)
+                m_cells.Remove(cell.At);
+            m_forgotten.Clear();
+        }
+
+        /// <summary>The nearest that is not made; null if all are, or failed a moment ago.</summary>
+        public SurfaceCell Next(double now)
+        {
+            foreach (var cell in m_wanted)
+                if (!cell.IsMade && cell.RetryAt <= now)
+                    return cell;
+            return null;
+        }
+
+        public void SetMade(SurfaceCell cell, int triangles, MeshCollider collider)
+        {
+            (cell.Triangles, cell.Collider, cell.RetryAt) = (triangles, collider, 0);
+            Triangles += triangles;
+            Made.Add(cell);
+            Trim();
+        }
+
+        /// <summary>Whether all cells so near to a place are made.</summary>
+        public bool IsMade(double3 place, double3 reach)
+        {
+            int3 first = m_grid.CellOf(place - reach), count = m_grid.CellOf(place + reach) - first + 1;
+            for (int i = 0; i < count.x * count.y * count.z; i++)
+                if (!m_cells.TryGetValue(first + At(i, count), out var cell) || !cell.IsMade)
+                    return false;
+            return true;
+        }
+
+        void AddNear(double3 place, double3 lengths, double radius)
+        {
+            var reach = math.min(radius / lengths, MaxReachCells * m_grid.CellMetres);
+            int3 first = m_grid.CellOf(place - reach), count = m_grid.CellOf(place + reach) - first + 1;
+            for (int i = 0; i < count.x * count.y * count.z; i++)
+            {
+                var at = first + At(i, count);
+                var fromMiddle = math.abs(place / m_grid.CellMetres - new double3(at.x, at.y, at.z) - 0.5);
+                double distance = math.length(lengths * math.max(0, fromMiddle - 0.5)) * m_grid.CellMetres;
+                if (distance > radius)
+                    continue;
+                if (!m_cells.TryGetValue(at, out var cell))
+                    m_cells.Add(at, cell = new SurfaceCell { At = at });
+                if (cell.NearInPlan != m_plan)
+                    m_wanted.Add(cell);
+                cell.Distance = cell.NearInPlan == m_plan ? math.min(cell.Distance, distance) : distance;
+                cell.NearInPlan = m_plan;
+            }
+        }
+
+        static int3 At(int i, int3 count) => new int3(i % count.x, i / count.x % count.y, i / (count.x * count.y));
+
+        void Trim()
+        {
+            while (Made.Count > 1 && (Made.Count > MaxCells || Triangles > MaxTriangles))
+            {
+                SurfaceCell oldest = null;
+                foreach (var cell in Made)
+                    if ((m_wanted.Count == 0 || cell != m_wanted[0]) && (oldest == null ||
+                        (cell.WantedInPlan, -cell.Distance).CompareTo((oldest.WantedInPlan, -oldest.Distance)) < 0))
+                        oldest = cell;
+                Made.Remove(oldest);
+                Triangles -= oldest.Triangles;
+                if (oldest.Triangles == 0)
+                    oldest.Triangles = -1;
+                else
+                    m_free(oldest.Collider);
+                oldest.Collider = null;
+            }
+        }
+    }
+}
+#endif
