@@ -270,6 +270,38 @@ public sealed class PointCloudBuffersTests : GraphicsFixture
         Assert.That(() => new PointCloudBuffers(0), Throws.InstanceOf<ArgumentException>());
     }
 
+    /// <summary>Beside what the safety checks of a test build remember of the list's job.</summary>
+    [Test]
+    public void Update_AgainAndAgain_MakesNoGarbage()
+    {
+        int cloud = Show(ColorMode.Rgb);
+        var origin = Middle(cloud);
+        using var buffers = new PointCloudBuffers(1000);
+        using var sizes = new SizeTree();
+        using var list = new DrawList(sizes);
+        m_scene.TryGetLook(cloud, out var look);
+        list.SetLook(cloud, look);
+        long Garbage(Action work)
+        {
+            work();
+            long before = GC.GetAllocatedBytesForCurrentThread();
+            for (int i = 0; i < 20; i++)
+                work();
+            return GC.GetAllocatedBytesForCurrentThread() - before;
+        }
+        var properties = new MaterialPropertyBlock();
+        void Update()
+        {
+            buffers.Update(cloud, origin);
+            buffers.Bind(properties);
+        }
+        long ofJobs = Garbage(() => list.Build(m_stream, StreamView.Everything(1)));
+        long all = Garbage(Update);
+        for (int round = 0; round < 8 && all > ofJobs; round++)
+            (ofJobs, all) = (Garbage(() => list.Build(m_stream, StreamView.Everything(1))), Garbage(Update));
+        Assert.That(all, Is.LessThanOrEqualTo(ofJobs));
+    }
+
     /// <summary>A cloud that goes leaves its points to the effect that has them.</summary>
     [Test]
     public void Update_CloudRemoved_KeepsWhatWasGathered()

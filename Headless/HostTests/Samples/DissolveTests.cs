@@ -60,7 +60,8 @@ public sealed class DissolveTests : GraphicsFixture
         cloud.Path = m_scratch.Converted(points: Points);
         var dissolve = cloud.gameObject.AddComponent<DissolveCloud>();
         (dissolve.Radius, dissolve.Seconds) = (settings.Size / 2, 60);
-        dissolve.Shader = HeadlessShaders.Load(Path.Combine(Checkout.Repository.PackageRoot, "Samples~/Dissolve/Dissolve.shader"));
+        string shader = Path.Combine(Checkout.Repository.PackageRoot, "Samples~/Dissolve/Dissolve.shader");
+        dissolve.Shader = HeadlessShaders.Load(shader);
         Assert.That(dissolve.Begin(), Is.False, "nothing is shown yet");
         AwaitPoints();
         return dissolve;

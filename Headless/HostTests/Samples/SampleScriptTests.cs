@@ -120,10 +120,10 @@ public sealed class SampleScriptTests
         var target = new RenderTexture(200, 100, GraphicsFormat.R8G8B8A8_UNorm, GraphicsFormat.None);
         var ask = m_world.Add<AskScan>(a =>
         {
-            var camera = a.gameObject.AddComponent<Camera>();
+            var camera = a.GetComponent<Camera>();
             (camera.targetTexture, camera.projectionMatrix) = (target, Matrix4x4.Perspective(60, 2, 0.1f, 1000));
-            a.transform.SetPositionAndRotation(new Vector3(0, 100, 0), Quaternion.LookRotation(new Vector3(0.001f, -1, 0)));
-            (a.RadiusPx, a.SphereMetres) = (20, 5);
+            a.transform.SetPositionAndRotation(new Vector3(0, 100, 0), Quaternion.LookRotation(new Vector3(0, -1, 0.001f)));
+            (a.RadiusPx, a.SphereMetres) = (10, 5);
         });
         void Gui(EventType type, float x)
         {
@@ -141,15 +141,10 @@ public sealed class SampleScriptTests
         m_world.Frames(() => m_world.Group.Queries.IsComplete);
 
         Gui(EventType.Layout, 100);
-        var ray = PointQuery.Ray(new double3(0, 100, 0), new double3(0, -1, 0), 1);
-        Assert.That(ask.Text, Does.Match(@"^Height -?[0-9.]+ m(, [0-9.]+ m over what lies below)?\n[1-9][0-9]* points within 5.00 m"));
+        Assert.That(ask.Text, Does.Match(@"^Height -?[0-9.]+ m(, [0-9.]+ m over what lies below)?\n[1-9]\d* points within 5.00 m"));
         Click(100, "Intensity  ");
-        Click(110, "Distance from the one before: ");
-
-        Gui(EventType.Layout, 0);
-        Assert.That(m_world.Group.Queries.Resident.TryFindFirst(ray, out var hit), Is.True);
-        Assert.That(hit.PositionWorld.y, Is.LessThan(100));
-        ask.enabled = false;
+        Click(150, "Distance from the one before: ");
+        Assert.That(ask.Text, Does.Not.EndWith(": 0.00 m"));
     }
 
     [Test]

@@ -26,6 +26,7 @@ namespace FastPoints.Rendering
 
         readonly int m_maxPoints;
         ComputeShader m_gather;
+        int m_kernel; // -1 where the device cannot run it.
         SizeTree m_sizes;
         DrawList m_list;
         ListBuffer m_lists;
@@ -59,11 +60,7 @@ namespace FastPoints.Rendering
         public bool Update(int cloud, double3 originWorld)
         {
             var scene = PointScene.Current;
-            if (scene == null || !scene.TryGetLook(cloud, out var look))
-                return false;
-            if (m_gather == null)
-                m_gather = PointCloudResources.Load().Gather;
-            if (!VisiblePoints.CanRun(m_gather, s_kernels))
+            if (scene == null || !scene.TryGetLook(cloud, out var look) || !HasKernel())
                 return false;
             Gather(scene.Stream, cloud, look, originWorld);
             return true;
@@ -96,6 +93,15 @@ namespace FastPoints.Rendering
             (Points, m_list, m_lists, m_sizes, m_commands, Count) = (null, null, null, null, null, 0);
         }
 
+        bool HasKernel()
+        {
+            if (m_gather != null)
+                return m_kernel >= 0;
+            m_gather = PointCloudResources.Load().Gather;
+            m_kernel = VisiblePoints.CanRun(m_gather, s_kernels) ? m_gather.FindKernel(ShaderNames.GatherPointsKernel) : -1;
+            return m_kernel >= 0;
+        }
+
         GraphicsBuffer Gathered => Points ?? throw new InvalidOperationException("no points are gathered yet: see Update");
 
         Vector4 Origin => new Vector4((float)OriginWorld.x, (float)OriginWorld.y, (float)OriginWorld.z,
@@ -124,17 +130,16 @@ namespace FastPoints.Rendering
 
         void Record(int keptShare, GraphicsNodePool pool)
         {
-            int kernel = m_gather.FindKernel(ShaderNames.GatherPointsKernel);
             m_lists.Write(m_commands, m_list);
-            m_lists.Set(m_commands, m_gather, kernel);
-            m_commands.SetComputeBufferParam(m_gather, kernel, ShaderNames.EffectPointsOut, Points);
+            m_lists.Set(m_commands, m_gather, m_kernel);
+            m_commands.SetComputeBufferParam(m_gather, m_kernel, ShaderNames.EffectPointsOut, Points);
             m_commands.SetComputeIntParam(m_gather, ShaderNames.ClipBoxCount, m_list.ClipBoxes.Length);
             m_commands.SetComputeIntParam(m_gather, ShaderNames.KeptShare, keptShare);
             for (int i = 0; i < m_list.Draws.Length; i++)
             {
                 var draw = m_list.Draws[i];
-                m_commands.SetComputeBufferParam(m_gather, kernel, ShaderNames.Bank, pool.BufferOf(draw.Bank));
-                ComputeRaster.Dispatch(m_commands, m_gather, kernel, draw);
+                m_commands.SetComputeBufferParam(m_gather, m_kernel, ShaderNames.Bank, pool.BufferOf(draw.Bank));
+                ComputeRaster.Dispatch(m_commands, m_gather, m_kernel, draw);
             }
         }
     }

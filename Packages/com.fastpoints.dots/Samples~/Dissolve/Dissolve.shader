@@ -1,11 +1,12 @@
-// Points that fly away, for the Built-in pipeline and URP: a triangle around the disc of each. HDRP's shaders count places from the
-// camera, and want a pass of their own.
+// Points that fly away, for the Built-in pipeline and URP: a triangle around the disc of each. HDRP's shaders count places from
+// the camera, and want a pass of their own.
 Shader "FastPoints/Samples/Dissolve"
 {
     SubShader
     {
         Pass
         {
+            Name "Dissolve"
             Cull Off
 
             HLSLPROGRAM

@@ -78,7 +78,11 @@ namespace FastPoints.Samples.Dissolve
             m_properties.SetVector(s_dissolve, new Vector4(Progress, Distance, Radius, 0));
             m_properties.SetVector(s_height, new Vector4(m_bounds.center.y - height / 2, 1 / height, 0, 0));
             var size = m_bounds.size + 4 * Distance * new Vector3(1, 1, 1);
-            var drawing = new RenderParams(m_material) { matProps = m_properties, worldBounds = new Bounds(m_bounds.center, size) };
+            var drawing = new RenderParams(m_material)
+            {
+                matProps = m_properties,
+                worldBounds = new Bounds(m_bounds.center, size),
+            };
             if (m_points.Count > 0)
                 Graphics.RenderPrimitives(drawing, MeshTopology.Triangles, 3 * m_points.Count);
         }
