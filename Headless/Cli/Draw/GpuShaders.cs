@@ -15,6 +15,7 @@ public sealed class GpuShaders
         Compose = HeadlessShaders.Load(Path.Combine(folder, "Compose.shader"));
         Raster = HeadlessShaders.LoadCompute(Path.Combine(folder, "RasterPoints.compute"));
         Progressive = HeadlessShaders.LoadCompute(Path.Combine(folder, "ProgressiveRaster.compute"));
+        Gather = HeadlessShaders.LoadCompute(Path.Combine(folder, "GatherPoints.compute"));
         CopyPages = HeadlessShaders.LoadCompute(Path.Combine(folder, "CopyPages.compute"));
     }
 
@@ -23,6 +24,7 @@ public sealed class GpuShaders
     public ComputeShader CopyPages { get; }
     public ComputeShader Raster { get; }
     public ComputeShader Progressive { get; }
+    public ComputeShader Gather { get; }
 
     public NodePool CreatePool(long limitBytes, int bankBytes) => new GraphicsNodePool(CopyPages, limitBytes, bankBytes);
 

@@ -1,4 +1,5 @@
 using FastPoints.HostTests.Remote;
+using FastPoints.Samples.AskAScan;
 using FastPoints.Samples.AttributeColours;
 using FastPoints.Samples.EntitiesOnly;
 using FastPoints.Samples.RemoteCloud;
@@ -107,6 +108,43 @@ public sealed class SampleScriptTests
             Is.EqualTo(bounds.size.magnitude).Within(0.1));
         Assert.That(RangeCache.Current.Folder, Does.StartWith(m_world.Scratch.Root));
         Assert.That(() => RangeCache.Current.Bytes, Is.Positive.After(5000, 10));
+    }
+
+    /// <summary>From 100 m above the cloud's middle, straight down; the pointer is where the camera looks.</summary>
+    [Test]
+    public void AskScan_PointerAndClicks_SayWhatIsThere()
+    {
+        string path = m_world.Scratch.Converted(points: 20_000);
+        m_world.Add<FastPoints.Entities.PointCloud>(c => c.Path = path);
+        m_world.Settle();
+        var target = new RenderTexture(200, 100, GraphicsFormat.R8G8B8A8_UNorm, GraphicsFormat.None);
+        var ask = m_world.Add<AskScan>(a =>
+        {
+            var camera = a.GetComponent<Camera>();
+            (camera.targetTexture, camera.projectionMatrix) = (target, Matrix4x4.Perspective(60, 2, 0.1f, 1000));
+            a.transform.SetPositionAndRotation(new Vector3(0, 100, 0), Quaternion.LookRotation(new Vector3(0, -1, 0.001f)));
+            (a.RadiusPx, a.SphereMetres) = (10, 5);
+        });
+        void Gui(EventType type, float x)
+        {
+            Event.current = new Event { type = type, mousePosition = new Vector2(x, 50) };
+            typeof(AskScan).GetMethod("OnGUI", BindingFlags.Instance | BindingFlags.NonPublic).Invoke(ask, null);
+            Event.current = null;
+        }
+        void Click(float x, string until)
+        {
+            Gui(EventType.MouseDown, x);
+            m_world.Frames(() => ask.Text.Contains(until));
+        }
+        Gui(EventType.Layout, 100);
+        Assert.That(ask.Text, Does.StartWith("No point"), "nothing is copied yet");
+        m_world.Frames(() => m_world.Group.Queries.IsComplete);
+
+        Gui(EventType.Layout, 100);
+        Assert.That(ask.Text, Does.Match(@"^Height -?[0-9.]+ m(, [0-9.]+ m over what lies below)?\n[1-9]\d* points within 5.00 m"));
+        Click(100, "Intensity  ");
+        Click(150, "Distance from the one before: ");
+        Assert.That(ask.Text, Does.Not.EndWith(": 0.00 m"));
     }
 
     [Test]

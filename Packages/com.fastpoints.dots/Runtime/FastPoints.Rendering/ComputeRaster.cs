@@ -88,7 +88,7 @@ namespace FastPoints.Rendering
                     if (chosen != null)
                         DispatchChosen(commands, kernel, i, chosen);
                     else
-                        Dispatch(commands, kernel, list.Draws[i]);
+                        Dispatch(commands, m_shader, kernel, list.Draws[i]);
                 }
             }
             chosen?.MarkPixels(commands, view, Pixels);
@@ -109,13 +109,14 @@ namespace FastPoints.Rendering
                 (uint)(bank * VisiblePoints.NumbersPerDraw * sizeof(uint)));
         }
 
-        void Dispatch(CommandBuffer commands, int kernel, in BankDraw draw)
+        // A group for each block of a bank, in rows.
+        public static void Dispatch(CommandBuffer commands, ComputeShader shader, int kernel, in BankDraw draw)
         {
             int across = math.min(draw.InstanceCount, VisiblePoints.MaxGroups);
-            commands.SetComputeIntParam(m_shader, ShaderNames.FirstInstance, draw.FirstInstance);
-            commands.SetComputeIntParam(m_shader, ShaderNames.InstanceCount, draw.InstanceCount);
-            commands.SetComputeIntParam(m_shader, ShaderNames.GroupsPerRow, across);
-            commands.DispatchCompute(m_shader, kernel, across, (draw.InstanceCount + across - 1) / across, 1);
+            commands.SetComputeIntParam(shader, ShaderNames.FirstInstance, draw.FirstInstance);
+            commands.SetComputeIntParam(shader, ShaderNames.InstanceCount, draw.InstanceCount);
+            commands.SetComputeIntParam(shader, ShaderNames.GroupsPerRow, across);
+            commands.DispatchCompute(shader, kernel, across, (draw.InstanceCount + across - 1) / across, 1);
         }
 
         void EnsurePixels(in RenderView view, int bytesPerPixel)

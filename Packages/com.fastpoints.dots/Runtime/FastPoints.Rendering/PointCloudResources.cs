@@ -14,6 +14,7 @@ namespace FastPoints.Rendering
         public ComputeShader CopyPages;
         public ComputeShader Raster;
         public ComputeShader Progressive;
+        public ComputeShader Gather;
 
         public static PointCloudResources Load() => Resources.Load<PointCloudResources>(Path);
     }

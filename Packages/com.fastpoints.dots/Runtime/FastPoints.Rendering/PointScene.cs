@@ -131,6 +131,13 @@ namespace FastPoints.Rendering
             m_looks[cloud] = look;
         }
 
+        // Whether it is shown, and how.
+        public bool TryGetLook(int cloud, out CloudLook look)
+        {
+            look = cloud >= 0 && cloud < m_looks.Count ? m_looks[cloud] : s_noLook;
+            return look.Plane >= 0;
+        }
+
         // Removes the colours of all clouds.
         public void ClearLooks()
         {

@@ -26,6 +26,10 @@ namespace FastPoints.Rendering
         public static readonly int CloudsAt = Shader.PropertyToID("_FastPointsCloudsAt");
         public static readonly int DepthToDevice = Shader.PropertyToID("_FastPointsDeviceOfDepth");
         public static readonly int EdlStrength = Shader.PropertyToID("_FastPointsEdlStrength");
+        public static readonly int EffectOrigin = Shader.PropertyToID("_FastPointsEffectOrigin");
+        public static readonly int EffectPointCount = Shader.PropertyToID("_FastPointsEffectPointCount");
+        public static readonly int EffectPoints = Shader.PropertyToID("_FastPointsEffectPoints");
+        public static readonly int EffectPointsOut = Shader.PropertyToID("_FastPointsEffectPointsOut");
         public static readonly int EyeOffset = Shader.PropertyToID("_FastPointsEyeOffset");
         public static readonly int FillsHoles = Shader.PropertyToID("_FastPointsFillsHoles");
         public static readonly int FirstInstance = Shader.PropertyToID("_FastPointsFirstInstance");
@@ -37,6 +41,7 @@ namespace FastPoints.Rendering
         public static readonly int InstanceCount = Shader.PropertyToID("_FastPointsInstanceCount");
         public static readonly int IsLinear = Shader.PropertyToID("_FastPointsIsLinear");
         public static readonly int IsOrthographic = Shader.PropertyToID("_FastPointsIsOrthographic");
+        public static readonly int KeptShare = Shader.PropertyToID("_FastPointsKeptShare");
         public static readonly int LastOfNodeAt = Shader.PropertyToID("_FastPointsLastOfNodeAt");
         public static readonly int LayerColor = Shader.PropertyToID("_FastPointsLayerColor");
         public static readonly int LayerDepth = Shader.PropertyToID("_FastPointsLayerDepth");
@@ -71,6 +76,7 @@ namespace FastPoints.Rendering
         public static readonly int ViewProjection = Shader.PropertyToID("_FastPointsViewProjection");
         public static readonly int VisibleAt = Shader.PropertyToID("_FastPointsVisibleAt");
 
+        public const string GatherPointsKernel = "FastPointsGatherPoints";
         public const string CopyPagesKernel = "FastPointsCopyPages";
         public const string ClearPixelsKernel = "FastPointsClearPixels";
         public const string RasterDepthKernel = "FastPointsRasterDepth";

@@ -16,6 +16,7 @@ static class SceneLoop
     /// <summary>One frame: an Update of all that are enabled, a LateUpdate, then what was destroyed in it goes.</summary>
     public static void Update()
     {
+        UnityEngine.Graphics.ClearPrimitives();
         for (int i = 0; i < s_told.Count; i++)
         {
             var behaviour = s_told[i];

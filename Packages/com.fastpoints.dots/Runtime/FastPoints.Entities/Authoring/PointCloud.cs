@@ -135,6 +135,11 @@ namespace FastPoints.Entities
             return exists;
         }
 
+        /// <summary>Its number in the stream, as hits of queries and PointCloudBuffers have it; -1 while it is not
+        /// shown.</summary>
+        public int Number => TryGet(out var entities) && entities.HasComponent<StreamedPointCloud>(Entity)
+            ? entities.GetComponentData<StreamedPointCloud>(Entity).Number : -1;
+
         /// <summary>Opens newer data on disk. The shown cloud stays until they are ready.</summary>
         public void Refresh()
         {

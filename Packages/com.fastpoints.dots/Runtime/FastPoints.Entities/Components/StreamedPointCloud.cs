@@ -10,11 +10,10 @@ namespace FastPoints.Entities
         /// cloud replaces it.</summary>
         public int Number;
 
-        /// <summary>Number of a preview that is shown beside a build in progress; <see cref="CloudVersions.None"/> for
-        /// none.</summary>
+        /// <summary>Number of a preview that is shown beside a build in progress; -1 for none.</summary>
         public int Preview;
 
-        /// <summary>Number of a newer state that is being loaded; <see cref="CloudVersions.None"/> for none.</summary>
+        /// <summary>Number of a newer state that is being loaded; -1 for none.</summary>
         public int Next;
     }
 }

@@ -27,7 +27,7 @@ namespace FastPoints.Drawing
         // Multiplies the points' colours: sRGB, with red, green, blue from the lowest byte.
         public uint Tint;
         public float3 AnchorInCube; // From 0 to 1 along each axis.
-        public uint SizeNode; // In the SizeTree, if sizes are adaptive.
+        public uint SizeNode; // In the SizeTree; if no size is adaptive, the number of its first point in the list.
         public float3 CubesPerStep; // One grid step as a fraction of the cube's edge.
         public uint ClassWord;
     }

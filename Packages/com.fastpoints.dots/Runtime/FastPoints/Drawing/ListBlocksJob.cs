@@ -78,16 +78,19 @@ namespace FastPoints.Drawing
         void Write()
         {
             var clouds = (DrawListCloud*)Clouds.GetUnsafeReadOnlyPtr();
+            uint point = 0;
             for (int i = 0; i < Seen.Length; i++)
             {
                 var drawn = Drawn[Seen[i]];
                 var cloud = clouds + drawn.Cloud;
-                int blocks = cloud->Pages[drawn.Page].Nodes[drawn.Node].BlockCount;
+                var from = cloud->Pages[drawn.Page].Nodes + drawn.Node;
+                int blocks = from->BlockCount;
                 var node = cloud->ToGpu(drawn);
                 int instance = InstanceOfBank[drawn.Range.Bank];
                 InstanceOfBank[drawn.Range.Bank] = instance + blocks;
                 node.FirstInstance = (uint)instance;
-                node.SizeNode = SizeNodeOfDrawn.Length > 0 ? (uint)SizeNodeOfDrawn[Seen[i]] : 0;
+                node.SizeNode = SizeNodeOfDrawn.Length > 0 ? (uint)SizeNodeOfDrawn[Seen[i]] : point;
+                point += (uint)from->PointCount;
                 var nodeOfInstance = NodeOfInstance.GetUnsafePtr();
                 for (int block = 0; block < blocks; block++)
                     nodeOfInstance[instance + block] = (uint)Nodes.Length;

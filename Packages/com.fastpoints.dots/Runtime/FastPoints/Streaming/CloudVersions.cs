@@ -6,7 +6,7 @@ namespace FastPoints.Streaming
     /// finished cloud. A newer state is streamed beside the shown one and replaces it when nearly all of its selected nodes are
     /// loaded. A preview stays beside a build in progress, whose unfinished regions have fewer points, until the whole cloud
     /// replaces both: each region only ever gains. Main thread.</summary>
-    public sealed class CloudVersions
+    internal sealed class CloudVersions
     {
         public const int None = -1;
 

@@ -19,7 +19,7 @@ namespace FastPoints.Tests
             : this(new CloudVersions(stream), path, placement, planes) { }
 
         /// <param name="placement">Null for georeferenced space.</param>
-        public FollowedFolder(CloudVersions versions, string path, CloudPlacement? placement, params string[] planes)
+        internal FollowedFolder(CloudVersions versions, string path, CloudPlacement? placement, params string[] planes)
         {
             m_versions = versions;
             m_planes = planes;

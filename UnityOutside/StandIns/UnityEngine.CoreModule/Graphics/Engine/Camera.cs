@@ -130,6 +130,7 @@ public sealed class Camera : Behaviour
             if (Part is Rect part)
                 target.SetViewport(new Rect(part.x, Target.IsScreen ? Target.height - part.y - part.height : part.y,
                     scaledPixelWidth, scaledPixelHeight));
+            Graphics.DrawPrimitives(this, target, Target);
             foreach (var (_, commands) in m_commands.OrderBy(c => c.Event))
                 Graphics.Execute(target, commands, Target);
             Graphics.EndCamera();
