@@ -10,7 +10,8 @@ public sealed record CSharpShape(IReadOnlyList<Counted> Parameters, IReadOnlyLis
     // As the newest generation of Unity's editor compiles the package.
     private static readonly CSharpParseOptions s_options = new CSharpParseOptions(LanguageVersion.Latest,
         DocumentationMode.None, SourceCodeKind.Regular,
-        new[] { "ENABLE_UNITY_COLLECTIONS_CHECKS", "UNITY_EDITOR", "UNITY_INCLUDE_TESTS", "UNITY_6000_3_OR_NEWER" });
+        new[] { "ENABLE_UNITY_COLLECTIONS_CHECKS", "UNITY_EDITOR", "UNITY_INCLUDE_TESTS", "UNITY_6000_3_OR_NEWER",
+            "FASTPOINTS_PHYSICS", "FASTPOINTS_AI" });
 
     public static CSharpShape Of(SourceFile file)
     {

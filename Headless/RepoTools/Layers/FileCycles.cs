@@ -9,6 +9,9 @@ namespace FastPoints.RepoTools.Layers;
 /// found.</summary>
 public static class FileCycles
 {
+    private static readonly CSharpParseOptions s_options =
+        CSharpParseOptions.Default.WithPreprocessorSymbols("FASTPOINTS_PHYSICS", "FASTPOINTS_AI");
+
     private static readonly (string Files, string Reason)[] s_kept =
     {
         ("Authoring/PointCloud.cs, Authoring/PointCloudOrigin.cs", "origins place clouds that set them; Unity wants a file each"),
@@ -94,7 +97,7 @@ public static class FileCycles
         string[] sources = Directory.GetFiles(folder, "*.cs", SearchOption.AllDirectories);
         foreach (string file in sources.Order(StringComparer.Ordinal))
         {
-            SyntaxNode root = CSharpSyntaxTree.ParseText(File.ReadAllText(file)).GetRoot();
+            SyntaxNode root = CSharpSyntaxTree.ParseText(File.ReadAllText(file), s_options).GetRoot();
             foreach (BaseNamespaceDeclarationSyntax space in root.ChildNodes().OfType<BaseNamespaceDeclarationSyntax>())
             {
                 foreach (MemberDeclarationSyntax member in space.Members)

@@ -12,7 +12,8 @@ public static class PackageCommand
         var problems = new List<string>();
         problems.AddRange(manifest.Check());
         if (File.Exists(repository.UsedApi))
-            problems.AddRange(manifest.CheckModules(File.ReadLines(repository.UsedApi).Select(l => l.Split('\t')[1])));
+            problems.AddRange(manifest.CheckModules(File.ReadLines(repository.UsedApi).Select(l => l.Split('\t')[1]),
+                files.With(".asmdef").Select(files.Read)));
         problems.AddRange(ChangelogRules.Check(files, manifest.Version));
         problems.AddRange(FileRules.Check(files));
         problems.AddRange(SampleRules.Check(files, manifest.Samples));

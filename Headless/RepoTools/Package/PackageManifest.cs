@@ -72,7 +72,8 @@ public sealed class PackageManifest
 
     /// <summary>A project may leave out any module of the engine that no package asks for. Names the modules that are used and
     /// not asked for, and those that are asked for in vain.</summary>
-    public IEnumerable<string> CheckModules(IEnumerable<string> assemblies)
+    /// <param name="asmdefs">Modules of their versionDefines may be left out.</param>
+    public IEnumerable<string> CheckModules(IEnumerable<string> assemblies, IEnumerable<string> asmdefs)
     {
         var used = assemblies.Where(a => Regex.IsMatch(a, @"^UnityEngine:\w+$") && a != "UnityEngine:Core")
             .Select(a => "com.unity.modules." + a.Split(':')[1].ToLowerInvariant()).ToHashSet();
@@ -80,6 +81,7 @@ public sealed class PackageManifest
             ? all.EnumerateObject().Select(d => d.Name)
                 .Where(n => n.StartsWith("com.unity.modules.", StringComparison.Ordinal)).ToHashSet()
             : new HashSet<string>();
+        used.ExceptWith(asmdefs.SelectMany(a => Regex.Matches(a, @"com\.unity\.modules\.\w+")).Select(m => m.Value));
         foreach (string module in used.Except(declared))
             yield return Wanted("dependencies." + module, "1.0.0, since it is used", "");
         foreach (string module in declared.Except(used))

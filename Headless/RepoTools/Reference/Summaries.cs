@@ -7,7 +7,8 @@ namespace FastPoints.RepoTools.Reference;
 public sealed class Summaries
 {
     private static readonly CSharpParseOptions s_options =
-        new CSharpParseOptions(LanguageVersion.Latest, DocumentationMode.Parse);
+        new CSharpParseOptions(LanguageVersion.Latest, DocumentationMode.Parse)
+            .WithPreprocessorSymbols("FASTPOINTS_PHYSICS", "FASTPOINTS_AI");
 
     private readonly Dictionary<string, string> m_ofType = new Dictionary<string, string>(StringComparer.Ordinal);
 

@@ -107,7 +107,7 @@ namespace FastPoints
     }
 
     /// <summary>The smallest and largest finite value of a column, and how many values were finite and not.</summary>
-    public struct ColumnRange
+    internal struct ColumnRange
     {
         public double Min;
         public double Max;
