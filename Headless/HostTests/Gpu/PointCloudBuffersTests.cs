@@ -285,7 +285,7 @@ public sealed class PointCloudBuffersTests : GraphicsFixture
         {
             work();
             long before = GC.GetAllocatedBytesForCurrentThread();
-            for (int i = 0; i < 20; i++)
+            for (int i = 0; i < 5; i++)
                 work();
             return GC.GetAllocatedBytesForCurrentThread() - before;
         }
