@@ -23,7 +23,7 @@ public sealed class PointCloudBuffersTests : GraphicsFixture
     readonly record struct Gathered(float3 Position, uint Color);
 
     ScratchFolder m_scratch;
-    string m_cloud;
+    string m_demo, m_cloud;
     StreamContext m_stream;
     PointScene m_scene;
 
@@ -31,7 +31,7 @@ public sealed class PointCloudBuffersTests : GraphicsFixture
     public void MakeCloud()
     {
         m_scratch = new ScratchFolder();
-        m_cloud = m_scratch.Converted(points: Points);
+        m_demo = m_scratch.Converted(points: Points);
     }
 
     [OneTimeTearDown]
@@ -40,6 +40,7 @@ public sealed class PointCloudBuffersTests : GraphicsFixture
     [SetUp]
     public void MakeScene()
     {
+        m_cloud = m_demo;
         var shaders = new GpuShaders();
         m_stream = new StreamContext(shaders.CreatePool(16 << 20, 1 << 19));
         m_stream.Settings.Selection.MinScreenErrorPx = 0;
@@ -72,10 +73,12 @@ public sealed class PointCloudBuffersTests : GraphicsFixture
         int cloud = m_stream.Add(source, placement);
         var look = new CloudLook
         {
-            Source = mode == ColorMode.Rgb ? ColorSource.Channels : ColorSource.Wrapped,
-            Plane = PlaneOf(source, mode == ColorMode.Rgb ? StoreLayout.ColorName : AttributeNames.Classification),
-            ClassPlane = PlaneOf(source, AttributeNames.Classification),
-            HiddenClasses = ClassMask.Of(HiddenClass),
+            Source = mode == ColorMode.Rgb ? ColorSource.Channels
+                : mode == ColorMode.Elevation ? ColorSource.Position : ColorSource.Wrapped,
+            Plane = mode == ColorMode.Elevation ? 0
+                : PlaneOf(source, mode == ColorMode.Rgb ? StoreLayout.ColorName : AttributeNames.Classification),
+            ClassPlane = math.max(0, PlaneOf(source, AttributeNames.Classification)),
+            HiddenClasses = mode == ColorMode.Elevation ? default : ClassMask.Of(HiddenClass),
             Scale = mode == ColorMode.Rgb ? 1 / 256.0 : 1,
             Palette = Palettes.IndexOf(ColorMode.Classification),
         };
@@ -86,7 +89,8 @@ public sealed class PointCloudBuffersTests : GraphicsFixture
             Assert.That(frame, Is.LessThan(MaxFrames), "streaming did not come to rest");
             HeadlessGraphics.EndFrame();
         }
-        Assert.That(m_stream.Drawn.AsArray().ToArray().Select(d => d.Range.Bank).Distinct().Count(), Is.GreaterThan(1));
+        Assert.That(m_stream.Drawn.AsArray().ToArray().Select(d => d.Range.Bank).Distinct().Count(),
+            Is.GreaterThan(m_cloud == m_demo ? 1 : 0));
         return cloud;
     }
 
@@ -122,8 +126,9 @@ public sealed class PointCloudBuffersTests : GraphicsFixture
                     return new PlaneView(at + offset, shape, blocks);
                 }
                 var positions = View(0);
-                var colors = View(PlaneOf(source, StoreLayout.ColorName));
-                var classes = View(PlaneOf(source, AttributeNames.Classification));
+                bool isPlain = mode == ColorMode.Elevation; // Of one colour, which all have.
+                var colors = isPlain ? default : View(PlaneOf(source, StoreLayout.ColorName));
+                var classes = isPlain ? default : View(PlaneOf(source, AttributeNames.Classification));
                 for (int block = 0; block < blocks; block++)
                     for (int i = 0; i < positions.PointsOf(block); i++)
                     {
@@ -132,8 +137,8 @@ public sealed class PointCloudBuffersTests : GraphicsFixture
                             address.Corner.Z + (double)positions.ValueAt(block, 2, i));
                         var world = streamed.Placement.OriginWorld + math.mul(streamed.Placement.Linear,
                             steps * source.Grid.Step);
-                        uint number = (uint)classes.ValueAt(block, 0, i);
-                        uint color = mode == ColorMode.Rgb ? (uint)(colors.ValueAt(block, 0, i) >> 8 |
+                        uint number = isPlain ? 0 : (uint)classes.ValueAt(block, 0, i);
+                        uint color = isPlain ? palettes[palette] & 0xFFFFFF : mode == ColorMode.Rgb ? (uint)(colors.ValueAt(block, 0, i) >> 8 |
                             colors.ValueAt(block, 1, i) >> 8 << 8 | colors.ValueAt(block, 2, i) >> 8 << 16)
                             : palettes[palette + (int)(number & 0xFF)] & 0xFFFFFF;
                         bool isClipped = m_stream.ClipBoxes.Length > 0 &&
@@ -189,6 +194,28 @@ public sealed class PointCloudBuffersTests : GraphicsFixture
         var wanted = Unpack(cloud, origin, mode);
         Assert.That(wanted.Count(p => p.Color >> 24 == 0), Is.InRange(1, Points - 1));
         Check(Read(buffers), wanted);
+    }
+
+    /// <summary>A root cube of more than 2^32 steps: 64-bit columns, and an origin at one of its points.</summary>
+    [Test]
+    public unsafe void Update_WideCloud_HasEachPointAsTheCpuUnpacksIt()
+    {
+        var random = new Unity.Mathematics.Random(5);
+        File.WriteAllLines(m_scratch["wide.xyz"], Enumerable.Range(0, 3000).Select(i =>
+            string.Join(" ", Enumerable.Range(0, 3).Select(_ => NumberText.Of(Math.Round(
+                random.NextDouble(-2e6, 2e6) + i % 3 * 1e9, 3))))));
+        m_cloud = m_scratch["wide.fastpoints"];
+        var call = CliCall.Of("convert", m_scratch["wide.xyz"], "-o", m_cloud, "--quiet");
+        Assert.That(call.Status, Is.EqualTo(ExitStatus.Done), call.Error);
+        int cloud = Show(ColorMode.Elevation);
+        var streamed = m_stream.Clouds[cloud];
+        Assert.That(m_stream.Drawn.AsArray().ToArray().Any(d => streamed.Pages[d.Page].Addresses[d.Node].IsWide));
+        var first = Unpack(cloud, 0, ColorMode.Elevation)[0].Position;
+        using var buffers = new PointCloudBuffers(3000);
+
+        Assert.That(buffers.Update(cloud, first), Is.True);
+
+        Check(Read(buffers), Unpack(cloud, first, ColorMode.Elevation));
     }
 
     [Test]
