@@ -57,7 +57,6 @@ public sealed class PointCloudBuffersTests : GraphicsFixture
         HeadlessGraphics.WaitForIdle();
         m_scene?.Dispose();
         m_stream?.Dispose();
-        (m_scene, m_stream) = (null, null);
         Resources.Assets.Clear();
         QualitySettings.activeColorSpace = ColorSpace.Gamma;
     }
