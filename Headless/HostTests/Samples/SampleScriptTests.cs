@@ -131,19 +131,15 @@ public sealed class SampleScriptTests
             typeof(AskScan).GetMethod("OnGUI", BindingFlags.Instance | BindingFlags.NonPublic).Invoke(ask, null);
             Event.current = null;
         }
-        void Click(float x, string until)
-        {
-            Gui(EventType.MouseDown, x);
-            m_world.Frames(() => ask.Text.Contains(until));
-        }
         Gui(EventType.Layout, 100);
         Assert.That(ask.Text, Does.StartWith("No point"), "nothing is copied yet");
         m_world.Frames(() => m_world.Group.Queries.IsComplete);
-
         Gui(EventType.Layout, 100);
-        Assert.That(ask.Text, Does.Match(@"^Height -?[0-9.]+ m(, [0-9.]+ m over what lies below)?\n[1-9]\d* points within 5.00 m"));
-        Click(100, "Intensity  ");
-        Click(150, "Distance from the one before: ");
+        Assert.That(ask.Text, Does.Match(@"^Height -?[0-9.]+ m(, [0-9.]+ m over .*)?\n[1-9]\d* points within 5.00 m"));
+        Gui(EventType.MouseDown, 100);
+        m_world.Frames(() => ask.Text.Contains("Intensity  "));
+        Gui(EventType.MouseDown, 150);
+        m_world.Frames(() => ask.Text.Contains("Distance from the one before: "));
         Assert.That(ask.Text, Does.Not.EndWith(": 0.00 m"));
     }
 
