@@ -26,6 +26,7 @@ namespace FastPoints.Reading
         const int MaxDepth = 32;
 
         readonly List<FilterEdge> m_edges = new List<FilterEdge>();
+        readonly List<(int Polygon, double2[] Vertices)> m_rings = new List<(int, double2[])>();
         double2 m_min = new double2(double.PositiveInfinity, double.PositiveInfinity);
         double2 m_max = new double2(double.NegativeInfinity, double.NegativeInfinity);
         int m_polygons;
@@ -131,6 +132,28 @@ namespace FastPoints.Reading
             }
         }
 
+        /// <summary>Adds the same polygons to an edit as a prism along Z: their vertices lie on the nearest part of the grid's
+        /// steps.</summary>
+        public void AddTo(EditOperation operation, in CloudGrid grid)
+        {
+            var corner = EditBox.GridOf(math.floor((new double3(m_min, 0) - grid.Origin) / grid.Step));
+            operation.Prism.Origin = corner = new Grid3(corner.X, corner.Y, 0);
+            operation.Prism.U = new Grid3(EditPrism.PartsOfStep, 0, 0);
+            operation.Prism.V = new Grid3(0, EditPrism.PartsOfStep, 0);
+            var from = grid.ToGeo(corner);
+            foreach (var (polygon, vertices) in m_rings)
+            {
+                var at = new long[2 * vertices.Length];
+                for (int i = 0; i < vertices.Length; i++)
+                {
+                    var steps = EditBox.GridOf(math.round((new double3(vertices[i], 0) - from) / grid.Step *
+                        EditPrism.PartsOfStep));
+                    (at[2 * i], at[2 * i + 1]) = (steps.X, steps.Y);
+                }
+                operation.AddRing(polygon, at);
+            }
+        }
+
         static List<object> ListOf(Dictionary<string, object> members, string name) =>
             ListOf(members.TryGetValue(name, out object value) ? value : null);
 
@@ -140,6 +163,7 @@ namespace FastPoints.Reading
         /// <summary>An open ring is closed.</summary>
         void AddRing(List<double2> points)
         {
+            m_rings.Add((m_polygons, points.ToArray()));
             for (int i = 0; i < points.Count; i++)
             {
                 if (!math.isfinite(points[i].x) || !math.isfinite(points[i].y))

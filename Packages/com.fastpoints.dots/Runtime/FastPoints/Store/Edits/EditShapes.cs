@@ -97,6 +97,9 @@ namespace FastPoints.Store
     // that U and V say how finely, and from where: U x V is the axis along which the polygons reach without end.
     internal struct EditPrism
     {
+        // How finely polygons along an axis are drawn.
+        public const int PartsOfStep = 1024;
+
         public Grid3 Origin;
         public Grid3 U;
         public Grid3 V;
