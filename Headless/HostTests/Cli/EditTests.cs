@@ -1,14 +1,17 @@
 namespace FastPoints.HostTests.Cli;
 
-public sealed class EditTests : ScratchPerTest
+public sealed class EditTests : ScratchTests
 {
     const int Points = 20_000;
     const string Box = "441048,5611993,110,441068,5612009,140";
 
     string m_cloud;
 
-    [SetUp]
+    [OneTimeSetUp]
     public void MakeCloud() => m_cloud = Scratch.Converted("street.fastpoints", Points);
+
+    [SetUp]
+    public void ForgetEdits() => File.Delete(m_cloud + ".edits");
 
     CliCall Edit(params string[] args) => CliCall.Of(["edit", m_cloud, "--json", "-", .. args]);
 
@@ -58,8 +61,8 @@ public sealed class EditTests : ScratchPerTest
     [Test]
     public void Edit_OneAfterAnother_SeesWhatTheOneBeforeMade()
     {
-        long moved = Changed(Edit("--classify", "77", "--where", "Classification == 2", "--sphere", "441058,5612001,112,8",
-            "--sphere", "441068,5612001,112,8"));
+        long moved = Changed(Edit("--classify", "77", "--where", "Classification == 2", "--sphere", "441058,5612001,120,8",
+            "--sphere", "441068,5612001,120,8"));
         Assert.That(moved, Is.GreaterThan(100));
         Assert.That(Changed(Edit("--colour", "255,0,10", "--where", "Classification == 77")), Is.EqualTo(moved));
         Assert.That(Exported("red.las", "--where", "Red == 65535 && Green == 0 && Blue == 2570"), Is.EqualTo(moved));
@@ -75,22 +78,19 @@ public sealed class EditTests : ScratchPerTest
     }
 
     [Test]
-    public void UndoAndRedo_InOtherProcesses_GoStepByStep()
+    public void UndoAndRedo_OneCallAfterAnother_GoStepByStep()
     {
-        long first = Changed(Process("--delete", "--classes", "2")), second = Changed(Process("--delete", "--classes", "5"));
-        Assert.That(Changed(Process("--undo")), Is.EqualTo(second));
+        long first = Changed(Edit("--delete", "--classes", "2")), second = Changed(Edit("--delete", "--classes", "5"));
+        Assert.That(Changed(Edit("--undo")), Is.EqualTo(second));
         Assert.That(Exported("a.las"), Is.EqualTo(Points - first));
-        Assert.That(Changed(Process("--undo")), Is.EqualTo(first));
+        Assert.That(Changed(Edit("--undo")), Is.EqualTo(first));
         Assert.That(Edit("--undo").Status, Is.EqualTo(ExitStatus.Usage));
         Assert.That(Exported("b.las"), Is.EqualTo(Points));
-        Assert.That(Changed(Process("--redo")), Is.EqualTo(first));
-        var list = Process("--list").Json.GetProperty("operations");
+        Assert.That(Changed(Edit("--redo")), Is.EqualTo(first));
+        var list = Edit("--list").Json.GetProperty("operations");
         Assert.That(list.EnumerateArray().Select(o => o.GetProperty("undone").GetBoolean()), Is.EqualTo(new[] { false, true }));
         Assert.That(CliCall.Of("edit", m_cloud, "--list").Output, Does.Contain("(undone)"));
     }
-
-    // In this process, but for a new run of the command line nothing is left of the one before.
-    CliCall Process(params string[] args) => Edit(args);
 
     [Test]
     public void Convert_OfAnEditedCloud_BakesIt()
@@ -152,7 +152,7 @@ public sealed class EditTests : ScratchPerTest
             };
             foreach (string arg in new[] { "edit", m_cloud, "--classify", (kill + 100).ToString(), "--clip", Box })
                 start.ArgumentList.Add(arg);
-            using (var process = System.Diagnostics.Process.Start(start))
+            using (var process = Process.Start(start))
             {
                 process.WaitForExit(random.Next(100, 400));
                 process.Kill();

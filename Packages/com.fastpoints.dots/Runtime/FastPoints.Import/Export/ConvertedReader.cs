@@ -283,14 +283,28 @@ namespace FastPoints.Export
                 if (reader.m_edits == null)
                     return;
                 m_edits = Own(reader.m_edits.CreateSlot(layout, m_planes, reader.m_maxPlaneBlocks));
+                var changed = m_edits.Values.Schema;
+                var from = new List<PointColumn>();
+                var to = new List<PointColumn>();
+                for (int c = 0; c < changed.Count; c++)
+                {
+                    int column = Points.Schema.IndexOf(changed[c].Name);
+                    if (column < 0)
+                        continue;
+                    from.Add(m_edits.Values.Column(c));
+                    to.Add(Points.Column(column));
+                }
+                var all = new PointColumn[Points.Schema.Count];
+                for (int c = 0; c < all.Length; c++)
+                    all[c] = Points.Column(c);
                 m_gather = new GatherEditedJob
                 {
                     Columns = Points.Bytes,
-                    AllColumns = Own(new NativeArray<PointColumn>(ColumnsOf(Points, Points.Schema), allocator)),
+                    AllColumns = Own(new NativeArray<PointColumn>(all, allocator)),
                     Edited = m_edits.Points,
                     Values = m_edits.Values.Bytes,
-                    From = Own(new NativeArray<PointColumn>(ColumnsOf(m_edits.Values, Points.Schema), allocator)),
-                    To = Own(new NativeArray<PointColumn>(ColumnsOf(Points, m_edits.Values.Schema), allocator)),
+                    From = Own(new NativeArray<PointColumn>(from.ToArray(), allocator)),
+                    To = Own(new NativeArray<PointColumn>(to.ToArray(), allocator)),
                     Chosen = Own(new NativeArray<int>(capacity, allocator)),
                 };
             }
@@ -303,15 +317,6 @@ namespace FastPoints.Export
                 return isNamed;
             }
 
-            /// <summary>The columns of a batch that a schema has, too, in the batch's order.</summary>
-            static PointColumn[] ColumnsOf(PointBatch batch, PointSchema also)
-            {
-                var columns = new List<PointColumn>();
-                for (int c = 0; c < batch.Schema.Count; c++)
-                    if (also.Has(batch.Schema[c].Name))
-                        columns.Add(batch.Column(c));
-                return columns.ToArray();
-            }
 
             void AddTarget(List<ConvertedTarget> targets, int plane, int column, StoredColumn stored, string name)
             {

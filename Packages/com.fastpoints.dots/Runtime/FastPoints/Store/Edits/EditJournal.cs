@@ -24,6 +24,7 @@ namespace FastPoints.Store
 
         [FieldOffset(0)] public ulong Magic;
         [FieldOffset(8)] public uint Version;
+        [FieldOffset(12)] public int Reserved;
         [FieldOffset(16)] public ulong CloudId;
         [FieldOffset(24)] public ulong HeaderHash;
     }
