@@ -121,7 +121,8 @@ public static class CommandLine
     [
         ("out dest destination", "--output"), ("overwrite replace yes", "--force"), ("jobs cores workers", "--threads"),
         ("silent", "--quiet"), ("bbox bounds box crop extent", "--clip"), ("filter query expression", "--where"),
-        ("class classes", "--classes"), ("class classes", "--style classes=N"), ("color colour", "--style color=NAME"), ("color", "--colour"),
+        ("class classes", "--classes"), ("class classes", "--style classes=N"), ("color colour", "--style color=NAME"),
+        ("color", "--colour"),
         ("gradient", "--style gradient=NAME"), ("background", "--style background=RRGGBB"), ("edl", "--style edl=on"),
         ("point-size", "--style size=PIXELS"), ("resolution width height", "--size"), ("camera", "--eye"),
         ("look-at lookat", "--target"), ("top bottom front back left right side iso", "--view"), ("epsg srs", "--crs"),

@@ -122,7 +122,8 @@ public sealed class ConvertedCloudFacts
         yield return ("sampler", m_manifest.Sampler);
         yield return ("checksum", m_manifest.Checksum.ToString("x16", CultureInfo.InvariantCulture));
         if (m_edits + m_undone > 0)
-            yield return ("edits", NumberFormat.Count(m_edits) + (m_undone > 0 ? ", " + NumberFormat.Count(m_undone) + " undone" : ""));
+            yield return ("edits", NumberFormat.Count(m_edits)
+                + (m_undone > 0 ? ", " + NumberFormat.Count(m_undone) + " undone" : ""));
         yield return ("whole", IsWhole ? "yes" : "no, it is being built");
         foreach (var source in m_sources)
             yield return ("source", source.Name + ", " + NumberFormat.Count(source.FileBytes) + " bytes, "

@@ -28,7 +28,7 @@ public sealed class EditVerb : Verb
     readonly Option<bool> m_redo = new("--redo") { Description = "Do again what was undone last." };
     readonly List<Option> m_actions, m_choices;
 
-    public EditVerb() : base(new Command("edit", "Hide, delete, classify or colour points of a converted cloud, which can be undone: "
+    public EditVerb() : base(new Command("edit", "Hide, delete, classify or colour points of a converted cloud, and undo it: "
         + "NAME.fastpoints.edits has it, beside the cloud."))
     {
         Command.Add(m_cloud);

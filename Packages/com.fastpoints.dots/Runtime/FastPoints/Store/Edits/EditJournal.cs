@@ -66,8 +66,13 @@ namespace FastPoints.Store
 
         public List<EditOperation> Applied => m_operations.GetRange(0, Count);
 
-        public static string PathOf(string cloud) =>
-            StoreFormat.FinishedPath(cloud.TrimEnd(Path.DirectorySeparatorChar, Path.AltDirectorySeparatorChar)) + Extension;
+        public static string PathOf(string cloud)
+        {
+            string path = cloud.TrimEnd(Path.DirectorySeparatorChar, Path.AltDirectorySeparatorChar);
+            // "." and ".." are no names.
+            return StoreFormat.FinishedPath(path.EndsWith(".", StringComparison.Ordinal) ? Path.GetFullPath(path) : path) +
+                Extension;
+        }
 
         // Empty if there is none; a cloud on a server has none.
         public static EditJournal Read(string cloud, ulong cloudId)
@@ -77,8 +82,8 @@ namespace FastPoints.Store
                 return journal;
             journal.m_fileBytes = StoreFile.SizeOf(journal.m_path);
             if (journal.m_fileBytes > MaxBytes)
-                throw PointCloudException.Wanted(FailureCode.Unsupported, journal.m_path, -1, "size", "at most " + MaxBytes + " bytes",
-                    journal.m_fileBytes);
+                throw PointCloudException.Wanted(FailureCode.Unsupported, journal.m_path, -1, "size",
+                    "at most " + MaxBytes + " bytes", journal.m_fileBytes);
             using var bytes = StoreFile.Read(journal.m_path, 0, journal.m_fileBytes, Allocator.Persistent);
             journal.ReadHeader(bytes);
             while (journal.m_wholeBytes > 0 && journal.ReadRecord(bytes)) { }
@@ -99,7 +104,8 @@ namespace FastPoints.Store
                     StoreFile.HashProblem(header.HeaderHash, HashOf(header)));
             if (header.CloudId != m_cloudId)
                 throw new PointCloudException(FailureCode.BadInput, m_path, 16, "has the edits of another cloud: wanted " +
-                    m_cloudId.ToString("x16") + ", got " + header.CloudId.ToString("x16") + "; without this file, the cloud has none");
+                    m_cloudId.ToString("x16") + ", got " + header.CloudId.ToString("x16") +
+                    "; without this file, the cloud has none");
             m_wholeBytes = EditHeader.SizeBytes;
         }
 
@@ -171,7 +177,8 @@ namespace FastPoints.Store
                 {
                     using var file = FileChanges.OpenToWrite(m_path, FileMode.OpenOrCreate);
                     if (file.Length < m_wholeBytes || file.Length > m_fileBytes)
-                        throw new PointCloudException(FailureCode.Changed, m_path, -1, "was changed by another process meanwhile");
+                        throw new PointCloudException(FailureCode.Changed, m_path, -1,
+                            "was changed by another process meanwhile");
                     // Drops what was not written whole, of this attempt too.
                     file.SetLength(m_wholeBytes);
                     file.Position = m_wholeBytes;

@@ -12,9 +12,9 @@ namespace FastPoints.Store
         Color,
     }
 
-    // One change of a cloud, to all points that lie in any of the boxes, in any of the balls and in the prism, as far as there are
-    // such, and for which the conditions hold. Conditions see what earlier operations made. Exact: nothing depends on how points
-    // are stored. It converts from and to text, without I/O.
+    // One change of a cloud, to all points that lie in any of the boxes, in any of the balls and in the prism, as far as there
+    // are such, and for which the conditions hold. Conditions see what earlier operations made. Exact: nothing depends on how
+    // points are stored. It converts from and to text, without I/O.
     internal sealed class EditOperation
     {
         // Of shapes, in grid steps; positions have up to 60 bits.
@@ -22,6 +22,11 @@ namespace FastPoints.Store
 
         // Of the components of a prism's axes.
         const long MaxAxis = 1L << 31;
+
+        static readonly string[] s_members =
+        {
+            "do", "pointsChanged", "class", "colour", "boxes", "balls", "prism", "where",
+        };
 
         static readonly string[] s_actions = { "hide", "delete", "classify", "colour" };
 
@@ -155,7 +160,7 @@ namespace FastPoints.Store
         {
             var json = JsonMembers.Parse(text, path);
             foreach (string name in json.Names)
-                if (Array.IndexOf(new[] { "do", "pointsChanged", "class", "colour", "boxes", "balls", "prism", "where" }, name) < 0)
+                if (Array.IndexOf(s_members, name) < 0)
                     throw new PointCloudException(FailureCode.Unsupported, path, -1, "\"" + name + "\" is of a later version");
             int action = Array.IndexOf(s_actions, json.Text("do"));
             if (action < 0)
@@ -194,6 +199,9 @@ namespace FastPoints.Store
                     throw ring.Bad("at", "u and v of each vertex");
                 AddRing(ring.Int("polygon"), vertices);
             }
+            // Without one it would mean all points.
+            if (!Prism.IsUsed)
+                throw prism.Bad("rings", "vertices");
         }
 
         static FilterExpression ReadCondition(string text, JsonMembers json)

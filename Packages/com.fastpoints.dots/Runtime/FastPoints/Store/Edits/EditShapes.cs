@@ -186,7 +186,8 @@ namespace FastPoints.Store
                         return true;
                     polygon = edge.Polygon;
                 }
-                if (math.max(edge.FromU, edge.ToU) < u || math.max(edge.FromV, edge.ToV) < v || math.min(edge.FromV, edge.ToV) > v)
+                if (math.max(edge.FromU, edge.ToU) < u || math.max(edge.FromV, edge.ToV) < v ||
+                    math.min(edge.FromV, edge.ToV) > v)
                     continue;
                 long across = edge.ToU - edge.FromU, up = edge.ToV - edge.FromV;
                 int side = Long2.Product(across, v - edge.FromV).CompareTo(Long2.Product(up, u - edge.FromU));
