@@ -114,7 +114,7 @@ public sealed class ConvertVerb : Verb
         if (files is [var cloud] && CloudFolder.IsCloud(cloud))
         {
             var stored = ConvertedReader.OpenEdited(cloud);
-            if (stored.IsEdited)
+            if (stored.Edits != null)
                 return stored;
             stored.Dispose();
         }

@@ -17,7 +17,7 @@ public sealed class EditVerb : Verb
     readonly FilterSettings m_filter;
     readonly Option<bool> m_hide = new("--hide") { Description = "Do not show these points; export and convert keep them." };
     readonly Option<bool> m_delete = new("--delete") { Description = "Leave these points out from now on." };
-    readonly Option<long?> m_classify = new("--classify") { HelpName = "N", Description = "Give them this class." };
+    readonly Option<string?> m_classify = new("--classify") { HelpName = "N", Description = "Give them this class." };
     readonly Option<string?> m_colour = new("--colour")
     {
         HelpName = "R,G,B",
@@ -99,39 +99,56 @@ public sealed class EditVerb : Verb
                 : parsed.GetValue(m_colour) != null ? EditAction.Color : EditAction.Classify,
         };
         if (parsed.GetValue(m_classify) is { } number)
-            operation.Class = number is >= 0 and <= byte.MaxValue ? (byte)number
-                : throw new UsageException("--classify: wanted a number from 0 to 255, got " + NumberFormat.Count(number));
+            operation.Value = Bytes("--classify", "a number", 1, number);
         if (parsed.GetValue(m_colour) is { } colour)
-            (operation.Red, operation.Green, operation.Blue) = Colour(colour);
+            operation.Value = Bytes("--colour", "R,G,B, each", 3, colour);
         var grid = reader.Manifest.Grid;
         foreach (string box in parsed.GetValue(m_clip) ?? [])
         {
             var clip = PictureSettings.Box("--clip", box, false);
             var half = new double3(clip.EdgesWorld.c0.x, clip.EdgesWorld.c1.y, clip.EdgesWorld.c2.z) / 2;
-            operation.Boxes.Add(EditBox.Of(grid, clip.CenterWorld - math.abs(half), clip.CenterWorld + math.abs(half)));
+            operation.Boxes.Add(EditShape.Box(grid, clip.CenterWorld - math.abs(half), clip.CenterWorld + math.abs(half)));
         }
         foreach (string sphere in parsed.GetValue(m_sphere) ?? [])
         {
             double[] of = PictureSettings.ParseNumbers(sphere);
             if (of.Length != 4 || of[3] < 0)
                 throw new UsageException("--sphere: wanted x,y,z,R, got " + sphere);
-            operation.Balls.Add(EditBall.Of(grid, new double3(of[0], of[1], of[2]), of[3]));
+            operation.Balls.Add(EditShape.Ball(grid, new double3(of[0], of[1], of[2]), of[3]));
         }
         using var filter = m_filter.Read(parsed, reader);
         if (filter?.EveryNth > 1)
             throw new UsageException("--every-nth: an edit does not depend on the order of points");
         operation.Conditions.AddRange(filter?.Expressions ?? []);
-        filter?.Polygons?.AddTo(operation, grid);
+        AddPolygons(operation, filter?.Polygons, grid);
         return EditPlan.FindProblem(operation, reader.Manifest) is { } problem
             ? throw new PointCloudException(FailureCode.Unsupported, reader.Info.ShownPath, -1, problem) : operation;
     }
 
-    static (byte, byte, byte) Colour(string text)
+    /// <summary>As a prism along Z; vertices lie on the nearest part of the grid's steps.</summary>
+    static void AddPolygons(EditOperation operation, FilterPolygons? polygons, CloudGrid grid)
+    {
+        if (polygons == null)
+            return;
+        ref var prism = ref operation.Prism;
+        prism.Origin = EditShape.GridOf(math.floor((new double3(polygons.Min, 0) - grid.Origin) / grid.Step));
+        prism.U = new Grid3(EditPrism.PartsOfStep, 0, 0);
+        prism.V = new Grid3(0, EditPrism.PartsOfStep, 0);
+        var from = grid.ToGeo(prism.Origin);
+        foreach (var (polygon, vertices) in polygons.Rings)
+            operation.AddRing(polygon, [.. vertices.SelectMany(vertex =>
+            {
+                var at = EditShape.GridOf(math.round((new double3(vertex, 0) - from) / grid.Step * EditPrism.PartsOfStep));
+                return new[] { at.X, at.Y };
+            })]);
+    }
+
+    static byte[] Bytes(string option, string what, int count, string text)
     {
         double[] of = PictureSettings.ParseNumbers(text);
-        return of.Length == 3 && of.All(c => c is >= 0 and <= byte.MaxValue && c == Math.Floor(c))
-            ? ((byte)of[0], (byte)of[1], (byte)of[2])
-            : throw new UsageException("--colour: wanted R,G,B, each of 0 to 255, got " + text);
+        return of.Length == count && of.All(c => c is >= 0 and <= byte.MaxValue && c == Math.Floor(c))
+            ? [.. of.Select(c => (byte)c)]
+            : throw new UsageException(option + ": wanted " + what + " of 0 to 255, got " + text);
     }
 
     static void WriteKeys(Utf8JsonWriter json, EditJournal journal, EditOperation? done)
@@ -147,11 +164,11 @@ public sealed class EditVerb : Verb
             json.WriteStartObject();
             json.WriteString("do", operation.Name);
             if (operation.Action == EditAction.Classify)
-                json.WriteNumber("class", operation.Class);
+                json.WriteNumber("class", operation.Value[0]);
             if (operation.Action == EditAction.Color)
             {
                 json.WriteStartArray("colour");
-                foreach (byte value in new[] { operation.Red, operation.Green, operation.Blue })
+                foreach (byte value in operation.Value)
                     json.WriteNumberValue(value);
                 json.WriteEndArray();
             }
@@ -188,12 +205,7 @@ public sealed class EditVerb : Verb
         if (operation.Rings.Count > 0)
             parts.Add("in polygons of " + NumberFormat.Count(operation.Rings.Count, "ring"));
         parts.AddRange(operation.Conditions.Select(c => "where " + c.Text));
-        string what = operation.Action switch
-        {
-            EditAction.Classify => "classify " + operation.Class,
-            EditAction.Color => "colour " + operation.Red + "," + operation.Green + "," + operation.Blue,
-            _ => operation.Name,
-        };
+        string what = string.Join(" ", operation.Name, string.Join(",", operation.Value)).TrimEnd();
         return what + " " + string.Join(", ", parts) + ": " + NumberFormat.Count(operation.PointsChanged, "point");
     }
 }

@@ -120,7 +120,7 @@ public sealed class ExportVerb : Verb
         run.Warn(reader.Info);
         run.Report(reader.Info.Losses);
         bool isWhole = settings.Level < 0 && settings.Budget == 0 && settings.Clips.Count == 0 && filter == null
-            && reader is not ConvertedReader { IsEdited: true };
+            && reader is not ConvertedReader { Edits: not null };
         run.Points.Add(reader.Info, isWhole ? result!.PointsRead : reader.PointCount);
         if (result!.Points == 0 && reader.PointCount > 0)
             run.WarnEmpty(output, "left", reader.PointCount, reader.Info.BoundsClaimed, settings.Clips);

@@ -26,9 +26,6 @@ namespace FastPoints.Export
         int m_maxPoints = 1;
         int m_maxPlaneBlocks;
 
-        /// <summary>Null as stored.</summary>
-        EditPlan m_edits;
-
         // On a disk, what lies between two planes is read along up to this: another read would take longer.
         const int MaxGapBytes = 64 << 10;
 
@@ -106,7 +103,7 @@ namespace FastPoints.Export
                 foreach (var operation in operations)
                     if (EditPlan.FindProblem(operation, reader.Manifest) is string problem)
                         throw new PointCloudException(FailureCode.Unsupported, path, -1, problem);
-                reader.m_edits = operations.Count > 0 ? new EditPlan(operations, reader.Manifest) : null;
+                reader.Edits = operations.Count > 0 ? new EditPlan(operations, reader.Manifest) : null;
                 return reader;
             }
             catch
@@ -116,15 +113,10 @@ namespace FastPoints.Export
             }
         }
 
-        public bool IsEdited => m_edits != null;
+        /// <summary>Null as stored.</summary>
+        public EditPlan Edits { get; private set; }
 
-        /// <summary>By the last operation, in what was read.</summary>
-        public long PointsChanged => m_edits.PointsChanged[m_edits.PointsChanged.Length - 1];
-
-        internal override ulong FilterHash => m_edits?.Hash ?? 0;
-
-        /// <summary>Whether the last operation may change points of a block.</summary>
-        public bool MayChange(int block) => m_edits.MayReach(m_edits.PointsChanged.Length - 1, NodeOf(block).Cube);
+        internal override ulong FilterHash => Edits?.Hash ?? 0;
 
         public CloudManifest Manifest => m_folder.Manifest;
 
@@ -192,7 +184,6 @@ namespace FastPoints.Export
 
         public override void DisposeUnread()
         {
-            m_edits?.Dispose();
             // The first table is the folder's.
             for (int page = 1; page < m_tables.Count; page++)
                 m_tables[page].Dispose();
@@ -272,7 +263,7 @@ namespace FastPoints.Export
                     for (int c = 0; c < plane.ColumnCount && plane.IsSource; c++)
                         AddTarget(targets, m_planes.Count, c, layout.Columns[plane.FirstColumn + c],
                             layout.Attributes[layout.AttributeOfColumn[plane.FirstColumn + c]].Name);
-                    if (targets.Count > before || NamesAny(reader.m_edits?.Schema, layout, plane))
+                    if (targets.Count > before || plane.IsSource && NamesAny(reader.Edits, plane))
                         m_planes.Add(p);
                 }
                 OwnFile(0, allocator, m_planes.Count);
@@ -280,23 +271,21 @@ namespace FastPoints.Export
                 m_shapes = Own(new NativeArray<PlaneShape>(m_planes.Count, allocator));
                 m_ranges = Own(new NativeArray<PlaneRange>(m_planes.Count, allocator));
                 m_places = Own(new NativeArray<long>(m_planes.Count, allocator));
-                if (reader.m_edits == null)
+                if (reader.Edits == null)
                     return;
-                m_edits = Own(reader.m_edits.CreateSlot(layout, m_planes, reader.m_maxPlaneBlocks));
-                var changed = m_edits.Values.Schema;
+                m_edits = Own(new EditSlot(reader.Edits, layout, m_planes, reader.m_maxPlaneBlocks));
+                var all = new PointColumn[Points.Schema.Count];
                 var from = new List<PointColumn>();
                 var to = new List<PointColumn>();
-                for (int c = 0; c < changed.Count; c++)
-                {
-                    int column = Points.Schema.IndexOf(changed[c].Name);
-                    if (column < 0)
-                        continue;
-                    from.Add(m_edits.Values.Column(c));
-                    to.Add(Points.Column(column));
-                }
-                var all = new PointColumn[Points.Schema.Count];
                 for (int c = 0; c < all.Length; c++)
+                {
                     all[c] = Points.Column(c);
+                    int changed = m_edits.Values.Schema.IndexOf(Points.Schema[c].Name);
+                    if (changed < 0)
+                        continue;
+                    from.Add(m_edits.Values.Column(changed));
+                    to.Add(all[c]);
+                }
                 m_gather = new GatherEditedJob
                 {
                     Columns = Points.Bytes,
@@ -309,14 +298,13 @@ namespace FastPoints.Export
                 };
             }
 
-            static bool NamesAny(PointSchema schema, StoreLayout layout, StoreLayout.Plane plane)
+            bool NamesAny(EditPlan edits, StoreLayout.Plane plane)
             {
                 bool isNamed = false;
-                for (int c = 0; c < plane.ColumnCount && plane.IsSource && schema != null; c++)
-                    isNamed |= schema.Has(layout.NameOfColumn(plane, plane.FirstColumn + c));
+                for (int c = plane.FirstColumn; c < plane.FirstColumn + plane.ColumnCount && edits != null; c++)
+                    isNamed |= edits.Schema.Has(m_reader.m_folder.Layout.NameOfColumn(plane, c));
                 return isNamed;
             }
-
 
             void AddTarget(List<ConvertedTarget> targets, int plane, int column, StoredColumn stored, string name)
             {
@@ -368,12 +356,12 @@ namespace FastPoints.Export
                 job.First = range.First;
                 job.Count = range.Count;
                 job.Result = Result;
-                return job.Schedule(m_edits.Schedule(new EditNode
+                return job.Schedule(m_edits.Schedule(new EditNodeJob
                 {
                     File = File.Buffer,
-                    Ranges = m_ranges,
+                    Planes = m_ranges,
                     Places = m_places,
-                    Shapes = m_shapes,
+                    PlaneShapes = m_shapes,
                     Corner = node.Corner,
                     BlockCount = node.PlaneBlocks,
                 }, decoded));

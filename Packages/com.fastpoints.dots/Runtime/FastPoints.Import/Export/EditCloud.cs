@@ -27,7 +27,7 @@ namespace FastPoints.Export
                 var ranges = new List<BlockRange>();
                 int longest = 1;
                 for (int block = 0; block < reader.BlockCount; block++)
-                    if (reader.MayChange(block))
+                    if (reader.Edits.MayReach(reader.NodeOf(block).Cube))
                     {
                         ranges.Add(new BlockRange(block, 0, reader.PointsInBlock(block)));
                         longest = Math.Max(longest, reader.PointsInBlock(block));
@@ -37,7 +37,7 @@ namespace FastPoints.Export
                 yield return JobStep.Of(SourceScan.Run(ScanRanges.Of(reader, ranges, longest), wanted, new Nobody(),
                     SourceScan.LimitFor(reader, wanted, 0, SourceScan.MaxSlotBytes, 0, () => 0), 0, progress));
                 progress?.End();
-                operation.PointsChanged = reader.PointsChanged;
+                operation.PointsChanged = reader.Edits.PointsChanged[^1];
                 ulong id = reader.Manifest.CloudId;
                 if (operation.PointsChanged > 0)
                     yield return JobStep.Of(PoolTask.Run(cloud, () => Write(cloud, id, operation), _ => { }));

@@ -103,16 +103,19 @@ namespace FastPoints.Tests.Export
         }
 
 
-        static bool Holds(EditBall ball, Grid3 p)
+        static bool Holds(EditShape ball, Grid3 p)
         {
-            long x = ball.Radius.X, y = ball.Radius.Y, z = ball.Radius.Z;
-            var from = p - ball.Center;
+            long x = ball.B.X, y = ball.B.Y, z = ball.B.Z;
+            var from = p - ball.A;
             if (x == y && y == z)
                 return checked(from.X * from.X + from.Y * from.Y + from.Z * from.Z <= x * x);
             BigInteger a = checked(from.X * y * z), b = checked(from.Y * x * z), c = checked(from.Z * x * y);
             BigInteger all = checked(x * y * z);
             return a * a + b * b + c * c <= all * all;
         }
+
+        static bool HoldsBox(EditShape box, Grid3 p) => p.X >= box.A.X && p.X <= box.B.X && p.Y >= box.A.Y && p.Y <= box.B.Y &&
+            p.Z >= box.A.Z && p.Z <= box.B.Z;
 
         static bool HoldsPrism(EditOperation operation, Grid3 p)
         {
@@ -142,16 +145,16 @@ namespace FastPoints.Tests.Export
             var holds = operation.Conditions.Select(c => s_conditions.First(k => k.Text == c.Text).Holds).ToArray();
             foreach (var point in points)
             {
-                bool isMeant = !point.IsDeleted && (operation.Boxes.Count == 0 || operation.Boxes.Any(b => b.Holds(point.At))) &&
+                bool isMeant = !point.IsDeleted && (operation.Boxes.Count == 0 || operation.Boxes.Any(b => HoldsBox(b, point.At))) &&
                     (operation.Balls.Count == 0 || operation.Balls.Any(b => Holds(b, point.At))) &&
                     (operation.Rings.Count == 0 || HoldsPrism(operation, point.At)) && holds.All(h => h(point));
                 if (!isMeant)
                     continue;
                 var (kind, red, green, blue) = (point.Values[1], point.Values[2], point.Values[3], point.Values[4]);
                 if (operation.Action == EditAction.Classify)
-                    kind = operation.Class;
+                    kind = operation.Value[0];
                 if (operation.Action == EditAction.Color)
-                    (red, green, blue) = (operation.Red * 257, operation.Green * 257, operation.Blue * 257);
+                    (red, green, blue) = (operation.Value[0] * 257, operation.Value[1] * 257, operation.Value[2] * 257);
                 bool isOther = operation.Action == EditAction.Delete || operation.Action == EditAction.Hide && !point.IsHidden ||
                     (kind, red, green, blue) != (point.Values[1], point.Values[2], point.Values[3], point.Values[4]);
                 changed += isOther ? 1 : 0;
@@ -169,25 +172,22 @@ namespace FastPoints.Tests.Export
         static EditOperation RandomOperation(Random random, CloudManifest manifest, EditAction action)
         {
             Grid3 min = manifest.BoundsMin, max = manifest.BoundsMax;
-            var operation = new EditOperation
-            {
-                Action = action,
-                Class = (byte)random.Next(32), // As many as the format of exports has.
-                Red = (byte)random.Next(256),
-                Blue = (byte)random.Next(256),
-            };
+            var operation = new EditOperation { Action = action };
+            // Exports have 32 classes.
+            operation.Value = operation.ChangedAttributes.Select(n => (byte)random.Next(32)).ToArray();
             int kinds = random.Next(1, 16);
             for (int i = random.Next(1, 4); i > 0 && (kinds & 1) != 0; i--)
             {
                 Grid3 a = RandomIn(random, min, max), b = RandomIn(random, min, max);
-                operation.Boxes.Add(new EditBox { Min = Grid3.Min(a, b), Max = Grid3.Max(a, b) });
+                operation.Boxes.Add(new EditShape { A = Grid3.Min(a, b), B = Grid3.Max(a, b) });
             }
             long radius = (max.X - min.X) / 5, flat = manifest.Grid.Step.x == manifest.Grid.Step.z ? radius : radius / 10;
             for (int i = random.Next(1, 40); i > 0 && (kinds & 2) != 0; i--)
-                operation.Balls.Add(new EditBall
+                operation.Balls.Add(new EditShape
                 {
-                    Center = RandomIn(random, min, max),
-                    Radius = new Grid3(radius, radius, flat),
+                    A = RandomIn(random, min, max),
+                    B = new Grid3(radius, radius, flat),
+                    IsBall = true,
                 });
             if ((kinds & 4) != 0)
                 AddPrism(operation, random, min, max);
@@ -278,7 +278,7 @@ namespace FastPoints.Tests.Export
             for (; EditCloud.Step(Cloud, id, true) is EditOperation; undone++) { }
             using (var reader = ConvertedReader.OpenEdited(Cloud))
             {
-                Assert.That(reader.IsEdited, Is.False);
+                Assert.That(reader.Edits, Is.Null);
                 Assert.That(Sorted(Read(reader)), Is.EqualTo(stored));
             }
             for (; EditCloud.Step(Cloud, id, false) is EditOperation; undone--) { }
@@ -295,7 +295,8 @@ namespace FastPoints.Tests.Export
             {
                 EditOperation NewOperation()
                 {
-                    var operation = new EditOperation { Action = action, Class = 77, Red = 3 };
+                    var operation = new EditOperation { Action = action };
+                    operation.Value = new byte[] { 77, 0, 3 }.Take(operation.ChangedAttributes.Length).ToArray();
                     operation.Conditions.Add(FilterExpression.Parse("Intensity > 40000"));
                     return operation;
                 }

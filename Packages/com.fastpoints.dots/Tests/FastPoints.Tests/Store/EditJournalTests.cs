@@ -25,11 +25,12 @@ namespace FastPoints.Tests.Store
 
         static EditOperation Operation(int n)
         {
-            var operation = new EditOperation { Action = (EditAction)(n % 4), PointsChanged = n + 1, Class = 9, Green = 255 };
+            var operation = new EditOperation { Action = (EditAction)(n % 4), PointsChanged = n + 1 };
+            operation.Value = new byte[] { 9, 255, 0 }.Take(operation.ChangedAttributes.Length).ToArray();
             if (n % 2 == 0)
-                operation.Boxes.Add(new EditBox { Min = new Grid3(-5, n, 1L << 60), Max = new Grid3(7, 8, 9) });
+                operation.Boxes.Add(new EditShape { A = new Grid3(-5, n, 1L << 60), B = new Grid3(7, 8, 9) });
             for (int i = 0; i < 3 && n % 3 == 1; i++)
-                operation.Balls.Add(new EditBall { Center = new Grid3(i, -n, 2), Radius = new Grid3(4, 4, 4) });
+                operation.Balls.Add(new EditShape { A = new Grid3(i, -n, 2), B = new Grid3(4, 4, 4), IsBall = true });
             if (n % 3 == 2)
             {
                 operation.Prism.Origin = new Grid3(1, 2, 3);
@@ -201,18 +202,24 @@ namespace FastPoints.Tests.Store
             Assert.That(Texts().Last(), Is.EqualTo(Operation(2).ToJson()));
         }
 
-        [TestCase("{\"do\":\"paint\",\"pointsChanged\":1}"), TestCase("{\"do\":\"hide\"}"), TestCase("{}"), TestCase("[]"),
-         TestCase("{\"do\":\"classify\",\"pointsChanged\":1,\"class\":256}"),
-         TestCase("{\"do\":\"hide\",\"pointsChanged\":1,\"lasso\":1}"),
-         TestCase("{\"do\":\"hide\",\"pointsChanged\":1,\"prism\":{\"origin\":[1,2,3],\"u\":[1,0,0]," +
-            "\"v\":[0,1,0],\"rings\":[]}}"),
-         TestCase("{\"do\":\"hide\",\"pointsChanged\":1,\"where\":[\"Intensity >\"]}"),
-         TestCase("{\"do\":\"hide\",\"pointsChanged\":1,\"boxes\":[{\"min\":[1,2],\"max\":[1,2,3]}]}"),
-         TestCase("{\"do\":\"hide\",\"pointsChanged\":1,\"balls\":[{\"centre\":[1,2,3],\"radius\":[1,2,-3]}]}"),
-         TestCase("{\"do\":\"hide\",\"pointsChanged\":1,\"balls\":[{\"centre\":[1,2,3],\"radius\":[1,1,2000000]}]}"),
-         TestCase("{\"do\":\"hide\",\"pointsChanged\":1,\"boxes\":[{\"min\":[1,2,3],\"max\":[1,2,9223372036854775807]}]}")]
-        public void FromJson_OfWhatIsNoOperation_IsAnError(string text) =>
+        [TestCase("\"hide\"", "\"paint\""), TestCase("\"value\": []", "\"value\": [1]"), TestCase("\"value\": []", "\"lasso\": 1"),
+         TestCase("Intensity", "="), TestCase("\"a\": [1, 2, 3]", "\"a\": [1, 2]"), TestCase("[4, 4, 4]", "[4, 4, -4]"),
+         TestCase("[4, 4, 4]", "[4, 4, 2000000]"), TestCase("[1, 2, 3]", "[1, 2, 9223372036854775807]"),
+         TestCase("\"pointsChanged\": 5,", ""), TestCase("\"at\": [", "\"at\": [7,"), TestCase("{", "[")]
+        public void FromJson_OfWhatIsNoOperation_IsAnError(string part, string other)
+        {
+            var operation = new EditOperation { PointsChanged = 5 };
+            operation.Boxes.Add(new EditShape { A = new Grid3(1, 2, 3), B = new Grid3(5, 6, 7) });
+            operation.Balls.Add(new EditShape { A = new Grid3(0, 0, 0), B = new Grid3(4, 4, 4), IsBall = true });
+            operation.AddRing(0, new long[] { 0, 0, 5, 0, 5, 5 });
+            operation.Conditions.Add(FilterExpression.Parse("Intensity > 1"));
+            string text = operation.ToJson().Replace("[\n", "[").Replace("[  ]", "[]");
+            int at = text.IndexOf(part, StringComparison.Ordinal);
+            Assert.That(EditOperation.FromJson(text, "a").ToJson(), Is.EqualTo(operation.ToJson()));
+            Assert.That(at, Is.GreaterThanOrEqualTo(0), text);
+            text = text.Remove(at, part.Length).Insert(at, other);
             Assert.That(Assert.Throws<PointCloudException>(() => EditOperation.FromJson(text, "a")).IsBadInput, Is.True);
+        }
 
         [Test]
         public void Long2_OfAnyProducts_IsExact()
@@ -241,10 +248,10 @@ namespace FastPoints.Tests.Store
             {
                 var min = new Grid3(random.Next(-100000, 100000), random.Next(-100000, 100000), random.Next(-100000, 100000));
                 var max = min + new Grid3(random.Next(1000), random.Next(1000), random.Next(1000));
-                var box = EditBox.Of(grid, grid.ToGeo(min), grid.ToGeo(max));
-                Assert.That(box.Min == min && box.Max == max, box.Min + " to " + box.Max);
-                box = EditBox.Of(grid, grid.ToGeo(min) - grid.Step * 0.3, grid.ToGeo(max) + grid.Step * 0.7);
-                Assert.That(box.Min == min && box.Max == max, box.Min + " to " + box.Max);
+                var box = EditShape.Box(grid, grid.ToGeo(min), grid.ToGeo(max));
+                Assert.That(box.A == min && box.B == max, box.A + " to " + box.B);
+                box = EditShape.Box(grid, grid.ToGeo(min) - grid.Step * 0.3, grid.ToGeo(max) + grid.Step * 0.7);
+                Assert.That(box.A == min && box.B == max, box.A + " to " + box.B);
             }
         }
     }

@@ -33,6 +33,7 @@ namespace FastPoints.Reading
 
         FilterPolygons() { }
 
+        public IReadOnlyList<(int Polygon, double2[] Vertices)> Rings => m_rings;
         public double2 Min => m_min;
         public double2 Max => m_max;
 
@@ -129,28 +130,6 @@ namespace FastPoints.Reading
                     points.Add(new double2(JsonReader.ToDouble(at[0]), JsonReader.ToDouble(at[1])));
                 }
                 AddRing(points);
-            }
-        }
-
-        /// <summary>Adds the same polygons to an edit as a prism along Z: their vertices lie on the nearest part of the grid's
-        /// steps.</summary>
-        public void AddTo(EditOperation operation, in CloudGrid grid)
-        {
-            var corner = EditBox.GridOf(math.floor((new double3(m_min, 0) - grid.Origin) / grid.Step));
-            operation.Prism.Origin = corner = new Grid3(corner.X, corner.Y, 0);
-            operation.Prism.U = new Grid3(EditPrism.PartsOfStep, 0, 0);
-            operation.Prism.V = new Grid3(0, EditPrism.PartsOfStep, 0);
-            var from = grid.ToGeo(corner);
-            foreach (var (polygon, vertices) in m_rings)
-            {
-                var at = new long[2 * vertices.Length];
-                for (int i = 0; i < vertices.Length; i++)
-                {
-                    var steps = EditBox.GridOf(math.round((new double3(vertices[i], 0) - from) / grid.Step *
-                        EditPrism.PartsOfStep));
-                    (at[2 * i], at[2 * i + 1]) = (steps.X, steps.Y);
-                }
-                operation.AddRing(polygon, at);
             }
         }
 

@@ -6,13 +6,12 @@ using Unity.Mathematics;
 
 namespace FastPoints.Store
 {
-    // One operation, as jobs read it: ranges of lists that all share.
-    internal unsafe struct EditStep
+    // One operation, as jobs read it: parts of lists that all share.
+    internal struct EditStep
     {
         public EditAction Action;
-        public int FirstBox;
+        public int FirstShape; // Boxes, then balls.
         public int BoxCount;
-        public int FirstBall;
         public int BallCount;
         public int FirstEdge;
         public int EdgeCount;
@@ -22,27 +21,18 @@ namespace FastPoints.Store
 
         // What it makes of some columns.
         public int ChangeCount;
-        public fixed int Columns[3];
-        public fixed int Values[3];
-
-        public void Add(int column, int value)
-        {
-            Columns[ChangeCount] = column;
-            Values[ChangeCount++] = value;
-        }
+        public int3 Columns;
+        public int3 Values;
     }
 
     // An attribute that operations read or change.
     internal struct EditColumn
     {
-        // Among the planes that are there.
-        public int Plane;
+        public int Plane; // Among those that are there.
         public int Column;
         public StoredColumn Stored;
-
-        // Of the values of one block, and of those of all blocks if it is changed.
-        public PointColumn Block;
-        public PointColumn Values;
+        public PointColumn Block; // Where one block's values are.
+        public PointColumn Values; // Where those of all blocks are, if it is changed.
         public bool IsChanged;
     }
 
@@ -62,14 +52,13 @@ namespace FastPoints.Store
 
         public readonly int Count => math.countbits(Low) + math.countbits(High);
 
-        public readonly bool Has(int point) => ((point < 64 ? Low >> point : High >> point - 64) & 1) != 0;
+        public readonly bool Has(int point) => ((point < 64 ? Low : High) >> (point & 63) & 1) != 0;
 
         public void Remove(int point)
         {
-            if (point < 64)
-                Low &= ~(1ul << point);
-            else
-                High &= ~(1ul << point - 64);
+            ulong others = ~(1ul << (point & 63));
+            Low &= point < 64 ? others : ulong.MaxValue;
+            High &= point < 64 ? ulong.MaxValue : others;
         }
 
         public readonly PointMask Without(PointMask other) => new PointMask { Low = Low & ~other.Low, High = High & ~other.High };
@@ -91,48 +80,54 @@ namespace FastPoints.Store
     internal unsafe struct EditNodeJob : IJob
     {
         [ReadOnly] public NativeArray<EditStep> Steps;
-        [ReadOnly] public NativeArray<EditBox> Boxes;
-        [ReadOnly] public NativeArray<EditBall> Balls;
+        [ReadOnly] public NativeArray<EditShape> Shapes;
         [ReadOnly] public NativeArray<EditEdge> Edges;
         [ReadOnly] public NativeArray<FilterStep> Conditions;
         [ReadOnly] public NativeArray<EditColumn> Columns;
+
+        // The node's planes, the position's first, and where each lies in the memory.
         [ReadOnly] public NativeArray<byte> File;
-        [ReadOnly] public NativeArray<PlaneRange> Ranges;
+        [ReadOnly] public NativeArray<PlaneRange> Planes;
         [ReadOnly] public NativeArray<long> Places;
-        [ReadOnly] public NativeArray<PlaneShape> Shapes;
+        [ReadOnly] public NativeArray<PlaneShape> PlaneShapes;
         public Grid3 Corner;
         public int BlockCount;
         public int First;
         public int End;
 
-        // Of one block: positions in whole steps, and the values of Columns.
+        // Of one block: x, y and z in whole steps, and the values of Columns.
         public NativeArray<byte> Block;
-        public PointColumn X;
-        public PointColumn Y;
-        public PointColumn Z;
+        [ReadOnly] public NativeArray<PointColumn> Axes;
         public NativeArray<int> Near;
 
+        // By block, by block and point, by operation.
         public NativeArray<EditedBlock> Points;
         public NativeArray<byte> Values;
-        public NativeArray<long> Changed; // By operation.
+        public NativeArray<long> Changed;
 
         // A block while operations are applied to it.
         struct State
         {
             public int Block;
             public int Points;
-            public EditBox Box;
+            public EditShape Box;
             public bool HasPositions;
             public bool HasValues;
+            public PointMask Chosen;
             public EditedBlock Edited;
             public FilterMemory Memory;
         }
+
+        byte* BlockBytes => (byte*)Block.GetUnsafePtr();
 
         public void Execute()
         {
             byte* results = stackalloc byte[FilterSteps.ResultsBytes];
             double* left = stackalloc double[ColumnValues.BatchLength], right = stackalloc double[ColumnValues.BatchLength];
-            bool isValid = AreValid();
+            var file = (byte*)File.GetUnsafeReadOnlyPtr();
+            bool isValid = true;
+            for (int p = 0; p < Places.Length && isValid; p++)
+                isValid = PlaneView.IsValid(file + Places[p], Planes[p].LengthBytes, PlaneShapes[p], BlockCount);
             for (int b = First; b < End; b++)
             {
                 var state = new State { Block = b, Memory = new FilterMemory { Results = results, Left = left, Right = right } };
@@ -142,36 +137,31 @@ namespace FastPoints.Store
             }
         }
 
-        bool AreValid()
-        {
-            var file = (byte*)File.GetUnsafeReadOnlyPtr();
-            for (int p = 0; p < Places.Length; p++)
-                if (!PlaneView.IsValid(file + Places[p], Ranges[p].LengthBytes, Shapes[p], BlockCount))
-                    return false;
-            return true;
-        }
-
         PlaneView ViewOf(int plane) =>
-            new PlaneView((byte*)File.GetUnsafeReadOnlyPtr() + Places[plane], Shapes[plane], BlockCount);
+            new PlaneView((byte*)File.GetUnsafeReadOnlyPtr() + Places[plane], PlaneShapes[plane], BlockCount);
 
         void Run(ref State state)
         {
-            var positions = ViewOf(StoreLayout.PositionPlane);
-            state.Points = positions.PointsOf(state.Block);
-            state.Box.Min = Corner + new Grid3((long)positions.MinimumOf(state.Block, 0),
-                (long)positions.MinimumOf(state.Block, 1), (long)positions.MinimumOf(state.Block, 2));
-            state.Box.Max = state.Box.Min + new Grid3(ExtentOf(positions.WidthOf(state.Block, 0)),
-                ExtentOf(positions.WidthOf(state.Block, 1)), ExtentOf(positions.WidthOf(state.Block, 2)));
+            var view = ViewOf(StoreLayout.PositionPlane);
+            int b = state.Block;
+            state.Points = view.PointsOf(b);
+            state.Box.A = Corner + new Grid3((long)view.MinimumOf(b, 0), (long)view.MinimumOf(b, 1), (long)view.MinimumOf(b, 2));
+            state.Box.B = state.Box.A + new Grid3(ExtentOf(view.WidthOf(b, 0)), ExtentOf(view.WidthOf(b, 1)),
+                ExtentOf(view.WidthOf(b, 2)));
             for (int s = 0; s < Steps.Length; s++)
             {
                 var step = Steps[s];
-                var chosen = PointMask.Of(state.Points).Without(state.Edited.Deleted);
-                if (!chosen.IsEmpty && MayReach(step, state.Box))
-                    Choose(step, ref chosen, ref state);
-                else
-                    continue;
-                if (!chosen.IsEmpty)
-                    Changed[s] += Apply(step, chosen, ref state).Count;
+                state.Chosen = PointMask.Of(state.Points).Without(state.Edited.Deleted);
+                if (step.BoxCount > 0)
+                    ChooseInShapes(step.FirstShape, step.BoxCount, ref state);
+                if (step.BallCount > 0)
+                    ChooseInShapes(step.FirstShape + step.BoxCount, step.BallCount, ref state);
+                if (step.Prism.IsUsed)
+                    ChooseInPrism(step, ref state);
+                if (step.ConditionCount > 0)
+                    ChooseByConditions(step, ref state);
+                if (!state.Chosen.IsEmpty)
+                    Changed[s] += Apply(step, ref state);
             }
             if (state.Edited.HasValues)
                 KeepValues(state);
@@ -179,195 +169,125 @@ namespace FastPoints.Store
 
         static long ExtentOf(int width) => (1L << math.min(width, GridCube.MaxSideLog2)) - 1;
 
-        // Before a point is looked at.
-        bool MayReach(in EditStep step, in EditBox box)
-        {
-            bool isReached = step.BoxCount == 0;
-            for (int b = 0; b < step.BoxCount && !isReached; b++)
-                isReached = Boxes[step.FirstBox + b].ReachOf(box) != EditReach.None;
-            if (!isReached || step.Prism.IsUsed && !step.Prism.TryProject(box, out _))
-                return false;
-            isReached = step.BallCount == 0;
-            for (int b = 0; b < step.BallCount && !isReached; b++)
-                isReached = Balls[step.FirstBall + b].ReachOf(box) != EditReach.None;
-            return isReached;
-        }
-
-        // Removes points that the operation does not mean.
-        void Choose(in EditStep step, ref PointMask chosen, ref State state)
-        {
-            if (step.BoxCount > 0)
-                ChooseInBoxes(step, ref chosen, ref state);
-            if (step.BallCount > 0 && !chosen.IsEmpty)
-                ChooseInBalls(step, ref chosen, ref state);
-            if (step.Prism.IsUsed && !chosen.IsEmpty)
-                ChooseInPrism(step, ref chosen, ref state);
-            if (step.ConditionCount > 0 && !chosen.IsEmpty)
-                ChooseByConditions(step, ref chosen, ref state);
-        }
-
-        void ChooseInBoxes(in EditStep step, ref PointMask chosen, ref State state)
+        // Removes points that none of the shapes holds, as the next two do those that their kind does not mean.
+        void ChooseInShapes(int first, int count, ref State state)
         {
             int near = 0;
-            for (int b = step.FirstBox; b < step.FirstBox + step.BoxCount; b++)
+            for (int n = first; n < first + count; n++)
             {
-                var reach = Boxes[b].ReachOf(state.Box);
+                var reach = Shapes[n].ReachOf(state.Box);
                 if (reach == EditReach.All)
                     return;
                 if (reach == EditReach.Some)
-                    Near[near++] = b;
+                    Near[near++] = n;
             }
-            LoadPositions(ref state);
+            if (near > 0)
+                LoadPositions(ref state);
             for (int i = 0; i < state.Points; i++)
             {
                 bool isInside = false;
-                for (int n = 0; n < near && !isInside; n++)
-                    isInside = Boxes[Near[n]].Holds(PositionOf(i));
+                for (int n = 0; n < near && !isInside && state.Chosen.Has(i); n++)
+                    isInside = Shapes[Near[n]].Holds(PositionOf(i));
                 if (!isInside)
-                    chosen.Remove(i);
+                    state.Chosen.Remove(i);
             }
         }
 
-        void ChooseInBalls(in EditStep step, ref PointMask chosen, ref State state)
+        void ChooseInPrism(in EditStep step, ref State state)
         {
-            int near = 0;
-            for (int b = step.FirstBall; b < step.FirstBall + step.BallCount; b++)
-            {
-                var reach = Balls[b].ReachOf(state.Box);
-                if (reach == EditReach.All)
-                    return;
-                if (reach == EditReach.Some)
-                    Near[near++] = b;
-            }
-            LoadPositions(ref state);
-            for (int i = 0; i < state.Points; i++)
-            {
-                bool isInside = false;
-                for (int n = 0; n < near && !isInside && chosen.Has(i); n++)
-                    isInside = Balls[Near[n]].Holds(PositionOf(i));
-                if (!isInside)
-                    chosen.Remove(i);
-            }
-        }
-
-        void ChooseInPrism(in EditStep step, ref PointMask chosen, ref State state)
-        {
-            if (!step.Prism.TryProject(state.Box, out var seen))
-            {
-                chosen = default;
-                return;
-            }
             var edges = (EditEdge*)Edges.GetUnsafeReadOnlyPtr();
-            int near = 0;
-            bool isCrossed = false;
-            for (int e = step.FirstEdge; e < step.FirstEdge + step.EdgeCount; e++)
-            {
-                if (!edges[e].MayMatterTo(seen, true))
-                    continue;
-                Near[near++] = e;
-                isCrossed |= edges[e].MayMatterTo(seen, false);
-            }
             var nearest = (int*)Near.GetUnsafeReadOnlyPtr();
+            int near = 0;
+            bool isCrossed = false, isSeen = step.Prism.TryProject(state.Box, out var seen);
+            for (int e = step.FirstEdge; e < step.FirstEdge + step.EdgeCount && isSeen && !state.Chosen.IsEmpty; e++)
+            {
+                if (edges[e].MayMatterTo(seen, out bool mayCross))
+                    Near[near++] = e;
+                isCrossed |= mayCross;
+            }
             if (!isCrossed)
             {
                 if (!EditEdge.Hold(edges, nearest, near, seen.FromU, seen.FromV))
-                    chosen = default;
+                    state.Chosen = default;
                 return;
             }
             LoadPositions(ref state);
             for (int i = 0; i < state.Points; i++)
-                if (chosen.Has(i) && !(step.Prism.TryProject(PositionOf(i), out long u, out long v) &&
-                    EditEdge.Hold(edges, nearest, near, u, v)))
-                    chosen.Remove(i);
+            {
+                var at = PositionOf(i);
+                if (state.Chosen.Has(i) && !(step.Prism.TryProject(new EditShape { A = at, B = at }, out var place) &&
+                    EditEdge.Hold(edges, nearest, near, place.FromU, place.FromV)))
+                    state.Chosen.Remove(i);
+            }
         }
 
-        void ChooseByConditions(in EditStep step, ref PointMask chosen, ref State state)
+        void ChooseByConditions(in EditStep step, ref State state)
         {
+            if (state.Chosen.IsEmpty)
+                return;
             LoadPositions(ref state);
             LoadValues(ref state);
             FilterSteps.Evaluate((FilterStep*)Conditions.GetUnsafeReadOnlyPtr() + step.FirstCondition, step.ConditionCount,
-                (byte*)Block.GetUnsafeReadOnlyPtr(), 0, state.Points, state.Memory);
+                BlockBytes, 0, state.Points, state.Memory);
             for (int i = 0; i < state.Points; i++)
                 if (state.Memory.Results[i] == 0)
-                    chosen.Remove(i);
+                    state.Chosen.Remove(i);
         }
 
-        // Returns the points that it changed.
-        PointMask Apply(in EditStep step, PointMask chosen, ref State state)
+        // Returns how many points it changed.
+        int Apply(in EditStep step, ref State state)
         {
+            ref var edited = ref state.Edited;
+            var before = edited;
             if (step.Action == EditAction.Delete)
-            {
-                state.Edited.Deleted = state.Edited.Deleted.With(chosen);
-                return chosen;
-            }
+                edited.Deleted = edited.Deleted.With(state.Chosen);
             if (step.Action == EditAction.Hide)
-            {
-                var shown = chosen.Without(state.Edited.Hidden);
-                state.Edited.Hidden = state.Edited.Hidden.With(chosen);
-                return shown;
-            }
-            LoadValues(ref state);
-            var block = (byte*)Block.GetUnsafePtr();
-            for (int i = 0; i < state.Points; i++)
+                edited.Hidden = edited.Hidden.With(state.Chosen);
+            int changed = edited.Deleted.Without(before.Deleted).Count + edited.Hidden.Without(before.Hidden).Count;
+            if (step.ChangeCount > 0)
+                LoadValues(ref state);
+            for (int i = 0; i < state.Points && step.ChangeCount > 0; i++)
             {
                 bool isChanged = false;
-                for (int c = 0; c < step.ChangeCount && chosen.Has(i); c++)
+                for (int c = 0; c < step.ChangeCount && state.Chosen.Has(i); c++)
                 {
                     var column = Columns[step.Columns[c]].Block;
-                    byte* values = block + column.OffsetBytes;
-                    isChanged |= ColumnValues.ToDouble(values, column.Type, i) != step.Values[c];
-                    ColumnValues.Put(values, column.Type, i, step.Values[c]);
+                    isChanged |= ColumnValues.ToDouble(BlockBytes + column.OffsetBytes, column.Type, i) != step.Values[c];
+                    ColumnValues.Put(BlockBytes + column.OffsetBytes, column.Type, i, step.Values[c]);
                 }
-                if (!isChanged)
-                    chosen.Remove(i);
+                changed += isChanged ? 1 : 0;
+                edited.HasValues |= isChanged;
             }
-            state.Edited.HasValues |= !chosen.IsEmpty;
-            return chosen;
+            return changed;
         }
 
         void LoadPositions(ref State state)
         {
-            if (state.HasPositions)
-                return;
+            for (int axis = 0; axis < 3 && !state.HasPositions; axis++)
+                ViewOf(StoreLayout.PositionPlane).UnpackPositions(state.Block, axis,
+                    axis == 0 ? Corner.X : axis == 1 ? Corner.Y : Corner.Z, 0, state.Points,
+                    (long*)(BlockBytes + Axes[axis].OffsetBytes));
             state.HasPositions = true;
-            var view = ViewOf(StoreLayout.PositionPlane);
-            var block = (byte*)Block.GetUnsafePtr();
-            view.UnpackPositions(state.Block, 0, Corner.X, 0, state.Points, (long*)(block + X.OffsetBytes));
-            view.UnpackPositions(state.Block, 1, Corner.Y, 0, state.Points, (long*)(block + Y.OffsetBytes));
-            view.UnpackPositions(state.Block, 2, Corner.Z, 0, state.Points, (long*)(block + Z.OffsetBytes));
         }
 
-        Grid3 PositionOf(int point)
-        {
-            var block = (byte*)Block.GetUnsafeReadOnlyPtr();
-            return new Grid3(((long*)(block + X.OffsetBytes))[point], ((long*)(block + Y.OffsetBytes))[point],
-                ((long*)(block + Z.OffsetBytes))[point]);
-        }
+        Grid3 PositionOf(int point) => new Grid3(*(long*)Axes[0].At(BlockBytes, point), *(long*)Axes[1].At(BlockBytes, point),
+            *(long*)Axes[2].At(BlockBytes, point));
 
         void LoadValues(ref State state)
         {
-            if (state.HasValues)
-                return;
+            for (int c = 0; c < Columns.Length && !state.HasValues; c++)
+                ViewOf(Columns[c].Plane).UnpackValues(state.Block, Columns[c].Column, Columns[c].Stored, 0, state.Points,
+                    BlockBytes + Columns[c].Block.OffsetBytes);
             state.HasValues = true;
-            for (int c = 0; c < Columns.Length; c++)
-            {
-                var column = Columns[c];
-                ViewOf(column.Plane).UnpackValues(state.Block, column.Column, column.Stored, 0, state.Points,
-                    (byte*)Block.GetUnsafePtr() + column.Block.OffsetBytes);
-            }
         }
 
         void KeepValues(in State state)
         {
             for (int c = 0; c < Columns.Length; c++)
-            {
-                var column = Columns[c];
-                int size = column.Block.Type.SizeOf();
-                if (column.IsChanged)
-                    UnsafeUtility.MemCpy((byte*)Values.GetUnsafePtr() + column.Values.OffsetBytes +
-                        (long)state.Block * PlaneShape.MaxPointsPerBlock * size,
-                        (byte*)Block.GetUnsafeReadOnlyPtr() + column.Block.OffsetBytes, (long)state.Points * size);
-            }
+                if (Columns[c].IsChanged)
+                    UnsafeUtility.MemCpy(Columns[c].Values.At((byte*)Values.GetUnsafePtr(),
+                        state.Block * PlaneShape.MaxPointsPerBlock), BlockBytes + Columns[c].Block.OffsetBytes,
+                        (long)state.Points * Columns[c].Block.Type.SizeOf());
         }
     }
 }

@@ -23,23 +23,16 @@ namespace FastPoints.Store
         // Of the components of a prism's axes.
         const long MaxAxis = 1L << 31;
 
-        static readonly string[] s_members =
-        {
-            "do", "pointsChanged", "class", "colour", "boxes", "balls", "prism", "where",
-        };
-
+        static readonly string[] s_members = { "do", "pointsChanged", "value", "boxes", "balls", "prism", "where" };
         static readonly string[] s_actions = { "hide", "delete", "classify", "colour" };
 
         public EditAction Action;
-        public byte Class;
 
-        // In eight bits, whatever the cloud has.
-        public byte Red;
-        public byte Green;
-        public byte Blue;
+        // The class, or red, green and blue in eight bits, whatever the cloud has.
+        public byte[] Value = new byte[0];
 
-        public readonly List<EditBox> Boxes = new List<EditBox>();
-        public readonly List<EditBall> Balls = new List<EditBall>();
+        public readonly List<EditShape> Boxes = new List<EditShape>();
+        public readonly List<EditShape> Balls = new List<EditShape>();
 
         // Its bounds grow with the rings.
         public EditPrism Prism = EditPrism.Empty;
@@ -54,8 +47,8 @@ namespace FastPoints.Store
 
         public string Name => s_actions[(int)Action];
 
-        public IEnumerable<string> ChangedAttributes => Action == EditAction.Classify
-            ? new[] { AttributeNames.Classification }
+        // Those that Value is for.
+        public string[] ChangedAttributes => Action == EditAction.Classify ? new[] { AttributeNames.Classification }
             : Action == EditAction.Color ? new[] { AttributeNames.Red, AttributeNames.Green, AttributeNames.Blue }
             : Array.Empty<string>();
 
@@ -67,124 +60,96 @@ namespace FastPoints.Store
         }
 
         // Whether it may change points in a box, as far as its shapes say.
-        public bool MayReach(in EditBox box)
-        {
-            bool isReached = Boxes.Count == 0;
-            foreach (var own in Boxes)
-                isReached |= own.ReachOf(box) != EditReach.None;
-            if (!isReached || Prism.IsUsed && !Prism.TryProject(box, out _))
-                return false;
-            isReached = Balls.Count == 0;
-            foreach (var ball in Balls)
-                isReached |= ball.ReachOf(box) != EditReach.None;
-            return isReached;
-        }
+        public bool MayReach(EditShape box) =>
+            (Boxes.Count == 0 || Boxes.Exists(b => b.ReachOf(box) != EditReach.None)) &&
+            (Balls.Count == 0 || Balls.Exists(b => b.ReachOf(box) != EditReach.None)) &&
+            (!Prism.IsUsed || Prism.TryProject(box, out _));
 
         // What is wrong with it, or null.
         public string FindProblem()
         {
             foreach (var box in Boxes)
-                if (!IsWithin(box.Min, MaxCoordinate) || !IsWithin(box.Max, MaxCoordinate))
+                if (!IsWithin(box.A, MaxCoordinate) || !IsWithin(box.B, MaxCoordinate))
                     return "a box is too far away";
             foreach (var ball in Balls)
             {
-                if (!IsWithin(ball.Center, MaxCoordinate) || !IsWithin(ball.Radius, MaxCoordinate) ||
-                    Grid3.Min(ball.Radius, default) != default)
-                    return "a ball is too far away or too large";
-                if (!ball.IsRound && (Grid3.Min(ball.Radius, new Grid3(1, 1, 1)) != new Grid3(1, 1, 1) ||
-                    !IsWithin(ball.Radius, EditBall.MaxUnequalRadius)))
-                    return "a ball on a grid whose steps differ: wanted radii from 1 to " +
-                        NumberText.Of(EditBall.MaxUnequalRadius) + " steps, got " + ball.Radius;
+                long least = ball.IsRound ? 0 : 1, most = ball.IsRound ? MaxCoordinate : EditShape.MaxUnequalRadius;
+                var low = new Grid3(least, least, least);
+                if (!IsWithin(ball.A, MaxCoordinate) || !IsWithin(ball.B, most) || Grid3.Min(ball.B, low) != low)
+                    return "a ball is too far away, or its radius is: wanted " + NumberText.Of(least) + " to " + NumberText.Of(most) +
+                        " steps, got " + ball.B;
             }
-            if (Prism.IsUsed && (!IsWithin(Prism.Origin, MaxCoordinate) || !IsWithin(Prism.U, MaxAxis) ||
-                !IsWithin(Prism.V, MaxAxis) || !IsWithin(new Grid3(Prism.MinU, Prism.MinV, 0), MaxCoordinate) ||
-                !IsWithin(new Grid3(Prism.MaxU, Prism.MaxV, 0), MaxCoordinate)))
-                return "a polygon is too far away or too large";
-            return null;
+            return !Prism.IsUsed || IsWithin(Prism.Origin, MaxCoordinate) && IsWithin(Prism.U, MaxAxis) &&
+                IsWithin(Prism.V, MaxAxis) && IsWithin(new Grid3(Prism.MinU, Prism.MinV, Prism.MaxU), MaxCoordinate) &&
+                IsWithin(new Grid3(Prism.MaxV, 0, 0), MaxCoordinate) ? null : "a polygon is too far away or too large";
         }
 
-        static bool IsWithin(Grid3 position, long max) => position.X >= -max && position.X <= max && position.Y >= -max &&
-            position.Y <= max && position.Z >= -max && position.Z <= max;
+        static bool IsWithin(Grid3 position, long max) => Grid3.Max(position, new Grid3(max, max, max)) == new Grid3(max, max, max) &&
+            Grid3.Min(position, new Grid3(-max, -max, -max)) == new Grid3(-max, -max, -max);
 
         public string ToJson()
         {
-            var json = new JsonWriter().BeginObject().Add("do", Name).Add("pointsChanged", PointsChanged);
-            if (Action == EditAction.Classify)
-                json.Add("class", (long)Class);
-            if (Action == EditAction.Color)
-                json.Add("colour", (long)Red, (long)Green, (long)Blue);
-            if (Boxes.Count > 0)
-            {
-                json.BeginArray("boxes");
-                foreach (var box in Boxes)
-                    Add(Add(json.BeginObject(), "min", box.Min), "max", box.Max).EndObject();
-                json.EndArray();
-            }
-            if (Balls.Count > 0)
-            {
-                json.BeginArray("balls");
-                foreach (var ball in Balls)
-                    Add(Add(json.BeginObject(), "centre", ball.Center), "radius", ball.Radius).EndObject();
-                json.EndArray();
-            }
+            var json = new JsonWriter().BeginObject().Add("do", Name).Add("pointsChanged", PointsChanged).BeginArray("value");
+            foreach (byte value in Value)
+                json.Add(null, (long)value);
+            Add(json.EndArray(), "boxes", Boxes);
+            Add(json, "balls", Balls);
             if (Prism.IsUsed)
-                AddPrism(json);
-            if (Conditions.Count > 0)
             {
-                json.BeginArray("where");
-                foreach (var condition in Conditions)
-                    json.Add(null, condition.Text);
-                json.EndArray();
-            }
-            return json.EndObject().ToString();
-        }
-
-        void AddPrism(JsonWriter json)
-        {
-            json.BeginObject("prism");
-            Add(Add(Add(json, "origin", Prism.Origin), "u", Prism.U), "v", Prism.V).BeginArray("rings");
-            foreach (var (polygon, vertices) in Rings)
-            {
-                json.BeginObject().Add("polygon", (long)polygon).BeginArray("at");
-                foreach (long at in vertices)
-                    json.Add(null, at);
+                json.BeginObject("prism");
+                Add(Add(Add(json, "origin", Prism.Origin), "u", Prism.U), "v", Prism.V).BeginArray("rings");
+                foreach (var (polygon, vertices) in Rings)
+                {
+                    json.BeginObject().Add("polygon", (long)polygon).BeginArray("at");
+                    foreach (long at in vertices)
+                        json.Add(null, at);
+                    json.EndArray().EndObject();
+                }
                 json.EndArray().EndObject();
             }
-            json.EndArray().EndObject();
+            json.BeginArray("where");
+            foreach (var condition in Conditions)
+                json.Add(null, condition.Text);
+            return json.EndArray().EndObject().ToString();
+        }
+
+        static void Add(JsonWriter json, string name, List<EditShape> shapes)
+        {
+            json.BeginArray(name);
+            foreach (var shape in shapes)
+                Add(Add(json.BeginObject(), "a", shape.A), "b", shape.B).EndObject();
+            json.EndArray();
         }
 
         static JsonWriter Add(JsonWriter json, string name, Grid3 value) => json.Add(name, value.X, value.Y, value.Z);
 
-        // Members that it does not know are those of a later version, which it cannot leave out.
         public static EditOperation FromJson(string text, string path)
         {
             var json = JsonMembers.Parse(text, path);
+            // It cannot be left out.
             foreach (string name in json.Names)
                 if (Array.IndexOf(s_members, name) < 0)
                     throw new PointCloudException(FailureCode.Unsupported, path, -1, "\"" + name + "\" is of a later version");
             int action = Array.IndexOf(s_actions, json.Text("do"));
             if (action < 0)
                 throw json.Bad("do", string.Join(", ", s_actions));
-            var operation = new EditOperation
-            {
-                Action = (EditAction)action,
-                PointsChanged = json.Count("pointsChanged"),
-            };
-            if (operation.Action == EditAction.Classify)
-                operation.Class = (byte)json.Count("class", byte.MaxValue);
-            if (operation.Action == EditAction.Color)
-            {
-                long[] color = json.Longs("colour", 3);
-                (operation.Red, operation.Green, operation.Blue) = ((byte)color[0], (byte)color[1], (byte)color[2]);
-            }
-            foreach (var box in json.Has("boxes") ? json.Objects("boxes") : new List<JsonMembers>())
-                operation.Boxes.Add(new EditBox { Min = GridOf(box, "min"), Max = GridOf(box, "max") });
-            foreach (var ball in json.Has("balls") ? json.Objects("balls") : new List<JsonMembers>())
-                operation.Balls.Add(new EditBall { Center = GridOf(ball, "centre"), Radius = GridOf(ball, "radius") });
+            var operation = new EditOperation { Action = (EditAction)action, PointsChanged = json.Count("pointsChanged") };
+            operation.Value = Array.ConvertAll(json.Longs("value", operation.ChangedAttributes.Length),
+                value => value == (byte)value ? (byte)value : throw json.Bad("value", "numbers from 0 to 255"));
+            foreach (var box in json.Objects("boxes"))
+                operation.Boxes.Add(new EditShape { A = GridOf(box, "a"), B = GridOf(box, "b") });
+            foreach (var ball in json.Objects("balls"))
+                operation.Balls.Add(new EditShape { A = GridOf(ball, "a"), B = GridOf(ball, "b"), IsBall = true });
             if (json.Has("prism"))
                 operation.ReadPrism(json.Object("prism"));
-            foreach (string condition in json.Has("where") ? json.Texts("where") : new List<string>())
-                operation.Conditions.Add(ReadCondition(condition, json));
+            try
+            {
+                operation.Conditions.AddRange(json.Texts("where").ConvertAll(FilterExpression.Parse));
+            }
+            catch (FormatException e)
+            {
+                throw json.Wrong("where", e.Message, e);
+            }
             string problem = operation.FindProblem();
             return problem == null ? operation : throw new PointCloudException(FailureCode.BadInput, path, -1, problem);
         }
@@ -193,27 +158,10 @@ namespace FastPoints.Store
         {
             (Prism.Origin, Prism.U, Prism.V) = (GridOf(prism, "origin"), GridOf(prism, "u"), GridOf(prism, "v"));
             foreach (var ring in prism.Objects("rings"))
-            {
-                long[] vertices = ring.Longs("at");
-                if (vertices.Length % 2 != 0)
-                    throw ring.Bad("at", "u and v of each vertex");
-                AddRing(ring.Int("polygon"), vertices);
-            }
+                AddRing(ring.Int("polygon"), ring.Longs("at"));
             // Without one it would mean all points.
-            if (!Prism.IsUsed)
-                throw prism.Bad("rings", "vertices");
-        }
-
-        static FilterExpression ReadCondition(string text, JsonMembers json)
-        {
-            try
-            {
-                return FilterExpression.Parse(text);
-            }
-            catch (FormatException e)
-            {
-                throw json.Wrong("where", e.Message, e);
-            }
+            if (!Prism.IsUsed || Rings.Exists(ring => ring.Vertices.Length % 2 != 0))
+                throw prism.Bad("rings", "u and v of each vertex");
         }
 
         static Grid3 GridOf(JsonMembers json, string name)

@@ -3,7 +3,7 @@ using Unity.Mathematics;
 
 namespace FastPoints.Store
 {
-    // How much of a box a shape holds, as far as its bounds say.
+    // How much of a box a shape holds.
     internal enum EditReach
     {
         None,
@@ -11,19 +11,40 @@ namespace FastPoints.Store
         All,
     }
 
-    // Grid positions from one corner to another, both included.
-    internal struct EditBox
+    // A box from A to B, both included; or a ball around A with B's radii in steps, which differ where a grid's steps do.
+    internal struct EditShape
     {
-        public Grid3 Min;
-        public Grid3 Max;
+        // Larger radii that differ would not fit the arithmetic.
+        public const long MaxUnequalRadius = 1 << 20;
 
-        // The positions of a grid whose coordinates lie in a box, faces included. What rounding alone puts outside counts as
-        // inside, as in LocalClip.
-        public static EditBox Of(in CloudGrid grid, double3 min, double3 max)
+        public Grid3 A;
+        public Grid3 B;
+        public bool IsBall;
+
+        // The positions whose coordinates lie in a box, faces included. What rounding alone puts outside counts as inside, as in
+        // LocalClip.
+        public static EditShape Box(in CloudGrid grid, double3 min, double3 max)
         {
-            double3 low = (min - grid.Origin) / grid.Step, high = (max - grid.Origin) / grid.Step;
-            var reach = (math.abs(min) + math.abs(max) + math.abs(grid.Origin)) * 4.5e-16 / grid.Step;
-            return new EditBox { Min = GridOf(math.ceil(low - reach)), Max = GridOf(math.floor(high + reach)) };
+            var reach = (math.abs(min) + math.abs(max) + math.abs(grid.Origin)) * 4.5e-16;
+            return new EditShape
+            {
+                A = GridOf(math.ceil((min - grid.Origin - reach) / grid.Step)),
+                B = GridOf(math.floor((max - grid.Origin + reach) / grid.Step)),
+            };
+        }
+
+        // The centre lies on the nearest grid position.
+        public static EditShape Ball(in CloudGrid grid, double3 center, double radius)
+        {
+            var ball = new EditShape
+            {
+                A = GridOf(math.round((center - grid.Origin) / grid.Step)),
+                B = GridOf(math.floor(radius / grid.Step * (1 + 4.5e-16))),
+                IsBall = true,
+            };
+            if (!ball.IsRound)
+                ball.B = Grid3.Max(ball.B, new Grid3(1, 1, 1));
+            return ball;
         }
 
         public static Grid3 GridOf(double3 steps)
@@ -32,69 +53,37 @@ namespace FastPoints.Store
             return new Grid3((long)steps.x, (long)steps.y, (long)steps.z);
         }
 
-        public readonly bool Holds(Grid3 p) => p.X >= Min.X && p.X <= Max.X && p.Y >= Min.Y && p.Y <= Max.Y && p.Z >= Min.Z &&
-            p.Z <= Max.Z;
-
-        public readonly EditReach ReachOf(in EditBox box) => Holds(box.Min) && Holds(box.Max) ? EditReach.All
-            : box.Max.X < Min.X || box.Min.X > Max.X || box.Max.Y < Min.Y || box.Min.Y > Max.Y || box.Max.Z < Min.Z ||
-                box.Min.Z > Max.Z ? EditReach.None : EditReach.Some;
-    }
-
-    // A ball, its surface included. Its radii in steps differ where a grid's steps do.
-    internal struct EditBall
-    {
-        // Larger ones that differ would not fit the arithmetic.
-        public const long MaxUnequalRadius = 1 << 20;
-
-        public Grid3 Center;
-        public Grid3 Radius;
-
-        public readonly bool IsRound => Radius.X == Radius.Y && Radius.Y == Radius.Z;
-
-        // The centre lies on the nearest grid position.
-        public static EditBall Of(in CloudGrid grid, double3 center, double radius)
-        {
-            var ball = new EditBall
-            {
-                Center = EditBox.GridOf(math.round((center - grid.Origin) / grid.Step)),
-                Radius = EditBox.GridOf(math.floor(radius / grid.Step * (1 + 4.5e-16))),
-            };
-            if (!ball.IsRound)
-                ball.Radius = Grid3.Max(ball.Radius, new Grid3(1, 1, 1));
-            return ball;
-        }
+        public readonly bool IsRound => B.X == B.Y && B.Y == B.Z;
 
         public readonly bool Holds(Grid3 p)
         {
-            long x = p.X - Center.X, y = p.Y - Center.Y, z = p.Z - Center.Z;
-            if (math.abs(x) > Radius.X || math.abs(y) > Radius.Y || math.abs(z) > Radius.Z)
+            if (!IsBall)
+                return Grid3.Min(p, A) == A && Grid3.Max(p, B) == B;
+            long x = p.X - A.X, y = p.Y - A.Y, z = p.Z - A.Z, radius = B.X;
+            if (math.abs(x) > B.X || math.abs(y) > B.Y || math.abs(z) > B.Z)
                 return false;
+            if (IsRound && radius < 1 << 30)
+                return x * x + y * y + z * z <= radius * radius;
             if (!IsRound)
-            {
-                long yz = Radius.Y * Radius.Z, xz = Radius.X * Radius.Z, xy = Radius.X * Radius.Y;
-                (x, y, z) = (x * yz, y * xz, z * xy);
-                return Long2.Product(x, x) + Long2.Product(y, y) + Long2.Product(z, z) <=
-                    Long2.Product(Radius.X * yz, Radius.X * yz);
-            }
-            if (Radius.X < 1 << 30)
-                return x * x + y * y + z * z <= Radius.X * Radius.X;
-            return Long2.Product(x, x) + Long2.Product(y, y) + Long2.Product(z, z) <= Long2.Product(Radius.X, Radius.X);
+                (x, y, z, radius) = (x * B.Y * B.Z, y * B.X * B.Z, z * B.X * B.Y, radius * B.Y * B.Z);
+            return (Long2.Product(x, x) + Long2.Product(y, y) + Long2.Product(z, z)).CompareTo(Long2.Product(radius, radius)) <= 0;
         }
 
-        public readonly EditReach ReachOf(in EditBox box)
+        public readonly EditReach ReachOf(in EditShape box)
         {
-            if (!Holds(Grid3.Min(Grid3.Max(Center, box.Min), box.Max)))
+            // The nearest of its positions, and the farthest.
+            var center = IsBall ? A : Grid3.Max(A, Grid3.Min(B, box.A));
+            if (!Holds(Grid3.Min(Grid3.Max(center, box.A), box.B)))
                 return EditReach.None;
-            var far = new Grid3(Farther(box.Min.X, box.Max.X, Center.X), Farther(box.Min.Y, box.Max.Y, Center.Y),
-                Farther(box.Min.Z, box.Max.Z, Center.Z));
-            return Holds(far) ? EditReach.All : EditReach.Some;
+            return Holds(IsBall ? new Grid3(Farther(box.A.X, box.B.X, A.X), Farther(box.A.Y, box.B.Y, A.Y),
+                Farther(box.A.Z, box.B.Z, A.Z)) : box.A) && (IsBall || Holds(box.B)) ? EditReach.All : EditReach.Some;
         }
 
         static long Farther(long a, long b, long from) => math.abs(a - from) > math.abs(b - from) ? a : b;
     }
 
-    // Where polygons are drawn and what follows from them: a position is seen at u = dot(position - Origin, U), v likewise, so
-    // that U and V say how finely, and from where: U x V is the axis along which the polygons reach without end.
+    // Where polygons are drawn: a position is seen at u = dot(position - Origin, U), v likewise, so that U and V say how finely,
+    // and from where. They reach without end along what is across both.
     internal struct EditPrism
     {
         // How finely polygons along an axis are drawn.
@@ -110,8 +99,6 @@ namespace FastPoints.Store
         public long MaxU;
         public long MaxV;
 
-        public readonly bool IsUsed => MaxU >= MinU && MaxV >= MinV;
-
         public static EditPrism Empty => new EditPrism
         {
             MinU = long.MaxValue,
@@ -120,40 +107,32 @@ namespace FastPoints.Store
             MaxV = long.MinValue,
         };
 
+        public readonly bool IsUsed => MaxU >= MinU;
+
         public void Include(long u, long v)
         {
             (MinU, MaxU) = (math.min(MinU, u), math.max(MaxU, u));
             (MinV, MaxV) = (math.min(MinV, v), math.max(MaxV, v));
         }
 
-        // False outside of the polygons' bounds.
-        public readonly bool TryProject(Grid3 position, out long u, out long v)
+        // Around what is seen of a box, a little larger than the polygons' bounds at most. False if nothing of it is.
+        public readonly bool TryProject(in EditShape box, out EditEdge seen)
         {
-            var from = position - Origin;
-            u = Dot(U, from).Clamp(MinU - 1, MaxU + 1);
-            v = Dot(V, from).Clamp(MinV - 1, MaxV + 1);
-            return u >= MinU && u <= MaxU && v >= MinV && v <= MaxV;
-        }
-
-        // An edge box around what is seen of a box, a little larger than the polygons' bounds at most. False if nothing of it is.
-        public readonly bool TryProject(in EditBox box, out EditEdge seen)
-        {
-            Grid3 low = box.Min - Origin, high = box.Max - Origin;
+            Grid3 low = box.A - Origin, high = box.B - Origin;
             seen = new EditEdge
             {
-                FromU = Dot(U, Ends(U, low, high)).Clamp(MinU - 1, MaxU + 1),
-                FromV = Dot(V, Ends(V, low, high)).Clamp(MinV - 1, MaxV + 1),
-                ToU = Dot(U, Ends(U, high, low)).Clamp(MinU - 1, MaxU + 1),
-                ToV = Dot(V, Ends(V, high, low)).Clamp(MinV - 1, MaxV + 1),
+                FromU = Dot(U, low, high).Clamp(MinU - 1, MaxU + 1),
+                FromV = Dot(V, low, high).Clamp(MinV - 1, MaxV + 1),
+                ToU = Dot(U, high, low).Clamp(MinU - 1, MaxU + 1),
+                ToV = Dot(V, high, low).Clamp(MinV - 1, MaxV + 1),
             };
             return seen.ToU >= MinU && seen.FromU <= MaxU && seen.ToV >= MinV && seen.FromV <= MaxV;
         }
 
-        static Grid3 Ends(Grid3 axis, Grid3 ofPositive, Grid3 ofNegative) => new Grid3(axis.X < 0 ? ofNegative.X : ofPositive.X,
-            axis.Y < 0 ? ofNegative.Y : ofPositive.Y, axis.Z < 0 ? ofNegative.Z : ofPositive.Z);
-
-        static Long2 Dot(Grid3 a, Grid3 b) =>
-            Long2.Product(a.X, b.X) + Long2.Product(a.Y, b.Y) + Long2.Product(a.Z, b.Z);
+        static Long2 Dot(Grid3 axis, Grid3 ofPositive, Grid3 ofNegative) =>
+            Long2.Product(axis.X, axis.X < 0 ? ofNegative.X : ofPositive.X) +
+            Long2.Product(axis.Y, axis.Y < 0 ? ofNegative.Y : ofPositive.Y) +
+            Long2.Product(axis.Z, axis.Z < 0 ? ofNegative.Z : ofPositive.Z);
     }
 
     // An edge of a ring, in the prism's plane.
@@ -167,31 +146,32 @@ namespace FastPoints.Store
         // Edges of one polygon have one number, and follow one another.
         public int Polygon;
 
-        // Whether it may cross or bound what lies in another one's box or, of those in rows with it, to the left of its end.
-        public readonly bool MayMatterTo(in EditEdge box, bool isInRow) =>
-            math.max(FromV, ToV) >= box.FromV && math.min(FromV, ToV) <= box.ToV && math.max(FromU, ToU) >= box.FromU &&
-            (isInRow || math.min(FromU, ToU) <= box.ToU);
+        // Whether it has to do with places in the box around another: crosses it, or lies to its right.
+        public readonly bool MayMatterTo(in EditEdge box, out bool mayCross)
+        {
+            bool isInRow = math.max(FromV, ToV) >= box.FromV && math.min(FromV, ToV) <= box.ToV &&
+                math.max(FromU, ToU) >= box.FromU;
+            mayCross = isInRow && math.min(FromU, ToU) <= box.ToU;
+            return isInRow;
+        }
 
-        // Whether any polygon holds a position: by an even-odd count of its edges, or on one.
+        // Whether any polygon holds a place: by an even-odd count of its edges, or on one.
         public static bool Hold(EditEdge* edges, int* near, int count, long u, long v)
         {
             int polygon = 0;
             bool isInside = false;
+            var place = new EditEdge { FromU = u, ToU = u, FromV = v, ToV = v };
             for (int n = 0; n < count; n++)
             {
                 ref var edge = ref edges[near[n]];
-                if (edge.Polygon != polygon)
-                {
-                    if (isInside)
-                        return true;
-                    polygon = edge.Polygon;
-                }
-                if (math.max(edge.FromU, edge.ToU) < u || math.max(edge.FromV, edge.ToV) < v ||
-                    math.min(edge.FromV, edge.ToV) > v)
+                if (edge.Polygon != polygon && isInside)
+                    return true;
+                polygon = edge.Polygon;
+                if (!edge.MayMatterTo(place, out bool mayCross))
                     continue;
                 long across = edge.ToU - edge.FromU, up = edge.ToV - edge.FromV;
                 int side = Long2.Product(across, v - edge.FromV).CompareTo(Long2.Product(up, u - edge.FromU));
-                if (side == 0 && u >= math.min(edge.FromU, edge.ToU))
+                if (side == 0 && mayCross)
                     return true;
                 if (edge.FromV > v != edge.ToV > v && side > 0 == up > 0)
                     isInside = !isInside;
@@ -223,13 +203,10 @@ namespace FastPoints.Store
             return new Long2(a.m_high + b.m_high + (low < a.m_low ? 1 : 0), low);
         }
 
-        public static bool operator <=(Long2 a, Long2 b) => a.CompareTo(b) <= 0;
+        public int CompareTo(Long2 other) =>
+            m_high != other.m_high ? m_high.CompareTo(other.m_high) : m_low.CompareTo(other.m_low);
 
-        public static bool operator >=(Long2 a, Long2 b) => a.CompareTo(b) >= 0;
-
-        public int CompareTo(Long2 other) => m_high != other.m_high ? m_high < other.m_high ? -1 : 1
-            : m_low != other.m_low ? m_low < other.m_low ? -1 : 1 : 0;
-
-        public long Clamp(long min, long max) => this <= Product(min, 1) ? min : this >= Product(max, 1) ? max : (long)m_low;
+        public long Clamp(long min, long max) =>
+            CompareTo(Product(min, 1)) <= 0 ? min : CompareTo(Product(max, 1)) >= 0 ? max : (long)m_low;
     }
 }
