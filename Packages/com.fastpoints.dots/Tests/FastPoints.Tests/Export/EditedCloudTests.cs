@@ -145,7 +145,8 @@ namespace FastPoints.Tests.Export
             var holds = operation.Conditions.Select(c => s_conditions.First(k => k.Text == c.Text).Holds).ToArray();
             foreach (var point in points)
             {
-                bool isMeant = !point.IsDeleted && (operation.Boxes.Count == 0 || operation.Boxes.Any(b => HoldsBox(b, point.At))) &&
+                bool isMeant = !point.IsDeleted &&
+                    (operation.Boxes.Count == 0 || operation.Boxes.Any(b => HoldsBox(b, point.At))) &&
                     (operation.Balls.Count == 0 || operation.Balls.Any(b => Holds(b, point.At))) &&
                     (operation.Rings.Count == 0 || HoldsPrism(operation, point.At)) && holds.All(h => h(point));
                 if (!isMeant)

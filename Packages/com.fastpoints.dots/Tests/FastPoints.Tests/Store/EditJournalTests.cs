@@ -202,7 +202,8 @@ namespace FastPoints.Tests.Store
             Assert.That(Texts().Last(), Is.EqualTo(Operation(2).ToJson()));
         }
 
-        [TestCase("\"hide\"", "\"paint\""), TestCase("\"value\": []", "\"value\": [1]"), TestCase("\"value\": []", "\"lasso\": 1"),
+        [TestCase("\"hide\"", "\"paint\""), TestCase("\"value\": []", "\"value\": [1]"),
+         TestCase("\"value\": []", "\"lasso\": 1"),
          TestCase("Intensity", "="), TestCase("\"a\": [1, 2, 3]", "\"a\": [1, 2]"), TestCase("[4, 4, 4]", "[4, 4, -4]"),
          TestCase("[4, 4, 4]", "[4, 4, 2000000]"), TestCase("[1, 2, 3]", "[1, 2, 9223372036854775807]"),
          TestCase("\"pointsChanged\": 5,", ""), TestCase("\"at\": [", "\"at\": [7,"), TestCase("{", "[")]

@@ -73,19 +73,22 @@ namespace FastPoints.Store
                     return "a box is too far away";
             foreach (var ball in Balls)
             {
-                long least = ball.IsRound ? 0 : 1, most = ball.IsRound ? MaxCoordinate : EditShape.MaxUnequalRadius;
-                var low = new Grid3(least, least, least);
-                if (!IsWithin(ball.A, MaxCoordinate) || !IsWithin(ball.B, most) || Grid3.Min(ball.B, low) != low)
-                    return "a ball is too far away, or its radius is: wanted " + NumberText.Of(least) + " to " + NumberText.Of(most) +
-                        " steps, got " + ball.B;
+                long min = ball.IsRound ? 0 : 1, max = ball.IsRound ? MaxCoordinate : EditShape.MaxUnequalRadius;
+                var low = new Grid3(min, min, min);
+                if (!IsWithin(ball.A, MaxCoordinate) || !IsWithin(ball.B, max) || Grid3.Min(ball.B, low) != low)
+                    return "a ball is too far away, or its radius is: wanted " + NumberText.Of(min) + " to " +
+                        NumberText.Of(max) + " steps, got " + ball.B;
             }
             return !Prism.IsUsed || IsWithin(Prism.Origin, MaxCoordinate) && IsWithin(Prism.U, MaxAxis) &&
                 IsWithin(Prism.V, MaxAxis) && IsWithin(new Grid3(Prism.MinU, Prism.MinV, Prism.MaxU), MaxCoordinate) &&
                 IsWithin(new Grid3(Prism.MaxV, 0, 0), MaxCoordinate) ? null : "a polygon is too far away or too large";
         }
 
-        static bool IsWithin(Grid3 position, long max) => Grid3.Max(position, new Grid3(max, max, max)) == new Grid3(max, max, max) &&
-            Grid3.Min(position, new Grid3(-max, -max, -max)) == new Grid3(-max, -max, -max);
+        static bool IsWithin(Grid3 position, long max)
+        {
+            Grid3 high = new Grid3(max, max, max), low = default(Grid3) - high;
+            return Grid3.Max(position, high) == high && Grid3.Min(position, low) == low;
+        }
 
         public string ToJson()
         {

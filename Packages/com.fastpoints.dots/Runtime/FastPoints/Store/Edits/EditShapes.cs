@@ -66,7 +66,8 @@ namespace FastPoints.Store
                 return x * x + y * y + z * z <= radius * radius;
             if (!IsRound)
                 (x, y, z, radius) = (x * B.Y * B.Z, y * B.X * B.Z, z * B.X * B.Y, radius * B.Y * B.Z);
-            return (Long2.Product(x, x) + Long2.Product(y, y) + Long2.Product(z, z)).CompareTo(Long2.Product(radius, radius)) <= 0;
+            var distance = Long2.Product(x, x) + Long2.Product(y, y) + Long2.Product(z, z);
+            return distance.CompareTo(Long2.Product(radius, radius)) <= 0;
         }
 
         public readonly EditReach ReachOf(in EditShape box)
