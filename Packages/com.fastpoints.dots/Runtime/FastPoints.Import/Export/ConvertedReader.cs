@@ -459,6 +459,7 @@ namespace FastPoints.Export
         void Unpack(byte* file, in ConvertedTarget target)
         {
             var view = new PlaneView(file + Places[target.Plane], Shapes[target.Plane], PlaneBlocks);
+            var values = new PlaneValues { View = view, Column = target.Column, Stored = target.Stored };
             byte* to = (byte*)Columns.GetUnsafePtr() + target.To.OffsetBytes;
             long corner = target.Column == 0 ? Corner.X : target.Column == 1 ? Corner.Y : Corner.Z;
             int at = 0;
@@ -472,7 +473,7 @@ namespace FastPoints.Export
                 if (target.Plane == 0)
                     view.UnpackPositions(b, target.Column, corner, begin, count, (long*)to);
                 else
-                    view.UnpackValues(b, target.Column, target.Stored, begin, count, to);
+                    values.Unpack(b, begin, count, to);
                 to += count * target.To.Type.SizeOf();
             }
         }

@@ -57,33 +57,6 @@ namespace FastPoints.Store
                 to[i] += corner;
         }
 
-        // Some of an attribute's values as its type has them.
-        public void UnpackValues(int block, int column, in StoredColumn stored, int first, int count, byte* to)
-        {
-            ulong divisor = (ulong)stored.Divisor;
-            int size = stored.Type.SizeOf();
-            if (Shape.IsWide(column))
-            {
-                ulong* wide = stackalloc ulong[PlaneShape.MaxPointsPerBlock];
-                UnpackWide(block, column, first, count, wide);
-                for (int i = 0; i < count; i++)
-                    OrderedBits.Store(wide[i] * divisor, stored.Type, to + i * size);
-                return;
-            }
-            uint* values = stackalloc uint[PlaneShape.MaxPointsPerBlock];
-            Unpack(block, column, values);
-            values += first;
-            if (stored.Type == AttributeType.UInt8)
-                for (int i = 0; i < count; i++)
-                    to[i] = (byte)values[i];
-            else if (stored.Type == AttributeType.UInt16)
-                for (int i = 0; i < count; i++)
-                    ((ushort*)to)[i] = (ushort)(values[i] * (uint)divisor);
-            else
-                for (int i = 0; i < count; i++)
-                    OrderedBits.Store(values[i] * divisor, stored.Type, to + i * size);
-        }
-
         public ulong ValueAt(int block, int column, int index) =>
             BlockCodec.ValueAt(Packed(block, column), MinimumOf(block, column), WidthOf(block, column), index);
 

@@ -276,8 +276,11 @@ namespace FastPoints.Store
         void LoadValues(ref State state)
         {
             for (int c = 0; c < Columns.Length && !state.HasValues; c++)
-                ViewOf(Columns[c].Plane).UnpackValues(state.Block, Columns[c].Column, Columns[c].Stored, 0, state.Points,
-                    BlockBytes + Columns[c].Block.OffsetBytes);
+            {
+                var column = Columns[c];
+                new PlaneValues { View = ViewOf(column.Plane), Column = column.Column, Stored = column.Stored }
+                    .Unpack(state.Block, 0, state.Points, BlockBytes + column.Block.OffsetBytes);
+            }
             state.HasValues = true;
         }
 
