@@ -68,7 +68,7 @@ public static class CommandLine
     [
         new DefaultVerb(), new InfoVerb(), new PreviewVerb(), new ConvertVerb(), new VerifyVerb(),
         new ExportVerb(), new PictureVerb(), new FlyVerb(), new DemoCloudVerb(), new BenchVerb(), new PublishVerb(),
-        new SurfaceVerb(), new UpgradeVerb(), new PlanVerb(), new BuildVerb(), new MergeVerb(), new CommitVerb(),
+        new EditVerb(), new SurfaceVerb(), new UpgradeVerb(), new PlanVerb(), new BuildVerb(), new MergeVerb(), new CommitVerb(),
         new ClusterVerb(), new CacheVerb(), new CompletionVerb(),
     ];
 
@@ -122,6 +122,7 @@ public static class CommandLine
         ("out dest destination", "--output"), ("overwrite replace yes", "--force"), ("jobs cores workers", "--threads"),
         ("silent", "--quiet"), ("bbox bounds box crop extent", "--clip"), ("filter query expression", "--where"),
         ("class classes", "--classes"), ("class classes", "--style classes=N"), ("color colour", "--style color=NAME"),
+        ("color", "--colour"),
         ("gradient", "--style gradient=NAME"), ("background", "--style background=RRGGBB"), ("edl", "--style edl=on"),
         ("point-size", "--style size=PIXELS"), ("resolution width height", "--size"), ("camera", "--eye"),
         ("look-at lookat", "--target"), ("top bottom front back left right side iso", "--view"), ("epsg srs", "--crs"),

@@ -119,7 +119,7 @@ public sealed class PictureSettings
             : throw new UsageException(option + ": wanted x,y,z,X,Y,Z, got " + text);
     }
 
-    static double[] ParseNumbers(string text)
+    internal static double[] ParseNumbers(string text)
     {
         var parts = text.Split(',');
         var numbers = new double[parts.Length];

@@ -19,6 +19,7 @@ public sealed class ConvertedCloudFacts
     readonly List<(string Name, long Bytes)> m_planes = [];
     readonly long m_bytes;
     readonly List<CloudSource> m_sources;
+    readonly int m_edits, m_undone;
 
     public ConvertedCloudFacts(string path)
     {
@@ -32,6 +33,11 @@ public sealed class ConvertedCloudFacts
         m_bytes = SourcePath.IsRemote(path) ? folder.Files().Sum(file => file.Bytes)
             : Directory.GetFiles(folder.FolderPath, "*", SearchOption.AllDirectories).Sum(f => new FileInfo(f).Length);
         m_sources = StoredSources.Read(folder.FolderPath);
+        if (IsWhole)
+        {
+            var edits = EditJournal.Read(path, m_manifest.CloudId);
+            (m_edits, m_undone) = (edits.Count, edits.Operations.Count - edits.Count);
+        }
         m_planes.AddRange(folder.Layout.Planes.Select((plane, i) => (plane.Name, bytesOfPlane[i])));
     }
 
@@ -115,6 +121,9 @@ public sealed class ConvertedCloudFacts
             + NumberFormat.Count(m_levels.Count, "level") + " in " + NumberFormat.Count(m_manifest.ChunkCount, "chunk"));
         yield return ("sampler", m_manifest.Sampler);
         yield return ("checksum", m_manifest.Checksum.ToString("x16", CultureInfo.InvariantCulture));
+        if (m_edits + m_undone > 0)
+            yield return ("edits", NumberFormat.Count(m_edits)
+                + (m_undone > 0 ? ", " + NumberFormat.Count(m_undone) + " undone" : ""));
         yield return ("whole", IsWhole ? "yes" : "no, it is being built");
         foreach (var source in m_sources)
             yield return ("source", source.Name + ", " + NumberFormat.Count(source.FileBytes) + " bytes, "
@@ -177,6 +186,7 @@ public sealed class ConvertedCloudFacts
             json.WriteEndObject();
         }
         json.WriteEndArray();
+        json.WriteNumber("edits", m_edits);
         json.WriteNull("columnSums");
     }
 }

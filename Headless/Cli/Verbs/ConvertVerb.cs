@@ -59,6 +59,7 @@ public sealed class ConvertVerb : Verb
         ("./fastpoints convert tiles/ -o all.fastpoints", "all clouds in a folder as one"),
         ("./fastpoints convert scan.fastpoints --normals", "add normals to a converted cloud"),
         ("./fastpoints convert scan.las -o ground.fastpoints --classes 2,9", "ground and water"),
+        ("./fastpoints convert scan.fastpoints -o edited.fastpoints", "a cloud's edits as a cloud of their own"),
     ];
 
     public override void Run(ParseResult parsed, CliRun run)
@@ -79,7 +80,7 @@ public sealed class ConvertVerb : Verb
         if (parsed.GetValue(m_report))
             OutputNames.RefuseForeignFolder("a report", samplers, "pictures.csv", run.Settings.IsForced);
         files = run.Begin(files);
-        using var reader = PointReaders.Open(files, m_cloud.ReadOptions(parsed));
+        using var reader = Open(files, m_cloud.ReadOptions(parsed));
         run.Warn(reader.Info);
         if (!run.Settings.IsForced)
             OutputNames.RefuseOtherCloud(output, reader);
@@ -88,7 +89,7 @@ public sealed class ConvertVerb : Verb
         using var filter = m_cloud.Filter(parsed, reader);
         var wanted = filter == null ? reader : new FilteredReader(reader, filter);
         var result = ConvertStep.Run([wanted], output, settings, run);
-        run.Points.Add(reader.Info, filter == null ? result.PointsFound : reader.PointCount);
+        run.Points.Add(reader.Info, filter == null && reader is not ConvertedReader ? result.PointsFound : reader.PointCount);
         if (result.PointsFound == 0 && reader.PointCount > 0)
             run.WarnEmpty(output, "left", reader.PointCount, reader.Info.BoundsClaimed, []);
         var normals = parsed.GetValue(m_normals) ? NormalsStep.Run(output, run) : null;
@@ -106,6 +107,18 @@ public sealed class ConvertVerb : Verb
             return;
         new SamplerReport(wanted, samplers, settings, run).Write();
         run.Out.WriteLine(Path.Combine(samplers, "report.html"));
+    }
+
+    static PointReader Open(string[] files, ReadOptions options)
+    {
+        if (files is [var cloud] && CloudFolder.IsCloud(cloud))
+        {
+            var stored = ConvertedReader.OpenEdited(cloud);
+            if (stored.Edits != null)
+                return stored;
+            stored.Dispose();
+        }
+        return PointReaders.Open(files, options);
     }
 
     void AddNormals(string[] files, ParseResult parsed, CliRun run)

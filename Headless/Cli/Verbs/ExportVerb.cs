@@ -45,6 +45,7 @@ public sealed class ExportVerb : Verb
         HelpName = "SIZE",
         Description = "For .copc.laz: resident memory that the process may take, as of convert (default: 1GiB).",
     };
+    readonly Option<bool> m_asStored = new("--as-stored") { Description = "Without the edits of a converted cloud." };
     readonly FilterSettings m_filter;
     readonly SourceSettings m_source;
 
@@ -61,6 +62,7 @@ public sealed class ExportVerb : Verb
         Command.Add(m_budget);
         Command.Add(m_attributes);
         Command.Add(m_memory);
+        Command.Add(m_asStored);
         m_source = new SourceSettings(Command);
     }
 
@@ -90,8 +92,9 @@ public sealed class ExportVerb : Verb
         if (parsed.GetValue(m_memory) is { } memory)
             settings.MemoryBytes = Memory.ForBuild(memory);
         clouds = run.Begin(clouds, output);
-        using var reader = clouds is [var only] && CloudFolder.IsCloud(only) ? ConvertedReader.Open(only)
-            : PointReaders.Open(clouds, m_source.Read(parsed));
+        using var reader = clouds is not [var only] || !CloudFolder.IsCloud(only)
+            ? PointReaders.Open(clouds, m_source.Read(parsed))
+            : parsed.GetValue(m_asStored) ? ConvertedReader.Open(only) : ConvertedReader.OpenEdited(only);
         run.Warn(reader.Info);
         // Before the bytes of an octree are counted.
         long mark = OutputNames.MarkOf(reader);
@@ -116,7 +119,8 @@ public sealed class ExportVerb : Verb
         run.Standard.Send(output);
         run.Warn(reader.Info);
         run.Report(reader.Info.Losses);
-        bool isWhole = settings.Level < 0 && settings.Budget == 0 && settings.Clips.Count == 0 && filter == null;
+        bool isWhole = settings.Level < 0 && settings.Budget == 0 && settings.Clips.Count == 0 && filter == null
+            && reader is not ConvertedReader { Edits: not null };
         run.Points.Add(reader.Info, isWhole ? result!.PointsRead : reader.PointCount);
         if (result!.Points == 0 && reader.PointCount > 0)
             run.WarnEmpty(output, "left", reader.PointCount, reader.Info.BoundsClaimed, settings.Clips);

@@ -78,7 +78,8 @@ namespace FastPoints.Editor
         }
 
         static PointReader Open(IReadOnlyList<string> sources) =>
-            sources.Count == 1 && CloudFolder.IsCloud(sources[0]) ? ConvertedReader.Open(sources[0]) : PointReaders.Open(sources);
+            sources.Count == 1 && CloudFolder.IsCloud(sources[0]) ? ConvertedReader.OpenEdited(sources[0])
+                : PointReaders.Open(sources);
 
         /// <returns>Whether the file is complete.</returns>
         static bool Step(Export export, double budgetMs)

@@ -13,8 +13,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Export
 {
-    /// <summary>A converted cloud as a source: positions are in grid steps, a block is a node with its inlined leaves,
-    /// in the order of the files.</summary>
+    /// <summary>A converted cloud as a source, as it is stored or as edited: positions are in grid steps, a block is a node with
+    /// its inlined leaves, in the order of the files. Counts are of what is stored.</summary>
     internal sealed class ConvertedReader : PointReader
     {
         readonly CloudFolder m_folder;
@@ -24,6 +24,7 @@ namespace FastPoints.Export
         readonly List<string> m_paths = new List<string>();
         readonly List<ConvertedBlock> m_blocks = new List<ConvertedBlock>();
         int m_maxPoints = 1;
+        int m_maxPlaneBlocks;
 
         // On a disk, what lies between two planes is read along up to this: another read would take longer.
         const int MaxGapBytes = 64 << 10;
@@ -50,6 +51,7 @@ namespace FastPoints.Export
                 {
                     var node = m_tables[page].Nodes[n];
                     bool isInlined = node.PlaneNode != n;
+                    m_maxPlaneBlocks = Math.Max(m_maxPlaneBlocks, node.PlaneBlocks);
                     blockOfNode[n] = isInlined ? blockOfNode[node.PlaneNode] : m_blocks.Count;
                     if (!isInlined)
                         m_blocks.Add(new ConvertedBlock { Page = page, Node = n, OwnPoints = node.PointCount });
@@ -87,6 +89,34 @@ namespace FastPoints.Export
                 throw;
             }
         }
+
+        /// <summary>The same, with its edits.</summary>
+        /// <param name="added">One more, after these; may be null.</param>
+        public static ConvertedReader OpenEdited(string path, EditOperation added = null)
+        {
+            var reader = Open(path);
+            try
+            {
+                var operations = EditJournal.Read(path, reader.Manifest.CloudId).Applied;
+                if (added != null)
+                    operations.Add(added);
+                foreach (var operation in operations)
+                    if (EditPlan.FindProblem(operation, reader.Manifest) is string problem)
+                        throw new PointCloudException(FailureCode.Unsupported, path, -1, problem);
+                reader.Edits = operations.Count > 0 ? new EditPlan(operations, reader.Manifest) : null;
+                return reader;
+            }
+            catch
+            {
+                reader.DisposeUnread();
+                throw;
+            }
+        }
+
+        /// <summary>Null as stored.</summary>
+        public EditPlan Edits { get; private set; }
+
+        internal override ulong FilterHash => Edits?.Hash ?? 0;
 
         public CloudManifest Manifest => m_folder.Manifest;
 
@@ -214,6 +244,8 @@ namespace FastPoints.Export
             NativeArray<PlaneRange> m_ranges;
             NativeArray<long> m_places;
             NativeArray<ConvertedTarget> m_targets;
+            readonly EditSlot m_edits;
+            GatherEditedJob m_gather;
 
             public ConvertedRead(ConvertedReader reader, PointSchema wanted, int capacity, Allocator allocator)
                 : base(reader, wanted, capacity, allocator)
@@ -231,7 +263,7 @@ namespace FastPoints.Export
                     for (int c = 0; c < plane.ColumnCount && plane.IsSource; c++)
                         AddTarget(targets, m_planes.Count, c, layout.Columns[plane.FirstColumn + c],
                             layout.Attributes[layout.AttributeOfColumn[plane.FirstColumn + c]].Name);
-                    if (targets.Count > before)
+                    if (targets.Count > before || plane.IsSource && NamesAny(reader.Edits, plane))
                         m_planes.Add(p);
                 }
                 OwnFile(0, allocator, m_planes.Count);
@@ -239,6 +271,39 @@ namespace FastPoints.Export
                 m_shapes = Own(new NativeArray<PlaneShape>(m_planes.Count, allocator));
                 m_ranges = Own(new NativeArray<PlaneRange>(m_planes.Count, allocator));
                 m_places = Own(new NativeArray<long>(m_planes.Count, allocator));
+                if (reader.Edits == null)
+                    return;
+                m_edits = Own(new EditSlot(reader.Edits, layout, m_planes, reader.m_maxPlaneBlocks));
+                var all = new PointColumn[Points.Schema.Count];
+                var from = new List<PointColumn>();
+                var to = new List<PointColumn>();
+                for (int c = 0; c < all.Length; c++)
+                {
+                    all[c] = Points.Column(c);
+                    int changed = m_edits.Values.Schema.IndexOf(Points.Schema[c].Name);
+                    if (changed < 0)
+                        continue;
+                    from.Add(m_edits.Values.Column(changed));
+                    to.Add(all[c]);
+                }
+                m_gather = new GatherEditedJob
+                {
+                    Columns = Points.Bytes,
+                    AllColumns = Own(new NativeArray<PointColumn>(all, allocator)),
+                    Edited = m_edits.Points,
+                    Values = m_edits.Values.Bytes,
+                    From = Own(new NativeArray<PointColumn>(from.ToArray(), allocator)),
+                    To = Own(new NativeArray<PointColumn>(to.ToArray(), allocator)),
+                    Chosen = Own(new NativeArray<int>(capacity, allocator)),
+                };
+            }
+
+            bool NamesAny(EditPlan edits, StoreLayout.Plane plane)
+            {
+                bool isNamed = false;
+                for (int c = plane.FirstColumn; c < plane.FirstColumn + plane.ColumnCount && edits != null; c++)
+                    isNamed |= edits.Schema.Has(m_reader.m_folder.Layout.NameOfColumn(plane, c));
+                return isNamed;
             }
 
             void AddTarget(List<ConvertedTarget> targets, int plane, int column, StoredColumn stored, string name)
@@ -264,7 +329,7 @@ namespace FastPoints.Export
                     m_shapes[p] = m_reader.m_folder.Layout.ShapeOf(m_planes[p], node.IsWide);
                 }
                 int commands = PlaceInBuffer();
-                return new DecodeConvertedJob
+                var decoded = new DecodeConvertedJob
                 {
                     File = File.Buffer,
                     Ranges = m_ranges,
@@ -278,6 +343,28 @@ namespace FastPoints.Export
                     Columns = Points.Bytes,
                     Result = Result,
                 }.Schedule(DependencyOf(File.Begin(m_reader.m_paths[block.Page], commands)));
+                return m_edits == null ? decoded : ScheduleEdits(range, node, decoded);
+            }
+
+            JobHandle ScheduleEdits(BlockRange range, in NodeRecord node, JobHandle decoded)
+            {
+                var job = m_gather;
+                job.File = File.Buffer;
+                job.Place = m_places[0];
+                job.Shape = m_shapes[0];
+                job.BlockCount = node.PlaneBlocks;
+                job.First = range.First;
+                job.Count = range.Count;
+                job.Result = Result;
+                return job.Schedule(m_edits.Schedule(new EditNodeJob
+                {
+                    File = File.Buffer,
+                    Planes = m_ranges,
+                    Places = m_places,
+                    PlaneShapes = m_shapes,
+                    Corner = node.Corner,
+                    BlockCount = node.PlaneBlocks,
+                }, decoded));
             }
 
             // Planes that lie together are one segment; of a remote file, segments are parts of what ListPieces names.
@@ -317,6 +404,7 @@ namespace FastPoints.Export
                     throw new PointCloudException(FailureCode.BadInput, m_reader.FileOfBlock(Range.Block, out _),
                         Result.Value.ErrorOffset, "the node's data is damaged: " +
                             StoreFile.HashProblem(m_ranges[Result.Value.Error - 1].Hash, Result.Value.ErrorGot));
+                m_edits?.Count();
             }
 
             protected override void Cancel() => File.Cancel();
@@ -370,10 +458,8 @@ namespace FastPoints.Export
 
         void Unpack(byte* file, in ConvertedTarget target)
         {
-            ulong* wide = stackalloc ulong[PlaneShape.MaxPointsPerBlock];
-            uint* narrow = stackalloc uint[PlaneShape.MaxPointsPerBlock];
             var view = new PlaneView(file + Places[target.Plane], Shapes[target.Plane], PlaneBlocks);
-            bool isPosition = target.Plane == 0, isWide = view.Shape.IsWide(target.Column);
+            var values = new PlaneValues { View = view, Column = target.Column, Stored = target.Stored };
             byte* to = (byte*)Columns.GetUnsafePtr() + target.To.OffsetBytes;
             long corner = target.Column == 0 ? Corner.X : target.Column == 1 ? Corner.Y : Corner.Z;
             int at = 0;
@@ -384,38 +470,66 @@ namespace FastPoints.Export
                 at += points;
                 if (count <= 0)
                     continue;
-                if (isWide)
-                    view.UnpackWide(b, target.Column, wide);
+                if (target.Plane == 0)
+                    view.UnpackPositions(b, target.Column, corner, begin, count, (long*)to);
                 else
-                    view.Unpack(b, target.Column, narrow);
-                if (isPosition && isWide)
-                    for (int i = 0; i < count; i++)
-                        ((long*)to)[i] = corner + (long)wide[begin + i];
-                else if (isPosition)
-                    for (int i = 0; i < count; i++)
-                        ((long*)to)[i] = corner + narrow[begin + i];
-                else if (isWide)
-                    for (int i = 0; i < count; i++)
-                        OrderedBits.Store(wide[begin + i] * (ulong)target.Stored.Divisor, target.Stored.Type, to + 8 * i);
-                else
-                    Store(narrow + begin, count, target.Stored, to);
+                    values.Unpack(b, begin, count, to);
                 to += count * target.To.Type.SizeOf();
             }
         }
+    }
 
-        static void Store(uint* values, int count, in StoredColumn stored, byte* to)
+    /// <summary>Takes what edits made of a node's points into the batch, without those that were deleted.</summary>
+    [BurstCompile]
+    internal unsafe struct GatherEditedJob : IJob
+    {
+        public NativeArray<byte> Columns;
+        [ReadOnly] public NativeArray<PointColumn> AllColumns;
+        [ReadOnly] public NativeArray<EditedBlock> Edited;
+
+        /// <summary>By block and point; the same columns of these and of the batch.</summary>
+        [ReadOnly] public NativeArray<byte> Values;
+        [ReadOnly] public NativeArray<PointColumn> From;
+        [ReadOnly] public NativeArray<PointColumn> To;
+        public NativeArray<int> Chosen;
+
+        /// <summary>With the plane of the position.</summary>
+        [ReadOnly] public NativeArray<byte> File;
+        public long Place;
+        public PlaneShape Shape;
+        public int BlockCount;
+        public int First;
+        public int Count;
+        public NativeReference<DecodeResult> Result;
+
+        public void Execute()
         {
-            uint divisor = (uint)stored.Divisor;
-            int size = stored.Type.SizeOf();
-            if (stored.Type == AttributeType.UInt8)
-                for (int i = 0; i < count; i++)
-                    to[i] = (byte)values[i];
-            else if (stored.Type == AttributeType.UInt16)
-                for (int i = 0; i < count; i++)
-                    ((ushort*)to)[i] = (ushort)(values[i] * divisor);
-            else
-                for (int i = 0; i < count; i++)
-                    OrderedBits.Store((ulong)values[i] * divisor, stored.Type, to + i * size);
+            var result = Result.Value;
+            if (result.Error != 0)
+                return;
+            var view = new PlaneView((byte*)File.GetUnsafeReadOnlyPtr() + Place, Shape, BlockCount);
+            int at = 0, kept = 0;
+            for (int b = 0; b < BlockCount && at < First + Count; b++)
+            {
+                int points = view.PointsOf(b), begin = math.max(0, First - at), end = math.min(points, First + Count - at);
+                for (int i = begin; i < end; i++)
+                    if (!Edited[b].Deleted.Has(i))
+                        Chosen[kept++] = at + i - First;
+                if (Edited[b].HasValues && begin < end)
+                    Take(b * PlaneShape.MaxPointsPerBlock + begin, at + begin - First, end - begin);
+                at += points;
+            }
+            for (int c = 0; c < AllColumns.Length && kept < Count; c++)
+                PointRecords.Gather((byte*)Columns.GetUnsafePtr(), AllColumns[c], (int*)Chosen.GetUnsafeReadOnlyPtr(), kept, 0);
+            result.Points = kept;
+            Result.Value = result;
+        }
+
+        void Take(int from, int to, int count)
+        {
+            for (int c = 0; c < From.Length; c++)
+                UnsafeUtility.MemCpy(To[c].At((byte*)Columns.GetUnsafePtr(), to),
+                    From[c].At((byte*)Values.GetUnsafeReadOnlyPtr(), from), (long)count * To[c].Type.SizeOf());
         }
     }
 }

@@ -230,23 +230,8 @@ namespace FastPoints.Export
                         value = conversion.Max;
                         state.Clamped++;
                     }
-                    Put(to, conversion.To.Type, first + i, value);
+                    ColumnValues.Put(to, conversion.To.Type, first + i, value);
                 }
-            }
-        }
-
-        static void Put(byte* column, AttributeType type, int index, double value)
-        {
-            switch (type)
-            {
-                case AttributeType.UInt8: column[index] = (byte)value; break;
-                case AttributeType.Int8: ((sbyte*)column)[index] = (sbyte)value; break;
-                case AttributeType.UInt16: ((ushort*)column)[index] = (ushort)value; break;
-                case AttributeType.Int16: ((short*)column)[index] = (short)value; break;
-                case AttributeType.UInt32: ((uint*)column)[index] = (uint)value; break;
-                case AttributeType.Int32: ((int*)column)[index] = (int)value; break;
-                case AttributeType.Float32: ((float*)column)[index] = (float)value; break;
-                default: ((double*)column)[index] = value; break;
             }
         }
 

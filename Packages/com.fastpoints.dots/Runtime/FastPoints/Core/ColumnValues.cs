@@ -63,6 +63,22 @@ namespace FastPoints
             return value;
         }
 
+        // Of types whose numbers a double holds.
+        public static void Put(byte* column, AttributeType type, int index, double value)
+        {
+            switch (type)
+            {
+                case AttributeType.UInt8: column[index] = (byte)value; break;
+                case AttributeType.Int8: ((sbyte*)column)[index] = (sbyte)value; break;
+                case AttributeType.UInt16: ((ushort*)column)[index] = (ushort)value; break;
+                case AttributeType.Int16: ((short*)column)[index] = (short)value; break;
+                case AttributeType.UInt32: ((uint*)column)[index] = (uint)value; break;
+                case AttributeType.Int32: ((int*)column)[index] = (int)value; break;
+                case AttributeType.Float32: ((float*)column)[index] = (float)value; break;
+                default: ((double*)column)[index] = value; break;
+            }
+        }
+
         // Integers are sign-extended; floats keep their bits, extended by zeros.
         public static void ToBits(byte* column, AttributeType type, int first, int count, ulong* bits)
         {

@@ -49,6 +49,14 @@ namespace FastPoints.Store
             BlockCodec.UnpackWide(words, minimum, first, count, width, values);
         }
 
+        // On one axis, counted from where the node's corner counts from.
+        public void UnpackPositions(int block, int axis, long corner, int first, int count, long* to)
+        {
+            UnpackWide(block, axis, first, count, (ulong*)to);
+            for (int i = 0; i < count; i++)
+                to[i] += corner;
+        }
+
         public ulong ValueAt(int block, int column, int index) =>
             BlockCodec.ValueAt(Packed(block, column), MinimumOf(block, column), WidthOf(block, column), index);
 

@@ -26,12 +26,14 @@ namespace FastPoints.Reading
         const int MaxDepth = 32;
 
         readonly List<FilterEdge> m_edges = new List<FilterEdge>();
+        readonly List<(int Polygon, double2[] Vertices)> m_rings = new List<(int, double2[])>();
         double2 m_min = new double2(double.PositiveInfinity, double.PositiveInfinity);
         double2 m_max = new double2(double.NegativeInfinity, double.NegativeInfinity);
         int m_polygons;
 
         FilterPolygons() { }
 
+        public IReadOnlyList<(int Polygon, double2[] Vertices)> Rings => m_rings;
         public double2 Min => m_min;
         public double2 Max => m_max;
 
@@ -140,6 +142,7 @@ namespace FastPoints.Reading
         /// <summary>An open ring is closed.</summary>
         void AddRing(List<double2> points)
         {
+            m_rings.Add((m_polygons, points.ToArray()));
             for (int i = 0; i < points.Count; i++)
             {
                 if (!math.isfinite(points[i].x) || !math.isfinite(points[i].y))

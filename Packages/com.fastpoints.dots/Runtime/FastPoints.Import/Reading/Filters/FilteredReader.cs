@@ -19,7 +19,7 @@ namespace FastPoints.Reading
             Unfiltered = unfiltered;
             m_filter = filter;
             Info = unfiltered.Info;
-            FilterHash = filter.Hash;
+            FilterHash = filter.Hash ^ 31 * unfiltered.FilterHash;
         }
 
         /// <param name="blocks">Ascending. The source's blocks are known.</param>

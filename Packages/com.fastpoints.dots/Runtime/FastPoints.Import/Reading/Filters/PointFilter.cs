@@ -14,7 +14,8 @@ namespace FastPoints.Reading
     internal sealed class PointFilter : IPointSelection, IDisposable
     {
         readonly List<FilterExpression> m_expressions = new List<FilterExpression>();
-        readonly List<string> m_texts = new List<string>();
+
+        internal IReadOnlyList<FilterExpression> Expressions => m_expressions;
 
         /// <summary>Every n-th point in the source's order, from the first; 0 or 1 for all.</summary>
         public long EveryNth;
@@ -49,9 +50,9 @@ namespace FastPoints.Reading
             get
             {
                 ulong hash = (ulong)EveryNth;
-                foreach (string expression in m_texts)
-                    fixed (char* first = expression)
-                        hash = hash * 31 ^ ContentHash.Of(first, expression.Length * sizeof(char));
+                foreach (var expression in m_expressions)
+                    fixed (char* first = expression.Text)
+                        hash = hash * 31 ^ ContentHash.Of(first, expression.Text.Length * sizeof(char));
                 if (Polygons != null)
                     hash = hash * 31 ^ Polygons.Hash;
                 return hash;
@@ -59,60 +60,12 @@ namespace FastPoints.Reading
         }
 
         /// <exception cref="FormatException">See <see cref="FilterExpression.Parse"/>.</exception>
-        public void Add(string expression)
-        {
-            m_expressions.Add(FilterExpression.Parse(expression));
-            m_texts.Add(expression);
-        }
+        public void Add(string expression) => m_expressions.Add(FilterExpression.Parse(expression));
 
         public void Dispose() => Polygons?.Dispose();
 
         public ISelectionSlot CreateSlot(PointBatch batch, in PositionTransform transform) =>
             new FilterSlot(this, batch, transform);
-
-        /// <summary>The operations of each expression on columns of a batch, one after another.</summary>
-        internal FilterStep[] StepsOf(PointBatch batch, in PositionTransform transform)
-        {
-            var steps = new List<FilterStep>();
-            foreach (var expression in m_expressions)
-            {
-                for (int i = 0; i < expression.Steps.Count; i++)
-                {
-                    var step = expression.Steps[i];
-                    Bind(ref step.Left, expression.Names[i].Left, batch, transform);
-                    Bind(ref step.Right, expression.Names[i].Right, batch, transform);
-                    RoundLike(step.Left, ref step.Right);
-                    RoundLike(step.Right, ref step.Left);
-                    bool isScaled = IsScaled(step.Left) || IsScaled(step.Right);
-                    step.RelativeTolerance = isScaled ? 4.5e-16 : 0;
-                    step.AbsoluteTolerance = 4.5e-16 * (math.abs(step.Left.Offset) + math.abs(step.Right.Offset));
-                    steps.Add(step);
-                }
-                if (expression != m_expressions[0])
-                    steps.Add(new FilterStep { Op = FilterOp.And });
-            }
-            return steps.ToArray();
-        }
-
-        static bool IsScaled(in FilterOperand operand) => operand.IsAttribute && (operand.Scale != 1 || operand.Offset != 0);
-
-        /// <summary>A number that is compared with 32-bit floats is one of these.</summary>
-        static void RoundLike(in FilterOperand other, ref FilterOperand number)
-        {
-            if (!number.IsAttribute && other.IsAttribute && other.Column.Type == AttributeType.Float32 && !IsScaled(other))
-                number.Number = (float)number.Number;
-        }
-
-        static void Bind(ref FilterOperand operand, string name, PointBatch batch, in PositionTransform transform)
-        {
-            if (name == null)
-                return;
-            int column = batch.Schema.IndexOf(name);
-            operand.Column = batch.Column(column);
-            int axis = AttributeNames.AxisOf(name);
-            operand.Scale = axis < 0 ? batch.Schema[column].Scale : transform.Scale[axis];
-            operand.Offset = axis < 0 ? batch.Schema[column].Offset : transform.Offset[axis];
-        }
     }
 
     /// <summary>Applies a filter to a batch once it is decoded: wanted points move to its front.</summary>
@@ -132,7 +85,7 @@ namespace FastPoints.Reading
             {
                 Columns = batch.Bytes,
                 AllColumns = new NativeArray<PointColumn>(columns, Allocator.Persistent),
-                Steps = new NativeArray<FilterStep>(filter.StepsOf(batch, transform), Allocator.Persistent),
+                Steps = new NativeArray<FilterStep>(FilterSteps.Of(filter.Expressions, batch, transform), Allocator.Persistent),
                 Clips = new NativeArray<LocalClip>(filter.Clips, Allocator.Persistent),
                 Chosen = new NativeArray<int>(PointsPerSlice, Allocator.Persistent),
                 Edges = filter.Polygons?.EdgesOfSlabs ?? new NativeArray<FilterEdge>(0, Allocator.Persistent),
@@ -221,8 +174,7 @@ namespace FastPoints.Reading
             byte* bytes = (byte*)Columns.GetUnsafeReadOnlyPtr();
             int* chosen = (int*)Chosen.GetUnsafePtr();
             double* x = stackalloc double[BatchLength], y = stackalloc double[BatchLength], z = stackalloc double[BatchLength];
-            // Parentheses nest so deep at most, each with an "or" and an "and" that wait.
-            byte* results = stackalloc byte[(2 * FilterExpression.MaxDepth + 8) * BatchLength];
+            byte* results = stackalloc byte[FilterSteps.ResultsBytes];
             bool needsPlaces = Clips.Length > 0 || FirstOfSlab.Length > 0;
             int done = 0;
             for (int first = 0; first < count; first += BatchLength)
@@ -230,7 +182,8 @@ namespace FastPoints.Reading
                 int points = math.min(BatchLength, count - first);
                 UnsafeUtility.MemSet(results, 1, points);
                 if (Steps.Length > 0)
-                    Evaluate(bytes, First + first, points, results, x, y);
+                    FilterSteps.Evaluate((FilterStep*)Steps.GetUnsafeReadOnlyPtr(), Steps.Length, bytes, First + first, points,
+                        new FilterMemory { Results = results, Left = x, Right = y });
                 if (EveryNth > 1)
                     for (int i = 0; i < points; i++)
                         results[i] &= (byte)((FirstPoint + First + first + i) % EveryNth == 0 ? 1 : 0);
@@ -244,90 +197,6 @@ namespace FastPoints.Reading
                         chosen[done++] = First + first + i;
             }
             return done;
-        }
-
-        void Evaluate(byte* bytes, int first, int points, byte* results, double* left, double* right)
-        {
-            byte* top = results - BatchLength;
-            for (int s = 0; s < Steps.Length; s++)
-            {
-                var step = Steps[s];
-                if (step.Op == FilterOp.Not)
-                {
-                    for (int i = 0; i < points; i++)
-                        top[i] ^= 1;
-                    continue;
-                }
-                if (step.Op == FilterOp.And || step.Op == FilterOp.Or)
-                {
-                    byte* other = top;
-                    top -= BatchLength;
-                    if (step.Op == FilterOp.And)
-                        for (int i = 0; i < points; i++)
-                            top[i] &= other[i];
-                    else
-                        for (int i = 0; i < points; i++)
-                            top[i] |= other[i];
-                    continue;
-                }
-                Load(bytes, step.Left, first, points, left);
-                Load(bytes, step.Right, first, points, right);
-                top += BatchLength;
-                Compare(step, points, left, right, top);
-            }
-        }
-
-        static void Load(byte* bytes, in FilterOperand operand, int first, int points, double* values)
-        {
-            if (!operand.IsAttribute)
-            {
-                for (int i = 0; i < points; i++)
-                    values[i] = operand.Number;
-                return;
-            }
-            ColumnValues.ToDoubles(bytes + operand.Column.OffsetBytes, operand.Column.Type, first, points, values);
-            double scale = operand.Scale, offset = operand.Offset;
-            if (scale != 1 || offset != 0)
-                for (int i = 0; i < points; i++)
-                    values[i] = values[i] * scale + offset;
-        }
-
-        /// <summary>NaN is not equal, less or greater.</summary>
-        static void Compare(in FilterStep step, int points, double* left, double* right, byte* to)
-        {
-            if (step.RelativeTolerance > 0)
-                for (int i = 0; i < points; i++)
-                {
-                    double reach = step.AbsoluteTolerance + step.RelativeTolerance * (math.abs(left[i]) + math.abs(right[i]));
-                    left[i] = math.abs(left[i] - right[i]) <= reach ? right[i] : left[i];
-                }
-            switch (step.Op)
-            {
-                case FilterOp.Equal:
-                    for (int i = 0; i < points; i++)
-                        to[i] = (byte)(left[i] == right[i] ? 1 : 0);
-                    break;
-                case FilterOp.NotEqual:
-                    for (int i = 0; i < points; i++)
-                        to[i] = (byte)(left[i] != right[i] ? 1 : 0);
-                    break;
-                case FilterOp.Less:
-                    for (int i = 0; i < points; i++)
-                        to[i] = (byte)(left[i] < right[i] ? 1 : 0);
-                    break;
-                case FilterOp.LessOrEqual:
-                    for (int i = 0; i < points; i++)
-                        to[i] = (byte)(left[i] <= right[i] ? 1 : 0);
-                    break;
-                case FilterOp.Greater:
-                    for (int i = 0; i < points; i++)
-                        to[i] = (byte)(left[i] > right[i] ? 1 : 0);
-                    break;
-                default:
-                    for (int i = 0; i < points; i++)
-                        to[i] = (byte)(left[i] >= right[i] ? 1 : 0);
-                    break;
-            }
         }
 
         bool IsInside(double3 position) =>

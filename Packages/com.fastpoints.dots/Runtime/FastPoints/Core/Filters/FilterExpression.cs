@@ -1,7 +1,7 @@
 using System;
 using System.Collections.Generic;
 
-namespace FastPoints.Reading
+namespace FastPoints
 {
     internal enum FilterOp
     {
@@ -63,6 +63,8 @@ namespace FastPoints.Reading
             if (Peek() != '\0' || m_at < text.Length)
                 throw Bad("&&, || or the end", m_at);
         }
+
+        public string Text => m_text;
 
         /// <summary>In order of evaluation; the last leaves one result.</summary>
         public List<FilterStep> Steps { get; } = new List<FilterStep>();

@@ -1,0 +1,211 @@
+namespace FastPoints.Cli.Verbs;
+
+public sealed class EditVerb : Verb
+{
+    readonly Argument<string> m_cloud = new("CLOUD") { Description = "A converted cloud, NAME.fastpoints; it stays as it is." };
+    readonly Option<string[]> m_clip = new("--clip")
+    {
+        HelpName = "x,y,z,X,Y,Z",
+        Description = "Only points in the box between two corners in the cloud's coordinates, faces included, or in any of "
+            + "several.",
+    };
+    readonly Option<string[]> m_sphere = new("--sphere")
+    {
+        HelpName = "x,y,z,R",
+        Description = "Only points in the sphere, or in any of several.",
+    };
+    readonly FilterSettings m_filter;
+    readonly Option<bool> m_hide = new("--hide") { Description = "Do not show these points; export and convert keep them." };
+    readonly Option<bool> m_delete = new("--delete") { Description = "Leave these points out from now on." };
+    readonly Option<string?> m_classify = new("--classify") { HelpName = "N", Description = "Give them this class." };
+    readonly Option<string?> m_colour = new("--colour")
+    {
+        HelpName = "R,G,B",
+        Description = "Give them this colour, each of 0 to 255.",
+    };
+    readonly Option<bool> m_list = new("--list") { Description = "Say what was done." };
+    readonly Option<bool> m_undo = new("--undo") { Description = "Undo the last of what was done." };
+    readonly Option<bool> m_redo = new("--redo") { Description = "Do again what was undone last." };
+    readonly List<Option> m_actions, m_choices;
+
+    public EditVerb() : base(new Command("edit", "Hide, delete, classify or colour points of a converted cloud, and undo it: "
+        + "NAME.fastpoints.edits has it, beside the cloud."))
+    {
+        Command.Add(m_cloud);
+        m_actions = [m_hide, m_delete, m_classify, m_colour, m_list, m_undo, m_redo];
+        foreach (var action in m_actions)
+            Command.Add(action);
+        int before = Command.Options.Count;
+        Command.Add(m_clip);
+        Command.Add(m_sphere);
+        m_filter = new FilterSettings(Command);
+        m_choices = [.. Command.Options.Skip(before)];
+    }
+
+    public override IReadOnlyList<(string, string)> Examples =>
+    [
+        ("./fastpoints edit scan.fastpoints --delete --where 'Classification == 7'", "noise is gone, until it is undone"),
+        ("./fastpoints edit scan.fastpoints --classify 6 --polygon roofs.geojson --where 'Z > 40'", "roofs become buildings"),
+        ("./fastpoints edit scan.fastpoints --hide --clip 0,0,0,5,5,3 --sphere 9,9,0,2", "what is in both"),
+        ("./fastpoints edit scan.fastpoints --undo", "the last one"),
+        ("./fastpoints edit scan.fastpoints --list --json -", "for a script"),
+    ];
+
+    public override void Run(ParseResult parsed, CliRun run)
+    {
+        string cloud = Path.TrimEndingDirectorySeparator(parsed.GetRequiredValue(m_cloud));
+        var given = m_actions.Where(a => parsed.GetResult(a) is { Implicit: false }).ToList();
+        if (given is not [var action])
+            throw new UsageException("wanted one of " + string.Join(", ", m_actions.Select(a => a.Name)) + ", got "
+                + (given.Count == 0 ? "none" : string.Join(", ", given.Select(a => a.Name))));
+        bool isChange = action != m_list && action != m_undo && action != m_redo;
+        if (m_choices.Any(c => parsed.GetResult(c) is { Implicit: false }) != isChange)
+            throw new UsageException(action.Name + (isChange ? ": wanted which points: "
+                + string.Join(", ", m_choices.Select(c => c.Name)) : " takes no choice of points"));
+        run.Begin([cloud]);
+        if (!CloudFolder.IsCloud(cloud))
+            throw new PointCloudException(FailureCode.Unsupported, cloud, -1,
+                "wanted a converted cloud: ./fastpoints convert makes one");
+        using var reader = ConvertedReader.Open(cloud);
+        EditOperation? done = null;
+        if (isChange)
+        {
+            done = Read(parsed, reader);
+            run.RunSteps(EditCloud.Run(cloud, done, run.Progress));
+            if (done.PointsChanged == 0)
+                run.Warn(cloud + ": no point is changed, and nothing is written down");
+        }
+        else if (action != m_list)
+        {
+            done = EditCloud.Step(cloud, reader.Manifest.CloudId, action == m_undo)
+                ?? throw new UsageException(action.Name + ": there is nothing to " + action.Name.TrimStart('-'));
+        }
+        var journal = EditJournal.Read(cloud, reader.Manifest.CloudId);
+        run.WriteKeys = json => WriteKeys(json, journal, done);
+        Write(run.Out, cloud, journal, done, action.Name.TrimStart('-'));
+    }
+
+    internal static void WarnIfEdited(IEnumerable<string> clouds, CliRun run)
+    {
+        foreach (string cloud in clouds.Where(c => !SourcePath.IsRemote(c) && File.Exists(EditJournal.PathOf(c))))
+            run.Warn(cloud + ": as it is stored, without its edits; the verb convert makes a cloud with them");
+    }
+
+    EditOperation Read(ParseResult parsed, ConvertedReader reader)
+    {
+        var operation = new EditOperation
+        {
+            Action = parsed.GetValue(m_delete) ? EditAction.Delete : parsed.GetValue(m_hide) ? EditAction.Hide
+                : parsed.GetValue(m_colour) != null ? EditAction.Color : EditAction.Classify,
+        };
+        if (parsed.GetValue(m_classify) is { } number)
+            operation.Value = Bytes("--classify", "a number", 1, number);
+        if (parsed.GetValue(m_colour) is { } colour)
+            operation.Value = Bytes("--colour", "R,G,B, each", 3, colour);
+        var grid = reader.Manifest.Grid;
+        foreach (string box in parsed.GetValue(m_clip) ?? [])
+        {
+            var clip = PictureSettings.Box("--clip", box, false);
+            var half = new double3(clip.EdgesWorld.c0.x, clip.EdgesWorld.c1.y, clip.EdgesWorld.c2.z) / 2;
+            operation.Boxes.Add(EditShape.Box(grid, clip.CenterWorld - math.abs(half), clip.CenterWorld + math.abs(half)));
+        }
+        foreach (string sphere in parsed.GetValue(m_sphere) ?? [])
+        {
+            double[] of = PictureSettings.ParseNumbers(sphere);
+            if (of.Length != 4 || of[3] < 0)
+                throw new UsageException("--sphere: wanted x,y,z,R, got " + sphere);
+            operation.Balls.Add(EditShape.Ball(grid, new double3(of[0], of[1], of[2]), of[3]));
+        }
+        using var filter = m_filter.Read(parsed, reader);
+        if (filter?.EveryNth > 1)
+            throw new UsageException("--every-nth: an edit does not depend on the order of points");
+        operation.Conditions.AddRange(filter?.Expressions ?? []);
+        AddPolygons(operation, filter?.Polygons, grid);
+        return EditPlan.FindProblem(operation, reader.Manifest) is { } problem
+            ? throw new PointCloudException(FailureCode.Unsupported, reader.Info.ShownPath, -1, problem) : operation;
+    }
+
+    /// <summary>As a prism along Z; vertices lie on the nearest part of the grid's steps.</summary>
+    static void AddPolygons(EditOperation operation, FilterPolygons? polygons, CloudGrid grid)
+    {
+        if (polygons == null)
+            return;
+        ref var prism = ref operation.Prism;
+        prism.Origin = EditShape.GridOf(math.floor((new double3(polygons.Min, 0) - grid.Origin) / grid.Step));
+        prism.U = new Grid3(EditPrism.PartsOfStep, 0, 0);
+        prism.V = new Grid3(0, EditPrism.PartsOfStep, 0);
+        var from = grid.ToGeo(prism.Origin);
+        foreach (var (polygon, vertices) in polygons.Rings)
+            operation.AddRing(polygon, [.. vertices.SelectMany(vertex =>
+            {
+                var at = EditShape.GridOf(math.round((new double3(vertex, 0) - from) / grid.Step * EditPrism.PartsOfStep));
+                return new[] { at.X, at.Y };
+            })]);
+    }
+
+    static byte[] Bytes(string option, string what, int count, string text)
+    {
+        double[] of = PictureSettings.ParseNumbers(text);
+        return of.Length == count && of.All(c => c is >= 0 and <= byte.MaxValue && c == Math.Floor(c))
+            ? [.. of.Select(c => (byte)c)]
+            : throw new UsageException(option + ": wanted " + what + " of 0 to 255, got " + text);
+    }
+
+    static void WriteKeys(Utf8JsonWriter json, EditJournal journal, EditOperation? done)
+    {
+        if (done != null)
+            json.WriteInteger("pointsChanged", done.PointsChanged);
+        else
+            json.WriteNull("pointsChanged");
+        json.WriteStartArray("operations");
+        for (int i = 0; i < journal.Operations.Count; i++)
+        {
+            var operation = journal.Operations[i];
+            json.WriteStartObject();
+            json.WriteString("do", operation.Name);
+            if (operation.Action == EditAction.Classify)
+                json.WriteNumber("class", operation.Value[0]);
+            if (operation.Action == EditAction.Color)
+            {
+                json.WriteStartArray("colour");
+                foreach (byte value in operation.Value)
+                    json.WriteNumberValue(value);
+                json.WriteEndArray();
+            }
+            json.WriteNumber("boxes", operation.Boxes.Count);
+            json.WriteNumber("spheres", operation.Balls.Count);
+            json.WriteNumber("rings", operation.Rings.Count);
+            json.WriteStartArray("where");
+            foreach (var condition in operation.Conditions)
+                json.WriteStringValue(condition.Text);
+            json.WriteEndArray();
+            json.WriteInteger("pointsChanged", operation.PointsChanged);
+            json.WriteBoolean("undone", i >= journal.Count);
+            json.WriteEndObject();
+        }
+        json.WriteEndArray();
+    }
+
+    static void Write(TextWriter writer, string cloud, EditJournal journal, EditOperation? done, string action)
+    {
+        writer.WriteLine(cloud + ": " + (done == null ? NumberFormat.Count(journal.Count, "edit")
+            : action + ", " + NumberFormat.Count(done.PointsChanged, "point")));
+        for (int i = 0; i < journal.Operations.Count && done == null; i++)
+            writer.WriteLine("  " + NumberFormat.Count(i + 1).PadLeft(3) + "  " + Describe(journal.Operations[i])
+                + (i >= journal.Count ? " (undone)" : ""));
+    }
+
+    static string Describe(EditOperation operation)
+    {
+        var parts = new List<string>();
+        if (operation.Boxes.Count > 0)
+            parts.Add("in " + NumberFormat.Count(operation.Boxes.Count) + (operation.Boxes.Count == 1 ? " box" : " boxes"));
+        if (operation.Balls.Count > 0)
+            parts.Add("in " + NumberFormat.Count(operation.Balls.Count, "sphere"));
+        if (operation.Rings.Count > 0)
+            parts.Add("in polygons of " + NumberFormat.Count(operation.Rings.Count, "ring"));
+        parts.AddRange(operation.Conditions.Select(c => "where " + c.Text));
+        string what = string.Join(" ", operation.Name, string.Join(",", operation.Value)).TrimEnd();
+        return what + " " + string.Join(", ", parts) + ": " + NumberFormat.Count(operation.PointsChanged, "point");
+    }
+}

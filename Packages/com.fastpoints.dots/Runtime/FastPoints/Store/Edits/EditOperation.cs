@@ -1,0 +1,176 @@
+using System;
+using System.Collections.Generic;
+
+namespace FastPoints.Store
+{
+    internal enum EditAction
+    {
+        // Not shown or picked any more; exports have it.
+        Hide,
+        Delete,
+        Classify,
+        Color,
+    }
+
+    // One change of a cloud, to all points that lie in any of the boxes, in any of the balls and in the prism, as far as there
+    // are such, and for which the conditions hold. Conditions see what earlier operations made. Exact: nothing depends on how
+    // points are stored. It converts from and to text, without I/O.
+    internal sealed class EditOperation
+    {
+        // Of shapes, in grid steps; positions have up to 60 bits.
+        public const long MaxCoordinate = 1L << 61;
+
+        // Of the components of a prism's axes.
+        const long MaxAxis = 1L << 31;
+
+        static readonly string[] s_members = { "do", "pointsChanged", "value", "boxes", "balls", "prism", "where" };
+        static readonly string[] s_actions = { "hide", "delete", "classify", "colour" };
+
+        public EditAction Action;
+
+        // The class, or red, green and blue in eight bits, whatever the cloud has.
+        public byte[] Value = new byte[0];
+
+        public readonly List<EditShape> Boxes = new List<EditShape>();
+        public readonly List<EditShape> Balls = new List<EditShape>();
+
+        // Its bounds grow with the rings.
+        public EditPrism Prism = EditPrism.Empty;
+
+        // Closed: u and v of each vertex. Those of one polygon follow one another.
+        public readonly List<(int Polygon, long[] Vertices)> Rings = new List<(int, long[])>();
+
+        public readonly List<FilterExpression> Conditions = new List<FilterExpression>();
+
+        // Counted when it was made.
+        public long PointsChanged;
+
+        public string Name => s_actions[(int)Action];
+
+        // Those that Value is for.
+        public string[] ChangedAttributes => Action == EditAction.Classify ? new[] { AttributeNames.Classification }
+            : Action == EditAction.Color ? new[] { AttributeNames.Red, AttributeNames.Green, AttributeNames.Blue }
+            : Array.Empty<string>();
+
+        public void AddRing(int polygon, long[] vertices)
+        {
+            Rings.Add((polygon, vertices));
+            for (int i = 0; i + 1 < vertices.Length; i += 2)
+                Prism.Include(vertices[i], vertices[i + 1]);
+        }
+
+        // Whether it may change points in a box, as far as its shapes say.
+        public bool MayReach(EditShape box) =>
+            (Boxes.Count == 0 || Boxes.Exists(b => b.ReachOf(box) != EditReach.None)) &&
+            (Balls.Count == 0 || Balls.Exists(b => b.ReachOf(box) != EditReach.None)) &&
+            (!Prism.IsUsed || Prism.TryProject(box, out _));
+
+        // What is wrong with it, or null.
+        public string FindProblem()
+        {
+            foreach (var box in Boxes)
+                if (!IsWithin(box.A, MaxCoordinate) || !IsWithin(box.B, MaxCoordinate))
+                    return "a box is too far away";
+            foreach (var ball in Balls)
+            {
+                long min = ball.IsRound ? 0 : 1, max = ball.IsRound ? MaxCoordinate : EditShape.MaxUnequalRadius;
+                var low = new Grid3(min, min, min);
+                if (!IsWithin(ball.A, MaxCoordinate) || !IsWithin(ball.B, max) || Grid3.Min(ball.B, low) != low)
+                    return "a ball is too far away, or its radius is: wanted " + NumberText.Of(min) + " to " +
+                        NumberText.Of(max) + " steps, got " + ball.B;
+            }
+            return !Prism.IsUsed || IsWithin(Prism.Origin, MaxCoordinate) && IsWithin(Prism.U, MaxAxis) &&
+                IsWithin(Prism.V, MaxAxis) && IsWithin(new Grid3(Prism.MinU, Prism.MinV, Prism.MaxU), MaxCoordinate) &&
+                IsWithin(new Grid3(Prism.MaxV, 0, 0), MaxCoordinate) ? null : "a polygon is too far away or too large";
+        }
+
+        static bool IsWithin(Grid3 position, long max)
+        {
+            Grid3 high = new Grid3(max, max, max), low = default(Grid3) - high;
+            return Grid3.Max(position, high) == high && Grid3.Min(position, low) == low;
+        }
+
+        public string ToJson()
+        {
+            var json = new JsonWriter().BeginObject().Add("do", Name).Add("pointsChanged", PointsChanged).BeginArray("value");
+            foreach (byte value in Value)
+                json.Add(null, (long)value);
+            Add(json.EndArray(), "boxes", Boxes);
+            Add(json, "balls", Balls);
+            if (Prism.IsUsed)
+            {
+                json.BeginObject("prism");
+                Add(Add(Add(json, "origin", Prism.Origin), "u", Prism.U), "v", Prism.V).BeginArray("rings");
+                foreach (var (polygon, vertices) in Rings)
+                {
+                    json.BeginObject().Add("polygon", (long)polygon).BeginArray("at");
+                    foreach (long at in vertices)
+                        json.Add(null, at);
+                    json.EndArray().EndObject();
+                }
+                json.EndArray().EndObject();
+            }
+            json.BeginArray("where");
+            foreach (var condition in Conditions)
+                json.Add(null, condition.Text);
+            return json.EndArray().EndObject().ToString();
+        }
+
+        static void Add(JsonWriter json, string name, List<EditShape> shapes)
+        {
+            json.BeginArray(name);
+            foreach (var shape in shapes)
+                Add(Add(json.BeginObject(), "a", shape.A), "b", shape.B).EndObject();
+            json.EndArray();
+        }
+
+        static JsonWriter Add(JsonWriter json, string name, Grid3 value) => json.Add(name, value.X, value.Y, value.Z);
+
+        public static EditOperation FromJson(string text, string path)
+        {
+            var json = JsonMembers.Parse(text, path);
+            // It cannot be left out.
+            foreach (string name in json.Names)
+                if (Array.IndexOf(s_members, name) < 0)
+                    throw new PointCloudException(FailureCode.Unsupported, path, -1, "\"" + name + "\" is of a later version");
+            int action = Array.IndexOf(s_actions, json.Text("do"));
+            if (action < 0)
+                throw json.Bad("do", string.Join(", ", s_actions));
+            var operation = new EditOperation { Action = (EditAction)action, PointsChanged = json.Count("pointsChanged") };
+            operation.Value = Array.ConvertAll(json.Longs("value", operation.ChangedAttributes.Length),
+                value => value == (byte)value ? (byte)value : throw json.Bad("value", "numbers from 0 to 255"));
+            foreach (var box in json.Objects("boxes"))
+                operation.Boxes.Add(new EditShape { A = GridOf(box, "a"), B = GridOf(box, "b") });
+            foreach (var ball in json.Objects("balls"))
+                operation.Balls.Add(new EditShape { A = GridOf(ball, "a"), B = GridOf(ball, "b"), IsBall = true });
+            if (json.Has("prism"))
+                operation.ReadPrism(json.Object("prism"));
+            try
+            {
+                operation.Conditions.AddRange(json.Texts("where").ConvertAll(FilterExpression.Parse));
+            }
+            catch (FormatException e)
+            {
+                throw json.Wrong("where", e.Message, e);
+            }
+            string problem = operation.FindProblem();
+            return problem == null ? operation : throw new PointCloudException(FailureCode.BadInput, path, -1, problem);
+        }
+
+        void ReadPrism(JsonMembers prism)
+        {
+            (Prism.Origin, Prism.U, Prism.V) = (GridOf(prism, "origin"), GridOf(prism, "u"), GridOf(prism, "v"));
+            foreach (var ring in prism.Objects("rings"))
+                AddRing(ring.Int("polygon"), ring.Longs("at"));
+            // Without one it would mean all points.
+            if (!Prism.IsUsed || Rings.Exists(ring => ring.Vertices.Length % 2 != 0))
+                throw prism.Bad("rings", "u and v of each vertex");
+        }
+
+        static Grid3 GridOf(JsonMembers json, string name)
+        {
+            long[] steps = json.Longs(name, 3);
+            return new Grid3(steps[0], steps[1], steps[2]);
+        }
+    }
+}

@@ -1,0 +1,213 @@
+using System;
+using Unity.Mathematics;
+
+namespace FastPoints.Store
+{
+    // How much of a box a shape holds.
+    internal enum EditReach
+    {
+        None,
+        Some,
+        All,
+    }
+
+    // A box from A to B, both included; or a ball around A with B's radii in steps, which differ where a grid's steps do.
+    internal struct EditShape
+    {
+        // Larger radii that differ would not fit the arithmetic.
+        public const long MaxUnequalRadius = 1 << 20;
+
+        public Grid3 A;
+        public Grid3 B;
+        public bool IsBall;
+
+        // The positions whose coordinates lie in a box, faces included. What rounding alone puts outside counts as inside, as in
+        // LocalClip.
+        public static EditShape Box(in CloudGrid grid, double3 min, double3 max)
+        {
+            var reach = (math.abs(min) + math.abs(max) + math.abs(grid.Origin)) * 4.5e-16;
+            return new EditShape
+            {
+                A = GridOf(math.ceil((min - grid.Origin - reach) / grid.Step)),
+                B = GridOf(math.floor((max - grid.Origin + reach) / grid.Step)),
+            };
+        }
+
+        // The centre lies on the nearest grid position.
+        public static EditShape Ball(in CloudGrid grid, double3 center, double radius)
+        {
+            var ball = new EditShape
+            {
+                A = GridOf(math.round((center - grid.Origin) / grid.Step)),
+                B = GridOf(math.floor(radius / grid.Step * (1 + 4.5e-16))),
+                IsBall = true,
+            };
+            if (!ball.IsRound)
+                ball.B = Grid3.Max(ball.B, new Grid3(1, 1, 1));
+            return ball;
+        }
+
+        public static Grid3 GridOf(double3 steps)
+        {
+            steps = math.clamp(steps, -EditOperation.MaxCoordinate, EditOperation.MaxCoordinate);
+            return new Grid3((long)steps.x, (long)steps.y, (long)steps.z);
+        }
+
+        public readonly bool IsRound => B.X == B.Y && B.Y == B.Z;
+
+        public readonly bool Holds(Grid3 p)
+        {
+            if (!IsBall)
+                return Grid3.Min(p, A) == A && Grid3.Max(p, B) == B;
+            long x = p.X - A.X, y = p.Y - A.Y, z = p.Z - A.Z, radius = B.X;
+            if (math.abs(x) > B.X || math.abs(y) > B.Y || math.abs(z) > B.Z)
+                return false;
+            if (IsRound && radius < 1 << 30)
+                return x * x + y * y + z * z <= radius * radius;
+            if (!IsRound)
+                (x, y, z, radius) = (x * B.Y * B.Z, y * B.X * B.Z, z * B.X * B.Y, radius * B.Y * B.Z);
+            var distance = Long2.Product(x, x) + Long2.Product(y, y) + Long2.Product(z, z);
+            return distance.CompareTo(Long2.Product(radius, radius)) <= 0;
+        }
+
+        public readonly EditReach ReachOf(in EditShape box)
+        {
+            // The nearest of its positions, and the farthest.
+            var center = IsBall ? A : Grid3.Max(A, Grid3.Min(B, box.A));
+            if (!Holds(Grid3.Min(Grid3.Max(center, box.A), box.B)))
+                return EditReach.None;
+            return Holds(IsBall ? new Grid3(Farther(box.A.X, box.B.X, A.X), Farther(box.A.Y, box.B.Y, A.Y),
+                Farther(box.A.Z, box.B.Z, A.Z)) : box.A) && (IsBall || Holds(box.B)) ? EditReach.All : EditReach.Some;
+        }
+
+        static long Farther(long a, long b, long from) => math.abs(a - from) > math.abs(b - from) ? a : b;
+    }
+
+    // Where polygons are drawn: a position is seen at u = dot(position - Origin, U), v likewise, so that U and V say how finely,
+    // and from where. They reach without end along what is across both.
+    internal struct EditPrism
+    {
+        // How finely polygons along an axis are drawn.
+        public const int PartsOfStep = 1024;
+
+        public Grid3 Origin;
+        public Grid3 U;
+        public Grid3 V;
+
+        // Of all vertices.
+        public long MinU;
+        public long MinV;
+        public long MaxU;
+        public long MaxV;
+
+        public static EditPrism Empty => new EditPrism
+        {
+            MinU = long.MaxValue,
+            MinV = long.MaxValue,
+            MaxU = long.MinValue,
+            MaxV = long.MinValue,
+        };
+
+        public readonly bool IsUsed => MaxU >= MinU;
+
+        public void Include(long u, long v)
+        {
+            (MinU, MaxU) = (math.min(MinU, u), math.max(MaxU, u));
+            (MinV, MaxV) = (math.min(MinV, v), math.max(MaxV, v));
+        }
+
+        // Around what is seen of a box, a little larger than the polygons' bounds at most. False if nothing of it is.
+        public readonly bool TryProject(in EditShape box, out EditEdge seen)
+        {
+            Grid3 low = box.A - Origin, high = box.B - Origin;
+            seen = new EditEdge
+            {
+                FromU = Dot(U, low, high).Clamp(MinU - 1, MaxU + 1),
+                FromV = Dot(V, low, high).Clamp(MinV - 1, MaxV + 1),
+                ToU = Dot(U, high, low).Clamp(MinU - 1, MaxU + 1),
+                ToV = Dot(V, high, low).Clamp(MinV - 1, MaxV + 1),
+            };
+            return seen.ToU >= MinU && seen.FromU <= MaxU && seen.ToV >= MinV && seen.FromV <= MaxV;
+        }
+
+        static Long2 Dot(Grid3 axis, Grid3 ofPositive, Grid3 ofNegative) =>
+            Long2.Product(axis.X, axis.X < 0 ? ofNegative.X : ofPositive.X) +
+            Long2.Product(axis.Y, axis.Y < 0 ? ofNegative.Y : ofPositive.Y) +
+            Long2.Product(axis.Z, axis.Z < 0 ? ofNegative.Z : ofPositive.Z);
+    }
+
+    // An edge of a ring, in the prism's plane.
+    internal unsafe struct EditEdge
+    {
+        public long FromU;
+        public long FromV;
+        public long ToU;
+        public long ToV;
+
+        // Edges of one polygon have one number, and follow one another.
+        public int Polygon;
+
+        // Whether it has to do with places in the box around another: crosses it, or lies to its right.
+        public readonly bool MayMatterTo(in EditEdge box, out bool mayCross)
+        {
+            bool isInRow = math.max(FromV, ToV) >= box.FromV && math.min(FromV, ToV) <= box.ToV &&
+                math.max(FromU, ToU) >= box.FromU;
+            mayCross = isInRow && math.min(FromU, ToU) <= box.ToU;
+            return isInRow;
+        }
+
+        // Whether any polygon holds a place: by an even-odd count of its edges, or on one.
+        public static bool Hold(EditEdge* edges, int* near, int count, long u, long v)
+        {
+            int polygon = 0;
+            bool isInside = false;
+            var place = new EditEdge { FromU = u, ToU = u, FromV = v, ToV = v };
+            for (int n = 0; n < count; n++)
+            {
+                ref var edge = ref edges[near[n]];
+                if (edge.Polygon != polygon && isInside)
+                    return true;
+                polygon = edge.Polygon;
+                if (!edge.MayMatterTo(place, out bool mayCross))
+                    continue;
+                long across = edge.ToU - edge.FromU, up = edge.ToV - edge.FromV;
+                int side = Long2.Product(across, v - edge.FromV).CompareTo(Long2.Product(up, u - edge.FromU));
+                if (side == 0 && mayCross)
+                    return true;
+                if (edge.FromV > v != edge.ToV > v && side > 0 == up > 0)
+                    isInside = !isInside;
+            }
+            return isInside;
+        }
+    }
+
+    // A whole number of 128 bits, for products of positions.
+    internal readonly struct Long2 : IComparable<Long2>
+    {
+        readonly long m_high;
+        readonly ulong m_low;
+
+        Long2(long high, ulong low) => (m_high, m_low) = (high, low);
+
+        public static Long2 Product(long a, long b)
+        {
+            ulong x = (ulong)a, y = (ulong)b, xLow = (uint)x, xHigh = x >> 32, yLow = (uint)y, yHigh = y >> 32;
+            ulong low = xLow * yLow, between = xHigh * yLow + (low >> 32), other = xLow * yHigh + (uint)between;
+            ulong high = xHigh * yHigh + (between >> 32) + (other >> 32);
+            high -= (a < 0 ? y : 0) + (b < 0 ? x : 0);
+            return new Long2((long)high, other << 32 | (uint)low);
+        }
+
+        public static Long2 operator +(Long2 a, Long2 b)
+        {
+            ulong low = a.m_low + b.m_low;
+            return new Long2(a.m_high + b.m_high + (low < a.m_low ? 1 : 0), low);
+        }
+
+        public int CompareTo(Long2 other) =>
+            m_high != other.m_high ? m_high.CompareTo(other.m_high) : m_low.CompareTo(other.m_low);
+
+        public long Clamp(long min, long max) =>
+            CompareTo(Product(min, 1)) <= 0 ? min : CompareTo(Product(max, 1)) >= 0 ? max : (long)m_low;
+    }
+}
