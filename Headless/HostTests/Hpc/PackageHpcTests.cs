@@ -18,7 +18,8 @@ public sealed class PackageHpcTests(string generation)
         Assert.That(verifier.WalkedCount, Is.GreaterThan(builds.Package.SelectMany(HpcEntries.Jobs).Count()));
     }
 
-    private static readonly string[] s_managedJobs = { "FastPoints.Reading.DecompressJob" };
+    // They call what only managed code can.
+    private static readonly string[] s_managedJobs = { "FastPoints.Reading.DecompressJob", "FastPoints.Surface.BakeMeshJob" };
 
     /// <summary>A job without the attribute runs, slowly, and no walk starts at it. Tests may have such.</summary>
     [Test]

@@ -102,15 +102,14 @@ namespace FastPoints.Store
 
         readonly EditPlan m_plan;
         readonly PointBatch m_block;
-        readonly List<IDisposable> m_owned = new List<IDisposable>();
         EditNodeJob m_job;
 
         // For nodes with these planes, the position's first.
         public EditSlot(EditPlan plan, StoreLayout layout, IReadOnlyList<int> planes, int maxBlocks)
         {
             m_plan = plan;
-            m_block = Own(new PointBatch(plan.Schema, PlaneShape.MaxPointsPerBlock, Allocator.Persistent));
-            Values = Own(new PointBatch(plan.Changed, maxBlocks * PlaneShape.MaxPointsPerBlock, Allocator.Persistent));
+            m_block = new PointBatch(plan.Schema, PlaneShape.MaxPointsPerBlock, Allocator.Persistent);
+            Values = new PointBatch(plan.Changed, maxBlocks * PlaneShape.MaxPointsPerBlock, Allocator.Persistent);
             var steps = new List<EditStep>();
             var shapes = new List<EditShape>();
             var edges = new List<EditEdge>();
@@ -165,18 +164,23 @@ namespace FastPoints.Store
 
         public void Dispose()
         {
-            foreach (var memory in m_owned)
-                memory.Dispose();
-            m_owned.Clear();
+            if (!m_job.Steps.IsCreated)
+                return;
+            m_block.Dispose();
+            Values.Dispose();
+            m_job.Steps.Dispose();
+            m_job.Shapes.Dispose();
+            m_job.Edges.Dispose();
+            m_job.Conditions.Dispose();
+            m_job.Columns.Dispose();
+            m_job.Axes.Dispose();
+            m_job.Near.Dispose();
+            m_job.Points.Dispose();
+            m_job.Changed.Dispose();
+            m_job = default;
         }
 
-        T Own<T>(T memory) where T : IDisposable
-        {
-            m_owned.Add(memory);
-            return memory;
-        }
-
-        NativeArray<T> Array<T>(T[] values) where T : unmanaged => Own(new NativeArray<T>(values, Allocator.Persistent));
+        static NativeArray<T> Array<T>(T[] values) where T : unmanaged => new NativeArray<T>(values, Allocator.Persistent);
 
         EditStep StepOf(EditOperation operation, List<EditShape> shapes, List<EditEdge> edges, List<FilterStep> conditions)
         {
