@@ -52,7 +52,7 @@ abstract class PartStages : IDisposable
 /// them. The bytes are those that one build of everything would write.</summary>
 sealed class PartBuild : PartStages
 {
-    RecordFetch? m_fetch;
+    FileWork? m_fetch;
     OctreeBuild? m_octree;
 
     PartBuild(BuildContext build, PartSelection? selection) : base(build, selection) { }
@@ -73,7 +73,7 @@ sealed class PartBuild : PartStages
     /// <summary>Coroutine: from packed records in a file.</summary>
     /// <param name="records">Number of records.</param>
     /// <param name="fetch">Writes the file, on the thread that writes; it may be called again.</param>
-    public static IEnumerator<JobStep> RunRecords(BuildPart part, long records, RecordFetch fetch, PartOutput output) =>
+    public static IEnumerator<JobStep> RunRecords(BuildPart part, long records, FileWork fetch, PartOutput output) =>
         Run(() => new PartBuild(new BuildContext(part, Array.Empty<PointReader>(), records, output.Folder, output.Settings,
             output.Progress), null)
         { m_fetch = fetch }, output.Take);
@@ -141,10 +141,10 @@ sealed class PartBuild : PartStages
         Build.RequireRoom(Build.Points);
         string path = Build.Folder.PathOf(BuildFiles.RecordPath(0));
         RecordBlocks? blocks = null;
-        yield return JobStep.Of(Build.Folder.Run(BuildFiles.RecordPath(0), () =>
+        yield return JobStep.Of(Build.Folder.Run(BuildFiles.RecordPath(0), file =>
         {
-            m_fetch(path);
-            blocks = RecordBlocks.Read(path, Build.Records.StrideBytes);
+            m_fetch(file);
+            blocks = RecordBlocks.Read(file, Build.Records.StrideBytes);
         }));
         if (blocks!.Records != Build.Points)
             throw PointCloudException.Wanted(FailureCode.ReadFailed, path, -1, "points of the part", Build.Points,
@@ -235,8 +235,6 @@ sealed class PartBuild : PartStages
     }
 }
 
-/// <summary>Writes packed records, blocks one after the other, to a file, on the thread that writes.</summary>
-internal delegate void RecordFetch(string path);
 
 /// <summary>Where a task of a build of many goes.</summary>
 struct PartOutput

@@ -126,7 +126,7 @@ class PartBuildTests : FolderTests
         JobCoroutine.RunToEnd(ConvertCloud.Run(new[] { reader }, Folder.File("whole"), Settings(), _ => { }, null));
     }
 
-    void BuildOutside(CloudPlan plan, List<PartResult> results, long count, RecordFetch fetch, List<string> folders)
+    void BuildOutside(CloudPlan plan, List<PartResult> results, long count, FileWork fetch, List<string> folders)
     {
         var found = PointStatistics.None;
         foreach (var result in results)

@@ -121,7 +121,8 @@ namespace FastPoints.Build
         }));
 
         /// <summary>Coroutine: work that writes a file, behind everything queued. Who stops it waits for its end.</summary>
-        public IEnumerator<JobStep> Run(string name, Action work) => Await(m_queue.Run(PathOf(name), work));
+        public IEnumerator<JobStep> Run(string name, FileWork work) =>
+            Await(m_queue.Run(PathOf(name), () => work(PathOf(name))));
 
         /// <summary>Queues a file. The bytes belong to the writer until the ticket is done; no job may use them.</summary>
         public WriteTicket Write(string name, NativeArray<byte> bytes) => m_queue.Write(PathOf(name), bytes);
@@ -372,4 +373,7 @@ namespace FastPoints.Build
         static string PathOf(string folder, int number) =>
             folder + "/" + number.ToString("D6", CultureInfo.InvariantCulture) + ".bin";
     }
+
+    /// <summary>Work with one file, on the thread that writes; it may be done again.</summary>
+    internal delegate void FileWork(string path);
 }
