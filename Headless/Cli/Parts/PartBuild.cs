@@ -235,7 +235,6 @@ sealed class PartBuild : PartStages
     }
 }
 
-
 /// <summary>Where a task of a build of many goes.</summary>
 struct PartOutput
 {
