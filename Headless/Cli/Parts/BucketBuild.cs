@@ -67,7 +67,7 @@ sealed class BucketBuild : PartStages
     {
         var files = Build.Files;
         string path = Build.Folder.PathOf(BuildFiles.BucketName);
-        return Build.Folder.Run(BuildFiles.BucketName, () =>
+        return Build.Folder.Run(BuildFiles.BucketName, _ =>
         {
             using var to = FileChanges.OpenToWrite(path, FileMode.Create);
             foreach (var range in ranges)
