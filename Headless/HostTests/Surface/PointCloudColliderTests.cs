@@ -348,7 +348,7 @@ public sealed class PointCloudColliderTests : ScratchTests
                 // By then all has been compiled.
                 if (x > -15)
                     times.Add(ThreadMs() - begin);
-                Thread.Sleep(2);
+                Thread.Yield();
             }
             while (!IsAtRest(collider) && collider.Error == null);
         }
