@@ -56,7 +56,8 @@ sealed class PlanStep
         CliRun run)
     {
         CloudPlan? made = null;
-        run.RunSteps(ConvertCloud.Plan([reader], settings, p => made = p, run.Progress));
+        run.RunSteps(ConvertCloud.Plan([reader], settings,
+            (build, values, records) => made = CloudPlan.Of(build, values, records), run.Progress));
         run.Progress.Begin(TaskStage);
         var step = new PlanStep(request, made!, reader);
         var result = step.Write();

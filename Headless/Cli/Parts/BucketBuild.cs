@@ -22,7 +22,7 @@ sealed class BucketBuild : PartStages
             output.Folder, output.Settings, output.Progress), selection);
         var build = bucket.Build;
         build.Progress?.Begin(BuildStages.Read);
-        build.Map = PartitionMap.Of(whole.Whole, cubes);
+        build.Map = PlannedParts.MapOf(whole.Whole, cubes);
         build.Map.BaseCells = whole.BaseCells;
         yield return JobStep.Of(bucket.Read());
         whole.RequireDivisors(bucket.Scatter.Attributes, reader.Info.Path);

@@ -114,7 +114,7 @@ sealed class PartBuild : PartStages
                 yield return JobStep.Of(SourceSample.Read(reader, Build.InFlightMs, Build.Settings.Workers,
                     MemoryPlan.ReadBytesOf(Build.Settings), (_, loaded) => loaded, samples.Add));
             if (samples.Count == 0)
-                Build.Map = PartitionMap.Of(part.Cube, new[] { part.Cube });
+                Build.Map = PlannedParts.MapOf(part.Cube, new[] { part.Cube });
             else
                 yield return JobStep.Of(PartitionPlan.Of(part.Cube, samples, Build.Grid, Build.Plan, Build.Slices,
                     map => Build.Map = map));

@@ -53,7 +53,7 @@ public sealed class FilterSettings
             if (parsed.GetValue(m_where) is { } where)
                 Add(filter, reader, "--where", where);
             if (parsed.GetValue(m_polygon) is { } polygon)
-                filter.Polygons = FilterPolygons.Read(polygon);
+                filter.Polygons = PolygonFile.Read(polygon);
             return filter.IsEmpty ? null : filter;
         }
         catch

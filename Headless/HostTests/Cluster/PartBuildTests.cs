@@ -68,7 +68,8 @@ class PartBuildTests : FolderTests
     {
         CloudPlan plan = null;
         using var reader = Reader();
-        JobCoroutine.RunToEnd(ConvertCloud.Plan(new[] { reader }, Settings(), p => plan = p, null));
+        JobCoroutine.RunToEnd(ConvertCloud.Plan(new[] { reader }, Settings(),
+            (build, values, records) => plan = CloudPlan.Of(build, values, records), null));
         m_cloudId = plan.Whole.CloudId;
         return plan;
     }

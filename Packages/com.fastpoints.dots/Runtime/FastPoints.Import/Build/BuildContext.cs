@@ -213,27 +213,10 @@ namespace FastPoints.Build
         public GridCube Cube;
         public GridCube[] BaseCells;
 
+        public BuildPart Clone() => (BuildPart)MemberwiseClone();
+
         /// <summary>Whether there are no other parts.</summary>
         public bool IsWhole => Cube.Corner == Whole.Corner && Cube.SideLog2 == Whole.SideLog2;
-
-        /// <summary>The part of a smaller cube, which holds base cells.</summary>
-        public BuildPart Of(GridCube cube)
-        {
-            var part = (BuildPart)MemberwiseClone();
-            part.Cube = cube;
-            part.BaseCells = Array.FindAll(BaseCells, cell => cube.Contains(cell));
-            return part;
-        }
-
-        /// <summary>The part of the points outside of the whole cube: the octants around it that hold all points.</summary>
-        public BuildPart OfOutside(in PointStatistics found)
-        {
-            var part = (BuildPart)MemberwiseClone();
-            var cells = new BaseCells(Whole, new[] { Whole }, RootCube.Grow(Whole, found.Min, found.Max));
-            part.Cube = cells.Root;
-            part.BaseCells = cells.All;
-            return part;
-        }
 
         /// <summary>A cube that holds all points of the cloud: the smallest one if the part knows all of them.</summary>
         public GridCube RootOf(in PointStatistics found)
@@ -242,34 +225,6 @@ namespace FastPoints.Build
                 return Cube.Contains(Whole) ? Cube : Whole;
             var grown = RootCube.Grow(Whole, found.Min, found.Max);
             return grown.Length > 0 ? grown[grown.Length - 1] : Whole;
-        }
-
-        /// <exception cref="PointCloudException">A value is no multiple of what the plan's sample showed.</exception>
-        public void RequireDivisors(IReadOnlyList<AttributeStatistics> found, string path)
-        {
-            for (int a = 0; a < Attributes.Count; a++)
-                if (!found[a].IsEmpty && (Divisors[a] == 257 ? found[a].Modulo257Or != 0
-                    : (found[a].Or & (ulong)(Divisors[a] - 1)) != 0))
-                    throw new PointCloudException(FailureCode.BadInput, path, -1, "values of " + Attributes[a].Name +
-                        " are no multiples of " + Divisors[a] + ", as those of the plan's sample are: " +
-                        "plan again with --divisors 1");
-        }
-
-        /// <summary>What the nodes of all parts have in common; counts and ranges are not known.</summary>
-        public CloudManifest ToManifest(Sampler sampler)
-        {
-            var manifest = new CloudManifest
-            {
-                Sampler = sampler.ToString().ToLowerInvariant(),
-                Root = Whole,
-                CloudId = CloudId,
-                Grid = Grid,
-                Attributes = Attributes,
-                Divisors = Divisors,
-                Ranges = new CloudManifest.Range[Attributes.Count],
-            };
-            Array.Fill(manifest.Ranges, new CloudManifest.Range { Min = double.NaN, Max = double.NaN });
-            return manifest;
         }
     }
 

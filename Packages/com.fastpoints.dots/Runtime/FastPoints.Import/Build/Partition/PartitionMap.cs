@@ -24,7 +24,9 @@ namespace FastPoints.Build
         NativeArray<int> m_chunkOfCell;
         readonly int m_partLevels;
 
-        PartitionMap(GridCube cube, int levels, int partLevels, NativeArray<int> chunkOfCell, GridCube[] chunks)
+        /// <param name="partLevels">Of the parts of cells that have some.</param>
+        /// <param name="chunkOfCell">Owned.</param>
+        public PartitionMap(GridCube cube, int levels, int partLevels, NativeArray<int> chunkOfCell, GridCube[] chunks)
         {
             Cube = cube;
             Levels = levels;
@@ -83,46 +85,6 @@ namespace FastPoints.Build
                 }
                 for (int octant = 0; octant < 8; octant++)
                     Descend(part.Child(octant), first + octant * (count / 8), count / 8);
-            }
-        }
-
-        /// <summary>The map to cubes of the octree that fill a cube, in Morton order.</summary>
-        public static PartitionMap Of(GridCube cube, GridCube[] chunks)
-        {
-            int smallest = cube.SideLog2;
-            foreach (var chunk in chunks)
-                smallest = Math.Min(smallest, chunk.SideLog2);
-            int levels = Math.Min(MaxLevels, cube.SideLog2 - smallest), cellLog2 = cube.SideLog2 - levels, next = 0;
-            var cells = new List<int>();
-            var parts = new List<int>();
-            Descend(cube);
-            cells.AddRange(parts);
-            return new PartitionMap(cube, levels, cellLog2 - smallest,
-                new NativeArray<int>(cells.ToArray(), Allocator.Persistent), chunks);
-
-            void Add(List<int> to, int sideLog2)
-            {
-                for (int i = 0; i < 1 << 3 * (chunks[next].SideLog2 - sideLog2); i++)
-                    to.Add(next);
-                next++;
-            }
-
-            void Descend(GridCube part)
-            {
-                if (chunks[next].SideLog2 == part.SideLog2)
-                {
-                    Add(cells, cellLog2);
-                    return;
-                }
-                if (part.SideLog2 == cellLog2)
-                {
-                    cells.Add(~((1 << 3 * levels) + parts.Count));
-                    while (next < chunks.Length && part.Contains(chunks[next]))
-                        Add(parts, smallest);
-                    return;
-                }
-                for (int octant = 0; octant < 8; octant++)
-                    Descend(part.Child(octant));
             }
         }
 

@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using System.IO;
 using FastPoints.Store;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
@@ -18,13 +17,10 @@ namespace FastPoints.Reading
         public int Polygon;
     }
 
-    /// <summary>Polygons with holes, from GeoJSON or WKT, and their edges by slabs of y, so that a point is compared with few of
+    /// <summary>Polygons with holes, and their edges by slabs of y, so that a point is compared with few of
     /// them. A point belongs if any polygon holds it: by an even-odd count of that polygon's rings, or on an edge.</summary>
     internal sealed class FilterPolygons : IDisposable
     {
-        const long MaxFileBytes = 256 << 20;
-        const int MaxDepth = 32;
-
         readonly List<FilterEdge> m_edges = new List<FilterEdge>();
         readonly List<(int Polygon, double2[] Vertices)> m_rings = new List<(int, double2[])>();
         double2 m_min = new double2(double.PositiveInfinity, double.PositiveInfinity);
@@ -47,33 +43,21 @@ namespace FastPoints.Reading
         public unsafe ulong Hash => ContentHash.Of(EdgesOfSlabs.GetUnsafeReadOnlyPtr(),
             (long)EdgesOfSlabs.Length * sizeof(FilterEdge)) ^ math.asulong(m_min.x) ^ 2 * math.asulong(m_min.y);
 
-        /// <exception cref="PointCloudException">The file cannot be read or is no polygon.</exception>
-        public static FilterPolygons Read(string path)
+        /// <param name="polygons">Rings of each; an open one is closed.</param>
+        /// <exception cref="FormatException">There are no vertices, or one is not finite.</exception>
+        public static FilterPolygons Of(IEnumerable<IEnumerable<double2[]>> polygons)
         {
-            try
+            var made = new FilterPolygons();
+            foreach (var rings in polygons)
             {
-                if (new FileInfo(path).Length > MaxFileBytes)
-                    throw new FormatException("wanted at most " + MaxFileBytes + " bytes");
-                return Parse(File.ReadAllText(path));
+                made.m_polygons++;
+                foreach (var ring in rings)
+                    made.AddRing(ring);
             }
-            catch (Exception e) when (e is FormatException || e is IOException || e is UnauthorizedAccessException)
-            {
-                throw new PointCloudException(FailureCode.BadInput, path, -1, "no polygon: " + e.Message);
-            }
-        }
-
-        /// <exception cref="FormatException">It is neither GeoJSON nor WKT with polygons.</exception>
-        public static FilterPolygons Parse(string text)
-        {
-            var polygons = new FilterPolygons();
-            if (text.TrimStart('\uFEFF', ' ', '\t', '\r', '\n').StartsWith("{", StringComparison.Ordinal))
-                polygons.AddGeoJson(JsonReader.Parse(text.TrimStart('\uFEFF')), 0);
-            else
-                new WktPolygons(text, polygons).Read();
-            if (polygons.m_edges.Count == 0)
+            if (made.m_edges.Count == 0)
                 throw new FormatException("wanted a Polygon or a MultiPolygon, got none");
-            polygons.MakeSlabs();
-            return polygons;
+            made.MakeSlabs();
+            return made;
         }
 
         public void Dispose()
@@ -85,71 +69,16 @@ namespace FastPoints.Reading
             FirstOfSlab = default;
         }
 
-        void AddGeoJson(object value, int depth)
+        void AddRing(double2[] points)
         {
-            if (depth > MaxDepth || !(value is Dictionary<string, object> members))
-                throw new FormatException("wanted an object of GeoJSON, got " + JsonReader.Describe(value));
-            members.TryGetValue("type", out object type);
-            switch (type as string)
-            {
-                case "FeatureCollection":
-                    foreach (object feature in ListOf(members, "features"))
-                        AddGeoJson(feature, depth + 1);
-                    break;
-                case "GeometryCollection":
-                    foreach (object geometry in ListOf(members, "geometries"))
-                        AddGeoJson(geometry, depth + 1);
-                    break;
-                case "Feature":
-                    if (members.TryGetValue("geometry", out object featureGeometry) && featureGeometry != null)
-                        AddGeoJson(featureGeometry, depth + 1);
-                    break;
-                case "Polygon":
-                    AddRings(ListOf(members, "coordinates"));
-                    break;
-                case "MultiPolygon":
-                    foreach (object polygon in ListOf(members, "coordinates"))
-                        AddRings(ListOf(polygon));
-                    break;
-                default:
-                    throw new FormatException("wanted a Polygon or a MultiPolygon, got " + JsonReader.Describe(type));
-            }
-        }
-
-        void AddRings(List<object> rings)
-        {
-            m_polygons++;
-            foreach (object ring in rings)
-            {
-                var points = new List<double2>();
-                foreach (object item in ListOf(ring))
-                {
-                    var at = ListOf(item);
-                    if (at.Count < 2)
-                        throw new FormatException("wanted x and y, got " + at.Count + " numbers");
-                    points.Add(new double2(JsonReader.ToDouble(at[0]), JsonReader.ToDouble(at[1])));
-                }
-                AddRing(points);
-            }
-        }
-
-        static List<object> ListOf(Dictionary<string, object> members, string name) =>
-            ListOf(members.TryGetValue(name, out object value) ? value : null);
-
-        static List<object> ListOf(object value) =>
-            value as List<object> ?? throw new FormatException("wanted a list, got " + JsonReader.Describe(value));
-
-        /// <summary>An open ring is closed.</summary>
-        void AddRing(List<double2> points)
-        {
-            m_rings.Add((m_polygons, points.ToArray()));
-            for (int i = 0; i < points.Count; i++)
+            m_rings.Add((m_polygons, points));
+            for (int i = 0; i < points.Length; i++)
             {
                 if (!math.isfinite(points[i].x) || !math.isfinite(points[i].y))
                     throw new FormatException("wanted finite coordinates");
                 m_min = new double2(math.min(m_min.x, points[i].x), math.min(m_min.y, points[i].y));
                 m_max = new double2(math.max(m_max.x, points[i].x), math.max(m_max.y, points[i].y));
-                m_edges.Add(new FilterEdge { From = points[i], To = points[(i + 1) % points.Count], Polygon = m_polygons });
+                m_edges.Add(new FilterEdge { From = points[i], To = points[(i + 1) % points.Length], Polygon = m_polygons });
             }
         }
 
@@ -197,101 +126,5 @@ namespace FastPoints.Reading
 
         public static int SlabOf(double y, double height, int slabs) =>
             height > 0 ? (int)math.clamp(y / height * slabs, 0, slabs - 1) : 0;
-
-        /// <summary>POLYGON and MULTIPOLYGON of WKT; what follows x and y of a vertex is skipped.</summary>
-        sealed class WktPolygons
-        {
-            readonly string m_text;
-            readonly FilterPolygons m_target;
-            int m_at;
-
-            public WktPolygons(string text, FilterPolygons to) => (m_text, m_target) = (text, to);
-
-            public void Read()
-            {
-                string word = Word();
-                if (word.StartsWith("SRID", StringComparison.OrdinalIgnoreCase) && m_text.IndexOf(';') is var end && end >= 0)
-                {
-                    m_at = end + 1;
-                    word = Word();
-                }
-                bool isMany = word.Equals("MULTIPOLYGON", StringComparison.OrdinalIgnoreCase);
-                if (!isMany && !word.Equals("POLYGON", StringComparison.OrdinalIgnoreCase))
-                    throw Bad("GeoJSON, POLYGON or MULTIPOLYGON");
-                if (char.IsLetter(Peek()))
-                    Word();
-                if (isMany)
-                    InParentheses(Polygon);
-                else
-                    Polygon();
-                if (Peek() != '\0')
-                    throw Bad("the end");
-            }
-
-            void Polygon()
-            {
-                m_target.m_polygons++;
-                InParentheses(Ring);
-            }
-
-            void Ring()
-            {
-                var points = new List<double2>();
-                InParentheses(() =>
-                {
-                    points.Add(new double2(Number(), Number()));
-                    while (Peek() != ',' && Peek() != ')')
-                        Number();
-                });
-                m_target.AddRing(points);
-            }
-
-            void InParentheses(Action item)
-            {
-                Take('(');
-                item();
-                while (Peek() == ',')
-                {
-                    m_at++;
-                    item();
-                }
-                Take(')');
-            }
-
-            double Number()
-            {
-                Peek();
-                int from = m_at;
-                while (m_at < m_text.Length && "+-.eE0123456789".IndexOf(m_text[m_at]) >= 0)
-                    m_at++;
-                return NumberText.TryRead(m_text.Substring(from, m_at - from), out double value) ? value : throw Bad("a number");
-            }
-
-            string Word()
-            {
-                Peek();
-                int from = m_at;
-                while (m_at < m_text.Length && char.IsLetter(m_text[m_at]))
-                    m_at++;
-                return m_text.Substring(from, m_at - from);
-            }
-
-            void Take(char wanted)
-            {
-                if (Peek() != wanted)
-                    throw Bad("'" + wanted + "'");
-                m_at++;
-            }
-
-            char Peek()
-            {
-                while (m_at < m_text.Length && char.IsWhiteSpace(m_text[m_at]))
-                    m_at++;
-                return m_at < m_text.Length ? m_text[m_at] : '\0';
-            }
-
-            FormatException Bad(string wanted) => new FormatException("wanted " + wanted + " at character " + (m_at + 1) +
-                ", got " + (m_at < m_text.Length ? "'" + m_text[m_at] + "'" : "the end"));
-        }
     }
 }

@@ -1,7 +1,7 @@
 using System.Collections.Generic;
 using Unity.Jobs;
 
-namespace FastPoints
+namespace FastPoints.Evaluation
 {
     internal static class CoroutineGroup
     {
