@@ -367,7 +367,7 @@ public sealed class ViewToolsTests : BrowserTests
         reader.Info.AlsoSampled = columns;
         if (!reader.BlocksAreKnown)
             JobCoroutine.RunToEnd(reader.FindBlocks());
-        using var sampler = new PreviewSampler(reader, 100_000, 1);
+        using var sampler = new WaveSampler(reader, 100_000, 1);
         JobCoroutine.RunToEnd(sampler.Run(0, null));
         using var sample = sampler.TakeSample();
         var points = sample.Points;

@@ -34,7 +34,7 @@ sealed class BuildPlan
     /// <summary>What is known of the cloud before its points.</summary>
     public required CloudManifest Cloud { get; init; }
 
-    public required BuildTasks Builds { get; init; }
+    public required BuildAssignment Builds { get; init; }
     public int Tasks => Builds.Tasks;
 
     /// <summary>None where builds read sources.</summary>
@@ -92,7 +92,7 @@ sealed class BuildPlan
         json.WriteNumber("points", Whole.Points);
         json.WriteNumber("pointsPerChunk", Whole.PointsPerChunk);
         json.WritePropertyName("whole");
-        PlanFile.WriteCube(json, Whole.Whole);
+        PlanFile.WriteCube(json, Whole.CloudCube);
         json.WritePropertyName("firstBuilds");
         // On a line, not on one each.
         json.WriteRawValue("[" + string.Join(',', Builds.First) + "]");
@@ -166,11 +166,11 @@ sealed class BuildPlan
                     cloud.Attributes.BytesPerPoint),
                 Attributes = cloud.Attributes,
                 Divisors = cloud.Divisors,
-                Whole = whole,
+                CloudCube = whole,
                 Cube = whole,
                 BaseCells = [],
             },
-            Builds = new BuildTasks(json.Longs("firstBuilds", json.Int("tasks")), json.Int("builds")),
+            Builds = new BuildAssignment(json.Longs("firstBuilds", json.Int("tasks")), json.Int("builds")),
             BucketTasks = json.Int("bucketTasks"),
             MergeTasks = json.Objects("mergeLevels").ConvertAll(level => level.Int("tasks")),
             Estimate = PlanEstimate.Read(json.Object("estimate")),

@@ -52,14 +52,14 @@ static class MergeTree
 
 /// <summary>Which task builds what: each some cubes, one after the other, in Morton order.</summary>
 /// <param name="First">By task, its first build.</param>
-sealed record BuildTasks(long[] First, int Count)
+sealed record BuildAssignment(long[] First, int Count)
 {
     public int Tasks => First.Length;
     public IEnumerable<string> Names => Enumerable.Range(0, Count).Select(NameOf);
 
     /// <param name="points">Of each build.</param>
     /// <param name="most">Points of a task of several.</param>
-    public static BuildTasks Of(IReadOnlyList<double> points, double most)
+    public static BuildAssignment Of(IReadOnlyList<double> points, double most)
     {
         var first = new List<long>();
         double sum = 0;
@@ -72,7 +72,7 @@ sealed record BuildTasks(long[] First, int Count)
             }
             sum += points[build];
         }
-        return new BuildTasks([.. first], points.Count);
+        return new BuildAssignment([.. first], points.Count);
     }
 
     public IEnumerable<int> Of(int task) =>

@@ -18,15 +18,16 @@ sealed record PlanEstimate(double Seconds, double TaskSeconds, long MemoryBytes,
     const double PointsSortedPerSecond = 2.2e6;
 
     /// <summary>Stored bytes of those of plain records.</summary>
-    const double StoredShare = 0.35;
+    const double StoredBytesPerRecordByte = 0.35;
 
     /// <summary>Records, what is made of them, and what has not been put yet.</summary>
-    const double ScratchShare = 2.2;
+    const double ScratchBytesPerRecordByte = 2.2;
 
     static readonly string s_assumptions = string.Create(CultureInfo.InvariantCulture,
         $"a core builds {PointsPerSecond / 1e6} M points/s skips {PointsSkippedPerSecond / 1e6} M/s, and sorts"
         + $" {PointsSortedPerSecond / 1e6} M/s into buckets; stored are "
-        + $"{StoredShare:p0} of plain records; a task has {ScratchShare} times its records on its disk");
+        + $"{StoredBytesPerRecordByte:p0} of plain records; "
+        + $"a task has {ScratchBytesPerRecordByte} times its records on its disk");
 
     /// <param name="tasks">The builds of each.</param>
     public static PlanEstimate Of(long points, int recordBytes, IEnumerable<IEnumerable<(double Points, long Read)>> tasks,
@@ -44,8 +45,8 @@ sealed record PlanEstimate(double Seconds, double TaskSeconds, long MemoryBytes,
             seconds += task;
             longest = Math.Max(longest, task);
         }
-        return new PlanEstimate(seconds, longest, memoryBytes, (long)(points * (double)recordBytes * StoredShare),
-            (long)(most * recordBytes * ScratchShare));
+        return new PlanEstimate(seconds, longest, memoryBytes, (long)(points * (double)recordBytes * StoredBytesPerRecordByte),
+            (long)(most * recordBytes * ScratchBytesPerRecordByte));
     }
 
     public void Write(Utf8JsonWriter json)

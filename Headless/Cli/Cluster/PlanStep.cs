@@ -88,8 +88,8 @@ sealed class PlanStep
         // Of cubes without sources nothing comes, unless records of buckets turn out to lie there.
         var kept = Enumerable.Range(0, m_cubes.Length).Where(t => isBucketed || t == 0 || reads[t].Pieces.Count > 0).ToArray();
         var buckets = isBucketed ? Buckets() : [];
-        var builds = BuildTasks.Of(Array.ConvertAll(kept, t => m_points[t]), m_request.TaskPoints);
-        var merges = MergeTree.Of(m_plan.Whole.Whole, kept.Select((t, number) => (builds.NameOf(number), m_cubes[t])));
+        var builds = BuildAssignment.Of(Array.ConvertAll(kept, t => m_points[t]), m_request.TaskPoints);
+        var merges = MergeTree.Of(m_plan.Whole.CloudCube, kept.Select((t, number) => (builds.NameOf(number), m_cubes[t])));
         var plan = NewPlan(builds, buckets.Count, merges, Estimate(isBucketed, kept, reads, builds));
         string text = plan.ToText(), parts = BuildPlan.PartsOf(m_request.Path);
         Clear(m_request.Path, parts);
@@ -117,7 +117,7 @@ sealed class PlanStep
     Reads[] ReadsOfTasks()
     {
         var reads = Array.ConvertAll(m_cubes, _ => new Reads());
-        var index = new CubeIndex(m_plan.Whole.Whole, m_cubes);
+        var index = new CubeIndex(m_plan.Whole.CloudCube, m_cubes);
         var found = new List<int>();
         for (int p = 0; p < m_sources.Pieces.Count; p++)
         {
@@ -166,7 +166,7 @@ sealed class PlanStep
         return buckets;
     }
 
-    PlanEstimate Estimate(bool isBucketed, int[] kept, Reads[] reads, BuildTasks builds)
+    PlanEstimate Estimate(bool isBucketed, int[] kept, Reads[] reads, BuildAssignment builds)
     {
         long points = m_reader.PointCount;
         double share = points / Math.Max(1, m_points.Sum());
@@ -176,7 +176,7 @@ sealed class PlanStep
             isBucketed);
     }
 
-    BuildPlan NewPlan(BuildTasks builds, int buckets, List<List<MergeTask>> merges, PlanEstimate estimate)
+    BuildPlan NewPlan(BuildAssignment builds, int buckets, List<List<MergeTask>> merges, PlanEstimate estimate)
     {
         return new BuildPlan
         {
@@ -300,7 +300,7 @@ sealed class PlanStep
         OutputFile.Write(Path.Combine(parts, StoreFormat.SourcesName), Encoding.UTF8.GetBytes(StoredSources.ToJson(
             CloudDescription.SourcesOf(m_reader).ToList())));
         OutputFile.Write(Path.Combine(parts, StoreFormat.FactsName), Encoding.UTF8.GetBytes(StoredFacts.ToJson(m_reader.Info)));
-        if (m_plan.LasRecords != null)
-            OutputFile.Write(Path.Combine(parts, StoreFormat.RecordsName), m_plan.LasRecords);
+        if (m_plan.LasMetadata != null)
+            OutputFile.Write(Path.Combine(parts, StoreFormat.RecordsName), m_plan.LasMetadata);
     }
 }

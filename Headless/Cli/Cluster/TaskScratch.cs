@@ -26,7 +26,7 @@ sealed class TaskScratch : IDisposable
         for (int copy = 1; copy <= MostCopies; copy++)
         {
             string folder = Path.Combine(root ?? Path.GetTempPath(), "fastpoints-" + name + (copy > 1 ? "-" + copy : ""));
-            owner = FolderLock.TryTake(Path.Combine(folder, "task.lock"), out var taken);
+            owner = FolderLock.TakeOrGetOwner(Path.Combine(folder, "task.lock"), out var taken);
             if (owner == null)
                 return new TaskScratch(folder, taken);
         }

@@ -34,7 +34,7 @@ public sealed class ConvertStep(CliRun run)
         catch (OperationCanceledException)
         {
             // A build can be resumed only if its points are in files.
-            string part = Path.TrimEndingDirectorySeparator(target) + StoreFormat.PartSuffix;
+            string part = Path.TrimEndingDirectorySeparator(target) + StoreFormat.UnfinishedSuffix;
             if (File.Exists(Path.Combine(part, BuildFiles.JournalName)) && !run.IsDiscarding)
                 throw new StoppedException(target, run.CommandLine);
             CloudFolderWriter.DeleteUnfinished(target);

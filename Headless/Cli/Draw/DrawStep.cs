@@ -35,7 +35,7 @@ public sealed class DrawStep
         double begin = run.Seconds;
         using var folder = CloudFolder.Open(path);
         LookSettings.RequireColor(options, folder.Manifest.Attributes, path);
-        var draw = new DrawStored(folder, options, budget);
+        var draw = new DrawConvertedCloud(folder, options, budget);
         run.RunSteps(draw.Run(run.Progress));
         return new DrawStep
         {
@@ -58,7 +58,7 @@ public sealed class DrawStep
         var shaders = new GpuShaders();
         using var stream = new StreamContext(shaders.CreatePool(1L << 30, BankBytes));
         stream.SetClipBoxes(options.ClipBoxes);
-        stream.Settings.Selection.PointBudget = budget > 0 ? budget : DrawStored.DefaultBudget;
+        stream.Settings.Selection.PointBudget = budget > 0 ? budget : DrawConvertedCloud.DefaultBudget;
         using var renderer = new GpuFlightRenderer(shaders, stream, options);
         var assumptions = new List<string>();
         Camera? camera = options.Camera;

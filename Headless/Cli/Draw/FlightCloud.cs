@@ -8,7 +8,7 @@ sealed record FlightCloud(PicturePlan Plan, DisplayRanges Ranges, int Number)
 {
     public required CloudCrs Crs { get; init; }
 
-    const int PointsToPlanWith = DrawStored.PointsToPlanWith, PxOfDegrees = 3;
+    const int PointsToPlanWith = DrawConvertedCloud.PointsToPlanWith, PxOfDegrees = 3;
 
     /// <param name="plansByManifest">Colours and bounds are those that a converted cloud's manifest has, as in scenes, if it has
     /// any: no point is read for them.</param>
@@ -104,7 +104,7 @@ sealed record FlightCloud(PicturePlan Plan, DisplayRanges Ranges, int Number)
                 : MeasureRanges(folder, options, cancellation);
             var plan = new PicturePlan(options, ranges, transform);
             var source = new FolderSource(folder,
-                CloudLooks.PlanesFor(plan.Mode, !options.HiddenClasses.IsEmpty, plan.LitParts > 0 && !options.Shadows));
+                CloudLooks.PlanesFor(plan.Mode, !options.HiddenClasses.IsEmpty, plan.LitLevel > 0 && !options.Shadows));
             return new FlightCloud(plan, ranges, stream.Add(source, CloudPlacement.Geo(source.Grid, source.Root)))
             {
                 Crs = folder.Manifest.Crs,

@@ -37,7 +37,7 @@ public sealed class GpuFlightRenderer : FlightRenderer
         m_edlStrength = Math.Max(m_edlStrength, plan.EdlStrength);
         base.Add(cloud, plan);
         var look = CloudLooks.Of(plan.Colors, m_stream.Clouds[cloud].Source, plan.HiddenClasses);
-        look.Light = plan.LitParts / (float)PointLight.Parts;
+        look.Light = plan.LitLevel / (float)PointLighting.MaxLitLevel;
         m_renderer.List.SetLook(cloud, look);
     }
 

@@ -66,7 +66,7 @@ public sealed class Legend(ColorMode mode, DisplayRanges ranges, Camera camera, 
         var (low, high) = isHeight ? (ranges.ElevationLow, ranges.ElevationHigh) : (ranges.IntensityLow, ranges.IntensityHigh);
         if (!(high > low))
             return;
-        using var palette = Palettes.Create(mode, Allocator.Persistent, options.Gradient);
+        using var palette = Palettes.Create(mode, Allocator.Persistent, options.ColorRamp);
         double step = low % 1 == 0 && high % 1 == 0 ? 0.9 : (high - low) / Palettes.Length;
         string lowest = NumberFormat.Coordinate(low, step), highest = NumberFormat.Coordinate(high, step)
             + (isHeight && ranges.UpAxis == UpAxis.Z

@@ -12,7 +12,7 @@ public static class StreamedPictureStep
         double begin = run.Seconds;
         using var stream = new StreamContext(new MemoryNodePool(PoolBytes, BankBytes));
         stream.SetClipBoxes(options.ClipBoxes);
-        stream.Settings.Selection.PointBudget = budget > 0 ? budget : DrawStored.DefaultBudget;
+        stream.Settings.Selection.PointBudget = budget > 0 ? budget : DrawConvertedCloud.DefaultBudget;
         stream.Settings.UploadBytesPerFrame = BankBytes;
         stream.Settings.PrefetchFrames = 0;
         using var picture = new StreamedPicture(options);
@@ -28,8 +28,8 @@ public static class StreamedPictureStep
             first ??= added;
             picture.Add(new StreamedBlocks(stream, number, plan), plan.Mode);
             assumptions.AddRange(plan.Assumptions.Where(a => !assumptions.Contains(a)));
-            outline.AddRange(ranges.Outline);
-            rim.AddRange(ranges.Rim);
+            outline.AddRange(ranges.FramingSample);
+            rim.AddRange(ranges.ExtremePoints);
             if (!ranges.Robust.IsEmpty)
                 bounds = bounds.IsEmpty ? ranges.Robust
                     : new BoundsGeo(math.min(bounds.Min, ranges.Robust.Min), math.max(bounds.Max, ranges.Robust.Max));

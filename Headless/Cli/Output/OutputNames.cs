@@ -126,7 +126,7 @@ static class OutputNames
     public static void RefuseOtherCloud(string path, PointReader reader)
     {
         RefuseFilled(path, StoreFormat.ManifestName);
-        foreach (string folder in new[] { path, Path.TrimEndingDirectorySeparator(path) + StoreFormat.PartSuffix })
+        foreach (string folder in new[] { path, Path.TrimEndingDirectorySeparator(path) + StoreFormat.UnfinishedSuffix })
         {
             string file = Path.Combine(folder, StoreFormat.ManifestName);
             if (!File.Exists(file))

@@ -28,14 +28,14 @@ public sealed class ProgressDisplay : IDisposable
         m_sinceReport.Restart();
         // Some work counts no points.
         string speed = progress.Points > 0 ? NumberFormat.Short(progress.PointsPerSecond) + " points/s  " : "";
-        string line = string.Format(CultureInfo.InvariantCulture, "{0,3:0}%  {1}{2} left", 100 * progress.Share, speed,
+        string line = string.Format(CultureInfo.InvariantCulture, "{0,3:0}%  {1}{2} left", 100 * progress.Fraction, speed,
             NumberFormat.Duration(progress.SecondsLeft));
         if (!m_isTerminal)
         {
             m_error.WriteLine(progress.Current + ": " + line.TrimStart());
             return;
         }
-        int cells = (int)(progress.Share * BarCells);
+        int cells = (int)(progress.Fraction * BarCells);
         // Back to the start, and what is left of a longer line cleared.
         m_error.Write("\r" + progress.Current.PadRight(10) + " [" + new string('=', cells)
             + new string(' ', BarCells - cells) + "] "

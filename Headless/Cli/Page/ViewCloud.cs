@@ -127,11 +127,11 @@ sealed class ViewCloud
         return batch;
     }
 
-    static PreviewSampler RunSampler(PointReader reader, int max, CliRun run)
+    static WaveSampler RunSampler(PointReader reader, int max, CliRun run)
     {
         if (!reader.BlocksAreKnown)
             run.RunSteps(reader.FindBlocks());
-        var sampler = new PreviewSampler(reader, max, 1);
+        var sampler = new WaveSampler(reader, max, 1);
         run.RunSteps(sampler.Run(0, null));
         return sampler;
     }
@@ -176,7 +176,7 @@ sealed class ViewCloud
             json.WriteStartObject();
             WriteFrame(json, sets[^1].Kept.Length);
             json.WriteStartObject("ramps");
-            foreach (var (name, gradient) in new[] { ("viridis", Gradient.Viridis), ("gray", Gradient.Gray) })
+            foreach (var (name, gradient) in new[] { ("viridis", ColorRamp.Viridis), ("gray", ColorRamp.Gray) })
             {
                 using var palette = Palettes.Create(ColorMode.Elevation, Allocator.Persistent, gradient);
                 json.WriteString(name, string.Concat(palette.Select(ViewColumn.Hex)));

@@ -15,8 +15,8 @@ sealed record WaveFlips(List<double> OfWave, double Floor)
         run.RunSteps(ConvertCloud.MeasureRanges(folder, selection, schema, options.UpAxis, ranges));
         int width = Math.Max(1, options.WidthPx / 2), height = Math.Max(1, options.HeightPx / 2);
         int samples = PictureCanvas.MaxSamplesPerEdge;
-        selection.Choose(options.Camera!.Value.ToStreamView(width * samples, height * samples), DrawStored.DefaultBudget);
-        using var all = new PointBatch(schema, selection.CheckedPoints, Allocator.Persistent);
+        selection.Choose(options.Camera!.Value.ToStreamView(width * samples, height * samples), DrawConvertedCloud.DefaultBudget);
+        using var all = new PointBatch(schema, selection.PointCountOrThrow, Allocator.Persistent);
         run.RunSteps(LoadNodes.Run(folder, selection, all, null));
 
         RgbaImage Draw(PointBatch points, PositionTransform transform, int samplesPerEdge)

@@ -4,7 +4,7 @@ namespace FastPoints.Cli.Parts;
 /// together, so that parts read these and no source.</summary>
 sealed class BucketBuild : PartStages
 {
-    BucketBuild(BuildContext build, PartSelection selection) : base(build, selection) { }
+    BucketBuild(BuildContext build, PartFilter selection) : base(build, selection) { }
 
     /// <summary>Coroutine. The folder then has the records, <see cref="BuildFiles.BucketName"/>, what is known of them, and
     /// their ranges, for <see cref="ReadRanges"/>.</summary>
@@ -17,12 +17,12 @@ sealed class BucketBuild : PartStages
     {
         var isOwn = new bool[blocks.Count];
         Array.Fill(isOwn, true);
-        var selection = new PartSelection(whole, GridChoice.OnGrid(reader.Info, whole.Grid), isOwn);
+        var selection = new PartFilter(whole, GridChoice.OnGrid(reader.Info, whole.Grid), isOwn);
         using var bucket = new BucketBuild(new BuildContext(whole, new[] { new FilteredReader(reader, selection, blocks) }, 0,
             output.Folder, output.Settings, output.Progress), selection);
         var build = bucket.Build;
         build.Progress?.Begin(BuildStages.Read);
-        build.Map = PlannedParts.MapOf(whole.Whole, cubes);
+        build.Map = PlannedParts.MapOf(whole.CloudCube, cubes);
         build.Map.BaseCells = whole.BaseCells;
         yield return JobStep.Of(bucket.Read());
         whole.RequireDivisors(bucket.Scatter.Attributes, reader.Info.Path);

@@ -12,8 +12,8 @@ sealed class CloudPlan
     /// <summary>Estimates, by base cell.</summary>
     public required double[] PointsOfCell { get; init; }
 
-    /// <summary>See <see cref="Las.LasRecords"/>; null if the sources are not LAS files.</summary>
-    public byte[]? LasRecords { get; init; }
+    /// <summary>See <see cref="Las.LasMetadata"/>; null if the sources are not LAS files.</summary>
+    public byte[]? LasMetadata { get; init; }
 
     /// <summary>Cubes of parts, which fill that of the cloud, in Morton order: the largest ones with so many points at most
     /// by the estimate, and no smaller than base cells.</summary>
@@ -41,7 +41,7 @@ sealed class CloudPlan
             Records = build.Records,
             Attributes = build.Attributes,
             Divisors = divisors,
-            Whole = build.Map.Cube,
+            CloudCube = build.Map.Cube,
             Cube = build.Map.Cube,
             BaseCells = build.Map.BaseCells,
         };
@@ -52,7 +52,7 @@ sealed class CloudPlan
             Whole = whole,
             Manifest = manifest,
             PointsOfCell = build.Map.PointsOfBaseCell,
-            LasRecords = lasRecords,
+            LasMetadata = lasRecords,
         };
     }
 }
@@ -73,7 +73,7 @@ static class PlannedParts
     public static BuildPart OfOutside(this BuildPart whole, in PointStatistics found)
     {
         var part = whole.Clone();
-        var cells = new BaseCells(whole.Whole, [whole.Whole], RootCube.Grow(whole.Whole, found.Min, found.Max));
+        var cells = new BaseCells(whole.CloudCube, [whole.CloudCube], RootCube.Grow(whole.CloudCube, found.Min, found.Max));
         part.Cube = cells.Root;
         part.BaseCells = cells.All;
         return part;
@@ -96,7 +96,7 @@ static class PlannedParts
         var manifest = new CloudManifest
         {
             Sampler = sampler.ToString().ToLowerInvariant(),
-            Root = part.Whole,
+            Root = part.CloudCube,
             CloudId = part.CloudId,
             Grid = part.Grid,
             Attributes = part.Attributes,

@@ -3,10 +3,10 @@ namespace FastPoints.Cli.Parts;
 /// <summary>The stages of a task of a build of many, as far as they are those of any build.</summary>
 abstract class PartStages : IDisposable
 {
-    readonly PartSelection? m_selection;
+    readonly PartFilter? m_selection;
     BuildGenerations? m_generations;
 
-    protected PartStages(BuildContext build, PartSelection? selection)
+    protected PartStages(BuildContext build, PartFilter? selection)
     {
         Build = build;
         m_selection = selection;
@@ -55,16 +55,16 @@ sealed class PartBuild : PartStages
     FileWork? m_fetch;
     OctreeBuild? m_octree;
 
-    PartBuild(BuildContext build, PartSelection? selection) : base(build, selection) { }
+    PartBuild(BuildContext build, PartFilter? selection) : base(build, selection) { }
 
     /// <summary>Coroutine: from sources. When it has ended, the folder has containers and the part's files.</summary>
     /// <param name="blocks">Those that may have points of the part, ascending. The reader's blocks are known.</param>
-    /// <param name="isOwn">By entry of these: see <see cref="PartSelection"/>.</param>
+    /// <param name="isOwn">By entry of these: see <see cref="PartFilter"/>.</param>
     /// <exception cref="PointCloudException">A source or the folder is at fault, or a value contradicts the plan.</exception>
     public static IEnumerator<JobStep> Run(BuildPart part, PointReader reader, IReadOnlyList<int> blocks,
         IReadOnlyList<bool> isOwn, PartOutput output) => Run(() =>
         {
-            var selection = new PartSelection(part, GridChoice.OnGrid(reader.Info, part.Grid), isOwn);
+            var selection = new PartFilter(part, GridChoice.OnGrid(reader.Info, part.Grid), isOwn);
             var selected = new FilteredReader(reader, selection, blocks);
             return new PartBuild(new BuildContext(part, new[] { selected }, 0, output.Folder, output.Settings,
                 output.Progress), selection);
@@ -214,7 +214,7 @@ sealed class PartBuild : PartStages
         for (int c = 0; c < m_octree.Results.Count; c++)
             merge.Add(m_octree.Results[c], m_octree.TopRecords[c]);
         // Tops of points outside of the whole cube meet all others in the last merge.
-        if (part.Whole.Contains(part.Cube))
+        if (part.CloudCube.Contains(part.Cube))
             yield return JobStep.Of(merge.Collect(part.Cube, Build.Progress));
         var result = new PartResult(part.Attributes.Count, m_octree.BytesOfPlane.Length)
         {
@@ -224,8 +224,8 @@ sealed class PartBuild : PartStages
             PointsWanted = Checkpoints.Journal.PointsWanted,
             Checksum = m_octree.Checksum,
         };
-        result.Include(m_octree.LowestSideLog2, m_octree.BytesOfPlane);
-        result.Include(merge.LowestSideLog2, merge.BytesOfPlane);
+        result.Include(m_octree.MinSideLog2, m_octree.BytesOfPlane);
+        result.Include(merge.MinSideLog2, merge.BytesOfPlane);
         string outside = Build.Folder.PathOf(BuildFiles.OutsideName);
         if (System.IO.File.Exists(outside))
             result.OutsidePoints = RecordBlocks.Read(outside, Build.Records.StrideBytes).Records;

@@ -15,15 +15,15 @@ static class PartFile
     public static IEnumerator<JobStep> Write(CloudFolderWriter folder, GridCube cube, ulong cloudId, UpperMerge merge,
         PartResult result, params PartTops[] inputs)
     {
-        var nodes = new PartNodes { Cube = cube, Result = result, OpenTops = merge.Open.Count };
+        var nodes = new PartNodes { Cube = cube, Result = result, OpenTops = merge.Unmerged.Count };
         var header = new PartHeader { Magic = PartHeader.NodesMagic, CloudId = cloudId };
         using (var file = new PartFileWriter(folder, NodesName, header, nodes.FactsToBytes()))
         {
             int planeCount = result.BytesOfPlane.Length;
-            var places = new PartPlaces(merge);
+            var places = new PartAttachPoints(merge);
             foreach (var item in merge.Added)
                 if (item.Chunk != null && item.Top.HasNodes)
-                    yield return JobStep.Of(AddTable(file, item.ToPart(), planeCount, places.Of(item.Place), nodes.Chunks));
+                    yield return JobStep.Of(AddTable(file, item.ToPart(), planeCount, places.Of(item.AttachPoint), nodes.Chunks));
             foreach (var region in places.Regions)
                 yield return JobStep.Of(AddTable(file, region.Part, planeCount, places.Of(region), nodes.Regions));
             places.AddInputs(merge, inputs, nodes.Inputs);
@@ -34,7 +34,7 @@ static class PartFile
         using (var file = new PartFileWriter(folder, TopsName, header, new byte[0]))
         {
             var tops = new PartTops();
-            foreach (var item in merge.Open)
+            foreach (var item in merge.Unmerged)
                 yield return JobStep.Of(AddTop(file, item, merge.TopStride, tops.Items));
             yield return JobStep.Of(file.Finish(tops.ToBytes()));
         }
@@ -71,7 +71,7 @@ static class PartFile
         return tops;
     }
 
-    static IEnumerator<JobStep> AddTable(PartFileWriter file, HierarchyPart part, int planeCount, PartPlace place,
+    static IEnumerator<JobStep> AddTable(PartFileWriter file, Subtree part, int planeCount, PartAttachPoint place,
         List<PartNodes.Entry> entries)
     {
         bool isLoaded = part.Table.IsCreated;
@@ -96,7 +96,7 @@ static class PartFile
         }
     }
 
-    static IEnumerator<JobStep> AddTop(PartFileWriter file, UpperItem item, int strideBytes, List<UpperItem> entries)
+    static IEnumerator<JobStep> AddTop(PartFileWriter file, MergeInput item, int strideBytes, List<MergeInput> entries)
     {
         using var read = new StoreRead();
         var records = item.Records;
@@ -108,7 +108,7 @@ static class PartFile
             records = read.Bytes;
             StoreFile.CheckHash(item.Path, item.RecordsOffset, records, item.RecordsHash);
         }
-        entries.Add(new UpperItem
+        entries.Add(new MergeInput
         {
             Cube = item.Cube,
             Top = item.Top,

@@ -32,11 +32,11 @@ static class PartMerge
                 merge.Add(item);
             result.Include(all[all.Count - 1].Result);
         }
-        manifest.Root = part.IsWhole ? RootOf(part.Whole, result.Statistics) : part.Cube;
+        manifest.Root = part.IsWhole ? RootOf(part.CloudCube, result.Statistics) : part.Cube;
         yield return JobStep.Of(merge.Collect(manifest.Root, progress));
         if (part.IsWhole)
             yield return JobStep.Of(merge.MergeRoot());
-        result.Include(merge.LowestSideLog2, merge.BytesOfPlane);
+        result.Include(merge.MinSideLog2, merge.BytesOfPlane);
         yield return JobStep.Of(PartFile.Write(build.Folder, manifest.Root, part.CloudId, merge, result, all.ToArray()));
         yield return JobStep.Of(build.Folder.Complete());
         progress?.End();
@@ -88,7 +88,7 @@ sealed class PartGraph
     {
         public required string Path;
         public required PartNodes Nodes;
-        public required HierarchyPart[] Regions;
+        public required Subtree[] Regions;
 
         /// <summary>The merge that took it in, and as which input.</summary>
         public File? Above;
@@ -100,7 +100,7 @@ sealed class PartGraph
 
     public void Add(string path, PartNodes nodes)
     {
-        var file = new File { Path = path, Nodes = nodes, Regions = new HierarchyPart[nodes.Regions.Count] };
+        var file = new File { Path = path, Nodes = nodes, Regions = new Subtree[nodes.Regions.Count] };
         for (int r = 0; r < file.Regions.Length; r++)
             file.Regions[r] = PartOf(path, nodes.Regions[r]);
         m_files.Add(file);
@@ -110,7 +110,7 @@ sealed class PartGraph
 
     /// <summary>Hangs all on one another, and adds root and number of chunks to the manifest.</summary>
     /// <returns>The root's region; one without nodes if the cloud is empty.</returns>
-    public HierarchyPart Join(string folder, CloudManifest manifest)
+    public Subtree Join(string folder, CloudManifest manifest)
     {
         File? last = null;
         foreach (var file in m_files)
@@ -132,21 +132,21 @@ sealed class PartGraph
                 last.Nodes.OpenTops);
         manifest.Root = last.Nodes.Cube;
         manifest.ChunkCount = 0;
-        var root = new HierarchyPart();
+        var root = new Subtree();
         foreach (var file in m_files)
         {
             manifest.ChunkCount += file.Nodes.Chunks.Count;
             foreach (var chunk in file.Nodes.Chunks)
                 Attach(file, chunk.Place, PartOf(file.Path, chunk));
             for (int r = 0; r < file.Regions.Length; r++)
-                if (file.Nodes.Regions[r].Place.Region == PartPlace.Root)
+                if (file.Nodes.Regions[r].Place.Region == PartAttachPoint.Root)
                     root = file.Regions[r];
                 else
                     Attach(file, file.Nodes.Regions[r].Place, file.Regions[r]);
         }
         foreach (var file in m_files)
             foreach (var region in file.Regions)
-                region.SortBelow(manifest.Root.Corner);
+                region.SortChildren(manifest.Root.Corner);
         return root;
     }
 
@@ -163,19 +163,19 @@ sealed class PartGraph
         (below.Above, below.Input) = (file, input);
     }
 
-    static void Attach(File file, PartPlace place, HierarchyPart part)
+    static void Attach(File file, PartAttachPoint place, Subtree part)
     {
-        while (place.Region == PartPlace.Open && file.Above != null &&
+        while (place.Region == PartAttachPoint.Open && file.Above != null &&
             place.Node < file.Above.Nodes.Inputs[file.Input].Places.Count)
             (place, file) = (file.Above.Nodes.Inputs[file.Input].Places[place.Node], file.Above);
         if (place.Region < 0 || place.Region >= file.Regions.Length || place.Node < 0 ||
             place.Node >= file.Regions[place.Region].NodeCount)
             throw PointCloudException.Wanted(FailureCode.BadInput, file.Path, -1, "what " + part.Cube + " hangs on",
                 "a node of a region", place.Node + " of " + place.Region);
-        file.Regions[place.Region].Below.Add((place.Node, part));
+        file.Regions[place.Region].Children.Add((place.Node, part));
     }
 
-    static HierarchyPart PartOf(string path, in PartNodes.Entry entry) => new HierarchyPart
+    static Subtree PartOf(string path, in PartNodes.Entry entry) => new Subtree
     {
         Cube = entry.Container.Cube,
         Container = entry.Container,

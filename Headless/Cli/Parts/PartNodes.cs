@@ -2,7 +2,7 @@ namespace FastPoints.Cli.Parts;
 
 /// <summary>Where something hangs: on a node of a region of the same part, or, as long as nothing is above it, it is one of
 /// the part's open tops or belongs to one.</summary>
-struct PartPlace
+struct PartAttachPoint
 {
     public const int Open = -1;
     public const int Root = -2;
@@ -19,8 +19,8 @@ struct PartPlace
         to.Write(Node);
     }
 
-    public static PartPlace Read(BinaryReader from) =>
-        new PartPlace { Region = from.ReadInt32(), Node = from.ReadInt32() };
+    public static PartAttachPoint Read(BinaryReader from) =>
+        new PartAttachPoint { Region = from.ReadInt32(), Node = from.ReadInt32() };
 }
 
 /// <summary>What part.nodes says: the chunks and regions with nodes, and what hangs where.</summary>
@@ -33,7 +33,7 @@ sealed class PartNodes
         public int NodeCount;
         public long TableOffset;
         public ulong TableHash;
-        public PartPlace Place;
+        public PartAttachPoint Place;
 
         public void Write(BinaryWriter to)
         {
@@ -61,7 +61,7 @@ sealed class PartNodes
             NodeCount = from.ReadInt32(),
             TableOffset = from.ReadInt64(),
             TableHash = from.ReadUInt64(),
-            Place = PartPlace.Read(from),
+            Place = PartAttachPoint.Read(from),
         };
     }
 
@@ -69,7 +69,7 @@ sealed class PartNodes
     public sealed class Input
     {
         public ulong NodesHash;
-        public readonly List<PartPlace> Places = new List<PartPlace>();
+        public readonly List<PartAttachPoint> Places = new List<PartAttachPoint>();
     }
 
     /// <summary>The part's cube; if it has the root's region, the root.</summary>
@@ -135,7 +135,7 @@ sealed class PartNodes
                 var input = new Input { NodesHash = from.ReadUInt64() };
                 Inputs.Add(input);
                 for (int left = PartBytes.ReadCount(from); left > 0; left--)
-                    input.Places.Add(PartPlace.Read(from));
+                    input.Places.Add(PartAttachPoint.Read(from));
             }
         });
 }
@@ -145,7 +145,7 @@ sealed class PartTops
 {
     public ulong NodesHash;
     public PartResult Result = null!; // Where it was read.
-    public readonly List<UpperItem> Items = new List<UpperItem>();
+    public readonly List<MergeInput> Items = new List<MergeInput>();
 
     public byte[] ToBytes() => PartBytes.Of(to =>
     {
@@ -170,11 +170,11 @@ sealed class PartTops
         {
             for (int left = PartBytes.ReadCount(from); left > 0; left--)
             {
-                var item = new UpperItem
+                var item = new MergeInput
                 {
                     Path = path,
                     Cube = PartBytes.ReadCube(from),
-                    Top = new ChunkTop
+                    Top = new TopNode
                     {
                         SideLog2 = from.ReadByte(),
                         CellLog2 = from.ReadByte(),
@@ -196,15 +196,15 @@ sealed class PartTops
 }
 
 /// <summary>Finds what the items and regions of a merge hang on.</summary>
-sealed class PartPlaces
+sealed class PartAttachPoints
 {
-    readonly Dictionary<UpperPlace, int> m_open = new Dictionary<UpperPlace, int>();
-    readonly Dictionary<UpperPlace, int> m_numbers = new Dictionary<UpperPlace, int>();
+    readonly Dictionary<UpperAttachPoint, int> m_open = new Dictionary<UpperAttachPoint, int>();
+    readonly Dictionary<UpperAttachPoint, int> m_numbers = new Dictionary<UpperAttachPoint, int>();
 
-    public PartPlaces(UpperMerge merge)
+    public PartAttachPoints(UpperMerge merge)
     {
-        foreach (var item in merge.Open)
-            m_open.Add(item.Place, m_open.Count);
+        foreach (var item in merge.Unmerged)
+            m_open.Add(item.AttachPoint, m_open.Count);
         foreach (var region in merge.Regions)
         {
             if (region.Part.NodeCount == 0)
@@ -217,18 +217,18 @@ sealed class PartPlaces
     /// <summary>Those with nodes.</summary>
     public readonly List<UpperRegion> Regions = new List<UpperRegion>();
 
-    public PartPlace Of(UpperPlace place)
+    public PartAttachPoint Of(UpperAttachPoint place)
     {
         place = place.OfNode();
         if (place.Above != null)
-            return new PartPlace { Region = m_numbers[place.Above], Node = place.Node };
-        return m_open.TryGetValue(place, out int open) ? new PartPlace { Region = PartPlace.Open, Node = open }
-            : new PartPlace { Region = PartPlace.Root };
+            return new PartAttachPoint { Region = m_numbers[place.Above], Node = place.Node };
+        return m_open.TryGetValue(place, out int open) ? new PartAttachPoint { Region = PartAttachPoint.Open, Node = open }
+            : new PartAttachPoint { Region = PartAttachPoint.Root };
     }
 
     public void AddInputs(UpperMerge merge, IReadOnlyList<PartTops> from, List<PartNodes.Input> to)
     {
-        var items = new Queue<UpperItem>();
+        var items = new Queue<MergeInput>();
         foreach (var item in merge.Added)
             if (item.Chunk == null)
                 items.Enqueue(item);
@@ -237,7 +237,7 @@ sealed class PartPlaces
             var input = new PartNodes.Input { NodesHash = tops.NodesHash };
             to.Add(input);
             foreach (var _ in tops.Items)
-                input.Places.Add(Of(items.Dequeue().Place));
+                input.Places.Add(Of(items.Dequeue().AttachPoint));
         }
     }
 }

@@ -18,7 +18,7 @@ sealed class PartResult
     public ulong Checksum;
 
     /// <summary>Side of the smallest node.</summary>
-    public int LowestSideLog2 = int.MaxValue;
+    public int MinSideLog2 = int.MaxValue;
     public long[] BytesOfPlane;
 
     public PartResult(int attributeCount, int planeCount)
@@ -36,13 +36,13 @@ sealed class PartResult
         PointsWanted += other.PointsWanted;
         OutsidePoints += other.OutsidePoints;
         Checksum += other.Checksum;
-        Include(other.LowestSideLog2, other.BytesOfPlane);
+        Include(other.MinSideLog2, other.BytesOfPlane);
     }
 
     /// <summary>Adds nodes: those of a chunk, or of upper levels.</summary>
-    public void Include(int lowestSideLog2, IReadOnlyList<long> bytesOfPlane)
+    public void Include(int minSideLog2, IReadOnlyList<long> bytesOfPlane)
     {
-        LowestSideLog2 = Math.Min(LowestSideLog2, lowestSideLog2);
+        MinSideLog2 = Math.Min(MinSideLog2, minSideLog2);
         for (int p = 0; p < BytesOfPlane.Length; p++)
             BytesOfPlane[p] += bytesOfPlane[p];
     }
@@ -58,7 +58,7 @@ sealed class PartResult
         to.Write(PointsWanted);
         to.Write(OutsidePoints);
         to.Write(Checksum);
-        to.Write(LowestSideLog2);
+        to.Write(MinSideLog2);
         to.Write(Attributes.Length);
         to.Write(BytesOfPlane.Length);
         foreach (var attribute in Attributes)
@@ -91,7 +91,7 @@ sealed class PartResult
             PointsWanted = wanted,
             OutsidePoints = outside,
             Checksum = checksum,
-            LowestSideLog2 = lowest,
+            MinSideLog2 = lowest,
         };
         for (int a = 0; a < result.Attributes.Length; a++)
             result.Attributes[a] = new AttributeStatistics

@@ -122,7 +122,7 @@ public sealed class ErrorStep
         yield return ("points", wave.Wave.Points);
         yield return ("seconds", wave.Wave.Seconds);
         yield return ("bytesRead", wave.Wave.BytesRead);
-        yield return ("share", error.Share);
+        yield return ("share", error.Fraction);
         yield return ("rms", error.Distance.Rms);
         yield return ("hausdorff95", error.Distance.Ranked95);
         yield return ("hausdorff99", error.Distance.Ranked99);

@@ -5,7 +5,7 @@ namespace FastPoints.Cli.Preview;
 public sealed class PreviewStep
 {
     public required int Points { get; init; }
-    public required double Share { get; init; }
+    public required double Fraction { get; init; }
     public required long BytesRead { get; init; }
     public required string Method { get; init; }
     public required IReadOnlyList<SampleWave> Waves { get; init; }
@@ -30,7 +30,7 @@ public sealed class PreviewStep
         return new PreviewStep
         {
             Points = preview.Sample.Count,
-            Share = preview.Sample.Share,
+            Fraction = preview.Sample.Fraction,
             BytesRead = preview.Sample.BytesRead,
             Method = preview.Sample.Method,
             Waves = preview.Waves,
@@ -46,7 +46,7 @@ public sealed class PreviewStep
 
     public byte[] ToPng(bool isPlain) => Png.Encode(isPlain ? Image : Legend.DrawOn(Image));
 
-    public string Describe() => NumberFormat.Count(Points, "point") + ", " + NumberFormat.Value(100 * Share) + "% of the cloud"
+    public string Describe() => NumberFormat.Count(Points, "point") + ", " + NumberFormat.Value(100 * Fraction) + "% of the cloud"
         + ", from " + NumberFormat.Bytes(BytesRead) + " read in " + NumberFormat.Seconds(Seconds) + " (" + Method + ")";
 
     public void WriteKeys(Utf8JsonWriter json)

@@ -17,7 +17,7 @@ sealed unsafe class SingleFileStep : IDisposable
         m_cloud = cloud;
         m_progress = progress;
         m_to = new CloudFolderWriter(target);
-        m_file = new FilePieces(m_to, StoreFormat.WholeName);
+        m_file = new FilePieces(m_to, StoreFormat.SingleFileName);
     }
 
     /// <summary>Coroutine.</summary>
@@ -25,10 +25,10 @@ sealed unsafe class SingleFileStep : IDisposable
     {
         using (var cloud = CloudFolder.Open(folder))
         {
-            if (cloud.IsUnfinished || cloud.Manifest.IsWhole || SourcePath.IsRemote(folder))
+            if (cloud.IsUnfinished || cloud.Manifest.IsSingleFile || SourcePath.IsRemote(folder))
                 throw new PointCloudException(FailureCode.Unsupported, folder, -1, "wanted a finished cloud of several files on "
                     + "this machine, got " + (cloud.IsUnfinished ? "one that is being built"
-                    : cloud.Manifest.IsWhole ? "one of a single file" : "an address"));
+                    : cloud.Manifest.IsSingleFile ? "one of a single file" : "an address"));
             using var step = new SingleFileStep(cloud, target, progress);
             yield return JobStep.Of(FolderOfFolder.Begin(step.m_to));
             progress.Begin("check");
@@ -125,7 +125,7 @@ sealed unsafe class SingleFileStep : IDisposable
         var whole = new ContainerRecord
         {
             Cube = manifest.Root,
-            Kind = ContainerKind.Whole,
+            Kind = ContainerKind.SingleFile,
             FileBytes = manifest.HierarchyBytes + shift,
             Hash = ContentHash.Of(MemoryMarshal.AsBytes<ulong>(m_containers.Select(c => c.Container.Hash).ToArray())),
         };
@@ -136,10 +136,10 @@ sealed unsafe class SingleFileStep : IDisposable
             using var bytes = StoreFile.Read(piece.Path, piece.OffsetBytes, piece.LengthBytes, Allocator.Persistent);
             Move(page, bytes, whole, shift, hashes);
             yield return JobStep.Of(CloudFolderWriter.Await(
-                m_to.WritePiece(StoreFormat.WholeName, bytes, piece.OffsetBytes + shift)));
+                m_to.WritePiece(StoreFormat.SingleFileName, bytes, piece.OffsetBytes + shift)));
             m_progress.Report(1 - page / (double)hashes.Length, 0, 0);
         }
-        manifest.IsWhole = true;
+        manifest.IsSingleFile = true;
         manifest.HierarchyBytes = whole.FileBytes;
         manifest.RootOffset += shift;
         manifest.RootHash = hashes[0];

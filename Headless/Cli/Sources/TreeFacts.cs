@@ -16,7 +16,7 @@ public sealed class TreeFacts
         Nodes = tree.NodeCount,
         NodesWithoutPoints = tree.NodesWithoutPoints(),
         Pages = tree.PageCount,
-        IsHierarchyRead = tree.IsWhole,
+        IsHierarchyRead = tree.IsHierarchyRead,
         Levels = TreeLevel.Of(tree),
     };
 }

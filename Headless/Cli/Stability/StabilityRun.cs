@@ -68,7 +68,7 @@ public sealed class StabilityRun
             RunStage("draw", () =>
             {
                 using var folder = CloudFolder.Open(target);
-                var draw = new DrawStored(folder, options);
+                var draw = new DrawConvertedCloud(folder, options);
                 JobCoroutine.RunToEnd(draw.Run(null));
                 return ImageError.Compare(draw.Image, reference!, options.Background).Uncovered;
             });

@@ -13,7 +13,7 @@ sealed class SurfaceStep : IDisposable
 
     readonly CloudFolder m_folder;
     readonly SurfaceGrid m_grid;
-    readonly StoredCells m_cells;
+    readonly SurfacePointReader m_cells;
     readonly CliRun m_run;
     readonly SurfaceMesh m_mesh;
     readonly List<double> m_distances = [];
@@ -25,7 +25,7 @@ sealed class SurfaceStep : IDisposable
         m_grid = grid;
         m_run = run;
         m_mesh = new SurfaceMesh(grid);
-        m_cells = new StoredCells(m_folder, grid, default, null, [.. filter?.Attributes ?? []]);
+        m_cells = new SurfacePointReader(m_folder, grid, default, null, [.. filter?.Attributes ?? []]);
         if (filter != null)
             m_cells.Prepare = batch => Filter(filter, batch);
     }

@@ -12,7 +12,7 @@ sealed unsafe class UpgradeStep : IDisposable
     readonly StoreLayout m_layout;
     readonly int m_colorPlane;
     readonly List<(PlaneRange From, long To)> m_moves = [];
-    readonly Dictionary<HierarchyPart, OldChunk> m_chunkOfPart = [];
+    readonly Dictionary<Subtree, OldChunk> m_chunkOfPart = [];
     readonly Dictionary<(Grid3, int), int> m_partsOfCube = [];
     UpperParts? m_upper;
     long m_points;
@@ -73,7 +73,7 @@ sealed unsafe class UpgradeStep : IDisposable
             m_moves.Clear();
             container = table.LayOut(container, m_colorPlane, m_moves);
             yield return JobStep.Of(Copy(m_old.PathOf(chunk), container, PointsOf(table)));
-            var part = new HierarchyPart { Cube = chunk.Cube, Container = container, NodeCount = chunk.NodeCount };
+            var part = new Subtree { Cube = chunk.Cube, Container = container, NodeCount = chunk.NodeCount };
             m_chunkOfPart.Add(part, chunk);
             m_upper!.Attach(chunk.AttachNode, part);
         }
@@ -138,7 +138,7 @@ sealed unsafe class UpgradeStep : IDisposable
     }
 
     /// <summary>Reads a chunk's nodes again.</summary>
-    IEnumerator<JobStep> LoadTable(HierarchyPart part)
+    IEnumerator<JobStep> LoadTable(Subtree part)
     {
         using var table = m_old.TableOf(m_chunkOfPart[part]);
         table.LayOut(part.Container, m_colorPlane, null);

@@ -7,7 +7,7 @@ sealed unsafe class UpperParts : IDisposable
     readonly OldTable m_table;
     readonly GridCube m_root;
     readonly int[] m_partOf, m_indexIn; // By node.
-    readonly List<(HierarchyPart Part, int Above, List<int> Nodes)> m_parts = [];
+    readonly List<(Subtree Part, int Above, List<int> Nodes)> m_parts = [];
 
     /// <param name="table">Its planes are where <paramref name="container"/> has them.</param>
     public UpperParts(OldTable table, int planeCount, in ContainerRecord container, GridCube root)
@@ -25,7 +25,7 @@ sealed unsafe class UpperParts : IDisposable
     }
 
     /// <summary>The part that all others hang on.</summary>
-    public HierarchyPart Root => m_parts.Count > 0 ? m_parts[0].Part : new HierarchyPart();
+    public Subtree Root => m_parts.Count > 0 ? m_parts[0].Part : new Subtree();
 
     public void Dispose()
     {
@@ -34,7 +34,7 @@ sealed unsafe class UpperParts : IDisposable
     }
 
     /// <summary>Hangs a part on an upper node.</summary>
-    public void Attach(int node, HierarchyPart part) => m_parts[m_partOf[node]].Part.Below.Add((m_indexIn[node], part));
+    public void Attach(int node, Subtree part) => m_parts[m_partOf[node]].Part.Children.Add((m_indexIn[node], part));
 
     /// <summary>Hangs the parts on one another, when all chunks hang on them: their cubes hold what is below.</summary>
     public void Join()
@@ -45,9 +45,9 @@ sealed unsafe class UpperParts : IDisposable
             part.Cube = above < 0 ? m_root : m_table.Nodes[nodes[0]].Cube;
             foreach (int node in nodes)
                 part.Cube = Around(part.Cube, m_table.Nodes[node].Cube);
-            foreach (var (_, below) in part.Below)
+            foreach (var (_, below) in part.Children)
                 part.Cube = Around(part.Cube, below.Cube);
-            part.SortBelow(m_root.Corner);
+            part.SortChildren(m_root.Corner);
             if (above >= 0)
                 Attach(above, part);
         }
@@ -68,7 +68,7 @@ sealed unsafe class UpperParts : IDisposable
             else if (!known.TryGetValue((parent, nodes[i].SampledWith), out part))
             {
                 known.Add((parent, nodes[i].SampledWith), part = m_parts.Count);
-                m_parts.Add((new HierarchyPart { SampledWith = nodes[i].SampledWith }, parent, []));
+                m_parts.Add((new Subtree { SampledWith = nodes[i].SampledWith }, parent, []));
             }
             m_partOf[i] = part;
             m_indexIn[i] = m_parts[part].Nodes.Count;
@@ -76,7 +76,7 @@ sealed unsafe class UpperParts : IDisposable
         }
     }
 
-    void Fill(HierarchyPart part, List<int> nodes, int planeCount)
+    void Fill(Subtree part, List<int> nodes, int planeCount)
     {
         part.NodeCount = nodes.Count;
         part.Table = new NativeArray<byte>(nodes.Count * ChunkResult.BytesPerNode(planeCount), Allocator.Persistent);

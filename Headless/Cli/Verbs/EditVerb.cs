@@ -132,13 +132,13 @@ public sealed class EditVerb : Verb
             return;
         ref var prism = ref operation.Prism;
         prism.Origin = EditShape.GridOf(math.floor((new double3(polygons.Min, 0) - grid.Origin) / grid.Step));
-        prism.U = new Grid3(EditPrism.PartsOfStep, 0, 0);
-        prism.V = new Grid3(0, EditPrism.PartsOfStep, 0);
+        prism.U = new Grid3(EditPrism.SubstepsPerStep, 0, 0);
+        prism.V = new Grid3(0, EditPrism.SubstepsPerStep, 0);
         var from = grid.ToGeo(prism.Origin);
         foreach (var (polygon, vertices) in polygons.Rings)
             operation.AddRing(polygon, [.. vertices.SelectMany(vertex =>
             {
-                var at = EditShape.GridOf(math.round((new double3(vertex, 0) - from) / grid.Step * EditPrism.PartsOfStep));
+                var at = EditShape.GridOf(math.round((new double3(vertex, 0) - from) / grid.Step * EditPrism.SubstepsPerStep));
                 return new[] { at.X, at.Y };
             })]);
     }

@@ -136,7 +136,7 @@ public sealed class EditTests : ScratchTests
 
     FolderLock Hold()
     {
-        Assert.That(FolderLock.TryTake(m_cloud + ".edits.lock", out var held), Is.Null);
+        Assert.That(FolderLock.TakeOrGetOwner(m_cloud + ".edits.lock", out var held), Is.Null);
         return held;
     }
 

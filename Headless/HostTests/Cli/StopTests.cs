@@ -70,7 +70,7 @@ public sealed class StopTests : ScratchPerTest
         Assert.That(call.Status, Is.EqualTo(ExitStatus.Cancelled), call.Error);
         string[] left = Directory.Exists(folder) ? Directory.GetFileSystemEntries(folder) : [];
         // A build that took long goes on; it needs the name of its source.
-        if (left.Any(path => path.EndsWith(StoreFormat.PartSuffix)))
+        if (left.Any(path => path.EndsWith(StoreFormat.UnfinishedSuffix)))
             left = left.Where(path => before.Contains(path)).ToArray();
         Assert.That(left, Is.EquivalentTo(before));
         if (wasThere)

@@ -90,7 +90,7 @@ public sealed class CountryPlanTests
         }
         int[] kept = Enumerable.Range(0, cubes.Length).Where(t => tilesOf[t] > 0).ToArray();
         double[] built = groups.ConvertAll(g => pointsOfCell.AsSpan(g.First, g.Count).ToArray().Sum()).ToArray();
-        var builds = BuildTasks.Of(Array.ConvertAll(kept, t => built[t]), PointsPerTask);
+        var builds = BuildAssignment.Of(Array.ConvertAll(kept, t => built[t]), PointsPerTask);
         var merges = MergeTree.Of(s_whole, kept.Select((t, number) => (builds.NameOf(number), cubes[t])));
         watch.Stop();
         long[] bytes = kept.Select(t => BytesOf(groups[t], cells, tilesOf[t])).ToArray();

@@ -96,7 +96,7 @@ class PartBuildTests : FolderTests
     {
         var inputs = folders.ConvertAll(InputOf);
         int merges = 0;
-        foreach (var octant in Enumerable.Range(0, 8).Select(plan.Whole.Whole.Child))
+        foreach (var octant in Enumerable.Range(0, 8).Select(plan.Whole.CloudCube.Child))
         {
             var inOctant = Enumerable.Range(0, cubes.Length).Where(i => octant.Contains(cubes[i])).ToArray();
             if (inOctant.Length < 2)

@@ -55,7 +55,7 @@ class PartMergeTests : FolderTests
                 continue;
             Directory.CreateDirectory(tops);
             foreach (string file in Directory.GetFiles(
-                Path.Combine(Target + StoreFormat.PartSuffix, BuildFiles.TopFolderName)))
+                Path.Combine(Target + StoreFormat.UnfinishedSuffix, BuildFiles.TopFolderName)))
                 File.Copy(file, Path.Combine(tops, Path.GetFileName(file)));
         }
         m_chunks = Directory.GetFiles(tops).OrderBy(f => f, StringComparer.Ordinal).ToArray();
@@ -74,7 +74,7 @@ class PartMergeTests : FolderTests
         Records = m_records,
         Attributes = m_made.Manifest.Attributes,
         Divisors = m_made.Manifest.Divisors,
-        Whole = whole,
+        CloudCube = whole,
         Cube = cube,
     };
 
@@ -112,7 +112,7 @@ class PartMergeTests : FolderTests
                 owned.Add(chunk);
                 merge.Add(chunk, records);
                 result.Checksum += chunk.Checksum;
-                result.Include(chunk.LowestSideLog2, chunk.BytesOfPlane);
+                result.Include(chunk.MinSideLog2, chunk.BytesOfPlane);
                 result.Statistics.Include(new PointStatistics
                 {
                     Count = chunk.TopPoints + chunk.PointCount,
@@ -122,7 +122,7 @@ class PartMergeTests : FolderTests
             }
             if (collects)
                 JobCoroutine.RunToEnd(merge.Collect(part.Cube, null));
-            result.Include(merge.LowestSideLog2, merge.BytesOfPlane);
+            result.Include(merge.MinSideLog2, merge.BytesOfPlane);
             JobCoroutine.RunToEnd(PartFile.Write(build.Folder, part.Cube, part.CloudId, merge, result));
             JobCoroutine.RunToEnd(build.Folder.Complete());
         }
@@ -193,7 +193,7 @@ class PartMergeTests : FolderTests
         Assert.That(result.Checksum, Is.EqualTo(wanted.Checksum));
         Assert.That(result.Statistics.Count, Is.EqualTo(wanted.Points));
         Assert.That(result.BytesOfPlane, Is.EqualTo(m_made.BytesOfPlane));
-        Assert.That(wanted.Root.SideLog2 - result.LowestSideLog2 + 1, Is.EqualTo(m_made.LevelCount));
+        Assert.That(wanted.Root.SideLog2 - result.MinSideLog2 + 1, Is.EqualTo(m_made.LevelCount));
     }
 
     /// <param name="levels">Of merges; of more than one, one for each cube that was cut.</param>
@@ -238,7 +238,7 @@ class PartMergeTests : FolderTests
         var part = PartOf(new GridCube(cube.Corner, 3), cube);
         var built = Build(part, In(cube), "build");
         PartResult result = null;
-        var merged = Merge(PartOf(part.Whole, part.Whole), new[] { built }, "merge", r => result = r);
+        var merged = Merge(PartOf(part.CloudCube, part.CloudCube), new[] { built }, "merge", r => result = r);
         AssertSame(Commit(new[] { built.NodesPath, merged.NodesPath }), result);
     }
 
@@ -317,7 +317,8 @@ class PartMergeTests : FolderTests
         AssertFails(nodes.Take(8), "no merge took it in");
         AssertFails(nodes.Take(1), "tops that are not merged: wanted 0, got");
         AssertFails(nodes.Append(nodes[2]), "is the same as " + nodes[2]);
-        AssertFails(nodes.Append(Merge(PartOf(whole.Whole, whole.Whole.Child(1)), inputs.Skip(1).Take(1).ToArray(), "again",
+        AssertFails(nodes.Append(
+            Merge(PartOf(whole.CloudCube, whole.CloudCube.Child(1)), inputs.Skip(1).Take(1).ToArray(), "again",
             _ => { }).NodesPath), "two merges took it in");
         AssertFails(new string[0], "wanted parts to commit, got none");
         (inputs[1].NodesPath, inputs[2].NodesPath) = (inputs[2].NodesPath, inputs[1].NodesPath);

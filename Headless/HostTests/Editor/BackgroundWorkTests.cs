@@ -31,7 +31,7 @@ public sealed class BackgroundWorkTests : EditorFixture
         m_project.Imports.CreateAsset(m_project.Scratch.Demo("scan.las", 20_000), "Assets");
         var queue = m_project.Imports.Queue;
         ImportProject.Updates(() => m_project.Imports.Update(DateTime.UtcNow),
-            () => queue.Session?.State == BuildState.Building);
+            () => queue.Session?.State == ConversionState.Building);
         EditorApplication.isPlaying = true;
         m_project.Imports.Update(DateTime.UtcNow.AddSeconds(1));
         string stage = queue.Session.Progress.Current;
@@ -52,7 +52,7 @@ public sealed class BackgroundWorkTests : EditorFixture
         m_project.Imports.CreateAsset(m_project.Scratch.Demo("scan.las", 20_000), "Assets");
         var queue = m_project.Imports.Queue;
         ImportProject.Updates(() => m_project.Imports.Update(DateTime.UtcNow),
-            () => queue.Session?.State == BuildState.Building);
+            () => queue.Session?.State == ConversionState.Building);
         Assert.That(queue.Session.Workers, Is.Zero, "all");
         EditorApplication.isPlaying = true;
         m_project.Imports.Update(DateTime.UtcNow);
@@ -138,7 +138,7 @@ public sealed class BackgroundWorkTests : EditorFixture
     public void BatchConvert_FolderLockedByAnotherEditor_NamesIt()
     {
         m_project.Imports.CreateAsset(m_project.Scratch.Demo("scan.las", 1000), "Assets");
-        Assert.That(FolderLock.TryTake(Path.Combine("PointClouds", ImportQueue.LockName), out var held), Is.Null);
+        Assert.That(FolderLock.TakeOrGetOwner(Path.Combine("PointClouds", ImportQueue.LockName), out var held), Is.Null);
         int retryTimeoutMs = FileChanges.RetryTimeoutMs;
         FileChanges.RetryTimeoutMs = 500;
         using (held)

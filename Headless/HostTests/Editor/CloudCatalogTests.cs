@@ -68,7 +68,7 @@ public sealed class CloudCatalogTests : ScratchPerTest
     {
         string broken = Convert("broken", 2000), building = Convert("building", 3000);
         File.WriteAllText(Path.Combine(broken, StoreFormat.ManifestName), "{}");
-        Directory.Move(building, building + StoreFormat.PartSuffix);
+        Directory.Move(building, building + StoreFormat.UnfinishedSuffix);
 
         m_catalog.Refresh();
 
@@ -88,7 +88,7 @@ public sealed class CloudCatalogTests : ScratchPerTest
         Assert.That(names.Next("SCAN"), Is.EqualTo(Path.Combine(m_paths.Clouds, "SCAN 2.fastpoints")));
         Assert.That(names.Next("scan"), Is.EqualTo(Path.Combine(m_paths.Clouds, "scan 4.fastpoints")), "3 is promised");
 
-        Directory.Move(taken, taken + StoreFormat.PartSuffix);
+        Directory.Move(taken, taken + StoreFormat.UnfinishedSuffix);
         Assert.That(m_catalog.NewTargets(new string[0]).Next("scan"), Does.EndWith("scan 2.fastpoints"), "one in the making");
     }
 
@@ -96,7 +96,7 @@ public sealed class CloudCatalogTests : ScratchPerTest
     public void Delete_Cloud_LeavesNothing()
     {
         string target = Convert("one", 2000);
-        Directory.CreateDirectory(target + StoreFormat.PartSuffix);
+        Directory.CreateDirectory(target + StoreFormat.UnfinishedSuffix);
 
         CloudCatalog.Delete(target);
 
@@ -112,7 +112,7 @@ public sealed class CloudCatalogTests : ScratchPerTest
         using (var copy = new CloudCopy(from, to))
         {
             copy.Work.GetAwaiter().GetResult();
-            Assert.That(copy.Share, Is.EqualTo(1));
+            Assert.That(copy.Fraction, Is.EqualTo(1));
         }
 
         var verified = CliCall.Of("verify", to, "--against", Scratch["s2000.las"], "--quiet");

@@ -124,7 +124,8 @@ public sealed class CloudDropTests : EditorFixture
         FastPointsSettings.instance.SeveralFiles = SeveralFiles.Separate;
         m_project.Imports.CreateAsset(m_project.Scratch.Demo("first.las", 200_000), "Assets");
         var queue = m_project.Imports.Queue;
-        ImportProject.Updates(() => m_project.Imports.Update(DateTime.UtcNow), () => queue.Session?.State == BuildState.Building);
+        ImportProject.Updates(() => m_project.Imports.Update(DateTime.UtcNow),
+            () => queue.Session?.State == ConversionState.Building);
         // A paused request would let the others go first.
         queue.Session.Pause();
         var tiles = Tiles(count);

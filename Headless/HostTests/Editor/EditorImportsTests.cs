@@ -124,7 +124,7 @@ public sealed class EditorImportsTests : EditorFixture
     public void Reload_WhileAnotherEditorImports_KeepsTheRequests()
     {
         Directory.CreateDirectory("PointClouds");
-        Assert.That(FolderLock.TryTake(Path.Combine("PointClouds", ImportQueue.LockName), out var held), Is.Null);
+        Assert.That(FolderLock.TakeOrGetOwner(Path.Combine("PointClouds", ImportQueue.LockName), out var held), Is.Null);
         using (held)
         {
             m_project.Imports.CreateAsset(m_project.Scratch.Demo("scan.las", 3000), "Assets");
@@ -183,14 +183,15 @@ public sealed class EditorImportsTests : EditorFixture
                 throw new InvalidOperationException("planted");
         }))
         {
-            m_project.Imports.Checks.Begin(cloud);
+            m_project.Imports.Verification.Begin(cloud);
             for (int i = 0; i < 3; i++)
                 Assert.That(() => m_project.Imports.Update(DateTime.UtcNow), Throws.Nothing);
-            ImportProject.Updates(() => m_project.Imports.Update(DateTime.UtcNow), () => !m_project.Imports.Checks.IsChecking);
+            ImportProject.Updates(() => m_project.Imports.Update(DateTime.UtcNow),
+                () => !m_project.Imports.Verification.IsChecking);
         }
         Assert.That(m_logged.Single(), Does.StartWith("Error: FastPoints: " + cloud).And.Contains("planted"));
         Assert.That(Progress.Entries.Single().Status, Is.EqualTo(Progress.Status.Failed));
-        Assert.That(m_project.Imports.Checks.Check.Result.Ok, Is.False);
+        Assert.That(m_project.Imports.Verification.Check.Result.Ok, Is.False);
     }
 
     /// <summary>A team's version control would see changes that nobody made: here the second has a copy with its own time, and
@@ -239,7 +240,7 @@ public sealed class EditorImportsTests : EditorFixture
     {
         m_project.Imports.CreateAsset(m_project.Scratch.Demo("one.las", 100_000), "Assets");
         ImportProject.Updates(() => m_project.Imports.Update(DateTime.UtcNow),
-            () => Progress.Entries.Count == 1 && m_project.Imports.Queue.Session?.State == BuildState.Building);
+            () => Progress.Entries.Count == 1 && m_project.Imports.Queue.Session?.State == ConversionState.Building);
         Assert.That(Progress.Pause(0), Is.True);
         m_project.Imports.CreateAsset(m_project.Scratch.Demo("two.las", 3000), "Assets");
         var asset = m_project.Asset("Assets/two.pointcloud");
@@ -263,13 +264,13 @@ public sealed class EditorImportsTests : EditorFixture
         var shown = Progress.Entries[0];
         Assert.That(shown.Name, Is.EqualTo("Convert scan.pointcloud"));
         ImportProject.Updates(() => m_project.Imports.Update(DateTime.UtcNow),
-            () => m_project.Imports.Queue.Session.State == BuildState.Building);
+            () => m_project.Imports.Queue.Session.State == ConversionState.Building);
 
         Assert.That(Progress.Pause(0), Is.True);
         Assert.That(Progress.Entries[0].Status, Is.EqualTo(Progress.Status.Paused));
-        Assert.That(m_project.Imports.Queue.Session.State, Is.EqualTo(BuildState.Paused));
+        Assert.That(m_project.Imports.Queue.Session.State, Is.EqualTo(ConversionState.Paused));
         Assert.That(Progress.Resume(0), Is.True);
-        Assert.That(m_project.Imports.Queue.Session.State, Is.EqualTo(BuildState.Building));
+        Assert.That(m_project.Imports.Queue.Session.State, Is.EqualTo(ConversionState.Building));
         Assert.That(Progress.Cancel(0), Is.True);
         Assert.That(shown.Status, Is.EqualTo(Progress.Status.Canceled));
         m_project.UpdateToTheEnd();
@@ -286,7 +287,7 @@ public sealed class EditorImportsTests : EditorFixture
     {
         m_project.Imports.CreateAsset(m_project.Scratch.Demo("scan.las", 5000), "Assets");
         m_project.Imports.Update(DateTime.UtcNow);
-        Assert.That(m_project.Imports.Queue.Session.State, Is.EqualTo(BuildState.Opening));
+        Assert.That(m_project.Imports.Queue.Session.State, Is.EqualTo(ConversionState.Opening));
         Assert.That(Progress.Pause(0), Is.False);
         Assert.That(Progress.Entries[0].Status, Is.EqualTo(Progress.Status.Running));
     }
@@ -338,7 +339,7 @@ public sealed class EditorImportsTests : EditorFixture
         Assert.That(asset.TryGetSpace(out _, out var turned), Is.True);
         Assert.That((turned.Up, turned.Scale), Is.EqualTo((UpAxis.Y, new double3(0.001, 0.001, 0.001))));
         Assert.That(turned.OriginGeo.y, Is.EqualTo(bounds.Min.y).Within(0.5), "another floor");
-        Assert.That((asset.File().Up, asset.File().UnitMetres), Is.EqualTo((UpAxis.Y, 0.001)));
+        Assert.That((asset.File().Up, asset.File().MetresPerUnitOverride), Is.EqualTo((UpAxis.Y, 0.001)));
 
         m_project.Apply("Assets/scan.pointcloud", null);
         Assert.That(asset.TryGetSpace(out _, out var back), Is.True);
@@ -493,7 +494,7 @@ public sealed class EditorImportsTests : EditorFixture
         var entity = world.EntityManager.CreateEntity();
         world.EntityManager.AddComponentData(entity, new Unity.Transforms.LocalToWorld { Value = float4x4.identity });
         world.EntityManager.AddComponentData(entity, asset.File());
-        asset.Paths.WriteTo(world.EntityManager.AddBuffer<PointCloudPath>(entity));
+        asset.Paths.WriteTo(world.EntityManager.AddBuffer<PointCloudPathByte>(entity));
         EditorProject.Frames(world, () => world.EntityManager.HasComponent<StreamedPointCloud>(entity));
         EditorProject.AwaitIdle(world);
         m_project.UpdateToTheEnd();

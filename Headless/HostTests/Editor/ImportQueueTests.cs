@@ -209,7 +209,7 @@ public sealed class ImportQueueTests
         queue.Resume(one);
         UpdateUntil(queue, () => queue.Session?.Progress.Current == "read");
         queue.Pause(one);
-        Assert.That(queue.Session.State, Is.EqualTo(BuildState.Paused));
+        Assert.That(queue.Session.State, Is.EqualTo(ConversionState.Paused));
         queue.Resume(one);
         UpdateUntil(queue, () => queue.Requests.Count == 0);
     }
@@ -228,7 +228,7 @@ public sealed class ImportQueueTests
         for (int i = 0; i < 20; i++)
             after.Tick(1, DateTime.UtcNow);
         Assert.That(after.Requests.Single().State, Is.EqualTo(ImportState.Paused));
-        Assert.That((after.Session, after.HasWork), Is.EqualTo(((BuildSession)null, false)));
+        Assert.That((after.Session, after.HasWork), Is.EqualTo(((ConversionSession)null, false)));
 
         ResumeAndFinish(after);
     }
@@ -245,7 +245,7 @@ public sealed class ImportQueueTests
         queue.Pause(one);
         for (int i = 0; i < 20; i++)
             queue.Tick(1, DateTime.UtcNow);
-        Assert.That(queue.Session.State, Is.EqualTo(BuildState.Paused));
+        Assert.That(queue.Session.State, Is.EqualTo(ConversionState.Paused));
         queue.Add(two);
         queue.Tick(1, DateTime.UtcNow);
         Assert.That((queue.Running, one.State), Is.EqualTo((two, ImportState.Paused)));
@@ -317,8 +317,8 @@ public sealed class ImportQueueTests
         {
             if (queue.Running?.IsBuilt == true)
             {
-                Assert.That(queue.Session.Share, Is.InRange(share, 1));
-                share = queue.Session.Share;
+                Assert.That(queue.Session.Fraction, Is.InRange(share, 1));
+                share = queue.Session.Fraction;
             }
             return queue.Requests.Count == 0;
         });

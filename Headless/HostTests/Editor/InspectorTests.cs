@@ -185,7 +185,7 @@ public sealed class InspectorTests
                     Draw();
                 }
                 ImportProject.Updates(Draw,
-                    () => !project.Imports.Checks.IsChecking && project.Imports.Queue.Requests.Count == 0);
+                    () => !project.Imports.Verification.IsChecking && project.Imports.Queue.Requests.Count == 0);
                 Object.DestroyImmediate(inspector);
                 Assert.That(logged.Where(l => !l.StartsWith("Log: ")), Is.Empty);
             }
@@ -404,12 +404,12 @@ public sealed class InspectorTests
                 var asset = project.Imports.CreateAsset(project.Scratch.Demo("scan.las", 20_000), "Assets");
                 project.UpdateToTheEnd();
                 string path = project.Paths.Absolute(asset.ProjectPath);
-                CloudCheck Verify()
+                CloudVerification Verify()
                 {
-                    project.Imports.Checks.Begin(path);
+                    project.Imports.Verification.Begin(path);
                     ImportProject.Updates(() => project.Imports.Update(DateTime.UtcNow),
-                        () => !project.Imports.Checks.IsChecking);
-                    return project.Imports.Checks.Check;
+                        () => !project.Imports.Verification.IsChecking);
+                    return project.Imports.Verification.Check;
                 }
                 Assert.That(Verify().Describe(), Is.EqualTo("20,000 points are as they were converted"));
                 Assert.That(Progress.Entries.Last().Status, Is.EqualTo(Progress.Status.Succeeded));
@@ -423,10 +423,10 @@ public sealed class InspectorTests
                 Assert.That(Progress.Entries.Last().Status, Is.EqualTo(Progress.Status.Failed));
                 Assert.That(logged.Last(), Does.StartWith("Error: FastPoints: " + path));
 
-                project.Imports.Checks.Begin(path);
+                project.Imports.Verification.Begin(path);
                 Assert.That(Progress.Cancel(Progress.Entries.Count - 1), Is.True);
-                Assert.That(project.Imports.Checks.IsChecking, Is.False);
-                project.Imports.Checks.Begin(path);
+                Assert.That(project.Imports.Verification.IsChecking, Is.False);
+                project.Imports.Verification.Begin(path);
                 project.Imports.Suspend();
                 Assert.That(Progress.Entries.Last().Status, Is.EqualTo(Progress.Status.Canceled));
             }

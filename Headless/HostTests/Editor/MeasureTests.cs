@@ -99,7 +99,7 @@ public sealed class MeasureTests : ScratchTests
             Assert.That((from.Up, from.Units), Is.EqualTo((UpAxis.Z, m_folder.Manifest.Crs.Units)));
             Assert.That(asIs.HorizontalGeo, Is.EqualTo(math.length(asIs.DeltaGeo.xy)));
             var file = m_world.EntityManager.GetComponentData<PointCloudFile>(m_cloud.Entity);
-            (file.Up, file.UnitMetres) = (UpAxis.X, 0.25);
+            (file.Up, file.MetresPerUnitOverride) = (UpAxis.X, 0.25);
             m_world.EntityManager.SetComponentData(m_cloud.Entity, file);
 
             bool IsShown() => m_world.EntityManager.HasComponent<StreamedPointCloud>(m_cloud.Entity);

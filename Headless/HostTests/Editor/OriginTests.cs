@@ -155,7 +155,7 @@ public sealed class OriginTests : EditorFixture
             var made = entities.CreateEntity();
             entities.AddComponentData(made, new Unity.Transforms.LocalToWorld { Value = float4x4.identity });
             entities.AddComponentData(made, new PointCloudFile());
-            new PointCloudPaths { Path = folder }.WriteTo(entities.AddBuffer<PointCloudPath>(made));
+            new PointCloudPaths { Path = folder }.WriteTo(entities.AddBuffer<PointCloudPathByte>(made));
             return made;
         }
         var open = Add();

@@ -95,7 +95,7 @@ public sealed class PlayerCloudTests : EditorFixture
 
         m_project.UpdateToTheEnd();
         string folder = Path.Combine(m_project.Paths.Clouds, "a.fastpoints");
-        Directory.Move(folder, folder + StoreFormat.PartSuffix);
+        Directory.Move(folder, folder + StoreFormat.UnfinishedSuffix);
         Assert.That(Build, Throws.TypeOf<BuildFailedException>().With.Message.Contains("got one in the making")
             .And.Message.Contains("FastPoints > Clouds"), "what helps");
     }

@@ -45,7 +45,7 @@ public sealed class SceneEditorTests
     }
 
     [TestCase("m_color", ColorMode.Elevation)]
-    [TestCase("m_gradient", FastPoints.Drawing.Gradient.Gray)]
+    [TestCase("m_colorRamp", FastPoints.Drawing.ColorRamp.Gray)]
     [TestCase("m_hiddenClasses", new[] { 2, 7 })]
     [TestCase("m_path", "elsewhere.fastpoints")]
     public void Update_RestoredField_ReopensTheCloudOnce(string field, object value)
@@ -63,9 +63,10 @@ public sealed class SceneEditorTests
 
         Assert.That(cloud.Entity, Is.Not.EqualTo(before));
         var file = world.EntityManager.GetComponentData<PointCloudFile>(cloud.Entity);
-        Assert.That(PointCloudPaths.Of(PointCloudPaths.BytesOf(world.EntityManager.GetBuffer<PointCloudPath>(cloud.Entity))).Path,
+        Assert.That(
+            PointCloudPaths.Of(PointCloudPaths.BytesOf(world.EntityManager.GetBuffer<PointCloudPathByte>(cloud.Entity))).Path,
             Is.EqualTo(cloud.Path));
-        Assert.That((file.Color, file.Gradient), Is.EqualTo((cloud.Color, cloud.Gradient)));
+        Assert.That((file.Color, file.ColorRamp), Is.EqualTo((cloud.Color, cloud.ColorRamp)));
         Assert.That(file.HiddenClasses, Is.EqualTo(ClassMask.Of(cloud.HiddenClasses)));
         var after = cloud.Entity;
         SceneLoop.Update();

@@ -20,7 +20,7 @@ public sealed class TransferTests : EditorFixture
         var asset = Converted();
         string folder = Directory.CreateDirectory(m_project.Scratch["out"]).FullName;
 
-        string first = m_project.Imports.Export(asset, folder), second = m_project.Imports.Export(asset, folder);
+        string first = m_project.Imports.ExportCopy(asset, folder), second = m_project.Imports.ExportCopy(asset, folder);
         Updates(() => !m_project.Imports.Transfers.IsCopying);
 
         Assert.That(first, Is.EqualTo(Path.Combine(folder, "scan.fastpoints")));
@@ -44,7 +44,7 @@ public sealed class TransferTests : EditorFixture
             throw new ArgumentException("Drive name must be a root directory (i.e. 'C:\\') or a drive letter ('C').");
         }))
         {
-            string copy = m_project.Imports.Export(asset, Directory.CreateDirectory(m_project.Scratch["out"]).FullName);
+            string copy = m_project.Imports.ExportCopy(asset, Directory.CreateDirectory(m_project.Scratch["out"]).FullName);
             Updates(() => !m_project.Imports.Transfers.IsCopying);
             AssertIsWhole(copy);
         }
@@ -57,7 +57,7 @@ public sealed class TransferTests : EditorFixture
         var asset = ScriptableObject.CreateInstance<PointCloudAsset>();
         asset.name = "scan";
         asset.ProjectPath = "PointClouds/none.fastpoints";
-        Assert.That(m_project.Imports.Export(asset, m_project.Scratch["out"]), Is.Null);
+        Assert.That(m_project.Imports.ExportCopy(asset, m_project.Scratch["out"]), Is.Null);
         Assert.That(m_logged.Single(), Does.Contain("scan is not converted"));
     }
 
@@ -86,7 +86,7 @@ public sealed class TransferTests : EditorFixture
         Assert.That(m_logged.Single(), Does.Contain("wanted a converted cloud"));
         var asset = Converted();
         m_logged.Clear();
-        m_project.Imports.Transfers.Export(m_project.Paths.Absolute(asset.ProjectPath), m_project.Scratch["out"]);
+        m_project.Imports.Transfers.ExportCopy(m_project.Paths.Absolute(asset.ProjectPath), m_project.Scratch["out"]);
         m_project.Imports.Suspend();
         Assert.That(m_project.Imports.Transfers.IsCopying, Is.False);
         Assert.That(m_logged, Is.Empty);
@@ -96,14 +96,14 @@ public sealed class TransferTests : EditorFixture
     public void Export_CancelledInTheProgressWindow_IsNotReportedAgain()
     {
         var asset = Converted();
-        string to = m_project.Imports.Export(asset, Directory.CreateDirectory(m_project.Scratch["out"]).FullName);
+        string to = m_project.Imports.ExportCopy(asset, Directory.CreateDirectory(m_project.Scratch["out"]).FullName);
 
         Assert.That(Progress.Cancel(Progress.Entries.Count - 1), Is.True);
         Updates(() => !m_project.Imports.Transfers.IsCopying);
 
         Assert.That(Progress.Entries.Last().Status, Is.EqualTo(Progress.Status.Canceled));
         Assert.That(m_logged.Where(l => !l.Contains("copied to")), Is.Empty);
-        m_project.Imports.Export(asset, m_project.Scratch["out"]);
+        m_project.Imports.ExportCopy(asset, m_project.Scratch["out"]);
         AssemblyReloadEvents.Reload();
         Assert.That(Progress.Entries.Last().Status, Is.EqualTo(Progress.Status.Canceled));
     }

@@ -325,7 +325,8 @@ public sealed class AuthoringTests : ScratchTests
         var authoring = scene.AddComponent<PointCloudAuthoring>();
         authoring.Cloud = asset;
         var entity = Baking.Bake(new PointCloudBaker { IsForPlayer = isForPlayer }, authoring, m_world);
-        var paths = PointCloudPaths.Of(PointCloudPaths.BytesOf(m_world.EntityManager.GetBuffer<PointCloudPath>(entity, true)));
+        var paths = PointCloudPaths.Of(
+            PointCloudPaths.BytesOf(m_world.EntityManager.GetBuffer<PointCloudPathByte>(entity, true)));
         Assert.That(paths.Path, Is.EqualTo("in/player"));
         Assert.That(paths.ProjectPath + string.Concat(paths.ProjectSources), isForPlayer ? Is.Empty : Does.Contain("/home/me"));
         UnityEngine.Object.DestroyImmediate(scene);
@@ -338,8 +339,8 @@ public sealed class AuthoringTests : ScratchTests
         var entities = m_world.EntityManager;
         var baked = Baking.Bake(new PointCloudBaker(), authoring, m_world);
         entities.SetComponentData(entity, entities.GetComponentData<PointCloudFile>(baked));
-        PointCloudPaths.Of(PointCloudPaths.BytesOf(entities.GetBuffer<PointCloudPath>(baked, true)))
-            .WriteTo(entities.GetBuffer<PointCloudPath>(entity));
+        PointCloudPaths.Of(PointCloudPaths.BytesOf(entities.GetBuffer<PointCloudPathByte>(baked, true)))
+            .WriteTo(entities.GetBuffer<PointCloudPathByte>(entity));
         entities.DestroyEntity(baked);
     }
 

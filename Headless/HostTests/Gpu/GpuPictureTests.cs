@@ -85,7 +85,7 @@ public sealed class GpuPictureTests : GraphicsFixture
         var camera = streams.Plan.Camera;
         var alone = streams.Draw(camera).Gpu;
         var other = Options(4, true, ColorMode.Elevation);
-        other.Gradient = Gradient.Turbo;
+        other.ColorRamp = ColorRamp.Turbo;
         var size = streams.Ranges.Robust.Size;
         streams.Add(m_demo, other, placement =>
         {
@@ -98,7 +98,7 @@ public sealed class GpuPictureTests : GraphicsFixture
         using var palettes = Palettes.CreateAll(Unity.Collections.Allocator.Persistent);
         uint[] Of(int palette) => palettes.GetSubArray(palette * Palettes.Length, Palettes.Length).ToArray();
         var classes = Of(Palettes.IndexOf(ColorMode.Classification));
-        var turbo = Of(Palettes.IndexOf(ColorMode.Elevation, Gradient.Turbo));
+        var turbo = Of(Palettes.IndexOf(ColorMode.Elevation, ColorRamp.Turbo));
         int Count(RgbaImage image, uint[] colors) =>
             Enumerable.Range(0, 320 * 180).Count(i => colors.Contains(image[i % 320, i / 320]));
         Assert.That(Count(alone, turbo), Is.LessThan(Count(both, turbo) / 10));
@@ -217,7 +217,7 @@ public sealed class GpuPictureTests : GraphicsFixture
     public void Draw_AdditionalLights_MatchesTheSoftwareRasterizer(bool hasNormals)
     {
         var options = Options(5, true);
-        options.LightShare = 1;
+        options.LitFraction = 1;
         string cloud = hasNormals ? Convert(m_scratch.Demo(points: Points), "normals", "--normals") : m_demo;
         using var streams = new TwinStreams(cloud, options, Points);
         var camera = streams.Plan.Camera;
@@ -231,21 +231,24 @@ public sealed class GpuPictureTests : GraphicsFixture
         var unlit = streams.Draw(camera).Gpu;
         light.Add(new AdditionalLight
         {
-            Place = middle + size / 4,
+            PositionOrDirection = middle + size / 4,
             Color = new float3(sizeSq / 8, 0, 0),
             OneOverRangeSq = 4 / sizeSq,
             ConeOffset = 1,
         }, eye);
         light.Add(new AdditionalLight
         {
-            Place = middle + new float3(0, 0, size.x / 2),
+            PositionOrDirection = middle + new float3(0, 0, size.x / 2),
             Color = new float3(0, sizeSq / 8, 0),
             OneOverRangeSq = 1 / sizeSq,
             Axis = new float3(0, 0, 1),
             ConeScale = 3,
             ConeOffset = -2,
         }, eye);
-        light.Add(new AdditionalLight { Place = new float3(1, 0, 0), Color = new float3(0, 0, 0.5f), ConeOffset = 1 }, eye);
+        light.Add(new AdditionalLight
+        {
+            PositionOrDirection = new float3(1, 0, 0), Color = new float3(0, 0, 0.5f), ConeOffset = 1,
+        }, eye);
         streams.Light(light);
         Compare(streams, camera, "additional" + hasNormals, 1);
         var lit = streams.Draw(camera).Gpu;
@@ -258,10 +261,10 @@ public sealed class GpuPictureTests : GraphicsFixture
     public void Draw_OneCloudOfTwoLit_LeavesTheOther()
     {
         var options = Options(4, true, ColorMode.Classification);
-        options.LightShare = 0;
+        options.LitFraction = 0;
         using var streams = new TwinStreams(m_demo, options, 2 * Points);
         var other = Options(4, true, ColorMode.Elevation);
-        other.LightShare = 1;
+        other.LitFraction = 1;
         var size = streams.Ranges.Robust.Size;
         streams.Add(m_demo, other, placement =>
         {
@@ -295,7 +298,7 @@ public sealed class GpuPictureTests : GraphicsFixture
         {
             var options = Options(sizePx, true, ColorMode.Elevation);
             options.Shadows = hasShadows;
-            (options.WidthPx, options.HeightPx, options.EdlStrength, options.LightShare) = (1280, 720, edlStrength, share);
+            (options.WidthPx, options.HeightPx, options.EdlStrength, options.LitFraction) = (1280, 720, edlStrength, share);
             using var streams = new TwinStreams(cloud, options, 2_000_000);
             return streams.LeastMilliseconds(streams.Plan.Camera);
         }
@@ -435,7 +438,7 @@ public sealed class GpuPictureTests : GraphicsFixture
     public void Draw_CameraBesideAPoint_MatchesTheSoftwareRasterizer()
     {
         using var streams = new TwinStreams(m_demo, Options(3, true), Points);
-        var outline = streams.Ranges.Outline;
+        var outline = streams.Ranges.FramingSample;
         var point = outline[outline.Length / 2];
         Assert.That(math.cmax(math.abs(point)), Is.GreaterThan(1e5), "no coordinates of a map");
         var eye = point + new double3(-0.008, 0.006, 0.002);

@@ -271,7 +271,7 @@ public sealed class GraphicsNodePoolTests : GraphicsFixture
                 Frame(stream, camera);
                 var view = RenderViews.Of(camera, 320, 180, 0);
                 view.Style = new PointStyle { Shape = PointShape.Disc, Size = PointSize.Adaptive(), EdlStrength = 0.25f };
-                (view.Style.Shadows, view.Light) = (hasShadows, PointLight.Default(new float3(0, 0, 1), new float3(0, 0, 1)));
+                (view.Style.Shadows, view.Light) = (hasShadows, PointLighting.Default(new float3(0, 0, 1), new float3(0, 0, 1)));
                 renderer.Prepare(stream, camera.ToStreamView(320, 180), view.Style);
                 long before = GC.GetAllocatedBytesForCurrentThread();
                 commands.Clear();

@@ -42,7 +42,7 @@ public abstract class PipelineFixture : GraphicsFixture
         Group = m_world.GetExistingSystemManaged<PointCloudSystemGroup>();
         var shaders = new GpuShaders();
         Group.Begin(shaders.CreatePool(64 << 20, 8 << 20));
-        Group.Stream.Settings.Selection.SmallestNodePx = 0;
+        Group.Stream.Settings.Selection.MinNodePx = 0;
         Group.Stream.Settings.Selection.MinScreenErrorPx = 0;
         PointScene.Current = Scene = new PointScene(shaders.Points, shaders.Compose, Group.Stream,
             HasRaster ? shaders.Raster : null, shaders.Progressive)

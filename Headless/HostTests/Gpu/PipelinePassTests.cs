@@ -152,9 +152,9 @@ public sealed class PipelinePassTests : PipelineFixture
         if (isMirror)
             camera.worldToCameraMatrix *= Matrix4x4.Translate(new Vector3(0, 0, 20));
         RenderOnce(camera);
-        var before = Scene.NextViews[0].EyeWorld;
+        var before = Scene.CollectNextViews()[0].EyeWorld;
         camera.transform.position += new Vector3(-1000, 5, 0);
-        Assert.That(Scene.NextViews[0].EyeWorld, Is.EqualTo(before + (isMirror ? default : new double3(-1000, 5, 0))));
+        Assert.That(Scene.CollectNextViews()[0].EyeWorld, Is.EqualTo(before + (isMirror ? default : new double3(-1000, 5, 0))));
         UnityEngine.Object.DestroyImmediate(camera.gameObject);
         target.Release();
     }
@@ -173,9 +173,9 @@ public sealed class PipelinePassTests : PipelineFixture
             RenderOnce(first);
             RenderOnce(second);
         }
-        Assert.That(Scene.NextViews.Length, Is.EqualTo(2));
-        Assert.That(Scene.NextViews[0].ScalePx, Is.EqualTo(CameraViews.StreamViewOf(first).ScalePx));
-        Assert.That(Scene.NextViews[1].ScalePx, Is.EqualTo(CameraViews.StreamViewOf(second).ScalePx));
+        Assert.That(Scene.CollectNextViews().Length, Is.EqualTo(2));
+        Assert.That(Scene.CollectNextViews()[0].ScalePx, Is.EqualTo(CameraViews.StreamViewOf(first).ScalePx));
+        Assert.That(Scene.CollectNextViews()[1].ScalePx, Is.EqualTo(CameraViews.StreamViewOf(second).ScalePx));
         foreach (var camera in new[] { first, second })
             UnityEngine.Object.DestroyImmediate(camera.gameObject);
         target.Release();
@@ -250,7 +250,7 @@ public sealed class PipelinePassTests : PipelineFixture
         camera.targetTexture = target;
         Assert.That(() => host.Render(camera), Throws.Nothing);
         Assert.That(host.PassCount, Is.Zero);
-        Assert.That(Scene.NextViews.Length, Is.Zero, "nor is it selected for");
+        Assert.That(Scene.CollectNextViews().Length, Is.Zero, "nor is it selected for");
         UnityEngine.Object.DestroyImmediate(camera.gameObject);
         target.Release();
         unused.Release();
@@ -340,7 +340,7 @@ public sealed class PipelinePassTests : PipelineFixture
             RenderOnce(away);
             UpdateWorld();
         }
-        Assert.That(Scene.NextViews.Length, Is.EqualTo(1), "it draws no more");
+        Assert.That(Scene.CollectNextViews().Length, Is.EqualTo(1), "it draws no more");
         UnityEngine.Object.DestroyImmediate(map.gameObject);
         UnityEngine.Object.DestroyImmediate(away.gameObject);
         target.Release();
@@ -505,14 +505,14 @@ public sealed class PipelinePassTests : PipelineFixture
         camera.cameraType = CameraType.Preview;
         camera.scene = new UnityEngine.SceneManagement.Scene { Mask = 16 };
         RenderOnce(camera);
-        Assert.That(Scene.NextViews.Length, Is.Zero);
+        Assert.That(Scene.CollectNextViews().Length, Is.Zero);
         camera.scene = default;
         RenderOnce(camera);
-        Assert.That(Scene.NextViews.Length, Is.EqualTo(1), "what a virtual camera sees, in the Scene view");
+        Assert.That(Scene.CollectNextViews().Length, Is.EqualTo(1), "what a virtual camera sees, in the Scene view");
         Scene.BeginFrame();
         camera.cameraType = CameraType.SceneView;
         RenderOnce(camera);
-        Assert.That(Scene.NextViews.Length, Is.EqualTo(1));
+        Assert.That(Scene.CollectNextViews().Length, Is.EqualTo(1));
         UnityEngine.Object.DestroyImmediate(camera.gameObject);
         target.Release();
     }

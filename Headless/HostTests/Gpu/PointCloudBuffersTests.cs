@@ -44,7 +44,7 @@ public sealed class PointCloudBuffersTests : GraphicsFixture
         var shaders = new GpuShaders();
         m_stream = new StreamContext(shaders.CreatePool(16 << 20, 1 << 19));
         m_stream.Settings.Selection.MinScreenErrorPx = 0;
-        m_stream.Settings.Selection.SmallestNodePx = 0;
+        m_stream.Settings.Selection.MinNodePx = 0;
         var resources = ScriptableObject.CreateInstance<PointCloudResources>();
         resources.Gather = shaders.Gather;
         Resources.Assets[PointCloudResources.Path] = resources;
@@ -191,7 +191,7 @@ public sealed class PointCloudBuffersTests : GraphicsFixture
         if (isClipped)
             m_stream.SetClipBoxes([new ClipBox(origin - 1000, origin + new double3(1.23456, 1000, 1000))]);
         Assert.That(buffers.Update(cloud, origin), Is.True);
-        Assert.That((buffers.Count, buffers.Share, buffers.OriginWorld), Is.EqualTo((Points, 1.0, origin)));
+        Assert.That((buffers.Count, buffers.Fraction, buffers.OriginWorld), Is.EqualTo((Points, 1.0, origin)));
         var wanted = Unpack(cloud, origin, mode);
         Assert.That(wanted.Count(p => p.Color >> 24 == 0), Is.InRange(1, Points - 1));
         Assert.That(isClipped, Is.EqualTo(wanted.Count(p => p.Color >> 24 != 0 && p.Position.x > 1.3) == 0));
@@ -229,7 +229,7 @@ public sealed class PointCloudBuffersTests : GraphicsFixture
         var all = Unpack(cloud, origin, ColorMode.Rgb);
         var wanted = all.Where((_, i) => (ulong)(i + 1) * share >> 32 != (ulong)i * share >> 32).ToList();
         Assert.That(buffers.Count, Is.EqualTo(wanted.Count).And.InRange(maxPoints - 1, maxPoints));
-        Assert.That(buffers.Share, Is.EqualTo((double)buffers.Count / Points));
+        Assert.That(buffers.Fraction, Is.EqualTo((double)buffers.Count / Points));
         m_scene.ClearLooks();
         Assert.That(buffers.Update(cloud, 0), Is.False, "a cloud that goes leaves its points to the effect");
         Check(Read(buffers), wanted);
@@ -258,7 +258,7 @@ public sealed class PointCloudBuffersTests : GraphicsFixture
             {
                 var position = (float3)origin + points[i].Position;
                 var srgb = new float3(points[i].Color & 0xFF, points[i].Color >> 8 & 0xFF, points[i].Color >> 16 & 0xFF) / 255;
-                var color = space == ColorSpace.Linear ? PointLight.LinearOf(srgb) : srgb;
+                var color = space == ColorSpace.Linear ? PointLighting.LinearOf(srgb) : srgb;
                 var shown = new float3(got[2 * i + 1].x, got[2 * i + 1].y, got[2 * i + 1].z);
                 return (got[2 * i].x, got[2 * i].y, got[2 * i].z) == (position.x, position.y, position.z) &&
                     math.cmax(math.abs(shown - color)) < 1e-5f && got[2 * i + 1].w == (points[i].Color >> 24 == 255 ? 1 : 0);
@@ -271,12 +271,12 @@ public sealed class PointCloudBuffersTests : GraphicsFixture
     [Test]
     public void Update_NothingShown_AllocatesNothing()
     {
-        using var buffers = new PointCloudBuffers(PointCloudBuffers.LargestMaxPoints);
+        using var buffers = new PointCloudBuffers(PointCloudBuffers.MaxPointsLimit);
         foreach (int cloud in new[] { -1, 0, 7 })
             Assert.That(buffers.Update(cloud, 0), Is.False);
         Assert.That((buffers.Points, buffers.Count), Is.EqualTo(((GraphicsBuffer)null, 0)));
         Assert.That(() => buffers.Bind(new MaterialPropertyBlock()), Throws.InvalidOperationException);
-        foreach (int room in new[] { 0, PointCloudBuffers.LargestMaxPoints + 1 })
+        foreach (int room in new[] { 0, PointCloudBuffers.MaxPointsLimit + 1 })
             Assert.That(() => new PointCloudBuffers(room), Throws.InstanceOf<ArgumentException>());
     }
 

@@ -190,23 +190,24 @@ public sealed class SelfStartTests : GraphicsFixture
 
         for (int frame = 0; frame < 5; frame++)
             camera.Render();
-        var before = group.Scene.NextViews[0];
+        var before = group.Scene.CollectNextViews()[0];
         var narrow = Matrix4x4.Perspective(30, 16 / 9f, 0.1f, 1000);
         camera.projectionMatrix = narrow;
         camera.Render();
 
-        Assert.That(group.Scene.NextViews.Length, Is.EqualTo(1));
-        Assert.That(group.Scene.NextViews[0].ScalePx, Is.GreaterThan(before.ScalePx));
+        Assert.That(group.Scene.CollectNextViews().Length, Is.EqualTo(1));
+        Assert.That(group.Scene.CollectNextViews()[0].ScalePx, Is.GreaterThan(before.ScalePx));
         camera.Eyes = new[] { (Matrix4x4.identity, narrow), (Matrix4x4.identity, narrow) };
         foreach (bool hasHeadset in new[] { true, false, true })
         {
             camera.stereoEnabled = hasHeadset;
             camera.Render();
-            Assert.That(group.Scene.NextViews.Length, Is.EqualTo(hasHeadset ? 2 : 1), "a headset that is put on and off");
+            Assert.That(group.Scene.CollectNextViews().Length, Is.EqualTo(hasHeadset ? 2 : 1),
+                "a headset that is put on and off");
         }
         for (int frame = 0; frame < PointScene.FramesToKeep + 1; frame++)
             m_world.Update();
-        Assert.That(group.Scene.NextViews.Length, Is.Zero);
+        Assert.That(group.Scene.CollectNextViews().Length, Is.Zero);
         Object.DestroyImmediate(cloud.gameObject);
         Object.DestroyImmediate(camera.gameObject);
         target.Release();

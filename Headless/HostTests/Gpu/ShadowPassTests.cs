@@ -61,13 +61,13 @@ public sealed class ShadowPassTests : PipelineFixture
         var target = StereoPassTests.Target(1);
         var camera = CameraAt(StereoPassTests.At(0), StereoPassTests.ProjectionOf(0), target);
         var without = Render(camera, false);
-        Assert.That(Scene.NextViews.Length, Is.EqualTo(1));
+        Assert.That(Scene.CollectNextViews().Length, Is.EqualTo(1));
         var with = Render(camera, true);
-        Assert.That(Scene.NextViews.Length, Is.EqualTo(2));
+        Assert.That(Scene.CollectNextViews().Length, Is.EqualTo(2));
         AssertDarker(with, without);
         Assert.That(Render(camera, true).Rgba, Is.EqualTo(with.Rgba));
         Assert.That(Render(camera, false).Rgba, Is.EqualTo(without.Rgba));
-        Assert.That(Scene.NextViews.Length, Is.EqualTo(1));
+        Assert.That(Scene.CollectNextViews().Length, Is.EqualTo(1));
         UnityEngine.Object.DestroyImmediate(camera.gameObject);
         target.Release();
     }
@@ -84,7 +84,7 @@ public sealed class ShadowPassTests : PipelineFixture
         for (int eye = 0; eye < 2; eye++)
         {
             var seen = Render(headset, true, eye);
-            Assert.That(Scene.NextViews.Length, Is.EqualTo(3));
+            Assert.That(Scene.CollectNextViews().Length, Is.EqualTo(3));
             AssertDarker(seen, Render(headset, false, eye));
             var camera = CameraAt(StereoPassTests.At(eye), StereoPassTests.ProjectionOf(eye), single);
             var wanted = Render(camera, true);

@@ -86,7 +86,7 @@ public sealed class StereoPassTests : PipelineFixture
         for (int eye = 0; eye < 2; eye++)
         {
             var seen = Render(headset, eye);
-            Assert.That(Scene.NextViews.Length, Is.EqualTo(2), "an announcement for each eye");
+            Assert.That(Scene.CollectNextViews().Length, Is.EqualTo(2), "an announcement for each eye");
             var camera = CameraAt(At(eye), ProjectionOf(eye), single);
             var wanted = Render(camera);
             int differ = 0, covered = 0;
@@ -130,7 +130,7 @@ public sealed class StereoPassTests : PipelineFixture
             if (eye == 1 && headset.RightEye != null)
                 seen = Picture(headset.RightEye);
             RenderOnce(headset);
-            Assert.That(Scene.NextViews.Length, Is.EqualTo(2));
+            Assert.That(Scene.CollectNextViews().Length, Is.EqualTo(2));
             var camera = CameraAt(AlongAxes(eye), ProjectionOf(eye), single);
             var wanted = Render(camera);
             Assert.That(wanted.Rgba.Count(b => b != 0), Is.GreaterThan(20_000));
@@ -162,7 +162,7 @@ public sealed class StereoPassTests : PipelineFixture
         var seen = Render(camera);
         Assert.That(wanted.Rgba.Count(b => b != 0), Is.GreaterThan(20_000));
         Assert.That(seen.Rgba, Is.EqualTo(wanted.Rgba));
-        Assert.That(Scene.NextViews.Length, Is.EqualTo(1));
+        Assert.That(Scene.CollectNextViews().Length, Is.EqualTo(1));
         UnityEngine.Object.DestroyImmediate(camera.gameObject);
         target.Release();
     }

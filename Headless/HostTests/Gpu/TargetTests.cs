@@ -117,7 +117,7 @@ public sealed class TargetTests : PipelineFixture
         var sceneMaskOf = CameraViews.SceneMaskOf;
         CameraViews.SceneMaskOf = c => c.overrideSceneCullingMask;
         Render(camera);
-        var wanted = Scene.NextViews.ToArray().Single();
+        var wanted = Scene.CollectNextViews().ToArray().Single();
         var buffer = PixelsOf(Scene);
         var small = new RenderTexture(WidthPx / 4, HeightPx / 4, GraphicsFormat.R8G8B8A8_UNorm, GraphicsFormat.D32_SFloat);
         small.Create();
@@ -126,7 +126,7 @@ public sealed class TargetTests : PipelineFixture
             (camera.targetTexture, camera.overrideSceneCullingMask) = (small, 4);
             RenderOnce(camera);
             RenderOnce(camera);
-            Assert.That(Scene.NextViews.ToArray().Select(v => (v.ScalePx, v.Mask.Scenes)), Is.EquivalentTo(new[]
+            Assert.That(Scene.CollectNextViews().ToArray().Select(v => (v.ScalePx, v.Mask.Scenes)), Is.EquivalentTo(new[]
             {
                 (wanted.ScalePx, 0ul), (wanted.ScalePx / 4, 4ul),
             }));
@@ -135,7 +135,7 @@ public sealed class TargetTests : PipelineFixture
                 camera.Part = new Rect(0, 0, size, size);
                 RenderOnce(camera);
             }
-            Assert.That(Scene.NextViews.Length, Is.LessThanOrEqualTo(4), "a window whose edge is dragged");
+            Assert.That(Scene.CollectNextViews().Length, Is.LessThanOrEqualTo(4), "a window whose edge is dragged");
         }
         finally
         {

@@ -26,7 +26,7 @@ sealed class TwinStreams : IDisposable
         foreach (var stream in new[] { m_cpu, m_gpu })
         {
             stream.Settings.Selection.MinScreenErrorPx = 0;
-            stream.Settings.Selection.SmallestNodePx = 0;
+            stream.Settings.Selection.MinNodePx = 0;
         }
         SetBudget(budget);
         Add(cloud, options, place);
@@ -56,9 +56,9 @@ sealed class TwinStreams : IDisposable
     public PicturePlan Plan { get; private set; }
     public DisplayRanges Ranges { get; private set; }
 
-    public ShadowFrame ShadowFrame(PictureCamera camera) => Plan.ShadowFrameFor(m_gpu, camera);
+    public ShadowProjection ShadowProjection(PictureCamera camera) => Plan.ShadowFrameFor(m_gpu, camera);
 
-    public void Light(PointLight light) => m_plans.ForEach(plan => plan.Light = light);
+    public void Light(PointLighting light) => m_plans.ForEach(plan => plan.Light = light);
 
     public void Clip()
     {

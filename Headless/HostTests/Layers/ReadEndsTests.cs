@@ -36,9 +36,9 @@ public sealed class ReadEndsTests
 
     /// <summary>Another build, whose cloud is shown all the time, keeps none from its last rename.</summary>
     [Test]
-    public void HasReleased_AnotherFolderIsRead_IsTrue() => Show(StoreFormat.PartSuffix, (stream, views) =>
+    public void HasReleased_AnotherFolderIsRead_IsTrue() => Show(StoreFormat.UnfinishedSuffix, (stream, views) =>
     {
-        const string Released = "released" + StoreFormat.PartSuffix;
+        const string Released = "released" + StoreFormat.UnfinishedSuffix;
         FolderReleases.Release(Released);
         try
         {

@@ -37,7 +37,7 @@ sealed class ProbeWorld : IDisposable
         var entity = entities.CreateEntity(ComponentType.ReadWrite<LocalToWorld>());
         entities.SetComponentData(entity, new LocalToWorld { Value = float4x4.identity });
         entities.AddComponentData(entity, new PointCloudFile());
-        new PointCloudPaths { Path = m_cloud }.WriteTo(entities.AddBuffer<PointCloudPath>(entity));
+        new PointCloudPaths { Path = m_cloud }.WriteTo(entities.AddBuffer<PointCloudPathByte>(entity));
         return entity;
     }
 

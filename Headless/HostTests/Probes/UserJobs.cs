@@ -21,8 +21,8 @@ public struct DamageAllJob : IJobChunk
 
 public struct TintAll : IJobChunk
 {
-    public ComponentTypeHandle<Tint> Tint;
-    public ComponentTypeHandle<Hidden> Hidden;
+    public ComponentTypeHandle<NodeTint> Tint;
+    public ComponentTypeHandle<NodeHidden> Hidden;
     [ReadOnly] public ComponentTypeHandle<PointCloudNode> Node;
     public int Frame;
 
@@ -32,7 +32,7 @@ public struct TintAll : IJobChunk
         var nodes = chunk.GetNativeArray(ref Node);
         for (int i = 0; i < chunk.Count; i++)
         {
-            tints[i] = new Tint { Rgba = (uint)(nodes[i].PointCount * 77 + Frame) };
+            tints[i] = new NodeTint { Rgba = (uint)(nodes[i].PointCount * 77 + Frame) };
             chunk.SetComponentEnabled(ref Tint, i, (i + Frame) % 2 == 0);
             chunk.SetComponentEnabled(ref Hidden, i, (i + Frame) % 3 == 0);
         }
@@ -49,15 +49,16 @@ public sealed partial class TintSystem : SystemBase
     internal int Scheduled { get; private set; }
 
     protected override void OnCreate() =>
-        m_nodes = new EntityQueryBuilder(Allocator.Temp).WithPresent<Tint, Hidden>().WithAll<PointCloudNode>().Build(this);
+        m_nodes = new EntityQueryBuilder(Allocator.Temp).WithPresent<NodeTint, NodeHidden>()
+            .WithAll<PointCloudNode>().Build(this);
 
     protected override void OnUpdate()
     {
         Scheduled += m_nodes.CalculateEntityCount();
         Dependency = new TintAll
         {
-            Tint = GetComponentTypeHandle<Tint>(),
-            Hidden = GetComponentTypeHandle<Hidden>(),
+            Tint = GetComponentTypeHandle<NodeTint>(),
+            Hidden = GetComponentTypeHandle<NodeHidden>(),
             Node = GetComponentTypeHandle<PointCloudNode>(true),
             Frame = m_frame++,
         }.ScheduleParallel(m_nodes, Dependency);

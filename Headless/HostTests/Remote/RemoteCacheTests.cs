@@ -76,7 +76,7 @@ sealed class RemoteCacheTests : RemoteFixture
     [Test]
     public void Find_TwiceOfADamagedRecord_HasNothing()
     {
-        var key = RangeKey.Of("a");
+        var key = FileVersionKey.Of("a");
         RangeCache.Current.Add(key, 0, new byte[100]);
         StartAnew();
         string path = CacheFiles().Single().FullName;
@@ -90,7 +90,7 @@ sealed class RemoteCacheTests : RemoteFixture
     [Test]
     public void Find_OfWhatSeveralRunsWrote_HasTheLast()
     {
-        var key = RangeKey.Of("a");
+        var key = FileVersionKey.Of("a");
         for (byte run = 0; run < 20; run++)
         {
             RangeCache.Current.Add(key, 0, new[] { run });

@@ -63,7 +63,7 @@ sealed class RemoteReadTests : RemoteFixture
         Make("a.bin", 200_000);
         var gate = new TaskCompletionSource();
         Server.Gate = gate.Task;
-        var fetched = new FetchedBytes(new List<FilePiece> { new() { Path = Server.Of("a.bin"), LengthBytes = -1 } }, 0);
+        var fetched = new RemoteFetch(new List<FilePiece> { new() { Path = Server.Of("a.bin"), LengthBytes = -1 } }, 0);
         if (isGivenUp)
             fetched.Dispose();
         gate.SetResult();

@@ -91,7 +91,7 @@ public sealed class WalkTests : GraphicsFixture
         m_project.Scratch.Demo("project/PointClouds/street.laz", 60_000);
         MakeScene("First cloud");
         // The conversion waits, so what is drawn is the preview.
-        Until(() => Imports.Queue.Session?.State == BuildState.Building &&
+        Until(() => Imports.Queue.Session?.State == ConversionState.Building &&
             Progress.Entries.Any(e => e.Name == "Convert street.pointcloud"));
         int converting = Progress.Entries.FindIndex(e => e.Name == "Convert street.pointcloud");
         Assert.That(Progress.Pause(converting), Is.True);
@@ -168,12 +168,12 @@ public sealed class WalkTests : GraphicsFixture
     {
         m_project.Scratch.Demo("long.las", 60_000);
         var asset = Imports.CreateAsset(m_project.Scratch["long.las"], "Assets");
-        Until(() => Imports.Queue.Session?.State == BuildState.Building);
+        Until(() => Imports.Queue.Session?.State == ConversionState.Building);
         AssemblyReloadEvents.Reload();
-        Until(() => Imports.Queue.Session?.State == BuildState.Building);
+        Until(() => Imports.Queue.Session?.State == ConversionState.Building);
         Play();
         Stop();
-        Until(() => Imports.Queue.Session?.State == BuildState.Building);
+        Until(() => Imports.Queue.Session?.State == ConversionState.Building);
         EditorApplication.Quit();
         Until(() => asset.Points == 60_000);
         Assert.That(CliCall.Of("verify", m_project.Paths.Absolute("PointClouds/long.fastpoints"), "--against",
@@ -185,11 +185,11 @@ public sealed class WalkTests : GraphicsFixture
     {
         m_project.Scratch.Demo("other.las", 60_000);
         var asset = Imports.CreateAsset(m_project.Scratch["other.las"], "Assets");
-        Until(() => Imports.Queue.Session?.State == BuildState.Building &&
+        Until(() => Imports.Queue.Session?.State == ConversionState.Building &&
             Progress.Entries.Any(e => e.Name == "Convert other.pointcloud"));
         int shown = Progress.Entries.FindLastIndex(e => e.Name == "Convert other.pointcloud");
         Assert.That(Progress.Pause(shown), Is.True, "step 7");
-        Assert.That(Imports.Queue.Session.State, Is.EqualTo(BuildState.Paused), "step 7");
+        Assert.That(Imports.Queue.Session.State, Is.EqualTo(ConversionState.Paused), "step 7");
         Assert.That(Progress.Resume(shown), Is.True, "step 7");
         Assert.That(Progress.Cancel(shown), Is.True, "step 7");
         Until(() => Imports.Queue.Requests.Count == 0);
@@ -254,7 +254,7 @@ public sealed class WalkTests : GraphicsFixture
         MakeScene("Entities only");
         Play();
         Settle();
-        Until(() => Count<Tint>() > 0 && Count<Tint>() == Count<PointCloudNode>());
+        Until(() => Count<NodeTint>() > 0 && Count<NodeTint>() == Count<PointCloudNode>());
         Stop();
         Assert.That(Count<PointCloudNode>(), Is.Zero, "step 10");
     }

@@ -10,7 +10,7 @@ public sealed class CloudFolderWriterTests : ScratchPerTest
     public void NamePaths()
     {
         m_target = Scratch["cloud.fastpoints"];
-        m_part = m_target + StoreFormat.PartSuffix;
+        m_part = m_target + StoreFormat.UnfinishedSuffix;
         m_lock = Path.Combine(m_part, "build.lock");
     }
 

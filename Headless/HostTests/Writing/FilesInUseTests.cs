@@ -12,7 +12,7 @@ public sealed class FilesInUseTests : ScratchPerTest
         ("replace of cloud.json", FileChange.Replace, (_, to) => to.EndsWith("cloud.json") && File.Exists(to)),
         ("delete of a generation", FileChange.Delete, (path, _) => path.Contains("hierarchy-") && File.Exists(path)),
         ("rename of a finished file", FileChange.Replace, (_, to) => to.EndsWith(".bin") && !File.Exists(to)),
-        ("the folder's name", FileChange.MoveFolder, (path, _) => path.EndsWith(StoreFormat.PartSuffix)),
+        ("the folder's name", FileChange.MoveFolder, (path, _) => path.EndsWith(StoreFormat.UnfinishedSuffix)),
     };
 
     static readonly int s_retryTimeoutMs = FileChanges.RetryTimeoutMs;
@@ -96,7 +96,7 @@ public sealed class FilesInUseTests : ScratchPerTest
             var result = Convert(source, target, Settings());
             Assert.That(result.Manifest.Points, Is.EqualTo(6000));
             Assert.That(WindowsFiles.Refused - before, Is.GreaterThanOrEqualTo(s_operations.Length));
-            Assert.That(Directory.Exists(target + StoreFormat.PartSuffix), Is.False);
+            Assert.That(Directory.Exists(target + StoreFormat.UnfinishedSuffix), Is.False);
             Assert.That(File.Exists(Path.Combine(target, BuildFiles.JournalName)), Is.False);
         }
         Assert.That(m_refused.Values, Is.EqualTo(Enumerable.Repeat(count, s_operations.Length)));
@@ -112,7 +112,7 @@ public sealed class FilesInUseTests : ScratchPerTest
     public void Convert_FolderInUseUntilTheEnd_ReportsItAndTheNextBuildResumes(long memory)
     {
         string source = Scratch.Demo("a.las", 6000), target = Scratch["a.fastpoints"];
-        string part = target + StoreFormat.PartSuffix;
+        string part = target + StoreFormat.UnfinishedSuffix;
         var settings = Settings();
         settings.MemoryBytes = memory;
         FileChanges.RetryTimeoutMs = 500;

@@ -19,22 +19,22 @@ public sealed class FolderLockTests : ScratchPerTest
     [Test]
     public void TryTake_WhileItIsHeld_ReportsTheOwner()
     {
-        Assert.That(FolderLock.TryTake(m_path, out var first), Is.Null);
-        Assert.That(FolderLock.TryTake(m_path, "else", (1, 1), out var second),
+        Assert.That(FolderLock.TakeOrGetOwner(m_path, out var first), Is.Null);
+        Assert.That(FolderLock.TakeOrGetOwner(m_path, "else", (1, 1), out var second),
             Is.EqualTo("process " + Environment.ProcessId + " on " + Environment.MachineName));
         Assert.That(second, Is.Null);
 
         first.Dispose();
         Assert.That(File.Exists(m_path), Is.False);
-        Assert.That(FolderLock.TryTake(m_path, out second), Is.Null);
+        Assert.That(FolderLock.TakeOrGetOwner(m_path, out second), Is.Null);
         second.Dispose();
     }
 
     [Test]
     public void TryTake_CrashedOwner_IsReplaced()
     {
-        FolderLock.TryTake(m_path, Environment.MachineName, Dead(), out var crashed);
-        Assert.That(FolderLock.TryTake(m_path, out var next), Is.Null);
+        FolderLock.TakeOrGetOwner(m_path, Environment.MachineName, Dead(), out var crashed);
+        Assert.That(FolderLock.TakeOrGetOwner(m_path, out var next), Is.Null);
 
         crashed.Dispose();
         Assert.That(File.Exists(m_path), Is.True, "it is not its own any more");
@@ -47,18 +47,18 @@ public sealed class FolderLockTests : ScratchPerTest
     [Test]
     public void TryTake_OwnerKilledAsItTookIt_IsReplacedAtOnce([Values(0, 3)] int written)
     {
-        FolderLock.TryTake(m_path, out _);
+        FolderLock.TakeOrGetOwner(m_path, out _);
         File.WriteAllText(m_path, File.ReadAllText(m_path)[..written]);
-        Assert.That(FolderLock.TryTake(m_path, out var next), Is.Null);
+        Assert.That(FolderLock.TakeOrGetOwner(m_path, out var next), Is.Null);
         next.Dispose();
     }
 
     [Test]
     public void TryTake_KilledAsItReplacedOne_IsReplacedAtOnce()
     {
-        FolderLock.TryTake(m_path, Environment.MachineName, Dead(), out _);
-        FolderLock.TryTake(m_path + ".taking", Environment.MachineName, Dead(), out _);
-        Assert.That(FolderLock.TryTake(m_path, out var next), Is.Null);
+        FolderLock.TakeOrGetOwner(m_path, Environment.MachineName, Dead(), out _);
+        FolderLock.TakeOrGetOwner(m_path + ".taking", Environment.MachineName, Dead(), out _);
+        Assert.That(FolderLock.TakeOrGetOwner(m_path, out var next), Is.Null);
         next.Dispose();
         Assert.That(Directory.GetFileSystemEntries(Scratch["PointClouds"]), Is.Empty);
     }
@@ -66,7 +66,7 @@ public sealed class FolderLockTests : ScratchPerTest
     [Test]
     public void TryTake_OwnerThatIsStillTakingIt_IsAwaited()
     {
-        FolderLock.TryTake(m_path, "far", (7, 1), out _);
+        FolderLock.TakeOrGetOwner(m_path, "far", (7, 1), out _);
         string owner = File.ReadAllText(m_path);
         File.WriteAllText(m_path, "");
         int reads = 0;
@@ -75,7 +75,7 @@ public sealed class FolderLockTests : ScratchPerTest
             if (path == m_path && change == FileChange.Open && reads++ == 2)
                 File.WriteAllText(path, owner);
         });
-        Assert.That(FolderLock.TryTake(m_path, out _), Is.EqualTo("process 7 on far"));
+        Assert.That(FolderLock.TakeOrGetOwner(m_path, out _), Is.EqualTo("process 7 on far"));
     }
 
     [Test]
@@ -87,9 +87,9 @@ public sealed class FolderLockTests : ScratchPerTest
             if (path != m_path || change != FileChange.Open || reads++ > 0)
                 return;
             File.Delete(path);
-            FolderLock.TryTake(path, "far", (7, 1), out _);
+            FolderLock.TakeOrGetOwner(path, "far", (7, 1), out _);
         });
-        Assert.That(FolderLock.TryTake(m_path, out var taken), Is.EqualTo("process 7 on far"));
+        Assert.That(FolderLock.TakeOrGetOwner(m_path, out var taken), Is.EqualTo("process 7 on far"));
         Assert.That(taken, Is.Null);
     }
 
@@ -97,20 +97,20 @@ public sealed class FolderLockTests : ScratchPerTest
     public void TryTake_ProcessIdReused_IsReplaced()
     {
         var (id, began) = FolderLock.Self();
-        FolderLock.TryTake(m_path, Environment.MachineName, (id, began - TimeSpan.TicksPerHour), out _);
-        Assert.That(FolderLock.TryTake(m_path, out var next), Is.Null);
+        FolderLock.TakeOrGetOwner(m_path, Environment.MachineName, (id, began - TimeSpan.TicksPerHour), out _);
+        Assert.That(FolderLock.TakeOrGetOwner(m_path, out var next), Is.Null);
         next.Dispose();
     }
 
     [Test]
     public void TryTake_LockOfAnEarlierDomainOfThisProcess_IsReplaced()
     {
-        FolderLock.TryTake(m_path, out _);
+        FolderLock.TakeOrGetOwner(m_path, out _);
         string[] lines = File.ReadAllText(m_path).Split('\n');
         lines[3] = "another load";
         File.WriteAllText(m_path, string.Join("\n", lines));
 
-        Assert.That(FolderLock.TryTake(m_path, out var next), Is.Null);
+        Assert.That(FolderLock.TakeOrGetOwner(m_path, out var next), Is.Null);
         next.Dispose();
     }
 
@@ -118,14 +118,15 @@ public sealed class FolderLockTests : ScratchPerTest
     [Test]
     public void TryTake_LockOfAContainerOfTheSameMachine_IsReplacedWhenItIsNotRenewed()
     {
-        FolderLock.TryTake(m_path, Environment.MachineName, Dead(), out _);
+        FolderLock.TakeOrGetOwner(m_path, Environment.MachineName, Dead(), out _);
         string[] lines = File.ReadAllText(m_path).Split('\n');
         lines[4] = "another root";
         File.WriteAllText(m_path, string.Join("\n", lines));
 
-        Assert.That(FolderLock.TryTake(m_path, out _), Is.EqualTo("process " + lines[1] + " on " + Environment.MachineName));
+        Assert.That(FolderLock.TakeOrGetOwner(m_path, out _),
+            Is.EqualTo("process " + lines[1] + " on " + Environment.MachineName));
         File.SetLastWriteTimeUtc(m_path, DateTime.UtcNow - FolderLock.StaleAfter - TimeSpan.FromSeconds(1));
-        Assert.That(FolderLock.TryTake(m_path, out var next), Is.Null);
+        Assert.That(FolderLock.TakeOrGetOwner(m_path, out var next), Is.Null);
         next.Dispose();
     }
 
@@ -133,24 +134,24 @@ public sealed class FolderLockTests : ScratchPerTest
     public void TryTake_RuntimeWithoutProcessIds_ExcludesItselfAndReplacesAnEarlierLock()
     {
         var unknown = default((int, long));
-        FolderLock.TryTake(m_path, Environment.MachineName, unknown, out _);
-        Assert.That(FolderLock.TryTake(m_path, Environment.MachineName, unknown, out _), Is.EqualTo("another process"));
+        FolderLock.TakeOrGetOwner(m_path, Environment.MachineName, unknown, out _);
+        Assert.That(FolderLock.TakeOrGetOwner(m_path, Environment.MachineName, unknown, out _), Is.EqualTo("another process"));
         string[] lines = File.ReadAllText(m_path).Split('\n');
         lines[3] = "another run";
         File.WriteAllText(m_path, string.Join("\n", lines));
 
-        Assert.That(FolderLock.TryTake(m_path, Environment.MachineName, unknown, out var next), Is.Null);
+        Assert.That(FolderLock.TakeOrGetOwner(m_path, Environment.MachineName, unknown, out var next), Is.Null);
         next.Dispose();
     }
 
     [Test]
     public void Renew_UnreadableFile_IsKeptAndMissingOneIsNot()
     {
-        FolderLock.TryTake(m_path, out var held);
+        FolderLock.TakeOrGetOwner(m_path, out var held);
         File.Delete(m_path);
         Assert.That(held.Renew(DateTime.UtcNow + FolderLock.RenewAfter), Is.False);
 
-        FolderLock.TryTake(m_path, out held);
+        FolderLock.TakeOrGetOwner(m_path, out held);
         using (new FileStream(m_path, FileMode.Open, FileAccess.ReadWrite, FileShare.None))
             Assert.That(held.Renew(DateTime.UtcNow + FolderLock.RenewAfter), Is.True);
         held.Dispose();
@@ -159,15 +160,15 @@ public sealed class FolderLockTests : ScratchPerTest
     [Test]
     public void TryTake_SilentOwnerOnAnotherMachine_IsReplaced()
     {
-        FolderLock.TryTake(m_path, "far", (7, 1), out var far);
-        Assert.That(FolderLock.TryTake(m_path, out _), Is.EqualTo("process 7 on far"));
+        FolderLock.TakeOrGetOwner(m_path, "far", (7, 1), out var far);
+        Assert.That(FolderLock.TakeOrGetOwner(m_path, out _), Is.EqualTo("process 7 on far"));
 
         File.SetLastWriteTimeUtc(m_path, DateTime.UtcNow - FolderLock.StaleAfter - TimeSpan.FromSeconds(1));
         Assert.That(far.Renew(DateTime.UtcNow + FolderLock.RenewAfter), Is.True);
-        Assert.That(FolderLock.TryTake(m_path, out _), Is.EqualTo("process 7 on far"), "it was renewed");
+        Assert.That(FolderLock.TakeOrGetOwner(m_path, out _), Is.EqualTo("process 7 on far"), "it was renewed");
 
         File.SetLastWriteTimeUtc(m_path, DateTime.UtcNow - FolderLock.StaleAfter - TimeSpan.FromSeconds(1));
-        Assert.That(FolderLock.TryTake(m_path, out var next), Is.Null);
+        Assert.That(FolderLock.TakeOrGetOwner(m_path, out var next), Is.Null);
         Assert.That(far.Renew(DateTime.UtcNow + 3 * FolderLock.RenewAfter), Is.False);
         next.Dispose();
     }
@@ -178,9 +179,9 @@ public sealed class FolderLockTests : ScratchPerTest
         var dead = Dead();
         for (int round = 0; round < 50; round++)
         {
-            FolderLock.TryTake(m_path, Environment.MachineName, dead, out _);
+            FolderLock.TakeOrGetOwner(m_path, Environment.MachineName, dead, out _);
             var taken = new FolderLock[8];
-            Parallel.For(0, taken.Length, i => FolderLock.TryTake(m_path, out taken[i]));
+            Parallel.For(0, taken.Length, i => FolderLock.TakeOrGetOwner(m_path, out taken[i]));
             Assert.That(taken.Count(t => t != null), Is.EqualTo(1));
             taken.Single(t => t != null).Dispose();
         }

@@ -16,7 +16,7 @@ float2 _FastPointsScreenPx;
 ByteAddressBuffer _FastPointsPixels;
 
 // The device's depth is (x * depth + y) / (z * depth + w).
-float4 _FastPointsDeviceOfDepth;
+float4 _FastPointsDepthToDevice;
 
 uint2 FastPointsPixelAt(int2 pixel)
 {
@@ -34,7 +34,7 @@ float2 FastPointsDepthAt(int2 pixel)
 {
     uint bits = FastPointsPixelAt(pixel).x;
     float depth = asfloat(bits & 0x80000000u ? bits & 0x7FFFFFFFu : ~bits);
-    float4 device = _FastPointsDeviceOfDepth;
+    float4 device = _FastPointsDepthToDevice;
     return float2(depth, (device.x * depth + device.y) / (device.z * depth + device.w));
 }
 #else
@@ -71,7 +71,7 @@ int FastPointsRadiusOf(float4 color)
     return int(color.w * 255.0 + 0.5) & 31;
 }
 
-int FastPointsLitPartsOf(float4 color)
+int FastPointsLitLevelOf(float4 color)
 {
     return int(color.w * 255.0 + 0.5) >> 5;
 }
@@ -93,7 +93,7 @@ uint _FastPointsIsLinear;
 #endif
 
 #if defined(FASTPOINTS_LIT)
-#include "PointLight.hlsl"
+#include "PointLighting.hlsl"
 #endif
 
 struct FastPointsComposed
@@ -146,7 +146,7 @@ float FastPointsBeforePx(int2 pixel, float depth, int radius)
 // The mean of the points around a pixel, as a point of one pixel; alpha is 0 where there are too few.
 void FastPointsFill(int2 pixel, out float4 color, out float2 depth)
 {
-    float count = 0.0, litParts = 0.0;
+    float count = 0.0, litLevel = 0.0;
     color = float4(0.0, 0.0, 0.0, 0.0);
     depth = float2(0.0, 0.0);
     for (int y = -1; y <= 1; y++)
@@ -160,7 +160,7 @@ void FastPointsFill(int2 pixel, out float4 color, out float2 depth)
             if (there.w == 0.0)
                 continue;
             count += 1.0;
-            litParts += float(FastPointsLitPartsOf(there));
+            litLevel += float(FastPointsLitLevelOf(there));
             color.xyz += floor(there.xyz * 255.0 + 0.5);
             depth += FastPointsDepthAt(beside);
         }
@@ -168,8 +168,8 @@ void FastPointsFill(int2 pixel, out float4 color, out float2 depth)
     if (count < FASTPOINTS_LEAST_AROUND_HOLE)
         return;
     // In whole 255ths, as colours are.
-    litParts = floor((litParts + floor(count * 0.5)) / count);
-    color = float4(floor((color.xyz + floor(count * 0.5)) / count), 1.0 + 32.0 * litParts) / 255.0;
+    litLevel = floor((litLevel + floor(count * 0.5)) / count);
+    color = float4(floor((color.xyz + floor(count * 0.5)) / count), 1.0 + 32.0 * litLevel) / 255.0;
     depth /= count;
 }
 
@@ -185,9 +185,9 @@ FastPointsComposed FastPointsComposeFragment(FastPointsPlace place)
     int radius = FastPointsRadiusOf(color);
     float before = FastPointsBeforePx(pixel, depth.x, radius);
 #if defined(FASTPOINTS_LIT)
-    int litParts = FastPointsLitPartsOf(color);
-    if (litParts != 0)
-        color.xyz = FastPointsLit(color.xyz, float(litParts) / 7.0, FastPointsNormalAt(pixel, depth.x, radius),
+    int litLevel = FastPointsLitLevelOf(color);
+    if (litLevel != 0)
+        color.xyz = FastPointsLit(color.xyz, float(litLevel) / 7.0, FastPointsNormalAt(pixel, depth.x, radius),
             FastPointsPlaceOf(pixel, depth.x));
 #endif
     color.xyz *= exp(-_FastPointsEdlStrength * before / 8.0);

@@ -8,7 +8,7 @@
 #if defined(FASTPOINTS_PROGRESSIVE)
 #include "ProgressivePoints.hlsl"
 #endif
-#include "PointLight.hlsl"
+#include "PointLighting.hlsl"
 #include "PointSizes.hlsl"
 
 // From places as seen from the eye, along the world's axes, to the clip space of the API: no translation in it.
@@ -47,7 +47,7 @@ struct FastPointsPoint
     float Depth;
 
     // Share that is lit, in sevenths.
-    uint LitParts;
+    uint LitLevel;
 #if defined(FASTPOINTS_PROGRESSIVE)
     uint Number;
     bool WasVisible;
@@ -132,7 +132,7 @@ FastPointsPoint FastPointsLoadPoint(uint instance, uint index)
     loaded.Color = float3(0.0, 0.0, 0.0);
     loaded.SizePx = 0.0;
     loaded.Depth = 0.0;
-    loaded.LitParts = (cloud.ColorSource & FASTPOINTS_STORED_NORMALS) != 0u ? 0u : cloud.ColorSource >> 8;
+    loaded.LitLevel = (cloud.ColorSource & FASTPOINTS_STORED_NORMALS) != 0u ? 0u : cloud.ColorSource >> 8;
 #if defined(FASTPOINTS_PROGRESSIVE)
     loaded.Number = instance * FASTPOINTS_POINTS_PER_BLOCK + index;
     loaded.WasVisible = wasVisible;

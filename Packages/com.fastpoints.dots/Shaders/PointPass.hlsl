@@ -21,7 +21,7 @@ float4 _FastPointsForwardClip;
 #endif
 
 #if defined(FASTPOINTS_BLENDING)
-// BlendedPixels.LargestWeight.
+// BlendedPixels.MaxWeight.
 #define FASTPOINTS_LARGEST_WEIGHT 32.0
 
 // Sums are whole numbers of these: 255 times the largest weight is about one, and a power of two loses nothing.
@@ -105,7 +105,7 @@ FastPointsVaryings FastPointsVertex(uint vertex : SV_VertexID, uint instance : S
 #endif
 #if defined(FASTPOINTS_LAYERED)
     float radius = clamp(floor(drawn.SizePx * 0.5 + 0.5), 1.0, 31.0);
-    varyings.RadiusAndDepth = float2(radius + 32.0 * float(drawn.LitParts), drawn.Depth);
+    varyings.RadiusAndDepth = float2(radius + 32.0 * float(drawn.LitLevel), drawn.Depth);
 #endif
 #if defined(FASTPOINTS_STEREO)
     varyings.Slice = FastPointsEyeOf(instance);

@@ -64,7 +64,7 @@ FastPointsPixel FastPointsProject(uint3 group, uint index)
             uint bits = asuint(drawn.Depth);
             projected.Depth = bits & 0x80000000u ? ~bits : bits | 0x80000000u;
             uint3 bytes = uint3(drawn.Color * 255.0 + 0.5);
-            projected.Color = bytes.x | bytes.y << 8 | bytes.z << 16 | drawn.LitParts << 29;
+            projected.Color = bytes.x | bytes.y << 8 | bytes.z << 16 | drawn.LitLevel << 29;
 #if defined(FASTPOINTS_PROGRESSIVE)
             projected.Number = drawn.Number;
 #endif

@@ -130,7 +130,7 @@ namespace FastPoints.Evaluation
             RgbaImage[] viewsAtSameCount, SampleError error)
         {
             error.Points = count;
-            error.Share = m_pointCount == 0 ? 1 : count / (double)m_pointCount;
+            error.Fraction = m_pointCount == 0 ? 1 : count / (double)m_pointCount;
             yield return JobStep.Of(MeasureDistances(points, count, transform, error));
             yield return JobStep.Of(MeasureCells(points, count, transform, error));
 
@@ -269,7 +269,7 @@ namespace FastPoints.Evaluation
             FillsHoles = m_options.FillsHoles,
             Background = m_options.Background,
             EdlStrength = m_options.EdlStrength,
-            LightShare = m_options.LightShare,
+            LitFraction = m_options.LitFraction,
             LightAzimuth = m_options.LightAzimuth,
             LightElevation = m_options.LightElevation,
         };

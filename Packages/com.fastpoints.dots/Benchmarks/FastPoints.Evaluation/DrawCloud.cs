@@ -45,7 +45,7 @@ namespace FastPoints.Evaluation
             var sample = preview.Sample;
             Ranges = preview.Ranges;
             Plan = preview.Plan;
-            bool drawSample = sample.IsWhole || m_budget > 0 && m_budget < m_reader.PointCount;
+            bool drawSample = sample.HasAllPoints || m_budget > 0 && m_budget < m_reader.PointCount;
 
             progress?.Begin("draw");
             using (m_canvas = new PictureCanvas(m_options.WidthPx, m_options.HeightPx, Allocator.Persistent,

@@ -55,7 +55,7 @@ namespace FastPoints.Evaluation
         {
             using var folder = CloudFolder.Open(cloud);
             // One file does not tell chunks apart, and all of its points may not fit into memory.
-            if (folder.Manifest.IsWhole)
+            if (folder.Manifest.IsSingleFile)
                 yield break;
             using var measure = new MeasureSpacing(folder, levels);
             yield return JobStep.Of(CoroutineGroup.Run(measure.Containers(), JobsUtility.JobWorkerCount + 1));
@@ -92,11 +92,11 @@ namespace FastPoints.Evaluation
         /// <summary>Coroutine: one file's points.</summary>
         IEnumerator<JobStep> Measure(List<int> pages)
         {
-            using var nodes = new ChosenNodes(m_folder);
+            using var nodes = new CloudSelection(m_folder);
             nodes.ChooseSampled(0, int.MaxValue, pages);
             if (nodes.NodeCount == 0)
                 yield break;
-            using var batch = new PointBatch(LoadNodes.SchemaFor(m_folder), nodes.CheckedPoints, Allocator.Persistent);
+            using var batch = new PointBatch(LoadNodes.SchemaFor(m_folder), nodes.PointCountOrThrow, Allocator.Persistent);
             yield return JobStep.Of(LoadNodes.Run(m_folder, nodes, batch, null));
             var job = JobFor(nodes, batch);
             var done = job.Schedule();
@@ -115,7 +115,7 @@ namespace FastPoints.Evaluation
 
         /// <summary>What was sampled together: points of a level, and those that upper levels left of other nodes' tops
         /// apart.</summary>
-        MeasureGroupsJob JobFor(ChosenNodes nodes, PointBatch batch)
+        MeasureGroupsJob JobFor(CloudSelection nodes, PointBatch batch)
         {
             var container = default(ContainerRecord);
             var ranges = new SortedDictionary<(int Level, bool IsTop, int SampledWith), List<NodeRange>>();
@@ -125,7 +125,7 @@ namespace FastPoints.Evaluation
                 {
                     container = m_folder.ContainerOf(page);
                     var node = nodes.TableOf(page).Nodes[n];
-                    var key = (m_folder.Manifest.Root.SideLog2 - node.SideLog2, (node.Flags & NodeRecord.IsTop) != 0,
+                    var key = (m_folder.Manifest.Root.SideLog2 - node.SideLog2, (node.Flags & NodeRecord.TopFlag) != 0,
                         node.SampledWith);
                     if (!ranges.TryGetValue(key, out var ofGroup))
                         ranges.Add(key, ofGroup = new List<NodeRange>());

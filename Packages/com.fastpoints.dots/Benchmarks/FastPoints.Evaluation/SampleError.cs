@@ -8,7 +8,7 @@ namespace FastPoints.Evaluation
         public int Points;
 
         /// <summary>Sampled share of the full cloud, 0 to 1.</summary>
-        public double Share;
+        public double Fraction;
 
         /// <summary>In units of the diagonal of the full cloud's robust bounds.</summary>
         public DistanceError Distance;

@@ -134,11 +134,11 @@ namespace FastPoints.Evaluation
             var cloud = m_stream.Clouds[m_cloud];
             var drawing = DrawingFor(camera, canvas);
             if (isPixels)
-                (drawing.IsWorldSize, drawing.LargestPx) = (false, 1);
+                (drawing.IsWorldSize, drawing.MaxTileSizePx) = (false, 1);
             else if (drawn.SizeNodes.Length > 0)
             {
                 drawing.IsWorldSize = true;
-                drawing.LargestPx = drawing.Size.MaxPx;
+                drawing.MaxTileSizePx = drawing.Size.MaxPx;
             }
             m_clips.Clear();
             foreach (var box in m_stream.ClipBoxes)

@@ -27,7 +27,7 @@ namespace FastPoints.Editor
         {
             string folder = EditorUtility.OpenFolderPanel("Export point cloud into a folder", "", "");
             if (!string.IsNullOrEmpty(folder))
-                PointCloudImports.Current.Export((PointCloudAsset)Selection.activeObject, folder);
+                PointCloudImports.Current.ExportCopy((PointCloudAsset)Selection.activeObject, folder);
         }
 
         [MenuItem("Assets/Export point cloud...", true, 20)]

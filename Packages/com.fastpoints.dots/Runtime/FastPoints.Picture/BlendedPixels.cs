@@ -15,10 +15,10 @@ namespace FastPoints.Picture
     internal static class BlendedPixels
     {
         public const int WordsPerPixel = 2;
-        public const int LargestWeight = 32; // Of a point in its middle; 1 at its rim.
+        public const int MaxWeight = 32; // Of a point in its middle; 1 at its rim.
 
         // 255 times it fits 32 bits. Points after the first half a million in a pixel are left out.
-        const uint MaxWeights = (1u << 24) - 1024;
+        const uint MaxWeightSum = (1u << 24) - 1024;
 
         // How far behind the nearest point others are still blended with it: a point's diameter, in world units.
         public static double WindowOf(float sizePx, double pixelsPerUnit) => sizePx / pixelsPerUnit;
@@ -26,12 +26,12 @@ namespace FastPoints.Picture
         // By the squared distance from the middle, 1 at the rim.
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static uint WeightOf(double distanceSq) =>
-            (uint)math.max(1, (int)math.floor(LargestWeight * (1 - distanceSq) + 0.5));
+            (uint)math.max(1, (int)math.floor(MaxWeight * (1 - distanceSq) + 0.5));
 
         // Any number of threads may do so at the same time.
         public static unsafe void Add(ulong* pixel, uint color, uint weight)
         {
-            if ((uint)(pixel[1] >> 32) > MaxWeights)
+            if ((uint)(pixel[1] >> 32) > MaxWeightSum)
                 return;
             ulong red = color & 255, green = color >> 8 & 255, blue = color >> 16 & 255;
             Interlocked.Add(ref *(long*)pixel, (long)(green * weight << 32 | red * weight));

@@ -10,18 +10,18 @@ namespace FastPoints.Picture
         [ReadOnly] public NativeArray<ulong> Pixels;
         public int WidthPx;
         public int HeightPx;
-        public PixelPlaces Places;
+        public PixelPositions PixelPositions;
 
         // Faces the viewer; 0 for a pixel that has no neighbour beside it, or none above or below.
         public readonly float3 NormalAt(int x, int y, ulong pixel)
         {
             float depth = PointProjection.DepthFromBits((uint)(pixel >> 32));
             int radius = PointDrawing.RadiusOf(pixel);
-            var place = Places.Of(x, y, depth);
+            var place = PixelPositions.Of(x, y, depth);
             var across = Along(x, y, new int2(radius, 0), depth, place);
             var down = Along(x, y, new int2(0, radius), depth, place);
             var normal = math.normalizesafe(math.cross(across, down));
-            return math.dot(normal, Places.IsOrthographic ? Places.Forward : place) > 0 ? -normal : normal;
+            return math.dot(normal, PixelPositions.IsOrthographic ? PixelPositions.Forward : place) > 0 ? -normal : normal;
         }
 
         // The mean of the ways to the neighbours on either side, each weighed by how little it differs in depth: on a surface
@@ -29,8 +29,8 @@ namespace FastPoints.Picture
         readonly float3 Along(int x, int y, int2 step, float depth, float3 place)
         {
             float3 sum = 0;
-            float edge = math.max(step.x, step.y) * (Places.IsOrthographic ? 1 : depth);
-            float pixel = math.lengthsq(Places.StepX) * edge * edge;
+            float edge = math.max(step.x, step.y) * (PixelPositions.IsOrthographic ? 1 : depth);
+            float pixel = math.lengthsq(PixelPositions.StepX) * edge * edge;
             for (int side = 1; side >= -1; side -= 2)
             {
                 int nextX = x + side * step.x, nextY = y + side * step.y;
@@ -41,7 +41,7 @@ namespace FastPoints.Picture
                     continue;
                 float there = PointProjection.DepthFromBits((uint)(next >> 32));
                 float between = there - depth;
-                sum += (Places.Of(nextX, nextY, there) - place) * (side / (pixel + between * between));
+                sum += (PixelPositions.Of(nextX, nextY, there) - place) * (side / (pixel + between * between));
             }
             return sum * pixel;
         }

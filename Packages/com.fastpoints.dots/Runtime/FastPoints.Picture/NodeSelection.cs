@@ -8,7 +8,7 @@ namespace FastPoints.Picture
 {
     /// <summary>Chooses the nodes of a converted cloud that a picture is drawn from: those that streaming would choose
     /// (<see cref="SelectNodesJob"/>), but completely.</summary>
-    internal sealed unsafe class NodeSelection : ChosenNodes
+    internal sealed unsafe class NodeSelection : CloudSelection
     {
         /// <summary>The selection restarts when it lacks this many pages: a smaller number would cost more turns, a larger one
         /// would load what the budget does not reach.</summary>
@@ -83,7 +83,7 @@ namespace FastPoints.Picture
                     m_selector.Begin();
                     m_selector.Add(0, m_pages.GetUnsafePtr(), CloudPlacement.Geo(Folder.Manifest.Grid,
                         Folder.Manifest.Root));
-                    m_selector.Choose(views, settings, PagesPerRound);
+                    m_selector.Select(views, settings, PagesPerRound);
                 }
                 while (m_selector.Missing.Length > 0);
             }

@@ -61,18 +61,18 @@ namespace FastPoints.Picture
 
         // The main light's depth map; null without. Who draws a point here draws it there, too.
         public PictureCanvas Shadows { get; private set; }
-        public ShadowFrame ShadowFrame { get; private set; }
+        public ShadowProjection ShadowProjection { get; private set; }
 
         // Of a frame without texels: none.
-        public void UseShadows(in ShadowFrame frame)
+        public void UseShadows(in ShadowProjection frame)
         {
-            ShadowFrame = frame;
+            ShadowProjection = frame;
             if (frame.TexelWorld > 0)
-                Shadows ??= new PictureCanvas(ShadowFrame.EdgePx, ShadowFrame.EdgePx, Allocator.Persistent);
+                Shadows ??= new PictureCanvas(ShadowProjection.EdgePx, ShadowProjection.EdgePx, Allocator.Persistent);
         }
 
-        public ShadowMap ShadowMapFor(double3 eye) => ShadowFrame.TexelWorld > 0
-            ? new ShadowMap { Pixels = Shadows.m_pixels, Shadow = ShadowFrame.From(eye) } : default;
+        public ShadowMap ShadowMapFor(double3 eye) => ShadowProjection.TexelWorld > 0
+            ? new ShadowMap { Pixels = Shadows.m_pixels, Shadow = ShadowProjection.From(eye) } : default;
 
         public NativeArray<uint> Palettes => m_palettes;
 
@@ -83,7 +83,7 @@ namespace FastPoints.Picture
         public float TypicalSizePx => m_typicalSizePx.Value;
 
         // Largest point size of a tile.
-        public float LargestPx { get; private set; }
+        public float MaxTileSizePx { get; private set; }
 
         // 1 to PointDrawing.MaxSizePx, of pixels. No drawing may be in flight.
         public void UseSize(float sizePx)
@@ -92,7 +92,7 @@ namespace FastPoints.Picture
             for (int i = 0; i < m_sizeOfTile.Length; i++)
                 m_sizeOfTile[i] = sizePx;
             m_typicalSizePx.Value = sizePx;
-            LargestPx = sizePx;
+            MaxTileSizePx = sizePx;
         }
 
         // Those of a picture of as many pixels with one sample each: a tile's size is the same in the world.
@@ -103,7 +103,7 @@ namespace FastPoints.Picture
                 m_sizeOfTile[i] = SamplesPerEdge * canvas.m_sizeOfTile[
                     i / across / SamplesPerEdge * acrossOther + i % across / SamplesPerEdge];
             m_typicalSizePx.Value = canvas.TypicalSizePx;
-            LargestPx = SamplesPerEdge * canvas.LargestPx;
+            MaxTileSizePx = SamplesPerEdge * canvas.MaxTileSizePx;
         }
 
         // No drawing may be in flight.
@@ -142,7 +142,7 @@ namespace FastPoints.Picture
         // From what was drawn with UseSize of 1, after all drawing. The final picture has this many points for each.
         public JobHandle ScheduleChooseSizes(double pointsPerPointDrawn, JobHandle inputDeps)
         {
-            LargestPx = PointSizing.MaxPx;
+            MaxTileSizePx = PointSizing.MaxPx;
             return new ChooseSizesJob
             {
                 Pixels = m_pixels,

@@ -27,7 +27,7 @@ namespace FastPoints.Picture
         public Camera? Camera;
 
         /// <summary>How many points of the cloud's outline a standard view is fitted to. All of them cost 10 ms.</summary>
-        public int OutlinePoints = int.MaxValue;
+        public int FramingPoints = int.MaxValue;
 
         public double FovDegrees = DefaultFovDegrees;
         public UpAxis UpAxis = UpAxis.Z;
@@ -41,7 +41,7 @@ namespace FastPoints.Picture
         /// pictures that are not streamed.</summary>
         public string ColorAttribute;
 
-        public Gradient Gradient = Gradient.Auto;
+        public ColorRamp ColorRamp = ColorRamp.Auto;
 
         /// <summary>Size in pixels; 0 makes points as large as surfaces need to look closed.</summary>
         public float PointSizePx;
@@ -79,11 +79,11 @@ namespace FastPoints.Picture
         /// <summary>The strength for a mode that is not <see cref="ColorMode.Auto"/>.</summary>
         public float EdlFor(ColorMode mode) => EdlStrength >= 0 ? EdlStrength : mode == ColorMode.Rgb ? 0 : DefaultEdlStrength;
 
-        const float DefaultLightShare = 0.7f;
+        const float DefaultLitFraction = 0.7f;
 
         /// <summary>The share of the points' colours that is lit, 0 to 1; negative for none where they are the scanner's, or show
         /// an amount by grey, and 0.7 where clouds without colours show elevation or classes.</summary>
-        public float LightShare = -1;
+        public float LitFraction = -1;
 
         /// <summary>Where light comes from: degrees clockwise from north, and above the horizon. NaN for the camera's
         /// left.</summary>
@@ -93,9 +93,9 @@ namespace FastPoints.Picture
         /// <summary>Points shade each other from that light, which falls on them whatever they show.</summary>
         public bool Shadows;
 
-        internal float LightShareFor(ColorMode mode, ColorDepth color) => LightShare >= 0 ? LightShare
+        internal float LitFractionFor(ColorMode mode, ColorDepth color) => LitFraction >= 0 ? LitFraction
             : Shadows || color == ColorDepth.None && (mode == ColorMode.Elevation || mode == ColorMode.Classification)
-                ? DefaultLightShare : 0;
+                ? DefaultLitFraction : 0;
 
         /// <summary>See <see cref="ResolvePictureJob.FillsHoles"/>.</summary>
         public bool FillsHoles;
@@ -139,10 +139,10 @@ namespace FastPoints.Picture
                     if (TryName(value, out Color, ref error) || value.Length == 0 || !char.IsLetter(value[0]))
                         return error == null;
                     (Color, ColorAttribute, error) = (ColorMode.Intensity, value, null);
-                    Gradient = Gradient == Gradient.Auto ? Gradient.Viridis : Gradient;
+                    ColorRamp = ColorRamp == ColorRamp.Auto ? ColorRamp.Viridis : ColorRamp;
                     return true;
                 case "gradient":
-                    return TryName(value, out Gradient, ref error);
+                    return TryName(value, out ColorRamp, ref error);
                 case "up":
                     GuessesUpAxis = false;
                     if (TryName(value.StartsWith("-") ? "Negative" + value.Substring(1) : value, out UpAxis, ref error))
@@ -240,7 +240,7 @@ namespace FastPoints.Picture
         {
             LightAzimuth = double.NaN;
             LightElevation = 45;
-            LightShare = value == "auto" ? -1 : value == "off" ? 0 : DefaultLightShare;
+            LitFraction = value == "auto" ? -1 : value == "off" ? 0 : DefaultLitFraction;
             if (value == "auto" || value == "off" || value == "on")
                 return true;
             var parts = value.Split(',');
@@ -249,7 +249,7 @@ namespace FastPoints.Picture
                 return false;
             LightAzimuth = azimuth;
             LightElevation = elevation;
-            return parts.Length == 2 || TryNumber(parts[2], 0, 1, out LightShare);
+            return parts.Length == 2 || TryNumber(parts[2], 0, 1, out LitFraction);
         }
 
         bool TryClasses(string value)

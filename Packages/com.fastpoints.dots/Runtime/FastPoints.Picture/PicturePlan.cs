@@ -21,10 +21,10 @@ namespace FastPoints.Picture
             m_transform = transform;
             Mode = ranges.Resolve(options.Color);
             EdlStrength = options.EdlFor(Mode);
-            LitParts = PointLight.PartsOf(options.LightShareFor(Mode, ranges.Color));
+            LitLevel = PointLighting.LitLevelOf(options.LitFractionFor(Mode, ranges.Color));
             SizePx = options.PointSizePx >= 1 ? Math.Min(options.PointSizePx, PointDrawing.MaxSizePx) : PointSizing.MinPx;
             Camera = options.Camera ?? CameraFraming.Frame(options, ranges.Robust,
-                Thinned(ranges.Outline, options.OutlinePoints), ranges.Rim, ranges.LengthsPerUnit);
+                Thinned(ranges.FramingSample, options.FramingPoints), ranges.ExtremePoints, ranges.LengthsPerUnit);
             Light = LightOf(options, Camera, ranges.LengthsPerUnit);
             Assumptions = new List<string>(ranges.Assumptions);
             if (options.Color == ColorMode.Auto)
@@ -41,9 +41,9 @@ namespace FastPoints.Picture
 
         public DisplayRanges Ranges => m_ranges;
         public float EdlStrength { get; }
-        public int LitParts { get; } // Of PointLight.Parts.
-        public PointLight Light { get; set; }
-        public Gradient Gradient => m_options.Gradient;
+        public int LitLevel { get; } // Of PointLighting.MaxLitLevel.
+        public PointLighting Light { get; set; }
+        public ColorRamp ColorRamp => m_options.ColorRamp;
 
         public ClassMask HiddenClasses => m_options.HiddenClasses;
 
@@ -57,7 +57,7 @@ namespace FastPoints.Picture
         public List<string> Assumptions { get; }
 
         // Independent of a batch's columns.
-        public ColorMapping Colors => ColorMapping.Of(Mode, m_ranges, m_transform, Gradient);
+        public ColorMapping Colors => ColorMapping.Of(Mode, m_ranges, m_transform, ColorRamp);
 
         // Draws batches with the columns of this one, on a canvas whose sizes are set.
         public PointDrawing DrawingOf(PointBatch batch, PictureCanvas canvas)
@@ -68,7 +68,7 @@ namespace FastPoints.Picture
             var lengths = m_ranges.LengthsPerUnit;
             // Shadows are of what a layer has: with them, light is by its depths.
             var axes = new double3x3(Camera.Right / lengths, Camera.Up / lengths, Camera.Forward / lengths);
-            var normals = new PointNormals(batch, m_options.Shadows ? 0 : LitParts, Light.From(Camera.EyeGeo))
+            var normals = new PointNormals(batch, m_options.Shadows ? 0 : LitLevel, Light.From(Camera.EyeGeo))
             {
                 ToLight = double3x3.identity,
                 ViewToLight = axes,
@@ -78,11 +78,11 @@ namespace FastPoints.Picture
             {
                 Positions = PositionColumns.Of(batch),
                 Projection = new PointProjection(Camera, m_transform, canvas.WidthPx, canvas.HeightPx),
-                Colors = ColorMapping.For(Mode, m_ranges, batch, m_transform, Gradient),
-                LargestPx = isWorldSize ? world.MaxPx : canvas.LargestPx,
+                Colors = ColorMapping.For(Mode, m_ranges, batch, m_transform, ColorRamp),
+                MaxTileSizePx = isWorldSize ? world.MaxPx : canvas.MaxTileSizePx,
                 IsWorldSize = isWorldSize,
                 Size = world,
-                LitParts = normals.LitParts > 0 ? 0 : LitParts,
+                LitLevel = normals.LitLevel > 0 ? 0 : LitLevel,
                 Normals = normals,
                 IsRound = m_options.RoundPoints,
                 IsParaboloid = m_options.ParaboloidPoints,
@@ -93,16 +93,17 @@ namespace FastPoints.Picture
         public PointDrawing ShadowDrawingOf(PointBatch batch, PictureCanvas canvas)
         {
             var drawing = DrawingOf(batch, canvas.Shadows);
-            drawing.Projection = new PointProjection(ShadowMap.CameraOf(canvas.ShadowFrame), m_transform, ShadowFrame.EdgePx,
-                ShadowFrame.EdgePx);
-            (drawing.IsWorldSize, drawing.LargestPx) = (false, 1);
+            drawing.Projection = new PointProjection(ShadowMap.CameraOf(canvas.ShadowProjection), m_transform,
+                ShadowProjection.EdgePx,
+                ShadowProjection.EdgePx);
+            (drawing.IsWorldSize, drawing.MaxTileSizePx) = (false, 1);
             return drawing;
         }
 
-        ShadowFrame NewShadowFrame() => new ShadowFrame(Light.Direction, m_ranges.LengthsPerUnit);
+        ShadowProjection NewShadowFrame() => new ShadowProjection(Light.Direction, m_ranges.LengthsPerUnit);
 
         // Around what a camera sees of the stream's clouds; without texels where nothing is shaded.
-        public ShadowFrame ShadowFrameFor(StreamContext stream, in Camera camera)
+        public ShadowProjection ShadowFrameFor(StreamContext stream, in Camera camera)
         {
             if (!m_options.Shadows)
                 return default;
@@ -125,7 +126,7 @@ namespace FastPoints.Picture
         }
 
         // Around what the picture's own camera sees.
-        public ShadowFrame ShadowFrameOfPicture()
+        public ShadowProjection ShadowFrameOfPicture()
         {
             if (!m_options.Shadows)
                 return default;
@@ -145,17 +146,17 @@ namespace FastPoints.Picture
             EdlStrength = EdlStrength,
             Light = Light.From(camera.EyeGeo),
             Shadows = canvas.ShadowMapFor(camera.EyeGeo),
-            Places = PlacesFor(camera, canvas.WidthPx, canvas.HeightPx),
+            PixelPositions = PixelPositionsFor(camera, canvas.WidthPx, canvas.HeightPx),
             FillsHoles = m_options.FillsHoles,
         };
 
         // Pixels of a picture by any camera.
-        public PixelPlaces PlacesFor(in Camera camera, int widthPx, int heightPx)
+        public PixelPositions PixelPositionsFor(in Camera camera, int widthPx, int heightPx)
         {
             var lengths = m_ranges.LengthsPerUnit;
             double scale = new PointProjection(camera, m_transform, widthPx, heightPx).ScalePx;
             double3 right = camera.Right / lengths / scale, up = camera.Up / lengths / scale;
-            return new PixelPlaces
+            return new PixelPositions
             {
                 First = (float3)(up * ((heightPx - 1) * 0.5) - right * ((widthPx - 1) * 0.5)),
                 StepX = (float3)right,
@@ -167,7 +168,7 @@ namespace FastPoints.Picture
 
         // Where no azimuth is asked for, from the left and above, so that the sides that the camera sees differ: from behind
         // it, but of maps from their upper left corner, as their shading is used to.
-        static PointLight LightOf(PictureOptions options, in Camera camera, double3 lengths)
+        static PointLighting LightOf(PictureOptions options, in Camera camera, double3 lengths)
         {
             options.UpAxis.Directions(out var east, out var north, out var up);
             double3 left = -camera.Right / lengths, back = -camera.Forward / lengths;
@@ -176,7 +177,8 @@ namespace FastPoints.Picture
             var from = !double.IsNaN(azimuth) ? math.sin(azimuth) * east + math.cos(azimuth) * north
                 : math.length(back) > 0.3 ? math.normalize(left + 0.6 * math.normalize(back))
                 : math.normalize(left + camera.Up / lengths);
-            return PointLight.Default((float3)math.normalize(math.cos(elevation) * from + math.sin(elevation) * up), (float3)up);
+            return PointLighting.Default(
+                (float3)math.normalize(math.cos(elevation) * from + math.sin(elevation) * up), (float3)up);
         }
 
         static double3[] Thinned(double3[] outline, int max)

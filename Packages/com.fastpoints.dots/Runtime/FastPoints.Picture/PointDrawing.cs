@@ -14,8 +14,8 @@ namespace FastPoints.Picture
     /// bit 63 ............ 32  31 .. 24  23 .. 16  15 .. 8  7 .. 0
     ///     depth (ordered)   lit, radius  blue      green    red
     /// </code>
-    /// (bits 31 .. 29 are the share that is lit, see PointLight; 28 .. 24 half a point's size in pixels, how far lighting looks
-    /// around it, at most 31) so that a picture depends on no order and on no number of threads; of two points at one depth the
+    /// (bits 31 .. 29 are the share that is lit, see PointLighting; 28 .. 24 half a point's size in pixels, how far lighting
+    /// looks around it, at most 31) so that a picture depends on no order and on no number of threads; of two points at one depth the
     /// smaller colour stays. Blittable, for jobs.
     /// </summary>
     internal struct PointDrawing
@@ -29,11 +29,11 @@ namespace FastPoints.Picture
         public PositionColumns Positions;
         public PointProjection Projection;
         public ColorMapping Colors;
-        public float LargestPx; // A size of 1 is drawn faster.
+        public float MaxTileSizePx; // A size of 1 is drawn faster.
         public bool IsWorldSize; // Whatever the tiles' sizes are.
         public PointSize Size;
         public bool IsRound;
-        public int LitParts; // Of PointLight.Parts; 0 for points that are lit by normals of their own.
+        public int LitLevel; // Of PointLighting.MaxLitLevel; 0 for points that are lit by normals of their own.
         public PointNormals Normals;
 
         // Discs that bulge towards the camera: paraboloids whose rim is farther away by the radius than the middle, which has
@@ -53,9 +53,9 @@ namespace FastPoints.Picture
                 span.Count = math.min(ColumnValues.BatchLength, count - done);
                 Positions.Load(bytes, first + done, span.Count, x, y, z);
                 PointColoring.ColorBatch(bytes, first + done, Colors, picture.Palettes, span);
-                if (Normals.LitParts > 0)
+                if (Normals.LitLevel > 0)
                     Normals.LightColors(bytes, first + done, Projection, span);
-                if (LargestPx <= 1 && picture.Sums == null)
+                if (MaxTileSizePx <= 1 && picture.Sums == null)
                     DrawPixels(span, picture.Pixels);
                 else
                     DrawSplats(span, picture, picture.Gaps == null ? null : picture.Gaps + done);
@@ -75,7 +75,7 @@ namespace FastPoints.Picture
                     continue;
                 if (!(xPx >= 0 && xPx < widthPx && yPx >= 0 && yPx < heightPx))
                     continue;
-                Lower(pixels + ((long)(int)yPx * width + (int)xPx), KeyOf(depth, 1, LitParts, colors[i]));
+                Lower(pixels + ((long)(int)yPx * width + (int)xPx), KeyOf(depth, 1, LitLevel, colors[i]));
             }
         }
 
@@ -87,7 +87,7 @@ namespace FastPoints.Picture
             int count = span.Count;
             int width = Projection.WidthPx, height = Projection.HeightPx;
             int tilesAcross = PointSizing.TilesAlong(width);
-            double maxHalf = LargestPx * 0.5;
+            double maxHalf = MaxTileSizePx * 0.5;
             for (int i = 0; i < count; i++)
             {
                 if (!Projection.Project(x[i], y[i], z[i], out double xPx, out double yPx, out float depth))
@@ -107,7 +107,7 @@ namespace FastPoints.Picture
                 }
                 double half = size * 0.5;
                 uint radiusPx = PointSizing.RadiusOf(size);
-                ulong key = KeyOf(depth, radiusPx, LitParts, colors[i]);
+                ulong key = KeyOf(depth, radiusPx, LitLevel, colors[i]);
                 // Depth in world units behind the middle, for each squared pixel of distance: the radius at the rim.
                 double behindPerSq = IsParaboloid ? 1 / (half * Projection.PixelsPerUnitAt(depth)) : 0;
                 float nearest = sums == null ? 0
@@ -136,7 +136,7 @@ namespace FastPoints.Picture
                             continue;
                         }
                         if (IsParaboloid)
-                            key = KeyOf((float)(depth + distanceSq * behindPerSq), radiusPx, LitParts, colors[i]);
+                            key = KeyOf((float)(depth + distanceSq * behindPerSq), radiusPx, LitLevel, colors[i]);
                         Lower(pixels + pixel, key);
                     }
                 }
@@ -144,13 +144,13 @@ namespace FastPoints.Picture
         }
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public static ulong KeyOf(float depth, uint radiusPx, int litParts, uint color) =>
-            (ulong)PointProjection.DepthToBits(depth) << 32 | (uint)litParts << 24 + RadiusBits | radiusPx << 24 |
+        public static ulong KeyOf(float depth, uint radiusPx, int litLevel, uint color) =>
+            (ulong)PointProjection.DepthToBits(depth) << 32 | (uint)litLevel << 24 + RadiusBits | radiusPx << 24 |
             color & 0xFFFFFFu;
 
         public static int RadiusOf(ulong key) => (int)(key >> 24) & MaxRadiusPx;
 
-        public static int LitPartsOf(ulong key) => (int)(key >> 24 + RadiusBits) & PointLight.Parts;
+        public static int LitLevelOf(ulong key) => (int)(key >> 24 + RadiusBits) & PointLighting.MaxLitLevel;
 
         // Keeps the smaller of two values while other threads write. Pixels only ever fall, so a value read too early costs one
         // more round; the plain read is atomic on 64-bit processors.

@@ -7,8 +7,8 @@ namespace FastPoints.Picture
     // Points that are lit by normals of their own. Shaders' PointDrawing.hlsl is its twin.
     internal struct PointNormals
     {
-        public int LitParts; // Of PointLight.Parts; 0 where there are no normals.
-        public PointLight Light;
+        public int LitLevel; // Of PointLighting.MaxLitLevel; 0 where there are no normals.
+        public PointLighting Light;
 
         // From the axes of the normals to those of the light, and of the view: right, up, forward; and from these to the light's.
         public double3x3 ToLight;
@@ -19,12 +19,12 @@ namespace FastPoints.Picture
         PointColumn m_v;
 
         // Of a batch that has them.
-        public PointNormals(PointBatch batch, int litParts, in PointLight light) : this()
+        public PointNormals(PointBatch batch, int litLevel, in PointLighting light) : this()
         {
             int u = batch.Schema.IndexOf(StoreLayout.NormalColumns[0]);
-            if (u < 0 || litParts == 0)
+            if (u < 0 || litLevel == 0)
                 return;
-            (LitParts, Light) = (litParts, light);
+            (LitLevel, Light) = (litLevel, light);
             (m_u, m_v) = (batch.Column(u), batch.Column(batch.Schema.IndexOf(StoreLayout.NormalColumns[1])));
         }
 
@@ -46,7 +46,7 @@ namespace FastPoints.Picture
                     normal = away > 0 ? -normal : normal;
                 }
                 uint color = span.Colors[i];
-                var lit = Light.Lit(new float3(color & 255, color >> 8 & 255, color >> 16 & 255) / 255, LitParts, normal,
+                var lit = Light.Lit(new float3(color & 255, color >> 8 & 255, color >> 16 & 255) / 255, LitLevel, normal,
                     (float3)math.mul(ViewToLight, point), 1);
                 lit = lit * 255 + 0.5f;
                 span.Colors[i] = (uint)lit.x | (uint)lit.y << 8 | (uint)lit.z << 16 | color & 0xFF000000u;

@@ -74,7 +74,7 @@ namespace FastPoints.Picture
             string reason = null;
             if (m_options.Picture.GuessesUpAxis && UpAxisGuess.Applies(m_reader.Info.Format))
             {
-                m_options.Picture.UpAxis = UpAxisGuess.Of(Ranges.Outline, out reason);
+                m_options.Picture.UpAxis = UpAxisGuess.Of(Ranges.FramingSample, out reason);
                 Ranges = Ranges.WithUp(m_options.Picture.UpAxis);
             }
             Plan = new PicturePlan(m_options.Picture, Ranges, Sample.Transform);

@@ -26,8 +26,8 @@ namespace FastPoints.Picture
         public PointProjection Projection;
         public uint Background; // Of pixels without a point: bytes red, green, blue, alpha from the lowest.
         public float EdlStrength; // 0 turns eye-dome lighting off.
-        public PointLight Light; // Of the points that are lit.
-        public PixelPlaces Places;
+        public PointLighting Light; // Of the points that are lit.
+        public PixelPositions PixelPositions;
 
         // A canvas of its own, which nothing draws into any more.
         [NativeDisableContainerSafetyRestriction] public ShadowMap Shadows;
@@ -69,7 +69,7 @@ namespace FastPoints.Picture
         ulong Fill(int x, int y)
         {
             int count = 0;
-            int litParts = 0;
+            int litLevel = 0;
             float depth = 0;
             uint3 color = 0;
             for (int ny = math.max(0, y - 1); ny <= math.min(Projection.HeightPx - 1, y + 1); ny++)
@@ -80,7 +80,7 @@ namespace FastPoints.Picture
                     if (pixel == PointDrawing.EmptyPixel)
                         continue;
                     count++;
-                    litParts += PointDrawing.LitPartsOf(pixel);
+                    litLevel += PointDrawing.LitLevelOf(pixel);
                     depth += PointProjection.DepthFromBits((uint)(pixel >> 32));
                     color += new uint3((uint)pixel & 255, (uint)pixel >> 8 & 255, (uint)pixel >> 16 & 255);
                 }
@@ -88,8 +88,8 @@ namespace FastPoints.Picture
             if (count < MinAroundHole)
                 return PointDrawing.EmptyPixel;
             color = (color + (uint)count / 2) / (uint)count;
-            litParts = (litParts + count / 2) / count;
-            return PointDrawing.KeyOf(depth / count, 1, litParts, color.x | color.y << 8 | color.z << 16);
+            litLevel = (litLevel + count / 2) / count;
+            return PointDrawing.KeyOf(depth / count, 1, litLevel, color.x | color.y << 8 | color.z << 16);
         }
 
         float Shade(int x, int y, ulong pixel)
@@ -122,7 +122,7 @@ namespace FastPoints.Picture
         float3 Lit(int x, int y, ulong pixel)
         {
             var color = new float3((uint)pixel & 255, (uint)pixel >> 8 & 255, (uint)pixel >> 16 & 255);
-            int parts = PointDrawing.LitPartsOf(pixel);
+            int parts = PointDrawing.LitLevelOf(pixel);
             if (parts == 0)
                 return color;
             var around = new DepthNormals
@@ -130,11 +130,11 @@ namespace FastPoints.Picture
                 Pixels = Pixels,
                 WidthPx = Projection.WidthPx,
                 HeightPx = Projection.HeightPx,
-                Places = Places,
+                PixelPositions = PixelPositions,
             };
-            var place = Places.Of(x, y, PointProjection.DepthFromBits((uint)(pixel >> 32)));
+            var place = PixelPositions.Of(x, y, PointProjection.DepthFromBits((uint)(pixel >> 32)));
             var normal = around.NormalAt(x, y, pixel);
-            float facing = PointLight.Facing(normal, Light.Direction);
+            float facing = PointLighting.Facing(normal, Light.Direction);
             return 255 * Light.Lit(color / 255, parts, normal, place, facing > 0 ? Shadows.At(place, facing) : 1);
         }
 

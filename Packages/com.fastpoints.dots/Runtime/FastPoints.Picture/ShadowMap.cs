@@ -4,15 +4,15 @@ using Unity.Mathematics;
 
 namespace FastPoints.Picture
 {
-    // How much of the main light reaches a place past the points of its depth map. PointLight.hlsl has its twin.
+    // How much of the main light reaches a place past the points of its depth map. PointLighting.hlsl has its twin.
     internal struct ShadowMap
     {
         // As a picture's, seen by the light; empty where nothing is shaded.
         [ReadOnly] public NativeArray<ulong> Pixels;
-        public PointShadow Shadow;
+        public MainLightShadow Shadow;
 
         // What draws it, as points of one pixel.
-        public static Camera CameraOf(in ShadowFrame frame) => new Camera
+        public static Camera CameraOf(in ShadowProjection frame) => new Camera
         {
             EyeGeo = frame.EyeWorld,
             Right = frame.Right,
@@ -25,13 +25,13 @@ namespace FastPoints.Picture
         // 1 for all. facing: the cosine between the surface and the light, more than 0.
         public readonly float At(float3 place, float facing)
         {
-            const int edge = ShadowFrame.EdgePx;
+            const int edge = ShadowProjection.EdgePx;
             float column = math.dot(Shadow.Column, place) + Shadow.Eye.x, row = math.dot(Shadow.Row, place) + Shadow.Eye.y;
             if (Pixels.Length == 0 || !(column >= 1 && row >= 1 && column <= edge - 1 && row <= edge - 1))
                 return 1;
             float slope = math.sqrt(math.max(0, 1 - facing * facing)) / facing;
             uint nearest = PointProjection.DepthToBits(math.dot(Shadow.Forward, place) + Shadow.Eye.z -
-                Shadow.TexelWorld * (PointShadow.BiasTexels + PointShadow.SlopeTexels * slope));
+                Shadow.TexelWorld * (MainLightShadow.BiasTexels + MainLightShadow.SlopeTexels * slope));
             // A square of two texels' length around it, of which up to nine are a part.
             int left = (int)(column - 1), top = (int)(row - 1);
             float partX = column - 1 - left, partY = row - 1 - top;
@@ -43,7 +43,7 @@ namespace FastPoints.Picture
                     if ((uint)(Pixels[at] >> 32) < nearest)
                         shaded += WeightOf(x, partX) * WeightOf(y, partY);
                 }
-            return 1 - math.saturate(shaded / (4 * PointShadow.WholeShare));
+            return 1 - math.saturate(shaded / (4 * MainLightShadow.WholeShare));
         }
 
         static float WeightOf(int texel, float part) => texel == 0 ? 1 - part : texel == 1 ? 1 : part;

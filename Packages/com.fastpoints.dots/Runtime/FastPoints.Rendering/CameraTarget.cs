@@ -14,9 +14,9 @@ namespace FastPoints.Rendering
 
         /// <summary>Whether it is a render texture; some APIs store these upside down.</summary>
         public bool IsTexture;
-        internal PointLight Light; // Where points are lit.
+        internal PointLighting Light; // Where points are lit.
         internal bool MayBeScreen; // Only the engine knows, when it draws.
-        internal bool IsPart; // The lower left part of a target that is larger.
+        internal bool IsSubViewport; // The lower left part of a target that is larger.
 
         /// <summary>Width of the picture; a pipeline may make it larger or smaller than the camera's.</summary>
         public int WidthPx;

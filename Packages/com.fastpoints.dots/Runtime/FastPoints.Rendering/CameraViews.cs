@@ -65,7 +65,7 @@ namespace FastPoints.Rendering
                 IsLinear = QualitySettings.activeColorSpace == ColorSpace.Linear,
                 Color = target.Color,
                 Depth = target.Depth,
-                IsPart = target.IsPart,
+                IsSubViewport = target.IsSubViewport,
                 MayBeScreen = target.MayBeScreen,
                 Light = target.Light.From(eye.PositionWorld),
             };

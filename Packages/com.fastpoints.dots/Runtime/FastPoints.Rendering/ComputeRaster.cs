@@ -47,7 +47,7 @@ namespace FastPoints.Rendering
             var depth = (Vector3)view.ViewProjection.GetRow(2);
             long bytes = (long)view.WidthPx * view.HeightPx * (view.Style.IsProgressive ? MaxBytesPerPixel : BytesPerPixel);
             return SystemInfo.graphicsUVStartsAtTop &&
-                bytes > 0 && bytes <= Math.Min(NodePool.LargestBankBytes, SystemInfo.maxGraphicsBufferSize) &&
+                bytes > 0 && bytes <= Math.Min(NodePool.MaxBankBytes, SystemInfo.maxGraphicsBufferSize) &&
                 Vector3.Cross(depth, view.Forward).magnitude <= 1e-5f * Math.Max(depth.magnitude, float.Epsilon);
         }
 

@@ -21,7 +21,7 @@ namespace FastPoints.Rendering
 
         /// <summary>The limit is that of the banks; upload buffers come on top. No node may be larger than a bank.</summary>
         public GraphicsNodePool(ComputeShader copyPages, long limitBytes, int bankBytes = DefaultBankBytes)
-            : base(limitBytes, (int)math.min(bankBytes, math.min(LargestBankBytes, SystemInfo.maxGraphicsBufferSize)))
+            : base(limitBytes, (int)math.min(bankBytes, math.min(MaxBankBytes, SystemInfo.maxGraphicsBufferSize)))
         {
             m_upload = new StagingRing(copyPages);
         }
@@ -47,7 +47,7 @@ namespace FastPoints.Rendering
         public override bool TryBeginUpload(int maxBytes) =>
             m_upload.TryBegin(m_frame, PagesFor(math.clamp(maxBytes, PageBytes, MaxUploadBytes)));
 
-        public override byte* AddressForUpload(PoolRange range, long bytes) => m_upload.Take(range);
+        public override byte* AddressForUpload(PoolRange range, long bytes) => m_upload.Reserve(range);
 
         public override void EndUpload() => m_upload.End(m_buffers, m_frame);
 

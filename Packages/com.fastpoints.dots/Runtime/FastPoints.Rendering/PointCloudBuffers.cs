@@ -19,7 +19,7 @@ namespace FastPoints.Rendering
         public const int BytesPerPoint = 16;
 
         /// <summary>Every graphics card supports buffers of this size.</summary>
-        public const int LargestMaxPoints = NodePool.LargestBankBytes / BytesPerPoint;
+        public const int MaxPointsLimit = NodePool.MaxBankBytes / BytesPerPoint;
 
         static readonly string[] s_kernels = { ShaderNames.GatherPointsKernel };
         static readonly CloudLook s_noLook = new CloudLook { Plane = -1 };
@@ -33,11 +33,11 @@ namespace FastPoints.Rendering
         CommandBuffer m_commands;
         int m_cloud;
 
-        /// <param name="maxPoints">Of more points an even share is kept; 1 to <see cref="LargestMaxPoints"/>.</param>
+        /// <param name="maxPoints">Of more points an even share is kept; 1 to <see cref="MaxPointsLimit"/>.</param>
         public PointCloudBuffers(int maxPoints)
         {
-            if (maxPoints < 1 || maxPoints > LargestMaxPoints)
-                throw new ArgumentOutOfRangeException(nameof(maxPoints), maxPoints, "wanted 1 to " + LargestMaxPoints);
+            if (maxPoints < 1 || maxPoints > MaxPointsLimit)
+                throw new ArgumentOutOfRangeException(nameof(maxPoints), maxPoints, "wanted 1 to " + MaxPointsLimit);
             m_maxPoints = maxPoints;
         }
 
@@ -48,7 +48,7 @@ namespace FastPoints.Rendering
         public int Count { get; private set; }
 
         /// <summary>How many of the pictures' points are in the buffer, from 0 to 1.</summary>
-        public double Share { get; private set; }
+        public double Fraction { get; private set; }
 
         /// <summary>What positions in the buffer count from.</summary>
         public double3 OriginWorld { get; private set; }
@@ -122,7 +122,7 @@ namespace FastPoints.Rendering
             // In 2^-32; the shader counts alike.
             ulong keptShare = m_list.Points <= m_maxPoints ? 0 : ((ulong)m_maxPoints << 32) / (ulong)m_list.Points;
             Count = (int)(keptShare == 0 ? (ulong)m_list.Points : (ulong)m_list.Points * keptShare >> 32);
-            Share = m_list.Points == 0 ? 1 : (double)Count / m_list.Points;
+            Fraction = m_list.Points == 0 ? 1 : (double)Count / m_list.Points;
             m_commands.Clear();
             Record((int)(uint)keptShare, (GraphicsNodePool)stream.Pool);
             Graphics.ExecuteCommandBuffer(m_commands);

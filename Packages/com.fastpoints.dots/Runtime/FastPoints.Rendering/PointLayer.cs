@@ -80,7 +80,7 @@ namespace FastPoints.Rendering
             m_properties.SetInteger(ShaderNames.IsLinear, view.IsLinear ? 1 : 0);
             if (view.Style.IsLit)
             {
-                ShaderValues.SetPlaces(m_properties, view.Places);
+                ShaderValues.SetPixelPositions(m_properties, view.PixelPositions);
                 ShaderValues.SetLight(m_properties, view.Light);
             }
             commands.DrawProcedural(Matrix4x4.identity, compose, 0, MeshTopology.Triangles, 3, 1, m_properties);
@@ -90,7 +90,7 @@ namespace FastPoints.Rendering
         {
             // -1 stands for all slices.
             commands.SetRenderTarget(view.Color, view.Depth, 0, CubemapFace.Unknown, (int)view.Eye - 1);
-            if (view.IsPart)
+            if (view.IsSubViewport)
                 commands.SetViewport(new Rect(0, 0, view.WidthPx, view.HeightPx));
         }
 

@@ -24,7 +24,7 @@ namespace FastPoints.Rendering
         readonly PointLayer m_layer = new PointLayer();
         readonly ComputeRaster m_raster;
         readonly ProgressivePictures m_progressive;
-        PointShadows m_shadows;
+        MainLightShadows m_shadows;
         NativeList<GraphicsBuffer.IndirectDrawIndexedArgs> m_drawArguments;
 
         /// <summary>Cameras' renderers may share all of these, which others dispose.</summary>
@@ -70,7 +70,7 @@ namespace FastPoints.Rendering
                 m_shadows = null;
                 return;
             }
-            m_shadows ??= new PointShadows(m_materials.Raster);
+            m_shadows ??= new MainLightShadows(m_materials.Raster);
             m_shadows.Begin(stream, view, rightEye);
         }
 

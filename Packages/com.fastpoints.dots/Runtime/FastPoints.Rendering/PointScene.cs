@@ -82,31 +82,28 @@ namespace FastPoints.Rendering
         }
 
         // Views of the recently announced cameras: one for each size and mask of a camera; then of lights that shade.
-        public NativeArray<StreamView> NextViews
+        public NativeArray<StreamView> CollectNextViews()
         {
-            get
+            m_nextViews.Clear();
+            foreach (var seen in m_cameras)
             {
-                m_nextViews.Clear();
-                foreach (var seen in m_cameras)
+                var moved = seen.Moved;
+                foreach (var seenAt in seen.Views)
                 {
-                    var moved = seen.Moved;
-                    foreach (var seenAt in seen.Views)
-                    {
-                        var view = seenAt.View;
-                        view.EyeWorld += moved;
-                        m_nextViews.Add(view);
-                    }
+                    var view = seenAt.View;
+                    view.EyeWorld += moved;
+                    m_nextViews.Add(view);
                 }
-                foreach (var seen in m_cameras)
-                {
-                    if (seen.Views.Count == 0 || seen.Renderer.ShadowView == null)
-                        continue;
-                    var light = seen.Renderer.ShadowView.Value;
-                    light.EyeWorld += seen.Moved;
-                    m_nextViews.Add(light);
-                }
-                return m_nextViews.AsArray();
             }
+            foreach (var seen in m_cameras)
+            {
+                if (seen.Views.Count == 0 || seen.Renderer.ShadowView == null)
+                    continue;
+                var light = seen.Renderer.ShadowView.Value;
+                light.EyeWorld += seen.Moved;
+                m_nextViews.Add(light);
+            }
+            return m_nextViews.AsArray();
         }
 
         // How often a pipeline's pass has recorded the clouds; 0 if no pass draws them.
@@ -118,7 +115,7 @@ namespace FastPoints.Rendering
             get
             {
                 foreach (var look in m_looks)
-                    if (PointLight.PartsOf(look.Light) > 0)
+                    if (PointLighting.LitLevelOf(look.Light) > 0)
                         return true;
                 return false;
             }
@@ -145,7 +142,7 @@ namespace FastPoints.Rendering
                 m_looks[cloud] = s_noLook;
         }
 
-        // Call after NextViews was read. Drops cameras that are no longer announced.
+        // Call after CollectNextViews was read. Drops cameras that are no longer announced.
         public void BeginFrame()
         {
             m_frame++;

@@ -31,13 +31,14 @@ namespace FastPoints.Rendering
         public RenderTargetIdentifier Color;
         public RenderTargetIdentifier Depth;
         internal TargetEye Eye;
-        internal PointLight Light; // Of points that are lit.
-        internal bool IsPart; // The lower left part of a target that is larger.
+        internal PointLighting Light; // Of points that are lit.
+        internal bool IsSubViewport; // The lower left part of a target that is larger.
         internal bool MayBeScreen; // Rows of the screen run the other way from a texture's.
         public PointStyle Style;
 
-        // Of the layer's pixels: of what the projection does to x and y, and of depth, the inverse.
-        internal readonly PixelPlaces Places
+        // Unprojects pixels of the layer: the inverse of what the projection does to x and y, to be scaled by the depth along
+        // the view.
+        internal readonly PixelPositions PixelPositions
         {
             get
             {
@@ -45,7 +46,7 @@ namespace FastPoints.Rendering
                 float volume = math.dot(x, math.cross(y, forward));
                 float3 right = math.cross(y, forward) / volume, up = math.cross(forward, x) / volume;
                 float down = SystemInfo.graphicsUVStartsAtTop ? -1 : 1;
-                return new PixelPlaces
+                return new PixelPositions
                 {
                     First = right * (1f / WidthPx - 1 - ViewProjection.m03) +
                         up * (down * (1f / HeightPx - 1) - ViewProjection.m13),

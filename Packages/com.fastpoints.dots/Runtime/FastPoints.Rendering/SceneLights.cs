@@ -12,36 +12,36 @@ namespace FastPoints.Rendering
         static readonly float3 s_fromAbove = math.normalize(new float3(-0.5f, 1, -0.5f));
 
         // The sun of the scene's Lighting settings, and its ambient light.
-        public static PointLight OfSun()
+        public static PointLighting OfSun()
         {
             var light = OfSunsColor();
             var sun = RenderSettings.sun;
             if (sun != null && sun.isActiveAndEnabled)
             {
                 var color = VectorOf(sun.color);
-                light.Color = GraphicsSettings.lightsUseLinearIntensity ? PointLight.LinearOf(color) * sun.intensity
-                    : PointLight.LinearOf(color * sun.intensity);
+                light.Color = GraphicsSettings.lightsUseLinearIntensity ? PointLighting.LinearOf(color) * sun.intensity
+                    : PointLighting.LinearOf(color * sun.intensity);
             }
             SetAmbient(ref light, RenderSettings.ambientProbe);
             return light;
         }
 
         // HDRP's lights are in lux, and only the card knows the exposure: of the sun its direction and colour count.
-        public static PointLight OfSunsColor()
+        public static PointLighting OfSunsColor()
         {
             var sun = RenderSettings.sun;
             bool isThere = sun != null && sun.isActiveAndEnabled;
             var direction = isThere ? DirectionOf(sun.transform.localToWorldMatrix) : s_fromAbove;
-            var light = PointLight.Default(direction, new float3(0, 1, 0));
+            var light = PointLighting.Default(direction, new float3(0, 1, 0));
             if (isThere)
-                light.Color *= PointLight.LinearOf(VectorOf(sun.color));
+                light.Color *= PointLighting.LinearOf(VectorOf(sun.color));
             return light;
         }
 
         // The light that the pipeline takes for the main one; null for none.
-        public static PointLight Of(in VisibleLight? main)
+        public static PointLighting Of(in VisibleLight? main)
         {
-            var light = new PointLight { Direction = s_fromAbove };
+            var light = new PointLighting { Direction = s_fromAbove };
             if (main != null)
             {
                 light.Direction = DirectionOf(main.Value.localToWorldMatrix);
@@ -53,10 +53,10 @@ namespace FastPoints.Rendering
 
         // From what URP gives its shaders: place (w: 0 for a direction), colour, 1 / range squared and the cone's scale and
         // offset, the cone's axis.
-        public static void Add(ref PointLight light, Vector3 eye, Vector4 place, Vector4 color, Vector4 attenuation,
+        public static void Add(ref PointLighting light, Vector3 eye, Vector4 place, Vector4 color, Vector4 attenuation,
             Vector4 axis) => light.Add(new AdditionalLight
             {
-                Place = VectorOf(place),
+                PositionOrDirection = VectorOf(place),
                 Color = ColorOf(color),
                 OneOverRangeSq = place.w > 0 ? attenuation.x : 0,
                 Axis = VectorOf(axis),
@@ -64,15 +64,15 @@ namespace FastPoints.Rendering
                 ConeOffset = attenuation.w,
             }, VectorOf(eye));
 
-        static float3 ColorOf(Vector4 color) => IsLinear ? VectorOf(color) : PointLight.LinearOf(VectorOf(color));
+        static float3 ColorOf(Vector4 color) => IsLinear ? VectorOf(color) : PointLighting.LinearOf(VectorOf(color));
 
         static bool IsLinear => QualitySettings.activeColorSpace == ColorSpace.Linear;
 
         // Its order: constant, y, z, x, then the second order. In gamma space its mean becomes linear, the rest in proportion.
-        static void SetAmbient(ref PointLight light, in SphericalHarmonicsL2 probe)
+        static void SetAmbient(ref PointLighting light, in SphericalHarmonicsL2 probe)
         {
             var mean = Coefficients(probe, 0);
-            float3 scale = IsLinear ? 1 : PointLight.LinearOf(math.max(0, mean)) / math.max(1e-6f, mean);
+            float3 scale = IsLinear ? 1 : PointLighting.LinearOf(math.max(0, mean)) / math.max(1e-6f, mean);
             light.AmbientAll = mean * scale;
             light.AmbientX = Coefficients(probe, 3) * scale;
             light.AmbientY = Coefficients(probe, 1) * scale;

@@ -24,7 +24,7 @@ namespace FastPoints.Rendering
         public static readonly int ClipBoxCount = Shader.PropertyToID("_FastPointsClipBoxCount");
         public static readonly int ClipBoxesAt = Shader.PropertyToID("_FastPointsClipBoxesAt");
         public static readonly int CloudsAt = Shader.PropertyToID("_FastPointsCloudsAt");
-        public static readonly int DepthToDevice = Shader.PropertyToID("_FastPointsDeviceOfDepth");
+        public static readonly int DepthToDevice = Shader.PropertyToID("_FastPointsDepthToDevice");
         public static readonly int EdlStrength = Shader.PropertyToID("_FastPointsEdlStrength");
         public static readonly int EffectOrigin = Shader.PropertyToID("_FastPointsEffectOrigin");
         public static readonly int EffectPointCount = Shader.PropertyToID("_FastPointsEffectPointCount");
@@ -59,7 +59,7 @@ namespace FastPoints.Rendering
         public static readonly int Pages = Shader.PropertyToID("_FastPointsPages");
         public static readonly int Pixels = Shader.PropertyToID("_FastPointsPixels");
         public static readonly int PixelsOut = Shader.PropertyToID("_FastPointsPixelsOut");
-        public static readonly int Places = Shader.PropertyToID("_FastPointsPlaces");
+        public static readonly int PixelPositions = Shader.PropertyToID("_FastPointsPixelPositions");
         public static readonly int PointsPerFrame = Shader.PropertyToID("_FastPointsPointsPerFrame");
         public static readonly int RightEyeOffset = Shader.PropertyToID("_FastPointsRightEyeOffset");
         public static readonly int RightForward = Shader.PropertyToID("_FastPointsRightForward");
@@ -104,11 +104,11 @@ namespace FastPoints.Rendering
     // What shaders take of a light and of vectors.
     static class ShaderValues
     {
-        public static void SetPlaces(MaterialPropertyBlock properties, in PixelPlaces places) =>
-            properties.SetMatrix(ShaderNames.Places, RowsOf(VectorOf(places.First), VectorOf(places.StepX),
+        public static void SetPixelPositions(MaterialPropertyBlock properties, in PixelPositions places) =>
+            properties.SetMatrix(ShaderNames.PixelPositions, RowsOf(VectorOf(places.First), VectorOf(places.StepX),
                 VectorOf(places.StepY), VectorOf(places.Forward)));
 
-        public static void SetLight(MaterialPropertyBlock properties, in PointLight light)
+        public static void SetLight(MaterialPropertyBlock properties, in PointLighting light)
         {
             properties.SetMatrix(ShaderNames.Ambient, AmbientOf(light));
             properties.SetVector(ShaderNames.LightDirection, VectorOf(light.Direction));
@@ -121,7 +121,7 @@ namespace FastPoints.Rendering
             properties.SetMatrix(ShaderNames.AdditionalAxes, AxesOf(light));
         }
 
-        public static void SetLight(CommandBuffer commands, ComputeShader shader, in PointLight light)
+        public static void SetLight(CommandBuffer commands, ComputeShader shader, in PointLighting light)
         {
             commands.SetComputeMatrixParam(shader, ShaderNames.Ambient, AmbientOf(light));
             commands.SetComputeVectorParam(shader, ShaderNames.LightDirection, VectorOf(light.Direction));
@@ -132,18 +132,20 @@ namespace FastPoints.Rendering
             commands.SetComputeMatrixParam(shader, ShaderNames.AdditionalAxes, AxesOf(light));
         }
 
-        static Matrix4x4 AmbientOf(in PointLight light) => RowsOf(VectorOf(light.AmbientX), VectorOf(light.AmbientY),
+        static Matrix4x4 AmbientOf(in PointLighting light) => RowsOf(VectorOf(light.AmbientX), VectorOf(light.AmbientY),
             VectorOf(light.AmbientZ), VectorOf(light.AmbientAll));
 
-        static Matrix4x4 PlacesOf(in PointLight light) => RowsOf(VectorOf(light.Light0.Place, light.Light0.ConeOffset),
-            VectorOf(light.Light1.Place, light.Light1.ConeOffset), VectorOf(light.Light2.Place, light.Light2.ConeOffset),
-            VectorOf(light.Light3.Place, light.Light3.ConeOffset));
+        static Matrix4x4 PlacesOf(in PointLighting light) => RowsOf(
+            VectorOf(light.Light0.PositionOrDirection, light.Light0.ConeOffset),
+            VectorOf(light.Light1.PositionOrDirection, light.Light1.ConeOffset),
+            VectorOf(light.Light2.PositionOrDirection, light.Light2.ConeOffset),
+            VectorOf(light.Light3.PositionOrDirection, light.Light3.ConeOffset));
 
-        static Matrix4x4 ColorsOf(in PointLight light) => RowsOf(VectorOf(light.Light0.Color, light.Light0.OneOverRangeSq),
+        static Matrix4x4 ColorsOf(in PointLighting light) => RowsOf(VectorOf(light.Light0.Color, light.Light0.OneOverRangeSq),
             VectorOf(light.Light1.Color, light.Light1.OneOverRangeSq), VectorOf(light.Light2.Color, light.Light2.OneOverRangeSq),
             VectorOf(light.Light3.Color, light.Light3.OneOverRangeSq));
 
-        static Matrix4x4 AxesOf(in PointLight light) => RowsOf(VectorOf(light.Light0.Axis, light.Light0.ConeScale),
+        static Matrix4x4 AxesOf(in PointLighting light) => RowsOf(VectorOf(light.Light0.Axis, light.Light0.ConeScale),
             VectorOf(light.Light1.Axis, light.Light1.ConeScale), VectorOf(light.Light2.Axis, light.Light2.ConeScale),
             VectorOf(light.Light3.Axis, light.Light3.ConeScale));
 

@@ -47,7 +47,7 @@ namespace FastPoints.Rendering
         }
 
         // The first always fits; null if it does not.
-        public byte* Take(PoolRange range) => m_buffers[m_next].Take(range);
+        public byte* Reserve(PoolRange range) => m_buffers[m_next].Reserve(range);
 
         // After everything is written: later draws find it in the pool.
         public void End(List<GraphicsBuffer> banks, long frame)
@@ -113,7 +113,7 @@ namespace FastPoints.Rendering
         }
 
         // Null if it does not fit. The first always fits.
-        public byte* Take(PoolRange range)
+        public byte* Reserve(PoolRange range)
         {
             if (m_pageCount + range.PageCount > Capacity)
             {

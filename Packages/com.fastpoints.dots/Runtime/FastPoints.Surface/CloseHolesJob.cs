@@ -82,10 +82,10 @@ namespace FastPoints.Surface
                         if (number <= 0 || number > Measured)
                             continue;
                         var offset = surfels[number - 1].Position + new float3(x, y, z) - 0.5f;
-                        float square = math.lengthsq(offset);
-                        if (square >= nearest)
+                        float distanceSq = math.lengthsq(offset);
+                        if (distanceSq >= nearest)
                             continue;
-                        nearest = square;
+                        nearest = distanceSq;
                         isOff = math.abs(math.dot(offset, surfels[number - 1].Normal)) > MaxHeight + 0.2f;
                     }
             return isOff || nearest < MinDistance * MinDistance;
@@ -95,7 +95,7 @@ namespace FastPoints.Surface
         {
             const int max = (int)SurfaceGrid.MaxHoleVoxels * 2 + 1;
             int side = Grid.Side, reach = Grid.HoleReach, count = 0, nearest = -1;
-            float wide = Grid.HoleVoxels * Grid.HoleVoxels, closest = wide / 4;
+            float maxDistanceSq = Grid.HoleVoxels * Grid.HoleVoxels, nearestSq = maxDistanceSq / 4;
             var near = stackalloc Surfel[max * max * max / 4];
             var surfelOf = (int*)Memory.SurfelOf.GetUnsafePtr();
             var surfels = Memory.Surfels.GetUnsafePtr();
@@ -110,23 +110,23 @@ namespace FastPoints.Surface
                         if (number <= 0 || number > Measured)
                             continue;
                         var offset = surfels[number - 1].Position + new float3(x, y, z) - 0.5f;
-                        float square = math.lengthsq(offset);
-                        if (square > wide)
+                        float distanceSq = math.lengthsq(offset);
+                        if (distanceSq > maxDistanceSq)
                             continue;
-                        if (square < closest)
+                        if (distanceSq < nearestSq)
                         {
-                            closest = square;
+                            nearestSq = distanceSq;
                             nearest = count;
                         }
                         near[count++] = new Surfel { Position = offset, Normal = surfels[number - 1].Normal };
                     }
                 }
-            if (nearest < 0 || closest < MinDistance * MinDistance)
+            if (nearest < 0 || nearestSq < MinDistance * MinDistance)
                 return false;
-            return IsBetween(near, count, near[nearest], wide, out surfel);
+            return IsBetween(near, count, near[nearest], maxDistanceSq, out surfel);
         }
 
-        static bool IsBetween(Surfel* near, int count, in Surfel reference, float wide, out Surfel surfel)
+        static bool IsBetween(Surfel* near, int count, in Surfel reference, float maxDistanceSq, out Surfel surfel)
         {
             float3 normal = default, mean = default;
             float weights = 0;
@@ -136,7 +136,7 @@ namespace FastPoints.Surface
                 if (!IsOfPlane(near[i], reference))
                     continue;
                 members++;
-                float weight = 1.01f - math.lengthsq(near[i].Position) / wide;
+                float weight = 1.01f - math.lengthsq(near[i].Position) / maxDistanceSq;
                 weights += weight;
                 mean += weight * near[i].Position;
                 normal += weight * (math.dot(near[i].Normal, reference.Normal) < 0 ? -near[i].Normal : near[i].Normal);

@@ -54,7 +54,7 @@ namespace FastPoints.Surface
         string m_openedPath;
         double m_retryAt;
 
-        internal FollowedSurface Surface { get; private set; }
+        internal SurfaceColliders Surface { get; private set; }
 
         /// <summary>What went wrong last, in one line; null if all is well. It is tried again every five seconds.</summary>
         public string Error { get; private set; }
@@ -109,7 +109,7 @@ namespace FastPoints.Surface
             }
             catch (Exception e)
             {
-                m_retryAt = now + FollowedSurface.RetrySeconds;
+                m_retryAt = now + SurfaceColliders.RetrySeconds;
                 string message = PointCloudException.Of(m_cloud.FullPath, e).Message;
                 if (Error != message)
                     Debug.LogError("FastPoints: " + name + " lacks colliders: " + message);
@@ -138,7 +138,7 @@ namespace FastPoints.Surface
                 return false;
             var opening = m_opening;
             m_opening = null;
-            Surface = new FollowedSurface(opening.Take(), Grid, ClassMask.Of(HiddenClasses), m_cloud);
+            Surface = new SurfaceColliders(opening.Take(), Grid, ClassMask.Of(HiddenClasses), m_cloud);
             return true;
         }
 

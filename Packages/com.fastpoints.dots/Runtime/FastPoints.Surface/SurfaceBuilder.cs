@@ -75,8 +75,9 @@ namespace FastPoints.Surface
                     }.Schedule(after)));
                 first = end;
             }
-            yield return JobStep.Of(Slices.Run(0, m_memory.Surfels.Length, MarkSamplesJob.SurfelsPerSlice, (first, end, after) =>
-                new MarkSamplesJob { First = first, End = end, Grid = m_grid, Memory = m_memory, Times = m_times }
+            yield return JobStep.Of(Slices.Run(0, m_memory.Surfels.Length, RasterizeSurfelsJob.SurfelsPerSlice,
+                (first, end, after) =>
+                new RasterizeSurfelsJob { First = first, End = end, Grid = m_grid, Memory = m_memory, Times = m_times }
                     .Schedule(after)));
             int rows = (m_grid.CellVoxels + 1) * (m_grid.CellVoxels + 1);
             yield return JobStep.Of(Slices.Run(0, rows, ExtractSurfaceJob.RowsPerSlice, (first, end, after) =>

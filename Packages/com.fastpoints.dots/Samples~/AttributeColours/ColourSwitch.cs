@@ -2,7 +2,6 @@ using System;
 using FastPoints.Drawing;
 using FastPoints.Entities;
 using UnityEngine;
-using Gradient = FastPoints.Drawing.Gradient;
 
 namespace FastPoints.Samples.AttributeColours
 {
@@ -16,7 +15,7 @@ namespace FastPoints.Samples.AttributeColours
         static readonly (int Class, string Name)[] s_classes = { (2, "ground"), (5, "high vegetation"), (6, "building") };
 
         static readonly ColorMode[] s_modes = (ColorMode[])Enum.GetValues(typeof(ColorMode));
-        static readonly Gradient[] s_gradients = (Gradient[])Enum.GetValues(typeof(Gradient));
+        static readonly ColorRamp[] s_ramps = (ColorRamp[])Enum.GetValues(typeof(ColorRamp));
 
         void OnGUI()
         {
@@ -24,9 +23,9 @@ namespace FastPoints.Samples.AttributeColours
             foreach (var mode in s_modes)
                 if (GUILayout.Toggle(cloud.Color == mode, mode.ToString()))
                     cloud.Color = mode;
-            foreach (var gradient in s_gradients)
-                if (GUILayout.Toggle(cloud.Gradient == gradient, "Gradient " + gradient))
-                    cloud.Gradient = gradient;
+            foreach (var ramp in s_ramps)
+                if (GUILayout.Toggle(cloud.ColorRamp == ramp, "Ramp " + ramp))
+                    cloud.ColorRamp = ramp;
             foreach (var (number, name) in s_classes)
                 Show(number, GUILayout.Toggle(!IsHidden(cloud, number), "Show " + name));
         }

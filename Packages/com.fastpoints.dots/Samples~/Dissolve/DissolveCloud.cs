@@ -17,7 +17,7 @@ namespace FastPoints.Samples.Dissolve
         [Tooltip("Draws the particles: Dissolve.shader of this sample.")]
         public Shader Shader;
 
-        [Range(1, PointCloudBuffers.LargestMaxPoints)]
+        [Range(1, PointCloudBuffers.MaxPointsLimit)]
         [Tooltip("Of more points an even share flies. 16 bytes each.")]
         public int MaxParticles = 1_000_000;
 
@@ -97,7 +97,7 @@ namespace FastPoints.Samples.Dissolve
                     End();
             }
             if (Progress >= 0)
-                GUILayout.Label($"{m_points.Count} particles, {m_points.Share:P0} of the points that were shown");
+                GUILayout.Label($"{m_points.Count} particles, {m_points.Fraction:P0} of the points that were shown");
         }
 
         void OnDisable()

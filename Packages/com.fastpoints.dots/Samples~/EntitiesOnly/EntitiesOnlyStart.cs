@@ -26,7 +26,7 @@ namespace FastPoints.Samples.EntitiesOnly
             m_cloud = entities.CreateEntity();
             entities.AddComponentData(m_cloud, new LocalToWorld { Value = float4x4.identity });
             entities.AddComponentData(m_cloud, Cloud.File());
-            Cloud.Paths.WriteTo(entities.AddBuffer<PointCloudPath>(m_cloud));
+            Cloud.Paths.WriteTo(entities.AddBuffer<PointCloudPathByte>(m_cloud));
 
             m_budget = entities.CreateEntity();
             entities.AddComponentData(m_budget, new PointCloudBudget
@@ -34,7 +34,7 @@ namespace FastPoints.Samples.EntitiesOnly
                 Points = 1_000_000,
                 PoolBytes = 256 << 20,
                 UploadBytesPerFrame = 4 << 20,
-                SmallestNodePx = 1,
+                MinNodePx = 1,
             });
 
             // The system below looks at nodes.

@@ -67,7 +67,7 @@ namespace FastPoints.Samples.RunTimeLoading
                 cloud.Reopen();
             Status = IsDone
                 ? m_target
-                : string.Format(CultureInfo.InvariantCulture, "{0} {1:0} %", m_progress.Current, m_progress.Share * 100);
+                : string.Format(CultureInfo.InvariantCulture, "{0} {1:0} %", m_progress.Current, m_progress.Fraction * 100);
         }
 
         void OnGUI() => GUILayout.Label(Status);

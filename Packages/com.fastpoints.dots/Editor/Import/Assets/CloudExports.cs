@@ -58,7 +58,7 @@ namespace FastPoints.Editor
             {
                 if (!Step(export, budgetMs))
                 {
-                    Progress.Report(export.Progress, (float)export.Stages.Share, export.Stages.Current ?? export.Path);
+                    Progress.Report(export.Progress, (float)export.Stages.Fraction, export.Stages.Current ?? export.Path);
                     return;
                 }
                 Debug.Log("FastPoints: " + Describe(export));

@@ -58,7 +58,7 @@ namespace FastPoints.Editor
             asset.HasOrigin = origin.HasValue;
             asset.Origin = origin ?? default;
             asset.Up = UpAxis;
-            asset.UnitMetres = MetresPerUnit;
+            asset.MetresPerUnitOverride = MetresPerUnit;
             asset.Points = handle.Points;
             // Unity's text files cannot store infinity.
             var bounds = handle.BoundsGeo.IsEmpty ? new BoundsGeo(1, -1) : handle.BoundsGeo;
@@ -83,8 +83,8 @@ namespace FastPoints.Editor
         public static string Of(string cloudPath, string asset)
         {
             const string folder = ProjectPaths.DefaultClouds + "/";
-            if (cloudPath.StartsWith(PointCloudPaths.InPlace, StringComparison.Ordinal))
-                return folder + cloudPath.Substring(PointCloudPaths.InPlace.Length);
+            if (cloudPath.StartsWith(PointCloudPaths.InConvertedRoot, StringComparison.Ordinal))
+                return folder + cloudPath.Substring(PointCloudPaths.InConvertedRoot.Length);
             if (cloudPath.StartsWith(folder, StringComparison.Ordinal) && cloudPath.IndexOf('/', folder.Length) < 0)
                 return cloudPath;
             string name = AssetNaming.Safe(Path.GetFileNameWithoutExtension(cloudPath.TrimEnd('/', '\\')));

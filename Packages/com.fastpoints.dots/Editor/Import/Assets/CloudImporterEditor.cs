@@ -34,7 +34,7 @@ namespace FastPoints.Editor
             Refresh();
         }
 
-        public override bool RequiresConstantRepaint() => m_wasInQueue || PointCloudImports.Current.Checks.IsChecking;
+        public override bool RequiresConstantRepaint() => m_wasInQueue || PointCloudImports.Current.Verification.IsChecking;
 
         public override void OnInspectorGUI()
         {
@@ -170,7 +170,7 @@ namespace FastPoints.Editor
 
         internal static string Describe(ImportQueue queue, ImportRequest request) =>
             request.State == ImportState.Failed ? request.Failure : request.State == ImportState.Paused ? "paused"
-            : request.State == ImportState.Waiting ? "waiting" : BuildProgress.Describe(queue.Session.Progress);
+            : request.State == ImportState.Waiting ? "waiting" : ConversionProgress.Describe(queue.Session.Progress);
 
         static void DrawRequest(EditorImports imports, ImportRequest request)
         {
@@ -207,12 +207,12 @@ namespace FastPoints.Editor
                 ShowMessage(m_handle.Stamp.Compare(m_handle.Sources.ConvertAll(imports.Paths.Absolute)));
             if (!exists)
                 return;
-            var check = imports.Checks.Check;
+            var check = imports.Verification.Check;
             if (check != null && check.Path == m_cloud.Path)
                 EditorGUILayout.HelpBox(check.Describe(),
                     check.IsDone && !check.Result.Ok ? MessageType.Error : MessageType.Info);
-            if (!imports.Checks.IsChecking && GUILayout.Button("Verify"))
-                imports.Checks.Begin(m_cloud.Path);
+            if (!imports.Verification.IsChecking && GUILayout.Button("Verify"))
+                imports.Verification.Begin(m_cloud.Path);
             if (GUILayout.Button("Show the folder"))
                 EditorUtility.RevealInFinder(m_cloud.Path);
             // A copy of the asset has the same data.

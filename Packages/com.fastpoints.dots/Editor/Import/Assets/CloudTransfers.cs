@@ -28,7 +28,7 @@ namespace FastPoints.Editor
 
         /// <summary>Copies a finished cloud out to <c>NAME.fastpoints</c> in a folder, with a number if that is taken.</summary>
         /// <returns>The copy's folder, which exists when the copy is complete.</returns>
-        public string Export(string cloud, string folder)
+        public string ExportCopy(string cloud, string folder)
         {
             string to = FreeName(cloud, folder);
             Begin("Export ", cloud, to, null);
@@ -51,7 +51,7 @@ namespace FastPoints.Editor
                 if (!transfer.Copy.Work.IsCompleted)
                 {
                     if (!transfer.Copy.IsCancelled)
-                        Progress.Report(transfer.Progress, (float)transfer.Copy.Share, transfer.Copy.To);
+                        Progress.Report(transfer.Progress, (float)transfer.Copy.Fraction, transfer.Copy.To);
                     continue;
                 }
                 m_transfers.RemoveAt(i);
@@ -145,7 +145,7 @@ namespace FastPoints.Editor
         public string To { get; }
 
         /// <summary>From 0 to 1; any thread may ask.</summary>
-        public double Share => Interlocked.Read(ref m_bytesDone) / (double)Math.Max(1, Interlocked.Read(ref m_bytes));
+        public double Fraction => Interlocked.Read(ref m_bytesDone) / (double)Math.Max(1, Interlocked.Read(ref m_bytes));
 
         public bool IsCancelled { get; private set; }
 

@@ -132,11 +132,11 @@ namespace FastPoints.Editor
                 GUIUtility.ExitGUI();
             }
             if (row.IsConverted && GUILayout.Button("Verify"))
-                PointCloudImports.Current.Checks.Begin(row.Cloud);
+                PointCloudImports.Current.Verification.Begin(row.Cloud);
             if (row.IsConverted && GUILayout.Button("Export..."))
             {
                 if (EditorUtility.OpenFolderPanel("Export point cloud into a folder", "", "") is { Length: > 0 } folder)
-                    PointCloudImports.Current.Transfers.Export(row.Cloud, folder);
+                    PointCloudImports.Current.Transfers.ExportCopy(row.Cloud, folder);
                 GUIUtility.ExitGUI();
             }
             GUILayout.EndHorizontal();

@@ -51,7 +51,7 @@ namespace FastPoints.Editor
             Missing = new MissingClouds(this);
             m_parts = new Action[]
             {
-                UpdateQueue, () => Checks.Update(m_budgetMs), Transfers.Update, () => Exports.Update(m_budgetMs),
+                UpdateQueue, () => Verification.Update(m_budgetMs), Transfers.Update, () => Exports.Update(m_budgetMs),
                 Leftovers.Prompt, Claims.Update, Missing.Update, () => Thumbnails.Update(m_budgetMs), UpdateDrops, Report,
             };
         }
@@ -63,7 +63,7 @@ namespace FastPoints.Editor
         internal CloudLeftovers Leftovers { get; }
         internal PointFilePrompt Claims { get; }
         internal MissingClouds Missing { get; }
-        internal EditorChecks Checks { get; } = new EditorChecks();
+        internal EditorVerification Verification { get; } = new EditorVerification();
         internal CloudTransfers Transfers { get; } = new CloudTransfers();
         internal CloudExports Exports { get; } = new CloudExports();
         internal CloudThumbnails Thumbnails { get; } = new CloudThumbnails();
@@ -101,7 +101,7 @@ namespace FastPoints.Editor
             Queue.Session?.Adapt(isPlaying && m_settings.InPlayMode == InPlayMode.OneWorker ? 1 : m_settings.Workers,
                 m_timeBudget.InFlightMs);
             Queue.Tick(m_budgetMs, m_nowUtc);
-            if (m_progress.Session?.State == BuildState.Suspended)
+            if (m_progress.Session?.State == ConversionState.Suspended)
                 m_progress.End(Progress.Status.Canceled);
         }
 
@@ -198,11 +198,11 @@ namespace FastPoints.Editor
         /// <summary>Copies an asset's converted cloud to a folder outside, under a free name.</summary>
         /// <returns>The copy's folder, which exists when the copy is complete; null if nothing can be copied, which is
         /// logged.</returns>
-        public string Export(PointCloudAsset asset, string folder)
+        public string ExportCopy(PointCloudAsset asset, string folder)
         {
             string cloud = Paths.Absolute(asset.ProjectPath);
             if (File.Exists(Path.Combine(cloud, StoreFormat.ManifestName)))
-                return Transfers.Export(cloud, folder);
+                return Transfers.ExportCopy(cloud, folder);
             Debug.LogError("FastPoints: " + asset.name + " is not converted: wanted a cloud in " + cloud);
             return null;
         }
@@ -296,7 +296,7 @@ namespace FastPoints.Editor
             foreach (var drop in m_drops)
                 drop.Dispose();
             m_drops.Clear();
-            Checks.Dispose();
+            Verification.Dispose();
             Transfers.Dispose();
             Exports.Dispose();
             Missing.Dispose();
@@ -367,16 +367,16 @@ namespace FastPoints.Editor
             return handle;
         }
 
-        void End(ImportRequest request, BuildSession session)
+        void End(ImportRequest request, ConversionSession session)
         {
             string asset = AssetDatabase.GUIDToAssetPath(request.Asset);
-            m_progress.End(session.State == BuildState.Done ? Progress.Status.Succeeded
-                : session.State == BuildState.Failed ? Progress.Status.Failed : Progress.Status.Canceled);
+            m_progress.End(session.State == ConversionState.Done ? Progress.Status.Succeeded
+                : session.State == ConversionState.Failed ? Progress.Status.Failed : Progress.Status.Canceled);
             if (session.Failure is PointCloudException known)
                 Debug.LogError("FastPoints: " + known.FullMessage);
             else if (session.Failure != null)
                 Debug.LogException(session.Failure);
-            if (session.State != BuildState.Done)
+            if (session.State != ConversionState.Done)
                 return;
             if (session.Source is { } source)
             {
@@ -396,7 +396,7 @@ namespace FastPoints.Editor
             Thumbnails.Add(cloud);
         }
 
-        void Update(string asset, string cloud, BuildSession session, DateTime untilUtc)
+        void Update(string asset, string cloud, ConversionSession session, DateTime untilUtc)
         {
             try
             {

@@ -124,7 +124,7 @@ namespace FastPoints.Editor
 
         public void Apply()
         {
-            PointCloudPaths.Place = Place;
+            PointCloudPaths.ConvertedRoot = Place;
             PointCloudPaths.SourceRoot = FastPointsUserSettings.Root;
             PointCloudSystemGroup.DefaultPoolBytes = (long)GpuMiB << 20;
             EditorApplication.QueuePlayerLoopUpdate();

@@ -12,15 +12,15 @@ namespace FastPoints.Editor
         public QueueProgress(EditorImports imports) => m_imports = imports;
 
         /// <summary>The conversion that has a line; null for none.</summary>
-        public BuildSession Session { get; private set; }
+        public ConversionSession Session { get; private set; }
 
         public void Report()
         {
             var queue = m_imports.Queue;
             if (Session != queue.Session)
                 Begin(queue);
-            Progress.Report(m_line, (float)Session.Share,
-                queue.IsHeld ? "until play mode ends" : BuildProgress.Describe(Session.Progress));
+            Progress.Report(m_line, (float)Session.Fraction,
+                queue.IsHeld ? "until play mode ends" : ConversionProgress.Describe(Session.Progress));
             if (Session.SecondsLeft < int.MaxValue)
                 Progress.SetRemainingTime(m_line, (long)Session.SecondsLeft);
         }

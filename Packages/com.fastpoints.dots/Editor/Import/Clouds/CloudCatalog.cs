@@ -34,7 +34,7 @@ namespace FastPoints.Editor
             var cached = new Dictionary<string, CachedCloud>();
             foreach (string folder in FolderNames(m_paths.Clouds))
             {
-                bool isPart = folder.EndsWith(StoreFormat.PartSuffix, StringComparison.Ordinal);
+                bool isPart = folder.EndsWith(StoreFormat.UnfinishedSuffix, StringComparison.Ordinal);
                 string path = StoreFormat.FinishedPath(folder);
                 // While a cloud is rebuilt, the old one still exists.
                 if (path.EndsWith(StoreFormat.FolderExtension, StringComparison.OrdinalIgnoreCase) &&
@@ -103,7 +103,7 @@ namespace FastPoints.Editor
                 cached[folder] = before;
                 return before.Cloud;
             }
-            bool isPart = folder.EndsWith(StoreFormat.PartSuffix, StringComparison.Ordinal);
+            bool isPart = folder.EndsWith(StoreFormat.UnfinishedSuffix, StringComparison.Ordinal);
             var cloud = new CatalogCloud { Path = path, IsBuilding = isPart };
             try
             {

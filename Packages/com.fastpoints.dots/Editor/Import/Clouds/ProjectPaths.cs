@@ -79,15 +79,15 @@ namespace FastPoints.Editor
 
         /// <summary>The folder of a point cloud file in <c>Assets</c>, as its asset refers to it: by the asset's number, which
         /// stays the same when the file is renamed.</summary>
-        public static string OfAsset(string guid) => PointCloudPaths.InPlace + guid + StoreFormat.FolderExtension;
+        public static string OfAsset(string guid) => PointCloudPaths.InConvertedRoot + guid + StoreFormat.FolderExtension;
 
         static string Inside(string folder) => Path.GetFullPath(folder).TrimEnd(Path.DirectorySeparatorChar,
             Path.AltDirectorySeparatorChar) + Path.DirectorySeparatorChar;
 
         /// <summary>The absolute path of a stored one.</summary>
         public string Absolute(string stored) =>
-            Path.GetFullPath(stored.StartsWith(PointCloudPaths.InPlace, StringComparison.Ordinal)
-            ? Path.Combine(Clouds, stored.Substring(PointCloudPaths.InPlace.Length))
+            Path.GetFullPath(stored.StartsWith(PointCloudPaths.InConvertedRoot, StringComparison.Ordinal)
+            ? Path.Combine(Clouds, stored.Substring(PointCloudPaths.InConvertedRoot.Length))
             : m_sourceRoot.Length > 0 && stored.StartsWith(PointCloudPaths.InSources, StringComparison.Ordinal)
             ? Path.Combine(m_sourceRoot, stored.Substring(PointCloudPaths.InSources.Length))
             : Path.Combine(Project, stored));

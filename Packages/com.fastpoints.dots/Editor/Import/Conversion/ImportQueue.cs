@@ -40,7 +40,7 @@ namespace FastPoints.Editor
 
         public IReadOnlyList<ImportRequest> Requests => m_requests;
 
-        public BuildSession Session { get; private set; }
+        public ConversionSession Session { get; private set; }
 
         /// <summary>Whether all conversions are on hold.</summary>
         public bool IsHeld { get; set; }
@@ -57,7 +57,7 @@ namespace FastPoints.Editor
 
         /// <summary>Raised when a conversion has ended, and when its cloud has got normals, with success or without; the
         /// session says which.</summary>
-        public event Action<ImportRequest, BuildSession> Ended;
+        public event Action<ImportRequest, ConversionSession> Ended;
 
         string FilePath => Path.Combine(m_paths.Clouds, FileName);
 
@@ -124,7 +124,7 @@ namespace FastPoints.Editor
         {
             if (request == m_running)
                 Session.Pause();
-            if (request == m_running ? Session.State == BuildState.Paused : request.State == ImportState.Waiting)
+            if (request == m_running ? Session.State == ConversionState.Paused : request.State == ImportState.Waiting)
                 request.State = ImportState.Paused;
             Save();
         }
@@ -210,7 +210,7 @@ namespace FastPoints.Editor
             }
             try
             {
-                string owner = FolderLock.TryTake(Path.Combine(m_paths.Clouds, LockName), out m_lock);
+                string owner = FolderLock.TakeOrGetOwner(Path.Combine(m_paths.Clouds, LockName), out m_lock);
                 Problem = owner == null ? null : owner + " imports into " + m_paths.Clouds;
                 if (m_lock != null)
                     Load();
@@ -232,7 +232,7 @@ namespace FastPoints.Editor
             m_running.Attempts++;
             Save();
             var sources = m_running.IsBuilt ? null : m_running.Sources.ConvertAll(m_paths.Absolute);
-            Session = new BuildSession(sources, m_paths.Absolute(m_running.Cloud), m_settings(m_running));
+            Session = new ConversionSession(sources, m_paths.Absolute(m_running.Cloud), m_settings(m_running));
         }
 
         /// <summary>The next session of this target continues from what is on disk.</summary>
@@ -250,12 +250,12 @@ namespace FastPoints.Editor
             m_running = null;
             Session = null;
             request.Attempts = 0;
-            if (session.State == BuildState.Failed)
+            if (session.State == ConversionState.Failed)
             {
                 request.State = ImportState.Failed;
                 request.Failure = session.Failure.Message;
             }
-            else if (session.State == BuildState.Done && request.Normals && !request.IsBuilt)
+            else if (session.State == ConversionState.Done && request.Normals && !request.IsBuilt)
             {
                 (request.IsBuilt, request.State) = (true, ImportState.Waiting);
             }

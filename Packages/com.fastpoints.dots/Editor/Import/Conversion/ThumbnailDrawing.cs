@@ -32,14 +32,14 @@ namespace FastPoints.Editor
 
         public RgbaImage Image => m_image();
 
-        static PictureOptions Options => new PictureOptions { WidthPx = SizePx, HeightPx = SizePx, OutlinePoints = 512 };
+        static PictureOptions Options => new PictureOptions { WidthPx = SizePx, HeightPx = SizePx, FramingPoints = 512 };
 
         /// <summary>Draws the top of the octree.</summary>
         /// <exception cref="PointCloudException">It cannot be read.</exception>
         public static ThumbnailDrawing OfCloud(string cloud)
         {
             var folder = CloudFolder.Open(cloud);
-            var drawing = new DrawStored(folder, Options, Budget) { PlansByManifest = true };
+            var drawing = new DrawConvertedCloud(folder, Options, Budget) { PlansByManifest = true };
             return new ThumbnailDrawing(drawing.Run(null), () => drawing.Image, folder);
         }
 

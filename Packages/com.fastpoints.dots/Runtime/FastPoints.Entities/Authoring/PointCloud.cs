@@ -6,7 +6,6 @@ using Unity.Entities;
 using Unity.Mathematics;
 using Unity.Transforms;
 using UnityEngine;
-using Gradient = FastPoints.Drawing.Gradient;
 
 namespace FastPoints.Entities
 {
@@ -34,7 +33,7 @@ namespace FastPoints.Entities
 
         [SerializeField]
         [Tooltip("Of elevation and intensity.")]
-        Gradient m_gradient = Gradient.Auto;
+        ColorRamp m_colorRamp = ColorRamp.Auto;
 
         [SerializeField]
         [Tooltip("Classes, 0 to 255, whose points are not drawn.")]
@@ -60,10 +59,10 @@ namespace FastPoints.Entities
         PointCloudAsset m_openedCloud;
         string m_openedPath;
         ColorMode m_openedColor;
-        Gradient m_openedGradient;
+        ColorRamp m_openedColorRamp;
         ClassMask m_openedClasses;
         UpAxis m_openedUp;
-        double m_openedUnitMetres;
+        double m_openedMetresPerUnitOverride;
 
         /// <summary>The asset; null if <see cref="Path"/> names the cloud.</summary>
         public PointCloudAsset Cloud
@@ -89,10 +88,10 @@ namespace FastPoints.Entities
         }
 
         /// <summary>The gradient for elevation and intensity.</summary>
-        public Gradient Gradient
+        public ColorRamp ColorRamp
         {
-            get => m_gradient;
-            set => Set(ref m_gradient, value);
+            get => m_colorRamp;
+            set => Set(ref m_colorRamp, value);
         }
 
         /// <summary>Classes from 0 to 255 whose points are not drawn. The array is a copy.</summary>
@@ -119,8 +118,8 @@ namespace FastPoints.Entities
         /// <summary>Null while the component is disabled.</summary>
         public Entity Entity => m_entity.Value;
 
-        /// <summary>The origin that the cloud lies by: of its parents; null if there is none.</summary>
-        // Reloads of scripts keep private fields as well.
+        /// <summary>The nearest <see cref="PointCloudOrigin"/> among its parents, which positions it; null if there is none. Not
+        /// serialized: script reloads would keep it.</summary>
         [field: NonSerialized]
         internal PointCloudOrigin Origin { get; private set; }
 
@@ -307,8 +306,9 @@ namespace FastPoints.Entities
         }
 
         bool IsUnchanged => m_openedCloud == m_cloud && m_openedPath == (m_path ?? "") &&
-            m_openedColor == m_color && m_openedGradient == m_gradient && m_openedClasses.Equals(ClassMask.Of(m_hiddenClasses)) &&
-            (m_cloud == null || m_openedUp == m_cloud.Up && m_openedUnitMetres == m_cloud.UnitMetres);
+            m_openedColor == m_color && m_openedColorRamp == m_colorRamp &&
+            m_openedClasses.Equals(ClassMask.Of(m_hiddenClasses)) &&
+            (m_cloud == null || m_openedUp == m_cloud.Up && m_openedMetresPerUnitOverride == m_cloud.MetresPerUnitOverride);
 
         internal bool HasCloud => m_cloud != null || !string.IsNullOrEmpty(m_path);
 
@@ -322,22 +322,22 @@ namespace FastPoints.Entities
 
         void Add()
         {
-            (m_openedCloud, m_openedPath, m_openedColor, m_openedGradient) = (m_cloud, m_path ?? "", m_color, m_gradient);
+            (m_openedCloud, m_openedPath, m_openedColor, m_openedColorRamp) = (m_cloud, m_path ?? "", m_color, m_colorRamp);
             m_openedClasses = ClassMask.Of(m_hiddenClasses);
             if (m_cloud != null)
-                (m_openedUp, m_openedUnitMetres) = (m_cloud.Up, m_cloud.UnitMetres);
+                (m_openedUp, m_openedMetresPerUnitOverride) = (m_cloud.Up, m_cloud.MetresPerUnitOverride);
             if (!HasCloud || !m_entity.TryCreate(out var entities))
                 return;
             entities.AddComponentData(Entity, m_placed = TransformMatrix.Of(transform));
             entities.AddComponentData(Entity, m_layer = Layer);
             var file = File;
             file.Color = m_color;
-            file.Gradient = m_gradient;
+            file.ColorRamp = m_colorRamp;
             file.HiddenClasses = m_openedClasses;
             file.Light = m_lit = m_light;
             Place(ref file);
             entities.AddComponentData(Entity, file);
-            Paths.WriteTo(entities.AddBuffer<PointCloudPath>(Entity));
+            Paths.WriteTo(entities.AddBuffer<PointCloudPathByte>(Entity));
             AssignOwner(entities);
         }
     }

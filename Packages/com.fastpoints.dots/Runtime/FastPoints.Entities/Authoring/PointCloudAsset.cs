@@ -11,7 +11,7 @@ namespace FastPoints.Entities
     public sealed class PointCloudAsset : ScriptableObject
     {
         /// <summary>The folder in an editor: relative to the project with '/', absolute, or
-        /// <see cref="PointCloudPaths.InPlace"/>.</summary>
+        /// <see cref="PointCloudPaths.InConvertedRoot"/>.</summary>
         public string ProjectPath;
 
         /// <summary>The folder below a player's streaming assets.</summary>
@@ -42,7 +42,7 @@ namespace FastPoints.Entities
         public double VerticalMetresPerUnit;
 
         /// <summary>Metres of a unit as set by the user, overriding the file; 0 if not set.</summary>
-        public double UnitMetres;
+        public double MetresPerUnitOverride;
 
         /// <summary>The axis that points up.</summary>
         public UpAxis Up = UpAxis.Z;
@@ -55,7 +55,7 @@ namespace FastPoints.Entities
         public double3 Origin;
 
         /// <summary>The user's, or else the file's.</summary>
-        public CloudUnits Units => UnitMetres > 0 ? new CloudUnits(UnitMetres)
+        public CloudUnits Units => MetresPerUnitOverride > 0 ? new CloudUnits(MetresPerUnitOverride)
             : new CloudUnits(MetresPerUnit, VerticalMetresPerUnit);
 
         /// <summary>Where an entity finds the cloud.</summary>
@@ -73,7 +73,7 @@ namespace FastPoints.Entities
             HasOrigin = HasOrigin,
             OriginGeo = Origin,
             Up = Up,
-            UnitMetres = UnitMetres,
+            MetresPerUnitOverride = MetresPerUnitOverride,
         };
 
         /// <summary>The space that a transform moves.</summary>

@@ -2,7 +2,6 @@ using FastPoints.Drawing;
 using Unity.Entities;
 using Unity.Mathematics;
 using UnityEngine;
-using Gradient = FastPoints.Drawing.Gradient;
 
 namespace FastPoints.Entities
 {
@@ -23,7 +22,7 @@ namespace FastPoints.Entities
         public ColorMode Color = ColorMode.Auto;
 
         [Tooltip("Of elevation and intensity.")]
-        public Gradient Gradient = Gradient.Auto;
+        public ColorRamp ColorRamp = ColorRamp.Auto;
 
         [Tooltip("Classes, 0 to 255, whose points are not drawn.")]
         public int[] HiddenClasses = new int[0];
@@ -43,7 +42,7 @@ namespace FastPoints.Entities
             var file = cloud != null ? cloud.File() : new PointCloudFile();
             var paths = cloud != null ? cloud.Paths : new PointCloudPaths { Path = authoring.Path };
             file.Color = authoring.Color;
-            file.Gradient = authoring.Gradient;
+            file.ColorRamp = authoring.ColorRamp;
             file.HiddenClasses = ClassMask.Of(authoring.HiddenClasses);
             file.Light = authoring.Light;
             if (TryGetPosition(out var position))
@@ -52,7 +51,7 @@ namespace FastPoints.Entities
             // Players find nothing there, and nobody needs to know a developer's folders.
             if (!IsBakingForEditor())
                 (paths.ProjectPath, paths.ProjectSources) = ("", new string[0]);
-            paths.WriteTo(AddBuffer<PointCloudPath>(entity));
+            paths.WriteTo(AddBuffer<PointCloudPathByte>(entity));
             AddComponent(entity, new PointCloudLayer { Value = GetLayer() });
         }
 

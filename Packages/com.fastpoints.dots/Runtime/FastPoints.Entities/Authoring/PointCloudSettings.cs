@@ -32,7 +32,7 @@ namespace FastPoints.Entities
 
         [Range(0, 64)]
         [Tooltip("Nodes smaller than this on the screen, in pixels, are left out.")]
-        public float SmallestNodePx = 1;
+        public float MinNodePx = 1;
 
         [Range(0, 1)]
         [Tooltip("How long detail takes to appear or to leave, point by point. 0 for at once.")]
@@ -89,7 +89,7 @@ namespace FastPoints.Entities
             Points = (long)math.round(MillionPoints * 1e6),
             PoolBytes = (long)MemoryMebibytes << 20,
             UploadBytesPerFrame = UploadMebibytesPerFrame << 20,
-            SmallestNodePx = SmallestNodePx,
+            MinNodePx = MinNodePx,
             FadeSeconds = FadeSeconds,
         };
 

@@ -16,7 +16,7 @@ namespace FastPoints.Entities
         public int UploadBytesPerFrame;
 
         /// <summary>Smallest size of a node on the screen, in pixels.</summary>
-        public float SmallestNodePx;
+        public float MinNodePx;
 
         /// <summary>How long a node takes to appear or to leave, point by point; 0 for at once, as pictures for a comparison
         /// want it.</summary>

@@ -5,8 +5,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Entities
 {
-    /// <summary>A cloud on disk: an entity with this, its <see cref="PointCloudPath"/> and a transform is opened and streamed,
-    /// and so is each copy of it. <see cref="PointCloudSystemGroup.ErrorOf"/> says what went wrong.</summary>
+    /// <summary>A cloud on disk: an entity with this, its <see cref="PointCloudPathByte"/> and a transform is opened and
+    /// streamed, and so is each copy of it. <see cref="PointCloudSystemGroup.ErrorOf"/> says what went wrong.</summary>
     public struct PointCloudFile : IComponentData
     {
         /// <summary>What differs from Z, so that this is the default.</summary>
@@ -20,12 +20,12 @@ namespace FastPoints.Entities
         public double3 OriginGeo;
 
         /// <summary>Metres of a unit, if the file does not say or is wrong; 0 to use what it says.</summary>
-        public double UnitMetres;
+        public double MetresPerUnitOverride;
 
         /// <summary>What points are coloured by; a cloud without these values chooses another mode. Only what
         /// this and the other fields need is streamed: a change opens the cloud again.</summary>
         public ColorMode Color;
-        public Gradient Gradient;
+        public ColorRamp ColorRamp;
 
         /// <summary>Classes whose points are not drawn.</summary>
         public ClassMask HiddenClasses;
@@ -44,7 +44,8 @@ namespace FastPoints.Entities
             set => m_upXorZ = (int)value ^ (int)UpAxis.Z;
         }
 
-        internal readonly CloudUnits Units(CloudUnits ofCloud) => UnitMetres > 0 ? new CloudUnits(UnitMetres) : ofCloud;
+        internal readonly CloudUnits Units(CloudUnits ofCloud) =>
+            MetresPerUnitOverride > 0 ? new CloudUnits(MetresPerUnitOverride) : ofCloud;
 
         /// <summary>The space of a cloud's first state.</summary>
         internal readonly UnitySpace SpaceOf(BoundsGeo boundsGeo, CloudUnits ofCloud)
@@ -56,8 +57,9 @@ namespace FastPoints.Entities
         }
 
         /// <summary>Whether this and another open the same cloud, except for its position.</summary>
-        internal readonly bool OpensSameAs(in PointCloudFile other) => Color == other.Color && Gradient == other.Gradient &&
-            HiddenClasses.Equals(other.HiddenClasses) && Up == other.Up && UnitMetres.Equals(other.UnitMetres) &&
+        internal readonly bool OpensSameAs(in PointCloudFile other) => Color == other.Color && ColorRamp == other.ColorRamp &&
+            HiddenClasses.Equals(other.HiddenClasses) && Up == other.Up &&
+            MetresPerUnitOverride.Equals(other.MetresPerUnitOverride) &&
             (other.HasOrigin || !HasOrigin);
     }
 }

@@ -4,9 +4,8 @@ using Unity.Mathematics;
 namespace FastPoints.Entities
 {
     /// <summary>A node of a cloud's octree that is in flight or in memory, if <see cref="PointCloudNodesWanted"/> asks for it:
-    /// its entity lives as long, or is some frames late. It comes with
-    /// <see cref="PointCloudNodeBounds"/>; with <see cref="Requested"/>, <see cref="Resident"/> and <see cref="Drawn"/>, which
-    /// show its state; and with <see cref="Hidden"/>, <see cref="Pinned"/> and <see cref="Tint"/>, which users may
+    /// its entity lives as long, or is some frames late. It comes with <see cref="PointCloudNodeBounds"/>; with
+    /// <see cref="NodeRequested"/>, <see cref="NodeResident"/> and <see cref="NodeDrawn"/>, which show its state; and with <see cref="NodeHidden"/>, <see cref="NodePinned"/> and <see cref="NodeTint"/>, which users may
     /// enable.</summary>
     public struct PointCloudNode : IComponentData
     {
@@ -33,22 +32,22 @@ namespace FastPoints.Entities
     }
 
     /// <summary>The node is in flight: not all of it is in memory.</summary>
-    public struct Requested : IComponentData, IEnableableComponent { }
+    public struct NodeRequested : IComponentData, IEnableableComponent { }
 
     /// <summary>All of the node is in memory.</summary>
-    public struct Resident : IComponentData, IEnableableComponent { }
+    public struct NodeResident : IComponentData, IEnableableComponent { }
 
     /// <summary>The node is in the list of what to draw.</summary>
-    public struct Drawn : IComponentData, IEnableableComponent { }
+    public struct NodeDrawn : IComponentData, IEnableableComponent { }
 
     /// <summary>Users enable this to hide a node; what is below it is still drawn.</summary>
-    public struct Hidden : IComponentData, IEnableableComponent { }
+    public struct NodeHidden : IComponentData, IEnableableComponent { }
 
     /// <summary>Users enable this to keep a node as long as the memory budget has any room for it.</summary>
-    public struct Pinned : IComponentData, IEnableableComponent { }
+    public struct NodePinned : IComponentData, IEnableableComponent { }
 
     /// <summary>Users enable this to multiply the colours of the node's points.</summary>
-    public struct Tint : IComponentData, IEnableableComponent
+    public struct NodeTint : IComponentData, IEnableableComponent
     {
         /// <summary>sRGB with red, green, blue, alpha from the lowest byte; white leaves colours unchanged.</summary>
         public uint Rgba;

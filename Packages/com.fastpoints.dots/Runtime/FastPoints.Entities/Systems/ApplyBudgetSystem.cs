@@ -41,7 +41,7 @@ namespace FastPoints.Entities
                 Points = settings.Selection.PointBudget,
                 PoolBytes = Group.Stream.Pool.LimitBytes,
                 UploadBytesPerFrame = settings.UploadBytesPerFrame,
-                SmallestNodePx = settings.Selection.SmallestNodePx,
+                MinNodePx = settings.Selection.MinNodePx,
                 FadeSeconds = settings.FadeSeconds,
             };
             using var budgets = m_budgets.ToComponentDataArray<PointCloudBudget>(Allocator.Temp);
@@ -52,7 +52,7 @@ namespace FastPoints.Entities
         {
             var settings = Group.Stream.Settings;
             settings.Selection.PointBudget = budget.Points;
-            settings.Selection.SmallestNodePx = budget.SmallestNodePx;
+            settings.Selection.MinNodePx = budget.MinNodePx;
             settings.UploadBytesPerFrame = budget.UploadBytesPerFrame;
             settings.FadeSeconds = budget.FadeSeconds;
             Group.Stream.Pool.LimitBytes = budget.PoolBytes;

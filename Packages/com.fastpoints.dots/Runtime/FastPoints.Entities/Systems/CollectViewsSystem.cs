@@ -15,7 +15,7 @@ namespace FastPoints.Entities
             if (scene == null || scene.Stream != Group.Stream)
                 return;
             // In edit mode, frames also come between two pictures and after the last one.
-            var views = scene.NextViews;
+            var views = scene.CollectNextViews();
             if (views.Length > 0)
                 Group.Views.AddRange(views);
             else

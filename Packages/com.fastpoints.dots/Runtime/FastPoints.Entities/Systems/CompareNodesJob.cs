@@ -10,7 +10,7 @@ namespace FastPoints.Entities
     [BurstCompile]
     internal struct CompareNodesJob : IJob
     {
-        [ReadOnly] public NativeArray<CachedNode> Slots;
+        [ReadOnly] public NativeArray<CachedNode> Nodes;
         [ReadOnly] public NativeArray<DrawnNode> Drawn;
 
         /// <summary>The most entities to make, to destroy, and to update; the rest waits for the next frame.</summary>
@@ -35,10 +35,10 @@ namespace FastPoints.Entities
             Removed.Clear();
             Added.Clear();
             Changed.Clear();
-            if (Tracked.Length < Slots.Length)
-                Tracked.Resize(Slots.Length, NativeArrayOptions.ClearMemory);
-            IsDrawn.ResizeUninitialized(Slots.Length);
-            for (int slot = 0; slot < Slots.Length; slot++)
+            if (Tracked.Length < Nodes.Length)
+                Tracked.Resize(Nodes.Length, NativeArrayOptions.ClearMemory);
+            IsDrawn.ResizeUninitialized(Nodes.Length);
+            for (int slot = 0; slot < Nodes.Length; slot++)
                 IsDrawn[slot] = false;
             for (int i = 0; i < Drawn.Length; i++)
                 IsDrawn[Drawn[i].Slot] = true;
@@ -55,7 +55,7 @@ namespace FastPoints.Entities
         /// <returns>Whether its entity is up to date afterwards.</returns>
         bool Compare(int slot)
         {
-            var cached = slot < Slots.Length ? Slots[slot] : default;
+            var cached = slot < Nodes.Length ? Nodes[slot] : default;
             ref var tracked = ref Tracked.ElementAt(slot);
             bool exists = cached.Phase != CachePhase.Free;
             bool isSame = exists && tracked.Version == cached.Version;
@@ -68,8 +68,8 @@ namespace FastPoints.Entities
             }
             if (!exists)
                 return true;
-            byte state = (byte)((cached.Phase == CachePhase.Resident ? TrackedNode.IsResident : 0) |
-                (IsDrawn[slot] ? TrackedNode.IsDrawn : 0));
+            byte state = (byte)((cached.Phase == CachePhase.Resident ? TrackedNode.ResidentFlag : 0) |
+                (IsDrawn[slot] ? TrackedNode.DrawnFlag : 0));
             if (tracked.Entity == Entity.Null)
             {
                 if (Added.Length == MaxChanges)
@@ -95,8 +95,8 @@ namespace FastPoints.Entities
     /// <summary>The entity of the node in a slot of the cache.</summary>
     internal struct TrackedNode
     {
-        public const byte IsResident = 1;
-        public const byte IsDrawn = 2;
+        public const byte ResidentFlag = 1;
+        public const byte DrawnFlag = 2;
 
         /// <summary>Null if there is none.</summary>
         public Entity Entity;

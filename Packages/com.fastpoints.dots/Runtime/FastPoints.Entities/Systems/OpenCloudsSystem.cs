@@ -26,7 +26,7 @@ namespace FastPoints.Entities
         protected override void OnCreate()
         {
             base.OnCreate();
-            m_files = GetEntityQuery(ComponentType.ReadOnly<PointCloudFile>(), ComponentType.ReadOnly<PointCloudPath>());
+            m_files = GetEntityQuery(ComponentType.ReadOnly<PointCloudFile>(), ComponentType.ReadOnly<PointCloudPathByte>());
         }
 
         protected override void OnUpdate()
@@ -58,7 +58,7 @@ namespace FastPoints.Entities
             foreach (var entity in entities)
             {
                 var file = EntityManager.GetComponentData<PointCloudFile>(entity);
-                var paths = PointCloudPaths.BytesOf(EntityManager.GetBuffer<PointCloudPath>(entity, true));
+                var paths = PointCloudPaths.BytesOf(EntityManager.GetBuffer<PointCloudPathByte>(entity, true));
                 var live = Group.Live.Of(entity);
                 bool isOpened = live.Opened != null, isSame = isOpened && live.Opened.Matches(file, paths);
                 if (isSame && (live.Error == null || !file.NeedsRefresh))

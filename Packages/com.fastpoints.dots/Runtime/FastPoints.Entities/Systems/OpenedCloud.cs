@@ -15,7 +15,7 @@ namespace FastPoints.Entities
         DisplayRanges m_rangesWithoutOutliers;
         readonly byte[] m_paths;
 
-        /// <param name="paths">What the entity's <see cref="PointCloudPath"/> has.</param>
+        /// <param name="paths">What the entity's <see cref="PointCloudPathByte"/> has.</param>
         public OpenedCloud(in PointCloudFile file, ReadOnlySpan<byte> paths)
         {
             AppliedFile = file;
@@ -76,7 +76,7 @@ namespace FastPoints.Entities
             var mode = facts.Ranges.Resolve(file.Color);
             var taken = m_feed.Take(CloudLooks.PlanesFor(mode, !file.HiddenClasses.IsEmpty, file.Light > 0));
             var colors = ColorMapping.Of(mode, RangesFor(facts, file.Color, mode).WithUp(file.Up),
-                taken.Grid.FromCorner(taken.Root.Corner), file.Gradient);
+                taken.Grid.FromCorner(taken.Root.Corner), file.ColorRamp);
             var look = new PointCloudLook { Value = CloudLooks.Of(colors, taken, file.HiddenClasses) };
             return (taken, look, facts.Stage);
         }

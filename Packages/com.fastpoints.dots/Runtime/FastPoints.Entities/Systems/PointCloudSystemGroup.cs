@@ -123,7 +123,7 @@ namespace FastPoints.Entities
                     return CanBegin;
                 // Polling a folder needs frames until it ends.
                 return m_idleFrames < FramesToIdle + (IsProgressive ? FramesToComplete : 0) || IsOpening ||
-                    Scene != null && HasMoved(Scene.NextViews);
+                    Scene != null && HasMoved(Scene.CollectNextViews());
             }
         }
 

@@ -159,7 +159,8 @@ namespace FastPoints.Build
             foreach (var reader in build.Readers)
                 text.Append(SourcePath.WithoutQuery(SourcePath.Full(reader.Info.Path))).Append('|')
                     .Append(VersionOf(reader.Info.Path)).Append('\n');
-            text.Append(build.CloudId).Append('|').Append(build.Plan.PointsPerPartition).Append('|').Append(build.Plan.IsStored)
+            text.Append(build.CloudId).Append('|').Append(build.Plan.MaxPointsPerPlannedCube)
+                .Append('|').Append(build.Plan.UsesTemporaryFiles)
                 .Append('|').Append(build.Records.StrideBytes).Append('|').Append(map.Chunks.Length);
             string all = text.ToString();
             fixed (char* first = all)

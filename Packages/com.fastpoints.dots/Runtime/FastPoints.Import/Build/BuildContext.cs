@@ -117,20 +117,20 @@ namespace FastPoints.Build
                 infos.Add(reader.Info);
                 Points += reader.PointCount;
             }
-            Grid = GridChoice.Choose(infos, samples, Attributes.BytesPerPoint, Settings.HasCubes);
+            Grid = GridChoice.Choose(infos, samples, Attributes.BytesPerPoint, Settings.HasUniformStep);
             Allot(MemoryPlan.For(Points, Records.StrideBytes, Settings));
         }
 
         void Allot(MemoryPlan plan)
         {
             Plan = plan;
-            if (Settings.ProcessBytes > 0 && Plan.IsStored && Plan.MinMemoryBytes > Settings.MemoryBytes)
+            if (Settings.ProcessBytes > 0 && Plan.UsesTemporaryFiles && Plan.MinMemoryBytes > Settings.MemoryBytes)
                 throw PointCloudException.Wanted(FailureCode.Unsupported, Target, -1, "memory for a chunk of this cloud",
                     "at least " + ((Settings.ProcessBytes + Plan.MinMemoryBytes >> 20) + 1) + "MiB",
                     (Settings.ProcessBytes + Settings.MemoryBytes >> 20) + "MiB");
             Pool = new NativeReference<RecordPagePool>(
                 new RecordPagePool(Records.StrideBytes, Points / RecordPages.RecordsPerPage), Allocator.Persistent);
-            if (Plan.IsStored)
+            if (Plan.UsesTemporaryFiles)
                 UseFiles();
         }
 
@@ -207,7 +207,7 @@ namespace FastPoints.Build
         public int[] Divisors;
 
         /// <summary>The plan's cube of the cloud. Points outside of it are set aside until all parts are built.</summary>
-        public GridCube Whole;
+        public GridCube CloudCube;
 
         /// <summary>The part's cube, half-open, and the base cells in it, in Morton order.</summary>
         public GridCube Cube;
@@ -216,15 +216,15 @@ namespace FastPoints.Build
         public BuildPart Clone() => (BuildPart)MemberwiseClone();
 
         /// <summary>Whether there are no other parts.</summary>
-        public bool IsWhole => Cube.Corner == Whole.Corner && Cube.SideLog2 == Whole.SideLog2;
+        public bool IsWhole => Cube.Corner == CloudCube.Corner && Cube.SideLog2 == CloudCube.SideLog2;
 
         /// <summary>A cube that holds all points of the cloud: the smallest one if the part knows all of them.</summary>
         public GridCube RootOf(in PointStatistics found)
         {
             if (!IsWhole)
-                return Cube.Contains(Whole) ? Cube : Whole;
-            var grown = RootCube.Grow(Whole, found.Min, found.Max);
-            return grown.Length > 0 ? grown[grown.Length - 1] : Whole;
+                return Cube.Contains(CloudCube) ? Cube : CloudCube;
+            var grown = RootCube.Grow(CloudCube, found.Min, found.Max);
+            return grown.Length > 0 ? grown[grown.Length - 1] : CloudCube;
         }
     }
 

@@ -53,7 +53,7 @@ namespace FastPoints.Build
         public long PeakBytes;
         public int LevelCount;
 
-        /// <summary>See <see cref="PartSelection.TakePointsWanted"/>: of all that was read.</summary>
+        /// <summary>See <see cref="PartFilter.TakePointsWanted"/>: of all that was read.</summary>
         public long PointsWanted;
 
         public string ToJson()

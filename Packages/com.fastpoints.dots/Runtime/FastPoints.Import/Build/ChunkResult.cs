@@ -19,8 +19,8 @@ namespace FastPoints.Build
             public ContainerRecord Container;
             public long PointCount;
             public int NodeCount;
-            public int LowestSideLog2;
-            public ChunkTop Top;
+            public int MinSideLog2;
+            public TopNode Top;
             public int TopPoints;
             public int PlaneCount;
         }
@@ -37,14 +37,14 @@ namespace FastPoints.Build
 
         /// <summary>The file's nodes, as the indexer left them; not created where they are in a file.</summary>
         public NativeArray<byte> Table;
-        public ChunkTop Top;
+        public TopNode Top;
 
         public int TopPoints;
 
         public ulong Checksum;
 
         /// <summary>Side of the smallest node.</summary>
-        public int LowestSideLog2;
+        public int MinSideLog2;
         public long[] BytesOfPlane;
 
         public static ChunkResult Of(ChunkIndexer indexer)
@@ -54,7 +54,7 @@ namespace FastPoints.Build
             result.BytesOfPlane = indexer.BytesOfPlane.ToArray();
             result.Top.HasNodes = indexer.File.Length > 0;
             foreach (var draft in indexer.Drafts.AsArray())
-                result.LowestSideLog2 = Math.Min(result.LowestSideLog2, draft.SideLog2);
+                result.MinSideLog2 = Math.Min(result.MinSideLog2, draft.SideLog2);
             if (!result.Top.HasNodes)
                 return result;
             var header = *(FileHeader*)indexer.File.GetUnsafeReadOnlyPtr();
@@ -71,9 +71,9 @@ namespace FastPoints.Build
             return new ChunkResult
             {
                 TopPoints = top.Count,
-                LowestSideLog2 = top.SideLog2,
+                MinSideLog2 = top.SideLog2,
                 BytesOfPlane = new long[indexer.BytesOfPlane.Length],
-                Top = new ChunkTop
+                Top = new TopNode
                 {
                     SideLog2 = top.SideLog2,
                     CellLog2 = top.CellLog2,
@@ -102,7 +102,7 @@ namespace FastPoints.Build
                 PointCount = PointCount,
                 NodeCount = NodeCount,
                 Top = Top,
-                LowestSideLog2 = LowestSideLog2,
+                MinSideLog2 = MinSideLog2,
                 TopPoints = TopPoints,
                 PlaneCount = BytesOfPlane.Length,
             };
@@ -134,7 +134,7 @@ namespace FastPoints.Build
                 Top = header->Top,
                 TopPoints = header->TopPoints,
                 Checksum = header->Checksum,
-                LowestSideLog2 = header->LowestSideLog2,
+                MinSideLog2 = header->MinSideLog2,
                 BytesOfPlane = new long[planeCount],
             };
             if (file.Length != result.RecordsOffset + (long)header->TopPoints * strideBytes)

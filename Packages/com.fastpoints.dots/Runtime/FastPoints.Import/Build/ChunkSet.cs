@@ -84,7 +84,7 @@ namespace FastPoints.Build
 
         /// <summary>Coroutine: distributes the records outside the original root cube.</summary>
         public IEnumerator<JobStep> SplitOutside(BaseCells cells, Chunk outside) =>
-            Regroup(outside, cells.Around, cells.Root.Corner);
+            Distribute(outside, cells.Around, cells.Root.Corner);
 
         /// <summary>Coroutine: packs pages, and writes them to a file that stays with the build.</summary>
         /// <param name="written">Receives their bytes.</param>
@@ -143,7 +143,7 @@ namespace FastPoints.Build
             {
                 var chunk = m_chunks[i];
                 if (!cells.At(chunk.Cube.Corner).Contains(chunk.Cube))
-                    yield return JobStep.Of(Regroup(chunk, cells.In(chunk.Cube), chunk.Cube.Corner));
+                    yield return JobStep.Of(Distribute(chunk, cells.In(chunk.Cube), chunk.Cube.Corner));
                 else if (chunk.Count > (chunk.Cube.SideLog2 == 0 ? RecordsPerPart(target) : target))
                     yield return JobStep.Of(Split(chunk, target));
                 else
@@ -234,7 +234,7 @@ namespace FastPoints.Build
                     PointsOfCell = counts,
                 }.Schedule(before)));
                 using var map = PartitionMap.Plan(cube, levels, counts, target);
-                yield return JobStep.Of(Regroup(chunk, map.Chunks, cube.Corner));
+                yield return JobStep.Of(Distribute(chunk, map.Chunks, cube.Corner));
             }
             finally
             {
@@ -267,7 +267,7 @@ namespace FastPoints.Build
                     long count = Math.Min(room, range.Count - done);
                     var part = new RecordRange { File = range.File, First = range.First + done, Count = count };
                     m_chunks[m_chunks.Count - 1].Add(part);
-                    Files.Share(range.File);
+                    Files.AddUser(range.File);
                     done += count;
                     room -= count;
                 }
@@ -286,14 +286,14 @@ namespace FastPoints.Build
         }
 
         /// <summary>Distributes a chunk's records over parts that replace it.</summary>
-        IEnumerator<JobStep> Regroup(Chunk chunk, GridCube[] cubes, Grid3 corner)
+        IEnumerator<JobStep> Distribute(Chunk chunk, GridCube[] cubes, Grid3 corner)
         {
             var cubesOfLists = new NativeArray<GridCube>(cubes, Allocator.Persistent);
             var lists = new NativeArray<RecordPages>(cubes.Length, Allocator.Persistent);
             var fileOfPart = new int[cubes.Length];
             bool isStored = chunk.Ranges.Count > 0;
             var job = default(JobHandle);
-            JobHandle Schedule(RecordPages pages, JobHandle before) => new RegroupCubesJob
+            JobHandle Schedule(RecordPages pages, JobHandle before) => new DistributeRecordsJob
             {
                 Pages = pages,
                 TakesPages = true,

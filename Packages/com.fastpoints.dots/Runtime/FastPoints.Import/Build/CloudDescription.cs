@@ -221,7 +221,7 @@ namespace FastPoints.Build
             var json = JsonMembers.Parse(text, path);
             info.OnlyInFacts = json.TextOrNull("tell");
             foreach (var fact in json.Objects("facts"))
-                info.Fact(fact.Text("name"), fact.Text("value"));
+                info.AddFact(fact.Text("name"), fact.Text("value"));
         }
     }
 }

@@ -26,7 +26,7 @@ namespace FastPoints.Build
         ChunkSet m_chunks;
         OctreeBuild m_octree;
 
-        /// <summary>See <see cref="LasRecords"/>; null if the sources are not LAS files.</summary>
+        /// <summary>See <see cref="LasMetadata"/>; null if the sources are not LAS files.</summary>
         byte[] m_records;
 
         ConvertCloud(BuildContext build) => m_build = build;
@@ -66,7 +66,7 @@ namespace FastPoints.Build
 
         /// <summary>Coroutine: plans what <see cref="Run"/> would build. It reads headers and samples.</summary>
         /// <param name="take">Receives what lasts until it returns, the sample's values by attribute, and what
-        /// <see cref="LasRecords"/> stores, or null.</param>
+        /// <see cref="LasMetadata"/> stores, or null.</param>
         internal static IEnumerator<JobStep> Plan(IReadOnlyList<PointReader> readers, ConvertSettings settings,
             Action<BuildContext, AttributeStatistics[], byte[]> take, StageProgress progress)
         {
@@ -100,7 +100,7 @@ namespace FastPoints.Build
         {
             var paths = CloudDescription.PathsOf(m_build.Readers);
             var losses = new List<Loss>();
-            yield return JobStep.Of(PoolTask.Run(paths[0], () => LasRecords.CommonTo(paths, losses)?.ToBytes(),
+            yield return JobStep.Of(PoolTask.Run(paths[0], () => LasMetadata.CommonTo(paths, losses)?.ToBytes(),
                 bytes => m_records = bytes));
             m_build.Readers[0].Info.Losses.AddRange(losses);
         }
@@ -180,7 +180,7 @@ namespace FastPoints.Build
         internal static IEnumerator<JobStep> MeasureDisplayRanges(string path, CloudManifest manifest)
         {
             using var folder = CloudFolder.Open(path, manifest);
-            using var nodes = new ChosenNodes(folder);
+            using var nodes = new CloudSelection(folder);
             var ranges = new DisplayRanges();
             yield return JobStep.Of(MeasureRanges(folder, nodes,
                 LoadNodes.SchemaFor(folder, ColorModes.AttributesToMeasure(ColorMode.Auto)), UpAxis.Z, ranges));
@@ -190,12 +190,12 @@ namespace FastPoints.Build
         /// <summary>Coroutine: measures what a display needs to know of a converted cloud, from the points of its upper
         /// levels.</summary>
         /// <exception cref="PointCloudException">The cloud cannot be read.</exception>
-        internal static IEnumerator<JobStep> MeasureRanges(CloudFolder folder, ChosenNodes nodes, PointSchema schema,
+        internal static IEnumerator<JobStep> MeasureRanges(CloudFolder folder, CloudSelection nodes, PointSchema schema,
             UpAxis upAxis, DisplayRanges ranges)
         {
             nodes.ChooseEvenly(PointsToMeasure);
             var transform = folder.Manifest.Grid.FromCorner(folder.Manifest.Root.Corner);
-            using var batch = new PointBatch(schema, nodes.CheckedPoints, Allocator.Persistent);
+            using var batch = new PointBatch(schema, nodes.PointCountOrThrow, Allocator.Persistent);
             yield return JobStep.Of(LoadNodes.Run(folder, nodes, batch, null));
             yield return JobStep.Of(ranges.Measure(batch, transform, upAxis));
         }

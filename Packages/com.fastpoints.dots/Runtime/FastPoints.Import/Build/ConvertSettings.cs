@@ -64,7 +64,7 @@ namespace FastPoints.Build
 
         /// <summary>Whether the grid has one step on all axes, so that the octree's cubes are cubes in the coordinates as
         /// well.</summary>
-        internal bool HasCubes;
+        internal bool HasUniformStep;
 
         /// <summary>See <see cref="MemoryPlan.PointsPerRegion"/>; 0 for what suits the cloud. The stored bytes depend on
         /// it.</summary>

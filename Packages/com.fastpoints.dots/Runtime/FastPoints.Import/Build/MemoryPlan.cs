@@ -28,7 +28,7 @@ namespace FastPoints.Build
 
         /// <summary>More points do not improve an overview; little memory means fewer.</summary>
         const long MaxPlaceholderPoints = 1 << 17;
-        const long PlaceholderShare = 16;
+        const long PlaceholderDivisor = 16;
 
         /// <summary>Memory for darts, samples and their grid.</summary>
         const int PoissonBytesPerPoint = 40;
@@ -49,20 +49,20 @@ namespace FastPoints.Build
 
         /// <summary>Points that the first partition plans cubes for: half of a chunk's, since cubes with more than a chunk's must
         /// be split, while joining costs nothing.</summary>
-        public long PointsPlanned => Math.Max(1, PointsPerChunk / 2);
+        public long PointsPerPlannedCube => Math.Max(1, PointsPerChunk / 2);
 
         /// <summary>The most points of tops in one merge of upper levels: more are merged in regions first.</summary>
         public long PointsPerRegion { get; private set; }
 
         /// <summary>Whether points go to temporary files because not all of them fit.</summary>
-        public bool IsStored { get; private set; }
+        public bool UsesTemporaryFiles { get; private set; }
 
         /// <summary>Bytes of the blocks in flight while sources are read.</summary>
         public long ReadBytes { get; private set; }
 
         /// <summary>The maximum in flight if fewer do not keep workers busy: the memory that is free until chunks are
         /// in progress.</summary>
-        public long InFlightBytes => IsStored ? ReadBytes : Math.Max(ReadBytes, IndexBytes);
+        public long InFlightBytes => UsesTemporaryFiles ? ReadBytes : Math.Max(ReadBytes, IndexBytes);
 
         /// <summary>The most pages that chunks hold while sources are read, including those that wait to be written.</summary>
         public long MaxPages { get; private set; }
@@ -73,7 +73,7 @@ namespace FastPoints.Build
 
         /// <summary>The most points that the first partition plans cubes for, if there would be too many to have a page
         /// each.</summary>
-        public long PointsPerPartition { get; private set; }
+        public long MaxPointsPerPlannedCube { get; private set; }
 
         /// <summary>Bytes that a point takes while its chunk is indexed: number, node, what ranges offer, cube, priority, its
         /// record in both orders, and what is written of it; or before that, if all points are in one bucket, keys twice and its
@@ -120,22 +120,23 @@ namespace FastPoints.Build
             plan.PointsPerBaseCell = ChunksPerBaseCell * (pointsPerChunk > 0 ? pointsPerChunk : MaxPointsPerChunk);
 
             plan.PlaceholderPoints = Math.Min(Math.Min(points, MaxPlaceholderPoints),
-                memoryBytes / PlaceholderShare / plan.IndexBytesPerPoint);
+                memoryBytes / PlaceholderDivisor / plan.IndexBytesPerPoint);
             memoryBytes -= plan.PlaceholderPoints * plan.IndexBytesPerPoint;
 
             // This counts all records, the unused ends of their pages, the tops that come while the first chunks are indexed,
             // and one of these chunks.
             long inMemory = points * strideBytes / 10 * 11;
             long inWork = plan.ChunkBytes - Math.Min(points, plan.PointsPerChunk) * strideBytes;
-            plan.IsStored = inMemory + Math.Max(plan.ReadBytes, inWork) > memoryBytes;
-            plan.MaxPages = plan.IsStored ? Math.Max(8, (memoryBytes - plan.ReadBytes) / 2 / pageBytes) : long.MaxValue / 2;
+            plan.UsesTemporaryFiles = inMemory + Math.Max(plan.ReadBytes, inWork) > memoryBytes;
+            plan.MaxPages = plan.UsesTemporaryFiles
+                ? Math.Max(8, (memoryBytes - plan.ReadBytes) / 2 / pageBytes) : long.MaxValue / 2;
             plan.MaxWaitingPages = Math.Max(4, plan.MaxPages / 4);
-            if (!plan.IsStored)
+            if (!plan.UsesTemporaryFiles)
                 plan.IndexBytes = Math.Max(0, memoryBytes - inMemory);
             // Half of the pages may be the chunks' last ones, which are not full; cubes are cut in eight.
-            plan.PointsPerPartition = plan.IsStored
-                ? Math.Max(plan.PointsPlanned, 16 * (points / Math.Max(1, plan.MaxPages)))
-                : plan.PointsPlanned;
+            plan.MaxPointsPerPlannedCube = plan.UsesTemporaryFiles
+                ? Math.Max(plan.PointsPerPlannedCube, 16 * (points / Math.Max(1, plan.MaxPages)))
+                : plan.PointsPerPlannedCube;
             return plan;
         }
     }

@@ -73,7 +73,7 @@ namespace FastPoints.Build
         public long[] BytesOfPlane { get; }
 
         /// <summary>Side of the smallest node of the chunks.</summary>
-        public int LowestSideLog2 { get; private set; }
+        public int MinSideLog2 { get; private set; }
 
         /// <summary>By chunk, when they are indexed; tops that are in files have no records here.</summary>
         public IReadOnlyList<ChunkResult> Results => m_results;
@@ -88,7 +88,7 @@ namespace FastPoints.Build
             yield return JobStep.Of(m_merge.Run(m_results, m_topRecords, m_build.Progress));
             for (int p = 0; p < BytesOfPlane.Length; p++)
                 BytesOfPlane[p] += m_merge.BytesOfPlane[p];
-            int lowest = Math.Min(LowestSideLog2, m_merge.LowestSideLog2);
+            int lowest = Math.Min(MinSideLog2, m_merge.MinSideLog2);
             LevelCount = m_results.Length == 0 ? 0 : Manifest.Root.SideLog2 - lowest + 1;
         }
 
@@ -98,11 +98,11 @@ namespace FastPoints.Build
             m_build.Progress?.Begin(BuildStages.Index);
             yield return JobStep.Of(IndexChunks());
             yield return JobStep.Of(Free());
-            LowestSideLog2 = Manifest.Root.SideLog2;
+            MinSideLog2 = Manifest.Root.SideLog2;
             foreach (var result in m_results)
             {
                 Checksum += result.Checksum;
-                LowestSideLog2 = Math.Min(LowestSideLog2, result.LowestSideLog2);
+                MinSideLog2 = Math.Min(MinSideLog2, result.MinSideLog2);
                 for (int p = 0; p < BytesOfPlane.Length; p++)
                     BytesOfPlane[p] += result.BytesOfPlane[p];
             }
@@ -170,9 +170,9 @@ namespace FastPoints.Build
                     yield return default;
                     continue;
                 }
-                m_limit.Await();
+                m_limit.BeginWait();
                 yield return m_inFlight.Peek().Indexer.Job;
-                m_limit.Resume(next < order.Count && m_newest.IsCompleted);
+                m_limit.EndWait(next < order.Count && m_newest.IsCompleted);
                 yield return JobStep.Of(Finish(m_inFlight.Peek()));
                 m_idle.Push(m_inFlight.Dequeue());
                 if (m_inFlight.Count == 0 && next == order.Count || !IsGenerationDue(watch.Elapsed.TotalSeconds, mergeSeconds))

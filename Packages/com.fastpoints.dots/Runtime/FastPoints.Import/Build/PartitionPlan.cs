@@ -58,7 +58,7 @@ namespace FastPoints.Build
                     first += samples[i].Stored.Length;
                 }
                 double share = Math.Min(1, sampled / (double)Math.Max(1, plan.Points));
-                yield return JobStep.Of(DensityTree.Count(codes, ranges.AsArray(), share, plan.PointsPlanned, coded,
+                yield return JobStep.Of(DensityTree.Count(codes, ranges.AsArray(), share, plan.PointsPerPlannedCube, coded,
                     density => take(Partition(cube, density, plan, hash.Value))));
             }
             finally
@@ -76,11 +76,11 @@ namespace FastPoints.Build
         {
             using (density)
             {
-                long target = plan.PointsPlanned;
-                while (target < plan.PointsPerPartition &&
+                long target = plan.PointsPerPlannedCube;
+                while (target < plan.MaxPointsPerPlannedCube &&
                     PartitionMap.CountChunks(density, target) > plan.MaxPages / PagesPerChunk)
                     target *= 2;
-                var map = PartitionMap.Plan(cube, density, Math.Min(target, plan.PointsPerPartition));
+                var map = PartitionMap.Plan(cube, density, Math.Min(target, plan.MaxPointsPerPlannedCube));
                 map.BaseCells = PartitionMap.CellsOf(cube, density, plan.PointsPerBaseCell, out double[] points);
                 map.PointsOfBaseCell = points;
                 map.SampleHash = sampleHash;

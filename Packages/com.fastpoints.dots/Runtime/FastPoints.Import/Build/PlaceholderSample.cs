@@ -55,12 +55,12 @@ namespace FastPoints.Build
         }
 
         /// <summary>Schedules the sample's distribution over cubes.</summary>
-        /// <param name="cubes">See <see cref="RegroupCubesJob.Cubes"/>.</param>
+        /// <param name="cubes">See <see cref="DistributeRecordsJob.Cubes"/>.</param>
         /// <param name="corner">The octree's corner.</param>
         /// <param name="parts">Receives copies of the records for each cube, which <see cref="Return"/> takes back.</param>
         public JobHandle Distribute(NativeArray<GridCube> cubes, Grid3 corner, NativeArray<RecordPages> parts)
         {
-            var job = new RegroupCubesJob
+            var job = new DistributeRecordsJob
             {
                 Pages = m_pages,
                 Layout = m_build.Records,
@@ -71,7 +71,7 @@ namespace FastPoints.Build
                 Slices = m_slices,
             };
             var all = default(JobHandle);
-            for (; job.FirstPage < m_pages.PageCount; job.FirstPage += RegroupCubesJob.PagesPerSlice)
+            for (; job.FirstPage < m_pages.PageCount; job.FirstPage += DistributeRecordsJob.PagesPerSlice)
                 all = job.Schedule(all);
             return all;
         }
@@ -95,7 +95,7 @@ namespace FastPoints.Build
                 yield return JobStep.Of(ReadRanges(records, grid, ranges, wanted));
                 yield break;
             }
-            int longest = SourceSample.LongestOf(ranges);
+            int longest = SourceSample.MaxPointsOf(ranges);
             var limit = SourceScan.LimitFor(reader, wanted, m_build.Records.StrideBytes + sizeof(int), m_build.Plan.ReadBytes / 4,
                 m_build.Settings.Workers, m_build.InFlightMs);
             using var consumer = new Consumer(this, grid, longest);

@@ -200,7 +200,7 @@ namespace FastPoints.Build
         }
 
         /// <summary>Adds a user that reads a file and releases it.</summary>
-        public void Share(int file) => m_usersOfFile[file]++;
+        public void AddUser(int file) => m_usersOfFile[file]++;
 
         /// <summary>Ends one user's reading of a file; the last one deletes it.</summary>
         public void Release(int file)

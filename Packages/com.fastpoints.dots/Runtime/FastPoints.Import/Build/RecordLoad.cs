@@ -20,7 +20,7 @@ namespace FastPoints.Build
 
         // The read manager keeps the pointer to its commands until the read has ended.
         NativeArray<ReadCommand> m_commands;
-        NativeArray<BlockPart> m_parts;
+        NativeArray<UnpackRequest> m_parts;
         int m_commandCount;
         int m_partCount;
         RecordPages m_packed;
@@ -60,7 +60,7 @@ namespace FastPoints.Build
             for (int part = 0; part < m_partCount; part += UnpackRecordsJob.PartsPerRun)
                 Done = new UnpackRecordsJob
                 {
-                    Parts = parts.GetSubArray(part, Math.Min(UnpackRecordsJob.PartsPerRun, m_partCount - part)),
+                    Requests = parts.GetSubArray(part, Math.Min(UnpackRecordsJob.PartsPerRun, m_partCount - part)),
                     StrideBytes = m_build.Records.StrideBytes,
                     Damaged = m_damaged,
                     Slices = m_slices,
@@ -89,7 +89,7 @@ namespace FastPoints.Build
                     };
                 }
                 ref var command = ref commands[m_commandCount - 1];
-                var part = new BlockPart
+                var part = new UnpackRequest
                 {
                     Block = (byte*)command.Buffer + command.Size,
                     BlockBytes = bytes,
@@ -203,7 +203,7 @@ namespace FastPoints.Build
         /// <summary>A part is a page at most: this many take about a millisecond.</summary>
         public const int PartsPerRun = 32;
 
-        [ReadOnly] public NativeArray<BlockPart> Parts;
+        [ReadOnly] public NativeArray<UnpackRequest> Requests;
         public int StrideBytes;
         public NativeReference<int> Damaged;
         public SliceTimes Slices;
@@ -211,7 +211,7 @@ namespace FastPoints.Build
         public void Execute()
         {
             long begin = SliceTimes.Begin();
-            foreach (var part in Parts)
+            foreach (var part in Requests)
                 if (!RecordBlock.Unpack(part, StrideBytes))
                     Damaged.Value++;
             Slices.End(begin);

@@ -20,8 +20,8 @@ namespace FastPoints.Build
         readonly NativeStoreLayout m_store;
         readonly CloudManifest m_manifest;
         readonly List<UpperRegion> m_regions = new List<UpperRegion>();
-        readonly List<UpperItem> m_added = new List<UpperItem>();
-        List<UpperItem> m_open = new List<UpperItem>();
+        readonly List<MergeInput> m_added = new List<MergeInput>();
+        List<MergeInput> m_unmerged = new List<MergeInput>();
         ChunkIndexer m_indexer;
         IndexWorkspace m_workspace;
         long m_upperBytes;
@@ -35,18 +35,18 @@ namespace FastPoints.Build
             BytesOfPlane = new long[store.Layout.Planes.Count];
         }
 
-        public int LowestSideLog2 { get; private set; } = int.MaxValue;
+        public int MinSideLog2 { get; private set; } = int.MaxValue;
         public long[] BytesOfPlane { get; }
 
         /// <summary>Bytes of a top's record.</summary>
         public int TopStride => m_build.Records.ForTops(m_store.HasAverages).StrideBytes;
 
         /// <summary>All that were added.</summary>
-        public IReadOnlyList<UpperItem> Added => m_added;
+        public IReadOnlyList<MergeInput> Added => m_added;
 
         /// <summary>Those that nothing was made above of yet: added ones and tops of regions, in Morton order once they are
         /// collected.</summary>
-        public IReadOnlyList<UpperItem> Open => m_open;
+        public IReadOnlyList<MergeInput> Unmerged => m_unmerged;
 
         /// <summary>Each after those below it.</summary>
         public IReadOnlyList<UpperRegion> Regions => m_regions;
@@ -66,7 +66,7 @@ namespace FastPoints.Build
         }
 
         /// <param name="topRecords">They stay the caller's; if there are none, they are in the chunk's file.</param>
-        public void Add(ChunkResult chunk, NativeArray<byte> topRecords) => Add(new UpperItem
+        public void Add(ChunkResult chunk, NativeArray<byte> topRecords) => Add(new MergeInput
         {
             Cube = chunk.Container.Cube,
             Top = chunk.Top,
@@ -77,10 +77,10 @@ namespace FastPoints.Build
             RecordsOffset = chunk.RecordsOffset,
         });
 
-        public void Add(UpperItem item)
+        public void Add(MergeInput item)
         {
             m_added.Add(item);
-            m_open.Add(item);
+            m_unmerged.Add(item);
         }
 
         /// <summary>Coroutine: merges regions of a cube that holds all that were added, until the tops left are few enough for
@@ -88,18 +88,18 @@ namespace FastPoints.Build
         /// <param name="progress">May be null.</param>
         public IEnumerator<JobStep> Collect(GridCube cube, StageProgress progress)
         {
-            m_open = InMortonOrder(cube);
-            var left = new List<UpperItem>();
-            yield return JobStep.Of(Collect(cube, new ArraySegment<UpperItem>(m_open.ToArray()), left, progress));
-            m_open = left;
+            m_unmerged = InMortonOrder(cube);
+            var left = new List<MergeInput>();
+            yield return JobStep.Of(Collect(cube, new ArraySegment<MergeInput>(m_unmerged.ToArray()), left, progress));
+            m_unmerged = left;
         }
 
         /// <summary>Coroutine: merges all that are left into the root's region.</summary>
         public IEnumerator<JobStep> MergeRoot()
         {
-            if (m_open.Count > 0)
-                yield return JobStep.Of(MergeRegion(m_open, m_manifest.Root, true));
-            m_open = new List<UpperItem>();
+            if (m_unmerged.Count > 0)
+                yield return JobStep.Of(MergeRegion(m_unmerged, m_manifest.Root, true));
+            m_unmerged = new List<MergeInput>();
         }
 
         public void Dispose()
@@ -111,22 +111,22 @@ namespace FastPoints.Build
         }
 
         /// <summary>The order is stable: several chunks of one cube keep theirs.</summary>
-        List<UpperItem> InMortonOrder(GridCube cube)
+        List<MergeInput> InMortonOrder(GridCube cube)
         {
-            var order = new int[m_open.Count];
+            var order = new int[m_unmerged.Count];
             for (int i = 0; i < order.Length; i++)
                 order[i] = i;
             Array.Sort(order, (a, b) =>
             {
                 int byPosition =
-                    MortonOrder.Compare(m_open[a].Cube.Corner - cube.Corner, m_open[b].Cube.Corner - cube.Corner);
+                    MortonOrder.Compare(m_unmerged[a].Cube.Corner - cube.Corner, m_unmerged[b].Cube.Corner - cube.Corner);
                 return byPosition != 0 ? byPosition : a.CompareTo(b);
             });
-            return new List<UpperItem>(Array.ConvertAll(order, i => m_open[i]));
+            return new List<MergeInput>(Array.ConvertAll(order, i => m_unmerged[i]));
         }
 
         /// <param name="left">Receives what is left of the items, in their order.</param>
-        IEnumerator<JobStep> Collect(GridCube cube, ArraySegment<UpperItem> items, List<UpperItem> left, StageProgress progress)
+        IEnumerator<JobStep> Collect(GridCube cube, ArraySegment<MergeInput> items, List<MergeInput> left, StageProgress progress)
         {
             long limit = m_build.Plan.PointsPerRegion;
             if (items.Count <= 1 || cube.SideLog2 == 0 || PointsOf(items) <= limit)
@@ -135,14 +135,14 @@ namespace FastPoints.Build
                 progress?.Report(0.5 * (items.Offset + items.Count) / items.Array.Length, m_upperPoints, m_upperBytes);
                 yield break;
             }
-            var ofOctants = new List<(GridCube Cube, List<UpperItem> Left)>();
+            var ofOctants = new List<(GridCube Cube, List<MergeInput> Left)>();
             long points = 0;
             for (int first = 0, end = 0; first < items.Count; first = end)
             {
                 var octant = cube.Child(cube.OctantOf(items[first].Cube.Corner));
                 while (end < items.Count && octant.Contains(items[end].Cube.Corner))
                     end++;
-                var of = (Cube: octant, Left: new List<UpperItem>());
+                var of = (Cube: octant, Left: new List<MergeInput>());
                 ofOctants.Add(of);
                 yield return JobStep.Of(Collect(octant, items.Slice(first, end - first), of.Left, progress));
                 points += PointsOf(of.Left);
@@ -157,7 +157,7 @@ namespace FastPoints.Build
                 left.AddRange(done.Left);
         }
 
-        static long PointsOf(IReadOnlyList<UpperItem> items)
+        static long PointsOf(IReadOnlyList<MergeInput> items)
         {
             long points = 0;
             foreach (var item in items)
@@ -167,13 +167,13 @@ namespace FastPoints.Build
 
         /// <summary>Makes the nodes above some tops.</summary>
         /// <param name="members">At the end the region's own top is there in their place, unless it is the root.</param>
-        IEnumerator<JobStep> MergeRegion(List<UpperItem> members, GridCube cube, bool isRoot)
+        IEnumerator<JobStep> MergeRegion(List<MergeInput> members, GridCube cube, bool isRoot)
         {
             m_indexer ??= m_build.CreateIndexer(m_store, m_manifest);
             m_workspace ??= m_build.CreateWorkspace(m_store);
             var records = new NativeArray<byte>(checked((int)(PointsOf(members) * TopStride)), Allocator.Persistent,
                 NativeArrayOptions.UninitializedMemory);
-            var tops = new NativeArray<ChunkTop>(members.Count, Allocator.Persistent);
+            var tops = new NativeArray<TopNode>(members.Count, Allocator.Persistent);
             try
             {
                 yield return JobStep.Of(GatherTops(members, records, tops));
@@ -201,7 +201,7 @@ namespace FastPoints.Build
         }
 
         /// <summary>Gathers the members' records from memory or from files.</summary>
-        IEnumerator<JobStep> GatherTops(List<UpperItem> members, NativeArray<byte> records, NativeArray<ChunkTop> tops)
+        IEnumerator<JobStep> GatherTops(List<MergeInput> members, NativeArray<byte> records, NativeArray<TopNode> tops)
         {
             int stride = TopStride, at = 0, begun = 0;
             var reads = new StoreRead[members.Count];
@@ -244,7 +244,7 @@ namespace FastPoints.Build
         }
 
         /// <summary>Reads a top back; null if it is in memory.</summary>
-        StoreRead BeginRead(UpperItem member)
+        StoreRead BeginRead(MergeInput member)
         {
             if (member.Records.IsCreated)
                 return null;
@@ -255,20 +255,20 @@ namespace FastPoints.Build
 
         /// <summary>Records the region's node that each member is attached to.</summary>
         /// <returns>Whether one of them has nodes.</returns>
-        bool Attach(List<UpperItem> members, NativeArray<ChunkTop> tops, UpperRegion region)
+        bool Attach(List<MergeInput> members, NativeArray<TopNode> tops, UpperRegion region)
         {
             bool hasNodes = false;
             for (int i = 0; i < members.Count; i++)
             {
                 hasNodes |= tops[i].HasNodes;
-                members[i].Place.Above = region;
-                members[i].Place.AttachDraft = tops[i].AttachNode;
+                members[i].AttachPoint.Above = region;
+                members[i].AttachPoint.AttachDraft = tops[i].AttachNode;
             }
             return hasNodes;
         }
 
         /// <summary>Writes a region's container, unless it has no nodes.</summary>
-        IEnumerator<JobStep> WriteNodes(HierarchyPart part)
+        IEnumerator<JobStep> WriteNodes(Subtree part)
         {
             var file = m_indexer.File.AsArray();
             if (part.NodeCount == 0)
@@ -298,22 +298,22 @@ namespace FastPoints.Build
             if (region.Part.NodeCount > 0)
                 region.Part.Container = ((FileHeader*)m_indexer.File.GetUnsafeReadOnlyPtr())->Container;
             foreach (var draft in m_indexer.Drafts.AsArray())
-                LowestSideLog2 = Math.Min(LowestSideLog2, draft.SideLog2);
+                MinSideLog2 = Math.Min(MinSideLog2, draft.SideLog2);
             for (int p = 0; p < BytesOfPlane.Length; p++)
                 BytesOfPlane[p] += m_indexer.BytesOfPlane[p];
             m_regions.Add(region);
             return region;
         }
 
-        UpperItem TopOf(UpperRegion region, GridCube cube, bool hasNodes)
+        MergeInput TopOf(UpperRegion region, GridCube cube, bool hasNodes)
         {
             var top = m_indexer.Drafts[0];
-            return new UpperItem(region)
+            return new MergeInput(region)
             {
                 Cube = cube,
                 TopPoints = top.Count,
                 Records = new NativeArray<byte>(m_indexer.Top.AsArray(), Allocator.Persistent),
-                Top = new ChunkTop
+                Top = new TopNode
                 {
                     SideLog2 = top.SideLog2,
                     CellLog2 = top.CellLog2,
@@ -335,29 +335,29 @@ namespace FastPoints.Build
 
         /// <summary>Hangs chunks and regions on the nodes that they are attached to.</summary>
         /// <returns>The root.</returns>
-        HierarchyPart JoinParts()
+        Subtree JoinParts()
         {
             foreach (var region in m_regions)
                 if (region.Above != null && region.Part.NodeCount > 0)
                     region.Attach(region.Part);
             foreach (var item in m_added)
                 if (item.Top.HasNodes)
-                    item.Place.Attach(item.ToPart());
+                    item.AttachPoint.Attach(item.ToPart());
             foreach (var region in m_regions)
-                region.Part.SortBelow(m_manifest.Root.Corner);
-            return m_regions.Count > 0 ? m_regions[m_regions.Count - 1].Part : new HierarchyPart();
+                region.Part.SortChildren(m_manifest.Root.Corner);
+            return m_regions.Count > 0 ? m_regions[m_regions.Count - 1].Part : new Subtree();
         }
     }
 
     /// <summary>Where the nodes of a chunk or a region are attached: to a draft of the region above.</summary>
-    internal class UpperPlace
+    internal class UpperAttachPoint
     {
         /// <summary>Null as long as nothing is made above it, and of the root.</summary>
         public UpperRegion Above;
         public int AttachDraft;
 
         /// <summary>The place, here or further above, whose draft is a node; the last one if there is none yet.</summary>
-        public UpperPlace OfNode()
+        public UpperAttachPoint OfNode()
         {
             var place = this;
             while (place.Above != null && place.Node < 0)
@@ -368,25 +368,25 @@ namespace FastPoints.Build
         public int Node => Above.NodeOfDraft[AttachDraft];
 
         /// <summary>Hangs a part on its node.</summary>
-        public void Attach(HierarchyPart part)
+        public void Attach(Subtree part)
         {
             var place = OfNode();
-            place.Above.Part.Below.Add((place.Node, part));
+            place.Above.Part.Children.Add((place.Node, part));
         }
     }
 
     /// <summary>Upper nodes of one merge: those above a few chunks, or above other regions. The top node of a
     /// region, like a chunk's, belongs to the region above; the root's has none above. Owns its table, and its top's
     /// records.</summary>
-    internal sealed class UpperRegion : UpperPlace, IDisposable
+    internal sealed class UpperRegion : UpperAttachPoint, IDisposable
     {
-        public readonly HierarchyPart Part = new HierarchyPart();
+        public readonly Subtree Part = new Subtree();
 
         /// <summary>For each draft, its node in the table, or -1 for the top that belongs to the region above.</summary>
         public int[] NodeOfDraft;
 
         /// <summary>Its top; null of the root.</summary>
-        public UpperItem Item;
+        public MergeInput Item;
 
         public void Dispose()
         {
@@ -397,17 +397,17 @@ namespace FastPoints.Build
     }
 
     /// <summary>The merge's next input: a chunk's top, or a region's, also of another build.</summary>
-    internal sealed class UpperItem
+    internal sealed class MergeInput
     {
         public GridCube Cube;
-        public ChunkTop Top;
+        public TopNode Top;
         public int TopPoints;
 
         /// <summary>The chunk or the region whose top it is; the others are null, both if another build made it.</summary>
         public ChunkResult Chunk;
         public readonly UpperRegion Region;
 
-        public readonly UpperPlace Place;
+        public readonly UpperAttachPoint AttachPoint;
 
         /// <summary>The top's records, if they are in memory; otherwise where they are.</summary>
         public NativeArray<byte> Records;
@@ -418,14 +418,14 @@ namespace FastPoints.Build
         public ulong RecordsHash;
 
         /// <param name="region">Null if it is not a region's of this build.</param>
-        public UpperItem(UpperRegion region = null)
+        public MergeInput(UpperRegion region = null)
         {
             Region = region;
-            Place = region ?? new UpperPlace();
+            AttachPoint = region ?? new UpperAttachPoint();
         }
 
         /// <summary>The nodes of a chunk.</summary>
-        public HierarchyPart ToPart() => new HierarchyPart
+        public Subtree ToPart() => new Subtree
         {
             Cube = Cube,
             Container = Chunk.Container,

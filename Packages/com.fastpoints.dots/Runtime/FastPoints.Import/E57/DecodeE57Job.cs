@@ -148,9 +148,9 @@ namespace FastPoints.E57
                     clamped += Clamp(raw, tile, read.Range);
                 if (read.Target == E57Target.Integers)
                 {
-                    if (read.Steps != 1)
-                        Multiply((long*)raw, tile, read.Steps);
-                    StoreIntegers((long*)raw, tile, minimum * read.Steps + read.Bias, columns + read.ColumnOffsetBytes,
+                    if (read.Factor != 1)
+                        Multiply((long*)raw, tile, read.Factor);
+                    StoreIntegers((long*)raw, tile, minimum * read.Factor + read.Shift, columns + read.ColumnOffsetBytes,
                         read.ColumnType, first);
                     continue;
                 }
@@ -188,9 +188,9 @@ namespace FastPoints.E57
             if (read.Bits != read.ColumnType.SizeOf() * 8)
                 return false;
             if (read.Kind == E57FieldKind.Integer)
-                return read.Target == E57Target.Integers && read.Steps == 1 && read.Minimum + read.Bias == 0
+                return read.Target == E57Target.Integers && read.Factor == 1 && read.Minimum + read.Shift == 0
                     && read.Range == E57Bits.Mask(read.Bits);
-            return read.Target == E57Target.Reals && read.Factor == 1 && read.Addend == 0;
+            return read.Target == E57Target.Reals && read.Scale == 1 && read.Offset == 0;
         }
 
         static int Clamp(ulong* raw, int count, ulong range)
@@ -207,7 +207,7 @@ namespace FastPoints.E57
 
         static void ToReals(ulong* raw, int count, in E57FieldRead read, double* reals)
         {
-            double factor = read.Factor, addend = read.Addend;
+            double factor = read.Scale, addend = read.Offset;
             if (read.Kind == E57FieldKind.Integer)
             {
                 for (int i = 0; i < count; i++)

@@ -25,20 +25,20 @@ namespace FastPoints.E57
         {
             if (root.TextOf("formatName") != "ASTM E57 3D Imaging Data File")
                 info.Warn(-1, "formatName: wanted \"ASTM E57 3D Imaging Data File\", got \"" + root.TextOf("formatName") + "\"");
-            info.FactIfAny("guid", root.TextOf("guid"));
-            info.FactIfAny("library", root.TextOf("e57LibraryVersion"));
+            info.AddFactIfAny("guid", root.TextOf("guid"));
+            info.AddFactIfAny("library", root.TextOf("e57LibraryVersion"));
             var created = root.Child("creationDateTime");
             double seconds = created?.NumberOf("dateTimeValue") ?? 0;
             if (seconds > 0)
-                info.Fact("created", E57Text.GpsTime(seconds));
+                info.AddFact("created", E57Text.GpsTime(seconds));
             AddCrs(root.Child("coordinateMetadata")?.Text, info);
-            info.Fact("scans", NumberText.Of(root.Child("data3D")?.Children.Count ?? 0));
+            info.AddFact("scans", NumberText.Of(root.Child("data3D")?.Children.Count ?? 0));
             info.OnlyInFacts = "names, places and conditions of scans";
             AddImages(root.Child("images2D"), info);
             foreach (var child in root.Children)
                 if (child.Name.IndexOf(':') >= 0)
                 {
-                    info.Fact("extension (left out)", E57Text.OneLine(child.Name));
+                    info.AddFact("extension (left out)", E57Text.OneLine(child.Name));
                     info.Losses.Add(new Loss(E57Text.OneLine(child.Name), info.Path, "it belongs to an extension"));
                 }
         }
@@ -49,45 +49,46 @@ namespace FastPoints.E57
                 return;
             string label = scan.Label;
             string count = scan.RecordsClaimed.ToString(System.Globalization.CultureInfo.InvariantCulture) + " points";
-            info.Fact(label, scan.Name != null ? scan.Name + ", " + count : count);
+            info.AddFact(label, scan.Name != null ? scan.Name + ", " + count : count);
             if (scan.Index >= MaxWholeScans)
                 return;
             foreach (string name in s_texts)
-                info.FactIfAny("  " + name, node.TextOf(name));
+                info.AddFactIfAny("  " + name, node.TextOf(name));
             foreach (string name in s_numbers)
                 if (node.Child(name) != null)
-                    info.Fact("  " + name, NumberText.Of(node.NumberOf(name)));
+                    info.AddFact("  " + name, NumberText.Of(node.NumberOf(name)));
             foreach (string name in s_times)
                 if (node.Child(name)?.NumberOf("dateTimeValue") > 0)
-                    info.Fact("  " + name, E57Text.GpsTime(node.Child(name).NumberOf("dateTimeValue")));
+                    info.AddFact("  " + name, E57Text.GpsTime(node.Child(name).NumberOf("dateTimeValue")));
             AddPose(scan, info);
             if (!scan.BoundsClaimed.IsEmpty)
-                info.Fact("  cartesianBounds", NumberText.Of(scan.BoundsClaimed.Min) + " to " +
+                info.AddFact("  cartesianBounds", NumberText.Of(scan.BoundsClaimed.Min) + " to " +
                     NumberText.Of(scan.BoundsClaimed.Max) +
                     " (the scanner's coordinates)");
             if (math.all(math.isfinite(scan.IntensityLimits)))
-                info.Fact("  intensityLimits", NumberText.Of(scan.IntensityLimits.x) + " to "
+                info.AddFact("  intensityLimits", NumberText.Of(scan.IntensityLimits.x) + " to "
                     + NumberText.Of(scan.IntensityLimits.y));
             if (math.all(math.isfinite(scan.ColorLimits[0])))
-                info.Fact("  colorLimits", NumberText.Of(scan.ColorLimits[0].x) + " to " + NumberText.Of(scan.ColorLimits[0].y) +
+                info.AddFact("  colorLimits",
+                    NumberText.Of(scan.ColorLimits[0].x) + " to " + NumberText.Of(scan.ColorLimits[0].y) +
                     " (red)");
             var groups = node.Child("pointGroupingSchemes");
             if (groups != null && groups.Children.Count > 0)
             {
-                info.Fact("  pointGroupingSchemes", "left out");
+                info.AddFact("  pointGroupingSchemes", "left out");
                 info.Losses.Add(new Loss("groups of points of " + label, info.Path, "points are kept one by one"));
             }
             foreach (var field in scan.Fields)
-                info.Fact("  field", E57Text.OneLine(field.Name) + ": " + field.Summary());
+                info.AddFact("  field", E57Text.OneLine(field.Name) + ": " + field.Summary());
         }
 
         public static void AddSchema(E57Schema schema, List<E57Scan> scans, SourceInfo info)
         {
-            info.Fact("positions", schema.PositionSummary);
+            info.AddFact("positions", schema.PositionSummary);
             if (schema.HasScaledColors)
-                info.Fact("colors", "scaled to 0 to 65,535 by their limits");
+                info.AddFact("colors", "scaled to 0 to 65,535 by their limits");
             if (info.Schema.Has(AttributeNames.ReturnNumber))
-                info.Fact("ReturnNumber", "returnIndex + 1: E57 counts returns from 0");
+                info.AddFact("ReturnNumber", "returnIndex + 1: E57 counts returns from 0");
             for (int i = 0; i < schema.LeftOut.Count && i < MaxFieldsLeftOut; i++)
                 info.Warn(-1, "field " + E57Text.OneLine(schema.LeftOut[i]) + " is left out: another attribute has its name, " +
                     "or there are more than " + E57Scan.MaxFields);
@@ -132,7 +133,7 @@ namespace FastPoints.E57
             if (!pose.IsTranslation)
                 text += ", axes " + NumberText.Of(pose.AxisX) + " | " + NumberText.Of(pose.AxisY) + " | "
                     + NumberText.Of(pose.AxisZ);
-            info.Fact("  pose", text);
+            info.AddFact("  pose", text);
         }
 
         static void AddCrs(string metadata, SourceInfo info)
@@ -146,17 +147,17 @@ namespace FastPoints.E57
                 info.Crs.MetresPerUnit = info.Crs.MetresPerUnit == 0 ? unit : info.Crs.MetresPerUnit;
             else
                 info.Crs.Name = E57Text.OneLine(metadata);
-            info.Fact("coordinateMetadata", E57Text.OneLine(metadata));
+            info.AddFact("coordinateMetadata", E57Text.OneLine(metadata));
         }
 
         static void AddImages(E57Node images, SourceInfo info)
         {
             if (images == null || images.Children.Count == 0)
                 return;
-            info.Fact("images (left out)", NumberText.Of(images.Children.Count));
+            info.AddFact("images (left out)", NumberText.Of(images.Children.Count));
             info.Losses.Add(new Loss(NumberText.Of(images.Children.Count) + " images", info.Path, "a cloud has points alone"));
             for (int i = 0; i < images.Children.Count && i < MaxImages; i++)
-                info.Fact("  image " + NumberText.Of(i + 1L), images.Children[i].TextOf("name") ??
+                info.AddFact("  image " + NumberText.Of(i + 1L), images.Children[i].TextOf("name") ??
                     images.Children[i].TextOf("guid") ?? "without a name");
         }
     }

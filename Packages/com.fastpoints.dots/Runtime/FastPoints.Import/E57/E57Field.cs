@@ -149,10 +149,10 @@ namespace FastPoints.E57
         public int Row;
 
         // For columns of integers: stored * Steps + Bias.
-        public long Steps;
-        public long Bias;
-        public double Factor;
-        public double Addend;
+        public long Factor;
+        public long Shift;
+        public double Scale;
+        public double Offset;
     }
 
     enum E57Target

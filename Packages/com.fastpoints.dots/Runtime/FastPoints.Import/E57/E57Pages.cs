@@ -204,18 +204,15 @@ namespace FastPoints.E57
             return true;
         }
 
-        public FetchedBytes Fetched { set => m_read.Fetched = value; }
+        public RemoteFetch Fetched { set => m_read.Fetched = value; }
 
-        // Whether Begin may be called.
-        public bool IsFetched
+        // Of a remote file it begins the requests. Returns whether Begin may be called.
+        public bool TryFetch()
         {
-            get
-            {
-                if (!m_file.Handle.IsRemote)
-                    return true;
-                SetCommands();
-                return m_read.AreFetched(m_file.Handle.Path, ExtentCount);
-            }
+            if (!m_file.Handle.IsRemote)
+                return true;
+            SetCommands();
+            return m_read.TryFetch(m_file.Handle.Path, ExtentCount);
         }
 
         public JobHandle Begin()

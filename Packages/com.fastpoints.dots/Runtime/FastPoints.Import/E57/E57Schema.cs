@@ -102,8 +102,8 @@ namespace FastPoints.E57
                     var direct = Read(position[axis], batch, i);
                     if (m_positions == PositionKind.Grid)
                     {
-                        direct.Steps = m_factorsOfScan[scanIndex][axis];
-                        direct.Bias = m_shiftsOfScan[scanIndex][axis];
+                        direct.Factor = m_factorsOfScan[scanIndex][axis];
+                        direct.Shift = m_shiftsOfScan[scanIndex][axis];
                     }
                     reads.Add(direct);
                     continue;
@@ -352,8 +352,8 @@ namespace FastPoints.E57
                 var limits = ColorLimits(scan, color, field);
                 double factor = MaxNormalized / (limits.y - limits.x);
                 read.Target = E57Target.Normalized;
-                read.Addend = (read.Addend - limits.x) * factor;
-                read.Factor *= factor;
+                read.Offset = (read.Offset - limits.x) * factor;
+                read.Scale *= factor;
             }
             return read;
         }
@@ -372,8 +372,8 @@ namespace FastPoints.E57
             read.ColumnType = batch.Schema[column].Type;
             read.ColumnOffsetBytes = batch.Column(column).OffsetBytes;
             read.Target = read.ColumnType.IsFloat() ? E57Target.Reals : E57Target.Integers;
-            read.Bias = read.Target == E57Target.Integers ? BiasOf(field) : 0;
-            read.Addend += read.Target == E57Target.Reals ? BiasOf(field) : 0;
+            read.Shift = read.Target == E57Target.Integers ? BiasOf(field) : 0;
+            read.Offset += read.Target == E57Target.Reals ? BiasOf(field) : 0;
             return read;
         }
 
@@ -382,11 +382,11 @@ namespace FastPoints.E57
             Kind = E57FieldKind.Integer,
             Stream = -1,
             Minimum = value,
-            Steps = 1,
+            Factor = 1,
             ColumnType = batch.Schema[column].Type,
             ColumnOffsetBytes = batch.Column(column).OffsetBytes,
             Target = batch.Schema[column].Type.IsFloat() ? E57Target.Reals : E57Target.Integers,
-            Factor = 1,
+            Scale = 1,
         };
 
         static E57FieldRead Source(E57Field field) => new E57FieldRead
@@ -395,10 +395,10 @@ namespace FastPoints.E57
             Stream = field.Stream,
             Bits = field.Bits,
             Minimum = field.Minimum,
-            Steps = 1,
+            Factor = 1,
             Range = (ulong)field.Maximum - (ulong)field.Minimum,
-            Factor = field.Scale,
-            Addend = field.Offset,
+            Scale = field.Scale,
+            Offset = field.Offset,
         };
     }
 }

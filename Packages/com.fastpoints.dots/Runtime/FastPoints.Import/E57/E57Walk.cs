@@ -74,7 +74,7 @@ namespace FastPoints.E57
             while (!m_state.Value.IsDone)
             {
                 Plan(m_state.Value);
-                while (!m_read.IsFetched)
+                while (!m_read.TryFetch())
                     yield return default;
                 var read = m_read.Begin();
                 m_walked = new WalkE57Job

@@ -240,7 +240,7 @@ namespace FastPoints.Export
             readonly List<int> m_planes = new List<int> { StoreLayout.PositionPlane };
             NativeArray<PlaneShape> m_shapes;
             NativeArray<PlaneRange> m_ranges;
-            NativeArray<long> m_places;
+            NativeArray<long> m_planeOffsets;
             NativeArray<ConvertedTarget> m_targets;
             readonly EditSlot m_edits;
             GatherEditedJob m_gather;
@@ -268,7 +268,7 @@ namespace FastPoints.Export
                 m_targets = Own(new NativeArray<ConvertedTarget>(targets.ToArray(), allocator));
                 m_shapes = Own(new NativeArray<PlaneShape>(m_planes.Count, allocator));
                 m_ranges = Own(new NativeArray<PlaneRange>(m_planes.Count, allocator));
-                m_places = Own(new NativeArray<long>(m_planes.Count, allocator));
+                m_planeOffsets = Own(new NativeArray<long>(m_planes.Count, allocator));
                 if (reader.Edits == null)
                     return;
                 m_edits = Own(new EditSlot(reader.Edits, layout, m_planes, reader.m_maxPlaneBlocks));
@@ -326,12 +326,12 @@ namespace FastPoints.Export
                     m_ranges[p] = m_reader.RangeOf(range.Block, m_planes[p]);
                     m_shapes[p] = m_reader.m_folder.Layout.ShapeOf(m_planes[p], node.IsWide);
                 }
-                int commands = PlaceInBuffer();
+                int commands = LayOutInBuffer();
                 var decoded = new DecodeConvertedJob
                 {
                     File = File.Buffer,
                     Ranges = m_ranges,
-                    Places = m_places,
+                    PlaneOffsets = m_planeOffsets,
                     Shapes = m_shapes,
                     Targets = m_targets,
                     PlaneBlocks = node.PlaneBlocks,
@@ -348,7 +348,7 @@ namespace FastPoints.Export
             {
                 var job = m_gather;
                 job.File = File.Buffer;
-                job.Place = m_places[0];
+                job.PlaneOffset = m_planeOffsets[0];
                 job.Shape = m_shapes[0];
                 job.BlockCount = node.PlaneBlocks;
                 job.First = range.First;
@@ -358,7 +358,7 @@ namespace FastPoints.Export
                 {
                     File = File.Buffer,
                     Planes = m_ranges,
-                    Places = m_places,
+                    PlaneOffsets = m_planeOffsets,
                     PlaneShapes = m_shapes,
                     Corner = node.Corner,
                     BlockCount = node.PlaneBlocks,
@@ -366,7 +366,7 @@ namespace FastPoints.Export
             }
 
             // Planes that lie together are one segment; of a remote file, segments are parts of what ListPieces names.
-            unsafe int PlaceInBuffer()
+            unsafe int LayOutInBuffer()
             {
                 var commands = File.Commands;
                 int count = 0;
@@ -376,8 +376,8 @@ namespace FastPoints.Export
                     var plane = m_ranges[p];
                     if (count == 0 || plane.OffsetBytes < end || plane.OffsetBytes > end + maxGap)
                         commands[count++] = new ReadCommand { Offset = end = plane.OffsetBytes };
-                    m_places[p] = bytes + plane.OffsetBytes - end;
-                    bytes = m_places[p] + plane.LengthBytes;
+                    m_planeOffsets[p] = bytes + plane.OffsetBytes - end;
+                    bytes = m_planeOffsets[p] + plane.LengthBytes;
                     end = plane.OffsetBytes + plane.LengthBytes;
                     var command = commands[count - 1];
                     command.Size = end - command.Offset;

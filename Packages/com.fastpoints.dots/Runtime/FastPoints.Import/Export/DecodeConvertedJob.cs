@@ -26,7 +26,7 @@ namespace FastPoints.Export
         [ReadOnly] public NativeArray<PlaneRange> Ranges;
 
         /// <summary>Where each plane lies among the bytes that are read.</summary>
-        [ReadOnly] public NativeArray<long> Places;
+        [ReadOnly] public NativeArray<long> PlaneOffsets;
         [ReadOnly] public NativeArray<PlaneShape> Shapes;
         [ReadOnly] public NativeArray<ConvertedTarget> Targets;
         public int PlaneBlocks;
@@ -41,7 +41,7 @@ namespace FastPoints.Export
             var file = (byte*)File.GetUnsafeReadOnlyPtr();
             for (int p = 0; p < Ranges.Length; p++)
             {
-                byte* plane = file + Places[p];
+                byte* plane = file + PlaneOffsets[p];
                 ulong hash = ContentHash.Of(plane, Ranges[p].LengthBytes);
                 if (hash == Ranges[p].Hash && PlaneView.IsValid(plane, Ranges[p].LengthBytes, Shapes[p], PlaneBlocks))
                     continue;
@@ -55,7 +55,7 @@ namespace FastPoints.Export
 
         void Unpack(byte* file, in ConvertedTarget target)
         {
-            var view = new PlaneView(file + Places[target.Plane], Shapes[target.Plane], PlaneBlocks);
+            var view = new PlaneView(file + PlaneOffsets[target.Plane], Shapes[target.Plane], PlaneBlocks);
             var values = new PlaneValues { View = view, Column = target.Column, Stored = target.Stored };
             byte* to = (byte*)Columns.GetUnsafePtr() + target.To.OffsetBytes;
             long corner = target.Column == 0 ? Corner.X : target.Column == 1 ? Corner.Y : Corner.Z;
@@ -92,7 +92,7 @@ namespace FastPoints.Export
 
         /// <summary>With the plane of the position.</summary>
         [ReadOnly] public NativeArray<byte> File;
-        public long Place;
+        public long PlaneOffset;
         public PlaneShape Shape;
         public int BlockCount;
         public int First;
@@ -104,7 +104,7 @@ namespace FastPoints.Export
             var result = Result.Value;
             if (result.Error != 0)
                 return;
-            var view = new PlaneView((byte*)File.GetUnsafeReadOnlyPtr() + Place, Shape, BlockCount);
+            var view = new PlaneView((byte*)File.GetUnsafeReadOnlyPtr() + PlaneOffset, Shape, BlockCount);
             int at = 0, kept = 0;
             for (int b = 0; b < BlockCount && at < First + Count; b++)
             {

@@ -70,7 +70,7 @@ namespace FastPoints.Export
             if (SourcePath.IsRemote(cloud))
                 throw new PointCloudException(FailureCode.Unsupported, cloud, -1, "a cloud on a server cannot be edited");
             string path = System.IO.Path.GetFullPath(EditJournal.PathOf(cloud));
-            return FolderLock.TryTake(path + LockSuffix, out var taken) is string owner
+            return FolderLock.TakeOrGetOwner(path + LockSuffix, out var taken) is string owner
                 ? throw new PointCloudException(FailureCode.WriteFailed, path, -1, "is being written by " + owner) : taken;
         }
 

@@ -106,7 +106,7 @@ namespace FastPoints.Export
             var build = new ConvertSettings
             {
                 Attributes = attributes?.ToArray(),
-                HasCubes = true,
+                HasUniformStep = true,
                 InFlightMs = settings.InFlightMs,
                 // Nobody looks at its generations.
                 SecondsToFirstGeneration = double.PositiveInfinity,
@@ -290,9 +290,9 @@ namespace FastPoints.Export
                     if (inFlight.Count > 0)
                     {
                         var slot = inFlight.Peek();
-                        limit.Await();
+                        limit.BeginWait();
                         yield return slot.Done;
-                        limit.Resume(next < m_ranges.Count && hasRoom && last.IsCompleted);
+                        limit.EndWait(next < m_ranges.Count && hasRoom && last.IsCompleted);
                         filled = slot.Complete();
                         if (buffers != null && slot.Range.IsLastOfNode)
                             filled = buffers.EndNode(slot.Range.Node, filled);
@@ -378,7 +378,7 @@ namespace FastPoints.Export
                 job.Copies = m_copies;
                 job.ConvertedCopies = m_convertedCopies;
                 job.Conversions = m_conversions;
-                job.Share = range.Share;
+                job.Fraction = range.Fraction;
                 job.End = m_end;
                 m_format.Configure(range, ref job);
                 int classification = Read.Points.Schema.IndexOf(AttributeNames.Classification);

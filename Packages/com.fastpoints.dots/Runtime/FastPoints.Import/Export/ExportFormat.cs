@@ -75,12 +75,12 @@ namespace FastPoints.Export
         }
 
         /// <summary>The header and records of the LAS files that the source was made from; null if it has none.</summary>
-        protected LasRecords LasRecordsOf(PointReader reader)
+        protected LasMetadata LasRecordsOf(PointReader reader)
         {
             try
             {
-                return reader is ConvertedReader stored ? LasRecords.Read(stored.RecordsPath)
-                    : reader is TiledReader tiles ? LasRecords.CommonTo(tiles.Paths, Losses) : null;
+                return reader is ConvertedReader stored ? LasMetadata.Read(stored.RecordsPath)
+                    : reader is TiledReader tiles ? LasMetadata.CommonTo(tiles.Paths, Losses) : null;
             }
             catch (PointCloudException e)
             {

@@ -12,7 +12,7 @@ namespace FastPoints.Export
         public BlockRange Range;
 
         /// <summary>1 for all.</summary>
-        public double Share;
+        public double Fraction;
 
         /// <summary>See <see cref="ExportFormat.HasBufferPerNode"/>.</summary>
         public int Node;
@@ -81,11 +81,11 @@ namespace FastPoints.Export
             foreach (var range in ranges)
             {
                 var next = range;
-                next.Share = shareOfLevel[range.m_level];
-                if (next.Share <= 0 || range.Range.Count == 0)
+                next.Fraction = shareOfLevel[range.m_level];
+                if (next.Fraction <= 0 || range.Range.Count == 0)
                     continue;
                 var before = joined.Count > 0 ? joined[joined.Count - 1] : default;
-                if (joined.Count > 0 && before.Range.Block == range.Range.Block && before.Share == 1 && next.Share == 1)
+                if (joined.Count > 0 && before.Range.Block == range.Range.Block && before.Fraction == 1 && next.Fraction == 1)
                 {
                     next.Range = new BlockRange(range.Range.Block, before.Range.First, before.Range.Count + range.Range.Count);
                     joined.RemoveAt(joined.Count - 1);

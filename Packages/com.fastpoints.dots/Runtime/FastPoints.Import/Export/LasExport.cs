@@ -28,7 +28,7 @@ namespace FastPoints.Export
         readonly LasHeader m_header;
 
         /// <summary>Null for a LAS file, which has its own records.</summary>
-        readonly LasRecords m_records;
+        readonly LasMetadata m_records;
         readonly List<byte[]> m_vlrs = new List<byte[]>();
 
         /// <summary>What describes the extra bytes, until it is among the records; null without any.</summary>
@@ -53,7 +53,7 @@ namespace FastPoints.Export
             var las = (reader as ILasSource)?.Las;
             m_records = las == null ? LasRecordsOf(reader) : null;
             var from = las?.Header ?? m_records?.Header;
-            m_header = from != null ? LasRecords.CopyOf(from) : new LasHeader { VersionMinor = 4 };
+            m_header = from != null ? LasMetadata.CopyOf(from) : new LasHeader { VersionMinor = 4 };
             m_header.GeneratingSoftware = "FastPoints";
             if (las == null)
                 ChooseFormat(info.Schema, chosen);
@@ -397,7 +397,7 @@ namespace FastPoints.Export
         void AddRecords(CoordinateSystem crs, string[] chosen)
         {
             bool hasCrs = m_records != null && m_records.Crs.HasSameCodes(crs);
-            foreach (var record in m_records?.All ?? Array.Empty<LasRecords.Record>())
+            foreach (var record in m_records?.All ?? Array.Empty<LasMetadata.Record>())
             {
                 if (record.Vlr.IsCrs && !hasCrs)
                     continue;

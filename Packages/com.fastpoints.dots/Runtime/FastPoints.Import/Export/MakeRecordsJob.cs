@@ -36,7 +36,7 @@ namespace FastPoints.Export
         [ReadOnly] public NativeArray<ulong> Classes;
         public PointColumn Classification;
 
-        public double Share;
+        public double Fraction;
         public PositionConversion Position;
 
         /// <summary>Where each buffer begins, in turn; empty to measure.</summary>
@@ -92,7 +92,7 @@ namespace FastPoints.Export
             double* x = stackalloc double[run], y = stackalloc double[run], z = stackalloc double[run];
             double* classes = stackalloc double[run];
             bool needsGeo = Clips.Length > 0 || Position.Kind == PositionKind.Rounded || Position.Kind == PositionKind.Geo;
-            if (Position.Kind == PositionKind.Copied && Clips.Length == 0 && Classes.Length == 0 && Share >= 1)
+            if (Position.Kind == PositionKind.Copied && Clips.Length == 0 && Classes.Length == 0 && Fraction >= 1)
             {
                 state.Seen += count;
                 state.Chosen += count;
@@ -113,7 +113,7 @@ namespace FastPoints.Export
                 for (int i = 0; i < points; i++)
                 {
                     state.Seen++;
-                    if (Share < 1 && math.floor(state.Seen * Share) == math.floor((state.Seen - 1) * Share))
+                    if (Fraction < 1 && math.floor(state.Seen * Fraction) == math.floor((state.Seen - 1) * Fraction))
                         continue;
                     if (Classes.Length > 0 && !IsWanted(classes[i]))
                         continue;

@@ -117,7 +117,7 @@ namespace FastPoints.Las
                     + " points that the header claims lie " + NumberText.Of((ulong)rest) + " bytes, room for "
                     + NumberText.Of((ulong)(rest / header.RecordBytes)) + " more");
             else if (rest > 0)
-                info.Fact("bytes behind the points", NumberText.Of((ulong)rest));
+                info.AddFact("bytes behind the points", NumberText.Of((ulong)rest));
         }
 
         static long NextSection(ulong at, long start, long fileBytes) =>
@@ -142,32 +142,32 @@ namespace FastPoints.Las
 
         public static void Add(LasHeader header, LasVlrTable vlrs, SourceInfo info)
         {
-            info.FactIfAny("system identifier", header.SystemIdentifier);
-            info.FactIfAny("generating software", header.GeneratingSoftware);
+            info.AddFactIfAny("system identifier", header.SystemIdentifier);
+            info.AddFactIfAny("generating software", header.GeneratingSoftware);
             if (header.CreationYear != 0 || header.CreationDay != 0)
-                info.Fact("created", "day " + NumberText.Of(header.CreationDay) + " of " + NumberText.Of(header.CreationYear));
-            info.Fact("file source id", NumberText.Of(header.FileSourceId));
-            info.Fact("global encoding", Encoding(header.GlobalEncoding));
+                info.AddFact("created", "day " + NumberText.Of(header.CreationDay) + " of " + NumberText.Of(header.CreationYear));
+            info.AddFact("file source id", NumberText.Of(header.FileSourceId));
+            info.AddFact("global encoding", Encoding(header.GlobalEncoding));
             var guid = new Guid(header.Guid);
             if (guid != Guid.Empty)
-                info.Fact("project GUID", guid.ToString());
-            info.Fact("header bytes", NumberText.Of((ulong)header.HeaderBytes));
-            info.Fact("offset to points", NumberText.Of(header.PointsOffset));
-            info.Fact("record bytes", NumberText.Of((ulong)header.RecordBytes));
-            info.Fact("scale", Numbers(header.Scale.x, header.Scale.y, header.Scale.z));
-            info.Fact("offset", Numbers(header.Offset.x, header.Offset.y, header.Offset.z));
+                info.AddFact("project GUID", guid.ToString());
+            info.AddFact("header bytes", NumberText.Of((ulong)header.HeaderBytes));
+            info.AddFact("offset to points", NumberText.Of(header.PointsOffset));
+            info.AddFact("record bytes", NumberText.Of((ulong)header.RecordBytes));
+            info.AddFact("scale", Numbers(header.Scale.x, header.Scale.y, header.Scale.z));
+            info.AddFact("offset", Numbers(header.Offset.x, header.Offset.y, header.Offset.z));
             if (header.Has64BitCount && header.LegacyCount != 0)
-                info.Fact("32-bit point count", NumberText.Of(header.LegacyCount));
-            info.Fact("points by return", ByReturn(header));
+                info.AddFact("32-bit point count", NumberText.Of(header.LegacyCount));
+            info.AddFact("points by return", ByReturn(header));
             if (header.WaveformOffset != 0)
-                info.Fact("start of waveform data", NumberText.Of(header.WaveformOffset));
+                info.AddFact("start of waveform data", NumberText.Of(header.WaveformOffset));
             if (header.HasBytes(LasHeader.BytesOf(5)))
             {
-                info.Fact("GPS time", Numbers(header.MinGpsTime, header.MaxGpsTime));
-                info.Fact("time offset", NumberText.Of(header.TimeOffset));
+                info.AddFact("GPS time", Numbers(header.MinGpsTime, header.MaxGpsTime));
+                info.AddFact("time offset", NumberText.Of(header.TimeOffset));
             }
             foreach (var record in vlrs.Records)
-                info.Fact(record.IsExtended ? "EVLR" : "VLR", record.UserId + "/" + NumberText.Of(record.RecordId) + ", "
+                info.AddFact(record.IsExtended ? "EVLR" : "VLR", record.UserId + "/" + NumberText.Of(record.RecordId) + ", "
                     + NumberText.Of((ulong)record.DataBytes) + " bytes"
                     + (record.Description.Length > 0 ? ", " + record.Description : ""));
         }

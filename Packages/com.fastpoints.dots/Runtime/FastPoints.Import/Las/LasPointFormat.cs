@@ -8,12 +8,12 @@ namespace FastPoints.Las
     internal sealed class LasPointFormat
     {
         // Consecutive fields with offsets from their own start.
-        sealed class Part
+        sealed class FieldGroup
         {
             public readonly int Bytes;
             public readonly PointField[] Fields;
 
-            public Part(int bytes, params PointField[] fields)
+            public FieldGroup(int bytes, params PointField[] fields)
             {
                 Bytes = bytes;
                 Fields = fields;
@@ -27,7 +27,7 @@ namespace FastPoints.Las
 
         // Byte 14: return number 0-2, number of returns 3-5, scan direction 6, edge of flight line 7.
         // Byte 15: class 0-4, synthetic 5, key point 6, withheld 7.
-        static readonly Part s_core = new Part(20,
+        static readonly FieldGroup s_core = new FieldGroup(20,
             new PointField(AttributeNames.X, AttributeType.Int32, 0),
             new PointField(AttributeNames.Y, AttributeType.Int32, 4),
             new PointField(AttributeNames.Z, AttributeType.Int32, 8),
@@ -46,7 +46,7 @@ namespace FastPoints.Las
 
         // Byte 14: return number 0-3, number of returns 4-7.
         // Byte 15: synthetic 0, key point 1, withheld 2, overlap 3, scanner channel 4-5, scan direction 6, edge of flight line 7.
-        static readonly Part s_extendedCore = new Part(30,
+        static readonly FieldGroup s_extendedCore = new FieldGroup(30,
             new PointField(AttributeNames.X, AttributeType.Int32, 0),
             new PointField(AttributeNames.Y, AttributeType.Int32, 4),
             new PointField(AttributeNames.Z, AttributeType.Int32, 8),
@@ -66,16 +66,17 @@ namespace FastPoints.Las
             new PointField(AttributeNames.PointSourceId, AttributeType.UInt16, 20),
             new PointField(AttributeNames.GpsTime, AttributeType.Float64, 22));
 
-        static readonly Part s_time = new Part(8, new PointField(AttributeNames.GpsTime, AttributeType.Float64, 0));
+        static readonly FieldGroup s_time = new FieldGroup(8, new PointField(AttributeNames.GpsTime, AttributeType.Float64, 0));
 
-        static readonly Part s_color = new Part(6,
+        static readonly FieldGroup s_color = new FieldGroup(6,
             new PointField(AttributeNames.Red, AttributeType.UInt16, 0),
             new PointField(AttributeNames.Green, AttributeType.UInt16, 2),
             new PointField(AttributeNames.Blue, AttributeType.UInt16, 4));
 
-        static readonly Part s_nearInfrared = new Part(2, new PointField(AttributeNames.NearInfrared, AttributeType.UInt16, 0));
+        static readonly FieldGroup s_nearInfrared = new FieldGroup(2,
+            new PointField(AttributeNames.NearInfrared, AttributeType.UInt16, 0));
 
-        static readonly Part s_wave = new Part(29,
+        static readonly FieldGroup s_wave = new FieldGroup(29,
             new PointField(AttributeNames.WavePacketDescriptorIndex, AttributeType.UInt8, 0),
             new PointField(AttributeNames.ByteOffsetToWaveformData, AttributeType.UInt64, 1),
             new PointField(AttributeNames.WaveformPacketSize, AttributeType.UInt32, 9),
@@ -99,19 +100,19 @@ namespace FastPoints.Las
             new LasPointFormat(10, s_extendedCore, s_color, s_nearInfrared, s_wave),
         };
 
-        LasPointFormat(int id, params Part[] parts)
+        LasPointFormat(int id, params FieldGroup[] groups)
         {
             Id = id;
             var fields = new List<PointField>();
-            foreach (var part in parts)
+            foreach (var group in groups)
             {
-                foreach (var field in part.Fields)
+                foreach (var field in group.Fields)
                 {
                     var moved = field;
                     moved.ByteOffset += RecordBytes;
                     fields.Add(moved);
                 }
-                RecordBytes += part.Bytes;
+                RecordBytes += group.Bytes;
             }
             Fields = fields.ToArray();
         }
@@ -223,7 +224,7 @@ namespace FastPoints.Las
                     at += component.SizeOf();
                 }
                 string description = entries.Text(entry + DescriptionAt, DescriptionBytes, "extra bytes description");
-                info.Fact("extra bytes " + name, (components == 1 ? "" : NumberText.Of(components) + " x ") + component
+                info.AddFact("extra bytes " + name, (components == 1 ? "" : NumberText.Of(components) + " x ") + component
                     + (description.Length > 0 ? ", " + description : ""));
             }
             return fields;

@@ -46,7 +46,7 @@ namespace FastPoints.Las
                 format.RecordBytes, header.RecordBytes, info);
             var layout = new LasRecordLayout(format, header.RecordBytes, fields);
             if (layout.DescribedBytes < header.RecordBytes)
-                info.Fact("extra bytes without a description", (header.RecordBytes - layout.DescribedBytes).ToString());
+                info.AddFact("extra bytes without a description", (header.RecordBytes - layout.DescribedBytes).ToString());
             info.Schema = layout.Schema;
             if (info.Schema.Has(AttributeNames.GpsTime))
                 info.GpsTime = header.GpsTime;

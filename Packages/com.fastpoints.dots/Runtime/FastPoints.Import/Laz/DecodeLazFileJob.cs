@@ -30,7 +30,7 @@ namespace FastPoints.Laz
         // A PointwiseChunk or LayeredChunk, configured; anything for LAS.
         public NativeArray<byte> Decoder;
 
-        public NativeArray<byte> Tile;
+        public NativeArray<byte> BatchRecords;
         [ReadOnly] public NativeArray<FieldCopy> Copies;
         public NativeArray<byte> Columns;
         public NativeReference<LazFileState> State;
@@ -38,7 +38,7 @@ namespace FastPoints.Laz
         public LazCompressor Compressor;
         public int PointFormat;
         public int RecordBytes;
-        public int TilePoints;
+        public int BatchPoints;
 
         // Counted from the file's start; 0 starts the file.
         public long First;
@@ -69,7 +69,7 @@ namespace FastPoints.Laz
                     break;
                 }
                 long left = state.ChunkPoints - state.ChunkDone;
-                int wanted = Count - done < TilePoints ? Count - done : TilePoints;
+                int wanted = Count - done < BatchPoints ? Count - done : BatchPoints;
                 wanted = left < wanted ? (int)left : wanted;
                 int got = Decode(input, state, wanted);
                 int rescaled = state.Rescaling.IsSame ? got : Rescale(state.Rescaling, got);
@@ -104,7 +104,7 @@ namespace FastPoints.Laz
         int Decode(byte* input, in LazFileState state, int count)
         {
             byte* chunk = input + state.ChunkOffset;
-            byte* tile = (byte*)Tile.GetUnsafePtr();
+            byte* tile = (byte*)BatchRecords.GetUnsafePtr();
             if (IsUncompressed)
             {
                 long left = (state.End - state.ChunkOffset) / RecordBytes - state.ChunkDone;
@@ -119,7 +119,7 @@ namespace FastPoints.Laz
         // The number of points before the first that does not fit into 32 bits of the columns' grid.
         int Rescale(in LasRescaling rescaling, int count)
         {
-            byte* record = (byte*)Tile.GetUnsafePtr();
+            byte* record = (byte*)BatchRecords.GetUnsafePtr();
             for (int i = 0; i < count; i++, record += RecordBytes)
                 if (!rescaling.TryRescale((int*)record))
                     return i;
@@ -131,7 +131,7 @@ namespace FastPoints.Laz
             int skipped = Skip > first ? (int)(Skip - first < count ? Skip - first : count) : 0;
             if (count <= skipped)
                 return;
-            PointRecords.ToColumns((byte*)Tile.GetUnsafePtr() + (long)skipped * RecordBytes, RecordBytes, count - skipped,
+            PointRecords.ToColumns((byte*)BatchRecords.GetUnsafePtr() + (long)skipped * RecordBytes, RecordBytes, count - skipped,
                 Copies, (byte*)Columns.GetUnsafePtr(), (int)(first + skipped - Skip));
             result.Points = (int)(first + count - Skip);
         }

@@ -18,12 +18,12 @@ namespace FastPoints.Laz
         // A PointwiseChunk or LayeredChunk, configured.
         public NativeArray<byte> State;
 
-        public NativeArray<byte> Tile;
+        public NativeArray<byte> BatchRecords;
         [ReadOnly] public NativeArray<FieldCopy> Copies;
         public NativeArray<byte> Columns;
         public NativeReference<DecodeResult> Result;
         public int RecordBytes;
-        public int TilePoints;
+        public int BatchPoints;
         public bool IsLayered;
         public bool HasAllLayers;
 
@@ -54,7 +54,7 @@ namespace FastPoints.Laz
         {
             byte* input = (byte*)Input.GetUnsafeReadOnlyPtr();
             byte* state = (byte*)State.GetUnsafePtr();
-            byte* tile = (byte*)Tile.GetUnsafePtr();
+            byte* tile = (byte*)BatchRecords.GetUnsafePtr();
             long inputBytes = InputBytes[0];
             var result = IsFirst ? default : Result.Value;
             if (IsFirst && IsLayered && !IsContinued)
@@ -72,7 +72,7 @@ namespace FastPoints.Laz
             int done = 0;
             while (done < Count && result.Error == LazError.None)
             {
-                int wanted = Count - done < TilePoints ? Count - done : TilePoints;
+                int wanted = Count - done < BatchPoints ? Count - done : BatchPoints;
                 int got = IsLayered
                     ? LayeredChunk.Decode((LayeredChunk*)state, input, tile, wanted)
                     : PointwiseChunk.Decode((PointwiseChunk*)state, input, inputBytes, tile, wanted);

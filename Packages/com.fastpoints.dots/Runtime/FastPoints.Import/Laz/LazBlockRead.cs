@@ -97,7 +97,7 @@ namespace FastPoints.Laz
         // About 4 ms of decoding on one core.
         const int PointsPerSlice = 16384;
 
-        const int MaxTileBytes = 64 << 10;
+        const int MaxBatchBytes = 64 << 10;
 
         // Layered chunks up to this size are read whole: two reads in sequence cost more than the bytes saved.
         const int SmallChunkBytes = 16 << 10;
@@ -106,10 +106,10 @@ namespace FastPoints.Laz
 
         readonly LazBlocks m_blocks;
         readonly LazFormat m_format;
-        readonly int m_tilePoints;
+        readonly int m_batchPoints;
         readonly bool m_needsAllLayers;
         NativeArray<byte> m_state;
-        NativeArray<byte> m_tile;
+        NativeArray<byte> m_batchRecords;
         NativeArray<FieldCopy> m_copies;
         NativeArray<int> m_bytesPerPoint;
         NativeArray<long> m_inputBytes;
@@ -131,12 +131,12 @@ namespace FastPoints.Laz
         {
             m_blocks = blocks;
             m_format = blocks.Format;
-            m_tilePoints = Math.Max(1, Math.Min(LayeredChunk.TilePoints, MaxTileBytes / m_format.RecordBytes));
+            m_batchPoints = Math.Max(1, Math.Min(LayeredChunk.BatchPoints, MaxBatchBytes / m_format.RecordBytes));
             m_copies = Own(new NativeArray<FieldCopy>(FieldCopyPlan.Make(blocks.Las.Layout.Fields, Points), allocator));
             m_needsAllLayers = ConfigureState(wanted, allocator);
             long inputBytes = Math.Max(blocks.MaxInputBytes(), SmallChunkBytes);
             OwnFile(inputBytes + ExtraPadding, allocator);
-            m_tile = OwnArray<byte>(Math.Max(1, m_tilePoints * m_format.RecordBytes), allocator);
+            m_batchRecords = OwnArray<byte>(Math.Max(1, m_batchPoints * m_format.RecordBytes), allocator);
             m_inputBytes = OwnArray<long>(1, allocator, NativeArrayOptions.ClearMemory);
             m_plannedCommands = Own(new NativeArray<ReadCommand>(Math.Max(1, m_format.Layers.Length), allocator));
             m_plannedArray = Own(new NativeArray<ReadCommandArray>(1, allocator));
@@ -153,7 +153,7 @@ namespace FastPoints.Laz
             return isWanted == null || Array.TrueForAll(isWanted, layer => layer);
         }
 
-        public override bool TryKeepStates() => m_keepsStates = true;
+        public override bool TryEnableStates() => m_keepsStates = true;
 
         internal override DecoderState KeepState(DecoderState reused)
         {
@@ -208,12 +208,12 @@ namespace FastPoints.Laz
                 Input = File.Buffer,
                 InputBytes = m_inputBytes,
                 State = m_state,
-                Tile = m_tile,
+                BatchRecords = m_batchRecords,
                 Copies = m_copies,
                 Columns = Points.Bytes,
                 Result = Result,
                 RecordBytes = m_format.RecordBytes,
-                TilePoints = m_tilePoints,
+                BatchPoints = m_batchPoints,
                 IsLayered = m_format.IsLayered,
                 HasAllLayers = true,
                 IsContinued = checkpoint != null,

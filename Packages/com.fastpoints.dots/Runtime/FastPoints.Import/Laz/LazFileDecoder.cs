@@ -31,16 +31,16 @@ namespace FastPoints.Laz
         // About 4 ms of decoding on one core.
         const int PointsPerSlice = 16384;
 
-        const int MaxTileBytes = 64 << 10;
+        const int MaxBatchBytes = 64 << 10;
 
         readonly LasFile m_las;
         readonly LazFormat m_format;
         readonly PointBatch m_batch;
         readonly bool m_roundsOffset;
-        readonly int m_tilePoints;
+        readonly int m_batchPoints;
         NativeArray<byte> m_items;
         NativeArray<byte> m_decoder;
-        NativeArray<byte> m_tile;
+        NativeArray<byte> m_batchRecords;
         NativeArray<FieldCopy> m_copies;
         NativeReference<LazFileState> m_state;
 
@@ -51,13 +51,14 @@ namespace FastPoints.Laz
             m_batch = batch;
             m_roundsOffset = roundsOffset;
             int recordBytes = m_las.Header.RecordBytes;
-            m_tilePoints = Math.Max(1, Math.Min(LayeredChunk.TilePoints, MaxTileBytes / recordBytes));
+            m_batchPoints = Math.Max(1, Math.Min(LayeredChunk.BatchPoints, MaxBatchBytes / recordBytes));
             m_copies = new NativeArray<FieldCopy>(FieldCopyPlan.Make(m_las.Layout.Fields, batch), allocator);
             bool isLayered = m_format != null && m_format.IsLayered;
             var isWanted = isLayered ? LazLayerChoice.Choose(m_format.Layers, m_las.Layout.Fields, batch.Schema) : null;
             m_decoder = m_format?.CreateDecoder(isWanted, allocator) ?? new NativeArray<byte>(1, allocator);
             m_items = new NativeArray<byte>(m_format != null ? LazItems.ToBytes(m_format.Items) : new byte[0], allocator);
-            m_tile = new NativeArray<byte>(m_tilePoints * recordBytes, allocator, NativeArrayOptions.UninitializedMemory);
+            m_batchRecords = new NativeArray<byte>(m_batchPoints * recordBytes, allocator,
+                NativeArrayOptions.UninitializedMemory);
             m_state = new NativeReference<LazFileState>(allocator);
         }
 
@@ -76,7 +77,7 @@ namespace FastPoints.Laz
                 RoundsOffset = m_roundsOffset,
                 Items = m_items,
                 Decoder = m_decoder,
-                Tile = m_tile,
+                BatchRecords = m_batchRecords,
                 Copies = m_copies,
                 Columns = m_batch.Bytes,
                 State = m_state,
@@ -84,7 +85,7 @@ namespace FastPoints.Laz
                 Compressor = m_format?.Compressor ?? LazCompressor.None,
                 PointFormat = header.PointFormat,
                 RecordBytes = header.RecordBytes,
-                TilePoints = m_tilePoints,
+                BatchPoints = m_batchPoints,
                 Skip = first,
             };
             long total = first + count;
@@ -102,7 +103,7 @@ namespace FastPoints.Laz
                 return;
             m_items.Dispose();
             m_decoder.Dispose();
-            m_tile.Dispose();
+            m_batchRecords.Dispose();
             m_copies.Dispose();
             m_state.Dispose();
         }

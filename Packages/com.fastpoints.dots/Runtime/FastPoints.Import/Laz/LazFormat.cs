@@ -115,11 +115,11 @@ namespace FastPoints.Laz
 
         public void AddFacts(SourceInfo info)
         {
-            info.Fact("LASzip version", WriterVersion);
-            info.Fact("LASzip compressor", Compressor.ToString());
-            info.Fact("LASzip chunk points", Compressor == LazCompressor.Pointwise ? "none"
+            info.AddFact("LASzip version", WriterVersion);
+            info.AddFact("LASzip compressor", Compressor.ToString());
+            info.AddFact("LASzip chunk points", Compressor == LazCompressor.Pointwise ? "none"
                 : HasVariableChunks ? "variable" : NumberText.Of(ChunkPoints));
-            info.Fact("LASzip items", string.Join(", ", Array.ConvertAll(Items, item => item.Type + " v"
+            info.AddFact("LASzip items", string.Join(", ", Array.ConvertAll(Items, item => item.Type + " v"
                 + NumberText.Of(item.Version))));
         }
 

@@ -179,7 +179,7 @@ namespace FastPoints.Laz
             int firstCheckpoint = m_checkpoints.Count;
             while (stream.Point < points && !stream.IsStopped)
             {
-                while (stream.NeedsInput && !stream.IsFetched)
+                while (stream.NeedsInput && !stream.TryFetch())
                     yield return default;
                 if (stream.NeedsInput)
                     yield return stream.BeginRead();

@@ -11,17 +11,17 @@ namespace FastPoints.Laz
     sealed unsafe class LazWalkStream : IDisposable
     {
         const int MaxTilePoints = 512;
-        const int MaxTileBytes = 64 << 10;
+        const int MaxBatchBytes = 64 << 10;
         const int MinWindowBytes = 1 << 20;
 
         readonly SourceHandle m_file;
         readonly NativeFileRead m_read;
-        readonly int m_tilePoints;
+        readonly int m_batchPoints;
         readonly long m_maxBytesOfFirst;
         readonly long m_maxBytesOfPoint;
         readonly int m_windowBytes;
         NativeArray<byte> m_state;
-        NativeArray<byte> m_tile;
+        NativeArray<byte> m_batchRecords;
         NativeReference<LazWalkStep> m_step;
         JobHandle m_decode;
         long m_windowStart;
@@ -31,15 +31,15 @@ namespace FastPoints.Laz
         public LazWalkStream(SourceHandle file, LazFormat format)
         {
             m_file = file;
-            m_tilePoints = Math.Max(1, Math.Min(MaxTilePoints, MaxTileBytes / format.RecordBytes));
+            m_batchPoints = Math.Max(1, Math.Min(MaxTilePoints, MaxBatchBytes / format.RecordBytes));
             m_maxBytesOfFirst = PointwiseChunk.MaxInputBytes(format.Items, format.RecordBytes, 0);
             m_maxBytesOfPoint = PointwiseChunk.MaxInputBytes(format.Items, format.RecordBytes, 1) - m_maxBytesOfFirst;
-            m_windowBytes = (int)Math.Max(MinWindowBytes, m_maxBytesOfFirst + m_tilePoints * m_maxBytesOfPoint);
+            m_windowBytes = (int)Math.Max(MinWindowBytes, m_maxBytesOfFirst + m_batchPoints * m_maxBytesOfPoint);
             m_read = new NativeFileRead(m_windowBytes + RangeCoder.PaddingBytes, Allocator.Persistent);
             // The state starts as zeros, so that checkpoints leave out what no model has written.
             m_state = new NativeArray<byte>((int)PointwiseChunk.StateBytes(format.Items), Allocator.Persistent);
             PointwiseChunk.Configure((PointwiseChunk*)m_state.GetUnsafePtr(), format.Items, format.RecordBytes);
-            m_tile = new NativeArray<byte>(m_tilePoints * format.RecordBytes, Allocator.Persistent,
+            m_batchRecords = new NativeArray<byte>(m_batchPoints * format.RecordBytes, Allocator.Persistent,
                 NativeArrayOptions.UninitializedMemory);
             m_step = new NativeReference<LazWalkStep>(Allocator.Persistent);
         }
@@ -52,7 +52,7 @@ namespace FastPoints.Laz
 
         // The window may not hold the next tile, and the file has more.
         public bool NeedsInput => FileOffset < m_windowStart || FileOffset > m_windowEnd
-            || m_windowEnd < m_inputEnd && m_windowEnd - FileOffset < m_maxBytesOfFirst + m_tilePoints * m_maxBytesOfPoint;
+            || m_windowEnd < m_inputEnd && m_windowEnd - FileOffset < m_maxBytesOfFirst + m_batchPoints * m_maxBytesOfPoint;
 
         public void StartChunk(long offset, long end)
         {
@@ -67,7 +67,7 @@ namespace FastPoints.Laz
         long NextWindowEnd => Math.Min(m_inputEnd, FileOffset + m_windowBytes);
 
         // Whether BeginRead may be called.
-        public bool IsFetched => m_read.IsFetched(m_file.Path, FileOffset, NextWindowEnd - FileOffset);
+        public bool TryFetch() => m_read.TryFetch(m_file.Path, FileOffset, NextWindowEnd - FileOffset);
 
         public JobHandle BeginRead()
         {
@@ -84,12 +84,12 @@ namespace FastPoints.Laz
             {
                 Input = m_read.Buffer,
                 State = m_state,
-                Tile = m_tile,
+                Tile = m_batchRecords,
                 Result = m_step,
                 InputStart = (int)(FileOffset - m_windowStart),
                 InputEnd = (int)(m_windowEnd - m_windowStart),
                 HasMore = m_windowEnd < m_inputEnd,
-                TilePoints = m_tilePoints,
+                TilePoints = m_batchPoints,
                 Points = points,
                 MaxBytesOfFirst = m_maxBytesOfFirst,
                 MaxBytesOfPoint = m_maxBytesOfPoint,
@@ -120,7 +120,7 @@ namespace FastPoints.Laz
             m_decode.Complete();
             m_read.Dispose();
             m_state.Dispose();
-            m_tile.Dispose();
+            m_batchRecords.Dispose();
             m_step.Dispose();
         }
     }

@@ -69,11 +69,11 @@ namespace FastPoints.Reading
         // Adds what reading a range takes of remote files; a piece of negative length is its whole file.
         internal virtual void ListPieces(BlockRange range, List<FilePiece> pieces) { }
 
-        internal FetchedBytes Fetch(BlockRange range, int rank)
+        internal RemoteFetch Fetch(BlockRange range, int rank)
         {
             var pieces = new List<FilePiece>();
             ListPieces(range, pieces);
-            return new FetchedBytes(pieces, rank);
+            return new RemoteFetch(pieces, rank);
         }
 
         // The ranges from first to before end, fetched in advance; null for local files.

@@ -86,12 +86,12 @@ namespace FastPoints.Reading
         /// <summary>Content of the file beside its points that a cloud does not keep.</summary>
         internal readonly List<Loss> Losses = new List<Loss>();
 
-        public void Fact(string name, string value) => Facts.Add(new KeyValuePair<string, string>(name, value));
+        public void AddFact(string name, string value) => Facts.Add(new KeyValuePair<string, string>(name, value));
 
-        internal void FactIfAny(string name, string value)
+        internal void AddFactIfAny(string name, string value)
         {
             if (!string.IsNullOrEmpty(value))
-                Fact(name, value);
+                AddFact(name, value);
         }
 
         /// <summary>Comments, poses: facts that no exported format can hold; null if there are none.</summary>

@@ -51,7 +51,7 @@ namespace FastPoints.Reading
         public static IEnumerator<JobStep> Run(ScanRanges ranges, PointSchema wanted, IBlockConsumer consumer,
             InFlightLimit limit, int chains, StageProgress progress)
         {
-            using var slots = new ReadSlots(ranges.Reader, wanted, ranges.Longest, limit, chains);
+            using var slots = new ReadSlots(ranges.Reader, wanted, ranges.MaxPoints, limit, chains);
             yield return JobStep.Of(slots.Run(consumer, ranges, (read, n) => read.Begin(ranges.RangeOf(n)), progress));
             yield return JobStep.Of(slots.Free());
         }
@@ -66,7 +66,7 @@ namespace FastPoints.Reading
         public Func<int, BlockRange> RangeOf;
 
         // Points of the longest range, or more.
-        public int Longest;
+        public int MaxPoints;
 
         public static ScanRanges Blocks(PointReader reader, int first, int end) => new ScanRanges
         {
@@ -74,11 +74,11 @@ namespace FastPoints.Reading
             First = first,
             End = end,
             RangeOf = block => new BlockRange(block, 0, reader.PointsInBlock(block)),
-            Longest = reader.MaxPointsPerBlock,
+            MaxPoints = reader.MaxPointsPerBlock,
         };
 
-        public static ScanRanges Of(PointReader reader, IReadOnlyList<BlockRange> ranges, int longest) =>
-            new ScanRanges { Reader = reader, End = ranges.Count, RangeOf = n => ranges[n], Longest = longest };
+        public static ScanRanges Of(PointReader reader, IReadOnlyList<BlockRange> ranges, int maxPoints) =>
+            new ScanRanges { Reader = reader, End = ranges.Count, RangeOf = n => ranges[n], MaxPoints = maxPoints };
     }
 
     internal interface IBlockConsumer
@@ -121,10 +121,10 @@ namespace FastPoints.Reading
             m_last = new JobHandle[chains];
         }
 
-        public bool TryKeepStates()
+        public bool TryEnableStates()
         {
             Add();
-            return m_keepsStates = m_reads[0].TryKeepStates();
+            return m_keepsStates = m_reads[0].TryEnableStates();
         }
 
         public IEnumerator<JobStep> Run(IBlockConsumer consumer, ScanRanges ranges, Action<BlockRead, int> begin,
@@ -140,9 +140,9 @@ namespace FastPoints.Reading
                 if (next == end || m_inFlight.Count >= m_limit.Value)
                 {
                     int done = m_inFlight.Peek();
-                    m_limit.Await();
+                    m_limit.BeginWait();
                     yield return m_consumed[done];
-                    m_limit.Resume(next < end && newest.IsCompleted);
+                    m_limit.EndWait(next < end && newest.IsCompleted);
                     m_inFlight.Dequeue();
                     m_idle.Push(done);
                     m_consumed[done].Complete();
@@ -205,7 +205,7 @@ namespace FastPoints.Reading
             m_reads.Add(read);
             m_consumed.Add(default);
             if (m_keepsStates)
-                read.TryKeepStates();
+                read.TryEnableStates();
         }
     }
 

@@ -27,7 +27,7 @@ namespace FastPoints.Reading
         public int PageCount { get; set; }
 
         // All pages were read, or abandoned with a warning.
-        public bool IsWhole { get; set; }
+        public bool IsHierarchyRead { get; set; }
 
         public SourceNode this[int node] => m_nodes[node];
 

@@ -38,7 +38,7 @@ namespace FastPoints.Reading
         public long Bytes => Interlocked.Read(ref m_bytes);
 
         /// <summary>Progress from 0 to 1; 0 until the end if the length is unknown.</summary>
-        public double Share =>
+        public double Fraction =>
             Work.Status == TaskStatus.RanToCompletion ? 1 : m_lengthBytes > 0 ? (double)Bytes / m_lengthBytes : 0;
 
         /// <summary>Cancels the work without waiting for its end.</summary>

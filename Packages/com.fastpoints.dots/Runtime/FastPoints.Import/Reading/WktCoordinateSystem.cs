@@ -36,8 +36,8 @@ namespace FastPoints.Reading
                 vertical = behind;
             if (whole.Is(s_compound))
             {
-                vertical = Part(whole, true);
-                horizontal = Part(whole, false) ?? whole;
+                vertical = ComponentOf(whole, true);
+                horizontal = ComponentOf(whole, false) ?? whole;
             }
             crs.Wkt = wkt;
             crs.Name = whole.Values.Count > 0 ? whole.Values[0] : null;
@@ -56,7 +56,7 @@ namespace FastPoints.Reading
         static WktNode Unbound(WktNode node) => node.Is(s_bound) && node.Child("SOURCECRS") is WktNode source &&
             source.Children.Count > 0 ? source.Children[0] : node;
 
-        static WktNode Part(WktNode compound, bool isVertical)
+        static WktNode ComponentOf(WktNode compound, bool isVertical)
         {
             foreach (var child in compound.Children)
             {

@@ -90,7 +90,7 @@ namespace FastPoints.Sampling
             {
                 int inBlock = m_reader.PointsInBlock(block);
                 // Counts are differences of rounded sums, so that they add up.
-                int count = (int)(Share(before + inBlock, points, wanted) - Share(before, points, wanted));
+                int count = (int)(Proportion(before + inBlock, points, wanted) - Proportion(before, points, wanted));
                 before += inBlock;
                 m_taken.TryGetValue(block, out int taken);
                 count = Math.Min(count, inBlock) - taken;
@@ -130,7 +130,7 @@ namespace FastPoints.Sampling
         }
 
         /// <summary>Computes floor(part * wanted / whole) with the product split so that it does not overflow.</summary>
-        static long Share(long part, long whole, int wanted) =>
+        static long Proportion(long part, long whole, int wanted) =>
             whole == 0 ? 0 : part / whole * wanted + part % whole * (wanted / whole) + part % whole * (wanted % whole) / whole;
 
         /// <summary>Chooses blocks spread over the source: as many as get <see cref="MinPoints"/> each, and more if they do

@@ -51,9 +51,9 @@ namespace FastPoints.Sampling
         public int Count => Points.Count;
 
         /// <summary>Share of the source's points that the sample has, 0 to 1.</summary>
-        public double Share => PointsInSource == 0 ? 1 : Points.Count / (double)PointsInSource;
+        public double Fraction => PointsInSource == 0 ? 1 : Points.Count / (double)PointsInSource;
 
-        public bool IsWhole => Points.Count + NonFinite >= PointsInSource;
+        public bool HasAllPoints => Points.Count + NonFinite >= PointsInSource;
 
         /// <summary>The largest sample of this schema.</summary>
         public static int MaxPoints(PointSchema schema) => (int)(MaxBytes / (schema.BytesPerPoint + 1));

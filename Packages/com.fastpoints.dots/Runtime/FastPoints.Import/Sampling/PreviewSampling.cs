@@ -51,7 +51,7 @@ namespace FastPoints.Sampling
                 if (!IsQuick && Sample.IsOfPrefix)
                     DisposeSample();
             }
-            if (Sample == null || !IsQuick && !Sample.IsWhole)
+            if (Sample == null || !IsQuick && !Sample.HasAllPoints)
             {
                 yield return JobStep.Of(FindBlocks(progress));
                 progress?.Begin("sample");
@@ -101,7 +101,7 @@ namespace FastPoints.Sampling
             int wanted = refines ? RefiningSampler.FirstSamplePoints(m_reader, m_options.Points) : m_options.Points;
             if (Sample == null)
                 yield return JobStep.Of(Take(wanted, progress));
-            if (!refines || Sample.IsWhole)
+            if (!refines || Sample.HasAllPoints)
                 yield break;
             var ranges = new DisplayRanges { Units = m_reader.Info.Crs.Units };
             yield return JobStep.Of(ranges.Measure(Sample.Points, Sample.Transform, UpAxis.Z));
@@ -119,7 +119,7 @@ namespace FastPoints.Sampling
         {
             double before = m_watch.Elapsed.TotalSeconds;
             long bytesBefore = m_waves.Count == 0 ? 0 : m_waves[m_waves.Count - 1].BytesRead;
-            using var sampler = new PreviewSampler(m_reader, wanted, m_options.Seed);
+            using var sampler = new WaveSampler(m_reader, wanted, m_options.Seed);
             sampler.WaveReady += wave => Add(sampler.Sample, wave, before, bytesBefore);
             yield return JobStep.Of(sampler.Run(0, progress));
             Sample = sampler.TakeSample();
@@ -143,7 +143,7 @@ namespace FastPoints.Sampling
             yield return JobStep.Of(Take(m_options.Points, progress));
             var estimate = ((IPrefixSource)m_reader).EstimatedPoints;
             Sample.PointsInSource = (long)Math.Min(Math.Round(estimate.Points), 1L << 62);
-            Sample.IsOfPrefix = !Sample.IsWhole && !(m_reader is LineReader);
+            Sample.IsOfPrefix = !Sample.HasAllPoints && !(m_reader is LineReader);
             if (m_reader is LineReader)
             {
                 Sample.Method = "lines of stretches all over the file";
@@ -158,7 +158,7 @@ namespace FastPoints.Sampling
             Sample.Method = "the file's beginning alone";
             if (IsQuick)
                 m_reader.Info.Warn(0, "where the points lie is not known before all are decoded: the sample is of the file's "
-                    + "beginning alone, " + (100 * Sample.Share).ToString("0.##", CultureInfo.InvariantCulture)
+                    + "beginning alone, " + (100 * Sample.Fraction).ToString("0.##", CultureInfo.InvariantCulture)
                     + " % of the points, and shows nothing of the rest");
         }
 

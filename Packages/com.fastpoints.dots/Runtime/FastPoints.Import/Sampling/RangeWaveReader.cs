@@ -9,8 +9,8 @@ namespace FastPoints.Sampling
 {
     /// <summary>Samples short ranges of evenly spaced points from all over a source of fixed stride: see <see cref="RangePlan"/>
     /// for which.</summary>
-    /// <remarks>The time of the first reads decides between two plans (<see cref="ReadPace"/>), and the time of the first wave's
-    /// reads decides which gaps between ranges are read along.</remarks>
+    /// <remarks>The time of the first reads decides between two plans (<see cref="ReadStrategy"/>), and the time of the first
+    /// wave's reads decides which gaps between ranges are read along.</remarks>
     sealed class RangeWaveReader : WaveReader
     {
         /// <summary>Ranges in one request: the most take a worker about a millisecond; the fewest take the main thread
@@ -29,7 +29,7 @@ namespace FastPoints.Sampling
         readonly int m_wanted;
         readonly uint m_seed;
         RangePlan m_plan;
-        ReadPace m_pace;
+        ReadStrategy m_pace;
         StridedRead[] m_reads;
         NativeArray<int> m_ranks;
         NativeReference<int> m_nextIndex;
@@ -91,11 +91,11 @@ namespace FastPoints.Sampling
         IEnumerator<JobStep> ChoosePlan()
         {
             m_gapBytes = m_pace.GapBytes(0);
-            if (Reader.IsRemote || m_plan.RangeCount < ReadPace.TrialReads || m_plan.EntryCount >= Reader.PointCount)
+            if (Reader.IsRemote || m_plan.RangeCount < ReadStrategy.TrialReads || m_plan.EntryCount >= Reader.PointCount)
                 yield break;
-            m_reads = new StridedRead[ReadPace.TrialReads];
+            m_reads = new StridedRead[ReadStrategy.TrialReads];
             m_ranges = new NativeList<StridedRange>(Allocator.Persistent);
-            for (int rank = 0, index = 0; rank < ReadPace.TrialReads; index++)
+            for (int rank = 0, index = 0; rank < ReadStrategy.TrialReads; index++)
             {
                 int stratum = m_plan.Order.StratumAt(index);
                 if (stratum < 0)
@@ -117,7 +117,7 @@ namespace FastPoints.Sampling
                 quickest = Math.Min(quickest, ReadClock.Seconds(read.Begun, read.Ended));
             }
             Free();
-            m_pace = ReadPace.Of(quickest, Reader.PointCount * Reader.Info.RecordBytes);
+            m_pace = ReadStrategy.Of(quickest, Reader.PointCount * Reader.Info.RecordBytes);
             if (!m_pace.IsSlow)
                 yield break;
             m_plan = new RangePlan(Reader.PointCount, m_wanted, Reader.Info.RecordBytes, m_seed, m_pace.PointsPerRange);
@@ -315,7 +315,7 @@ namespace FastPoints.Sampling
     /// <remarks>If reads take long, as from a network or a disk that has to seek, fewer and longer ranges make another, coarser
     /// sample of as many points. There are only these two plans, so that the sample is the same wherever the same plan was
     /// chosen.</remarks>
-    internal readonly struct ReadPace
+    internal readonly struct ReadStrategy
     {
         /// <summary>Number of trial reads, of which the fastest counts.</summary>
         public const int TrialReads = 4;
@@ -340,12 +340,12 @@ namespace FastPoints.Sampling
 
         public readonly bool IsSlow;
 
-        ReadPace(bool isSlow) => IsSlow = isSlow;
+        ReadStrategy(bool isSlow) => IsSlow = isSlow;
 
         /// <param name="quickestSeconds">The quickest of the first reads.</param>
         /// <param name="bytes">Bytes of the source's records.</param>
-        public static ReadPace Of(double quickestSeconds, long bytes) =>
-            new ReadPace(quickestSeconds >= SlowSeconds && bytes >= MinSlowBytes);
+        public static ReadStrategy Of(double quickestSeconds, long bytes) =>
+            new ReadStrategy(quickestSeconds >= SlowSeconds && bytes >= MinSlowBytes);
 
         public int PointsPerRange => IsSlow ? PointsPerLongRange : PointsPerShortRange;
 

@@ -7,8 +7,8 @@ using Unity.Jobs;
 
 namespace FastPoints.Sampling
 {
-    /// <summary>Reads every block of a source once, all of them deeper from wave to wave (<see cref="DepthPlan"/>), and offers a
-    /// sample to draw at a fifth, at a half and at the end, when it equals that of <see cref="UniformSampler"/> point for
+    /// <summary>Reads every block of a source once, all of them deeper from wave to wave (<see cref="RefiningPlan"/>), and offers
+    /// a sample to draw at a fifth, at a half and at the end, when it equals that of <see cref="UniformSampler"/> point for
     /// point.</summary>
     /// <remarks>Until then the sample has those of its points that were reached, and instead of the others the first point of
     /// each cell that would be empty although points in it were read (spatial thinning). It is the same for any number of threads
@@ -37,7 +37,7 @@ namespace FastPoints.Sampling
         readonly List<SampleWave> m_waves = new List<SampleWave>();
         readonly Stopwatch m_watch = new Stopwatch();
         SampleBuffer m_buffer;
-        DepthPlan m_plan;
+        RefiningPlan m_plan;
         DecoderState[] m_stateOfBlock;
         readonly Stack<DecoderState> m_freeStates = new Stack<DecoderState>();
         readonly List<NativeArray<PointColumn>> m_columnsOfSlot = new List<NativeArray<PointColumn>>();
@@ -69,7 +69,7 @@ namespace FastPoints.Sampling
 
         /// <summary>Points of the first sample before this one: what it decodes is decoded again.</summary>
         public static int FirstSamplePoints(PointReader reader, int wanted) => (int)Math.Min(wanted,
-            reader.BlockCount <= DepthPlan.MaxSlicedBlocks ? MinFirstSamplePoints
+            reader.BlockCount <= RefiningPlan.MaxSlicedBlocks ? MinFirstSamplePoints
                 : Math.Max(MinFirstSamplePoints, reader.PointCount / PointsPerFirstSamplePoint));
 
         public event Action<SampleWave> WaveReady;
@@ -131,8 +131,9 @@ namespace FastPoints.Sampling
             m_slots = new ReadSlots(m_reader, m_schema, m_reader.MaxPointsPerBlock,
                 WaveReader.LimitFor(m_reader, m_schema, slots, SourceScan.SlotsFor(m_reader, m_schema)), 0);
             // Of a remote block it is not known ahead what a slice needs.
-            bool canSlice = m_reader.BlockCount <= DepthPlan.MaxSlicedBlocks && !m_reader.IsRemote && m_slots.TryKeepStates();
-            m_plan = new DepthPlan(m_reader, canSlice, m_seed);
+            bool canSlice = m_reader.BlockCount <= RefiningPlan.MaxSlicedBlocks && !m_reader.IsRemote &&
+                m_slots.TryEnableStates();
+            m_plan = new RefiningPlan(m_reader, canSlice, m_seed);
             m_stateOfBlock = m_plan.IsSliced ? new DecoderState[m_reader.BlockCount] : null;
             m_placeholders = new PlaceholderPoints(m_schema, m_reader.Info.Transform, m_strata.Count, m_bounds);
         }
@@ -198,9 +199,9 @@ namespace FastPoints.Sampling
             using var composed = new SampleBuffer(m_schema, m_reader.Info.Transform,
                 (int)Math.Min(m_strata.Count, own + m_placeholders.Count));
             yield return JobStep.Of(composed.Append(m_buffer, 0, m_strata.Count));
-            int placeholders = Math.Min(m_placeholders.Count, composed.EntryCount - composed.Closed);
+            int placeholders = Math.Min(m_placeholders.Count, composed.EntryCount - composed.CompactedCount);
             yield return JobStep.Of(composed.Append(m_placeholders.Points, 0, placeholders));
-            Replace(composed.ShareSample());
+            Replace(composed.CreateSample());
             m_sample.PointsInSource = m_reader.PointCount;
             m_sample.Placeholders = placeholders;
             m_sample.Method = "points of a full scan as far as it has come, and others where a region would be bare";
@@ -208,8 +209,8 @@ namespace FastPoints.Sampling
 
         IEnumerator<JobStep> ComposeLast()
         {
-            yield return JobStep.Of(m_buffer.Close(0, m_buffer.EntryCount));
-            Replace(m_buffer.ShareSample());
+            yield return JobStep.Of(m_buffer.Compact(0, m_buffer.EntryCount));
+            Replace(m_buffer.CreateSample());
             m_sample.PointsInSource = m_pointsRead;
             m_sample.IsFullScan = true;
             m_sample.Method = "full scan, one point of each stratum";

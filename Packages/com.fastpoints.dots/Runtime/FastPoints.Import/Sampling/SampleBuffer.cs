@@ -31,7 +31,7 @@ namespace FastPoints.Sampling
             EntryCount = entryCount;
             m_filled = new NativeArray<byte>(Math.Max(1, entryCount), Allocator.Persistent);
             m_columns = ColumnsOf(Points);
-            m_state = new NativeReference<CompactedSample>(new CompactedSample { Found = PositionBounds.Empty },
+            m_state = new NativeReference<CompactedSample>(new CompactedSample { Bounds = PositionBounds.Empty },
                 Allocator.Persistent);
         }
 
@@ -41,7 +41,7 @@ namespace FastPoints.Sampling
         public NativeArray<PointColumn> Columns => m_columns;
 
         /// <summary>Entries that are closed, whether their point was kept or not. Only while nothing is in flight.</summary>
-        public int Closed => m_state.Value.Kept + (int)m_state.Value.Found.NonFinite;
+        public int CompactedCount => m_state.Value.Kept + (int)m_state.Value.Bounds.NonFinite;
 
         /// <summary>For code that fills entries from the first on.</summary>
         public unsafe void FillAll() => UnsafeUtility.MemSet(m_filled.GetUnsafePtr(), 1, m_filled.Length);
@@ -79,7 +79,7 @@ namespace FastPoints.Sampling
         /// <summary>Coroutine: closes the gaps between the filled entries from <paramref name="begin"/> to before
         /// <paramref name="end"/>, after those that are closed already.</summary>
         /// <param name="after">What its jobs depend on; it is complete in the end.</param>
-        public IEnumerator<JobStep> Close(int begin, int end, JobHandle after = default) => Append(this, begin, end, after);
+        public IEnumerator<JobStep> Compact(int begin, int end, JobHandle after = default) => Append(this, begin, end, after);
 
         /// <summary>Coroutine: appends the filled entries of another buffer, or of this one, to what is closed.</summary>
         public IEnumerator<JobStep> Append(SampleBuffer from, int begin, int end, JobHandle after = default)
@@ -100,21 +100,21 @@ namespace FastPoints.Sampling
             Points.Count = m_state.Value.Kept;
         }
 
-        /// <summary>A sample of what is closed so far, for <see cref="Measure"/>, which owns the points from now on.</summary>
-        public PreviewSample ShareSample()
+        /// <summary>A sample of what is compacted so far, for <see cref="UpdateSample"/>; it owns the points from now on.</summary>
+        public PreviewSample CreateSample()
         {
             m_isShared = true;
             var sample = new PreviewSample(Points, m_transform);
-            Measure(sample);
+            UpdateSample(sample);
             return sample;
         }
 
         /// <summary>Updates a sample of these points after more were closed.</summary>
-        public void Measure(PreviewSample sample)
+        public void UpdateSample(PreviewSample sample)
         {
             var state = m_state.Value;
-            sample.Bounds = state.Found.Bounds;
-            sample.NonFinite = state.Found.NonFinite;
+            sample.Bounds = state.Bounds.Bounds;
+            sample.NonFinite = state.Bounds.NonFinite;
         }
 
         public void Dispose()
@@ -153,7 +153,7 @@ namespace FastPoints.Sampling
         /// <summary>Points kept so far: the first entries of each column.</summary>
         public int Kept;
 
-        public PositionBounds Found;
+        public PositionBounds Bounds;
     }
 
     /// <summary>Closes the gaps in a sample, one slice of entries after the other: entries without a point, and points whose
@@ -204,7 +204,7 @@ namespace FastPoints.Sampling
                         continue;
                     if (!PositionBounds.IsFinite(x[i], y[i], z[i]))
                     {
-                        state.Found.NonFinite++;
+                        state.Bounds.NonFinite++;
                         continue;
                     }
                     x[kept] = x[i];
@@ -214,7 +214,7 @@ namespace FastPoints.Sampling
                     toIndex[kept] = state.Kept + kept;
                     kept++;
                 }
-                state.Found.IncludeBatch(x, y, z, kept);
+                state.Bounds.IncludeBatch(x, y, z, kept);
                 if (copy.From != copy.To || state.Kept != start || kept != length)
                     copy.Scatter(fromIndex, toIndex, kept);
                 state.Kept += kept;

@@ -29,7 +29,7 @@ namespace FastPoints.Sampling
         SampleReader(PreviewSample sample, PointBatch points, string path)
         {
             Points = points;
-            IsWhole = sample.IsWhole;
+            HasAllPoints = sample.HasAllPoints;
             m_readers = new[] { 1 };
             int count = Points.Count;
             m_blocks = (count + PointsPerBlock - 1) / PointsPerBlock;
@@ -55,7 +55,7 @@ namespace FastPoints.Sampling
         SampleReader(SampleReader other)
         {
             Points = other.Points;
-            IsWhole = other.IsWhole;
+            HasAllPoints = other.HasAllPoints;
             Info = other.Info;
             m_blocks = other.m_blocks;
             m_readers = other.m_readers;
@@ -63,7 +63,7 @@ namespace FastPoints.Sampling
             m_tree = TreeOf(other.m_tree.Cube, other.m_tree.Spacing);
         }
 
-        public bool IsWhole { get; }
+        public bool HasAllPoints { get; }
 
         internal PointBatch Points { get; }
 
@@ -86,7 +86,7 @@ namespace FastPoints.Sampling
             new SampleRead(this, Points, wanted, capacity, allocator);
 
         /// <summary>Another reader of the same points; null if they were freed.</summary>
-        internal SampleReader Share() => Points.IsCreated ? new SampleReader(this) : null;
+        internal SampleReader TryDuplicate() => Points.IsCreated ? new SampleReader(this) : null;
 
         public override void DisposeUnread()
         {
@@ -125,7 +125,7 @@ namespace FastPoints.Sampling
 
         SourceTree TreeOf(BoundsGeo cube, double spacing)
         {
-            var tree = new SourceTree(cube, spacing, Allocator.Persistent) { IsWhole = true };
+            var tree = new SourceTree(cube, spacing, Allocator.Persistent) { IsHierarchyRead = true };
             if (m_blocks == 0)
                 tree.Add(new SourceNode { Block = -1 });
             for (int block = 0; block < m_blocks; block++)

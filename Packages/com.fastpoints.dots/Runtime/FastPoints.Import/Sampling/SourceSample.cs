@@ -65,7 +65,7 @@ namespace FastPoints.Sampling
                 }
                 else
                 {
-                    int longest = LongestOf(ranges);
+                    int longest = MaxPointsOf(ranges);
                     var limit = SourceScan.LimitFor(reader, positions, 0, maxBytes, chains, inFlightMs);
                     using var consumer = new Appender(sample, reader, ranges, longest);
                     yield return JobStep.Of(SourceScan.Run(ScanRanges.Of(reader, ranges, longest), positions, consumer, limit,
@@ -87,7 +87,7 @@ namespace FastPoints.Sampling
         }
 
         /// <summary>Points of the longest range, at least 1.</summary>
-        internal static int LongestOf(List<BlockRange> ranges)
+        internal static int MaxPointsOf(List<BlockRange> ranges)
         {
             int longest = 1;
             foreach (var range in ranges)

@@ -42,8 +42,8 @@ namespace FastPoints.Sampling
             {
                 m_buffer = new SampleBuffer(m_schema, m_reader.Info.Transform, m_strata.Count);
                 yield return JobStep.Of(SourceScan.Run(m_reader, m_schema, this, slots, progress));
-                yield return JobStep.Of(m_buffer.Close(0, m_buffer.EntryCount));
-                m_sample = m_buffer.ShareSample();
+                yield return JobStep.Of(m_buffer.Compact(0, m_buffer.EntryCount));
+                m_sample = m_buffer.CreateSample();
                 m_sample.PointsInSource = m_pointsRead;
                 m_sample.BytesRead = m_bytesRead;
                 m_sample.IsFullScan = true;

@@ -5,7 +5,7 @@ using Unity.Jobs;
 
 namespace FastPoints.Sampling
 {
-    /// <summary>How the points of a <see cref="PreviewSampler"/>'s waves are read into their entries.</summary>
+    /// <summary>How the points of a <see cref="WaveSampler"/>'s waves are read into their entries.</summary>
     internal abstract class WaveReader
     {
         /// <summary>If frames are farther apart, the machine was busy or the work was paused.</summary>

@@ -31,7 +31,7 @@ namespace FastPoints.Sources
 
         internal sealed override SourceTree Tree => m_tree;
 
-        public sealed override bool BlocksAreKnown => m_tree.IsWhole;
+        public sealed override bool BlocksAreKnown => m_tree.IsHierarchyRead;
         public sealed override int BlockCount => m_blocks.Count;
         public sealed override int MaxPointsPerBlock => m_maxPointsPerBlock;
 

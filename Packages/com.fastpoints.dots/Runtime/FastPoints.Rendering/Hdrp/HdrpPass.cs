@@ -41,7 +41,7 @@ namespace FastPoints.Rendering.Hdrp
             var target = CameraTarget.Of(camera, ctx.cameraColorBuffer, ctx.cameraDepthBuffer, hasBothEyes);
             if (!hasBothEyes)
                 target.Eye = EyeOf(ctx.hdCamera);
-            target.IsPart = true;
+            target.IsSubViewport = true;
             if (scene.IsLit)
                 target.Light = SceneLights.OfSunsColor();
             target.WidthPx = ctx.hdCamera.actualWidth;

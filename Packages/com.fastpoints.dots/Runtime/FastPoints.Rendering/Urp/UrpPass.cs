@@ -27,7 +27,7 @@ namespace FastPoints.Rendering.Urp
             public UniversalCameraData CameraData;
             public TextureHandle Color;
             public TextureHandle Depth;
-            public PointLight Light;
+            public PointLighting Light;
         }
 
         UrpPass() => renderPassEvent = RenderPassEvent.AfterRenderingOpaques;
@@ -73,7 +73,7 @@ namespace FastPoints.Rendering.Urp
             builder.SetRenderFunc(s_draw);
         }
 
-        static PointLight LightOf(UniversalLightData lights, Camera camera)
+        static PointLighting LightOf(UniversalLightData lights, Camera camera)
         {
             int main = lights.mainLightIndex;
             var light = SceneLights.Of(main < 0 ? (VisibleLight?)null : lights.visibleLights[main]);

@@ -36,8 +36,8 @@ namespace FastPoints
         public int Count;
         public double Scale;
         public double Offset;
-        public double LowShare;
-        public double HighShare;
+        public double LowQuantile;
+        public double HighQuantile;
         public NativeReference<ColumnQuantiles> Found;
 
         public unsafe void Execute()
@@ -75,8 +75,8 @@ namespace FastPoints
             else
             {
                 RadixSort.Sort(sorted, null, (ulong*)scratch.GetUnsafePtr(), null, taken);
-                found.Low = AtRank(sorted, taken, LowShare);
-                found.High = AtRank(sorted, taken, HighShare);
+                found.Low = AtRank(sorted, taken, LowQuantile);
+                found.High = AtRank(sorted, taken, HighQuantile);
                 found.LowerQuartile = AtRank(sorted, taken, 0.25);
                 found.UpperQuartile = AtRank(sorted, taken, 0.75);
             }

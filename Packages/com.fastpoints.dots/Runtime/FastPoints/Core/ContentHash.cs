@@ -36,7 +36,7 @@ namespace FastPoints
 
         // Copies and hashes on the way: multiplying takes most of a hash's time, moving most of a copy's, so that one hides in
         // the other. The target is written front to back and not read.
-        public static ulong Copy(void* target, void* bytes, long count)
+        public static ulong CopyAndHash(void* target, void* bytes, long count)
         {
             byte* at = (byte*)bytes;
             byte* to = (byte*)target;

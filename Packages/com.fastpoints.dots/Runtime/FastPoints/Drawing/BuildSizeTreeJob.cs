@@ -40,7 +40,7 @@ namespace FastPoints.Drawing
             var link = new SizeTreeLink { Gap = GapOf(i), IsDrawn = true };
             if (drawn.Parent < 0)
                 return AddRoot(link);
-            float share = drawn.PointShare / Drawn[drawn.Parent].PointShare;
+            float share = drawn.DrawnFraction / Drawn[drawn.Parent].DrawnFraction;
             if (share < 1)
                 link.Gap = FadedGap(Links[NodeOfDrawn[drawn.Parent]].Gap, link.Gap, share);
             var above = Drawn[drawn.Parent];

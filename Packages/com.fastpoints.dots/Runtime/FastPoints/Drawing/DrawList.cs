@@ -121,7 +121,7 @@ namespace FastPoints.Drawing
                 if (LightsByDepths)
                     listed.Look.NormalPlane = 0;
                 m_listed.Add(listed);
-                bool isLit = PointLight.PartsOf(listed.Look.Light) > 0;
+                bool isLit = PointLighting.LitLevelOf(listed.Look.Light) > 0;
                 IsLit |= isLit && listed.Look.NormalPlane == 0;
                 IsLitByNormals |= isLit && listed.Look.NormalPlane > 0;
                 FiltersPoints |= !listed.Look.HiddenClasses.IsEmpty;

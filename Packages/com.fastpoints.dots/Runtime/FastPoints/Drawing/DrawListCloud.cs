@@ -61,7 +61,7 @@ namespace FastPoints.Drawing
             return firstWord;
         }
 
-        // Planes are those in the layout that colour the points, and that has the classes if some are hidden.
+        // plane: index in the layout of the plane that colours the points; classPlane: that of the classes, if some are hidden.
         public readonly GpuCloud Describe(StoreLayout layout, int plane, int classPlane)
         {
             var linear = Placement.Linear;
@@ -70,7 +70,7 @@ namespace FastPoints.Drawing
                 StepX = (float3)(linear.c0 * Step.x),
                 StepY = (float3)(linear.c1 * Step.y),
                 StepZ = (float3)(linear.c2 * Step.z),
-                ColorSource = (uint)Look.Source | (uint)PointLight.PartsOf(Look.Light) << 8,
+                ColorSource = (uint)Look.Source | (uint)PointLighting.LitLevelOf(Look.Light) << 8,
                 ColumnTypes = (uint)Look.Palette << 24,
                 ValuePerStep = (float3)(Look.ValuePerUnit * Step),
                 Bias = (float)Look.Bias,

@@ -37,7 +37,7 @@ namespace FastPoints.Drawing
     internal struct GpuCloud
     {
         public float3 StepX; // World vector of one grid step along the cloud's X.
-        public uint ColorSource; // Bits 0-7; bits 8-10: PointLight.PartsOf the share that is lit; bit 11: by stored normals.
+        public uint ColorSource; // Bits 0-7; bits 8-10: PointLighting.LitLevelOf; bit 11: lit by stored normals.
         public float3 StepY;
 
         // Types of the colour plane's columns: bits 0-7, 8-15, 16-23; bits 24-31: number of the palette.

@@ -13,7 +13,7 @@ namespace FastPoints.Drawing
         // Bits 1-13: the threshold, 4096 for all points; bits 14-31: what makes the hashes of nodes differ.
         public static uint BitsOf(in DrawnNode node)
         {
-            uint threshold = (uint)math.round(math.saturate(node.PointShare) * (1 << ThresholdBits));
+            uint threshold = (uint)math.round(math.saturate(node.DrawnFraction) * (1 << ThresholdBits));
             uint seed = (uint)node.Node * 0x9E3779B9u ^ (uint)node.Page * 0x85EBCA6Bu ^ (uint)node.Cloud * 0xC2B2AE35u;
             return threshold << 1 | seed >> SeedBit << SeedBit;
         }

@@ -6,7 +6,7 @@ namespace FastPoints.Queries
     // Leaves out most of a block's points that a ray misses, in floats and with room for what these round away.
     internal struct BlockFilter
     {
-        // Of what floats are computed of here, they lose less than this share.
+        // Bound of the relative rounding error of the floats below.
         const double Rounding = 1e-5;
 
         readonly PointQuery m_ray;
@@ -29,9 +29,9 @@ namespace FastPoints.Queries
             var other = math.abs(along.x) < 0.6 ? new double3(1, 0, 0) : new double3(0, 1, 0);
             var across = math.normalize(math.cross(along, other));
             m_toRay = math.transpose(new double3x3(across, math.cross(along, across), along));
-            m_x = (float3)math.mul(m_toRay, space.Rotate(new double3(step.x, 0, 0)));
-            m_y = (float3)math.mul(m_toRay, space.Rotate(new double3(0, step.y, 0)));
-            m_z = (float3)math.mul(m_toRay, space.Rotate(new double3(0, 0, step.z)));
+            m_x = (float3)math.mul(m_toRay, space.ToWorldVector(new double3(step.x, 0, 0)));
+            m_y = (float3)math.mul(m_toRay, space.ToWorldVector(new double3(0, step.y, 0)));
+            m_z = (float3)math.mul(m_toRay, space.ToWorldVector(new double3(0, 0, step.z)));
         }
 
         public bool IsUsed { get; }

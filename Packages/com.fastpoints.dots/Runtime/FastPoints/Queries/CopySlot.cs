@@ -93,7 +93,7 @@ namespace FastPoints.Queries
             {
                 EndReading(hasCloud);
             }
-            else if (m_phase == Phase.Transcoding && m_transcoder.IsFetched && JobCoroutine.HasEnded(m_transcoder.Done))
+            else if (m_phase == Phase.Transcoding && m_transcoder.TryDecode() && JobCoroutine.HasEnded(m_transcoder.Done))
             {
                 EndTranscoding();
             }

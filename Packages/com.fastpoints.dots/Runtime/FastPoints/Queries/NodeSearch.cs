@@ -63,7 +63,7 @@ namespace FastPoints.Queries
         readonly void Test(in BlockCorner at, Grid3 steps, int index, ref HitHeap hits)
         {
             var offset = ToDouble(steps) * Step;
-            if (!Space.Holds(at.FromOrigin + Space.Rotate(offset), out double distance, out double rayDistanceSq) ||
+            if (!Space.Holds(at.FromOrigin + Space.ToWorldVector(offset), out double distance, out double rayDistanceSq) ||
                 distance > hits.Limit)
                 return;
             if (!Hidden.IsEmpty && Hidden.Has((byte)Classes.ValueAt(at.Block, 0, index)) ||

@@ -45,7 +45,8 @@ namespace FastPoints.Queries
         // To await before the next call.
         public JobHandle Done => m_isTranscoding ? m_transcoder.Done : m_done;
 
-        public bool IsFetched => m_isTranscoding ? m_transcoder.IsFetched : m_planes.TrueForAll(plane => plane.Read.IsFetched);
+        public bool TryContinueReads() =>
+            m_isTranscoding ? m_transcoder.TryDecode() : m_planes.TrueForAll(plane => plane.Read.IsFetched);
 
         NodeSource Source => m_cloud.Source;
 

@@ -14,7 +14,7 @@ namespace FastPoints.Queries
     [BurstCompile]
     internal unsafe struct PickNodeJob : IJob
     {
-        /// <summary>Shape of the position plane.</summary>
+        /// <summary>The position plane as read; <see cref="PositionShape"/> and <see cref="PositionHash"/> describe it.</summary>
         [ReadOnly] public NativeArray<byte> Positions;
         public PlaneShape PositionShape;
         public ulong PositionHash;

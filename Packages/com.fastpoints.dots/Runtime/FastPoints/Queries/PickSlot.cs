@@ -37,8 +37,10 @@ namespace FastPoints.Queries
 
         NodeSource Source => m_cloud.Source;
 
-        // Whether what Done leads to may be used: what is on a web server comes by itself.
-        public bool IsFetched => m_first.IsFetched && m_classes.IsFetched && (!m_isTranscoding || m_transcoder.IsFetched);
+        // Returns whether all bytes have arrived, so that Done covers the decoding too. A remote node's decoding is started
+        // from here.
+        public bool TryContinueReads() =>
+            m_first.IsFetched && m_classes.IsFetched && (!m_isTranscoding || m_transcoder.TryDecode());
 
         // Bytes of the last read.
         public long Bytes { get; private set; }

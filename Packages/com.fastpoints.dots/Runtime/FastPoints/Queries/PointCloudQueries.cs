@@ -18,14 +18,14 @@ namespace FastPoints.Queries
         public const long DefaultBudgetBytes = 256 << 20;
 
         readonly StreamContext m_stream;
-        readonly StoredSearch m_stored;
+        readonly FullDetailSearch m_stored;
         ResidentCopy m_copy;
 
         /// <param name="stream">It is disposed after these queries.</param>
         public PointCloudQueries(StreamContext stream)
         {
             m_stream = stream;
-            m_stored = new StoredSearch(stream);
+            m_stored = new FullDetailSearch(stream);
         }
 
         /// <summary>The copies take no more; nodes that cameras need most come first.</summary>
@@ -93,7 +93,7 @@ namespace FastPoints.Queries
         }
 
         /// <summary>Reads an attribute of a point that was found in memory.</summary>
-        /// <returns>False if its node or the attribute is not in memory: see <see cref="ReadStored"/>.</returns>
+        /// <returns>False if its node or the attribute is not in memory: see <see cref="ReadAllAttributes"/>.</returns>
         public bool TryRead(in PointHit hit, string attribute, out double value)
         {
             value = 0;
@@ -120,17 +120,17 @@ namespace FastPoints.Queries
         /// nodes. Cancelling it leaves nothing behind.</summary>
         /// <param name="hits">Receives them, the first one first. They have no normals.</param>
         /// <exception cref="PointCloudException">A cloud cannot be read.</exception>
-        public IEnumerator<JobStep> FindStored(PointQuery query, int maxHits, List<PointHit> hits) =>
+        public IEnumerator<JobStep> FindInFullDetail(PointQuery query, int maxHits, List<PointHit> hits) =>
             m_stored.Find(query, maxHits, hits);
 
         /// <summary>Coroutine: counts the points among all that are stored.</summary>
         /// <exception cref="PointCloudException">A cloud cannot be read.</exception>
-        public IEnumerator<JobStep> CountStored(PointQuery query, Action<long> done) => m_stored.Count(query, done);
+        public IEnumerator<JobStep> CountInFullDetail(PointQuery query, Action<long> done) => m_stored.Count(query, done);
 
         /// <summary>Coroutine: reads all attributes of a point that was found; of several in one place, of the first.</summary>
         /// <param name="done">Receives null if the cloud is gone, or is another by now.</param>
         /// <exception cref="PointCloudException">The cloud cannot be read.</exception>
-        public IEnumerator<JobStep> ReadStored(PointHit hit, Action<PickedPoint> done) => m_stored.Read(hit, done);
+        public IEnumerator<JobStep> ReadAllAttributes(PointHit hit, Action<PickedPoint> done) => m_stored.Read(hit, done);
 
         /// <summary>Ends what is in flight and frees the copies. Coroutines must be done or cancelled.</summary>
         public void Dispose()

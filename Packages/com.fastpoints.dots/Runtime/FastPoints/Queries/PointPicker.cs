@@ -60,7 +60,7 @@ namespace FastPoints.Queries
                     yield break;
                 var hit = m_hits[0];
                 m_details.Begin(hit);
-                while (!m_details.IsFetched)
+                while (!m_details.TryContinueReads())
                     yield return default;
                 yield return m_details.Done;
                 m_details.Continue();
@@ -97,7 +97,7 @@ namespace FastPoints.Queries
                     while (!ArePagesKnown())
                         yield return Source.Reading;
                     bool hasMore = BeginTaken(clips);
-                    while (!IsFetched)
+                    while (!TryContinueReads())
                         yield return default;
                     yield return PendingJobs();
                     if (hasMore)
@@ -171,7 +171,7 @@ namespace FastPoints.Queries
         {
             bool areKnown = true;
             foreach (var taken in m_taken)
-                areKnown &= !taken.IsPage || Source.CanBuild(taken.Page);
+                areKnown &= !taken.IsPage || Source.PrepareBuild(taken.Page);
             if (!areKnown && Source.Update() is PointCloudException failure)
                 throw failure;
             return areKnown;
@@ -205,15 +205,12 @@ namespace FastPoints.Queries
             return hasMore;
         }
 
-        bool IsFetched
+        bool TryContinueReads()
         {
-            get
-            {
-                for (int i = 0; i < m_taken.Count; i++)
-                    if (!m_slots[i].IsFetched)
-                        return false;
-                return true;
-            }
+            for (int i = 0; i < m_taken.Count; i++)
+                if (!m_slots[i].TryContinueReads())
+                    return false;
+            return true;
         }
 
         JobHandle PendingJobs()

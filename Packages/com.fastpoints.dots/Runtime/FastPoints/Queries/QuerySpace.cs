@@ -67,7 +67,7 @@ namespace FastPoints.Queries
         public double3 FromOrigin(double3 local) => math.mul(m_linear, local) + m_fromOrigin;
 
         // The same for a difference of places.
-        public double3 Rotate(double3 local) => math.mul(m_linear, local);
+        public double3 ToWorldVector(double3 local) => math.mul(m_linear, local);
 
         // The position is in the space of FromOrigin. Distance is along the ray, or from the centre.
         public bool Holds(double3 fromOrigin, out double distance, out double rayDistanceSq)

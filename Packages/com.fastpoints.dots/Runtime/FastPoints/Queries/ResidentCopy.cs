@@ -220,7 +220,7 @@ namespace FastPoints.Queries
         int NextToCopy()
         {
             int best = -1;
-            var slots = m_stream.Cache.Slots;
+            var slots = m_stream.Cache.Nodes;
             for (int s = 0; s < slots.Length; s++)
                 if (slots[s].Phase == CachePhase.Resident && !(m_known[s].IsKnown && m_known[s].Version == slots[s].Version) &&
                     !m_stream.Clouds[slots[s].Cloud].IsRemoving && (best < 0 || IsNeededMore(slots[s], slots[best])))

@@ -49,7 +49,7 @@ namespace FastPoints.Store
             m_isRemote = SourcePath.IsRemote(path);
             var hierarchy = new ContainerRecord
             {
-                Kind = manifest.IsWhole ? ContainerKind.Whole : ContainerKind.Hierarchy,
+                Kind = manifest.IsSingleFile ? ContainerKind.SingleFile : ContainerKind.Hierarchy,
                 FileBytes = manifest.HierarchyBytes,
                 Hash = manifest.RootHash,
             };
@@ -60,14 +60,15 @@ namespace FastPoints.Store
         public CloudManifest Manifest { get; }
 
         /// <summary>It is being built, or does not have its final name yet: paths in it will change.</summary>
-        public bool IsUnfinished => Manifest.IsBuilding || FolderPath.EndsWith(StoreFormat.PartSuffix, StringComparison.Ordinal);
+        public bool IsUnfinished => Manifest.IsBuilding ||
+            FolderPath.EndsWith(StoreFormat.UnfinishedSuffix, StringComparison.Ordinal);
         public StoreLayout Layout { get; }
 
         /// <summary>The nodes of page 0.</summary>
         public NodeTable Root { get; private set; }
 
         // Null unless the folder was opened to be shown.
-        internal CheckedPlanes Checked { get; private set; }
+        internal VerifiedPlanes Checked { get; private set; }
 
         /// <summary>The pages that are known so far: page 0, and those that a loaded page links to.</summary>
         public int PageCount => m_pages.Count;
@@ -117,7 +118,7 @@ namespace FastPoints.Store
         {
             string name = path.TrimEnd(Path.DirectorySeparatorChar, Path.AltDirectorySeparatorChar);
             return SourcePath.IsRemote(path) || Directory.Exists(path) ||
-                !Directory.Exists(name + StoreFormat.PartSuffix) ? path : name + StoreFormat.PartSuffix;
+                !Directory.Exists(name + StoreFormat.UnfinishedSuffix) ? path : name + StoreFormat.UnfinishedSuffix;
         }
 
         /// <exception cref="PointCloudException">It is not a cloud, or its manifest or hierarchy is damaged.</exception>
@@ -131,18 +132,19 @@ namespace FastPoints.Store
                 {
                     return OpenOnce(path);
                 }
-                catch (PointCloudException) when (attempt < 3 && path.EndsWith(StoreFormat.PartSuffix, StringComparison.Ordinal))
+                catch (PointCloudException) when
+                    (attempt < 3 && path.EndsWith(StoreFormat.UnfinishedSuffix, StringComparison.Ordinal))
                 {
-                    path = Find(path.Substring(0, path.Length - StoreFormat.PartSuffix.Length));
+                    path = Find(path.Substring(0, path.Length - StoreFormat.UnfinishedSuffix.Length));
                 }
             }
         }
 
         // The next Open asks a web server what it has by then.
-        internal static void Doubt(string path)
+        internal static void MarkStale(string path)
         {
             if (SourcePath.IsRemote(path))
-                RemoteFile.Find(SourcePath.Combine(path, StoreFormat.ManifestName))?.Doubt();
+                RemoteFile.Find(SourcePath.Combine(path, StoreFormat.ManifestName))?.MarkStale();
         }
 
         static CloudFolder OpenOnce(string path)
@@ -151,7 +153,7 @@ namespace FastPoints.Store
             var folder = Open(path, CloudManifest.FromJson(StoreFile.ReadText(manifestPath), manifestPath));
             // What comes from elsewhere is hashed each time.
             if (!folder.m_isRemote)
-                folder.Checked = CheckedPlanes.Of(folder.Manifest.RootHash, folder.IsUnfinished ? null : path);
+                folder.Checked = VerifiedPlanes.Of(folder.Manifest.RootHash, folder.IsUnfinished ? null : path);
             return folder;
         }
 
@@ -228,11 +230,11 @@ namespace FastPoints.Store
         internal void FetchFrom(int page)
         {
             for (int p = page; m_isRemote && p < Math.Min(page + MaxPagesInFlight, PageCount); p++)
-                IsFetched(p);
+                TryFetchPage(p);
         }
 
-        // Whether LoadPage does not wait for a web server. Begins to fetch the page if not.
-        internal bool IsFetched(int page)
+        // Starts to fetch the page if it is on a web server and is not here. Returns whether LoadPage can run without waiting.
+        internal bool TryFetchPage(int page)
         {
             if (!m_isRemote || IsInTail(page))
                 return true;
@@ -326,7 +328,7 @@ namespace FastPoints.Store
 
         unsafe NativeArray<byte> Fetched(int page)
         {
-            IsFetched(page);
+            TryFetchPage(page);
             m_fetched.TryGetValue(page, out var fetched);
             m_fetched.Remove(page);
             using var read = fetched;

@@ -109,11 +109,11 @@ namespace FastPoints.Store
         public ulong RootHash;
 
         /// <summary>Planes and pages are one file, for hosts that limit the number of objects.</summary>
-        public bool IsWhole;
+        public bool IsSingleFile;
 
         /// <summary>A generation of an unfinished cloud, or of one with computed planes, has its own, so that none changes under
         /// a reader.</summary>
-        public string HierarchyName => IsWhole ? StoreFormat.WholeName
+        public string HierarchyName => IsSingleFile ? StoreFormat.SingleFileName
             : IsBuilding || NormalLayer > 0 ? StoreFormat.GenerationName(StoreFormat.HierarchyName, Generation)
             : StoreFormat.HierarchyName;
 
@@ -193,7 +193,7 @@ namespace FastPoints.Store
                 json.EndArray();
             }
             json.BeginObject("settings").Add("sampler", Sampler).EndObject();
-            json.BeginObject("hierarchy").Add("whole", IsWhole).Add("bytes", HierarchyBytes).Add("rootOffset", RootOffset)
+            json.BeginObject("hierarchy").Add("whole", IsSingleFile).Add("bytes", HierarchyBytes).Add("rootOffset", RootOffset)
                 .Add("rootBytes", RootBytes).AddHex("rootHash", RootHash).EndObject();
             return json.EndObject().ToString();
         }
@@ -245,7 +245,7 @@ namespace FastPoints.Store
                 Checksum = json.Hex("checksum"),
                 NodeCount = json.Count("nodes"),
                 ChunkCount = json.Count("chunks"),
-                IsWhole = hierarchy.Flag("whole"),
+                IsSingleFile = hierarchy.Flag("whole"),
                 HierarchyBytes = hierarchy.Count("bytes"),
                 RootOffset = hierarchy.Count("rootOffset"),
                 RootBytes = (int)hierarchy.Count("rootBytes", StoreFormat.MaxPageBytesToRead),

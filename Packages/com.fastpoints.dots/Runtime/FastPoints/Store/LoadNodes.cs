@@ -47,7 +47,7 @@ namespace FastPoints.Store
         /// <param name="batch">A batch with the schema of <see cref="SchemaFor"/> and capacity for all points of the
         /// selection.</param>
         /// <exception cref="PointCloudException">A file cannot be read, or a node is damaged.</exception>
-        public static IEnumerator<JobStep> Run(CloudFolder folder, ChosenNodes selection, PointBatch batch,
+        public static IEnumerator<JobStep> Run(CloudFolder folder, CloudSelection selection, PointBatch batch,
             StageProgress progress, long maxBytes = MaxBytesPerRead)
         {
             yield return JobStep.Of(Run(folder, selection, batch, progress, maxBytes, false));
@@ -56,7 +56,7 @@ namespace FastPoints.Store
                 yield return JobStep.Of(Run(folder, selection, batch, null, maxBytes, true));
         }
 
-        static IEnumerator<JobStep> Run(CloudFolder folder, ChosenNodes selection, PointBatch batch,
+        static IEnumerator<JobStep> Run(CloudFolder folder, CloudSelection selection, PointBatch batch,
             StageProgress progress, long maxBytes, bool isComputed)
         {
             var fetched = new Queue<(PageLoad Load, int Part, StoreRead Read)>();
@@ -124,7 +124,7 @@ namespace FastPoints.Store
         /// <summary>Ends the oldest part.</summary>
         /// <returns>Its read, which is free.</returns>
         static StoreRead Complete(Queue<(PageLoad Load, int Part, StoreRead Read, JobHandle Decoded)> inFlight,
-            ChosenNodes selection, StageProgress progress)
+            CloudSelection selection, StageProgress progress)
         {
             // It stays in the queue, whose reads are disposed, until it has been checked.
             var (load, part, read, decoded) = inFlight.Peek();
@@ -150,7 +150,7 @@ namespace FastPoints.Store
 
         sealed class PageLoad : IDisposable
         {
-            readonly ChosenNodes m_selection;
+            readonly CloudSelection m_selection;
             readonly int m_page;
             readonly PointBatch m_batch;
             readonly bool m_isComputed; // Reads planes that were computed, else positions and those of the source.
@@ -165,7 +165,7 @@ namespace FastPoints.Store
 
             readonly NativeArray<bool>[] m_isDamaged;
 
-            public PageLoad(ChosenNodes selection, int page, PointBatch batch, int firstPoint, long maxBytes, bool isComputed)
+            public PageLoad(CloudSelection selection, int page, PointBatch batch, int firstPoint, long maxBytes, bool isComputed)
             {
                 var folder = selection.Folder;
                 m_isComputed = isComputed;

@@ -10,11 +10,11 @@ namespace FastPoints.Store
         public const int SizeBytes = 96;
 
         /// <summary>The node takes all points of its cube that no node above has.</summary>
-        public const byte IsLeaf = 1;
+        public const byte LeafFlag = 1;
 
         /// <summary>In the upper levels: the remaining points of a chunk's top node, or of some that were sampled together. It
         /// keeps its distance from the points below and above it, not from those beside it.</summary>
-        public const byte IsTop = 2;
+        public const byte TopFlag = 2;
 
         /// <summary>Corner of the node's cube: positions are stored as offsets from it.</summary>
         [FieldOffset(0)] public Grid3 Corner;
@@ -65,7 +65,7 @@ namespace FastPoints.Store
         public GridCube Cube => new GridCube(Corner, SideLog2);
 
         /// <summary>Leaves have all remaining points, and a chain has points at one position: others keep a distance.</summary>
-        public bool HasSpacing => (Flags & IsLeaf) == 0 && SideLog2 > 0;
+        public bool HasSpacing => (Flags & LeafFlag) == 0 && SideLog2 > 0;
 
         /// <summary>Whether offsets are stored as 64-bit columns, as in cubes with a side beyond 2^32.</summary>
         public bool IsWide => SideLog2 > 32;
@@ -91,20 +91,20 @@ namespace FastPoints.Store
 
         const int LengthBits = 24;
 
-        [FieldOffset(0)] public ulong Place;
+        [FieldOffset(0)] public ulong OffsetAndLength;
         [FieldOffset(8)] public ulong Hash;
 
         public PackedRange(in PlaneRange range)
         {
-            Place = (ulong)(range.OffsetBytes / PlaneShape.AlignmentBytes) << LengthBits |
+            OffsetAndLength = (ulong)(range.OffsetBytes / PlaneShape.AlignmentBytes) << LengthBits |
                 (ulong)(range.LengthBytes / PlaneShape.AlignmentBytes);
             Hash = range.Hash;
         }
 
         public PlaneRange Range => new PlaneRange
         {
-            OffsetBytes = (long)(Place >> LengthBits) * PlaneShape.AlignmentBytes,
-            LengthBytes = (long)(Place & ((1 << LengthBits) - 1)) * PlaneShape.AlignmentBytes,
+            OffsetBytes = (long)(OffsetAndLength >> LengthBits) * PlaneShape.AlignmentBytes,
+            LengthBytes = (long)(OffsetAndLength & ((1 << LengthBits) - 1)) * PlaneShape.AlignmentBytes,
             Hash = Hash,
         };
     }
@@ -171,7 +171,7 @@ namespace FastPoints.Store
     internal enum ContainerKind : ushort
     {
         /// <summary>All of the cloud but its texts: planes and pages.</summary>
-        Whole = 0,
+        SingleFile = 0,
         /// <summary>The nodes of one region, but its top node.</summary>
         Chunk = 1,
         /// <summary>Upper nodes that were made together.</summary>

@@ -65,7 +65,7 @@ namespace FastPoints.Store
             (words * 4 + SlackBytes + AlignmentBytes - 1) / AlignmentBytes * AlignmentBytes;
 
         /// <summary>Upper bound of a plane's length.</summary>
-        public long LongestBytes(long blocks, long points)
+        public long MaxBytes(long blocks, long points)
         {
             long words = blocks * (DescriptorWords + ColumnCount);
             for (int c = 0; c < ColumnCount; c++)

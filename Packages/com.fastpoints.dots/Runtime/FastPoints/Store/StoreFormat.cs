@@ -12,12 +12,12 @@ namespace FastPoints.Store
         public const string FolderExtension = ".fastpoints";
 
         /// <summary>Suffix of an unfinished folder.</summary>
-        public const string PartSuffix = ".part";
+        public const string UnfinishedSuffix = ".part";
 
         public const string ManifestName = "cloud.json";
         public const string HierarchyName = "hierarchy.bin";
         // Planes and pages, where a cloud is one file but for its texts.
-        internal const string WholeName = "cloud.bin";
+        internal const string SingleFileName = "cloud.bin";
 
         internal const string SourcesName = "sources.json";
         // What LAS sources have around their points, as a LAS file without points.
@@ -49,16 +49,16 @@ namespace FastPoints.Store
             name.Replace(".bin", "-" + NumberText.Of(generation) + ".bin");
 
         /// <summary>A folder's path under its final name.</summary>
-        public static string FinishedPath(string path) => path.EndsWith(PartSuffix, StringComparison.Ordinal)
-            ? path.Substring(0, path.Length - PartSuffix.Length)
+        public static string FinishedPath(string path) => path.EndsWith(UnfinishedSuffix, StringComparison.Ordinal)
+            ? path.Substring(0, path.Length - UnfinishedSuffix.Length)
             : path;
 
         /// <summary>Path of a container in the folder: <c>chunks/20_-3_17_0.bin</c> for the cube of side 2^20 at
         /// (-3, 17, 0) sides.</summary>
         internal static string PathOf(in ContainerRecord container)
         {
-            if (container.Kind == ContainerKind.Whole)
-                return WholeName;
+            if (container.Kind == ContainerKind.SingleFile)
+                return SingleFileName;
             int side = container.SideLog2;
             string name = string.Format(CultureInfo.InvariantCulture, "{0}/{1}_{2}_{3}_{4}{5}.bin",
                 container.Kind == ContainerKind.Chunk ? ChunkFolderName

@@ -7,8 +7,8 @@ using Unity.Jobs;
 
 namespace FastPoints.Store
 {
-    // Reads consecutive bytes of a file in the background, into memory of its own that is reused from read to read. Jobs may use
-    // them after Done, of a remote file once they are near.
+    // Reads consecutive bytes of a file in the background, into memory of its own that is reused from read to read. Jobs
+    // that depend on Done may use them; of a remote file only once IsFetched is true (until then Done covers nothing).
     internal sealed unsafe class StoreRead : IDisposable
     {
         // The read manager keeps the pointer to its command until the read has ended.

@@ -144,7 +144,7 @@ namespace FastPoints.Streaming
                     continue;
                 count++;
                 int drawn = m_stream.DrawnOfSelected[i];
-                bool isShown = drawn >= 0 ? m_stream.Drawn[drawn].PointShare == 1 : drawn == StreamContext.NotDrawn;
+                bool isShown = drawn >= 0 ? m_stream.Drawn[drawn].DrawnFraction == 1 : drawn == StreamContext.NotDrawn;
                 shown += isShown && !HasFailed(selected[i]) ? 1 : 0;
             }
             foreach (var missing in m_stream.Selector.Missing)

@@ -11,7 +11,7 @@ namespace FastPoints.Streaming
     {
         readonly CloudFolder m_folder;
         readonly HierarchyGrid m_grid;
-        readonly List<ulong[]> m_checked = new List<ulong[]>(); // By page, once registered: see CheckedPlanes.
+        readonly List<ulong[]> m_checked = new List<ulong[]>(); // By page, once registered: see VerifiedPlanes.
         NativeArray<int> m_planes;
         NativeArray<PlaneShape> m_shapes;
 
@@ -85,16 +85,16 @@ namespace FastPoints.Streaming
         // They are the last.
         bool StreamsComputed => IsComputed(m_planes.Length - 1);
 
-        internal override bool IsChecked(int page, int node, int plane) =>
-            m_checked[page] != null && CheckedPlanes.Has(m_checked[page], BitOf(node, plane));
+        internal override bool IsVerified(int page, int node, int plane) =>
+            m_checked[page] != null && VerifiedPlanes.Has(m_checked[page], BitOf(node, plane));
 
-        internal override void SetChecked(int page, int node, int plane)
+        internal override void SetVerified(int page, int node, int plane)
         {
             if (m_checked[page] != null)
-                CheckedPlanes.Add(m_checked[page], BitOf(node, plane));
+                VerifiedPlanes.Add(m_checked[page], BitOf(node, plane));
         }
 
-        internal override void Distrust(int page)
+        internal override void Invalidate(int page)
         {
             if (page < m_checked.Count && m_checked[page] != null)
                 Array.Clear(m_checked[page], 0, m_checked[page].Length);
@@ -102,7 +102,7 @@ namespace FastPoints.Streaming
             RemoteOfTable(page)?.DropCached();
             RemoteOf(page)?.DropCached();
             RemoteOfComputed(page)?.DropCached();
-            Doubt();
+            MarkStale();
         }
 
         internal override RemoteFile RemoteOf(int page) => m_folder.RemoteOf(page);
@@ -111,10 +111,10 @@ namespace FastPoints.Streaming
 
         internal override double RoundTrip => m_folder.RemoteOfTable(0)?.RoundTrip ?? 0;
 
-        internal override void Doubt() => Doubted?.Invoke();
+        internal override void MarkStale() => MarkedStale?.Invoke();
 
         // Set by whoever would open it again.
-        internal Action Doubted { get; set; }
+        internal Action MarkedStale { get; set; }
 
         internal override FilePiece TableOf(int page) => m_folder.TableOf(page);
 

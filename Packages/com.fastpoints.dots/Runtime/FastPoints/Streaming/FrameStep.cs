@@ -45,7 +45,7 @@ namespace FastPoints.Streaming
                 if (cloud != null && !cloud.IsRemoving)
                     selector.Add(c, cloud.Pages, cloud.Placement, cloud.Source.Cubes.Size);
             }
-            selector.Choose(views, settings.Selection);
+            selector.Select(views, settings.Selection);
             if (stream.Motion.TryPredictView(views, stream.FramesToPredict))
                 selector.Prefetch(stream.Motion.Predicted, settings.Selection, stream.PointsToPrefetch);
             Touch(stream);
@@ -95,7 +95,7 @@ namespace FastPoints.Streaming
             {
                 Clouds = stream.CloudPages,
                 Selected = stream.Selector.Selected,
-                Slots = stream.Cache.Slots,
+                Nodes = stream.Cache.Nodes,
                 Frame = stream.Selector.Frame,
                 FadeStep = stream.Settings.FadeSeconds > 0 ? stream.FrameSeconds / stream.Settings.FadeSeconds : 1,
                 PointBudget = stream.Settings.Selection.PointBudget,

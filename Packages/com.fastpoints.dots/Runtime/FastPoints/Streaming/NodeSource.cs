@@ -66,12 +66,12 @@ namespace FastPoints.Streaming
         public abstract string Describe(int page, NativeArray<byte> table, TableProblem problem);
 
         // Whether a plane was found to be as written before, so that its hash need not be checked again. Main thread.
-        internal virtual bool IsChecked(int page, int node, int plane) => false;
+        internal virtual bool IsVerified(int page, int node, int plane) => false;
 
-        internal virtual void SetChecked(int page, int node, int plane) { }
+        internal virtual void SetVerified(int page, int node, int plane) { }
 
         // What was read of a page's file was wrong: it is checked, or fetched, again.
-        internal virtual void Distrust(int page) { }
+        internal virtual void Invalidate(int page) { }
 
         // The file of the planes of a page's nodes if it is on a web server, or null; and that of the page itself.
         internal virtual RemoteFile RemoteOf(int page) => null;
@@ -82,10 +82,10 @@ namespace FastPoints.Streaming
         internal virtual double RoundTrip => 0;
 
         // A web server did not give what was wanted: the cloud may be another by now.
-        internal virtual void Doubt() { }
+        internal virtual void MarkStale() { }
 
         /// <summary>For sources that transcode: if a page cannot be built now, the source reads what is missing.</summary>
-        public virtual bool CanBuild(int page) => true;
+        public virtual bool PrepareBuild(int page) => true;
 
         /// <summary>Registers a page that was built, and numbers the pages attached to it.</summary>
         /// <param name="table">What it was built from.</param>

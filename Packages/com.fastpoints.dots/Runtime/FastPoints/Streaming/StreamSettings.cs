@@ -54,7 +54,7 @@ namespace FastPoints.Streaming
         public float MinScreenErrorPx;
 
         /// <summary>A node is left out if its box is smaller than this on the screen.</summary>
-        public float SmallestNodePx;
+        public float MinNodePx;
 
         /// <summary>Nodes selected last time count as this many times as coarse, so that none flickers at the edge of the
         /// budget.</summary>
@@ -64,7 +64,7 @@ namespace FastPoints.Streaming
         {
             PointBudget = 2_000_000,
             MinScreenErrorPx = 0.4f,
-            SmallestNodePx = 1,
+            MinNodePx = 1,
             Hysteresis = 1.15f,
         };
     }

@@ -185,12 +185,12 @@ namespace FastPoints.Tests.Build
             int continued = 0;
             for (int attempt = 0; attempt < 6; attempt++)
             {
-                string name = "broken" + attempt, part = Target(name) + StoreFormat.PartSuffix, kept = part + "-kept";
+                string name = "broken" + attempt, part = Target(name) + StoreFormat.UnfinishedSuffix, kept = part + "-kept";
                 progress = new StageProgress();
                 var work = new CoroutineStack(ConvertCloud.Run(new[] { Uneven() }, Target(name), Settings(), r => { }, progress));
                 // Steps depend on how fast reads and writes are.
                 double stop = (attempt + random.NextDouble()) / 6 * stages;
-                while (progress.Finished.Count + progress.Share < stop && work.MoveNext())
+                while (progress.Finished.Count + progress.Fraction < stop && work.MoveNext())
                     work.Current.Complete();
                 // What a kill would leave: the folder as it is now, and a file that nobody closed.
                 bool isWhole = Directory.Exists(Target(name));
@@ -218,7 +218,7 @@ namespace FastPoints.Tests.Build
         {
             var settings = InFiles();
             (settings.PointsPerCheckpoint, settings.SecondsPerCheckpoint) = (100_000, secondsPerCheckpoint);
-            string journal = Path.Combine(Target("cloud") + StoreFormat.PartSuffix, BuildFiles.JournalName);
+            string journal = Path.Combine(Target("cloud") + StoreFormat.UnfinishedSuffix, BuildFiles.JournalName);
             var blocks = new HashSet<int>();
             using (var work = new CoroutineStack(ConvertCloud.Run(new[] { Uneven(200_000, 500) }, Target("cloud"), settings, r =>
                 { },
@@ -238,7 +238,7 @@ namespace FastPoints.Tests.Build
         [Test]
         public void Convert_AbortedWithOtherSettings_BeginsAgain()
         {
-            string part = Target("cloud") + StoreFormat.PartSuffix;
+            string part = Target("cloud") + StoreFormat.UnfinishedSuffix;
             var work = new CoroutineStack(ConvertCloud.Run(new[] { Uneven() }, Target("cloud"), InFiles(), r => { }, null));
             while (!File.Exists(Path.Combine(part, BuildFiles.JournalName)) && work.MoveNext())
                 work.Current.Complete();
@@ -253,7 +253,7 @@ namespace FastPoints.Tests.Build
         [Test]
         public void Convert_DamagedTemporaryFiles_FailsOrBeginsAgain()
         {
-            string part = Target("cloud") + StoreFormat.PartSuffix;
+            string part = Target("cloud") + StoreFormat.UnfinishedSuffix;
             var work = new CoroutineStack(ConvertCloud.Run(new[] { Uneven() }, Target("cloud"), InFiles(), r => { }, null));
             int tops = 0;
             while (tops < 3 && work.MoveNext())
@@ -307,7 +307,7 @@ namespace FastPoints.Tests.Build
         [Test]
         public void Convert_CancelledWithTemporaryFiles_LeavesNothing()
         {
-            string part = Target("cloud") + StoreFormat.PartSuffix;
+            string part = Target("cloud") + StoreFormat.UnfinishedSuffix;
             var work = new CoroutineStack(ConvertCloud.Run(new[] { Uneven() }, Target("cloud"), InFiles(), r => { }, null));
             while (!File.Exists(Path.Combine(part, BuildFiles.JournalName)) && work.MoveNext())
                 work.Current.Complete();
@@ -371,7 +371,7 @@ namespace FastPoints.Tests.Build
 
         IEnumerable<long> Generations(ConvertSettings settings)
         {
-            string manifest = Path.Combine(Target("cloud") + StoreFormat.PartSuffix, StoreFormat.ManifestName);
+            string manifest = Path.Combine(Target("cloud") + StoreFormat.UnfinishedSuffix, StoreFormat.ManifestName);
             long generation = 0;
             using var work = new CoroutineStack(ConvertCloud.Run(new[] { Uneven() }, Target("cloud"), settings, r => { }, null));
             while (work.MoveNext())
@@ -403,14 +403,14 @@ namespace FastPoints.Tests.Build
         {
             const int stride = 20;
             var plan = MemoryPlan.For(points, stride, new ConvertSettings { MemoryBytes = memory });
-            Assert.That(plan.IsStored, Is.EqualTo(isStored));
+            Assert.That(plan.UsesTemporaryFiles, Is.EqualTo(isStored));
             Assert.That(plan.PointsPerChunk, Is.EqualTo(pointsPerChunk));
-            Assert.That(plan.PointsPerPartition, Is.GreaterThanOrEqualTo(plan.PointsPlanned));
+            Assert.That(plan.MaxPointsPerPlannedCube, Is.GreaterThanOrEqualTo(plan.PointsPerPlannedCube));
             if (isStored && memory > 8 << 20)
             {
                 long pages = plan.MaxPages + plan.MaxWaitingPages;
                 Assert.That(plan.ReadBytes + pages * RecordPages.PageBytes(stride), Is.LessThanOrEqualTo(memory));
-                Assert.That(points / plan.PointsPerPartition * 16, Is.LessThanOrEqualTo(plan.MaxPages + 16));
+                Assert.That(points / plan.MaxPointsPerPlannedCube * 16, Is.LessThanOrEqualTo(plan.MaxPages + 16));
             }
         }
 

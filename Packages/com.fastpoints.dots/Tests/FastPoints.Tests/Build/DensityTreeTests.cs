@@ -93,7 +93,7 @@ namespace FastPoints.Tests.Build
 
         static IEnumerable<(DensityCell Cell, int Truth)> Leaves(DensityTree tree, int cell, int level, uint[] inside)
         {
-            int parts = tree.FirstPartOf(cell);
+            int parts = tree.FirstChildOf(cell);
             if (parts < 0 || tree[cell].Ranges < MinRanges)
                 return new[] { (tree[cell], inside.Length) };
             var inPart = inside.ToLookup(code => (int)(code >> 3 * (DensityNumbers.Levels - 1 - level) & 7));

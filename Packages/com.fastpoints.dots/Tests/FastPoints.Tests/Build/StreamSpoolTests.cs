@@ -50,7 +50,7 @@ namespace FastPoints.Tests.Build
             using var spool = new StreamSpool(() => stream, path, length);
             spool.Work.GetAwaiter().GetResult();
             Assert.That(File.ReadAllBytes(path), Is.EqualTo(Bytes()));
-            Assert.That((spool.Share, spool.Bytes, stream.IsDisposed), Is.EqualTo((1.0, (long)Length, true)));
+            Assert.That((spool.Fraction, spool.Bytes, stream.IsDisposed), Is.EqualTo((1.0, (long)Length, true)));
             Assert.That(Directory.GetFiles(Folder.Path), Is.EqualTo(new[] { path }));
         }
 

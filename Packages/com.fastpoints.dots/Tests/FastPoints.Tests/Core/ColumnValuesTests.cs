@@ -96,8 +96,8 @@ namespace FastPoints.Tests.Core
                 Count = batch.Count,
                 Scale = scale,
                 Offset = offset,
-                LowShare = low,
-                HighShare = high,
+                LowQuantile = low,
+                HighQuantile = high,
                 Found = found,
             }.Schedule(measured).Complete();
             return found.Value;

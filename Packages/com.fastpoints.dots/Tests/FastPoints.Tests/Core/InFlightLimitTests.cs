@@ -11,9 +11,9 @@ namespace FastPoints.Tests.Core
             var limit = new InFlightLimit(3, 20, () => double.PositiveInfinity);
             foreach (int wanted in new[] { 6, 12, 20, 20 })
             {
-                limit.Await();
+                limit.BeginWait();
                 Thread.Sleep(3);
-                limit.Resume(true);
+                limit.EndWait(true);
                 Assert.That(limit.Value, Is.EqualTo(wanted));
             }
         }
@@ -22,9 +22,9 @@ namespace FastPoints.Tests.Core
         public void Resume_NotIdle_IsUnchanged()
         {
             var limit = new InFlightLimit(3, 20, () => double.PositiveInfinity);
-            limit.Await();
+            limit.BeginWait();
             Thread.Sleep(3);
-            limit.Resume(false);
+            limit.EndWait(false);
             Assert.That(limit.Value, Is.EqualTo(3));
         }
 
@@ -32,9 +32,9 @@ namespace FastPoints.Tests.Core
         public void Resume_IdleAfterLongerThanPlanned_IsUnchanged()
         {
             var limit = new InFlightLimit(3, 20, () => 2.5);
-            limit.Await();
+            limit.BeginWait();
             Thread.Sleep(5);
-            limit.Resume(true);
+            limit.EndWait(true);
             Assert.That(limit.Value, Is.EqualTo(3));
         }
 

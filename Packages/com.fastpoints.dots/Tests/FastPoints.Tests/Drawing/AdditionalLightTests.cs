@@ -10,7 +10,7 @@ namespace FastPoints.Tests.Drawing
 
         static AdditionalLight Above(float height, float range) => new AdditionalLight
         {
-            Place = s_up * height,
+            PositionOrDirection = s_up * height,
             Color = 12,
             OneOverRangeSq = 1 / (range * range),
             ConeOffset = 1,
@@ -29,7 +29,7 @@ namespace FastPoints.Tests.Drawing
         public float On_Cone_FadesAtItsRim(float degrees)
         {
             float inner = math.cos(math.radians(20)), outer = math.cos(math.radians(60));
-            var additional = new AdditionalLight { Place = s_up, Color = 1, ConeScale = 1 / (inner - outer) };
+            var additional = new AdditionalLight { PositionOrDirection = s_up, Color = 1, ConeScale = 1 / (inner - outer) };
             additional.ConeOffset = -outer * additional.ConeScale;
             additional.Axis = new float3(math.sin(math.radians(degrees)), math.cos(math.radians(degrees)), 0);
             return math.round(additional.On(s_up, 0).x * 1000) / 1000;
@@ -38,20 +38,21 @@ namespace FastPoints.Tests.Drawing
         [Test]
         public void Add_SixLights_KeepsTheFourBrightestAtTheEye()
         {
-            var light = new PointLight();
+            var light = new PointLighting();
             foreach (float height in new float[] { 5, 1, 6, 3, 2, 4 })
                 light.Add(Above(height, 100), 0);
             Assert.That(light.AdditionalCount, Is.EqualTo(4));
-            Assert.That(new[] { light.Light0.Place.y, light.Light1.Place.y, light.Light2.Place.y, light.Light3.Place.y },
+            Assert.That(new[] { light.Light0.PositionOrDirection.y, light.Light1.PositionOrDirection.y,
+                light.Light2.PositionOrDirection.y, light.Light3.PositionOrDirection.y },
                 Is.EqualTo(new float[] { 1, 2, 3, 4 }));
         }
 
         [Test]
         public void From_EyeFarAway_LightsTheSamePlace()
         {
-            var light = new PointLight();
+            var light = new PointLighting();
             light.Add(Above(2, 10), 0);
-            light.Add(new AdditionalLight { Place = s_up, Color = 1, ConeOffset = 1 }, 0);
+            light.Add(new AdditionalLight { PositionOrDirection = s_up, Color = 1, ConeOffset = 1 }, 0);
             var eye = new double3(3, -4, 5);
             var moved = light.From(eye).On(s_up, (float3)(0 - eye));
             Assert.That(moved.x, Is.EqualTo(light.On(s_up, 0).x).Within(1e-5).And.GreaterThan(3));

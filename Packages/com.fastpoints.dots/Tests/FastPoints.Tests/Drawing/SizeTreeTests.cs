@@ -81,7 +81,7 @@ namespace FastPoints.Tests.Drawing
             var source = cloud.Open();
             stream.Add(source, StreamedTestCloud.Geo(source));
             stream.Settings.Selection.MinScreenErrorPx = 0;
-            stream.Settings.Selection.SmallestNodePx = 0;
+            stream.Settings.Selection.MinNodePx = 0;
             var center = StreamedTestCloud.OriginGeo + new double3(9000, 4500, 0);
             StreamedTestCloud.Settle(stream,
                 FastPoints.Picture.Camera.Perspective(center + new double3(0, -30_000, 20_000), center,
@@ -150,7 +150,7 @@ namespace FastPoints.Tests.Drawing
             stream.Add(source, StreamedTestCloud.Geo(source));
             stream.Settings.Selection.PointBudget = 1_000_000;
             stream.Settings.Selection.MinScreenErrorPx = 0;
-            stream.Settings.Selection.SmallestNodePx = 0;
+            stream.Settings.Selection.MinNodePx = 0;
             StreamedTestCloud.Settle(stream, StreamedTestCloud.Overview());
             sizes.Build(stream);
             double between = 1 / math.sqrt(120_000 / (200.0 * 200.0));

@@ -59,7 +59,7 @@ namespace FastPoints.Tests.Entities
         {
             var entity = Entities.CreateEntity(more);
             Entities.AddComponentData(entity, new PointCloudFile());
-            new PointCloudPaths { Path = path }.WriteTo(Entities.AddBuffer<PointCloudPath>(entity));
+            new PointCloudPaths { Path = path }.WriteTo(Entities.AddBuffer<PointCloudPathByte>(entity));
             Entities.AddComponentData(entity, new LocalToWorld { Value = float4x4.identity });
             return entity;
         }
@@ -180,7 +180,7 @@ namespace FastPoints.Tests.Entities
             var made = commands.CreateEntity();
             commands.AddComponent(made, new LocalToWorld { Value = float4x4.identity });
             commands.AddComponent(made, new PointCloudFile());
-            new PointCloudPaths { Path = m_cloud.Path }.WriteTo(commands.AddBuffer<PointCloudPath>(made));
+            new PointCloudPaths { Path = m_cloud.Path }.WriteTo(commands.AddBuffer<PointCloudPathByte>(made));
             for (int i = 1; i < Count; i++)
                 commands.Instantiate(made);
             commands.Playback(Entities);
@@ -270,8 +270,8 @@ namespace FastPoints.Tests.Entities
             var entity = Entities.CreateEntity();
             PointCloudPaths Kept(PointCloudPaths paths)
             {
-                paths.WriteTo(Entities.AddBuffer<PointCloudPath>(entity));
-                return PointCloudPaths.Of(PointCloudPaths.BytesOf(Entities.GetBuffer<PointCloudPath>(entity, true)));
+                paths.WriteTo(Entities.AddBuffer<PointCloudPathByte>(entity));
+                return PointCloudPaths.Of(PointCloudPaths.BytesOf(Entities.GetBuffer<PointCloudPathByte>(entity, true)));
             }
             string far = "/" + string.Join("/", Enumerable.Repeat("\u00e9\u6e2c\ud83d\udccd", 500));
             var kept = Kept(new PointCloudPaths { Path = far, ProjectPath = "p", ProjectSources = new[] { "a", far, "" } });

@@ -55,7 +55,7 @@ namespace FastPoints.Tests.Entities
         {
             m_cloud = Entities.CreateEntity();
             Entities.AddComponentData(m_cloud, new PointCloudFile());
-            paths.WriteTo(Entities.AddBuffer<PointCloudPath>(m_cloud));
+            paths.WriteTo(Entities.AddBuffer<PointCloudPathByte>(m_cloud));
             Entities.AddComponentData(m_cloud, new LocalToWorld { Value = float4x4.identity });
         }
 
@@ -96,7 +96,7 @@ namespace FastPoints.Tests.Entities
             // Beside a build all of the preview has room.
             m_group.Stream.Settings.Selection.PointBudget = 10_000_000;
             m_group.Stream.Settings.Selection.MinScreenErrorPx = 0;
-            m_group.Stream.Settings.Selection.SmallestNodePx = 0;
+            m_group.Stream.Settings.Selection.MinNodePx = 0;
             Frames(() => m_group.Stats.DrawnPoints == GrowingCloud.PreviewPoints);
             void Look() => Assert.That(m_group.Stats.DrawnPoints, Is.GreaterThanOrEqualTo(GrowingCloud.PreviewPoints));
             Frames(() => Streamed.Preview != CloudVersions.None, () =>
@@ -181,7 +181,7 @@ namespace FastPoints.Tests.Entities
             Add(new PointCloudPaths { Path = cloud.Path });
             m_group.Stream.Settings.Selection.PointBudget = long.MaxValue;
             m_group.Stream.Settings.Selection.MinScreenErrorPx = 0;
-            m_group.Stream.Settings.Selection.SmallestNodePx = 0;
+            m_group.Stream.Settings.Selection.MinNodePx = 0;
             for (var watch = Stopwatch.StartNew(); watch.Elapsed < s_maxTime && m_group.NeedsFrame;)
             {
                 m_group.Views.Add(StreamView.Everything(1e6));

@@ -48,7 +48,7 @@ namespace FastPoints.Tests.Entities
             using var drawn = new NativeArray<DrawnNode>(0, Allocator.TempJob);
             new CompareNodesJob
             {
-                Slots = m_slots,
+                Nodes = m_slots,
                 Drawn = drawn,
                 MaxChanges = Max,
                 First = m_first,

@@ -52,7 +52,7 @@ namespace FastPoints.Tests.Evaluation
         {
             var cloud = Positions(20_000, 1);
             var error = Measure(cloud, Scrambled(cloud))[0];
-            Assert.That(error.Share, Is.EqualTo(1));
+            Assert.That(error.Fraction, Is.EqualTo(1));
             Assert.That(error.Distance.Queries, Is.EqualTo(cloud.Length));
             Assert.That(error.Distance.Rms, Is.Zero);
             Assert.That(error.Distance.Ranked99, Is.Zero);

@@ -42,7 +42,7 @@ namespace FastPoints.Tests.Evaluation
             var blocks = Draw(reader, options);
             using var preview = Preview(reader, new PreviewOptions { Points = 600_000, Exact = true, Picture = options });
             Assert.That(blocks.PointsDrawn, Is.EqualTo(600_000));
-            Assert.That(preview.Sample.IsWhole, Is.True);
+            Assert.That(preview.Sample.HasAllPoints, Is.True);
             Assert.That(blocks.Image.Rgba, Is.EqualTo(preview.Image.Rgba));
         }
 

@@ -48,10 +48,10 @@ namespace FastPoints.Tests.Evaluation
         public void Draw_AllResident_MatchesTheStoredCloud()
         {
             var camera = StreamedTestCloud.Near(40, 60, 0.8);
-            DrawStored stored;
+            DrawConvertedCloud stored;
             using (var folder = CloudFolder.Open(m_cloud.Path))
             {
-                stored = new DrawStored(folder, Options(camera), 1_000_000);
+                stored = new DrawConvertedCloud(folder, Options(camera), 1_000_000);
                 JobCoroutine.RunToEnd(stored.Run(null));
             }
             var streamed = DrawStreamed(camera, null);

@@ -41,7 +41,7 @@ namespace FastPoints.Tests.Laz
             using var whole = reader.CreateRead(schema, 3000, Allocator.Persistent);
             using var one = reader.CreateRead(schema, 3000, Allocator.Persistent);
             using var other = reader.CreateRead(schema, 3000, Allocator.Persistent);
-            Assert.That(one.TryKeepStates() && other.TryKeepStates(), Is.True);
+            Assert.That(one.TryEnableStates() && other.TryEnableStates(), Is.True);
             var states = new DecoderState[reader.BlockCount];
             // Blocks in turn, the slots in turn: any slot goes on where another one was.
             int turn = 0;
@@ -89,7 +89,7 @@ namespace FastPoints.Tests.Laz
             using var file = Save(2, 100, 100);
             using var reader = PointReaders.Open(file.Path);
             using var read = reader.CreateRead(reader.Info.Schema, 100, Allocator.Persistent);
-            Assert.That(read.TryKeepStates(), Is.True);
+            Assert.That(read.TryEnableStates(), Is.True);
             read.Begin(new BlockRange(0, 0, 50));
             read.Complete();
             var state = read.KeepState(null);

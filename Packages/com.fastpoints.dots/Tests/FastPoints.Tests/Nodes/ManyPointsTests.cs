@@ -32,7 +32,7 @@ namespace FastPoints.Tests.Nodes
                 var axes = GridChoice.OnGrid(reader.Info, new CloudGrid { Step = new double3(0.01, 0.01, 0.01) });
                 var grid = new GridChoice { Sources = new[] { axes } };
                 var plan = MemoryPlan.For(reader.PointCount, 12, new ConvertSettings());
-                Assert.That(plan.IsStored, Is.True);
+                Assert.That(plan.UsesTemporaryFiles, Is.True);
                 PartitionMap map = null;
                 using (var slices = new SliceTimes(Allocator.Persistent))
                     JobCoroutine.RunToEnd(PartitionPlan.Of(cube, new List<SourceSample> { sample }, grid, plan, slices,
@@ -47,9 +47,9 @@ namespace FastPoints.Tests.Nodes
                     Assert.That(points.Sum(), Is.EqualTo((double)Points).Within(1e-3 * Points));
                     Assert.That(points[map.Outside], Is.Zero);
                     // A range of the sample is in one cell and stands for 20 million points: no estimate is finer.
-                    Assert.That(points.Max(), Is.LessThan(4.0 * plan.PointsPerPartition));
+                    Assert.That(points.Max(), Is.LessThan(4.0 * plan.MaxPointsPerPlannedCube));
                     // Each has a page, and there is room for more.
-                    Assert.That(points.Count(p => p > 0), Is.InRange(Points / plan.PointsPerPartition, plan.MaxPages));
+                    Assert.That(points.Count(p => p > 0), Is.InRange(Points / plan.MaxPointsPerPlannedCube, plan.MaxPages));
                 }
             }
         }

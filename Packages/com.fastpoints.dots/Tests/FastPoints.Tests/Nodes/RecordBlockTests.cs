@@ -63,7 +63,7 @@ namespace FastPoints.Tests.Nodes
         {
             records = Enumerable.Repeat(77u, count * Words).ToArray();
             fixed (uint* to = records)
-                return RecordBlock.Unpack(new BlockPart
+                return RecordBlock.Unpack(new UnpackRequest
                 {
                     Block = RecordBlock.Of(m_page),
                     BlockBytes = m_page->BlockBytes,

@@ -29,7 +29,7 @@ namespace FastPoints.Tests.Nodes
             using var common = new NativeArray<byte>(count, Allocator.Persistent);
             using var priority = new NativeArray<uint>(count, Allocator.Persistent);
             using var nodeOfPoint = new NativeArray<int>(count, Allocator.Persistent);
-            using var tops = new NativeArray<ChunkTop>(0, Allocator.Persistent);
+            using var tops = new NativeArray<TopNode>(0, Allocator.Persistent);
             using var slices = new SliceTimes(Allocator.Persistent);
             using var nodes = new NativeList<NodeDraft>(64, Allocator.Persistent);
             var averaged = new AveragedColumns

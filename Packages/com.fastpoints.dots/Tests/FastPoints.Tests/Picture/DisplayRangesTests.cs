@@ -154,7 +154,7 @@ namespace FastPoints.Tests.Picture
             using var batch = TestBatches.OfPositions(positions);
             var ranges = Measure(batch);
             Assert.That(ranges.Robust.Contains(positions[777]), Is.False);
-            Assert.That(ranges.Rim, Has.Member(positions[777]).And.No.Member(positions[778]));
+            Assert.That(ranges.ExtremePoints, Has.Member(positions[777]).And.No.Member(positions[778]));
             foreach (ViewDirection view in System.Enum.GetValues(typeof(ViewDirection)))
             {
                 // From there the slab is so narrow that the point would make the picture more than three times as large.

@@ -49,10 +49,10 @@ namespace FastPoints.Tests.Picture
         [Test]
         public void Create_Gradient_ReplacesThatOfAmountsAndNotOfCategories()
         {
-            using var turbo = Palettes.Create(ColorMode.Elevation, Allocator.Persistent, Gradient.Turbo);
-            using var gray = Palettes.Create(ColorMode.Elevation, Allocator.Persistent, Gradient.Gray);
+            using var turbo = Palettes.Create(ColorMode.Elevation, Allocator.Persistent, ColorRamp.Turbo);
+            using var gray = Palettes.Create(ColorMode.Elevation, Allocator.Persistent, ColorRamp.Gray);
             using var intensity = Palettes.Create(ColorMode.Intensity, Allocator.Persistent);
-            using var classes = Palettes.Create(ColorMode.Classification, Allocator.Persistent, Gradient.Turbo);
+            using var classes = Palettes.Create(ColorMode.Classification, Allocator.Persistent, ColorRamp.Turbo);
             Assert.That(turbo[255], Is.EqualTo(Palettes.Turbo(1)));
             Assert.That(gray.ToArray(), Is.EqualTo(intensity.ToArray()));
             Assert.That(classes[2], Is.EqualTo(Palettes.Pack(165, 125, 80)));
@@ -63,7 +63,7 @@ namespace FastPoints.Tests.Picture
             Assert.That((int)(Palettes.Gray(light) & 255), Is.EqualTo(value));
 
         [Test]
-        public void CreateAll_EachModeAndGradient_HasItsPalette([Values] Gradient gradient)
+        public void CreateAll_EachModeAndGradient_HasItsPalette([Values] ColorRamp gradient)
         {
             using var all = Palettes.CreateAll(Allocator.Persistent);
             foreach (ColorMode mode in Enum.GetValues(typeof(ColorMode)))

@@ -22,7 +22,7 @@ namespace FastPoints.Tests.Picture
             Assert.That(options.PointSizePx, Is.EqualTo(2.5f));
             Assert.That(options.RoundPoints, Is.True);
             Assert.That(options.EdlStrength, Is.EqualTo(0));
-            Assert.That((options.LightAzimuth, options.LightElevation, options.LightShare), Is.EqualTo((30.0, -5.0, 0.25f)));
+            Assert.That((options.LightAzimuth, options.LightElevation, options.LitFraction), Is.EqualTo((30.0, -5.0, 0.25f)));
             Assert.That(options.Background, Is.EqualTo(0xFF302010u));
             Assert.That(options.UpAxis, Is.EqualTo(UpAxis.Y));
         }
@@ -70,7 +70,7 @@ namespace FastPoints.Tests.Picture
         {
             var options = new PictureOptions();
             Assert.That(options.TrySetStyle("light", light, out string error), Is.True, error);
-            Assert.That(options.LightShareFor(mode, color), Is.EqualTo(isLit ? 0.7f : 0));
+            Assert.That(options.LitFractionFor(mode, color), Is.EqualTo(isLit ? 0.7f : 0));
         }
 
         [Test]

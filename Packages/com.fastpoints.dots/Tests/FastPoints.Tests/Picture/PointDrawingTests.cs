@@ -25,7 +25,7 @@ namespace FastPoints.Tests.Picture
                 Positions = PositionColumns.Of(batch),
                 Projection = new PointProjection(camera, transform, size.x, size.y),
                 Colors = ColorMapping.For(ColorMode.Rgb, new DisplayRanges { Color = ColorDepth.Bits8 }, batch, transform),
-                LargestPx = largestPx,
+                MaxTileSizePx = largestPx,
                 IsRound = round,
             };
 
@@ -47,7 +47,7 @@ namespace FastPoints.Tests.Picture
                 new[] { Green, Red });
             using var canvas = new PictureCanvas(4, 4, Allocator.Persistent, samplesPerEdge);
             canvas.UseSize(2);
-            var drawing = DrawingOf(batch, FromAbove(4), PositionTransform.Identity, 4 * samplesPerEdge, canvas.LargestPx);
+            var drawing = DrawingOf(batch, FromAbove(4), PositionTransform.Identity, 4 * samplesPerEdge, canvas.MaxTileSizePx);
             var drawn = canvas.ScheduleDraw(batch, 0, batch.Count, drawing, default);
             canvas.ScheduleResolve(new ResolvePictureJob { Projection = drawing.Projection }, drawn).Complete();
             Assert.That(canvas.ToImage().Rgba, Is.EqualTo(Draw(batch, FromAbove(4), 4, 4, 2).Rgba));

@@ -61,7 +61,7 @@ namespace FastPoints.Tests.Picture
             using var canvas = new PictureCanvas(17, 8, Allocator.Persistent);
             canvas.UseSize(2.5f);
             Assert.That(canvas.SizeOfTile.ToArray(), Is.EqualTo(new[] { 2.5f, 2.5f, 2.5f }));
-            Assert.That(canvas.LargestPx, Is.EqualTo(2.5f));
+            Assert.That(canvas.MaxTileSizePx, Is.EqualTo(2.5f));
         }
     }
 }

@@ -70,7 +70,7 @@ namespace FastPoints.Tests.Picture
             Assert.That(reader.BlocksAreKnown, Is.False, "that takes a look through all of the file");
             Assert.That(preview.Sample.Count, Is.EqualTo(expected));
             Assert.That(preview.Sample.IsOfPrefix, Is.True);
-            Assert.That(preview.Sample.Share, Is.EqualTo(expected / (double)Points));
+            Assert.That(preview.Sample.Fraction, Is.EqualTo(expected / (double)Points));
             Assert.That(reader.Info.Warnings.Select(warning => warning.Text),
                 Has.Exactly(1).Contains("beginning alone, " + 100 * expected / Points + " % of the points"));
         }
@@ -100,7 +100,7 @@ namespace FastPoints.Tests.Picture
             using var file = new TemporaryFile(writer.Write(LazRecords.Make(3, 0, 900, 5)), ".laz");
             using var reader = Open(file);
             using var preview = Take(reader, new PreviewOptions());
-            Assert.That(preview.Sample.IsWhole, Is.True);
+            Assert.That(preview.Sample.HasAllPoints, Is.True);
             Assert.That(preview.Sample.IsOfPrefix, Is.False);
             Assert.That(preview.Sample.Count, Is.EqualTo(900));
         }

@@ -60,7 +60,7 @@ namespace FastPoints.Tests.Picture
             var estimate = prefixes.EstimatedPoints;
             Assert.That(estimate.Points, Is.EqualTo(Lines).Within(Math.Max(1, 4 * estimate.StandardError)));
             Assert.That(estimate.StandardError, Is.LessThan(0.01 * Lines));
-            Assert.That(sample.Share, Is.EqualTo(xs.Length / estimate.Points).Within(1e-6));
+            Assert.That(sample.Fraction, Is.EqualTo(xs.Length / estimate.Points).Within(1e-6));
             Assert.That(reader.Info.Warnings, Has.Count.EqualTo(name == ".ply" ? 0 : 1));
         }
 

@@ -85,7 +85,7 @@ namespace FastPoints.Tests.Picture
             using var colors = new NativeArray<uint>(Edge * Edge, Allocator.Persistent);
             var keys = pixels;
             float step = isOrthographic ? 1 : 0.002f;
-            var places = new PixelPlaces
+            var places = new PixelPositions
             {
                 First = new float3(-16, 16, 0) * step,
                 StepX = new float3(step, 0, 0),
@@ -100,17 +100,17 @@ namespace FastPoints.Tests.Picture
                 float depth = isOrthographic ? distance - (normal.x * across.x + normal.y * across.y) / normal.z
                     : distance * normal.z / math.dot(normal, across + places.Forward);
                 depth += i % Edge > lastColumn ? 100 : 0;
-                keys[i] = PointDrawing.KeyOf(depth, 1, PointLight.Parts, 0xFFFFFF);
+                keys[i] = PointDrawing.KeyOf(depth, 1, PointLighting.MaxLitLevel, 0xFFFFFF);
             }
             new ResolvePictureJob
             {
                 Pixels = pixels,
                 Projection = new PointProjection { WidthPx = Edge, HeightPx = Edge, IsOrthographic = isOrthographic },
-                Places = places,
-                Light = new PointLight { Direction = math.normalize(new float3(-1, 1, -2)), Color = 1 },
+                PixelPositions = places,
+                Light = new PointLighting { Direction = math.normalize(new float3(-1, 1, -2)), Color = 1 },
                 Colors = colors,
             }.Schedule(Edge, default).Complete();
-            return PointLight.LinearOf((colors[Edge * Edge / 2] & 0xFF) / 255f).x;
+            return PointLighting.LinearOf((colors[Edge * Edge / 2] & 0xFF) / 255f).x;
         }
 
         [TestCase(0, 0, true), TestCase(0, 0, false), TestCase(-0.5f, 0.3f, true), TestCase(-0.5f, 0.3f, false)]
@@ -156,27 +156,27 @@ namespace FastPoints.Tests.Picture
             using var pixels = new NativeArray<ulong>(1, Allocator.Persistent);
             using var colors = new NativeArray<uint>(1, Allocator.Persistent);
             var keys = pixels;
-            keys[0] = PointDrawing.KeyOf(1, PointDrawing.MaxRadiusPx, PointLight.Parts, 0xFFFFFF);
-            var light = new PointLight { Direction = new float3(0, 0, 1), Color = 0.5f };
+            keys[0] = PointDrawing.KeyOf(1, PointDrawing.MaxRadiusPx, PointLighting.MaxLitLevel, 0xFFFFFF);
+            var light = new PointLighting { Direction = new float3(0, 0, 1), Color = 0.5f };
             light.SetAmbient(new float3(0, 1, 0), 0.4f, 0.2f);
             new ResolvePictureJob
             {
                 Pixels = pixels,
                 Projection = new PointProjection { WidthPx = 1, HeightPx = 1 },
-                Places = new PixelPlaces { StepX = new float3(1, 0, 0), StepY = new float3(0, 1, 0), Forward = 1 },
+                PixelPositions = new PixelPositions { StepX = new float3(1, 0, 0), StepY = new float3(0, 1, 0), Forward = 1 },
                 Light = light,
                 Colors = colors,
             }.Schedule(1, default).Complete();
             // The mean of the sky and the ground, and half of the main light: 0.55.
-            Assert.That(PointLight.LinearOf((colors[0] & 0xFF) / 255f).x, Is.EqualTo(0.55f).Within(0.005));
+            Assert.That(PointLighting.LinearOf((colors[0] & 0xFF) / 255f).x, Is.EqualTo(0.55f).Within(0.005));
         }
 
         [TestCase(0, 0), TestCase(7, 31), TestCase(3, 1)]
-        public void KeyOf_StyleOfAPoint_ComesBack(int litParts, int radius)
+        public void KeyOf_StyleOfAPoint_ComesBack(int litLevel, int radius)
         {
-            ulong key = PointDrawing.KeyOf(2, (uint)radius, litParts, 0xFF123456);
-            Assert.That((PointDrawing.LitPartsOf(key), PointDrawing.RadiusOf(key), (uint)key & 0xFFFFFF),
-                Is.EqualTo((litParts, radius, 0x123456u)));
+            ulong key = PointDrawing.KeyOf(2, (uint)radius, litLevel, 0xFF123456);
+            Assert.That((PointDrawing.LitLevelOf(key), PointDrawing.RadiusOf(key), (uint)key & 0xFFFFFF),
+                Is.EqualTo((litLevel, radius, 0x123456u)));
         }
 
         [Test]

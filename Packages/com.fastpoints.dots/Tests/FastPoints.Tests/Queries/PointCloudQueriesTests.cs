@@ -108,7 +108,7 @@ namespace FastPoints.Tests.Queries
                 QueryTestStream.Check(QueryTestStream.Find(points, query, 9), wanted, 9, 1e-6, query.Shape.ToString());
                 Assert.That(points.Count(query), Is.EqualTo(wanted.Length), query.Shape.ToString());
             }
-            Assert.That(stream.CountStored(PointQuery.Nearest(worlds[0])), Is.EqualTo(worlds.Length));
+            Assert.That(stream.CountInFullDetail(PointQuery.Nearest(worlds[0])), Is.EqualTo(worlds.Length));
         }
 
         [Test]
@@ -123,15 +123,15 @@ namespace FastPoints.Tests.Queries
             foreach (var query in QueriesAround(worlds, unit, 4, 2))
             {
                 var wanted = QueryTestStream.Distances(query, worlds);
-                QueryTestStream.Check(stream.FindStored(query, 7), wanted, 7, tolerance, query.Shape.ToString());
-                Assert.That(stream.CountStored(query), Is.EqualTo(wanted.Length), query.Shape.ToString());
+                QueryTestStream.Check(stream.FindInFullDetail(query, 7), wanted, 7, tolerance, query.Shape.ToString());
+                Assert.That(stream.CountInFullDetail(query), Is.EqualTo(wanted.Length), query.Shape.ToString());
             }
             Assert.That(stream.Queries.Bytes, Is.Zero, "no copy was asked for");
-            var hit = stream.FindStored(PointQuery.Sphere(worlds[7], tolerance), 1).Single();
+            var hit = stream.FindInFullDetail(PointQuery.Sphere(worlds[7], tolerance), 1).Single();
             Assert.That(hit.SpacingWorld, Is.Zero);
             Assert.That(stream.Queries.TryRead(hit, AttributeNames.Red, out _), Is.False);
             PickedPoint read = null;
-            JobCoroutine.RunToEnd(stream.Queries.ReadStored(hit, point => read = point));
+            JobCoroutine.RunToEnd(stream.Queries.ReadAllAttributes(hit, point => read = point));
             Assert.That(PickTestCloud.StoredOf(read), Is.EqualTo(m_cloud.Positions[7]));
             Assert.That(read.Attributes.Single(a => a.Attribute.Name == "GpsTime").Value, Is.EqualTo(m_cloud.Times[7]));
         }
@@ -269,7 +269,7 @@ namespace FastPoints.Tests.Queries
                 stream.Frame();
             Assert.That(stream.Queries.Bytes, Is.Zero);
             Assert.That(stream.Queries.Resident.TryFindFirst(PointQuery.Nearest(m_cloud.Geo(0)), out _), Is.False);
-            Assert.That(stream.FindStored(PointQuery.Nearest(m_cloud.Geo(0)), 3), Is.Empty);
+            Assert.That(stream.FindInFullDetail(PointQuery.Nearest(m_cloud.Geo(0)), 3), Is.Empty);
         }
 
         [Test]
@@ -282,7 +282,7 @@ namespace FastPoints.Tests.Queries
                 _ = stream.Queries.Resident;
                 for (int frame = 0; frame < frames; frame++)
                     stream.Frame();
-                var search = new JobCoroutine(stream.Queries.FindStored(PointQuery.Nearest(m_cloud.Geo(frames)), 50,
+                var search = new JobCoroutine(stream.Queries.FindInFullDetail(PointQuery.Nearest(m_cloud.Geo(frames)), 50,
                     new List<PointHit>()));
                 for (int tick = 0; tick < frames; tick++)
                     search.Tick(0.01);
@@ -329,8 +329,8 @@ namespace FastPoints.Tests.Queries
                 Assert.That(resident.Count(query), Is.EqualTo(wanted), query.Shape + " at " + query.OriginWorld);
                 Assert.That(QueryTestStream.Find(resident, query, 4), Has.Length.EqualTo(Math.Min(4, wanted)));
                 Assert.That(QueryTestStream.Find(resident, query, 0), Is.Empty);
-                Assert.That(stream.CountStored(query), Is.EqualTo(wanted), query.Shape.ToString());
-                Assert.That(stream.FindStored(query, 4), Has.Length.EqualTo(Math.Min(4, wanted)));
+                Assert.That(stream.CountInFullDetail(query), Is.EqualTo(wanted), query.Shape.ToString());
+                Assert.That(stream.FindInFullDetail(query, 4), Has.Length.EqualTo(Math.Min(4, wanted)));
             }
         }
 

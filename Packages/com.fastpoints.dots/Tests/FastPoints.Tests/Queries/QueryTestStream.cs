@@ -61,7 +61,7 @@ namespace FastPoints.Tests.Queries
         {
             var all = new List<(double3, Grid3)>();
             ulong* values = stackalloc ulong[3 * PlaneShape.MaxPointsPerBlock];
-            foreach (var node in Stream.Cache.Slots)
+            foreach (var node in Stream.Cache.Nodes)
             {
                 if (node.Phase != CachePhase.Resident)
                     continue;
@@ -115,17 +115,17 @@ namespace FastPoints.Tests.Queries
             return hits.GetSubArray(0, points.Find(query, hits)).ToArray();
         }
 
-        public PointHit[] FindStored(PointQuery query, int maxHits)
+        public PointHit[] FindInFullDetail(PointQuery query, int maxHits)
         {
             var hits = new List<PointHit>();
-            JobCoroutine.RunToEnd(Queries.FindStored(query, maxHits, hits));
+            JobCoroutine.RunToEnd(Queries.FindInFullDetail(query, maxHits, hits));
             return hits.ToArray();
         }
 
-        public long CountStored(PointQuery query)
+        public long CountInFullDetail(PointQuery query)
         {
             long count = -1;
-            JobCoroutine.RunToEnd(Queries.CountStored(query, found => count = found));
+            JobCoroutine.RunToEnd(Queries.CountInFullDetail(query, found => count = found));
             return count;
         }
 

@@ -13,7 +13,7 @@ namespace FastPoints.Tests.Sampling
         {
             using var reader = new VirtualReader(100_000_000, 10, false);
             Assert.That(reader.BlockCount, Is.EqualTo(10_000_000));
-            using var sampler = new PreviewSampler(reader, 200_000, 1);
+            using var sampler = new WaveSampler(reader, 200_000, 1);
             var waves = new List<SampleWave>();
             sampler.WaveReady += waves.Add;
             JobCoroutine.RunToEnd(sampler.Run(0, new StageProgress()));
@@ -30,7 +30,7 @@ namespace FastPoints.Tests.Sampling
         public void Waves_OfMoreBlocksThanStates_ComeBeforeAFifthWhereThatIsLong()
         {
             using var reader = new VirtualReader(60_000_000, 100_000, false);
-            using var first = new PreviewSampler(reader, 20_000, 1);
+            using var first = new WaveSampler(reader, 20_000, 1);
             JobCoroutine.RunToEnd(first.Run(0, new StageProgress()));
             using var refining = new RefiningSampler(reader, 100_000, 1, first.Sample, first.Sample.Bounds);
             var shares = new List<double>();

@@ -107,7 +107,7 @@ namespace FastPoints.Tests.Sampling
         public void Waves_OfBlocksTooManyForStates_ShowTheFirstSampleWhereNoBlockIsRead()
         {
             using var reader = Square(500);
-            using var first = new PreviewSampler(reader, 8000, 1);
+            using var first = new WaveSampler(reader, 8000, 1);
             JobCoroutine.RunToEnd(first.Run(2, null));
             using var before = first.TakeSample();
             var places = new HashSet<(int, int)>(Positions(before).Select(p => (p.Item1 / 10, p.Item2 / 10)));

@@ -37,7 +37,7 @@ namespace FastPoints.Tests.Sampling
             for (int i = 0; i < wanted; i++)
                 Assert.That(strata.StratumOf(indices[i]), Is.EqualTo(i));
             Assert.That(sample.PointsInSource, Is.EqualTo(50_000));
-            Assert.That(sample.Share, Is.EqualTo(wanted / 50_000.0));
+            Assert.That(sample.Fraction, Is.EqualTo(wanted / 50_000.0));
             Assert.That(sample.IsFullScan, Is.True);
             Assert.That(sample.Points.Schema.Has(AttributeNames.GpsTime), Is.False);
         }
@@ -51,7 +51,7 @@ namespace FastPoints.Tests.Sampling
             Assert.That(indices.Length, Is.EqualTo(1234));
             for (int i = 0; i < indices.Length; i++)
                 Assert.That(indices[i], Is.EqualTo(i));
-            Assert.That(sample.IsWhole, Is.True);
+            Assert.That(sample.HasAllPoints, Is.True);
             Assert.That(sample.Bounds.Max, Is.EqualTo(new double3(1233, 0, 999)));
         }
 
@@ -96,7 +96,7 @@ namespace FastPoints.Tests.Sampling
             using var sample = Uniform(reader, 10_000, 3);
             Assert.That(sample.NonFinite, Is.EqualTo(bad));
             Assert.That(sample.Count, Is.EqualTo(5000 - bad));
-            Assert.That(sample.IsWhole, Is.True);
+            Assert.That(sample.HasAllPoints, Is.True);
             var x = sample.Points.Column<double>(AttributeNames.X);
             int next = 0;
             for (int i = 0; i < positions.Length; i++)

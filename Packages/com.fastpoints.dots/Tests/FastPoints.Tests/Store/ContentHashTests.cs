@@ -33,7 +33,7 @@ namespace FastPoints.Tests.Store
                 var wanted = new byte[400];
                 Array.Copy(from, 3, wanted, 5, length);
                 fixed (byte* f = from, t = to)
-                    Assert.That(ContentHash.Copy(t + 5, f + 3, length), Is.EqualTo(ContentHash.Of(f + 3, length)));
+                    Assert.That(ContentHash.CopyAndHash(t + 5, f + 3, length), Is.EqualTo(ContentHash.Of(f + 3, length)));
                 Assert.That(to, Is.EqualTo(wanted));
             }
         }

@@ -232,9 +232,9 @@ namespace FastPoints.Tests.Store
             {
                 long a = Any(), b = Any(), c = Any() >> 2, d = Any() >> 2;
                 BigInteger second = (BigInteger)c * d;
-                var sum = Long2.Product(a >> 1, b >> 1) + Long2.Product(c, d);
+                var sum = Signed128.Product(a >> 1, b >> 1) + Signed128.Product(c, d);
                 var wanted = (BigInteger)(a >> 1) * (b >> 1) + (BigInteger)c * d;
-                Assert.That(sum.CompareTo(Long2.Product(d, c)), Is.EqualTo(wanted.CompareTo(second)));
+                Assert.That(sum.CompareTo(Signed128.Product(d, c)), Is.EqualTo(wanted.CompareTo(second)));
                 long clamped = (long)BigInteger.Max(-5, BigInteger.Min(long.MaxValue - 1, wanted));
                 Assert.That(sum.Clamp(-5, long.MaxValue - 1), Is.EqualTo(clamped));
             }

@@ -16,7 +16,7 @@ namespace FastPoints.Tests.Store
             new List<(PageLink, NodeRecord[], PageLink[], ContainerRecord)>();
 
         int m_planeCount;
-        readonly List<HierarchyPart> m_parts = new List<HierarchyPart>();
+        readonly List<Subtree> m_parts = new List<Subtree>();
 
         [SetUp]
         public void Forget()
@@ -25,14 +25,14 @@ namespace FastPoints.Tests.Store
             m_parts.Clear();
         }
 
-        HierarchyPart Part(GridCube cube, params PlainNode[] roots)
+        Subtree Part(GridCube cube, params PlainNode[] roots)
         {
             var part = StoredHierarchy.Part(cube, m_planeCount, roots);
             m_parts.Add(part);
             return part;
         }
 
-        void WriteAndRead(HierarchyPart root)
+        void WriteAndRead(Subtree root)
         {
             var wanted = m_parts.SelectMany(p => CubesOf(p)).OrderBy(c => c).ToArray();
             var manifest = StoredHierarchy.Write(Folder.Path, root, m_planeCount);
@@ -57,7 +57,7 @@ namespace FastPoints.Tests.Store
         static bool IsOneNode(NodeRecord[] nodes) => nodes.Count(n => n.Parent < 0) == 1 &&
             nodes.Where(n => n.Parent >= 0).All(n => n.PlaneNode == 0);
 
-        static IEnumerable<string> CubesOf(HierarchyPart part) => part.Table.GetSubArray(0, part.NodeCount * NodeRecord.SizeBytes)
+        static IEnumerable<string> CubesOf(Subtree part) => part.Table.GetSubArray(0, part.NodeCount * NodeRecord.SizeBytes)
             .Reinterpret<NodeRecord>(1).ToArray().Select(n => NameOf(part.Container, n));
 
         static string NameOf(in ContainerRecord container, in NodeRecord node) => container.Cube + " " + node.Cube + " " +
@@ -177,7 +177,7 @@ namespace FastPoints.Tests.Store
         public void Write_CloudWithoutPoints_IsOneEmptyPage()
         {
             m_planeCount = 3;
-            WriteAndRead(new HierarchyPart());
+            WriteAndRead(new Subtree());
             Assert.That(m_pages.Single().Nodes, Is.Empty);
         }
     }

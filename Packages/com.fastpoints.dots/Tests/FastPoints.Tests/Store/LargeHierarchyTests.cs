@@ -22,7 +22,7 @@ namespace FastPoints.Tests.Store
         int m_chunkLevel;
 
         // Of a cube with nodes of two levels, and regions or chunks on those of the second.
-        HierarchyPart Region(GridCube cube, int level)
+        Subtree Region(GridCube cube, int level)
         {
             var roots = new List<PlainNode>();
             if (level == 0)
@@ -38,7 +38,7 @@ namespace FastPoints.Tests.Store
             return StoredHierarchy.Part(cube, PlaneCount, level == 0 ? roots.Take(1).ToArray() : roots.ToArray());
         }
 
-        HierarchyPart Chunk(GridCube cube) => StoredHierarchy.Part(cube, PlaneCount, new PlainNode(cube.Child(0))
+        Subtree Chunk(GridCube cube) => StoredHierarchy.Part(cube, PlaneCount, new PlainNode(cube.Child(0))
         {
             PointCount = (int)(Points >> (2 * m_chunkLevel)),
         });

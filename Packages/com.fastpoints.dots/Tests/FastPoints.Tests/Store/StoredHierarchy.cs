@@ -19,7 +19,7 @@ namespace FastPoints.Tests.Store
         public readonly List<PlainNode> Children = new List<PlainNode>();
 
         /// <summary>The parts that hang on it.</summary>
-        public readonly List<HierarchyPart> Below = new List<HierarchyPart>();
+        public readonly List<Subtree> Below = new List<Subtree>();
 
         public PlainNode(GridCube cube) => Cube = cube;
 
@@ -43,10 +43,10 @@ namespace FastPoints.Tests.Store
         const long PlaneBytes = 1 << 20;
 
         /// <param name="roots">Children of a node of the part above, or the root.</param>
-        public static HierarchyPart Part(GridCube cube, int planeCount, params PlainNode[] roots)
+        public static Subtree Part(GridCube cube, int planeCount, params PlainNode[] roots)
         {
             var kind = cube.SideLog2 == Root.SideLog2 ? ContainerKind.Upper : ContainerKind.Chunk;
-            var part = new HierarchyPart
+            var part = new Subtree
             {
                 Cube = cube,
                 Container = new ContainerRecord { Cube = cube, Kind = kind, FileBytes = FileHeader.SizeBytes + PlaneBytes },
@@ -73,7 +73,7 @@ namespace FastPoints.Tests.Store
                 }
                 records[i] = record;
                 foreach (var other in nodes[i].Below)
-                    part.Below.Add((i, other));
+                    part.Children.Add((i, other));
             }
             part.NodeCount = nodes.Count;
             part.Table = new NativeArray<byte>(nodes.Count * ChunkResult.BytesPerNode(planeCount), Allocator.Persistent);
@@ -110,12 +110,12 @@ namespace FastPoints.Tests.Store
                 PlaneNode = node.IsInlined ? parent : index,
                 BlockCount = blocks,
                 PlaneBlocks = node.IsInlined ? 0 : blocks,
-                Flags = node.Children.Count == 0 ? NodeRecord.IsLeaf : (byte)0,
+                Flags = node.Children.Count == 0 ? NodeRecord.LeafFlag : (byte)0,
             };
         }
 
         /// <summary>Writes the pages to the folder's file, and frees the tables.</summary>
-        public static CloudManifest Write(string folder, HierarchyPart root, int planeCount)
+        public static CloudManifest Write(string folder, Subtree root, int planeCount)
         {
             var manifest = ManifestFor(planeCount);
             Directory.CreateDirectory(folder);
@@ -130,10 +130,10 @@ namespace FastPoints.Tests.Store
         }
 
         /// <summary>Makes pages, and adds what the manifest knows of them.</summary>
-        public static void Write(CloudManifest manifest, HierarchyPart root, Action<HierarchyPart> load,
+        public static void Write(CloudManifest manifest, Subtree root, Action<Subtree> load,
             Action<NativeArray<byte>, long> writePiece)
         {
-            IEnumerator<JobStep> Load(HierarchyPart part)
+            IEnumerator<JobStep> Load(Subtree part)
             {
                 load(part);
                 yield break;
@@ -176,10 +176,10 @@ namespace FastPoints.Tests.Store
             };
         }
 
-        static void Free(HierarchyPart part)
+        static void Free(Subtree part)
         {
             part.DisposeTable();
-            foreach (var (_, below) in part.Below)
+            foreach (var (_, below) in part.Children)
                 Free(below);
         }
     }

@@ -160,8 +160,8 @@ namespace FastPoints.Tests.Store
             yield return Fault(TableFault.InlinedBlocks, 0, p => p.Node(10).FirstBlock++);
             yield return Fault(TableFault.PlaneBlocks, 1, p => p.Node(2).PlaneBlocks++);
             yield return Fault(TableFault.InlinedPlane, 0, p => p.Range(10, 1) = p.Range(0, 1));
-            yield return Fault(TableFault.Plane, 1, p => p.Range(2, 1).Place = 0);
-            yield return Fault(TableFault.Plane, 1, p => p.Range(2, 0).Place = ulong.MaxValue, "behind the end");
+            yield return Fault(TableFault.Plane, 1, p => p.Range(2, 1).OffsetAndLength = 0);
+            yield return Fault(TableFault.Plane, 1, p => p.Range(2, 0).OffsetAndLength = ulong.MaxValue, "behind the end");
         }
 
         static TestCaseData Fault(TableFault fault, int page, Damage damage, string what = "",

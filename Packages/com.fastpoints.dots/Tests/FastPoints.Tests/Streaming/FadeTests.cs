@@ -69,11 +69,11 @@ namespace FastPoints.Tests.Streaming
                     begun += wanted == 0 ? 1 : 0;
                 }
                 last = Drawn.ToDictionary(Of, FadeOf);
-                Assert.That(stats.FadingNodes, Is.EqualTo(Drawn.Count(n => n.PointShare < 1)));
+                Assert.That(stats.FadingNodes, Is.EqualTo(Drawn.Count(n => n.DrawnFraction < 1)));
             }
             while (!stats.IsSettled);
             Assert.That(begun, Is.EqualTo(Drawn.Length).And.GreaterThan(20));
-            Assert.That(Drawn, Has.All.Matches<DrawnNode>(n => n.PointShare == 1));
+            Assert.That(Drawn, Has.All.Matches<DrawnNode>(n => n.DrawnFraction == 1));
             Assert.That(stats.DrawnPoints, Is.EqualTo(stats.SelectedPoints));
         }
 
@@ -87,10 +87,10 @@ namespace FastPoints.Tests.Streaming
                 var drawn = Drawn;
                 foreach (var node in drawn.Where(n => n.Parent >= 0))
                 {
-                    float above = drawn[node.Parent].PointShare;
-                    Assert.That(node.PointShare, Is.LessThanOrEqualTo(above));
-                    Assert.That(FadeOf(node) < 1 || node.PointShare == above);
-                    between += node.PointShare > 0 && node.PointShare < above ? 1 : 0;
+                    float above = drawn[node.Parent].DrawnFraction;
+                    Assert.That(node.DrawnFraction, Is.LessThanOrEqualTo(above));
+                    Assert.That(FadeOf(node) < 1 || node.DrawnFraction == above);
+                    between += node.DrawnFraction > 0 && node.DrawnFraction < above ? 1 : 0;
                 }
             }
             while (m_stream.Drawn.Length == 0 || m_stream.IsFading);
@@ -119,7 +119,7 @@ namespace FastPoints.Tests.Streaming
             {
                 var stats = Frame();
                 Assert.That(Drawn.Select(Of), Is.EquivalentTo(all));
-                var fadingOut = Drawn.Where(n => n.PointShare < 1).ToArray();
+                var fadingOut = Drawn.Where(n => n.DrawnFraction < 1).ToArray();
                 Assert.That(fadingOut, Has.Length.EqualTo(all.Length - stats.SelectedNodes).And.Length.GreaterThan(20));
                 Assert.That(fadingOut, Has.All.Matches<DrawnNode>(n => FadeOf(n) == 1 - frame * Step));
                 Assert.That(Drawn.Where((n, i) => n.Parent >= i), Is.Empty);
@@ -215,8 +215,8 @@ namespace FastPoints.Tests.Streaming
                     if (node.Parent < 0 || stored.ChildCount + stored.PageCount == 0)
                         continue;
                     float gapAbove = sizes.Nodes[sizes.NodeOfDrawn[node.Parent]].Gap, own = stored.Spacing;
-                    float above = m_stream.Drawn[node.Parent].PointShare;
-                    double share = node.PointShare >= above ? 1 : node.PointShare / (double)above;
+                    float above = m_stream.Drawn[node.Parent].DrawnFraction;
+                    double share = node.DrawnFraction >= above ? 1 : node.DrawnFraction / (double)above;
                     double wanted = 1 / math.sqrt((1 - share) / ((double)gapAbove * gapAbove) + share / ((double)own * own));
                     between += share > 0 && share < 1 ? 1 : 0;
                     Assert.That(sizes.Nodes[sizes.NodeOfDrawn[i]].Gap, Is.EqualTo(wanted).Within(3e-5).Percent);
@@ -230,8 +230,8 @@ namespace FastPoints.Tests.Streaming
         [Test]
         public void IsDrawn_ManyPoints_KeepsTheShare([Values(0.1f, 0.25f, 0.5f, 0.9f, 1)] float fade, [Values(0, 77)] int number)
         {
-            uint bits = PointFade.BitsOf(new DrawnNode { Cloud = 1, Page = 3, Node = number, PointShare = fade });
-            uint before = PointFade.BitsOf(new DrawnNode { Cloud = 1, Page = 3, Node = number, PointShare = fade - 0.05f });
+            uint bits = PointFade.BitsOf(new DrawnNode { Cloud = 1, Page = 3, Node = number, DrawnFraction = fade });
+            uint before = PointFade.BitsOf(new DrawnNode { Cloud = 1, Page = 3, Node = number, DrawnFraction = fade - 0.05f });
             int drawn = 0, inHalf = 0;
             for (uint i = 0; i < 10_000; i++)
             {

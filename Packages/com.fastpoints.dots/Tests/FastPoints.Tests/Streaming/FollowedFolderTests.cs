@@ -66,7 +66,7 @@ namespace FastPoints.Tests.Streaming
             Assert.That(followed.IsBuilding, Is.False);
             stream.Settings.Selection.PointBudget = long.MaxValue;
             stream.Settings.Selection.MinScreenErrorPx = 0;
-            stream.Settings.Selection.SmallestNodePx = 0;
+            stream.Settings.Selection.MinNodePx = 0;
             Assert.That(StreamedTestCloud.Settle(stream, camera).DrawnPoints, Is.EqualTo(Points));
             Assert.That(max, Is.GreaterThan(0));
             followed.Dispose();
@@ -77,7 +77,7 @@ namespace FastPoints.Tests.Streaming
         {
             using var cloud = new StreamedTestCloud(20_000, 8000);
             using var stream = StreamedTestCloud.Stream();
-            using var followed = new FollowedFolder(stream, cloud.Path + StoreFormat.PartSuffix, null);
+            using var followed = new FollowedFolder(stream, cloud.Path + StoreFormat.UnfinishedSuffix, null);
             for (var watch = Stopwatch.StartNew(); watch.Elapsed < 1.5 * GenerationPoller.PollInterval;)
             {
                 StreamedTestCloud.Frame(stream, StreamedTestCloud.Overview());

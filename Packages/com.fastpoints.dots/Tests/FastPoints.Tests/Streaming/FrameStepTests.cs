@@ -214,7 +214,7 @@ namespace FastPoints.Tests.Streaming
                 long before = GC.GetAllocatedBytesForCurrentThread();
                 for (int i = 0; i < 50; i++)
                 {
-                    m_stream.Selector.Choose(settable, m_stream.Settings.Selection);
+                    m_stream.Selector.Select(settable, m_stream.Settings.Selection);
                     StreamedTestCloud.RunJobsOfAFrame(m_stream, wanted);
                 }
                 return GC.GetAllocatedBytesForCurrentThread() - before;

@@ -49,7 +49,7 @@ namespace FastPoints.Tests.Streaming
                         Array.Clear(owner, first + kept, count - kept);
                         used -= count - kept;
                         ranges[at] = (first, kept);
-                        Assert.That(books.UsedSlots, Is.EqualTo(used));
+                        Assert.That(books.UsedLength, Is.EqualTo(used));
                         continue;
                     }
                     books.Free(ranges[at].First);
@@ -57,7 +57,7 @@ namespace FastPoints.Tests.Streaming
                     used -= ranges[at].Count;
                     ranges.RemoveAt(at);
                 }
-                Assert.That(books.UsedSlots, Is.EqualTo(used));
+                Assert.That(books.UsedLength, Is.EqualTo(used));
                 if (turn % 50 == 0)
                     Assert.That(books.FindProblem(), Is.Null);
             }

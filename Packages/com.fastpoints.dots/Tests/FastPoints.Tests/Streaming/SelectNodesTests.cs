@@ -54,7 +54,7 @@ namespace FastPoints.Tests.Streaming
             for (int c = 0; c < placements.Length; c++)
                 m_selector.Add(c, m_cloud.Pages, placements[c]);
             using (var native = new NativeArray<StreamView>(views, Allocator.TempJob))
-                m_selector.Choose(native, m_settings);
+                m_selector.Select(native, m_settings);
             return m_selector.Selected.ToArray().Select(n => (n.Cloud, n.Page, n.Node)).ToList();
         }
 
@@ -112,7 +112,7 @@ namespace FastPoints.Tests.Streaming
         {
             m_settings.PointBudget = long.MaxValue;
             m_settings.MinScreenErrorPx = 1.5f;
-            m_settings.SmallestNodePx = 0;
+            m_settings.MinNodePx = 0;
             var eye = s_middle;
             var forward = math.normalize(new double3(0.8, -1, -0.3));
             var right = math.normalize(math.cross(forward, new double3(0, 0, 1)));

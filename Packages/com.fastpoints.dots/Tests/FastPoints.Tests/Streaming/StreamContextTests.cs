@@ -169,8 +169,8 @@ namespace FastPoints.Tests.Streaming
             using var again = StreamedTestCloud.Stream();
             var shown = (FolderSource)again.Clouds[Add(again)].Source;
             StreamedTestCloud.Settle(again, StreamedTestCloud.Overview());
-            Assert.That(shown.IsChecked(0, 0, 0), Is.False);
-            Assert.That(shown.IsChecked(1, 0, 0), Is.True, "in another file");
+            Assert.That(shown.IsVerified(0, 0, 0), Is.False);
+            Assert.That(shown.IsVerified(1, 0, 0), Is.True, "in another file");
         }
 
         /// <summary>What lies outside of a plane is never read, even if the file changed after its hash was right.</summary>
@@ -180,7 +180,7 @@ namespace FastPoints.Tests.Streaming
             using var stream = StreamedTestCloud.Stream();
             Add(stream);
             StreamedTestCloud.Settle(stream, StreamedTestCloud.Overview());
-            Assert.That(stream.Clouds[0].Source.IsChecked(0, 0, 0), Is.True);
+            Assert.That(stream.Clouds[0].Source.IsVerified(0, 0, 0), Is.True);
             string path = stream.Clouds[0].Source.PathOf(0);
             byte[] bytes = File.ReadAllBytes(path);
             bytes[stream.Clouds[0].RangeOf(0, 0, 0).OffsetBytes + 5] ^= 1;
@@ -188,8 +188,8 @@ namespace FastPoints.Tests.Streaming
             stream.Release(stream.Clouds[0].Pages[0].States[0].Slot);
             StreamedTestCloud.Settle(stream, StreamedTestCloud.Overview());
             Assert.That(Failures(stream), Has.Count.EqualTo(1).And.All.Contains("node 0 is damaged"));
-            Assert.That(stream.Clouds[0].Source.IsChecked(0, 0, 0), Is.False);
-            Assert.That(stream.Clouds[0].Source.IsChecked(0, 1, 0), Is.False, "all of the file is checked again");
+            Assert.That(stream.Clouds[0].Source.IsVerified(0, 0, 0), Is.False);
+            Assert.That(stream.Clouds[0].Source.IsVerified(0, 1, 0), Is.False, "all of the file is checked again");
         }
 
         [Test]

@@ -130,7 +130,7 @@ namespace FastPoints.Tests.Streaming
             using var cloud = new StreamedTestCloud(2000);
             string folder = cloud.Path;
             if (isInTheMaking)
-                Directory.Move(cloud.Path, folder += StoreFormat.PartSuffix);
+                Directory.Move(cloud.Path, folder += StoreFormat.UnfinishedSuffix);
             string path;
             byte[] sound;
             using (var opened = CloudFolder.Open(folder))
@@ -158,7 +158,7 @@ namespace FastPoints.Tests.Streaming
         [Test]
         public void Run_UnfinishedFolder_KeepsNothingOpen()
         {
-            string part = m_cloud.Path + StoreFormat.PartSuffix;
+            string part = m_cloud.Path + StoreFormat.UnfinishedSuffix;
             Directory.Move(m_cloud.Path, part);
             var source = new FolderSource(CloudFolder.Open(part), StoreLayout.ColorName);
             m_stream.Add(source, StreamedTestCloud.Geo(source));

@@ -77,9 +77,9 @@ namespace FastPoints.Tests.Streaming
                 byte[] Draw(string cloud)
                 {
                     var options = new PictureOptions { WidthPx = 160, HeightPx = 90, Color = ColorMode.Elevation };
-                    (options.LightShare, options.EdlStrength, options.PointSizePx) = (isLit ? 1 : 0, 0, 3);
+                    (options.LitFraction, options.EdlStrength, options.PointSizePx) = (isLit ? 1 : 0, 0, 3);
                     using var folder = CloudFolder.Open(cloud);
-                    var draw = new DrawStored(folder, options);
+                    var draw = new DrawConvertedCloud(folder, options);
                     JobCoroutine.RunToEnd(draw.Run(null));
                     return draw.Image.Rgba;
                 }

@@ -144,7 +144,7 @@ namespace FastPoints.Tests.Streaming
             {
                 Clouds = stream.CloudPages,
                 Selected = selector.Selected,
-                Slots = stream.Cache.Slots,
+                Nodes = stream.Cache.Nodes,
                 Frame = stream.Selector.Frame,
                 FadeStep = 1,
                 Drawn = stream.Drawn,

@@ -84,7 +84,7 @@ namespace FastPoints.Tests
             }.Schedule();
         }
 
-        public override bool TryKeepStates() => true;
+        public override bool TryEnableStates() => true;
 
         internal override DecoderState KeepState(DecoderState reused)
         {

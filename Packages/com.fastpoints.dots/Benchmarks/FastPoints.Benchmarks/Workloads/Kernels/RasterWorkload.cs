@@ -34,7 +34,7 @@ namespace FastPoints.Benchmarks
                 Positions = PositionColumns.Of(m_points),
                 Projection = new PointProjection(camera, transform, m_canvas.WidthPx, m_canvas.HeightPx),
                 Colors = ColorMapping.For(ColorMode.Rgb, new DisplayRanges { Color = ColorDepth.Bits16 }, m_points, transform),
-                LargestPx = 1,
+                MaxTileSizePx = 1,
             };
             Draw(m_points.Count / 2);
             var half = m_canvas.ToImage();

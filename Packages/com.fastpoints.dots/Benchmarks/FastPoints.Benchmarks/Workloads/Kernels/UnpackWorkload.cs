@@ -19,7 +19,7 @@ namespace FastPoints.Benchmarks
         public void Prepare(WorkloadContext context)
         {
             var shape = new PlaneShape(3, 0);
-            m_plane = new NativeArray<uint>((int)(shape.LongestBytes(Blocks, (long)Blocks * PerBlock) / 4), Allocator.Persistent);
+            m_plane = new NativeArray<uint>((int)(shape.MaxBytes(Blocks, (long)Blocks * PerBlock) / 4), Allocator.Persistent);
             m_values = new NativeArray<uint>(3 * PerBlock, Allocator.Persistent);
             var plane = (uint*)m_plane.GetUnsafePtr();
             var values = (uint*)m_values.GetUnsafePtr();

@@ -54,7 +54,7 @@ namespace FastPoints.Benchmarks
         {
             var entities = m_world.EntityManager;
             m_cloud = entities.CreateEntity(ComponentType.ReadWrite<PointCloudFile>());
-            new PointCloudPaths { Path = path }.WriteTo(entities.AddBuffer<PointCloudPath>(m_cloud));
+            new PointCloudPaths { Path = path }.WriteTo(entities.AddBuffer<PointCloudPathByte>(m_cloud));
             entities.AddComponentData(m_cloud, new LocalToWorld { Value = float4x4.identity });
         }
 

@@ -76,7 +76,7 @@ namespace FastPoints.Benchmarks
                 return new WorkloadResult { Points = m_rays, Note = note };
             }
             var found = new List<PointHit>();
-            JobCoroutine.RunToEnd(m_queries.FindStored(m_rayList[m_next++ % m_rayList.Length], 1, found));
+            JobCoroutine.RunToEnd(m_queries.FindInFullDetail(m_rayList[m_next++ % m_rayList.Length], 1, found));
             return new WorkloadResult { Points = 1 };
         }
 

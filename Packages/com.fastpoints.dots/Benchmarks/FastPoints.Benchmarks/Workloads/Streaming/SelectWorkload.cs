@@ -76,7 +76,7 @@ namespace FastPoints.Benchmarks
             m_views[0] = view;
             m_selector.Begin();
             m_selector.Add(0, m_cloud.Pages, new CloudPlacement(double3x3.identity, new double3(4_000_000, 5_000_000, 0)));
-            m_selector.Choose(m_views, m_settings);
+            m_selector.Select(m_views, m_settings);
             if (withPrefetch)
                 m_selector.Prefetch(m_views, m_settings, m_settings.PointBudget / 4);
             return m_selector.Points;

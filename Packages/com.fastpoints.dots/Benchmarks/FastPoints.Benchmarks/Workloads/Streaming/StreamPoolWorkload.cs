@@ -56,7 +56,7 @@ namespace FastPoints.Benchmarks
             while (!FrameStep.Run(stream, m_views).IsSettled)
                 Thread.Yield();
             long points = 0;
-            foreach (var slot in stream.Cache.Slots)
+            foreach (var slot in stream.Cache.Nodes)
                 if (slot.Phase == CachePhase.Resident)
                     points += stream.Clouds[slot.Cloud].Pages[slot.Page].Nodes[slot.Node].PointCount;
             return (stream.Pool.AllocatedBytes, points);

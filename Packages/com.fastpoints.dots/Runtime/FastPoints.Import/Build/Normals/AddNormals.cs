@@ -45,7 +45,7 @@ namespace FastPoints.Build
         {
             m_folder = folder;
             m_path = folder.FolderPath;
-            string owner = FolderLock.TryTake(Path.Combine(m_path, CloudFolderWriter.LockName), out m_lock);
+            string owner = FolderLock.TakeOrGetOwner(Path.Combine(m_path, CloudFolderWriter.LockName), out m_lock);
             if (owner != null)
                 throw new PointCloudException(FailureCode.WriteFailed, m_path, -1, "is being written by " + owner);
             m_queue = new WriteQueue(() => m_lock.Renew(DateTime.UtcNow) ? null
@@ -96,11 +96,11 @@ namespace FastPoints.Build
                 throw new PointCloudException(FailureCode.Unsupported, path, -1,
                     "wanted a cloud on this machine, got an address");
             var folder = CloudFolder.Open(path);
-            if (!folder.IsUnfinished && !folder.Manifest.IsWhole)
+            if (!folder.IsUnfinished && !folder.Manifest.IsSingleFile)
                 return folder;
             folder.Dispose();
             throw new PointCloudException(FailureCode.Unsupported, path, -1, "wanted a finished cloud of several files, got " +
-                (folder.Manifest.IsWhole ? "one of a single file" : "one that is being built"));
+                (folder.Manifest.IsSingleFile ? "one of a single file" : "one that is being built"));
         }
 
         public void Dispose()
@@ -146,7 +146,7 @@ namespace FastPoints.Build
             var schema = LoadNodes.SchemaFor(m_folder, s_attributes);
             foreach (var _ in cubes.ChooseBatches())
             {
-                using var batch = new PointBatch(schema, cubes.CheckedPoints, Allocator.Persistent);
+                using var batch = new PointBatch(schema, cubes.PointCountOrThrow, Allocator.Persistent);
                 using var found = new NativeArray<ushort>(batch.Capacity, Allocator.Persistent);
                 yield return JobStep.Of(LoadNodes.Run(m_folder, cubes, batch, null));
                 var job = NormalsOfFilesJob.Of(batch, s_attributes, found);
@@ -166,7 +166,7 @@ namespace FastPoints.Build
             foreach (var cube in cubes.Cubes())
             {
                 var region = cubes.Choose(cube);
-                using var batch = new PointBatch(schema, Math.Max(1, cubes.CheckedPoints), Allocator.Persistent);
+                using var batch = new PointBatch(schema, Math.Max(1, cubes.PointCountOrThrow), Allocator.Persistent);
                 using var found = new NativeArray<ushort>(batch.Capacity, Allocator.Persistent);
                 Fill(found);
                 yield return JobStep.Of(LoadNodes.Run(m_folder, cubes, batch, null));

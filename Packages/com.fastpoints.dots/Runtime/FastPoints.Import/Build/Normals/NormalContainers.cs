@@ -285,7 +285,7 @@ namespace FastPoints.Build
                 for (; end < Groups.Length && Groups[end].Blocks == 0; end++)
                     points += Groups[end].Count;
                 int start = File.Length, blocks = Groups[group].Blocks;
-                File.ResizeUninitialized(start + (int)shape.LongestBytes(blocks, points));
+                File.ResizeUninitialized(start + (int)shape.MaxBytes(blocks, points));
                 var writer = new BlockWriter((uint*)(File.GetUnsafePtr() + start), shape, 0,
                     (long)blocks * shape.DescriptorWords);
                 for (; group < end; group++)

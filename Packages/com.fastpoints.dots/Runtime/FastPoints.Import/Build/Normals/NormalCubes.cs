@@ -19,7 +19,7 @@ namespace FastPoints.Build
     }
 
     /// <summary>A cloud's nodes by place. All tables of its pages are in memory.</summary>
-    internal sealed class NormalCubes : ChosenNodes
+    internal sealed class NormalCubes : CloudSelection
     {
         /// <summary>Finest cells of a region are at least this far below the smallest node in it.</summary>
         const int MaxLevelsBelow = 12;

@@ -16,21 +16,21 @@ namespace FastPoints.Build
         public const int MaxLevels = 6;
 
         /// <summary>The most levels of parts of a cell, for cells that need them.</summary>
-        const int MaxPartLevels = 2;
+        const int MaxSubcellLevels = 2;
 
         /// <summary>How many standard errors above its estimate a chunk may have before it must be split.</summary>
         const double ErrorsAllowed = 2;
 
         NativeArray<int> m_chunkOfCell;
-        readonly int m_partLevels;
+        readonly int m_subcellLevels;
 
-        /// <param name="partLevels">Of the parts of cells that have some.</param>
+        /// <param name="subcellLevels">Of the parts of cells that have some.</param>
         /// <param name="chunkOfCell">Owned.</param>
-        public PartitionMap(GridCube cube, int levels, int partLevels, NativeArray<int> chunkOfCell, GridCube[] chunks)
+        public PartitionMap(GridCube cube, int levels, int subcellLevels, NativeArray<int> chunkOfCell, GridCube[] chunks)
         {
             Cube = cube;
             Levels = levels;
-            m_partLevels = partLevels;
+            m_subcellLevels = subcellLevels;
             Chunks = chunks;
             m_chunkOfCell = chunkOfCell;
         }
@@ -55,7 +55,7 @@ namespace FastPoints.Build
         /// <summary>Indexed by Morton number of the cell; ~i means that its parts' chunks begin at i, in Morton order.</summary>
         public NativeArray<int> ChunkOfCell => m_chunkOfCell;
 
-        public ChunkFinder Finder => new ChunkFinder(new CellFinder(Cube, Levels), m_partLevels, Outside);
+        public ChunkFinder Finder => new ChunkFinder(new CellFinder(Cube, Levels), m_subcellLevels, Outside);
 
         /// <summary>The number of levels of cells that a cube of this side can have.</summary>
         public static int LevelsFor(int sideLog2, int wanted) => Math.Min(wanted, sideLog2);
@@ -94,21 +94,22 @@ namespace FastPoints.Build
         public static PartitionMap Plan(GridCube cube, DensityTree density, long target)
         {
             int levels = LevelsFor(cube.SideLog2, MaxLevels);
-            int partLevels = LevelsFor(cube.SideLog2 - levels, MaxPartLevels);
+            int subcellLevels = LevelsFor(cube.SideLog2 - levels, MaxSubcellLevels);
             using var chunkOfCell = new NativeList<int>(1 << 3 * levels, Allocator.Persistent);
             chunkOfCell.ResizeUninitialized(1 << 3 * levels);
             var chunks = new List<GridCube>();
             Descend(cube, 0, 0, DensityNumbers.Root);
-            return new PartitionMap(cube, levels, partLevels, new NativeArray<int>(chunkOfCell.AsArray(), Allocator.Persistent),
+            return new PartitionMap(cube, levels, subcellLevels,
+                new NativeArray<int>(chunkOfCell.AsArray(), Allocator.Persistent),
                 chunks.ToArray());
 
             // The cube's cells, or parts of a cell, begin at first.
             void Descend(GridCube part, int level, int first, int cell)
             {
                 bool isOfCells = level <= levels;
-                int count = 1 << 3 * (isOfCells ? levels - level : levels + partLevels - level);
-                int below = density.FirstPartOf(cell);
-                if (below < 0 || level == levels + partLevels || Fits(density[cell], target))
+                int count = 1 << 3 * (isOfCells ? levels - level : levels + subcellLevels - level);
+                int below = density.FirstChildOf(cell);
+                if (below < 0 || level == levels + subcellLevels || Fits(density[cell], target))
                 {
                     var cells = chunkOfCell.AsArray();
                     for (int i = first; i < first + count; i++)
@@ -120,7 +121,7 @@ namespace FastPoints.Build
                 {
                     chunkOfCell.ElementAt(first) = ~chunkOfCell.Length;
                     first = chunkOfCell.Length;
-                    count = 1 << 3 * partLevels;
+                    count = 1 << 3 * subcellLevels;
                     chunkOfCell.ResizeUninitialized(first + count);
                 }
                 for (int octant = 0; octant < 8; octant++)
@@ -140,7 +141,7 @@ namespace FastPoints.Build
 
             void Descend(GridCube part, int cell)
             {
-                int below = density.FirstPartOf(cell);
+                int below = density.FirstChildOf(cell);
                 if (below < 0 || part.SideLog2 == 0 || density[cell].Points <= target)
                 {
                     cells.Add(part);
@@ -157,7 +158,7 @@ namespace FastPoints.Build
 
         static int CountChunks(DensityTree density, long target, int cell)
         {
-            int below = density.FirstPartOf(cell);
+            int below = density.FirstChildOf(cell);
             if (below < 0 || Fits(density[cell], target))
                 return density[cell].IsKnown ? 1 : 0;
             int chunks = 0;
@@ -180,15 +181,15 @@ namespace FastPoints.Build
     internal readonly struct ChunkFinder
     {
         readonly CellFinder m_cells;
-        readonly int m_partLog2;
-        readonly int m_partLevels;
+        readonly int m_subcellLog2;
+        readonly int m_subcellLevels;
         readonly int m_outside;
 
-        internal ChunkFinder(CellFinder cells, int partLevels, int outside)
+        internal ChunkFinder(CellFinder cells, int subcellLevels, int outside)
         {
             m_cells = cells;
-            m_partLevels = partLevels;
-            m_partLog2 = cells.CellLog2 - partLevels;
+            m_subcellLevels = subcellLevels;
+            m_subcellLog2 = cells.CellLog2 - subcellLevels;
             m_outside = outside;
         }
 
@@ -199,7 +200,7 @@ namespace FastPoints.Build
             if (cell < 0)
                 return m_outside;
             int chunk = chunkOfCell[cell];
-            return chunk >= 0 ? chunk : chunkOfCell[~chunk + PartOf(x, y, z)];
+            return chunk >= 0 ? chunk : chunkOfCell[~chunk + SubcellOf(x, y, z)];
         }
 
         /// <summary>Whether the cube holds a box, and is small enough for <see cref="ChunksOf"/>.</summary>
@@ -217,17 +218,18 @@ namespace FastPoints.Build
             for (int i = 0; i < count; i++)
             {
                 int chunk = chunkOfCell[chunks[i]];
-                chunks[i] = chunk >= 0 ? chunk : chunkOfCell[~chunk + PartOf(origin.X + x[i], origin.Y + y[i], origin.Z + z[i])];
+                chunks[i] = chunk >= 0 ? chunk
+                    : chunkOfCell[~chunk + SubcellOf(origin.X + x[i], origin.Y + y[i], origin.Z + z[i])];
             }
         }
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        int PartOf(long x, long y, long z)
+        int SubcellOf(long x, long y, long z)
         {
-            uint mask = (1u << m_partLevels) - 1;
-            uint px = (uint)((x - m_cells.Corner.X) >> m_partLog2) & mask;
-            uint py = (uint)((y - m_cells.Corner.Y) >> m_partLog2) & mask;
-            uint pz = (uint)((z - m_cells.Corner.Z) >> m_partLog2) & mask;
+            uint mask = (1u << m_subcellLevels) - 1;
+            uint px = (uint)((x - m_cells.Corner.X) >> m_subcellLog2) & mask;
+            uint py = (uint)((y - m_cells.Corner.Y) >> m_subcellLog2) & mask;
+            uint pz = (uint)((z - m_cells.Corner.Z) >> m_subcellLog2) & mask;
             return Morton.EncodeShort(px, py, pz);
         }
     }

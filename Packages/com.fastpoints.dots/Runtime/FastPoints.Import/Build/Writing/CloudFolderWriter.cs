@@ -33,7 +33,7 @@ namespace FastPoints.Build
         public CloudFolderWriter(string target)
         {
             m_target = target.TrimEnd(Path.DirectorySeparatorChar, Path.AltDirectorySeparatorChar);
-            m_part = m_target + StoreFormat.PartSuffix;
+            m_part = m_target + StoreFormat.UnfinishedSuffix;
             CheckReplaceable(target);
             try
             {
@@ -217,12 +217,13 @@ namespace FastPoints.Build
         /// on a pool thread.</summary>
         public static void DeleteUnfinished(string target)
         {
-            string part = target.TrimEnd(Path.DirectorySeparatorChar, Path.AltDirectorySeparatorChar) + StoreFormat.PartSuffix;
+            string part =
+                target.TrimEnd(Path.DirectorySeparatorChar, Path.AltDirectorySeparatorChar) + StoreFormat.UnfinishedSuffix;
             if (!Directory.Exists(part))
                 return;
             try
             {
-                if (FolderLock.TryTake(Path.Combine(part, LockName), out var taken) != null)
+                if (FolderLock.TakeOrGetOwner(Path.Combine(part, LockName), out var taken) != null)
                     return;
                 Delete(part, taken);
             }
@@ -328,7 +329,7 @@ namespace FastPoints.Build
 
         FolderLock Lock()
         {
-            string owner = FolderLock.TryTake(PathOf(LockName), out var taken);
+            string owner = FolderLock.TakeOrGetOwner(PathOf(LockName), out var taken);
             return taken ?? throw new PointCloudException(FailureCode.WriteFailed, m_target, -1, "is being built by " + owner);
         }
 

@@ -66,12 +66,12 @@ namespace FastPoints.Build
         /// <param name="taken">The lock, or null.</param>
         /// <returns>Who holds it, for people; null if it was taken.</returns>
         /// <exception cref="PointCloudException">The folder cannot be written.</exception>
-        public static string TryTake(string path, out FolderLock taken) =>
-            TryTake(path, Environment.MachineName, Self(), out taken);
+        public static string TakeOrGetOwner(string path, out FolderLock taken) =>
+            TakeOrGetOwner(path, Environment.MachineName, Self(), out taken);
 
         /// <summary>The same on behalf of another process or machine.</summary>
         /// <param name="process">Its number, and when it began in ticks of UTC.</param>
-        public static string TryTake(string path, string machine, (int Id, long Began) process, out FolderLock taken)
+        public static string TakeOrGetOwner(string path, string machine, (int Id, long Began) process, out FolderLock taken)
         {
             taken = null;
             string owner = Describe(machine, process);

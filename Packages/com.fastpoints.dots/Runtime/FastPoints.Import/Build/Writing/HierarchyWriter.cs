@@ -9,7 +9,7 @@ namespace FastPoints.Build
 {
     /// <summary>Nodes that were made together: those of a chunk, or of upper levels above some chunks or other parts. The top
     /// node of a part belongs to the part above; the root's has none above.</summary>
-    internal sealed class HierarchyPart
+    internal sealed class Subtree
     {
         public GridCube Cube;
         public ContainerRecord Container;
@@ -28,9 +28,9 @@ namespace FastPoints.Build
         public int SampledWith;
 
         /// <summary>The parts that hang on its nodes, in the order of the nodes, then along the Morton curve.</summary>
-        public readonly List<(int Node, HierarchyPart Part)> Below = new List<(int, HierarchyPart)>();
+        public readonly List<(int Node, Subtree Part)> Children = new List<(int, Subtree)>();
 
-        public void SortBelow(Grid3 root) => Below.Sort((a, b) => a.Node != b.Node ? a.Node.CompareTo(b.Node)
+        public void SortChildren(Grid3 root) => Children.Sort((a, b) => a.Node != b.Node ? a.Node.CompareTo(b.Node)
             : a.Part.Cube.Corner != b.Part.Cube.Corner
                 ? MortonOrder.Compare(a.Part.Cube.Corner - root, b.Part.Cube.Corner - root)
             : a.Part.Cube.SideLog2 != b.Part.Cube.SideLog2 ? b.Part.Cube.SideLog2.CompareTo(a.Part.Cube.SideLog2)
@@ -66,14 +66,14 @@ namespace FastPoints.Build
 
         readonly int m_planeCount;
         readonly ulong m_cloudId;
-        readonly Func<HierarchyPart, IEnumerator<JobStep>> m_load;
+        readonly Func<Subtree, IEnumerator<JobStep>> m_load;
         readonly Func<NativeArray<byte>, long, IEnumerator<JobStep>> m_writePiece;
         NativeList<byte> m_bytes = new NativeList<byte>(1 << 16, Allocator.Persistent);
         long m_written;
 
         /// <param name="load">Coroutine: makes the table of a part that has none.</param>
         /// <param name="writePiece">Coroutine: writes bytes at an offset.</param>
-        public HierarchyWriter(int planeCount, ulong cloudId, long firstOffset, Func<HierarchyPart, IEnumerator<JobStep>> load,
+        public HierarchyWriter(int planeCount, ulong cloudId, long firstOffset, Func<Subtree, IEnumerator<JobStep>> load,
             Func<NativeArray<byte>, long, IEnumerator<JobStep>> writePiece)
         {
             m_planeCount = planeCount;
@@ -88,9 +88,9 @@ namespace FastPoints.Build
 
         /// <summary>Coroutine: writes all pages, the root's last.</summary>
         /// <param name="take">Receives the link to the root's page.</param>
-        public IEnumerator<JobStep> Write(HierarchyPart root, Action<PageLink> take)
+        public IEnumerator<JobStep> Write(Subtree root, Action<PageLink> take)
         {
-            var cuts = new List<PartPages>();
+            var cuts = new List<SubtreePages>();
             yield return JobStep.Of(WriteBelow(root, cuts));
             take(WriteRoots(cuts[0])[0]);
             yield return JobStep.Of(Flush());
@@ -103,14 +103,14 @@ namespace FastPoints.Build
         }
 
         /// <summary>Coroutine: writes all pages of a part and below but those with its roots, and adds how it was cut.</summary>
-        IEnumerator<JobStep> WriteBelow(HierarchyPart part, List<PartPages> cuts)
+        IEnumerator<JobStep> WriteBelow(Subtree part, List<SubtreePages> cuts)
         {
-            PartPages cut;
-            var below = new List<PartPages>();
-            var loaded = new List<HierarchyPart>();
+            SubtreePages cut;
+            var below = new List<SubtreePages>();
+            var loaded = new List<Subtree>();
             try
             {
-                foreach (var (_, other) in part.Below)
+                foreach (var (_, other) in part.Children)
                 {
                     if (!other.Table.IsCreated)
                     {
@@ -119,11 +119,11 @@ namespace FastPoints.Build
                     }
                     yield return JobStep.Of(WriteBelow(other, below));
                 }
-                cut = new PartPages(part, m_planeCount, below);
+                cut = new SubtreePages(part, m_planeCount, below);
                 cuts.Add(cut);
                 for (int i = 0; i < below.Count; i++)
                     foreach (var link in WriteRoots(below[i]))
-                        cut.AddLink(part.Below[i].Node, link, below[i].Part.Cube);
+                        cut.AddLink(part.Children[i].Node, link, below[i].Part.Cube);
             }
             finally
             {
@@ -138,7 +138,7 @@ namespace FastPoints.Build
             yield return default;
         }
 
-        List<PageLink> WriteRoots(PartPages cut)
+        List<PageLink> WriteRoots(SubtreePages cut)
         {
             var links = new List<PageLink>();
             for (int page = 0; page < cut.RootPages; page++)
@@ -146,7 +146,7 @@ namespace FastPoints.Build
             return links;
         }
 
-        PageLink WritePage(PartPages cut, int page)
+        PageLink WritePage(SubtreePages cut, int page)
         {
             long offset = Offset;
             int length = cut.Write(page, m_cloudId, m_bytes, out var link);
@@ -172,7 +172,7 @@ namespace FastPoints.Build
     {
         /// <summary>Coroutine: writes it, and adds it to the manifest.</summary>
         /// <param name="root">The part that all others hang on; its table is there.</param>
-        public static IEnumerator<JobStep> Write(CloudFolderWriter folder, CloudManifest manifest, HierarchyPart root)
+        public static IEnumerator<JobStep> Write(CloudFolderWriter folder, CloudManifest manifest, Subtree root)
         {
             string name = manifest.HierarchyName;
             int planeCount = manifest.CreateLayout().Planes.Count;
@@ -216,7 +216,7 @@ namespace FastPoints.Build
 
     /// <summary>How the nodes of a part are cut into pages. A node's children are all in its page, or only the inlined leaves
     /// among them: the others are in pages below.</summary>
-    sealed unsafe class PartPages
+    sealed unsafe class SubtreePages
     {
         public struct Page
         {
@@ -236,7 +236,7 @@ namespace FastPoints.Build
         readonly Dictionary<int, List<PageLink>> m_links = new Dictionary<int, List<PageLink>>(); // By node.
 
         /// <param name="below">Of the parts that hang on its nodes, in their order.</param>
-        public PartPages(HierarchyPart part, int planeCount, List<PartPages> below)
+        public SubtreePages(Subtree part, int planeCount, List<SubtreePages> below)
         {
             Part = part;
             m_planeCount = planeCount;
@@ -246,7 +246,7 @@ namespace FastPoints.Build
             m_isCut = new bool[part.NodeCount];
             m_indexInPage = new int[part.NodeCount];
             for (int i = 0; i < below.Count; i++)
-                m_costs[part.Below[i].Node] += below[i].RootPages * PageLink.SizeBytes;
+                m_costs[part.Children[i].Node] += below[i].RootPages * PageLink.SizeBytes;
             // Children come after their parents.
             for (int node = part.NodeCount - 1; node >= 0; node--)
                 AddCost(node);
@@ -264,7 +264,7 @@ namespace FastPoints.Build
                         Cut(Nodes[node].FirstChild, Nodes[node].FirstChild + Nodes[node].ChildCount, node);
         }
 
-        public HierarchyPart Part { get; }
+        public Subtree Part { get; }
 
         /// <summary>Pages come after those that their roots hang on.</summary>
         public List<Page> Pages { get; } = new List<Page>();

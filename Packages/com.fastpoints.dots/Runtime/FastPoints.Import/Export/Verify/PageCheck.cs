@@ -19,7 +19,7 @@ namespace FastPoints.Export
         readonly Span m_computedBytes;
         readonly StoreRead m_read = new StoreRead();
         readonly StoreRead m_computed = new StoreRead();
-        NativeArray<NodePart> m_parts;
+        NativeArray<NodeBlockRange> m_parts;
         NativeArray<NodeCheckResult> m_planeResults;
         NativeArray<NodeCheckResult> m_results;
 
@@ -73,7 +73,7 @@ namespace FastPoints.Export
                 Shapes = m_store.Shapes,
                 AverageOf = m_store.AverageOf,
                 AttributeBytes = m_store.Layout.AttributeBytes,
-                Parts = m_parts,
+                Ranges = m_parts,
                 PlaneResults = m_planeResults,
                 Results = m_results,
             };
@@ -152,7 +152,7 @@ namespace FastPoints.Export
         void ListParts()
         {
             const int max = VerifyNodesJob.PointsPerSlice, blocks = max / PlaneShape.MaxPointsPerBlock;
-            var parts = new List<NodePart>();
+            var parts = new List<NodeBlockRange>();
             int ofNodes = 0, ofParts = 0;
             for (int n = 0; n < Table.Nodes.Length; n++)
             {
@@ -161,7 +161,7 @@ namespace FastPoints.Export
                 Cut(m_nodeSlices, n, ref ofNodes, node.PointCount, 10 * max);
                 for (int b = node.FirstBlock; b < node.FirstBlock + node.BlockCount; b += blocks)
                 {
-                    var part = new NodePart { Node = n, FirstBlock = b };
+                    var part = new NodeBlockRange { Node = n, FirstBlock = b };
                     part.EndBlock = Math.Min(b + blocks, node.FirstBlock + node.BlockCount);
                     Cut(m_partSlices, parts.Count, ref ofParts, (part.EndBlock - b) * PlaneShape.MaxPointsPerBlock, max);
                     parts.Add(part);
@@ -169,7 +169,7 @@ namespace FastPoints.Export
             }
             m_nodeSlices.Add(Table.Nodes.Length);
             m_partSlices.Add(parts.Count);
-            m_parts = new NativeArray<NodePart>(parts.ToArray(), Allocator.Persistent);
+            m_parts = new NativeArray<NodeBlockRange>(parts.ToArray(), Allocator.Persistent);
         }
 
         /// <summary>Begins another slice if what is added does not fit into the last one.</summary>

@@ -19,7 +19,7 @@ namespace FastPoints.Export
         /// <summary>Whether planes of nodes are checked, or points of parts.</summary>
         public bool ChecksPlanes;
 
-        /// <summary>The range of nodes, or of <see cref="Parts"/>.</summary>
+        /// <summary>The range of nodes, or of <see cref="Ranges"/>.</summary>
         public int First;
         public int End;
 
@@ -42,7 +42,7 @@ namespace FastPoints.Export
         public int AttributeBytes;
 
         /// <summary>Of nodes in their order; none has more points than a slice.</summary>
-        [ReadOnly] public NativeArray<NodePart> Parts;
+        [ReadOnly] public NativeArray<NodeBlockRange> Ranges;
 
         /// <summary>Indexed by node: what its own planes showed.</summary>
         [NativeDisableContainerSafetyRestriction] public NativeArray<NodeCheckResult> PlaneResults;
@@ -55,7 +55,7 @@ namespace FastPoints.Export
                 if (ChecksPlanes)
                     PlaneResults[i] = CheckPlanes(i);
                 else
-                    Results[i] = CheckPoints(Parts[i], PlaneResults[Nodes[Parts[i].Node].PlaneNode]);
+                    Results[i] = CheckPoints(Ranges[i], PlaneResults[Nodes[Ranges[i].Node].PlaneNode]);
         }
 
         PlaneShape ShapeOf(int plane, bool isWide) => plane == 0 ? PlaneShape.OfPositions(isWide) : Shapes[plane - 1];
@@ -89,7 +89,7 @@ namespace FastPoints.Export
             return result;
         }
 
-        NodeCheckResult CheckPoints(NodePart part, NodeCheckResult result)
+        NodeCheckResult CheckPoints(NodeBlockRange part, NodeCheckResult result)
         {
             int index = part.Node;
             if (result.Fault != NodeFault.None)
@@ -173,7 +173,7 @@ namespace FastPoints.Export
     }
 
     /// <summary>Some of a node's blocks. Blittable.</summary>
-    internal struct NodePart
+    internal struct NodeBlockRange
     {
         public int Node;
         public int FirstBlock;

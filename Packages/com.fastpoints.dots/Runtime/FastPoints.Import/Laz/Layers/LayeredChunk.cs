@@ -13,7 +13,7 @@ namespace FastPoints.Laz
     internal unsafe struct LayeredChunk
     {
         /// <summary>Points decoded at once: contexts and records of a tile stay in the nearest caches.</summary>
-        public const int TilePoints = 512;
+        public const int BatchPoints = 512;
 
         int m_layerCount;
         int m_recordBytes;
@@ -22,7 +22,7 @@ namespace FastPoints.Laz
         uint m_pointsInChunk;
         int m_firstRecordOffset;
         fixed ushort m_returnContexts[256];
-        fixed uint m_pointContexts[TilePoints];
+        fixed uint m_pointContexts[BatchPoints];
 
         static int LayersOffset => (UnsafeUtility.SizeOf<LayeredChunk>() + 63) / 64 * 64;
 
@@ -200,7 +200,7 @@ namespace FastPoints.Laz
         }
 
         /// <summary>Decodes the chunk's next points into the wanted bytes of their records.</summary>
-        /// <param name="count">At most <see cref="TilePoints"/>.</param>
+        /// <param name="count">At most <see cref="BatchPoints"/>.</param>
         /// <returns>Points decoded: fewer than <paramref name="count"/> only where the input does not hold them.</returns>
         public static int Decode(LayeredChunk* chunk, byte* input, byte* records, int count)
         {

@@ -19,7 +19,7 @@ namespace FastPoints.Nodes
         readonly NodeSizes m_sizes;
         IndexWorkspace m_workspace;
 
-        NativeArray<ChunkTop> m_tops;
+        NativeArray<TopNode> m_tops;
         NativeReference<ulong> m_checksum;
         NativeArray<long> m_bytesOfPlane;
         SliceTimes m_sliceTimes;
@@ -34,7 +34,7 @@ namespace FastPoints.Nodes
             m_sampler = sampler;
             m_sizes = sizes;
             m_sliceTimes = new SliceTimes(Allocator.Persistent);
-            m_tops = new NativeArray<ChunkTop>(0, Allocator.Persistent);
+            m_tops = new NativeArray<TopNode>(0, Allocator.Persistent);
             m_checksum = new NativeReference<ulong>(Allocator.Persistent);
             m_bytesOfPlane = new NativeArray<long>(store.Layout.Planes.Count, Allocator.Persistent);
             Drafts = new NativeList<NodeDraft>(64, Allocator.Persistent);
@@ -112,7 +112,7 @@ namespace FastPoints.Nodes
         /// <param name="tops">One for each chunk or region; receives the attach nodes as drafts.</param>
         /// <param name="isRoot">Whether it is the root; otherwise the top node goes to <see cref="Top"/>, as a chunk's
         /// does.</param>
-        public void BeginUpper(NativeArray<byte> records, NativeArray<ChunkTop> tops, ContainerRecord container, bool isRoot,
+        public void BeginUpper(NativeArray<byte> records, NativeArray<TopNode> tops, ContainerRecord container, bool isRoot,
             IndexWorkspace workspace)
         {
             var cube = container.Cube;
@@ -190,7 +190,7 @@ namespace FastPoints.Nodes
             return job.Schedule(inputDeps);
         }
 
-        JobHandle Sample(int count, GridCube cube, RecordLayout layout, NativeArray<byte> records, NativeArray<ChunkTop> tops,
+        JobHandle Sample(int count, GridCube cube, RecordLayout layout, NativeArray<byte> records, NativeArray<TopNode> tops,
             JobHandle inputDeps)
         {
             bool isRandom = m_sampler == Sampler.Random;
@@ -214,8 +214,8 @@ namespace FastPoints.Nodes
                 CostPerSlice = SampleNodesJob.CostOfSlice,
             };
             // Slices after the end do nothing; with many levels one slice does the rest.
-            long typical = (long)count * (isRandom ? SampleNodesJob.TypicalCost : SampleNodesJob.TypicalCostOfDarts) +
-                (Averaged.HasColumns ? (long)count * SampleNodesJob.TypicalCostOfAverages : 0);
+            long typical = (long)count * (isRandom ? SampleNodesJob.CostPerPoint : SampleNodesJob.CostPerPointOfDarts) +
+                (Averaged.HasColumns ? (long)count * SampleNodesJob.CostPerPointOfAverages : 0);
             for (long done = 0; done < typical; done += job.CostPerSlice)
                 inputDeps = job.Schedule(inputDeps);
             job.CostPerSlice = int.MaxValue;

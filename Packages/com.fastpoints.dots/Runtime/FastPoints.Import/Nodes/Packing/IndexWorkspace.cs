@@ -301,15 +301,15 @@ namespace FastPoints.Nodes
 
             /// <summary>While ranges are planned: log2 of the side of the smallest cube with the points so far, and where its
             /// octants end.</summary>
-            public int Largest;
+            public int SideLog2;
             public int Ends;
-            public fixed int EndOfPart[8];
+            public fixed int EndOfOctant[8];
 
             /// <summary>log2 of the spacing.</summary>
             public int CellLog2;
 
             /// <summary>The part whose candidates are read, the next of them, and how many the range has taken.</summary>
-            public int Part;
+            public int Child;
             public int Candidate;
             public int Taken;
 
@@ -331,7 +331,7 @@ namespace FastPoints.Nodes
         }
 
         public NativeReference<State> Progress;
-        public NativeList<SampledRange> Ranges;
+        public NativeList<SampledCube> Ranges;
 
         /// <summary>While ranges are planned: how many neighbours have a cube of each side in common, in four tables
         /// used in turn, so that no count depends on the previous one.</summary>
@@ -354,7 +354,7 @@ namespace FastPoints.Nodes
         public SampleScratch(Allocator allocator)
         {
             Progress = new NativeReference<State>(allocator);
-            Ranges = new NativeList<SampledRange>(64, allocator);
+            Ranges = new NativeList<SampledCube>(64, allocator);
             Counts = new NativeArray<int>(SampleNodesJob.CountTables * SampleNodesJob.CountsOfTable, allocator);
             Offered = new NativeList<int>(64, allocator);
             OfferedCommon = new NativeList<byte>(64, allocator);
@@ -383,7 +383,7 @@ namespace FastPoints.Nodes
     }
 
     /// <summary>What becomes of the points of a range.</summary>
-    internal enum RangeKind : byte
+    internal enum SampledCubeKind : byte
     {
         /// <summary>All points that no node above takes are one node.</summary>
         Leaf,
@@ -402,15 +402,15 @@ namespace FastPoints.Nodes
     }
 
     /// <summary>The points of one cube while a sampler works on them: a range of the ordered points. Blittable.</summary>
-    internal struct SampledRange
+    internal struct SampledCube
     {
         public int First;
         public int End;
 
         /// <summary>The nearest range above that is sampled, or -1.</summary>
         public int Parent;
-        public int FirstPart;
-        public int PartCount;
+        public int FirstChild;
+        public int ChildCount;
 
         /// <summary>How many points it offers; negative for all of them. In the end, how many of a chain's points have their
         /// node.</summary>
@@ -425,7 +425,7 @@ namespace FastPoints.Nodes
 
         /// <summary>log2 of the edge of the sampling cells: the spacing.</summary>
         public byte CellLog2;
-        public RangeKind Kind;
+        public SampledCubeKind Kind;
 
         public readonly bool OffersAll => Offered < 0;
         public readonly int OfferedCount => Offered < 0 ? End - First : Offered;

@@ -190,7 +190,7 @@ namespace FastPoints.Nodes
                 points += groups[r].Count;
             }
             start = file.Length;
-            long longest = start + shape.LongestBytes(blocks, points);
+            long longest = start + shape.MaxBytes(blocks, points);
             if (file.Capacity < longest)
                 file.SetCapacity((int)math.max(longest, math.min((long)file.Capacity * 2, int.MaxValue)));
             file.ResizeUninitialized((int)longest);

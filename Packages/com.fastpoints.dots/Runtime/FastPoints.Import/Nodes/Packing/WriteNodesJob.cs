@@ -337,7 +337,7 @@ namespace FastPoints.Nodes
                 Corner = Corner + new Grid3(position.X & whole, position.Y & whole, position.Z & whole),
                 SideLog2 = draft.SideLog2,
                 CellLog2 = draft.CellLog2,
-                Flags = (byte)((draft.IsLeaf ? NodeRecord.IsLeaf : 0) | (draft.IsTop ? NodeRecord.IsTop : 0)),
+                Flags = (byte)((draft.IsLeaf ? NodeRecord.LeafFlag : 0) | (draft.IsTop ? NodeRecord.TopFlag : 0)),
                 Parent = parent,
                 FirstChild = childCount > 0 ? firstChild : 0,
                 ChildCount = childCount,

@@ -169,7 +169,7 @@ namespace FastPoints.Nodes
         }
 
         /// <returns>False if the block is damaged: the records are then zeros, or wrong.</returns>
-        public static bool Unpack(in BlockPart part, int strideBytes)
+        public static bool Unpack(in UnpackRequest part, int strideBytes)
         {
             var header = (uint*)part.Block;
             int words = strideBytes / sizeof(uint), all = part.BlockRecords * words;
@@ -228,7 +228,7 @@ namespace FastPoints.Nodes
     }
 
     /// <summary>Some records of a block in memory, and where they go. Blittable.</summary>
-    internal unsafe struct BlockPart
+    internal unsafe struct UnpackRequest
     {
         [NativeDisableUnsafePtrRestriction] public byte* Block;
         public int BlockBytes;

@@ -165,10 +165,10 @@ namespace FastPoints.Nodes
         /// <summary>The layout for the largest range of grid numbers: wide if it does not fit 32 bits.</summary>
         public RecordLayout Records;
 
-        /// <param name="hasCubes">Whether the step is the same on all axes.</param>
+        /// <param name="hasUniformStep">Whether the step is the same on all axes.</param>
         /// <exception cref="PointCloudException">The scales and offsets do not fit any grid of 2^60 steps.</exception>
         public static GridChoice Choose(IReadOnlyList<SourceInfo> infos, IReadOnlyList<SampleStatistics> samples,
-            int attributeBytes, bool hasCubes = false)
+            int attributeBytes, bool hasUniformStep = false)
         {
             var choice = new GridChoice { Sources = new SourceGrid[infos.Count] };
             var steps = new double[3];
@@ -180,7 +180,7 @@ namespace FastPoints.Nodes
             for (int axis = 0; axis < 3; axis++)
             {
                 string name = NameOf(axis);
-                double step = hasCubes ? common : steps[axis];
+                double step = hasUniformStep ? common : steps[axis];
                 var axes = ChooseAxis(infos, axis, step, out double axisOrigin);
                 choice.Grid.Step[axis] = step;
                 choice.Grid.Origin[axis] = axisOrigin;

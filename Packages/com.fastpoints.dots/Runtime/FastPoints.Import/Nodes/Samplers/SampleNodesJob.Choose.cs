@@ -25,13 +25,13 @@ namespace FastPoints.Nodes
             int cellLog2 = m_state.CellLog2, last = range.First + m_state.Taken - 1;
             int commonOfCell = last < range.First ? 0 : offeredCommon[last];
             long best = m_state.Best;
-            while (m_state.Part < range.FirstPart + range.PartCount && m_budget > 0)
+            while (m_state.Child < range.FirstChild + range.ChildCount && m_budget > 0)
             {
-                var part = Scratch.Ranges[m_state.Part];
-                int first = part.First, end = Spend(m_state.Candidate, part.OfferedCount, CostOfCandidate);
+                var child = Scratch.Ranges[m_state.Child];
+                int first = child.First, end = Spend(m_state.Candidate, child.OfferedCount, CostOfCandidate);
                 for (int k = first + m_state.Candidate; k < first + end; k++)
                 {
-                    int point = part.OffersAll ? k : offered[k], common = part.OffersAll ? m_common[k] : offeredCommon[k];
+                    int point = child.OffersAll ? k : offered[k], common = child.OffersAll ? m_common[k] : offeredCommon[k];
                     int newMask = cellLog2 - common >> 31;
                     last -= newMask;
                     best &= ~(long)newMask;
@@ -42,19 +42,19 @@ namespace FastPoints.Nodes
                     offeredCommon[last] = (byte)commonOfCell;
                 }
                 m_state.Candidate = end;
-                if (end < part.OfferedCount)
+                if (end < child.OfferedCount)
                     break;
-                m_state.Part++;
+                m_state.Child++;
                 m_state.Candidate = 0;
             }
             m_state.Best = best;
             m_state.Taken = last + 1 - range.First;
-            if (m_state.Part < range.FirstPart + range.PartCount)
+            if (m_state.Child < range.FirstChild + range.ChildCount)
                 return;
             EndRange(ref range);
         }
 
-        void EndRange(ref SampledRange range)
+        void EndRange(ref SampledCube range)
         {
             if (!m_state.IsFixing)
             {
@@ -75,13 +75,13 @@ namespace FastPoints.Nodes
         void Gather()
         {
             ref var range = ref Scratch.Ranges.ElementAt(m_state.Range);
-            int endPart = m_state.IsFixing ? m_state.Range + 1 : range.FirstPart + range.PartCount;
+            int endChild = m_state.IsFixing ? m_state.Range + 1 : range.FirstChild + range.ChildCount;
             var grid = Grid;
             int* offered = Scratch.Offered.GetUnsafePtr();
-            while (m_state.Part < endPart)
+            while (m_state.Child < endChild)
             {
-                var part = Scratch.Ranges[m_state.Part];
-                int end = Spend(m_state.Candidate, part.OfferedCount, CostOfGather), dartCount = m_state.Darts;
+                var child = Scratch.Ranges[m_state.Child];
+                int end = Spend(m_state.Candidate, child.OfferedCount, CostOfGather), dartCount = m_state.Darts;
                 // Capacity for all that may follow.
                 ReserveDarts(dartCount + end - m_state.Candidate);
                 long strip = FaceStrip;
@@ -89,7 +89,7 @@ namespace FastPoints.Nodes
                 int* points = Scratch.PointOfDart.GetUnsafePtr();
                 for (; m_state.Candidate < end; m_state.Candidate++)
                 {
-                    int point = part.OffersAll ? part.First + m_state.Candidate : offered[part.First + m_state.Candidate];
+                    int point = child.OffersAll ? child.First + m_state.Candidate : offered[child.First + m_state.Candidate];
                     if (m_rangeOfPoint[point] < 0 && !m_state.IsFixing)
                         continue;
                     var position = PositionAt(point);
@@ -110,11 +110,11 @@ namespace FastPoints.Nodes
                     points[dartCount++] = point;
                 }
                 m_state.Darts = dartCount;
-                if (end < part.OfferedCount)
+                if (end < child.OfferedCount)
                     return;
-                m_state.Part++;
+                m_state.Child++;
                 m_state.Candidate = 0;
-                if (m_budget <= 0 && m_state.Part < endPart)
+                if (m_budget <= 0 && m_state.Child < endChild)
                     return;
             }
             if (m_state.Darts > 0)
@@ -233,11 +233,11 @@ namespace FastPoints.Nodes
             BeginAverages(-1);
         }
 
-        bool NeedsExclusion(SampledRange* ranges, int number)
+        bool NeedsExclusion(SampledCube* ranges, int number)
         {
             ref var range = ref ranges[number];
-            bool isSampled = range.Kind == RangeKind.Sampled && range.CellLog2 >= m_state.CellLog2;
-            if (isSampled || range.Kind == RangeKind.Passed || range.Parent < 0 ||
+            bool isSampled = range.Kind == SampledCubeKind.Sampled && range.CellLog2 >= m_state.CellLog2;
+            if (isSampled || range.Kind == SampledCubeKind.Passed || range.Parent < 0 ||
                 ranges[range.Parent].CellLog2 <= m_state.CellLog2 || IsFixed(ranges, number))
                 return false;
             m_budget -= Scratch.Ranges.Length;
@@ -248,7 +248,7 @@ namespace FastPoints.Nodes
         }
 
         /// <summary>Whether the cubes of two ranges are no farther apart than the spacing.</summary>
-        bool AreWithinSpacing(in SampledRange a, in SampledRange b)
+        bool AreWithinSpacing(in SampledCube a, in SampledCube b)
         {
             long near = 1L << m_state.CellLog2, cornerMaskA = -1L << a.SideLog2, cornerMaskB = -1L << b.SideLog2;
             Grid3 p = PositionAt(a.First), q = PositionAt(b.First);

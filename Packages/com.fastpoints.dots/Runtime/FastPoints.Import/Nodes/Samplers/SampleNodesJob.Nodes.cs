@@ -86,13 +86,14 @@ namespace FastPoints.Nodes
             m_state.Stage = Stage.Renumber;
         }
 
-        void AddNodes(ref SampledRange range, SampledRange* ranges)
+        void AddNodes(ref SampledCube range, SampledCube* ranges)
         {
             int node = range.Parent < 0 ? -1 : ranges[range.Parent].Node;
             range.Node = range.Count > 0 ? Nodes.Length : node;
             range.Offered = 0;
-            bool isChain = range.Kind == RangeKind.Chain, isTop = range.Kind == RangeKind.Top;
-            bool isLeaf = range.Kind == RangeKind.Leaf || isTop && Tops[TopOf(range.First)].IsLeaf || isChain && !HasNodes(range);
+            bool isChain = range.Kind == SampledCubeKind.Chain, isTop = range.Kind == SampledCubeKind.Top;
+            bool isLeaf = range.Kind == SampledCubeKind.Leaf || isTop && Tops[TopOf(range.First)].IsLeaf ||
+                isChain && !HasNodes(range);
             for (int left = range.Count; left > 0;)
             {
                 int count = isChain ? math.min(left, Sizes.MaxPointsPerNode) : left;
@@ -110,7 +111,7 @@ namespace FastPoints.Nodes
                 });
                 node = Nodes.Length - 1;
             }
-            if (Tops.Length == 0 || range.Kind == RangeKind.Sampled || range.Kind == RangeKind.Passed)
+            if (Tops.Length == 0 || range.Kind == SampledCubeKind.Sampled || range.Kind == SampledCubeKind.Passed)
                 return;
             for (int t = TopOf(range.First), last = TopOf(range.End - 1); t <= last; t++)
             {
@@ -128,7 +129,7 @@ namespace FastPoints.Nodes
             {
                 ref var range = ref ranges[RangeOf(i)];
                 m_rangeOfPoint[i] = range.Node;
-                if (range.Kind == RangeKind.Chain)
+                if (range.Kind == SampledCubeKind.Chain)
                     m_rangeOfPoint[i] += range.Offered++ / Sizes.MaxPointsPerNode;
             }
             m_state.Point = end;
@@ -137,7 +138,7 @@ namespace FastPoints.Nodes
         }
 
         /// <summary>Whether a chunk has nodes below its top, if the points are tops.</summary>
-        bool HasNodes(in SampledRange range)
+        bool HasNodes(in SampledCube range)
         {
             bool hasNodes = false;
             for (int t = TopOf(range.First); Tops.Length > 0 && t <= TopOf(range.End - 1); t++)

@@ -31,9 +31,9 @@ namespace FastPoints.Nodes
         public const int CostOfSlice = 2500000;
 
         /// <summary>More than a point costs in most clouds (20 to 30, 95 to 120, and for averages 140 to 170 more).</summary>
-        public const int TypicalCost = 40;
-        public const int TypicalCostOfDarts = 150;
-        public const int TypicalCostOfAverages = 200;
+        public const int CostPerPoint = 40;
+        public const int CostPerPointOfDarts = 150;
+        public const int CostPerPointOfAverages = 200;
 
         const int CostOfSurvey = 2;
         const int CostOfFill = 4;
@@ -63,7 +63,7 @@ namespace FastPoints.Nodes
 
         /// <summary>The chunks' tops, if the points are these: a range within one of them becomes its node. Empty for whole
         /// points.</summary>
-        public NativeArray<ChunkTop> Tops;
+        public NativeArray<TopNode> Tops;
 
         /// <summary>Out: the node of each point. Before the end, its range.</summary>
         public NativeArray<int> NodeOfPoint;
@@ -169,7 +169,7 @@ namespace FastPoints.Nodes
             }
             m_state.Stage = Count > 0 ? Stage.Plan : Stage.Done;
             if (Count > 0)
-                Scratch.Ranges.Add(new SampledRange { End = Count, Parent = -1, SideLog2 = (byte)RootSideLog2, Offered = -1 });
+                Scratch.Ranges.Add(new SampledCube { End = Count, Parent = -1, SideLog2 = (byte)RootSideLog2, Offered = -1 });
             BeginPlan(0);
         }
 
@@ -184,7 +184,7 @@ namespace FastPoints.Nodes
             }
             m_state.Stage = Stage.Plan;
             m_state.Point = Scratch.Ranges[range].First + 1;
-            m_state.Largest = m_state.Ends = 0;
+            m_state.SideLog2 = m_state.Ends = 0;
             UnsafeUtility.MemClear(Scratch.Counts.GetUnsafePtr(), (long)Scratch.Counts.Length * sizeof(int));
         }
 
@@ -193,7 +193,7 @@ namespace FastPoints.Nodes
         {
             ref var range = ref Scratch.Ranges.ElementAt(m_state.Range);
             int* counts = (int*)Scratch.Counts.GetUnsafePtr();
-            int end = Spend(m_state.Point, range.End, CostOfSurvey), largest = m_state.Largest;
+            int end = Spend(m_state.Point, range.End, CostOfSurvey), largest = m_state.SideLog2;
             for (int i = m_state.Point; i < end; i++)
             {
                 int side = m_common[i];
@@ -201,21 +201,21 @@ namespace FastPoints.Nodes
                 if (side < largest || side == 0)
                     continue;
                 m_state.Ends = side > largest ? 0 : m_state.Ends;
-                m_state.EndOfPart[m_state.Ends++] = i;
+                m_state.EndOfOctant[m_state.Ends++] = i;
                 largest = side;
             }
             m_state.Point = end;
-            m_state.Largest = largest;
+            m_state.SideLog2 = largest;
             if (end < range.End)
                 return;
-            var survey = new RangeSurvey { Left = range.End - range.First, AnyCell = 1, Largest = largest };
-            for (int side = 0; side < RangeSurvey.Sides; side++)
+            var survey = new CubeSurvey { PointCount = range.End - range.First, AnyCell = 1, SideLog2 = largest };
+            for (int side = 0; side < CubeSurvey.Sides; side++)
                 for (int table = 0; table < CountTables; table++)
                     survey.CellsBelow[side] += counts[table * CountsOfTable + side];
             Decide(ref range, survey);
-            if (range.Kind == RangeKind.Sampled || range.Kind == RangeKind.Passed)
+            if (range.Kind == SampledCubeKind.Sampled || range.Kind == SampledCubeKind.Passed)
             {
-                AddParts(m_state.Range);
+                AddChildren(m_state.Range);
                 BeginPlan(m_state.Range + 1);
                 return;
             }
@@ -224,56 +224,56 @@ namespace FastPoints.Nodes
             m_state.Stage = Stage.Fill;
         }
 
-        void Decide(ref SampledRange range, in RangeSurvey survey)
+        void Decide(ref SampledCube range, in CubeSurvey survey)
         {
             int finest = survey.FinestCell(Sizes, out int cells);
-            bool isLeaf = Sizes.IsLeaf(survey.Left, cells);
+            bool isLeaf = Sizes.IsLeaf(survey.PointCount, cells);
             if (Tops.Length > 0)
             {
                 int first = TopOf(range.First), last = TopOf(range.End - 1);
                 if (first == last)
                 {
-                    range.Kind = RangeKind.Top;
+                    range.Kind = SampledCubeKind.Top;
                     range.SideLog2 = Tops[first].SideLog2;
                     range.CellLog2 = Tops[first].CellLog2;
                     return;
                 }
                 isLeaf &= !HasNodes(range);
             }
-            range.Kind = isLeaf ? RangeKind.Leaf : survey.Largest == 0 ? RangeKind.Chain : RangeKind.Sampled;
+            range.Kind = isLeaf ? SampledCubeKind.Leaf : survey.SideLog2 == 0 ? SampledCubeKind.Chain : SampledCubeKind.Sampled;
             if (isLeaf)
             {
                 range.CellLog2 = (byte)math.max(0, range.SideLog2 - Sizes.CellsLog2);
                 return;
             }
-            range.SideLog2 = (byte)survey.Largest;
+            range.SideLog2 = (byte)survey.SideLog2;
             range.CellLog2 = (byte)finest;
-            if (range.Kind == RangeKind.Chain)
+            if (range.Kind == SampledCubeKind.Chain)
             {
                 range.CellLog2 = 0;
             }
             else if (range.Parent >= 0 && Scratch.Ranges[range.Parent].CellLog2 <= finest)
             {
-                range.Kind = RangeKind.Passed;
+                range.Kind = SampledCubeKind.Passed;
                 range.CellLog2 = Scratch.Ranges[range.Parent].CellLog2;
             }
         }
 
-        void AddParts(int number)
+        void AddChildren(int number)
         {
             var range = Scratch.Ranges[number];
-            range.FirstPart = Scratch.Ranges.Length;
-            range.PartCount = m_state.Ends + 1;
+            range.FirstChild = Scratch.Ranges.Length;
+            range.ChildCount = m_state.Ends + 1;
             Scratch.Ranges[number] = range;
             int first = range.First;
-            for (int part = 0; part <= m_state.Ends; part++)
+            for (int child = 0; child <= m_state.Ends; child++)
             {
-                int end = part < m_state.Ends ? m_state.EndOfPart[part] : range.End;
-                Scratch.Ranges.Add(new SampledRange
+                int end = child < m_state.Ends ? m_state.EndOfOctant[child] : range.End;
+                Scratch.Ranges.Add(new SampledCube
                 {
                     First = first,
                     End = end,
-                    Parent = range.Kind == RangeKind.Sampled ? number : range.Parent,
+                    Parent = range.Kind == SampledCubeKind.Sampled ? number : range.Parent,
                     SideLog2 = (byte)(range.SideLog2 - 1),
                     Offered = -1,
                 });
@@ -295,7 +295,7 @@ namespace FastPoints.Nodes
             m_state.Point = end;
             if (end < range.End)
                 return;
-            if (range.Kind == RangeKind.Chain)
+            if (range.Kind == SampledCubeKind.Chain)
             {
                 range.Offered = 1;
                 Scratch.Offered[range.First] = PointOf(m_state.Best);
@@ -310,7 +310,7 @@ namespace FastPoints.Nodes
             var ranges = Scratch.Ranges.GetUnsafePtr();
             int next = int.MaxValue, count = Scratch.Ranges.Length;
             for (int r = 0; r < count; r++)
-                if (ranges[r].Kind == RangeKind.Sampled && ranges[r].CellLog2 > m_state.CellLog2)
+                if (ranges[r].Kind == SampledCubeKind.Sampled && ranges[r].CellLog2 > m_state.CellLog2)
                     next = math.min(next, ranges[r].CellLog2);
             m_budget -= count;
             m_state.CellLog2 = next;
@@ -319,7 +319,7 @@ namespace FastPoints.Nodes
             if (next == int.MaxValue)
                 return;
             for (int r = count - 1; r >= 0; r--)
-                if (ranges[r].Kind == RangeKind.Passed && ranges[r].CellLog2 == next)
+                if (ranges[r].Kind == SampledCubeKind.Passed && ranges[r].CellLog2 == next)
                     OfferToParent(ranges, r);
             if (!IsRandom)
                 Scratch.Grid.Clear(Count);
@@ -327,19 +327,19 @@ namespace FastPoints.Nodes
             BeginRange(-1);
         }
 
-        void OfferToParent(SampledRange* ranges, int number)
+        void OfferToParent(SampledCube* ranges, int number)
         {
             ref var range = ref ranges[number];
             int to = range.First;
-            for (int part = range.FirstPart; part < range.FirstPart + range.PartCount; part++)
+            for (int child = range.FirstChild; child < range.FirstChild + range.ChildCount; child++)
             {
-                int first = ranges[part].First, count = ranges[part].OfferedCount;
+                int first = ranges[child].First, count = ranges[child].OfferedCount;
                 for (int k = first; k < first + count; k++, to++)
                 {
                     if (IsRandom)
-                        Scratch.OfferedCommon[to] = ranges[part].OffersAll ? m_common[k] : Scratch.OfferedCommon[k];
+                        Scratch.OfferedCommon[to] = ranges[child].OffersAll ? m_common[k] : Scratch.OfferedCommon[k];
                     // Excluded ones as well: gathering checks them.
-                    Scratch.Offered[to] = ranges[part].OffersAll ? k : Scratch.Offered[k];
+                    Scratch.Offered[to] = ranges[child].OffersAll ? k : Scratch.Offered[k];
                 }
             }
             range.Offered = to - range.First;
@@ -367,33 +367,33 @@ namespace FastPoints.Nodes
                 number = -1;
             }
             m_state.Range = number;
-            m_state.Part = m_state.IsFixing ? number : ranges[number].FirstPart;
+            m_state.Child = m_state.IsFixing ? number : ranges[number].FirstChild;
             m_state.Candidate = m_state.Taken = m_state.Darts = 0;
             m_state.Stage = IsRandom ? Stage.ChooseCells : Stage.Gather;
         }
 
-        bool IsOfSpacing(in SampledRange range) => range.Kind == RangeKind.Sampled && range.CellLog2 == m_state.CellLog2;
+        bool IsOfSpacing(in SampledCube range) => range.Kind == SampledCubeKind.Sampled && range.CellLog2 == m_state.CellLog2;
 
         /// <summary>Whether remaining points of a chunk's top bar others at this spacing.</summary>
-        bool IsFixed(SampledRange* ranges, int number)
+        bool IsFixed(SampledCube* ranges, int number)
         {
             ref var range = ref ranges[number];
-            return range.Kind == RangeKind.Top && range.CellLog2 >= m_state.CellLog2 && range.Parent >= 0 &&
+            return range.Kind == SampledCubeKind.Top && range.CellLog2 >= m_state.CellLog2 && range.Parent >= 0 &&
                 ranges[range.Parent].CellLog2 > m_state.CellLog2 && !Tops[TopOf(range.First)].IsLeaf;
         }
     }
 
     /// <summary>What a sampler knows of a range's points before it decides how to handle them.</summary>
-    internal unsafe struct RangeSurvey
+    internal unsafe struct CubeSurvey
     {
         // There is one for each side from a step's to the largest cube's, and one beyond all.
         public const int Sides = GridCube.MaxSideLog2 + 3;
 
         /// <summary>Number of points.</summary>
-        public int Left;
+        public int PointCount;
 
         /// <summary>log2 of the side of the smallest cube with all of them.</summary>
-        public int Largest;
+        public int SideLog2;
 
         /// <summary>Number of cells of any size, apart from those below.</summary>
         public int AnyCell;
@@ -406,12 +406,12 @@ namespace FastPoints.Nodes
         /// <param name="cells">The number of cells with points.</param>
         public readonly int FinestCell(in NodeSizes sizes, out int cells)
         {
-            int finest = Largest > sizes.CellsLog2 ? Largest - sizes.CellsLog2 : 0;
-            int best = Largest, more = AnyCell;
-            for (int side = Sides - 1; side > Largest; side--)
+            int finest = SideLog2 > sizes.CellsLog2 ? SideLog2 - sizes.CellsLog2 : 0;
+            int best = SideLog2, more = AnyCell;
+            for (int side = Sides - 1; side > SideLog2; side--)
                 more += CellsBelow[side];
             cells = more;
-            for (int cell = Largest - 1; cell >= finest; cell--)
+            for (int cell = SideLog2 - 1; cell >= finest; cell--)
             {
                 more += CellsBelow[cell + 1];
                 if (more > sizes.MaxPointsPerNode)

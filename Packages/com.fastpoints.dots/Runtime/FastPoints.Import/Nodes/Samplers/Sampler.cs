@@ -63,13 +63,13 @@ namespace FastPoints.Nodes
         public byte CellLog2;
         public bool IsLeaf;
 
-        /// <summary>Whether it is the remainder of a chunk's top: see <see cref="Store.NodeRecord.IsTop"/>.</summary>
+        /// <summary>Whether it is the remainder of a chunk's top: see <see cref="Store.NodeRecord.TopFlag"/>.</summary>
         public bool IsTop;
     }
 
     /// <summary>A chunk's part in the merge: its top node's points in order, and whether anything is below them.
     /// Blittable.</summary>
-    internal struct ChunkTop
+    internal struct TopNode
     {
         /// <summary>Range of the merged points.</summary>
         public int First;

@@ -275,7 +275,7 @@ namespace FastPoints.Reading
         public NativeFileRead Read { get; }
         public JobHandle Counted { get; private set; }
 
-        public JobHandle Begin(SourceHandle file, long offset, int bytes, FetchedBytes fetched)
+        public JobHandle Begin(SourceHandle file, long offset, int bytes, RemoteFetch fetched)
         {
             Read.Fetched = fetched;
             var read = Read.Begin(file, offset, bytes);

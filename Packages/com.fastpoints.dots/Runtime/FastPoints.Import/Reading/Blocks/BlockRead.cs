@@ -30,10 +30,10 @@ namespace FastPoints.Reading
         internal JobHandle Dependency { get; set; }
 
         // What the range that begins next needs of remote files. The slot owns it from then on.
-        internal FetchedBytes Fetched { get; set; }
+        internal RemoteFetch Fetched { get; set; }
 
         // Hands it over.
-        internal FetchedBytes TakeFetched()
+        internal RemoteFetch TakeFetched()
         {
             var fetched = Fetched;
             Fetched = null;
@@ -45,7 +45,7 @@ namespace FastPoints.Reading
 
         /// <summary>Requests <see cref="KeepState"/>, before the first range. False if the format has no state to continue from,
         /// or the cost of a range depends only on its own points.</summary>
-        public virtual bool TryKeepStates() => false;
+        public virtual bool TryEnableStates() => false;
 
         // After the last completed range, which must have been complete. The memory of a state in "reused" may be taken.
         internal virtual DecoderState KeepState(DecoderState reused) => throw new NotSupportedException();

@@ -97,13 +97,13 @@ namespace FastPoints.Reading
         public bool IsFirst;
 
         // A GCHandle of a DecompressorHandle: jobs hold no references.
-        public long Slot;
+        public long Handle;
 
         public NativeReference<DecompressState> State;
 
         public void Execute()
         {
-            var slot = (DecompressorHandle)GCHandle.FromIntPtr((IntPtr)Slot).Target;
+            var slot = (DecompressorHandle)GCHandle.FromIntPtr((IntPtr)Handle).Target;
             var state = IsFirst ? default : State.Value;
             if (!state.IsBroken)
                 Decode(slot, ref state);

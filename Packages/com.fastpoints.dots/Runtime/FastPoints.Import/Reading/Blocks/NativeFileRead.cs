@@ -20,7 +20,7 @@ namespace FastPoints.Reading
         ReadHandle m_handle;
         string m_path;
         bool m_isReading;
-        FetchedBytes m_fetched;
+        RemoteFetch m_fetched;
         JobHandle m_copied;
         PointCloudException m_failure;
 
@@ -51,7 +51,7 @@ namespace FastPoints.Reading
         public bool IsReading => m_isReading;
 
         // What the next read of remote files needs. Freed when that has ended.
-        public FetchedBytes Fetched
+        public RemoteFetch Fetched
         {
             set
             {
@@ -60,17 +60,17 @@ namespace FastPoints.Reading
             }
         }
 
-        // Whether what is read next is here: of a local file always; of a remote one it is fetched from the first call on.
-        public bool IsFetched(string path, long offset, long bytes)
+        // Returns whether what is read next is here: of a local file always. Of a remote one the first call begins the requests.
+        public bool TryFetch(string path, long offset, long bytes)
         {
             if (!SourcePath.IsRemote(path))
                 return true;
             m_commands[0] = new ReadCommand { Offset = offset, Size = bytes };
-            return AreFetched(path, 1);
+            return TryFetch(path, 1);
         }
 
         // The same of several segments, which are set.
-        public bool AreFetched(string path, int commands)
+        public bool TryFetch(string path, int commands)
         {
             if (!SourcePath.IsRemote(path))
                 return true;
@@ -84,7 +84,7 @@ namespace FastPoints.Reading
                         OffsetBytes = m_commands[i].Offset,
                         LengthBytes = m_commands[i].Size,
                     });
-                m_fetched = new FetchedBytes(pieces, 0);
+                m_fetched = new RemoteFetch(pieces, 0);
             }
             return m_fetched.IsDone;
         }

@@ -32,7 +32,7 @@ namespace FastPoints.Reading
 
         public JobHandle Decoded { get; private set; }
 
-        public FetchedBytes Fetched { set => m_file.Fetched = value; }
+        public RemoteFetch Fetched { set => m_file.Fetched = value; }
 
         public int Segments { get; private set; }
         public long BytesRead { get; private set; }

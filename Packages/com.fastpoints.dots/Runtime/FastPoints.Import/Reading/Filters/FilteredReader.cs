@@ -9,12 +9,12 @@ namespace FastPoints.Reading
     /// It owns neither the source nor the filter.</summary>
     internal sealed class FilteredReader : PointReader
     {
-        readonly IPointSelection m_filter;
+        readonly IPointFilter m_filter;
         readonly IReadOnlyList<int> m_blocks; // Null for all.
         readonly long[] m_firstPointOfBlock;
         readonly int m_maxPointsPerBlock;
 
-        public FilteredReader(PointReader unfiltered, IPointSelection filter)
+        public FilteredReader(PointReader unfiltered, IPointFilter filter)
         {
             Unfiltered = unfiltered;
             m_filter = filter;
@@ -23,7 +23,7 @@ namespace FastPoints.Reading
         }
 
         /// <param name="blocks">Ascending. The source's blocks are known.</param>
-        public FilteredReader(PointReader unfiltered, IPointSelection filter, IReadOnlyList<int> blocks)
+        public FilteredReader(PointReader unfiltered, IPointFilter filter, IReadOnlyList<int> blocks)
             : this(unfiltered, filter)
         {
             m_blocks = blocks;
@@ -87,7 +87,7 @@ namespace FastPoints.Reading
         {
             readonly FilteredReader m_reader;
             readonly BlockRead m_inner;
-            readonly ISelectionSlot m_slot;
+            readonly IFilterSlot m_slot;
 
             public Read(FilteredReader reader, BlockRead inner)
             {
@@ -119,7 +119,7 @@ namespace FastPoints.Reading
                     : m_slot.Schedule(m_inner.Result, range, FirstPoint, m_inner.Decoded);
             }
 
-            public override bool TryKeepStates() => m_inner.TryKeepStates();
+            public override bool TryEnableStates() => m_inner.TryEnableStates();
 
             internal override DecoderState KeepState(DecoderState reused) => m_inner.KeepState(reused);
 
@@ -148,7 +148,7 @@ namespace FastPoints.Reading
     }
 
     /// <summary>Chooses points of decoded batches.</summary>
-    internal interface IPointSelection
+    internal interface IPointFilter
     {
         /// <summary>Names of the attributes that it reads, beside the position.</summary>
         IEnumerable<string> Attributes { get; }
@@ -156,11 +156,11 @@ namespace FastPoints.Reading
         /// <summary>Differs between those that keep different points.</summary>
         ulong Hash { get; }
 
-        ISelectionSlot CreateSlot(PointBatch batch, in PositionTransform transform);
+        IFilterSlot CreateSlot(PointBatch batch, in PositionTransform transform);
     }
 
     /// <summary>A selection's memory for one block in flight.</summary>
-    internal interface ISelectionSlot : IDisposable
+    internal interface IFilterSlot : IDisposable
     {
         /// <summary>The number of points left in the batch, when the scheduled jobs are complete.</summary>
         NativeReference<DecodeResult> Result { get; }

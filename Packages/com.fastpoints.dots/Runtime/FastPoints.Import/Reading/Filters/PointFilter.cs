@@ -11,7 +11,7 @@ using Unity.Mathematics;
 namespace FastPoints.Reading
 {
     /// <summary>Selects the points of a source that satisfy all conditions.</summary>
-    internal sealed class PointFilter : IPointSelection, IDisposable
+    internal sealed class PointFilter : IPointFilter, IDisposable
     {
         readonly List<FilterExpression> m_expressions = new List<FilterExpression>();
 
@@ -64,12 +64,12 @@ namespace FastPoints.Reading
 
         public void Dispose() => Polygons?.Dispose();
 
-        public ISelectionSlot CreateSlot(PointBatch batch, in PositionTransform transform) =>
+        public IFilterSlot CreateSlot(PointBatch batch, in PositionTransform transform) =>
             new FilterSlot(this, batch, transform);
     }
 
     /// <summary>Applies a filter to a batch once it is decoded: wanted points move to its front.</summary>
-    internal sealed class FilterSlot : ISelectionSlot
+    internal sealed class FilterSlot : IFilterSlot
     {
         const int PointsPerSlice = 8192;
 

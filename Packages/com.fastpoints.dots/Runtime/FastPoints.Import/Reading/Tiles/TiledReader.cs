@@ -353,7 +353,7 @@ namespace FastPoints.Reading
                     m_hasFixedStride &= tile.HasFixedStride;
                     summary.Include(reader.Info);
                     if (m_tiles.Count <= MaxListed)
-                        Info.Fact(SourcePath.NameOf(path), summary.Describe(reader.Info));
+                        Info.AddFact(SourcePath.NameOf(path), summary.Describe(reader.Info));
                     TakeWarnings(tile);
                     m_isRemote |= reader.IsRemote;
                     if (!reader.IsRemote)
@@ -373,7 +373,7 @@ namespace FastPoints.Reading
                 throw new PointCloudException(FailureCode.Unsupported, Info.Path, -1, "the folder has no point cloud that can " +
                     "be read" + (Info.Warnings.Count > 0 ? ": " + Info.Warnings[Info.Warnings.Count - 1].Text : ""));
             if (m_tiles.Count > MaxListed)
-                Info.Fact("and", (m_tiles.Count - MaxListed) + " more files");
+                Info.AddFact("and", (m_tiles.Count - MaxListed) + " more files");
             summary.End(m_tiles.Count);
             if (info == null)
                 new TileSchema(m_tiles, Info).MergeSchemas();

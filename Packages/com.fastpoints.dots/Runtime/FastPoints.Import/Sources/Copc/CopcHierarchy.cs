@@ -69,7 +69,7 @@ namespace FastPoints.Sources
                 for (long done = 0; done < page.Bytes; done += PieceBytes)
                 {
                     int bytes = (int)Math.Min(PieceBytes, page.Bytes - done);
-                    while (!read.IsFetched(m_blocks.File.Path, page.Offset + done, bytes))
+                    while (!read.TryFetch(m_blocks.File.Path, page.Offset + done, bytes))
                         yield return default;
                     yield return read.Begin(m_blocks.File, page.Offset + done, bytes);
                     read.End();

@@ -61,19 +61,19 @@ namespace FastPoints.Sources
 
         internal override SourceTree Tree => m_tree;
 
-        public override bool BlocksAreKnown => m_tree.IsWhole;
+        public override bool BlocksAreKnown => m_tree.IsHierarchyRead;
 
         public IEnumerator<JobStep> FindBelow(int4 node, int levels) => m_hierarchy.Read(node, Math.Max(1, levels));
 
-        public bool IsKnownBelow(int4 node, int levels) => m_tree.IsWhole || m_hierarchy.IsKnown(node, levels);
+        public bool IsKnownBelow(int4 node, int levels) => m_tree.IsHierarchyRead || m_hierarchy.IsKnown(node, levels);
 
         public override IEnumerator<JobStep> FindBlocks()
         {
-            if (m_tree.IsWhole)
+            if (m_tree.IsHierarchyRead)
                 yield break;
             yield return JobStep.Of(m_hierarchy.Read(default, int.MaxValue));
             m_hierarchy.WarnUnreported();
-            yield return JobStep.Of(PoolTask.Run(Info.Path, Check, checkedAll => m_tree.IsWhole = checkedAll));
+            yield return JobStep.Of(PoolTask.Run(Info.Path, Check, checkedAll => m_tree.IsHierarchyRead = checkedAll));
         }
 
         bool Check()
@@ -189,12 +189,12 @@ namespace FastPoints.Sources
 
         public void AddFacts(SourceInfo info)
         {
-            info.Fact("COPC version", "1.0");
-            info.Fact("COPC center", NumberText.Of(Center.x) + " " + NumberText.Of(Center.y) + " " + NumberText.Of(Center.z));
-            info.Fact("COPC half size", NumberText.Of(HalfSize));
-            info.Fact("COPC spacing", NumberText.Of(Spacing));
-            info.Fact("COPC root page", NumberText.Of(RootPageBytes) + " bytes at byte " + NumberText.Of(RootPageOffset));
-            info.Fact("COPC GPS time", NumberText.Of(MinGpsTime) + " to " + NumberText.Of(MaxGpsTime));
+            info.AddFact("COPC version", "1.0");
+            info.AddFact("COPC center", NumberText.Of(Center.x) + " " + NumberText.Of(Center.y) + " " + NumberText.Of(Center.z));
+            info.AddFact("COPC half size", NumberText.Of(HalfSize));
+            info.AddFact("COPC spacing", NumberText.Of(Spacing));
+            info.AddFact("COPC root page", NumberText.Of(RootPageBytes) + " bytes at byte " + NumberText.Of(RootPageOffset));
+            info.AddFact("COPC GPS time", NumberText.Of(MinGpsTime) + " to " + NumberText.Of(MaxGpsTime));
         }
     }
 }

@@ -93,7 +93,7 @@ namespace FastPoints.Sources
             JobHandle parsed = default;
             try
             {
-                while (!read.IsFetched(path, 0, length))
+                while (!read.TryFetch(path, 0, length))
                     yield return default;
                 yield return read.Begin(SourcePath.Full(path), 0, (int)length);
                 read.End();

@@ -56,10 +56,10 @@ namespace FastPoints.Sources
             index.ReadCube(json);
             index.ReadSchema(json);
             ReadCrs(json, info);
-            info.Fact("data type", json.Text("dataType"));
-            info.Fact("span", NumberText.Of(json.Number("span", 0)));
-            info.Fact("spacing", NumberText.Of(index.Spacing));
-            info.Fact("schema bytes a point", NumberText.Of(index.RecordBytes));
+            info.AddFact("data type", json.Text("dataType"));
+            info.AddFact("span", NumberText.Of(json.Number("span", 0)));
+            info.AddFact("spacing", NumberText.Of(index.Spacing));
+            info.AddFact("schema bytes a point", NumberText.Of(index.RecordBytes));
             return index;
         }
 

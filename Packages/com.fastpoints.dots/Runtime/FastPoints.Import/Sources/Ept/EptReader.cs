@@ -100,11 +100,11 @@ namespace FastPoints.Sources
 
         public override IEnumerator<JobStep> FindBelow(int4 node, int levels) => m_hierarchy.Read(node, Math.Max(1, levels));
 
-        public override bool IsKnownBelow(int4 node, int levels) => Tree.IsWhole || m_hierarchy.IsKnown(node, levels);
+        public override bool IsKnownBelow(int4 node, int levels) => Tree.IsHierarchyRead || m_hierarchy.IsKnown(node, levels);
 
         public override IEnumerator<JobStep> FindBlocks()
         {
-            if (Tree.IsWhole)
+            if (Tree.IsHierarchyRead)
                 yield break;
             yield return JobStep.Of(m_hierarchy.Read(default, int.MaxValue));
             string found = "ept.json claims " + NumberText.Of(Info.PointsClaimed)
@@ -114,7 +114,7 @@ namespace FastPoints.Sources
             if ((ulong)PointCount != Info.PointsClaimed)
                 Info.Warn(-1, found);
             Info.PointsReadable = PointCount;
-            Tree.IsWhole = true;
+            Tree.IsHierarchyRead = true;
         }
 
         public override BlockRead CreateRead(PointSchema wanted, int capacity, Allocator allocator)

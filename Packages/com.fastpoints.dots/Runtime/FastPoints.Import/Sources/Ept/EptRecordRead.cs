@@ -56,13 +56,13 @@ namespace FastPoints.Sources
         const int PointsPerSlice = 1 << 16;
 
         // Less than a millisecond of decompression.
-        const int TileBytes = 256 << 10;
+        const int BufferBytes = 256 << 10;
 
         readonly DecompressorHandle m_decompressor;
         readonly int m_recordBytes;
         readonly int m_tilePoints;
         readonly NativeArray<FieldCopy> m_copies;
-        readonly NativeArray<byte> m_tile;
+        readonly NativeArray<byte> m_buffer;
         readonly NativeReference<DecompressState> m_state;
 
         public EptRecordRead(EptReader reader, Func<StreamDecompressor> decompressor, PointSchema wanted, int capacity,
@@ -70,7 +70,7 @@ namespace FastPoints.Sources
             : base(reader, wanted, capacity, allocator)
         {
             m_recordBytes = reader.Index.RecordBytes;
-            m_tilePoints = Math.Max(1, TileBytes / m_recordBytes);
+            m_tilePoints = Math.Max(1, BufferBytes / m_recordBytes);
             try
             {
                 m_copies = Own(new NativeArray<FieldCopy>(FieldCopyPlan.Make(reader.Index.Fields, Points), allocator));
@@ -84,7 +84,7 @@ namespace FastPoints.Sources
             }
             m_state = Own(new NativeReference<DecompressState>(allocator));
             if (decompressor != null)
-                m_tile = OwnArray<byte>(m_tilePoints * m_recordBytes, allocator);
+                m_buffer = OwnArray<byte>(m_tilePoints * m_recordBytes, allocator);
         }
 
         protected override JobHandle Schedule(BlockRange range, in NodeBlock block)
@@ -108,15 +108,15 @@ namespace FastPoints.Sources
                 {
                     Input = File.Buffer,
                     InputBytes = BytesRead,
-                    Output = m_tile,
+                    Output = m_buffer,
                     Wanted = count * m_recordBytes,
                     IsFirst = first == 0,
-                    Slot = m_decompressor.Handle,
+                    Handle = m_decompressor.Handle,
                     State = m_state,
                 }.Schedule(decoded);
                 long from = Math.Max(first, begin);
                 if (from < first + count)
-                    decoded = Decode(m_tile, (int)(from - first), (int)(from - begin), (int)(first + count - from))
+                    decoded = Decode(m_buffer, (int)(from - first), (int)(from - begin), (int)(first + count - from))
                         .Schedule(decoded);
             }
             return decoded;

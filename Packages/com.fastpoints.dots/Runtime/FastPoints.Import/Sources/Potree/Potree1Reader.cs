@@ -115,7 +115,7 @@ namespace FastPoints.Sources
             return (int3)math.ceil(corner - CornerTolerance);
         }
 
-        public override bool IsKnownBelow(int4 node, int levels) => Tree.IsWhole || !TryPeek(node, levels, out _);
+        public override bool IsKnownBelow(int4 node, int levels) => Tree.IsHierarchyRead || !TryPeek(node, levels, out _);
 
         private protected override IEnumerator<JobStep> ReadPages(int4 node, int levels)
         {
@@ -132,7 +132,7 @@ namespace FastPoints.Sources
                     break;
                 yield return JobStep.Of(looking);
             }
-            Tree.IsWhole = Pages.Count == 0;
+            Tree.IsHierarchyRead = Pages.Count == 0;
         }
 
         bool TryPeek(int4 node, int levels, out UnreadPage page)

@@ -105,7 +105,7 @@ namespace FastPoints.Sources
 
         public override void CloseFile() => m_octree.Close();
 
-        public override bool IsKnownBelow(int4 node, int levels) => Tree.IsWhole || !Pages.TryPeek(node, levels, out _);
+        public override bool IsKnownBelow(int4 node, int levels) => Tree.IsHierarchyRead || !Pages.TryPeek(node, levels, out _);
 
         // The page has another record whose bytes have not been used before.
         bool HasRecord => m_recordsLeft > 0 && m_recordOffset + RecordBytes <= m_pageEnd;
@@ -129,7 +129,7 @@ namespace FastPoints.Sources
                 yield return default;
                 done = 0;
             }
-            Tree.IsWhole = Pages.Count == 0;
+            Tree.IsHierarchyRead = Pages.Count == 0;
         }
 
         bool BeginPage(int4 node, int levels)

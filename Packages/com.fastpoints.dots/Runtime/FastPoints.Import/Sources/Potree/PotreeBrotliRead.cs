@@ -14,9 +14,9 @@ namespace FastPoints.Sources
     sealed class PotreeBrotliRead : NodeRead
     {
         // About a millisecond of Brotli.
-        const int TileBytes = 256 << 10;
+        const int BufferBytes = 256 << 10;
 
-        struct Part
+        struct EncodedAttribute
         {
             public int BytesPerPoint;
             public PotreeAttributeKind Kind;
@@ -27,11 +27,11 @@ namespace FastPoints.Sources
             public bool IsWanted;
         }
 
-        readonly List<Part> m_parts = new List<Part>();
+        readonly List<EncodedAttribute> m_encoded = new List<EncodedAttribute>();
         readonly PotreeSpecialColumns m_special;
         readonly DecompressorHandle m_decompressor;
         readonly NativeArray<FieldCopy> m_copies;
-        readonly NativeArray<byte> m_tile;
+        readonly NativeArray<byte> m_buffer;
         readonly NativeReference<DecompressState> m_state;
 
         public PotreeBrotliRead(PotreeReader reader, PointSchema wanted, int capacity, Allocator allocator)
@@ -39,7 +39,7 @@ namespace FastPoints.Sources
         {
             m_special = PotreeSpecialColumns.Of(reader.Layout, Points);
             m_copies = Own(new NativeArray<FieldCopy>(PlanParts(reader.Layout).ToArray(), allocator));
-            m_tile = OwnArray<byte>(TileBytes, allocator);
+            m_buffer = OwnArray<byte>(BufferBytes, allocator);
             m_state = Own(new NativeReference<DecompressState>(allocator));
             m_decompressor = Own(new DecompressorHandle(Decompressors.Brotli()));
         }
@@ -51,23 +51,26 @@ namespace FastPoints.Sources
             for (int i = 0; i < attributes.Count; i++)
             {
                 var attribute = attributes[i];
-                var part = new Part { BytesPerPoint = attribute.Bytes, Kind = attribute.Kind, FirstCopy = copies.Count };
+                var encoded = new EncodedAttribute
+                {
+                    BytesPerPoint = attribute.Bytes, Kind = attribute.Kind, FirstCopy = copies.Count,
+                };
                 foreach (var column in Points.Schema)
-                    part.IsWanted |= layout.AttributeOf(column) == i;
+                    encoded.IsWanted |= layout.AttributeOf(column) == i;
                 // Only these two names stand for Morton codes.
                 if (attribute.Name == "position")
-                    part.BytesPerPoint = DecodePotreeTileJob.PositionBytes;
+                    encoded.BytesPerPoint = DecodePotreeAttributeJob.PositionBytes;
                 else if (attribute.Name == "rgb" && attribute.Bytes == 6)
-                    part.BytesPerPoint = DecodePotreeTileJob.ColorBytes;
+                    encoded.BytesPerPoint = DecodePotreeAttributeJob.ColorBytes;
                 else if (attribute.Kind == PotreeAttributeKind.Position || attribute.Kind == PotreeAttributeKind.Color)
-                    part.Kind = PotreeAttributeKind.Plain;
-                if (part.Kind != PotreeAttributeKind.Position && !attribute.IsPackedNormal)
+                    encoded.Kind = PotreeAttributeKind.Plain;
+                if (encoded.Kind != PotreeAttributeKind.Position && !attribute.IsPackedNormal)
                     copies.AddRange(layout.PlanCopies(Points, other => other == attribute, attribute.RecordOffset));
-                part.CopyCount = copies.Count - part.FirstCopy;
-                m_parts.Add(part);
+                encoded.CopyCount = copies.Count - encoded.FirstCopy;
+                m_encoded.Add(encoded);
             }
-            int last = m_parts.FindLastIndex(part => part.IsWanted);
-            m_parts.RemoveRange(last + 1, m_parts.Count - last - 1);
+            int last = m_encoded.FindLastIndex(encoded => encoded.IsWanted);
+            m_encoded.RemoveRange(last + 1, m_encoded.Count - last - 1);
             return copies;
         }
 
@@ -75,9 +78,9 @@ namespace FastPoints.Sources
         {
             var decoded = BeginRead(range);
             bool isFirst = true;
-            foreach (var part in m_parts)
+            foreach (var encoded in m_encoded)
             {
-                int tilePoints = Math.Max(1, TileBytes / part.BytesPerPoint);
+                int tilePoints = Math.Max(1, BufferBytes / encoded.BytesPerPoint);
                 for (int first = 0; first < block.Points; first += tilePoints)
                 {
                     int count = Math.Min(tilePoints, block.Points - first);
@@ -85,19 +88,19 @@ namespace FastPoints.Sources
                     {
                         Input = File.Buffer,
                         InputBytes = BytesRead,
-                        Output = m_tile,
-                        Wanted = count * part.BytesPerPoint,
+                        Output = m_buffer,
+                        Wanted = count * encoded.BytesPerPoint,
                         IsFirst = isFirst,
-                        Slot = m_decompressor.Handle,
+                        Handle = m_decompressor.Handle,
                         State = m_state,
                     }.Schedule(decoded);
                     isFirst = false;
                     int begin = Math.Max(first, range.First), end = Math.Min(first + count, range.First + range.Count);
-                    if (part.IsWanted && begin < end)
-                        decoded = Spread(part, begin - first, begin - range.First, end - begin).Schedule(decoded);
+                    if (encoded.IsWanted && begin < end)
+                        decoded = Spread(encoded, begin - first, begin - range.First, end - begin).Schedule(decoded);
                 }
             }
-            return new CheckPotreeTileJob
+            return new CheckDecompressionJob
             {
                 State = m_state,
                 Result = Result,
@@ -106,17 +109,18 @@ namespace FastPoints.Sources
             }.Schedule(decoded);
         }
 
-        DecodePotreeTileJob Spread(Part part, int firstInTile, int first, int count) => new DecodePotreeTileJob
+        DecodePotreeAttributeJob Spread(EncodedAttribute encoded, int firstInTile, int first, int count) =>
+            new DecodePotreeAttributeJob
         {
-            Tile = m_tile,
+            Tile = m_buffer,
             Copies = m_copies,
             State = m_state,
             Columns = Points.Bytes,
             Special = m_special,
-            Kind = part.Kind,
-            BytesPerPoint = part.BytesPerPoint,
-            FirstCopy = part.FirstCopy,
-            CopyCount = part.CopyCount,
+            Kind = encoded.Kind,
+            BytesPerPoint = encoded.BytesPerPoint,
+            FirstCopy = encoded.FirstCopy,
+            CopyCount = encoded.CopyCount,
             FirstInTile = firstInTile,
             First = first,
             Count = count,
@@ -138,7 +142,7 @@ namespace FastPoints.Sources
 
     // All points or none, since the values of a point are spread over the whole stream.
     [BurstCompile]
-    struct CheckPotreeTileJob : IJob
+    struct CheckDecompressionJob : IJob
     {
         [ReadOnly] public NativeReference<DecompressState> State;
         public NativeReference<DecodeResult> Result;
@@ -155,7 +159,7 @@ namespace FastPoints.Sources
     }
 
     [BurstCompile]
-    unsafe struct DecodePotreeTileJob : IJob
+    unsafe struct DecodePotreeAttributeJob : IJob
     {
         // The upper 16 bits of x, y and z as a Morton code, then the lower 16.
         public const int PositionBytes = 16;
@@ -184,9 +188,9 @@ namespace FastPoints.Sources
             byte* columns = (byte*)Columns.GetUnsafePtr();
             var copies = new FieldCopies((FieldCopy*)Copies.GetUnsafeReadOnlyPtr() + FirstCopy, CopyCount);
             if (Kind == PotreeAttributeKind.Position)
-                SpreadPositions((ulong*)from, columns);
+                DecodePositions((ulong*)from, columns);
             else if (Kind == PotreeAttributeKind.Color)
-                SpreadColors((ulong*)from, copies, columns);
+                DecodeColors((ulong*)from, copies, columns);
             else if (CopyCount > 0)
                 PointRecords.ToColumns(from, BytesPerPoint, Count, copies, columns, First);
             else
@@ -195,7 +199,7 @@ namespace FastPoints.Sources
 
         // PotreeConverter subtracts the node's lowest coordinate, which an overflowing conversion sets to -1 for good: all values
         // are one step too high compared with encoding DEFAULT, so one is subtracted.
-        void SpreadPositions(ulong* codes, byte* columns)
+        void DecodePositions(ulong* codes, byte* columns)
         {
             int* x = (int*)(columns + Special.Position.x) + First;
             int* y = (int*)(columns + Special.Position.y) + First;
@@ -215,7 +219,7 @@ namespace FastPoints.Sources
         }
 
         // Writes tiles of records, which the plan's copies split into columns.
-        void SpreadColors(ulong* codes, FieldCopies copies, byte* columns)
+        void DecodeColors(ulong* codes, FieldCopies copies, byte* columns)
         {
             const int TilePoints = 256;
             ushort* records = stackalloc ushort[3 * TilePoints];

@@ -50,7 +50,7 @@ namespace FastPoints.Sources
                 info.Warn(-1, anomaly);
             string description = item.Text("description", "");
             if (description.Length > 0)
-                info.Fact("attribute " + attribute.Name, description);
+                info.AddFact("attribute " + attribute.Name, description);
             return attribute;
         }
 
@@ -62,7 +62,7 @@ namespace FastPoints.Sources
         // Any kind of text: well-known text, a PROJ string, a code.
         private protected void AddFacts(JsonMembers json)
         {
-            Info.Fact("spacing", NumberText.Of(Spacing));
+            Info.AddFact("spacing", NumberText.Of(Spacing));
             string text = json.Text("projection", "").Trim();
             if (text.Length > 0 && !CrsText.Read(text, Info.Crs))
                 Info.Crs.Name = text;
@@ -81,9 +81,9 @@ namespace FastPoints.Sources
             Layout = new PotreeLayout(ReadAttributes(json), json.Path);
             Info.Schema = Layout.Schema;
             Info.RecordBytes = IsBrotli ? 0 : Layout.RecordBytes;
-            Info.FactIfAny("name", json.Text("name", ""));
-            Info.FactIfAny("description", json.Text("description", ""));
-            Info.Fact("encoding", encoding);
+            Info.AddFactIfAny("name", json.Text("name", ""));
+            Info.AddFactIfAny("description", json.Text("description", ""));
+            Info.AddFact("encoding", encoding);
             AddFacts(json);
         }
 
@@ -163,7 +163,7 @@ namespace FastPoints.Sources
             StepSize = (int)Math.Max(1, Math.Min(PotreeReader.MaxLevels, stepSize));
             Hierarchy = json.IsList("hierarchy") ? json.List("hierarchy") : null;
             ReadAttributes(json);
-            Info.Fact("nodes", NodeFormat ?? "BIN");
+            Info.AddFact("nodes", NodeFormat ?? "BIN");
             AddFacts(json);
         }
 

@@ -73,9 +73,9 @@ namespace FastPoints.Sources
 
         public override IEnumerator<JobStep> FindBelow(int4 node, int levels)
         {
-            if (!Tree.IsWhole)
+            if (!Tree.IsHierarchyRead)
                 yield return JobStep.Of(ReadPages(node, levels));
-            if (!Tree.IsWhole)
+            if (!Tree.IsHierarchyRead)
                 yield break;
             Info.PointsReadable = PointCount;
             if (Info.PointsClaimed == 0)

@@ -29,7 +29,7 @@ namespace FastPoints.Sources
         public bool IsWide;
 
         // Relative to Corner.
-        public Grid3 CubePosition;
+        public Grid3 CubeCorner;
 
         public int3 CubeBits;
         public int Count;
@@ -54,14 +54,14 @@ namespace FastPoints.Sources
             int count = math.min(PointsPerSlice, Count - First);
             if (!state.IsDamaged)
             {
-                state.IsDamaged = !TryPlace(count);
+                state.IsDamaged = !TryComputeOffsets(count);
                 RadixSort.Sort((ulong*)Keys.GetUnsafePtr(), (uint*)PointOfRank.GetUnsafePtr() + First,
                     (ulong*)KeyScratch.GetUnsafePtr(), (uint*)PointScratch.GetUnsafePtr(), count);
             }
             State.Value = state;
         }
 
-        bool TryPlace(int count)
+        bool TryComputeOffsets(int count)
         {
             byte* columns = (byte*)Columns.GetUnsafeReadOnlyPtr();
             var keys = (ulong*)Keys.GetUnsafePtr();
@@ -79,8 +79,8 @@ namespace FastPoints.Sources
                     Store(z, Corner.Z, 2, First + at, length);
                 for (int i = 0; i < length; i++)
                 {
-                    keys[at + i] = Morton.Encode(Cell(x[i], CubePosition.X, CubeBits.x), Cell(y[i], CubePosition.Y, CubeBits.y),
-                        Cell(z[i], CubePosition.Z, CubeBits.z));
+                    keys[at + i] = Morton.Encode(Cell(x[i], CubeCorner.X, CubeBits.x), Cell(y[i], CubeCorner.Y, CubeBits.y),
+                        Cell(z[i], CubeCorner.Z, CubeBits.z));
                     points[at + i] = (uint)(First + at + i);
                 }
             }

@@ -121,7 +121,7 @@ namespace FastPoints.Sources
                 yield return JobStep.Of(ranges.Measure(copy.Points, wave.Transform, UpAxis.Z));
                 m_sample?.Dispose();
                 m_sample = copy;
-                m_newest = Describe(wave.IsWhole ? CloudStage.Whole : CloudStage.Preview, ranges, wave.Bounds);
+                m_newest = Describe(wave.HasAllPoints ? CloudStage.Whole : CloudStage.Preview, ranges, wave.Bounds);
                 isKept = true;
             }
             finally

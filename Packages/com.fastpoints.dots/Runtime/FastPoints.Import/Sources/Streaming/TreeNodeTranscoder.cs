@@ -33,7 +33,7 @@ namespace FastPoints.Sources
         SourceNode m_node;
 
         // Of a remote source, until it is decoded.
-        FetchedBytes m_fetched;
+        RemoteFetch m_fetched;
         TranscoderChain m_chain;
         int m_pointsInChain;
 
@@ -85,16 +85,13 @@ namespace FastPoints.Sources
 
         BlockRange Range => new BlockRange(m_node.Block, 0, m_node.PointCount);
 
-        internal override bool IsFetched
+        internal override bool TryDecode()
         {
-            get
-            {
-                if (m_fetched == null)
-                    return true;
-                if (m_fetched.IsDone)
-                    Decode();
-                return m_fetched == null;
-            }
+            if (m_fetched == null)
+                return true;
+            if (m_fetched.IsDone)
+                Decode();
+            return m_fetched == null;
         }
 
         internal override void Cancel()
@@ -183,7 +180,7 @@ namespace FastPoints.Sources
                 Grid = grid.Source,
                 Corner = grid.Corner,
                 IsWide = grid.IsWide,
-                CubePosition = grid.PositionOf(m_node.Key),
+                CubeCorner = grid.PositionOf(m_node.Key),
                 CubeBits = math.min(grid.BitsOf(m_node.Level), 62),
                 Count = count,
                 Capacity = m_capacity,
@@ -246,7 +243,7 @@ namespace FastPoints.Sources
             m_pointScratch = Allocate<uint>(slice);
             long bytes = 0;
             for (int p = 0; p < m_planes.Count; p++)
-                bytes += ShapeOf(p).LongestBytes(PlaneShape.BlocksOf(capacity), capacity);
+                bytes += ShapeOf(p).MaxBytes(PlaneShape.BlocksOf(capacity), capacity);
             m_packed = Allocate<byte>(bytes);
             m_capacity = capacity;
         }

@@ -57,7 +57,7 @@ namespace FastPoints.Sources
         public bool IsReading => m_reading != null || m_requestedPage != None;
 
         // The page's levels, and the one below, are known. The first requested page that is not is read next.
-        public bool IsKnownOrRequest(int page)
+        public bool RequestPage(int page)
         {
             if (!m_isPageKnown[page] && m_requestedPage == None)
                 m_requestedPage = page;
@@ -262,7 +262,7 @@ namespace FastPoints.Sources
                 node.PageCount += NodeOfKey.ContainsKey(ChildKey(source.Key, octant)) ? 1 : 0;
             Grid.BoxOf(source.Key, out node.Center, out node.Half);
             page.Nodes[n] = node;
-            page.States[n] = new NodeState { Slot = NodeState.NoSlot, Failures = hasPoints ? 0 : NodeState.IsHole };
+            page.States[n] = new NodeState { Slot = NodeState.NoSlot, Failures = hasPoints ? 0 : NodeState.HoleFailures };
             page.Addresses[n] = new NodeAddress
             {
                 Corner = Grid.Corner - Grid.Root.Corner,

@@ -47,8 +47,8 @@ namespace FastPoints.Sources
                 throw new PointCloudException(FailureCode.Unsupported, reader.Info.Path, -1,
                     "brings no octree along: wanted COPC, Potree or EPT, got " + reader.Info.Format);
             Reader = reader;
-            Grids = new TreeGrid(reader.Info, reader.Tree);
-            m_pages = new TreePages(reader, Grids);
+            TreeGrid = new TreeGrid(reader.Info, reader.Tree);
+            m_pages = new TreePages(reader, TreeGrid);
             m_chains = new TranscoderChain[Math.Max(1, JobsUtility.JobWorkerCount)];
             for (int i = 0; i < m_chains.Length; i++)
                 m_chains[i] = new TranscoderChain();
@@ -62,10 +62,10 @@ namespace FastPoints.Sources
         public PointReader Reader { get; }
 
         public override string Path => SourcePath.WithoutQuery(Reader.Info.Path);
-        public override bool HasAllPoints => !(Reader is SampleReader sample) || sample.IsWhole;
-        public override CloudGrid Grid => Grids.Grid;
-        public override GridCube Root => Grids.Root;
-        public override NodeCubes Cubes => Grids.Cubes;
+        public override bool HasAllPoints => !(Reader is SampleReader sample) || sample.HasAllPoints;
+        public override CloudGrid Grid => TreeGrid.Grid;
+        public override GridCube Root => TreeGrid.Root;
+        public override NodeCubes Cubes => TreeGrid.Cubes;
         public override StoreLayout Layout { get; }
         public override CloudCrs Crs => Reader.Info.Crs.ToCloudCrs();
         public override NativeArray<int> Planes => m_planes.Indices;
@@ -73,7 +73,7 @@ namespace FastPoints.Sources
         public override int PageCount => m_pages.Count;
         public override bool TranscodesNodes => true;
 
-        internal TreeGrid Grids { get; }
+        internal TreeGrid TreeGrid { get; }
 
         /// <summary>Coroutine, needed before a source is made: reads the upper levels of the hierarchy.</summary>
         /// <exception cref="PointCloudException">They cannot be read.</exception>
@@ -95,7 +95,7 @@ namespace FastPoints.Sources
 
         internal override FilePiece TableOf(int page) => new FilePiece { Path = Path };
 
-        public override bool CanBuild(int page) => m_pages.IsKnownOrRequest(page);
+        public override bool PrepareBuild(int page) => m_pages.RequestPage(page);
 
         public override JobHandle ScheduleBuild(int page, NativeArray<byte> table, NativeReference<HierarchyPage> built,
             NativeReference<TableProblem> problem) => m_pages.Schedule(JobFor(page, built, problem));
@@ -121,7 +121,7 @@ namespace FastPoints.Sources
             int best = BestIdle(points);
             if (best < 0)
             {
-                m_transcoders.Add(new TreeNodeTranscoder(Reader, Grids, m_planes, Planes.Length));
+                m_transcoders.Add(new TreeNodeTranscoder(Reader, TreeGrid, m_planes, Planes.Length));
                 m_idle.Add(m_transcoders[m_transcoders.Count - 1]);
                 best = m_idle.Count - 1;
             }
@@ -148,12 +148,12 @@ namespace FastPoints.Sources
             foreach (var plane in Layout.Planes)
                 names.Add(plane.Name);
             m_allPlanes ??= new TreePlanes(Reader.Info.Schema, Layout, names);
-            return new TreeNodeTranscoder(Reader, Grids, m_allPlanes, Planes.Length);
+            return new TreeNodeTranscoder(Reader, TreeGrid, m_allPlanes, Planes.Length);
         }
 
         public override IEnumerator<JobStep> OpenForPicking(Action<NodeSource> opened)
         {
-            PointReader reader = (Reader as SampleReader)?.Share();
+            PointReader reader = (Reader as SampleReader)?.TryDuplicate();
             if (Reader is SampleReader && reader == null)
                 yield break;
             try

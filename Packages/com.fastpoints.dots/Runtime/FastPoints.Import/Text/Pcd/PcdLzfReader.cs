@@ -122,7 +122,7 @@ namespace FastPoints.Text
                 {
                     long at = state.Value.Input;
                     int bytes = (int)Math.Min(StreamBytes - at, WalkLzfJob.SliceBytes);
-                    while (!read.IsFetched(File.Path, StreamOffset + at, bytes))
+                    while (!read.TryFetch(File.Path, StreamOffset + at, bytes))
                         yield return default;
                     walked = new WalkLzfJob
                     {

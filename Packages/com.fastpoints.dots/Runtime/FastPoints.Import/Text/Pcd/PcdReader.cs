@@ -217,10 +217,10 @@ namespace FastPoints.Text
 
         static void Describe(PcdHeader pcd, SourceInfo info)
         {
-            info.Fact("encoding", pcd.Data);
+            info.AddFact("encoding", pcd.Data);
             foreach (string keyword in new[] { "WIDTH", "HEIGHT", "VIEWPOINT" })
                 if (pcd[keyword] is { } words)
-                    info.Fact(keyword.ToLowerInvariant(), words);
+                    info.AddFact(keyword.ToLowerInvariant(), words);
             info.OnlyInFacts = pcd["VIEWPOINT"] is { } view && view != "0 0 0 1 0 0 0" ? "the viewpoint" : null;
             if (pcd["HEIGHT"] is { } height && height != "1")
                 info.Losses.Add(new Loss("the scan's grid", info.Path, "points are kept without their neighbours in it"));

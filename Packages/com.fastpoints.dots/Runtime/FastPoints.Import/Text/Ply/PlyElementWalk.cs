@@ -66,7 +66,7 @@ namespace FastPoints.Text
                 return false;
             long offset = Math.Min(state.Position, m_ply.Info.FileBytes);
             int bytes = (int)Math.Min(WindowBytes, m_ply.Info.FileBytes - offset);
-            if (!m_read.IsFetched(m_ply.Handle.Path, offset, bytes))
+            if (!m_read.TryFetch(m_ply.Handle.Path, offset, bytes))
                 return true;
             var read = m_read.Begin(m_ply.Handle, offset, bytes);
             m_walked = new WalkPlyElementsJob

@@ -108,18 +108,18 @@ namespace FastPoints.Text
                     throw new PointCloudException(FailureCode.BadInput, source.Path, vertex.LineOffset,
                         "the vertex element has no property " + axis.ToLowerInvariant());
 
-            info.Fact("encoding", header.IsAscii ? "ascii"
+            info.AddFact("encoding", header.IsAscii ? "ascii"
                 : header.Encoding == PlyEncoding.BinaryBigEndian ? "binary, big endian" : "binary, little endian");
             foreach (var element in header.Elements)
             {
-                info.Fact("element " + element.Name, element.Count + (element.HasLists ? ", with lists" : ""));
+                info.AddFact("element " + element.Name, element.Count + (element.HasLists ? ", with lists" : ""));
                 if (element != vertex || element.HasLists)
                     info.Losses.Add(new Loss((element == vertex ? "lists of " : "") + "element " + element.Name, info.Path,
                         "it is no point"));
             }
             info.OnlyInFacts = header.Comments.Count > 0 ? "comments" : null;
             foreach (var comment in header.Comments)
-                info.Fact(comment.Key, comment.Value);
+                info.AddFact(comment.Key, comment.Value);
             if (header.UnknownLines > 0)
                 info.Warn(header.UnknownOffset,
                     "header line: wanted format, element, property, comment, obj_info or end_header, " +

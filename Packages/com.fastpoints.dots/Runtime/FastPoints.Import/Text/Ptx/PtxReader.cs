@@ -112,7 +112,7 @@ namespace FastPoints.Text
             Info.Schema = new PointSchema(attributes);
             Info.OnlyInFacts = "the scans' matrices";
             Info.Losses.Add(new Loss("the scans' grids", Info.Path, "points are kept without their neighbours in them"));
-            Info.Fact("first scan", NumberText.Of(first.Columns) + " columns of " + NumberText.Of(first.Rows) + " places");
+            Info.AddFact("first scan", NumberText.Of(first.Columns) + " columns of " + NumberText.Of(first.Rows) + " places");
         }
 
         public override bool BlocksAreKnown => m_areAllFound;
@@ -149,7 +149,7 @@ namespace FastPoints.Text
             while (offset < Info.FileBytes)
             {
                 int bytes = (int)Math.Min(PtxScanHeader.MaxBytes, Info.FileBytes - offset);
-                while (!read.IsFetched(File.Path, offset, bytes))
+                while (!read.TryFetch(File.Path, offset, bytes))
                     yield return default;
                 yield return read.Begin(File, offset, bytes);
                 read.End();
@@ -179,7 +179,7 @@ namespace FastPoints.Text
                     continue;
                 var last = found[found.Length - 1];
                 bytes = (int)Math.Min(last.Bytes + MaxLineBytes, Info.FileBytes - last.OffsetBytes);
-                while (!read.IsFetched(File.Path, last.OffsetBytes, bytes))
+                while (!read.TryFetch(File.Path, last.OffsetBytes, bytes))
                     yield return default;
                 yield return read.Begin(File, last.OffsetBytes, bytes);
                 read.End();
@@ -188,9 +188,9 @@ namespace FastPoints.Text
             Info.PointsReadable = Blocks.Set(blocks.ToArray());
             if (points == 0)
                 throw new PointCloudException(FailureCode.Truncated, Info.Path, offset, "the scans have no points");
-            Info.Fact("scans", NumberText.Of(m_scans.Count));
+            Info.AddFact("scans", NumberText.Of(m_scans.Count));
             for (int i = 0; i < m_scans.Count && i < MaxScansShown; i++)
-                Info.Fact("scan " + NumberText.Of(i + 1), m_scans[i].ToString());
+                Info.AddFact("scan " + NumberText.Of(i + 1), m_scans[i].ToString());
             m_isReported = new BitArray(blocks.Count);
             Info.Scanners = m_scans.ConvertAll(scan => scan.Scanner).ToArray();
             m_areAllFound = true;

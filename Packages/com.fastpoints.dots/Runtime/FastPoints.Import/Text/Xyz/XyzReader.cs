@@ -82,11 +82,11 @@ namespace FastPoints.Text
             }
             info.Schema = new PointSchema(attributes);
             info.Transform.Scale = new double3(StepOf(0), StepOf(1), StepOf(2));
-            info.Fact("columns", string.Join(" ", shown) + " (" + origin + ")");
-            info.Fact("separator", m_sniff.Dialect.Name);
-            info.Fact("decimals", string.Join(", ", m_decimals));
+            info.AddFact("columns", string.Join(" ", shown) + " (" + origin + ")");
+            info.AddFact("separator", m_sniff.Dialect.Name);
+            info.AddFact("decimals", string.Join(", ", m_decimals));
             if (m_sniff.HeaderLines > 0)
-                info.Fact("header lines", NumberText.Of(m_sniff.HeaderLines));
+                info.AddFact("header lines", NumberText.Of(m_sniff.HeaderLines));
         }
 
         // The digits that the sample has, limited to those that a coordinate on the grid can hold.

@@ -15,7 +15,7 @@ namespace FastPoints.Text
         const int MaxColumns = 256;
 
         // Share of the first lines that must be rows of the same number of values.
-        const double MaxRows = 0.8;
+        const double MinRowFraction = 0.8;
 
         readonly RandomAccessFile m_source;
         readonly string[] m_given;
@@ -204,7 +204,7 @@ namespace FastPoints.Text
                 all++;
                 AddRow(head, lines[at].First, lines[at].End);
             }
-            return Rows >= MaxRows * all;
+            return Rows >= MinRowFraction * all;
         }
 
         void ReadSegments()

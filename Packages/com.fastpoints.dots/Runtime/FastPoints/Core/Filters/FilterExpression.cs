@@ -60,7 +60,8 @@ namespace FastPoints
         {
             m_text = text;
             Or(0);
-            if (Peek() != '\0' || m_at < text.Length)
+            SkipSpace();
+            if (m_at < text.Length)
                 throw Bad("&&, || or the end", m_at);
         }
 
@@ -100,7 +101,8 @@ namespace FastPoints
         {
             if (depth > MaxDepth)
                 throw Bad("at most " + MaxDepth + " parentheses and ! within one another", m_at);
-            if (Peek() == '!')
+            SkipSpace();
+            if (m_at < m_text.Length && m_text[m_at] == '!')
             {
                 m_at++;
                 Term(depth + 1);
@@ -131,7 +133,7 @@ namespace FastPoints
 
         FilterOperand Operand(out string name)
         {
-            Peek();
+            SkipSpace();
             int from = m_at;
             name = null;
             if (m_at < m_text.Length && (char.IsLetter(m_text[m_at]) || m_text[m_at] == '_'))
@@ -166,16 +168,15 @@ namespace FastPoints
             Names.Add((left, right));
         }
 
-        char Peek()
+        void SkipSpace()
         {
             while (m_at < m_text.Length && char.IsWhiteSpace(m_text[m_at]))
                 m_at++;
-            return m_at < m_text.Length ? m_text[m_at] : '\0';
         }
 
         bool Take(string token)
         {
-            Peek();
+            SkipSpace();
             if (string.CompareOrdinal(m_text, m_at, token, 0, token.Length) != 0)
                 return false;
             m_at += token.Length;

@@ -33,7 +33,7 @@ namespace FastPoints
         public override double RoundTrip => 0;
 
         public override void DropHead() { }
-        public override void Doubt() { }
+        public override void MarkStale() { }
         public override void DropCached() { }
 
         protected override bool TryReadHead(long offset, Span<byte> into) => false;

@@ -21,11 +21,11 @@ namespace FastPoints
         readonly RemoteTarget m_target;
         readonly RemoteIdentity m_identity;
         readonly RangeQueue m_queue;
-        readonly RangeKey m_key;
+        readonly FileVersionKey m_key;
         volatile byte[] m_head;
         long m_confirmed = Stopwatch.GetTimestamp();
 
-        HttpFile(RemoteTarget target, RemoteIdentity identity, RangeKey key, byte[] head)
+        HttpFile(RemoteTarget target, RemoteIdentity identity, FileVersionKey key, byte[] head)
         {
             m_target = target;
             m_identity = identity;
@@ -53,7 +53,7 @@ namespace FastPoints
                     s_opened.Remove(m_target.Address);
         }
 
-        public override void Doubt() => Interlocked.Exchange(ref m_confirmed, long.MinValue / 2);
+        public override void MarkStale() => Interlocked.Exchange(ref m_confirmed, long.MinValue / 2);
 
         public override void DropCached() => RangeCache.Current?.Drop(m_key);
 
@@ -87,7 +87,7 @@ namespace FastPoints
             }
             catch (RemoteFault e) when (e.IsChanged)
             {
-                Doubt();
+                MarkStale();
                 throw;
             }
         }
@@ -175,12 +175,12 @@ namespace FastPoints
                     return opened;
                 }
                 opened = s_opened[address] =
-                    new HttpFile(target, identity, RangeKey.Of(key + "\n" + identity), head);
+                    new HttpFile(target, identity, FileVersionKey.Of(key + "\n" + identity), head);
             }
             if (cache != null && head != null && known?.ToString() != identity.ToString())
             {
                 cache.Add(opened.m_key, 0, head);
-                cache.Add(RangeKey.Of(key), 0, Encoding.UTF8.GetBytes(identity.ToString()));
+                cache.Add(FileVersionKey.Of(key), 0, Encoding.UTF8.GetBytes(identity.ToString()));
             }
             return opened;
         }
@@ -204,11 +204,11 @@ namespace FastPoints
 
         static RemoteIdentity FindIdentity(RangeCache cache, string key)
         {
-            byte[] text = cache?.Find(RangeKey.Of(key));
+            byte[] text = cache?.Find(FileVersionKey.Of(key));
             return text == null ? null : RemoteIdentity.Parse(Encoding.UTF8.GetString(text));
         }
 
-        // Tries again what may succeed then. isSpare: there is something else if the server is not there at all.
+        // Retries transient failures. isSpare: a cached copy can be used instead, so an unreachable server is not retried.
         static async Task<T> Retry<T>(RemoteTarget target, bool isSpare, Func<Task<T>> attempt)
         {
             var settings = RemoteSettings.Current;
@@ -276,7 +276,7 @@ namespace FastPoints
 
             public RemoteFile Of(string address, long length, string version) => new HttpFile(
                 new RemoteTarget(address), new RemoteIdentity(length, null, null),
-                RangeKey.Of(RemoteKey.Of(address) + "\n" + version), null);
+                FileVersionKey.Of(RemoteKey.Of(address) + "\n" + version), null);
         }
     }
 }

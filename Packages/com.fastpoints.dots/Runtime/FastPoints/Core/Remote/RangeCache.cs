@@ -22,14 +22,14 @@ namespace FastPoints
 
         readonly object m_lock = new object();
         readonly long m_maxBytes;
-        readonly Dictionary<RangeKey, List<Entry>> m_entries = new Dictionary<RangeKey, List<Entry>>();
-        readonly List<CacheSegment> m_segments = new List<CacheSegment>();
-        CacheSegment m_written;
+        readonly Dictionary<FileVersionKey, List<Entry>> m_entries = new Dictionary<FileVersionKey, List<Entry>>();
+        readonly List<RangeCacheFile> m_segments = new List<RangeCacheFile>();
+        RangeCacheFile m_written;
         bool m_isReadOnly;
 
         struct Entry
         {
-            public CacheSegment Segment;
+            public RangeCacheFile Segment;
             public long Position;
             public long Offset;
             public int Length;
@@ -98,7 +98,7 @@ namespace FastPoints
         }
 
         // Whether it has all of them, undamaged; into may be written either way.
-        public bool TryRead(RangeKey key, long offset, Span<byte> into)
+        public bool TryRead(FileVersionKey key, long offset, Span<byte> into)
         {
             lock (m_lock)
             {
@@ -127,7 +127,7 @@ namespace FastPoints
             }
         }
 
-        public byte[] Find(RangeKey key)
+        public byte[] Find(FileVersionKey key)
         {
             lock (m_lock)
             {
@@ -138,7 +138,7 @@ namespace FastPoints
             }
         }
 
-        public void Add(RangeKey key, long offset, ReadOnlySpan<byte> bytes)
+        public void Add(FileVersionKey key, long offset, ReadOnlySpan<byte> bytes)
         {
             lock (m_lock)
             {
@@ -152,9 +152,9 @@ namespace FastPoints
                     {
                         Directory.CreateDirectory(Folder);
                         Scan();
-                        m_written = CacheSegment.Create(Folder, Extension);
+                        m_written = RangeCacheFile.Create(Folder, Extension);
                         m_segments.Add(m_written);
-                        Gather();
+                        Compact();
                     }
                     Append(key, offset, bytes);
                     Shrink();
@@ -169,14 +169,14 @@ namespace FastPoints
 
         bool HasRoom(long bytes) => m_written.Bytes + bytes <= Math.Min(MaxSegmentBytes, m_maxBytes / MinSegments);
 
-        void Append(RangeKey key, long offset, ReadOnlySpan<byte> bytes)
+        void Append(FileVersionKey key, long offset, ReadOnlySpan<byte> bytes)
         {
             long position = m_written.Append(key, offset, bytes);
             Insert(key, new Entry { Segment = m_written, Position = position, Offset = offset, Length = bytes.Length });
         }
 
         // Short runs leave short segments: of too many, those used longest ago go into the one that is written.
-        void Gather()
+        void Compact()
         {
             if (m_segments.Count <= MaxSegments)
                 return;
@@ -198,7 +198,7 @@ namespace FastPoints
             }
         }
 
-        public void Drop(RangeKey key)
+        public void Drop(FileVersionKey key)
         {
             lock (m_lock)
                 m_entries.Remove(key);
@@ -244,7 +244,7 @@ namespace FastPoints
                     Forget(i);
             foreach (string path in paths)
             {
-                if (known.Contains(path) || !CacheSegment.TryOpen(path, out var segment))
+                if (known.Contains(path) || !RangeCacheFile.TryOpen(path, out var segment))
                     continue;
                 m_segments.Add(segment);
                 segment.Scan((key, position, offset, length) =>
@@ -252,7 +252,7 @@ namespace FastPoints
             }
         }
 
-        void Insert(RangeKey key, in Entry entry)
+        void Insert(FileVersionKey key, in Entry entry)
         {
             if (!m_entries.TryGetValue(key, out var entries))
                 m_entries.Add(key, entries = new List<Entry>());
@@ -307,7 +307,7 @@ namespace FastPoints
             m_segments.RemoveAt(index);
             if (segment == m_written)
                 m_written = null;
-            var empty = new List<RangeKey>();
+            var empty = new List<FileVersionKey>();
             foreach (var pair in m_entries)
                 if (pair.Value.RemoveAll(e => e.Segment == segment) > 0 && pair.Value.Count == 0)
                     empty.Add(pair.Key);

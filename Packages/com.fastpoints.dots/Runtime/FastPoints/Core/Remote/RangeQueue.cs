@@ -20,10 +20,10 @@ namespace FastPoints
         const int MaxGapBytes = 512 << 10;
 
         // At most one byte in so many of a request is one that nobody asked for, but for such gaps.
-        const int MaxUnusedShare = 8;
+        const int UnusedBytesDivisor = 8;
 
         // Part of a round trip that a request may be late by.
-        const int GatherShare = 16;
+        const int GatherDivisor = 16;
 
         // Before anything was measured.
         const double FirstBytesPerConnection = 1 << 20;
@@ -102,7 +102,7 @@ namespace FastPoints
                         Number = ++m_begun,
                     });
                 // What is wanted in the next moment may lie beside it.
-                int ms = (int)(m_roundTrip * 1000 / GatherShare);
+                int ms = (int)(m_roundTrip * 1000 / GatherDivisor);
                 if (ms == 0)
                     BeginRequests();
                 else
@@ -233,7 +233,8 @@ namespace FastPoints
                 {
                     long bytes = Math.Max(end, next.End) - Math.Min(begin, next.Offset);
                     long between = Math.Max(begin - next.End, next.Offset - end), unused = bytes - wanted - next.Bytes;
-                    if (bytes > MaxRequestBytes || between > MinGapBytes && (between > gap || unused > bytes / MaxUnusedShare))
+                    if (bytes > MaxRequestBytes || between > MinGapBytes &&
+                        (between > gap || unused > bytes / UnusedBytesDivisor))
                         return false;
                     wanted += next.Bytes;
                     (begin, end) = (Math.Min(begin, next.Offset), Math.Max(end, next.End));

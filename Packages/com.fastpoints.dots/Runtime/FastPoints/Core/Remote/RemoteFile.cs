@@ -48,7 +48,7 @@ namespace FastPoints
         public abstract void DropHead();
 
         // The next Open asks the server.
-        public abstract void Doubt();
+        public abstract void MarkStale();
 
         // What came of it was wrong: it is asked for again.
         public abstract void DropCached();
@@ -85,7 +85,7 @@ namespace FastPoints
                 var command = read.PartAt(part);
                 if (command.Offset >= 0 && command.Size >= 0 && command.Offset <= Length - command.Size)
                     continue;
-                Doubt();
+                MarkStale();
                 read.Fail(PointCloudException.Wanted(FailureCode.Truncated, Name, Math.Max(0, command.Offset), "bytes",
                     command.Size, Math.Max(0, Length - command.Offset) + " before the end of the file"));
             }

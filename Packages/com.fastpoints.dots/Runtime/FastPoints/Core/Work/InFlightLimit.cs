@@ -27,9 +27,9 @@ namespace FastPoints
         public static int ValueFor(int min, double ms, int chains, double pieceMs) =>
             (int)Math.Max(min, Math.Min(int.MaxValue, Math.Ceiling(ms * chains / pieceMs)));
 
-        public void Await() => m_begun = ProfilerUnsafeUtility.Timestamp;
+        public void BeginWait() => m_begun = ProfilerUnsafeUtility.Timestamp;
 
-        public void Resume(bool isIdle)
+        public void EndWait(bool isIdle)
         {
             var ratio = ProfilerUnsafeUtility.TimestampToNanosecondsConversionRatio;
             double waited = (ProfilerUnsafeUtility.Timestamp - m_begun) * (ratio.Numerator * 1e-6 / ratio.Denominator);

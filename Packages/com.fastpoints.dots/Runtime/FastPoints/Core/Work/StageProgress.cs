@@ -34,7 +34,7 @@ namespace FastPoints
         public string Current => m_name;
 
         /// <summary>Share of the running stage that is done, 0 to 1.</summary>
-        public double Share { get; private set; }
+        public double Fraction { get; private set; }
 
         public double Seconds => m_watch.Elapsed.TotalSeconds;
         public long Points => m_points;
@@ -42,7 +42,7 @@ namespace FastPoints
         public double PointsPerSecond => Seconds > 0 ? m_points / Seconds : 0;
 
         /// <summary>Seconds left at the speed so far, or infinity before anything is done.</summary>
-        public double SecondsLeft => Share > 0 ? Seconds * (1 - Share) / Share : double.PositiveInfinity;
+        public double SecondsLeft => Fraction > 0 ? Seconds * (1 - Fraction) / Fraction : double.PositiveInfinity;
 
         public void Begin(string name)
         {
@@ -51,7 +51,7 @@ namespace FastPoints
             m_name = Group == null ? name : Group + ": " + name;
             m_points = 0;
             m_bytes = 0;
-            Share = 0;
+            Fraction = 0;
             m_watch.Restart();
             Changed?.Invoke(this);
         }
@@ -59,7 +59,7 @@ namespace FastPoints
         /// <summary>Reports total points and bytes of the running stage so far, and the share of it that is done.</summary>
         public void Report(double share, long points, long bytes)
         {
-            Share = Math.Max(0, Math.Min(1, share));
+            Fraction = Math.Max(0, Math.Min(1, share));
             m_points = points;
             m_bytes = bytes;
             Changed?.Invoke(this);
@@ -72,7 +72,7 @@ namespace FastPoints
             m_watch.Stop();
             m_finished.Add(new Stage { Name = m_name, Seconds = Seconds, Points = m_points, Bytes = m_bytes });
             m_name = null;
-            Share = 1;
+            Fraction = 1;
             Changed?.Invoke(this);
         }
     }

@@ -19,7 +19,7 @@ namespace FastPoints.Drawing
 
         // For a mode that the batch has the columns for (DisplayRanges.Resolve).
         public static ColorMapping For(ColorMode mode, DisplayRanges ranges, PointBatch batch, in PositionTransform transform,
-            Gradient gradient = Gradient.Auto)
+            ColorRamp gradient = ColorRamp.Auto)
         {
             var mapping = Of(mode, ranges, transform, gradient);
             var schema = batch.Schema;
@@ -35,7 +35,7 @@ namespace FastPoints.Drawing
 
         // Without columns.
         public static ColorMapping Of(ColorMode mode, DisplayRanges ranges, in PositionTransform transform,
-            Gradient gradient = Gradient.Auto)
+            ColorRamp gradient = ColorRamp.Auto)
         {
             var mapping = new ColorMapping { Mode = mode, FirstEntry = Palettes.Length * Palettes.IndexOf(mode, gradient) };
             switch (mode)

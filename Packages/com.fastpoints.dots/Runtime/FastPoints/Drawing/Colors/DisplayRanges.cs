@@ -31,7 +31,7 @@ namespace FastPoints.Drawing
         // Of 255: colours darker than this, except outliers, vanish against the background.
         const double DarkestColor = 12;
 
-        const int MaxOutlinePoints = 4096;
+        const int MaxFramingPoints = 4096;
         const int MaxPointsForClasses = 100_000;
         const int FirstClassWithMeaning = 2; // 0 and 1 are points that nobody has classified.
         const int PointsPerSlice = 1 << 17; // Less than a millisecond of managed code.
@@ -78,11 +78,11 @@ namespace FastPoints.Drawing
         public BoundsGeo Robust = BoundsGeo.Empty;
 
         /// <summary>Some positions within <see cref="Robust"/>, at most 4,096: what a camera frames.</summary>
-        public double3[] Outline = new double3[0];
+        public double3[] FramingSample = new double3[0];
 
         /// <summary>The farthest positions in many directions, except those far outside of Robust: what a camera is to
         /// show.</summary>
-        public double3[] Rim = new double3[0];
+        public double3[] ExtremePoints = new double3[0];
 
         /// <summary>Points with a position that is not finite: in no range.</summary>
         public long NonFinite;
@@ -197,10 +197,10 @@ namespace FastPoints.Drawing
                 SetPositions(bounds.Value, found[0].Value, found[1].Value, found[2].Value);
                 // Each of these takes a millisecond.
                 yield return default;
-                Outline = OutlineOf(points, transform);
+                FramingSample = FramingSampleOf(points, transform);
                 yield return default;
                 Frame();
-                yield return JobStep.Of(MeasureRim(points, transform));
+                yield return JobStep.Of(FindExtremePoints(points, transform));
                 FindClasses(points);
                 if (found[IntensityColumn].IsCreated)
                     SetIntensity(found[IntensityColumn].Value);
@@ -243,14 +243,15 @@ namespace FastPoints.Drawing
             return all;
         }
 
-        IEnumerator<JobStep> MeasureRim(PointBatch points, PositionTransform transform)
+        IEnumerator<JobStep> FindExtremePoints(PointBatch points, PositionTransform transform)
         {
             if (Robust.IsEmpty)
                 yield break;
-            var farthest = new NativeArray<double4>(MeasureRimJob.Directions, Allocator.Persistent);
+            var farthest = new NativeArray<double4>(FindExtremePointsJob.Directions, Allocator.Persistent);
             try
             {
-                yield return JobStep.Of(Slices.Run(0, points.Count, PointsPerSlice, (first, end, after) => new MeasureRimJob
+                yield return JobStep.Of(Slices.Run(0, points.Count, PointsPerSlice,
+                    (first, end, after) => new FindExtremePointsJob
                 {
                     Bytes = points.Bytes,
                     Columns = PositionColumns.Of(points),
@@ -264,7 +265,7 @@ namespace FastPoints.Drawing
                 foreach (var position in farthest)
                     if (position.w > 0)
                         rim.Add(position.xyz);
-                Rim = rim.ToArray();
+                ExtremePoints = rim.ToArray();
             }
             finally
             {
@@ -289,8 +290,8 @@ namespace FastPoints.Drawing
                     Count = points.Count,
                     Scale = isPosition ? transform.Scale[i] : 1,
                     Offset = isPosition ? transform.Offset[i] : 0,
-                    LowShare = outliers,
-                    HighShare = 1 - outliers,
+                    LowQuantile = outliers,
+                    HighQuantile = 1 - outliers,
                     Found = found[i],
                 }.Schedule(inputDeps));
             }
@@ -300,11 +301,11 @@ namespace FastPoints.Drawing
         // Frames the outline of all parts.
         void Frame()
         {
-            var part = LargestPart.Of(Outline);
-            m_shareFramed = part.Length / (double)math.max(1, Outline.Length);
-            Outline = part;
-            if ((m_hasFar || m_shareFramed < 1) && Outline.Length > 0)
-                FrameOutline();
+            var part = LargestCluster.Of(FramingSample);
+            m_shareFramed = part.Length / (double)math.max(1, FramingSample.Length);
+            FramingSample = part;
+            if ((m_hasFar || m_shareFramed < 1) && FramingSample.Length > 0)
+                FrameSample();
             if (!Full.IsEmpty)
                 ReportFarBounds();
             SetLengths();
@@ -372,15 +373,15 @@ namespace FastPoints.Drawing
             ElevationHigh = UpAxis.Height(UpAxis.IsNegative() ? low : high);
         }
 
-        void FrameOutline()
+        void FrameSample()
         {
             var low = new double3();
             var high = new double3();
-            var values = new double[Outline.Length];
+            var values = new double[FramingSample.Length];
             for (int axis = 0; axis < 3; axis++)
             {
                 for (int i = 0; i < values.Length; i++)
-                    values[i] = Outline[i][axis];
+                    values[i] = FramingSample[i][axis];
                 System.Array.Sort(values);
                 int outliers = (int)(values.Length * OutlierShare);
                 low[axis] = values[outliers];
@@ -421,12 +422,12 @@ namespace FastPoints.Drawing
                 (IsInDegrees ? ": the CRS says so" : ", by their size"));
         }
 
-        unsafe double3[] OutlineOf(PointBatch points, PositionTransform transform)
+        unsafe double3[] FramingSampleOf(PointBatch points, PositionTransform transform)
         {
             var outline = new List<double3>();
             var columns = PositionColumns.Of(points);
             byte* bytes = (byte*)points.Bytes.GetUnsafeReadOnlyPtr();
-            int step = (points.Count + MaxOutlinePoints - 1) / MaxOutlinePoints;
+            int step = (points.Count + MaxFramingPoints - 1) / MaxFramingPoints;
             for (long i = 0; i < points.Count; i += step)
             {
                 var position = columns.GeoAt(bytes, transform, (int)i);

@@ -13,7 +13,7 @@ namespace FastPoints.Drawing
         const double ViridisStart = 0.12, GrayStart = 0.03;
 
         // Grey for Rgb, which needs none. The gradient is for continuous attributes alone.
-        public static NativeArray<uint> Create(ColorMode mode, Allocator allocator, Gradient gradient = Gradient.Auto)
+        public static NativeArray<uint> Create(ColorMode mode, Allocator allocator, ColorRamp gradient = ColorRamp.Auto)
         {
             gradient = Resolve(mode, gradient);
             var palette = new NativeArray<uint>(Length, allocator, NativeArrayOptions.UninitializedMemory);
@@ -31,37 +31,37 @@ namespace FastPoints.Drawing
             return palette;
         }
 
-        public static int IndexOf(ColorMode mode, Gradient gradient = Gradient.Auto) => mode switch
+        public static int IndexOf(ColorMode mode, ColorRamp gradient = ColorRamp.Auto) => mode switch
         {
             ColorMode.Classification => 3,
             ColorMode.ReturnNumber => 4,
             ColorMode.PointSource => 5,
-            _ => (int)Resolve(mode, gradient) - (int)Gradient.Viridis,
+            _ => (int)Resolve(mode, gradient) - (int)ColorRamp.Viridis,
         };
 
         public static NativeArray<uint> CreateAll(Allocator allocator)
         {
             var all = new NativeArray<uint>(Count * Length, allocator, NativeArrayOptions.UninitializedMemory);
-            void Add(ColorMode mode, Gradient gradient)
+            void Add(ColorMode mode, ColorRamp gradient)
             {
                 using var one = Create(mode, Allocator.Temp, gradient);
                 NativeArray<uint>.Copy(one, 0, all, IndexOf(mode, gradient) * Length, Length);
             }
-            for (var gradient = Gradient.Viridis; gradient <= Gradient.Gray; gradient++)
+            for (var gradient = ColorRamp.Viridis; gradient <= ColorRamp.Gray; gradient++)
                 Add(ColorMode.Elevation, gradient);
-            Add(ColorMode.Classification, Gradient.Auto);
-            Add(ColorMode.ReturnNumber, Gradient.Auto);
-            Add(ColorMode.PointSource, Gradient.Auto);
+            Add(ColorMode.Classification, ColorRamp.Auto);
+            Add(ColorMode.ReturnNumber, ColorRamp.Auto);
+            Add(ColorMode.PointSource, ColorRamp.Auto);
             return all;
         }
 
-        static Gradient Resolve(ColorMode mode, Gradient gradient) => gradient != Gradient.Auto ? gradient
-            : mode == ColorMode.Elevation ? Gradient.Viridis : Gradient.Gray;
+        static ColorRamp Resolve(ColorMode mode, ColorRamp gradient) => gradient != ColorRamp.Auto ? gradient
+            : mode == ColorMode.Elevation ? ColorRamp.Viridis : ColorRamp.Gray;
 
-        static uint ColorAt(Gradient gradient, double t) => gradient switch
+        static uint ColorAt(ColorRamp gradient, double t) => gradient switch
         {
-            Gradient.Viridis => Viridis(ViridisStart + (1 - ViridisStart) * t),
-            Gradient.Turbo => Turbo(t),
+            ColorRamp.Viridis => Viridis(ViridisStart + (1 - ViridisStart) * t),
+            ColorRamp.Turbo => Turbo(t),
             _ => Gray(GrayStart + (1 - GrayStart) * t),
         };
 
@@ -176,7 +176,7 @@ namespace FastPoints.Drawing
     }
 
     /// <summary>The gradient of continuous attributes.</summary>
-    public enum Gradient
+    public enum ColorRamp
     {
         /// <summary>Viridis for elevation, grey for intensity.</summary>
         Auto,

@@ -33,7 +33,7 @@ namespace FastPoints.Drawing
         public override bool IsBuildAborted => m_generations.IsDeleted;
 
         public override NodeSource Take(params string[] planes) =>
-            new FolderSource(m_generations.Take(), planes) { Doubted = m_generations.Doubt };
+            new FolderSource(m_generations.Take(), planes) { MarkedStale = m_generations.MarkStale };
 
         public void Skip() => m_generations.Take()?.Dispose();
 

@@ -88,7 +88,7 @@ namespace FastPoints.Store
         // The node's planes, the position's first, and where each lies in the memory.
         [ReadOnly] public NativeArray<byte> File;
         [ReadOnly] public NativeArray<PlaneRange> Planes;
-        [ReadOnly] public NativeArray<long> Places;
+        [ReadOnly] public NativeArray<long> PlaneOffsets;
         [ReadOnly] public NativeArray<PlaneShape> PlaneShapes;
         public Grid3 Corner;
         public int BlockCount;
@@ -126,8 +126,8 @@ namespace FastPoints.Store
             double* left = stackalloc double[ColumnValues.BatchLength], right = stackalloc double[ColumnValues.BatchLength];
             var file = (byte*)File.GetUnsafeReadOnlyPtr();
             bool isValid = true;
-            for (int p = 0; p < Places.Length && isValid; p++)
-                isValid = PlaneView.IsValid(file + Places[p], Planes[p].LengthBytes, PlaneShapes[p], BlockCount);
+            for (int p = 0; p < PlaneOffsets.Length && isValid; p++)
+                isValid = PlaneView.IsValid(file + PlaneOffsets[p], Planes[p].LengthBytes, PlaneShapes[p], BlockCount);
             for (int b = First; b < End; b++)
             {
                 var state = new State { Block = b, Memory = new FilterMemory { Results = results, Left = left, Right = right } };
@@ -138,7 +138,7 @@ namespace FastPoints.Store
         }
 
         PlaneView ViewOf(int plane) =>
-            new PlaneView((byte*)File.GetUnsafeReadOnlyPtr() + Places[plane], PlaneShapes[plane], BlockCount);
+            new PlaneView((byte*)File.GetUnsafeReadOnlyPtr() + PlaneOffsets[plane], PlaneShapes[plane], BlockCount);
 
         void Run(ref State state)
         {
@@ -153,13 +153,13 @@ namespace FastPoints.Store
                 var step = Steps[s];
                 state.Chosen = PointMask.Of(state.Points).Without(state.Edited.Deleted);
                 if (step.BoxCount > 0)
-                    ChooseInShapes(step.FirstShape, step.BoxCount, ref state);
+                    FilterByShapes(step.FirstShape, step.BoxCount, ref state);
                 if (step.BallCount > 0)
-                    ChooseInShapes(step.FirstShape + step.BoxCount, step.BallCount, ref state);
+                    FilterByShapes(step.FirstShape + step.BoxCount, step.BallCount, ref state);
                 if (step.Prism.IsUsed)
-                    ChooseInPrism(step, ref state);
+                    FilterByPrism(step, ref state);
                 if (step.ConditionCount > 0)
-                    ChooseByConditions(step, ref state);
+                    FilterByConditions(step, ref state);
                 if (!state.Chosen.IsEmpty)
                     Changed[s] += Apply(step, ref state);
             }
@@ -169,8 +169,9 @@ namespace FastPoints.Store
 
         static long ExtentOf(int width) => (1L << math.min(width, GridCube.MaxSideLog2)) - 1;
 
-        // Removes points that none of the shapes holds, as the next two do those that their kind does not mean.
-        void ChooseInShapes(int first, int count, ref State state)
+        // Each of the next three removes points from the block's mask: those outside all shapes, outside the prism, or that
+        // fail a condition.
+        void FilterByShapes(int first, int count, ref State state)
         {
             int near = 0;
             for (int n = first; n < first + count; n++)
@@ -193,7 +194,7 @@ namespace FastPoints.Store
             }
         }
 
-        void ChooseInPrism(in EditStep step, ref State state)
+        void FilterByPrism(in EditStep step, ref State state)
         {
             var edges = (EditEdge*)Edges.GetUnsafeReadOnlyPtr();
             var nearest = (int*)Near.GetUnsafeReadOnlyPtr();
@@ -221,7 +222,7 @@ namespace FastPoints.Store
             }
         }
 
-        void ChooseByConditions(in EditStep step, ref State state)
+        void FilterByConditions(in EditStep step, ref State state)
         {
             if (state.Chosen.IsEmpty)
                 return;

@@ -142,7 +142,8 @@ namespace FastPoints.Store
         public JobHandle Schedule(EditNodeJob node, JobHandle inputDeps)
         {
             var job = m_job;
-            (job.File, job.Planes, job.Places, job.PlaneShapes) = (node.File, node.Planes, node.Places, node.PlaneShapes);
+            (job.File, job.Planes, job.PlaneOffsets, job.PlaneShapes) =
+                (node.File, node.Planes, node.PlaneOffsets, node.PlaneShapes);
             (job.Corner, job.BlockCount) = (node.Corner, node.BlockCount);
             for (job.First = 0; job.First < node.BlockCount; job.First = job.End)
             {

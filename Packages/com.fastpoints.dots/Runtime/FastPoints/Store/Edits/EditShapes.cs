@@ -66,8 +66,8 @@ namespace FastPoints.Store
                 return x * x + y * y + z * z <= radius * radius;
             if (!IsRound)
                 (x, y, z, radius) = (x * B.Y * B.Z, y * B.X * B.Z, z * B.X * B.Y, radius * B.Y * B.Z);
-            var distance = Long2.Product(x, x) + Long2.Product(y, y) + Long2.Product(z, z);
-            return distance.CompareTo(Long2.Product(radius, radius)) <= 0;
+            var distance = Signed128.Product(x, x) + Signed128.Product(y, y) + Signed128.Product(z, z);
+            return distance.CompareTo(Signed128.Product(radius, radius)) <= 0;
         }
 
         public readonly EditReach ReachOf(in EditShape box)
@@ -88,7 +88,7 @@ namespace FastPoints.Store
     internal struct EditPrism
     {
         // How finely polygons along an axis are drawn.
-        public const int PartsOfStep = 1024;
+        public const int SubstepsPerStep = 1024;
 
         public Grid3 Origin;
         public Grid3 U;
@@ -130,10 +130,10 @@ namespace FastPoints.Store
             return seen.ToU >= MinU && seen.FromU <= MaxU && seen.ToV >= MinV && seen.FromV <= MaxV;
         }
 
-        static Long2 Dot(Grid3 axis, Grid3 ofPositive, Grid3 ofNegative) =>
-            Long2.Product(axis.X, axis.X < 0 ? ofNegative.X : ofPositive.X) +
-            Long2.Product(axis.Y, axis.Y < 0 ? ofNegative.Y : ofPositive.Y) +
-            Long2.Product(axis.Z, axis.Z < 0 ? ofNegative.Z : ofPositive.Z);
+        static Signed128 Dot(Grid3 axis, Grid3 ofPositive, Grid3 ofNegative) =>
+            Signed128.Product(axis.X, axis.X < 0 ? ofNegative.X : ofPositive.X) +
+            Signed128.Product(axis.Y, axis.Y < 0 ? ofNegative.Y : ofPositive.Y) +
+            Signed128.Product(axis.Z, axis.Z < 0 ? ofNegative.Z : ofPositive.Z);
     }
 
     // An edge of a ring, in the prism's plane.
@@ -171,7 +171,7 @@ namespace FastPoints.Store
                 if (!edge.MayMatterTo(place, out bool mayCross))
                     continue;
                 long across = edge.ToU - edge.FromU, up = edge.ToV - edge.FromV;
-                int side = Long2.Product(across, v - edge.FromV).CompareTo(Long2.Product(up, u - edge.FromU));
+                int side = Signed128.Product(across, v - edge.FromV).CompareTo(Signed128.Product(up, u - edge.FromU));
                 if (side == 0 && mayCross)
                     return true;
                 if (edge.FromV > v != edge.ToV > v && side > 0 == up > 0)
@@ -182,29 +182,29 @@ namespace FastPoints.Store
     }
 
     // A whole number of 128 bits, for products of positions.
-    internal readonly struct Long2 : IComparable<Long2>
+    internal readonly struct Signed128 : IComparable<Signed128>
     {
         readonly long m_high;
         readonly ulong m_low;
 
-        Long2(long high, ulong low) => (m_high, m_low) = (high, low);
+        Signed128(long high, ulong low) => (m_high, m_low) = (high, low);
 
-        public static Long2 Product(long a, long b)
+        public static Signed128 Product(long a, long b)
         {
             ulong x = (ulong)a, y = (ulong)b, xLow = (uint)x, xHigh = x >> 32, yLow = (uint)y, yHigh = y >> 32;
             ulong low = xLow * yLow, between = xHigh * yLow + (low >> 32), other = xLow * yHigh + (uint)between;
             ulong high = xHigh * yHigh + (between >> 32) + (other >> 32);
             high -= (a < 0 ? y : 0) + (b < 0 ? x : 0);
-            return new Long2((long)high, other << 32 | (uint)low);
+            return new Signed128((long)high, other << 32 | (uint)low);
         }
 
-        public static Long2 operator +(Long2 a, Long2 b)
+        public static Signed128 operator +(Signed128 a, Signed128 b)
         {
             ulong low = a.m_low + b.m_low;
-            return new Long2(a.m_high + b.m_high + (low < a.m_low ? 1 : 0), low);
+            return new Signed128(a.m_high + b.m_high + (low < a.m_low ? 1 : 0), low);
         }
 
-        public int CompareTo(Long2 other) =>
+        public int CompareTo(Signed128 other) =>
             m_high != other.m_high ? m_high.CompareTo(other.m_high) : m_low.CompareTo(other.m_low);
 
         public long Clamp(long min, long max) =>

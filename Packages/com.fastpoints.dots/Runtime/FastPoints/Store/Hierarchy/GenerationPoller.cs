@@ -20,7 +20,7 @@ namespace FastPoints.Store
         long m_lastPoll = Stopwatch.GetTimestamp();
         int m_misses;
         bool m_isRequested;
-        bool m_isDoubted;
+        bool m_isStale;
 
         struct Poll
         {
@@ -58,7 +58,7 @@ namespace FastPoints.Store
         public bool IsIdle => m_polling == null && m_newest == null && !m_isRequested;
 
         // Looks again once a second.
-        public bool IsFollowing => IsBuilding || m_isDoubted;
+        public bool IsFollowing => IsBuilding || m_isStale;
 
         public CloudFolder Newest => m_newest;
 
@@ -73,7 +73,7 @@ namespace FastPoints.Store
         public void Refresh() => m_isRequested = true;
 
         // What a web server gave was not what the cloud said: looks, until it opens, whether there is another now.
-        public void Doubt() => m_isDoubted = SourcePath.IsRemote(m_path);
+        public void MarkStale() => m_isStale = SourcePath.IsRemote(m_path);
 
         // Called once a frame; it never waits. Throws where a look failed unexpectedly.
         public void Update()
@@ -84,14 +84,14 @@ namespace FastPoints.Store
                 m_polling = null;
                 var seen = looked.Take();
                 m_misses = seen.Exists ? 0 : IsBuilding ? m_misses + 1 : MissesUntilDeleted;
-                m_isDoubted |= seen.HasFailed && SourcePath.IsRemote(m_path);
+                m_isStale |= seen.HasFailed && SourcePath.IsRemote(m_path);
                 if (seen.Newer != null)
                     Keep(seen.Newer);
             }
             if (m_polling != null || m_newest != null || !m_isRequested && !(IsFollowing && IsPollDue))
                 return;
             m_lastPoll = Stopwatch.GetTimestamp();
-            m_isRequested = m_isDoubted = false;
+            m_isRequested = m_isStale = false;
             BeginPoll();
         }
 
@@ -112,7 +112,7 @@ namespace FastPoints.Store
             m_polling = null;
             m_newest?.Dispose();
             m_newest = null;
-            IsBuilding = m_isDoubted = false;
+            IsBuilding = m_isStale = false;
         }
 
         static Poll PollFolder(string path, CloudManifest known, bool wasBuilding)
@@ -121,7 +121,7 @@ namespace FastPoints.Store
             if (!look.Exists)
                 return look;
             CloudFolder folder = null;
-            CloudFolder.Doubt(path);
+            CloudFolder.MarkStale(path);
             try
             {
                 folder = CloudFolder.Open(path);

@@ -43,7 +43,7 @@ namespace FastPoints.Store
 
         /// <summary>A node that will never be loaded takes nothing of the budget; what is below it is shown.</summary>
         public bool IsHole(int node) =>
-            States[node].Slot == NodeState.NoSlot && (IsBroken || States[node].Failures == NodeState.IsHole);
+            States[node].Slot == NodeState.NoSlot && (IsBroken || States[node].Failures == NodeState.HoleFailures);
 
         /// <summary>Bytes that a loaded page takes.</summary>
         public static long BytesFor(int nodeCount, int planeCount) =>
@@ -116,7 +116,7 @@ namespace FastPoints.Store
     public struct NodeState
     {
         public const int NoSlot = -1;
-        public const int IsHole = int.MaxValue;
+        public const int HoleFailures = int.MaxValue;
 
         /// <summary>Frame of the last selection that chose the node.</summary>
         public uint SelectedFrame;
@@ -130,7 +130,7 @@ namespace FastPoints.Store
         /// <summary>Its slot in the cache, or <see cref="NoSlot"/>.</summary>
         public int Slot;
 
-        /// <summary>How often its bytes were damaged, or <see cref="IsHole"/>: then it is never requested again.</summary>
+        /// <summary>How often its bytes were damaged, or <see cref="HoleFailures"/>: then it is never requested again.</summary>
         public int Failures;
 
         /// <summary>Whether a node of a source that transcodes was transcoded, so that its length is known.</summary>

@@ -6,7 +6,7 @@ namespace FastPoints.Streaming
     // The slots of a cache in eviction order: the first goes first.
     internal struct EvictionOrder : IDisposable
     {
-        public NativeList<CachedNode> Slots;
+        public NativeList<CachedNode> Nodes;
         NativeReference<Ends> m_ends; // The slots that go first and last, or NodeCache.None.
 
         struct Ends
@@ -17,7 +17,7 @@ namespace FastPoints.Streaming
 
         public EvictionOrder(Allocator allocator)
         {
-            Slots = new NativeList<CachedNode>(1024, allocator);
+            Nodes = new NativeList<CachedNode>(1024, allocator);
             m_ends = new NativeReference<Ends>(new Ends { First = NodeCache.None, Last = NodeCache.None }, allocator);
         }
 
@@ -25,7 +25,7 @@ namespace FastPoints.Streaming
 
         public void Touch(int slot, uint frame, int rank)
         {
-            ref var used = ref Slots.ElementAt(slot);
+            ref var used = ref Nodes.ElementAt(slot);
             used.UsedFrame = frame;
             used.Rank = rank;
             if (m_ends.Value.Last == slot)
@@ -37,11 +37,11 @@ namespace FastPoints.Streaming
         public void Append(int slot)
         {
             var ends = m_ends.Value;
-            ref var added = ref Slots.ElementAt(slot);
+            ref var added = ref Nodes.ElementAt(slot);
             added.Previous = ends.Last;
             added.Next = NodeCache.None;
             if (ends.Last != NodeCache.None)
-                Slots.ElementAt(ends.Last).Next = slot;
+                Nodes.ElementAt(ends.Last).Next = slot;
             else
                 ends.First = slot;
             ends.Last = slot;
@@ -51,13 +51,13 @@ namespace FastPoints.Streaming
         public void Unlink(int slot)
         {
             var ends = m_ends.Value;
-            var removed = Slots[slot];
+            var removed = Nodes[slot];
             if (removed.Previous != NodeCache.None)
-                Slots.ElementAt(removed.Previous).Next = removed.Next;
+                Nodes.ElementAt(removed.Previous).Next = removed.Next;
             else
                 ends.First = removed.Next;
             if (removed.Next != NodeCache.None)
-                Slots.ElementAt(removed.Next).Previous = removed.Previous;
+                Nodes.ElementAt(removed.Next).Previous = removed.Previous;
             else
                 ends.Last = removed.Previous;
             m_ends.Value = ends;
@@ -65,7 +65,7 @@ namespace FastPoints.Streaming
 
         public void Dispose()
         {
-            Slots.Dispose();
+            Nodes.Dispose();
             m_ends.Dispose();
         }
     }

@@ -30,7 +30,7 @@ namespace FastPoints.Streaming
         {
             Touch(Prefetched, NodeReadQueue.FirstPrefetchRank);
             for (int i = Drawn.Length - 1; i >= 0; i--)
-                if (Order.Slots[Drawn[i].Slot].DrawnFrame == Frame - 1 && Clouds[Drawn[i].Cloud].IsFadingOut(Drawn, i, Frame))
+                if (Order.Nodes[Drawn[i].Slot].DrawnFrame == Frame - 1 && Clouds[Drawn[i].Cloud].IsFadingOut(Drawn, i, Frame))
                     Order.Touch(Drawn[i].Slot, Frame, FadingOutRank);
             Touch(Selected, 0);
             for (int i = 0; i < Pinned.Length; i++)
@@ -80,7 +80,7 @@ namespace FastPoints.Streaming
     {
         [ReadOnly] public NativeArray<CloudPages> Clouds;
         [ReadOnly] public NativeArray<SelectedNode> Selected;
-        public NativeArray<CachedNode> Slots;
+        public NativeArray<CachedNode> Nodes;
         public uint Frame;
         public float FadeStep; // The change of a frame; 1 if nothing fades.
         public long PointBudget;
@@ -111,19 +111,19 @@ namespace FastPoints.Streaming
                 int slot = page->States[node.Node].Slot;
                 int parent = node.Parent < 0 ? StreamContext.NotDrawn : DrawnOfSelected[node.Parent];
                 bool isHole = page->IsHole(node.Node);
-                bool isComplete = slot != NodeState.NoSlot && Slots[slot].Phase == CachePhase.Resident;
+                bool isComplete = slot != NodeState.NoSlot && Nodes[slot].Phase == CachePhase.Resident;
                 totals.IsAll &= isHole || isComplete;
                 bool isShown = parent != StreamContext.NotShown && (isHole || isComplete);
-                if (!isShown || isHole || Slots[slot].IsHidden)
+                if (!isShown || isHole || Nodes[slot].IsHidden)
                 {
                     DrawnOfSelected.Add(isShown ? StreamContext.NotDrawn : StreamContext.NotShown);
                     continue;
                 }
                 DrawnOfSelected.Add(Drawn.Length);
                 float fade = FadeStep >= 1 ? 1
-                    : Slots[slot].DrawnFrame == Frame - 1 ? math.min(1, Slots[slot].Fade + FadeStep)
+                    : Nodes[slot].DrawnFrame == Frame - 1 ? math.min(1, Nodes[slot].Fade + FadeStep)
                     : page->States[node.Node].InViewSinceFrame != Frame || node.Parent < 0 ? 0
-                    : parent >= 0 ? Slots[Drawn[parent].Slot].Fade : 1;
+                    : parent >= 0 ? Nodes[Drawn[parent].Slot].Fade : 1;
                 Add(new DrawnNode { Cloud = node.Cloud, Page = node.Page, Node = node.Node, Parent = parent, Slot = slot }, fade,
                     ref totals);
             }
@@ -134,14 +134,14 @@ namespace FastPoints.Streaming
             for (int i = 0; i < LastDrawn.Length; i++)
             {
                 var node = LastDrawn[i];
-                var cached = Slots[node.Slot];
+                var cached = Nodes[node.Slot];
                 float fade = cached.Fade - FadeStep;
                 if (cached.DrawnFrame != Frame - 1 || cached.Phase != CachePhase.Resident || cached.IsHidden || fade <= 0 ||
                     !Clouds[node.Cloud].IsFadingOut(LastDrawn.AsArray(), i, Frame))
                     continue;
                 if (node.Parent >= 0)
                 {
-                    var parent = Slots[LastDrawn[node.Parent].Slot];
+                    var parent = Nodes[LastDrawn[node.Parent].Slot];
                     if (parent.DrawnFrame != Frame)
                         continue;
                     node.Parent = parent.DrawnIndex;
@@ -154,22 +154,22 @@ namespace FastPoints.Streaming
 
         void Add(DrawnNode node, float fade, ref DrawnTotals totals)
         {
-            var cached = (CachedNode*)Slots.GetUnsafePtr() + node.Slot;
+            var cached = (CachedNode*)Nodes.GetUnsafePtr() + node.Slot;
             cached->DrawnFrame = Frame;
             cached->DrawnIndex = Drawn.Length;
             cached->Fade = fade;
             node.Version = cached->Version;
             node.Range = cached->Range;
             node.Tint = cached->Tint;
-            node.PointShare = ShareOf(fade, node.Parent);
+            node.DrawnFraction = ShareOf(fade, node.Parent);
             Drawn.Add(node);
-            totals.Points += (long)(node.PointShare * Clouds[node.Cloud].PointsOf(node));
+            totals.Points += (long)(node.DrawnFraction * Clouds[node.Cloud].PointsOf(node));
             totals.FadingNodes += fade < 1 ? 1 : 0;
         }
 
         // Where nothing is, few points cover much: slow at first. Detail comes fast at first, since what the camera nears changes
         // more pixels the later it comes; never more of it than of what it is the detail of.
-        float ShareOf(float fade, int parent) => parent < 0 ? fade * fade : (2 - fade) * fade * Drawn[parent].PointShare;
+        float ShareOf(float fade, int parent) => parent < 0 ? fade * fade : (2 - fade) * fade * Drawn[parent].DrawnFraction;
     }
 
     internal struct DrawnTotals
@@ -223,7 +223,7 @@ namespace FastPoints.Streaming
         public uint Tint;
 
         /// <summary>The share of its points that is drawn: 1 unless the node appears or leaves.</summary>
-        public float PointShare;
+        public float DrawnFraction;
 
         /// <summary>Its planes, one after the other in the order of <see cref="NodeSource.Planes"/>.</summary>
         public PoolRange Range;

@@ -3,8 +3,8 @@ using Unity.Collections;
 
 namespace FastPoints.Streaming
 {
-    // The nodes that have memory, in the order of eviction: first those that no selection has wanted for longest, then
-    // those that the last one wanted, in reverse order. Main thread.
+    // The nodes that have memory, in eviction order: nodes unused for longest first, then prefetched, fading-out, selected
+    // (least needed first), and pinned ones last. Main thread.
     internal sealed class NodeCache : IDisposable
     {
         public const int None = -1;
@@ -22,14 +22,14 @@ namespace FastPoints.Streaming
         // Evicted last.
         public NativeArray<int> Pinned => m_pinned.AsArray();
 
-        public CachedNode this[int slot] => m_order.Slots[slot];
+        public CachedNode this[int slot] => m_order.Nodes[slot];
 
-        public NativeArray<CachedNode> Slots => m_order.Slots.AsArray();
+        public NativeArray<CachedNode> Nodes => m_order.Nodes.AsArray();
 
         // Slots that were ever in use, including free ones.
-        public int SlotCount => m_order.Slots.Length;
+        public int SlotCount => m_order.Nodes.Length;
 
-        public bool IsValid(int slot, int version) => m_order.Slots[slot].Version == version;
+        public bool IsValid(int slot, int version) => m_order.Nodes[slot].Version == version;
 
         public int Add(int cloud, int page, int node, PoolRange range)
         {
@@ -41,17 +41,17 @@ namespace FastPoints.Streaming
             }
             else
             {
-                slot = m_order.Slots.Length;
-                m_order.Slots.Add(default);
+                slot = m_order.Nodes.Length;
+                m_order.Nodes.Add(default);
             }
-            m_order.Slots[slot] = new CachedNode
+            m_order.Nodes[slot] = new CachedNode
             {
                 Cloud = cloud,
                 Page = page,
                 Node = node,
                 Range = range,
                 Phase = CachePhase.Requested,
-                Version = m_order.Slots[slot].Version,
+                Version = m_order.Nodes[slot].Version,
                 Tint = CachedNode.White,
             };
             m_order.Append(slot);
@@ -63,19 +63,19 @@ namespace FastPoints.Streaming
         {
             m_order.Unlink(slot);
             SetPinned(slot, false);
-            int version = m_order.Slots[slot].Version;
-            m_order.Slots[slot] = new CachedNode { Version = version + 1 };
+            int version = m_order.Nodes[slot].Version;
+            m_order.Nodes[slot] = new CachedNode { Version = version + 1 };
             m_free.Add(slot);
             Count--;
         }
 
-        public void SetHidden(int slot, bool value) => m_order.Slots.ElementAt(slot).IsHidden = value;
+        public void SetHidden(int slot, bool value) => m_order.Nodes.ElementAt(slot).IsHidden = value;
 
-        public void SetTint(int slot, uint rgba) => m_order.Slots.ElementAt(slot).Tint = rgba;
+        public void SetTint(int slot, uint rgba) => m_order.Nodes.ElementAt(slot).Tint = rgba;
 
         public void SetPinned(int slot, bool value)
         {
-            ref var pinned = ref m_order.Slots.ElementAt(slot);
+            ref var pinned = ref m_order.Nodes.ElementAt(slot);
             if (pinned.IsPinned == value)
                 return;
             pinned.IsPinned = value;
@@ -89,9 +89,9 @@ namespace FastPoints.Streaming
                     m_pinned.RemoveAtSwapBack(i);
         }
 
-        public void SetPhase(int slot, CachePhase phase) => m_order.Slots.ElementAt(slot).Phase = phase;
+        public void SetPhase(int slot, CachePhase phase) => m_order.Nodes.ElementAt(slot).Phase = phase;
 
-        public void SetRange(int slot, PoolRange range) => m_order.Slots.ElementAt(slot).Range = range;
+        public void SetRange(int slot, PoolRange range) => m_order.Nodes.ElementAt(slot).Range = range;
 
         public void Touch(int slot, uint frame, int rank) => m_order.Touch(slot, frame, rank);
 

@@ -158,7 +158,7 @@ namespace FastPoints.Streaming
             outcome = default;
             failure = default;
             bytes = 0;
-            if (!m_transcoder.IsFetched || !JobCoroutine.HasEnded(m_transcoder.Done))
+            if (!m_transcoder.TryDecode() || !JobCoroutine.HasEnded(m_transcoder.Done))
                 return false;
             outcome = m_transcoder.End(out failure);
             bytes = m_transcoder.BytesRead;
@@ -190,7 +190,7 @@ namespace FastPoints.Streaming
 
         public string Describe(TableProblem problem) => Cloud.Source.Describe(Page, Table, problem);
 
-        public void AddParts(int index, byte* to, int upload, NativeList<UploadPart> parts)
+        public void AddChildren(int index, byte* to, int upload, NativeList<UploadPart> parts)
         {
             int node = m_nodes[index].Node;
             byte* transcoded = m_transcoder != null ? (byte*)m_transcoder.Planes.GetUnsafeReadOnlyPtr() : null;
@@ -202,7 +202,7 @@ namespace FastPoints.Streaming
                     From = m_transcoder != null ? transcoded
                         : (byte*)m_bytes.GetUnsafeReadOnlyPtr() + m_offsets[index * Cloud.Source.Planes.Length + p],
                     Check = m_transcoder != null ? UploadCheck.None
-                        : Cloud.Source.IsChecked(Page, node, p) ? UploadCheck.Shape : UploadCheck.Hash,
+                        : Cloud.Source.IsVerified(Page, node, p) ? UploadCheck.Shape : UploadCheck.Hash,
                     To = to,
                     LengthBytes = range.LengthBytes,
                     Hash = range.Hash,

@@ -13,7 +13,7 @@ namespace FastPoints.Streaming
         public const int PageBytes = 1024;
 
         /// <summary>Every GPU supports storage buffers of this size.</summary>
-        public const int LargestBankBytes = 1 << 27;
+        public const int MaxBankBytes = 1 << 27;
 
         RangeAllocator[] m_banks = Array.Empty<RangeAllocator>();
         readonly int m_pagesPerBank;
@@ -22,9 +22,9 @@ namespace FastPoints.Streaming
         /// <param name="bankBytes">Size of a bank; no node may be larger.</param>
         protected NodePool(long limitBytes, int bankBytes)
         {
-            if (bankBytes < PageBytes || bankBytes > LargestBankBytes)
+            if (bankBytes < PageBytes || bankBytes > MaxBankBytes)
                 throw new ArgumentOutOfRangeException(nameof(bankBytes), bankBytes,
-                    "wanted " + PageBytes + " to " + LargestBankBytes);
+                    "wanted " + PageBytes + " to " + MaxBankBytes);
             m_pagesPerBank = bankBytes / PageBytes;
             LimitBytes = limitBytes;
         }
@@ -87,7 +87,7 @@ namespace FastPoints.Streaming
             ref var heap = ref m_banks[range.Bank];
             heap.Free(range.FirstPage);
             UsedBytes -= (long)range.PageCount * PageBytes;
-            if (heap.UsedSlots == 0 && range.Bank >= BankLimit)
+            if (heap.UsedLength == 0 && range.Bank >= BankLimit)
                 Free(range.Bank);
         }
 
@@ -107,7 +107,7 @@ namespace FastPoints.Streaming
         public void FreeEmptyBanks(int first = -1)
         {
             for (int bank = first < 0 ? BankLimit : first; bank < m_banks.Length; bank++)
-                if (m_banks[bank].IsCreated && m_banks[bank].UsedSlots == 0)
+                if (m_banks[bank].IsCreated && m_banks[bank].UsedLength == 0)
                     Free(bank);
         }
 
@@ -140,7 +140,7 @@ namespace FastPoints.Streaming
             {
                 if (!m_banks[bank].IsCreated)
                     continue;
-                used += (long)m_banks[bank].UsedSlots * PageBytes;
+                used += (long)m_banks[bank].UsedLength * PageBytes;
                 if (m_banks[bank].FindProblem() is string problem)
                     return "bank " + bank + ": " + problem;
             }

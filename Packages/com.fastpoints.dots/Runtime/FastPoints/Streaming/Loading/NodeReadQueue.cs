@@ -108,7 +108,7 @@ namespace FastPoints.Streaming
                 if (tables >= MaxTables(missing) || !TryFindIdle(out var fetch))
                     break;
                 if (page->Status != HierarchyPageStatus.Absent || !m_state.IsDue(page->RetryFrame) ||
-                    FolderReleases.IsReleased(cloud.Source.Path) || !cloud.Source.CanBuild(missing.Page))
+                    FolderReleases.IsReleased(cloud.Source.Path) || !cloud.Source.PrepareBuild(missing.Page))
                     continue;
                 page->Status = HierarchyPageStatus.Loading;
                 fetch.BeginTable(++m_count, cloud, missing.Page, rank);
@@ -187,7 +187,7 @@ namespace FastPoints.Streaming
                     long size = cloud.BytesOf(node.Page, node.Node);
                     if (bytes > 0 && bytes + size > m_state.Settings.BytesPerRead)
                         break;
-                    hasRoom = m_state.TryPlace(node, firstRank + node.Parent, size, ref stats, out int slot);
+                    hasRoom = m_state.TryAllocate(node, firstRank + node.Parent, size, ref stats, out int slot);
                     if (!hasRoom)
                         break;
                     if (bytes == 0)
@@ -217,14 +217,14 @@ namespace FastPoints.Streaming
             long bytes = cloud.BytesOf(node.Page, node.Node), max = m_state.Pool.BankBytes;
             if (bytes > max && state->WasTranscoded)
             {
-                state->Failures = NodeState.IsHole;
+                state->Failures = NodeState.HoleFailures;
                 m_state.Report(new StreamFailure(cloud.Source.Path, -1,
                     "a node of " + bytes + " bytes, a bank of the pool has " + max));
                 cloud.Source.ReturnTranscoder(transcoder);
                 return true;
             }
             bytes = Math.Min(bytes, max);
-            if (!m_state.TryPlace(node, firstRank + node.Parent, bytes, ref stats, out int slot))
+            if (!m_state.TryAllocate(node, firstRank + node.Parent, bytes, ref stats, out int slot))
             {
                 cloud.Source.ReturnTranscoder(transcoder);
                 return false;
@@ -288,7 +288,7 @@ namespace FastPoints.Streaming
                 Drop(fetch, page);
                 if (failure != null)
                 {
-                    source.Doubt();
+                    source.MarkStale();
                     CountFailure(page, failure.Path, failure.ByteOffset, failure.What, true);
                     return;
                 }
@@ -349,7 +349,7 @@ namespace FastPoints.Streaming
             {
                 var piece = fetch.Cloud.Source.TableOf(fetch.Page);
                 m_state.Files.Close(fetch.Cloud, piece.Path);
-                fetch.Cloud.Source.Distrust(fetch.Page);
+                fetch.Cloud.Source.Invalidate(fetch.Page);
                 page->Status = HierarchyPageStatus.Absent;
                 CountFailure(page, piece.Path, piece.OffsetBytes, fetch.Describe(problem));
             }

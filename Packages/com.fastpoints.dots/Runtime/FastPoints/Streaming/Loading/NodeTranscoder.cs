@@ -21,10 +21,11 @@ namespace FastPoints.Streaming
         /// <summary>Begins a node; the one before must have ended.</summary>
         public abstract void Begin(in HierarchyPage page, int node);
 
-        // Whether Done is that of all jobs: of a remote source they begin when its bytes are here, which is seen here.
-        internal virtual bool IsFetched => true;
+        // For remote sources, call it once a frame: when the bytes have arrived it schedules the decoding jobs. Returns whether
+        // Done now covers all jobs of the node.
+        internal virtual bool TryDecode() => true;
 
-        // What has not come need not come any more.
+        // Drops the fetch in flight; jobs that were scheduled still run.
         internal virtual void Cancel() { }
 
         internal abstract TranscodeResult End(out StreamFailure failure);

@@ -56,7 +56,7 @@ namespace FastPoints.Streaming
                 if (to == null)
                     break;
                 bytes += size;
-                fetch.AddParts(fetch.FirstWaiting++, to, m_slots.Length, m_parts);
+                fetch.AddChildren(fetch.FirstWaiting++, to, m_slots.Length, m_parts);
                 m_slots.Add(node.Slot);
                 m_state.Cache.SetPhase(node.Slot, CachePhase.Uploading);
                 if (!fetch.IsBeingCopied)
@@ -107,7 +107,7 @@ namespace FastPoints.Streaming
                     damaged = m_isDamaged[part] ? plane : damaged;
                     stats.UploadedBytes += m_parts[part].LengthBytes;
                     if (m_parts[part].Check == UploadCheck.Hash && !m_isDamaged[part])
-                        source.SetChecked(node.Page, node.Node, plane);
+                        source.SetVerified(node.Page, node.Node, plane);
                 }
                 stats.UploadedNodes++;
                 m_state.Cache.SetPhase(m_slots[upload], CachePhase.Resident);
@@ -163,7 +163,7 @@ namespace FastPoints.Streaming
             var part = Parts[index];
             bool isValid = true;
             if (part.Check == UploadCheck.Hash)
-                isValid = ContentHash.Copy(part.To, part.From, part.LengthBytes) == part.Hash;
+                isValid = ContentHash.CopyAndHash(part.To, part.From, part.LengthBytes) == part.Hash;
             else
                 UnsafeUtility.MemCpy(part.To, part.From, part.LengthBytes);
             IsDamaged[index] = !isValid || part.Check != UploadCheck.None &&

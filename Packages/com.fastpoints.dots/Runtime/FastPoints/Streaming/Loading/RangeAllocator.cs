@@ -35,12 +35,12 @@ namespace FastPoints.Streaming
                 m_firstOfBin[bin] = None;
             m_occupiedBins = 0;
             m_tooLong = int.MaxValue;
-            UsedSlots = 0;
+            UsedLength = 0;
             AddFree(0, capacity);
         }
 
         public bool IsCreated => m_length.IsCreated;
-        public int UsedSlots { get; private set; }
+        public int UsedLength { get; private set; }
 
         // The first slot, or -1 if no free range is long enough.
         public int Allocate(int count)
@@ -58,7 +58,7 @@ namespace FastPoints.Streaming
             if (length > count)
                 AddFree(range + count, length - count);
             Mark(range, count, count);
-            UsedSlots += count;
+            UsedLength += count;
             return range;
         }
 
@@ -67,7 +67,7 @@ namespace FastPoints.Streaming
             int length = first >= 0 && first < m_length.Length ? m_length[first] : 0;
             if (length <= 0 || first + length > m_length.Length || m_length[first + length - 1] != length)
                 throw new ArgumentException("slot " + first + " is not the first of a range that was taken", nameof(first));
-            UsedSlots -= length;
+            UsedLength -= length;
             // What lies inside a longer range must not pass for a range.
             Mark(first, length, 0);
             int begin = first, end = first + length;
@@ -128,8 +128,8 @@ namespace FastPoints.Streaming
                 wasFree = isFree;
                 at += length;
             }
-            if (used != UsedSlots)
-                return "counted " + used + " slots in use, wanted " + UsedSlots;
+            if (used != UsedLength)
+                return "counted " + used + " slots in use, wanted " + UsedLength;
             int listed = 0;
             for (int bin = 0; bin < BinCount; bin++)
             {

@@ -39,7 +39,7 @@ namespace FastPoints.Streaming
         public bool TryTakeFailure(out StreamFailure failure) => m_failures.TryDequeue(out failure);
 
         // Evicts nodes that are needed less than one of this rank.
-        public bool TryPlace(SelectedNode node, int rank, long bytes, ref FrameStats stats, out int slot)
+        public bool TryAllocate(SelectedNode node, int rank, long bytes, ref FrameStats stats, out int slot)
         {
             PoolRange range;
             while (!Pool.TryAllocate(bytes, out range))
@@ -90,14 +90,14 @@ namespace FastPoints.Streaming
             var cloud = Clouds[node.Cloud];
             var state = cloud.Pages[node.Page].States + node.Node;
             Release(slot);
-            cloud.Source.Distrust(node.Page);
+            cloud.Source.Invalidate(node.Page);
             if (!cloud.Source.TranscodesNodes)
                 Files.Close(cloud, cloud.Source.PathOf(node.Page));
             if (cloud.Source.PathOfComputed(node.Page) is string computed)
                 Files.Close(cloud, computed);
             if (cloud.IsRemoving || ++state->Failures < Settings.MaxTries)
                 return;
-            state->Failures = NodeState.IsHole;
+            state->Failures = NodeState.HoleFailures;
             Report(failure);
         }
 

@@ -59,7 +59,7 @@ namespace FastPoints.Streaming
             m_placements.Add(placement);
         }
 
-        public void Choose(NativeArray<StreamView> views, in LodSettings settings, int missingToStopAt = int.MaxValue)
+        public void Select(NativeArray<StreamView> views, in LodSettings settings, int missingToStopAt = int.MaxValue)
         {
             var job = JobFor(views, settings);
             job.MissingToStopAt = missingToStopAt;

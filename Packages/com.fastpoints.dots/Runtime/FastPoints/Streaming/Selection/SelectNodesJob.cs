@@ -77,7 +77,7 @@ namespace FastPoints.Streaming
                     continue;
                 }
                 points += cost;
-                int index = Choose(best, cloud, page, ref more);
+                int index = Select(best, cloud, page, ref more);
                 if (IsPrefetch && more >= PrefetchPoints)
                     break;
                 for (int i = 0; i < node->ChildCount; i++)
@@ -96,7 +96,7 @@ namespace FastPoints.Streaming
             return isShown;
         }
 
-        int Choose(in SelectionCandidate best, in SelectionCloud cloud, HierarchyPage* page, ref long more)
+        int Select(in SelectionCandidate best, in SelectionCloud cloud, HierarchyPage* page, ref long more)
         {
             var state = page->States + best.Node;
             if (IsPrefetch)
@@ -181,7 +181,7 @@ namespace FastPoints.Streaming
                 double size = 2 * math.length(half * views[v].AxisScale);
                 // A box without extent, with one point or many at one place, counts as large as the gap that it fills.
                 size = math.max(size, spacing * views[v].SpacingScale);
-                if (views[v].LengthPx(size, distance) >= Settings.SmallestNodePx)
+                if (views[v].LengthPx(size, distance) >= Settings.MinNodePx)
                     screenErrorPx = math.max(screenErrorPx, (float)views[v].LengthPx(spacing * views[v].SpacingScale, distance));
             }
             return screenErrorPx > 0;

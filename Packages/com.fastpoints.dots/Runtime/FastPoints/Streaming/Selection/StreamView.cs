@@ -27,7 +27,7 @@ namespace FastPoints.Streaming
 
         internal ViewMask Mask;
 
-        // What no camera sees, but what shades that, is chosen for it, within a share of the budget.
+        // A light's view: nodes that only it sees are selected for shadows, within a fraction of the point budget.
         internal bool IsLight;
 
         /// <summary>Without a position; its frustum contains everything. A length of one unit has this many pixels.</summary>

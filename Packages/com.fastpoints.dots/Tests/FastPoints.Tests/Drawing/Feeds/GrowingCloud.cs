@@ -32,7 +32,7 @@ namespace FastPoints.Tests.Drawing
         }
 
         public string Folder { get; }
-        public string Manifest => Path.Combine(Folder + StoreFormat.PartSuffix, StoreFormat.ManifestName);
+        public string Manifest => Path.Combine(Folder + StoreFormat.UnfinishedSuffix, StoreFormat.ManifestName);
         public string Source { get; }
         public bool IsBuilt { get; private set; }
 

@@ -211,7 +211,7 @@ namespace FastPoints.Tests.Sources
             Folder.Write("hierarchy.bin", bytes);
             using var reader = PointReaders.Open(Folder.Path);
             Find(reader);
-            Assert.That(reader.Tree.IsWhole, Is.True);
+            Assert.That(reader.Tree.IsHierarchyRead, Is.True);
             Assert.That(reader.Tree.NodeCount, Is.LessThanOrEqualTo(bytes.Length / 22));
             Assert.That(reader.Info.Warnings.Count, Is.GreaterThan(1));
             Assert.That(reader.PointCount, Is.LessThanOrEqualTo(Points), "no byte is given twice");

@@ -42,7 +42,7 @@ namespace FastPoints.Tests.Sources
             var source = new TreeSource(new SampleReader(preview.Sample, "scan"));
             int number = stream.Add(source, StreamedTestCloud.Geo(source));
             stream.Settings.Selection.MinScreenErrorPx = 0;
-            stream.Settings.Selection.SmallestNodePx = 0;
+            stream.Settings.Selection.MinNodePx = 0;
             var middle = preview.Sample.Bounds.Center;
             var camera = Camera(middle);
             Assert.That(StreamedTestCloud.Settle(stream, camera).DrawnPoints, Is.EqualTo(points));
@@ -163,7 +163,7 @@ namespace FastPoints.Tests.Sources
                     watched.FramesUntil(() => !watched.Followed.IsBuilding && watched.Followed.IsCurrent);
                     Assert.That(watched.Followed.IsCurrent, Is.True);
                     watched.Stream.Settings.Selection.MinScreenErrorPx = 0;
-                    watched.Stream.Settings.Selection.SmallestNodePx = 0;
+                    watched.Stream.Settings.Selection.MinNodePx = 0;
                     Assert.That(StreamedTestCloud.Settle(watched.Stream, watched.Camera).DrawnPoints, Is.EqualTo(Points));
                     Assert.That(watched.Stream.Drawn.AsArray().ToArray().Select(d => d.Cloud).Distinct(),
                         Is.EqualTo(new[] { watched.Followed.Cloud }));

@@ -135,7 +135,7 @@ namespace FastPoints.Tests.Sources
             Settle(stream);
             Assert.That(tree.LevelCount, Is.EqualTo(levels), "it is looked at down to its leaf");
             Assert.That(tree.PageCount - top, Is.InRange(1, (pages - top) / share), "of " + (pages - top));
-            Assert.That(tree.IsWhole, Is.False);
+            Assert.That(tree.IsHierarchyRead, Is.False);
             int read = tree.PageCount;
             Settle(stream);
             Assert.That(tree.PageCount, Is.EqualTo(read));
@@ -433,7 +433,7 @@ namespace FastPoints.Tests.Sources
             using var wanted = new NativeList<SelectedNode>(64, Allocator.Persistent);
             Action select = () =>
             {
-                stream.Selector.Choose(settable, stream.Settings.Selection);
+                stream.Selector.Select(settable, stream.Settings.Selection);
                 StreamedTestCloud.RunJobsOfAFrame(stream, wanted);
             };
             Action run = () => FrameStep.Run(stream, settable);

@@ -8,7 +8,7 @@ using Unity.Jobs;
 namespace FastPoints
 {
     // Pieces of remote files, on their way or here. Whoever disposes it has completed the jobs that copy from it.
-    internal sealed unsafe class FetchedBytes : IDisposable
+    internal sealed unsafe class RemoteFetch : IDisposable
     {
         // A node of an octree of many files mostly comes with opening its file.
         const int MaxHeadBytes = 1 << 20;
@@ -29,7 +29,7 @@ namespace FastPoints
         readonly int m_rank;
 
         // A piece without a length is its whole file. What has the lowest rank is fetched first. Nothing waits.
-        public FetchedBytes(List<FilePiece> pieces, int rank)
+        public RemoteFetch(List<FilePiece> pieces, int rank)
         {
             m_rank = rank;
             foreach (var piece in pieces)
@@ -168,7 +168,7 @@ namespace FastPoints
 
         readonly Action<int, List<FilePiece>> m_listPieces;
         readonly int m_end;
-        readonly Queue<FetchedBytes> m_begun = new Queue<FetchedBytes>();
+        readonly Queue<RemoteFetch> m_begun = new Queue<RemoteFetch>();
         readonly List<FilePiece> m_pieces = new List<FilePiece>();
         int m_next;
 
@@ -200,13 +200,13 @@ namespace FastPoints
         }
 
         // What the next read needs. The receiver owns it.
-        public FetchedBytes Take() => m_begun.Count > 0 ? m_begun.Dequeue() : null;
+        public RemoteFetch Take() => m_begun.Count > 0 ? m_begun.Dequeue() : null;
 
         void Begin(int read)
         {
             m_pieces.Clear();
             m_listPieces(read, m_pieces);
-            m_begun.Enqueue(new FetchedBytes(m_pieces, read));
+            m_begun.Enqueue(new RemoteFetch(m_pieces, read));
         }
 
         public void Dispose()

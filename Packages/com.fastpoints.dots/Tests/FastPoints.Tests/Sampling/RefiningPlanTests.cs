@@ -6,7 +6,7 @@ using NUnit.Framework;
 
 namespace FastPoints.Tests.Sampling
 {
-    public class DepthPlanTests
+    public class RefiningPlanTests
     {
         static MemoryPointReader Blocks(int count, int pointsPerBlock) =>
             new MemoryPointReader(TestBatches.New(count, TestBatches.Xyz(AttributeType.Int32)), pointsPerBlock, false);
@@ -16,7 +16,7 @@ namespace FastPoints.Tests.Sampling
         public void Next_UntilTheEnd_GivesEachPointOnceAndBlocksInOrder(int count, int pointsPerBlock, bool canSlice)
         {
             using var reader = Blocks(count, pointsPerBlock);
-            var plan = new DepthPlan(reader, canSlice, 1);
+            var plan = new RefiningPlan(reader, canSlice, 1);
             var taken = new int[reader.BlockCount];
             foreach (double share in new[] { 1 / 15.0, 0.2, 0.5, 1 })
             {
@@ -39,7 +39,7 @@ namespace FastPoints.Tests.Sampling
         public void Next_BlocksWithStates_AreReadToEqualDepth()
         {
             using var reader = Blocks(100_000, 1000);
-            var plan = new DepthPlan(reader, true, 1);
+            var plan = new RefiningPlan(reader, true, 1);
             var taken = new int[reader.BlockCount];
             foreach (double share in new[] { 0.2, 0.5 })
             {
@@ -54,7 +54,7 @@ namespace FastPoints.Tests.Sampling
         public void Next_BrokenBlock_IsNotReadAgain()
         {
             using var reader = Blocks(800, 100);
-            var plan = new DepthPlan(reader, true, 1);
+            var plan = new RefiningPlan(reader, true, 1);
             int ofThird = 0;
             foreach (double share in new[] { 0.5, 1 })
                 for (var ranges = plan.Next(share); ranges.Count > 0; ranges = plan.Next(share))
@@ -71,7 +71,7 @@ namespace FastPoints.Tests.Sampling
         public void Next_MoreBlocksThanStates_GivesWholeBlocksSpreadOverTheSource()
         {
             using var reader = Blocks(40_000, 100);
-            var plan = new DepthPlan(reader, true, 1);
+            var plan = new RefiningPlan(reader, true, 1);
             Assert.That(plan.IsSliced, Is.False);
             var ranges = new List<BlockRange>();
             for (var round = plan.Next(0.25); round.Count > 0; round = plan.Next(0.25))

@@ -7,7 +7,7 @@ namespace FastPoints.Drawing
     // Where the main light's depth map lies: a square across the light, around what a camera may see of the clouds. It rests in
     // the world: its texels' length is a power of two, and it moves by whole ones, so that they stay where they are whatever
     // the camera does.
-    internal unsafe struct ShadowFrame
+    internal unsafe struct ShadowProjection
     {
         public const int EdgePx = 1024;
 
@@ -21,7 +21,7 @@ namespace FastPoints.Drawing
         double3 m_min, m_max; // To the right, up and along the light.
 
         /// <param name="lengths">Of the world's units along each axis, which differ where they are degrees.</param>
-        public ShadowFrame(float3 toLight, double3 lengths)
+        public ShadowProjection(float3 toLight, double3 lengths)
         {
             this = default;
             m_lengths = lengths;
@@ -96,10 +96,10 @@ namespace FastPoints.Drawing
             return view;
         }
 
-        public PointShadow From(double3 eyeWorld)
+        public MainLightShadow From(double3 eyeWorld)
         {
             var fromMiddle = (eyeWorld - EyeWorld) * m_lengths;
-            return new PointShadow
+            return new MainLightShadow
             {
                 Column = (float3)(m_right / TexelWorld),
                 Row = (float3)(-m_up / TexelWorld),
@@ -146,7 +146,7 @@ namespace FastPoints.Drawing
 
     // The map as an eye sees it: a place from the eye is in column dot(place, Column) + Eye.x, and so on; by its depth along the
     // light it is dot(place, Forward) + Eye.z from the map's own middle.
-    internal struct PointShadow
+    internal struct MainLightShadow
     {
         public float3 Column;
         public float3 Row;

@@ -9,7 +9,7 @@ namespace FastPoints.Sampling
     /// spread over all of the source. The time it takes depends on the points wanted, hardly on the source's size.</summary>
     /// <remarks>The sample is the same for the same source, seed and number of points, on any number of threads and slots and any
     /// disk. All members belong to the thread of the coroutine.</remarks>
-    internal sealed class PreviewSampler : IDisposable
+    internal sealed class WaveSampler : IDisposable
     {
         /// <summary>Points at which a wave ends; the last one ends with the sample.</summary>
         static readonly int[] s_waves = { 2_000, 20_000, 200_000, 1_000_000, 4_000_000 };
@@ -28,7 +28,7 @@ namespace FastPoints.Sampling
         /// <param name="reader">A reader whose blocks are known.</param>
         /// <param name="wanted">Number of points, limited to <see cref="PreviewSample.MaxPoints"/>.</param>
         /// <exception cref="PointCloudException">The source has no positions.</exception>
-        public PreviewSampler(PointReader reader, int wanted, uint seed)
+        public WaveSampler(PointReader reader, int wanted, uint seed)
         {
             m_reader = reader;
             wanted = Math.Max(0, Math.Min(wanted, PreviewSample.MaxPoints(SampleSchema.Of(reader.Info))));
@@ -36,7 +36,7 @@ namespace FastPoints.Sampling
                 ? (WaveReader)new RangeWaveReader(reader, wanted, seed)
                 : new PrefixWaveReader(reader, wanted, seed);
             m_buffer = m_reads.Buffer;
-            m_sample = m_buffer.ShareSample();
+            m_sample = m_buffer.CreateSample();
             m_sample.Method = m_reads.Method;
         }
 
@@ -63,7 +63,7 @@ namespace FastPoints.Sampling
                     yield return JobStep.Of(m_reads.Read(wanted, isLast ? 0 : EntriesOf(wave + 1), slots, progress));
                     if (m_reads.EndIndex > first)
                     {
-                        yield return JobStep.Of(m_buffer.Close(first, m_reads.EndIndex, m_reads.Filling));
+                        yield return JobStep.Of(m_buffer.Compact(first, m_reads.EndIndex, m_reads.Filling));
                         m_reads.EndReads();
                         RaiseWave();
                         m_reads.Report(progress);
@@ -87,7 +87,7 @@ namespace FastPoints.Sampling
 
         void RaiseWave()
         {
-            m_buffer.Measure(m_sample);
+            m_buffer.UpdateSample(m_sample);
             m_sample.Method = m_reads.Method;
             m_sample.BytesRead = m_reads.BytesRead;
             m_sample.PointsInSource = m_reader.PointCount;

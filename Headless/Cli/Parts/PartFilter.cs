@@ -2,7 +2,7 @@ namespace FastPoints.Cli.Parts;
 
 /// <summary>The points of a part's cube. Blocks that several parts read belong to one of them, which takes their points
 /// without a position and outside of the whole cube, too.</summary>
-sealed class PartSelection : IPointSelection, IDisposable
+sealed class PartFilter : IPointFilter, IDisposable
 {
     readonly BuildPart m_part;
     readonly SourceGrid m_grid;
@@ -11,7 +11,7 @@ sealed class PartSelection : IPointSelection, IDisposable
     long m_pointsWanted;
 
     /// <param name="isOwn">By block of the reader that filters.</param>
-    public PartSelection(BuildPart part, in SourceGrid grid, IReadOnlyList<bool> isOwn)
+    public PartFilter(BuildPart part, in SourceGrid grid, IReadOnlyList<bool> isOwn)
     {
         m_part = part;
         m_grid = grid;
@@ -22,7 +22,7 @@ sealed class PartSelection : IPointSelection, IDisposable
 
     public ulong Hash => 0;
 
-    public ISelectionSlot CreateSlot(PointBatch batch, in PositionTransform transform)
+    public IFilterSlot CreateSlot(PointBatch batch, in PositionTransform transform)
     {
         var slot = new Slot(this, batch);
         m_slots.Add(slot);
@@ -45,18 +45,18 @@ sealed class PartSelection : IPointSelection, IDisposable
             slot.Dispose();
     }
 
-    sealed class Slot : ISelectionSlot
+    sealed class Slot : IFilterSlot
     {
-        readonly PartSelection m_selection;
-        SelectPartJob m_job;
+        readonly PartFilter m_selection;
+        FilterPartJob m_job;
 
-        public Slot(PartSelection selection, PointBatch batch)
+        public Slot(PartFilter selection, PointBatch batch)
         {
             m_selection = selection;
             var columns = new PointColumn[batch.Schema.Count];
             for (int c = 0; c < columns.Length; c++)
                 columns[c] = batch.Column(c);
-            m_job = new SelectPartJob
+            m_job = new FilterPartJob
             {
                 Columns = batch.Bytes,
                 AllColumns = new NativeArray<PointColumn>(columns, Allocator.Persistent),
@@ -65,8 +65,8 @@ sealed class PartSelection : IPointSelection, IDisposable
                 Z = batch.Column(batch.Schema.IndexOf(AttributeNames.Z)),
                 Grid = selection.m_grid,
                 Cube = selection.m_part.Cube,
-                Whole = selection.m_part.Whole,
-                Chosen = new NativeArray<int>(SelectPartJob.PointsPerSlice, Allocator.Persistent),
+                CloudCube = selection.m_part.CloudCube,
+                Chosen = new NativeArray<int>(FilterPartJob.PointsPerSlice, Allocator.Persistent),
                 Wanted = new NativeReference<long>(Allocator.Persistent),
                 Selected = new NativeReference<DecodeResult>(Allocator.Persistent),
             };
@@ -80,7 +80,7 @@ sealed class PartSelection : IPointSelection, IDisposable
             var job = m_job;
             job.Decoded = decodedResult;
             job.IsOwn = m_selection.m_isOwn[range.Block];
-            for (job.First = 0; job.First < range.Count; job.First += SelectPartJob.PointsPerSlice)
+            for (job.First = 0; job.First < range.Count; job.First += FilterPartJob.PointsPerSlice)
                 decoded = job.Schedule(decoded);
             return decoded;
         }
@@ -109,7 +109,7 @@ sealed class PartSelection : IPointSelection, IDisposable
 }
 
 /// <summary>Moves points of a slice of a batch that belong to a part after those of earlier slices.</summary>
-unsafe struct SelectPartJob : IJob
+unsafe struct FilterPartJob : IJob
 {
     /// <summary>About 0.2 ms.</summary>
     public const int PointsPerSlice = 1 << 14;
@@ -124,7 +124,7 @@ unsafe struct SelectPartJob : IJob
     public PointColumn Z;
     public SourceGrid Grid;
     public GridCube Cube;
-    public GridCube Whole;
+    public GridCube CloudCube;
 
     /// <summary>Whether points outside of the whole cube are wanted.</summary>
     public bool IsOwn;
@@ -169,7 +169,7 @@ unsafe struct SelectPartJob : IJob
             {
                 var position = new Grid3(x[i], y[i], z[i]);
                 // What has no position is outside of every cube.
-                if (Cube.Contains(position) || IsOwn && !Whole.Contains(position))
+                if (Cube.Contains(position) || IsOwn && !CloudCube.Contains(position))
                     chosen[done++] = First + first + i;
             }
         }

@@ -6,28 +6,28 @@ namespace FastPoints.Store
 {
     // Which planes of a cloud had the bytes that were written, so that each is hashed once in a run of the application, also if
     // the cloud is opened again, as long as its files are not written to.
-    internal sealed class CheckedPlanes
+    internal sealed class VerifiedPlanes
     {
         // Finished clouds that were opened, by folder.
-        static readonly Dictionary<string, CheckedPlanes> s_opened = new Dictionary<string, CheckedPlanes>();
+        static readonly Dictionary<string, VerifiedPlanes> s_opened = new Dictionary<string, VerifiedPlanes>();
 
         readonly ulong m_rootHash;
         readonly DateTime m_openedUtc = DateTime.UtcNow;
-        readonly Dictionary<ulong, CheckedPage> m_pages = new Dictionary<ulong, CheckedPage>(); // By hash.
+        readonly Dictionary<ulong, VerifiedPage> m_pages = new Dictionary<ulong, VerifiedPage>(); // By hash.
 
-        sealed class CheckedPage
+        sealed class VerifiedPage
         {
             public string Path;
             public ulong[] Bits;
         }
 
-        CheckedPlanes(ulong rootHash) => m_rootHash = rootHash;
+        VerifiedPlanes(ulong rootHash) => m_rootHash = rootHash;
 
         // Any thread: a plane checked later was written before this call or has changed the file's time.
         // Planes of a null folder are not remembered.
-        public static CheckedPlanes Of(ulong rootHash, string folder)
+        public static VerifiedPlanes Of(ulong rootHash, string folder)
         {
-            var now = new CheckedPlanes(rootHash);
+            var now = new VerifiedPlanes(rootHash);
             if (folder == null)
                 return now;
             lock (s_opened)
@@ -45,8 +45,8 @@ namespace FastPoints.Store
             lock (m_pages)
             {
                 if (!m_pages.TryGetValue(page.Hash, out var known))
-                    m_pages.Add(page.Hash, known = new CheckedPage { Path = path, Bits = new ulong[(planes + 63) / 64] });
-                // Hashes of pages that were made to have the same one say nothing.
+                    m_pages.Add(page.Hash, known = new VerifiedPage { Path = path, Bits = new ulong[(planes + 63) / 64] });
+                // Two pages with one hash but different sizes (a forged collision): remember nothing.
                 return known.Bits.Length == (planes + 63) / 64 ? known.Bits : null;
             }
         }
@@ -55,12 +55,12 @@ namespace FastPoints.Store
 
         public static void Add(ulong[] bits, long plane) => bits[plane >> 6] |= 1UL << (int)(plane & 63);
 
-        void KeepUnchanged(CheckedPlanes before)
+        void KeepUnchanged(VerifiedPlanes before)
         {
-            KeyValuePair<ulong, CheckedPage>[] pages;
+            KeyValuePair<ulong, VerifiedPage>[] pages;
             // The main thread may wait for the lock: not for files.
             lock (before.m_pages)
-                pages = new List<KeyValuePair<ulong, CheckedPage>>(before.m_pages).ToArray();
+                pages = new List<KeyValuePair<ulong, VerifiedPage>>(before.m_pages).ToArray();
             var isUnchanged = new Dictionary<string, bool>();
             foreach (var page in pages)
             {

@@ -1,6 +1,6 @@
 namespace FastPoints.HostTests.Editor;
 
-public sealed class BuildSessionTests
+public sealed class ConversionSessionTests
 {
     ImportProject m_project;
 
@@ -10,8 +10,8 @@ public sealed class BuildSessionTests
     [TearDown]
     public void DeleteProject() => m_project.Dispose();
 
-    BuildSession Begin() => new BuildSession(new[] { m_project.Source }, m_project.Target(), ImportProject.Settings());
-    static void UpdateUntil(BuildSession session, Func<bool> isDone) => ImportProject.Updates(() => session.Tick(1), isDone);
+    ConversionSession Begin() => new ConversionSession(new[] { m_project.Source }, m_project.Target(), ImportProject.Settings());
+    static void UpdateUntil(ConversionSession session, Func<bool> isDone) => ImportProject.Updates(() => session.Tick(1), isDone);
 
     [Test]
     public void Tick_ToTheEnd_ConvertsWithMonotonicProgress()
@@ -20,13 +20,13 @@ public sealed class BuildSessionTests
         double share = 0;
         UpdateUntil(session, () =>
         {
-            Assert.That(session.Share, Is.InRange(share, 1));
-            share = session.Share;
+            Assert.That(session.Fraction, Is.InRange(share, 1));
+            share = session.Fraction;
             return session.IsEnded;
         });
 
-        Assert.That(session.State, Is.EqualTo(BuildState.Done), session.Failure?.Message);
-        Assert.That(session.Share, Is.EqualTo(1));
+        Assert.That(session.State, Is.EqualTo(ConversionState.Done), session.Failure?.Message);
+        Assert.That(session.Fraction, Is.EqualTo(1));
         Assert.That(session.Source.Format, Is.EqualTo("LAS"));
         Assert.That(session.Result.Manifest.Points, Is.EqualTo(ImportProject.Points));
         m_project.AssertIsWhole(m_project.Target());
@@ -43,7 +43,7 @@ public sealed class BuildSessionTests
             string journal = Path.Combine(m_project.Target() + ".part", BuildFiles.JournalName);
             UpdateUntil(first, () => first.Progress.Current == stage && Appears(journal));
             first.Suspend();
-            Assert.That(first.State, Is.EqualTo(BuildState.Suspended));
+            Assert.That(first.State, Is.EqualTo(ConversionState.Suspended));
             Assert.That(first.Tick(1), Is.True, "it is over");
         }
         Assert.That(Directory.Exists(m_project.Target() + ".part"), Is.True);
@@ -51,7 +51,7 @@ public sealed class BuildSessionTests
         using var second = Begin();
         UpdateUntil(second, () => second.IsEnded);
 
-        Assert.That(second.State, Is.EqualTo(BuildState.Done), second.Failure?.Message);
+        Assert.That(second.State, Is.EqualTo(ConversionState.Done), second.Failure?.Message);
         Assert.That(second.Result.Note, Does.StartWith("continued a build"));
         m_project.AssertIsWhole(m_project.Target());
     }
@@ -73,7 +73,7 @@ public sealed class BuildSessionTests
         }))
             UpdateUntil(second, () => second.IsEnded);
 
-        Assert.That(second.State, Is.EqualTo(BuildState.Done), second.Failure?.Message);
+        Assert.That(second.State, Is.EqualTo(ConversionState.Done), second.Failure?.Message);
         Assert.That(second.Result.Note, Does.StartWith("continued a build"));
         Assert.That(opened, Is.Empty);
         m_project.AssertIsWhole(m_project.Target());
@@ -91,7 +91,7 @@ public sealed class BuildSessionTests
         }))
         {
             UpdateUntil(failing, () => failing.IsEnded);
-            Assert.That(failing.State, Is.EqualTo(BuildState.Failed));
+            Assert.That(failing.State, Is.EqualTo(ConversionState.Failed));
         }
         using var last = Begin();
         UpdateUntil(last, () => last.IsEnded);
@@ -117,7 +117,7 @@ public sealed class BuildSessionTests
             using var session = Begin();
             UpdateUntil(session, () => session.Progress.Current == stage || stage == null);
             session.Cancel();
-            Assert.That(session.State, Is.EqualTo(BuildState.Cancelled));
+            Assert.That(session.State, Is.EqualTo(ConversionState.Cancelled));
             FileChanges.AwaitDeletes();
             if (Directory.Exists(m_project.Paths.Clouds))
                 Assert.That(Directory.GetFileSystemEntries(m_project.Paths.Clouds), Is.Empty, stage);
@@ -153,7 +153,7 @@ public sealed class BuildSessionTests
 
         session.Resume();
         UpdateUntil(session, () => session.IsEnded);
-        Assert.That(session.State, Is.EqualTo(BuildState.Done));
+        Assert.That(session.State, Is.EqualTo(ConversionState.Done));
     }
 
     [Test]
@@ -163,7 +163,7 @@ public sealed class BuildSessionTests
         using var session = Begin();
         UpdateUntil(session, () => session.IsEnded);
 
-        Assert.That(session.State, Is.EqualTo(BuildState.Failed));
+        Assert.That(session.State, Is.EqualTo(ConversionState.Failed));
         Assert.That(session.Failure, Has.Property("Code").EqualTo(FailureCode.NotFound));
     }
 
@@ -180,22 +180,22 @@ public sealed class BuildSessionTests
     [Test]
     public void Tick_UnexpectedExceptionOnOpening_FailsAndSaysWhere()
     {
-        using var session = new BuildSession(new BrokenList(), m_project.Target(), ImportProject.Settings());
+        using var session = new ConversionSession(new BrokenList(), m_project.Target(), ImportProject.Settings());
         UpdateUntil(session, () => session.IsEnded);
 
-        Assert.That(session.State, Is.EqualTo(BuildState.Failed));
+        Assert.That(session.State, Is.EqualTo(ConversionState.Failed));
         Assert.That(session.Failure, Has.Property("Code").EqualTo(FailureCode.Unexpected));
         Assert.That(session.Failure,
             Has.Property("FullMessage").Contains("InvalidOperationException: planted").And.Property("FullMessage")
-            .Contains(nameof(BuildSessionTests)));
+            .Contains(nameof(ConversionSessionTests)));
     }
 
     [Test]
     public void Suspend_UnexpectedExceptionOnOpening_Ends()
     {
-        using var session = new BuildSession(new BrokenList(), m_project.Target(), ImportProject.Settings());
+        using var session = new ConversionSession(new BrokenList(), m_project.Target(), ImportProject.Settings());
         session.Suspend();
-        Assert.That(session.State, Is.EqualTo(BuildState.Suspended));
+        Assert.That(session.State, Is.EqualTo(ConversionState.Suspended));
     }
 
     [Test]
@@ -204,7 +204,7 @@ public sealed class BuildSessionTests
         string broken = m_project.Scratch["broken.las"];
         File.WriteAllText(broken, "LASF");
         string[] sources = { m_project.Source, broken };
-        using var session = new BuildSession(sources, m_project.Target(), ImportProject.Settings());
+        using var session = new ConversionSession(sources, m_project.Target(), ImportProject.Settings());
         UpdateUntil(session, () => session.IsEnded);
 
         Assert.That(session.Failure, Has.Property("Code").EqualTo(FailureCode.Truncated).And.Message.StartsWith(broken));
@@ -219,7 +219,7 @@ public sealed class BuildSessionTests
             using (var file = new FileStream(m_project.Source, FileMode.Open, FileAccess.Write, FileShare.ReadWrite))
                 file.SetLength(2000);
             UpdateUntil(session, () => session.IsEnded);
-            Assert.That(session.State, Is.EqualTo(BuildState.Failed));
+            Assert.That(session.State, Is.EqualTo(ConversionState.Failed));
             Assert.That(session.Failure.Message, Does.StartWith(m_project.Source));
         }
     }
@@ -235,13 +235,13 @@ public sealed class BuildSessionTests
             using (var session = Begin())
             {
                 UpdateUntil(session, () => session.IsEnded);
-                Assert.That(session.State, Is.EqualTo(BuildState.Failed));
+                Assert.That(session.State, Is.EqualTo(ConversionState.Failed));
                 Assert.That(session.Failure, Has.Property("Code").EqualTo(FailureCode.DiskFull));
             }
             Assert.That(TryMount("-o remount,size=100m " + m_project.Paths.Clouds), Is.True);
             using var again = Begin();
             UpdateUntil(again, () => again.IsEnded);
-            Assert.That(again.State, Is.EqualTo(BuildState.Done), again.Failure?.Message);
+            Assert.That(again.State, Is.EqualTo(ConversionState.Done), again.Failure?.Message);
             m_project.AssertIsWhole(m_project.Target());
         }
         finally

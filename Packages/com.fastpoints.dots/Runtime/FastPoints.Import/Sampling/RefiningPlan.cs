@@ -11,7 +11,7 @@ namespace FastPoints.Sampling
     /// cells was tried: at half of ca13_d's points, which are in the order of an octree, its sample leaves 39 % of the 512th
     /// cells empty, that of equal depths 49 %, but its distances are longer (RMS 0.0092 of the diagonal against 0.0078), and on
     /// lion they are longer for as many empty cells. Its many slices took twice the time.</remarks>
-    internal sealed class DepthPlan
+    internal sealed class RefiningPlan
     {
         /// <summary>A LAZ decoder's state takes about 0.3 MB.</summary>
         public const int MaxSlicedBlocks = 128;
@@ -30,7 +30,7 @@ namespace FastPoints.Sampling
         double m_share;
 
         /// <param name="canSlice">Whether decoding of a block can be continued.</param>
-        public DepthPlan(PointReader reader, bool canSlice, uint seed)
+        public RefiningPlan(PointReader reader, bool canSlice, uint seed)
         {
             m_reader = reader;
             IsSliced = canSlice && reader.BlockCount <= MaxSlicedBlocks;

@@ -10,11 +10,11 @@ namespace FastPoints.Editor
 {
     /// <summary>Verifies converted clouds, one at a time, with a line in the Progress window. The result is written to the
     /// Console and kept for inspectors.</summary>
-    internal sealed class EditorChecks : IDisposable
+    internal sealed class EditorVerification : IDisposable
     {
         int m_progress;
 
-        public CloudCheck Check { get; private set; }
+        public CloudVerification Check { get; private set; }
 
         public bool IsChecking => Check != null && !Check.IsDone;
 
@@ -22,7 +22,7 @@ namespace FastPoints.Editor
         public void Begin(string path)
         {
             Dispose();
-            var check = Check = new CloudCheck(path);
+            var check = Check = new CloudVerification(path);
             m_progress = Progress.Start("Verify " + Path.GetFileName(path), null, Progress.Options.Managed);
             Progress.RegisterCancelCallback(m_progress, () =>
             {
@@ -39,7 +39,7 @@ namespace FastPoints.Editor
             if (!IsChecking)
                 return;
             bool isDone = Check.Step(budgetMs);
-            Progress.Report(m_progress, (float)Check.Share, Check.Describe());
+            Progress.Report(m_progress, (float)Check.Fraction, Check.Describe());
             if (!isDone)
                 return;
             Progress.Finish(m_progress, Check.Result.Ok ? Progress.Status.Succeeded : Progress.Status.Failed);
@@ -61,12 +61,12 @@ namespace FastPoints.Editor
 
     /// <summary>Verifies a converted cloud, one slice in each update: every file, table, hash, point and count. Main
     /// thread.</summary>
-    internal sealed class CloudCheck : IDisposable
+    internal sealed class CloudVerification : IDisposable
     {
         readonly JobCoroutine m_work;
         readonly StageProgress m_progress = new StageProgress();
 
-        public CloudCheck(string path)
+        public CloudVerification(string path)
         {
             Path = path;
             m_work = new JobCoroutine(VerifyCloud.Run(path, Array.Empty<PointReader>(), Result, m_progress));
@@ -77,7 +77,7 @@ namespace FastPoints.Editor
         /// <summary>Complete when <see cref="Step"/> has returned true.</summary>
         public VerifyResult Result { get; } = new VerifyResult();
 
-        public double Share => m_progress.Share;
+        public double Fraction => m_progress.Fraction;
 
         public bool IsDone { get; private set; }
 
@@ -102,7 +102,7 @@ namespace FastPoints.Editor
         public string Describe()
         {
             if (!IsDone)
-                return "verifying: " + Share.ToString("P0", CultureInfo.InvariantCulture);
+                return "verifying: " + Fraction.ToString("P0", CultureInfo.InvariantCulture);
             if (Result.Ok)
                 return Result.Points.ToString("N0", CultureInfo.InvariantCulture) + " points are as they were converted" +
                     (Result.IsBuilding ? ", as far as the cloud is finished" : "");

@@ -6,7 +6,7 @@ namespace FastPoints.Store
 {
     /// <summary>Nodes of a converted cloud that were chosen, by page of its hierarchy. Pages are loaded as a choice reaches
     /// them.</summary>
-    internal class ChosenNodes : IDisposable
+    internal class CloudSelection : IDisposable
     {
         const int MaxPageFetches = 16;
 
@@ -14,12 +14,12 @@ namespace FastPoints.Store
         readonly Dictionary<int, NodeTable> m_tables = new Dictionary<int, NodeTable>();
         readonly Dictionary<int, List<int>> m_nodesOfPage = new Dictionary<int, List<int>>();
 
-        public ChosenNodes(CloudFolder folder) => Folder = folder;
+        public CloudSelection(CloudFolder folder) => Folder = folder;
 
         public int NodeCount { get; private set; }
         public long Points { get; private set; }
 
-        public int CheckedPoints => Points <= int.MaxValue / 64
+        public int PointCountOrThrow => Points <= int.MaxValue / 64
             ? (int)Points
             : throw PointCloudException.Wanted(FailureCode.Unsupported, Folder.FolderPath, -1, "points chosen at once",
                 "at most " + int.MaxValue / 64, Points);
@@ -158,7 +158,7 @@ namespace FastPoints.Store
         protected void Fetch(int page)
         {
             if (page > 0 && !m_tables.ContainsKey(page))
-                Folder.IsFetched(page);
+                Folder.TryFetchPage(page);
         }
 
         protected NodeTable Load(int page)

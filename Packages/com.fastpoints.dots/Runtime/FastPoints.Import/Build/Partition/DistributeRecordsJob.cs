@@ -8,7 +8,7 @@ namespace FastPoints.Build
 {
     /// <summary>Copies records of some pages to the cubes that contain them, and leaves out the others.</summary>
     [BurstCompile]
-    internal unsafe struct RegroupCubesJob : IJob
+    internal unsafe struct DistributeRecordsJob : IJob
     {
         /// <summary>Pages of one slice, which takes about a millisecond.</summary>
         public const int PagesPerSlice = 8;

@@ -10,7 +10,7 @@ namespace FastPoints
 {
     // A file of a range cache: records, one behind the other, of which only whole ones count. A record has a header, a hash for
     // each block of its bytes, and the bytes.
-    internal sealed class CacheSegment
+    internal sealed class RangeCacheFile
     {
         const int BlockBytes = 16 << 10;
         const ulong Magic = 0x3145474E41525046; // FPRANGE1
@@ -35,7 +35,7 @@ namespace FastPoints
 
         const int HeaderBytes = 56;
 
-        CacheSegment(string path, FileStream stream)
+        RangeCacheFile(string path, FileStream stream)
         {
             Path = path;
             m_stream = stream;
@@ -47,21 +47,21 @@ namespace FastPoints
         public long Bytes { get; private set; }
         public DateTime Used { get; private set; }
 
-        public static CacheSegment Create(string folder, string extension)
+        public static RangeCacheFile Create(string folder, string extension)
         {
             string name = DateTime.UtcNow.Ticks.ToString("x16", CultureInfo.InvariantCulture) + "-" +
                 Process.GetCurrentProcess().Id.ToString(CultureInfo.InvariantCulture) + "-" +
                 Interlocked.Increment(ref s_number).ToString(CultureInfo.InvariantCulture);
             string path = System.IO.Path.Combine(folder, name + extension);
-            return new CacheSegment(path, FileChanges.CreateShared(path));
+            return new RangeCacheFile(path, FileChanges.CreateShared(path));
         }
 
-        public static bool TryOpen(string path, out CacheSegment segment)
+        public static bool TryOpen(string path, out RangeCacheFile segment)
         {
             segment = null;
             try
             {
-                segment = new CacheSegment(path, FileChanges.OpenToRead(path, 4096));
+                segment = new RangeCacheFile(path, FileChanges.OpenToRead(path, 4096));
                 return true;
             }
             catch (Exception e) when (e is IOException || e is UnauthorizedAccessException)
@@ -70,12 +70,12 @@ namespace FastPoints
             }
         }
 
-        public void Scan(Action<RangeKey, long, long, int> found)
+        public void Scan(Action<FileVersionKey, long, long, int> found)
         {
             try
             {
                 for (long position = 0; TryReadHeader(position, out var header); position += RecordBytes((int)header.Length))
-                    found(new RangeKey(header.KeyA, header.KeyB), position, header.Offset, (int)header.Length);
+                    found(new FileVersionKey(header.KeyA, header.KeyB), position, header.Offset, (int)header.Length);
             }
             catch (IOException)
             {
@@ -84,7 +84,7 @@ namespace FastPoints
         }
 
         // Returns the record's position.
-        public long Append(RangeKey key, long offset, ReadOnlySpan<byte> bytes)
+        public long Append(FileVersionKey key, long offset, ReadOnlySpan<byte> bytes)
         {
             var hashes = new ulong[BlocksOf(bytes.Length)];
             for (int i = 0; i < hashes.Length; i++)
@@ -191,19 +191,19 @@ namespace FastPoints
     }
 
     // The hash of an address and a version.
-    internal readonly struct RangeKey : IEquatable<RangeKey>
+    internal readonly struct FileVersionKey : IEquatable<FileVersionKey>
     {
         public readonly ulong A;
         public readonly ulong B;
 
-        public RangeKey(ulong a, ulong b) => (A, B) = (a, b);
+        public FileVersionKey(ulong a, ulong b) => (A, B) = (a, b);
 
-        public static RangeKey Of(string text) => new RangeKey(ContentHash.Of(Encoding.UTF8.GetBytes("A" + text)),
+        public static FileVersionKey Of(string text) => new FileVersionKey(ContentHash.Of(Encoding.UTF8.GetBytes("A" + text)),
             ContentHash.Of(Encoding.UTF8.GetBytes("B" + text)));
 
-        public bool Equals(RangeKey other) => A == other.A && B == other.B;
+        public bool Equals(FileVersionKey other) => A == other.A && B == other.B;
 
-        public override bool Equals(object obj) => obj is RangeKey other && Equals(other);
+        public override bool Equals(object obj) => obj is FileVersionKey other && Equals(other);
 
         public override int GetHashCode() => A.GetHashCode();
     }

@@ -3,14 +3,14 @@ using NUnit.Framework;
 
 namespace FastPoints.Tests.Sampling
 {
-    public class ReadPaceTests
+    public class ReadStrategyTests
     {
         const long LargeBytes = 4L << 30;
 
         [Test]
         public void Pace_SlowReads_AreFewerLongerAndMoreAtOnce()
         {
-            ReadPace quick = ReadPace.Of(100e-6, LargeBytes), slow = ReadPace.Of(10e-3, LargeBytes);
+            ReadStrategy quick = ReadStrategy.Of(100e-6, LargeBytes), slow = ReadStrategy.Of(10e-3, LargeBytes);
             Assert.That(quick.IsSlow, Is.False);
             Assert.That(slow.IsSlow, Is.True);
             Assert.That(slow.PointsPerRange, Is.EqualTo(8 * quick.PointsPerRange));
@@ -20,12 +20,12 @@ namespace FastPoints.Tests.Sampling
         }
 
         [Test]
-        public void Pace_SmallSource_IsTheDefault() => Assert.That(ReadPace.Of(10e-3, 1 << 20).IsSlow, Is.False);
+        public void Pace_SmallSource_IsTheDefault() => Assert.That(ReadStrategy.Of(10e-3, 1 << 20).IsSlow, Is.False);
 
         [Test]
         public void GapBytes_SlowerReads_AreLarger()
         {
-            var pace = ReadPace.Of(0, LargeBytes);
+            var pace = ReadStrategy.Of(0, LargeBytes);
             Assert.That(pace.GapBytes(0), Is.EqualTo(512));
             Assert.That(pace.GapBytes(1e-4), Is.EqualTo(20_000));
             Assert.That(pace.GapBytes(1), Is.EqualTo(256 << 10));

@@ -5,7 +5,7 @@ using Unity.Mathematics;
 namespace FastPoints.Drawing
 {
     // Chooses which part of a cloud to look at if all of them, far apart, would cover a few pixels together.
-    static class LargestPart
+    static class LargestCluster
     {
         // The whole is at least this many times as long as the part: a few hundredths of a picture of all.
         const double FarInSizes = 25;

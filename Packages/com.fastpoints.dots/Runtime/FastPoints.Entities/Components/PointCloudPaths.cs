@@ -8,7 +8,7 @@ namespace FastPoints.Entities
     /// <summary>A byte of the paths of a <see cref="PointCloudFile"/>, which <see cref="PointCloudPaths.WriteTo"/> writes.
     /// Copies of an entity, other worlds and subscenes have a buffer of their own, and nobody has to dispose it.</summary>
     [InternalBufferCapacity(0)]
-    public struct PointCloudPath : IBufferElementData
+    public struct PointCloudPathByte : IBufferElementData
     {
         /// <summary>Of UTF-8. A 0 ends each path: <see cref="PointCloudPaths.Path"/>,
         /// <see cref="PointCloudPaths.PlayerSource"/>, <see cref="PointCloudPaths.ProjectPath"/>, then
@@ -20,9 +20,9 @@ namespace FastPoints.Entities
     /// the folder exists. If readers are loaded (<see cref="Feeds.CloudFeeds"/>), it may be any point cloud.</summary>
     public struct PointCloudPaths
     {
-        /// <summary>Prefix of a path in an editor if the folder is in the project's <see cref="Place"/>. Importers write it
-        /// because they run in a process without the settings, and perhaps on another machine.</summary>
-        public const string InPlace = "<place>/";
+        /// <summary>Prefix of a path in an editor if the folder is in the project's <see cref="ConvertedRoot"/>. Importers write
+        /// it because they run in a process without the settings, and perhaps on another machine.</summary>
+        public const string InConvertedRoot = "<place>/";
 
         /// <summary>Prefix of the GUID of an asset that is a cloud itself. Moving that to another folder does not import it
         /// again.</summary>
@@ -39,7 +39,7 @@ namespace FastPoints.Entities
         public static string SourceRoot { get; set; } = "";
 
         /// <summary>Where an editor keeps converted clouds: absolute, or relative to the project.</summary>
-        public static string Place { get; set; } = "PointClouds";
+        public static string ConvertedRoot { get; set; } = "PointClouds";
 
         /// <summary>Path of the <c>.fastpoints</c> folder or of another point cloud: absolute, below the application's streaming
         /// assets, or an address of a web server (https).</summary>
@@ -50,7 +50,7 @@ namespace FastPoints.Entities
         public string PlayerSource;
 
         /// <summary>The folder in an editor, which has no player's data: absolute, relative to the project, or
-        /// <see cref="InPlace"/>. If null, <see cref="Path"/> applies.</summary>
+        /// <see cref="InConvertedRoot"/>. If null, <see cref="Path"/> applies.</summary>
         public string ProjectPath;
 
         /// <summary>Files and folders that the cloud is made of, in an editor: absolute, relative to the project, or
@@ -59,7 +59,7 @@ namespace FastPoints.Entities
 
         /// <summary>Writes them to an entity, in place of what was there.</summary>
         /// <param name="buffer">Of an EntityManager, a command buffer or a baker.</param>
-        public readonly unsafe void WriteTo(DynamicBuffer<PointCloudPath> buffer)
+        public readonly unsafe void WriteTo(DynamicBuffer<PointCloudPathByte> buffer)
         {
             byte[] bytes = Encoding.UTF8.GetBytes(Path + "\0" + PlayerSource + "\0" + ProjectPath + "\0" +
                 (ProjectSources?.Length > 0 ? string.Join("\0", ProjectSources) + "\0" : ""));
@@ -81,7 +81,7 @@ namespace FastPoints.Entities
             };
         }
 
-        internal static unsafe ReadOnlySpan<byte> BytesOf(DynamicBuffer<PointCloudPath> buffer) =>
+        internal static unsafe ReadOnlySpan<byte> BytesOf(DynamicBuffer<PointCloudPathByte> buffer) =>
             new ReadOnlySpan<byte>(buffer.GetUnsafeReadOnlyPtr(), buffer.Length);
 
         /// <summary>The folder's absolute path.</summary>
@@ -105,8 +105,8 @@ namespace FastPoints.Entities
         {
             if (SourcePath.IsRemote(path))
                 return path;
-            if (path.StartsWith(InPlace, StringComparison.Ordinal))
-                path = System.IO.Path.Combine(Place, path.Substring(InPlace.Length));
+            if (path.StartsWith(InConvertedRoot, StringComparison.Ordinal))
+                path = System.IO.Path.Combine(ConvertedRoot, path.Substring(InConvertedRoot.Length));
             else if (path.StartsWith(OfAsset, StringComparison.Ordinal))
                 path = PathOfAsset(path.Substring(OfAsset.Length));
             if (path.StartsWith(InSources, StringComparison.Ordinal))

@@ -6,7 +6,7 @@ namespace FastPoints.Las
 {
     /// <summary>What several LAS files have in common besides points: header fields, and records byte by byte. A cloud
     /// keeps it as a LAS file without points.</summary>
-    internal sealed class LasRecords
+    internal sealed class LasMetadata
     {
         /// <summary>More bytes of records are not kept.</summary>
         public const long MaxBytes = 16 << 20;
@@ -18,7 +18,7 @@ namespace FastPoints.Las
         readonly LasRecordLayout m_layout;
         readonly List<string> m_differing = new List<string>();
 
-        LasRecords(LasFile las)
+        LasMetadata(LasFile las)
         {
             Header = las.Header;
             Crs = las.Info.Crs;
@@ -42,9 +42,9 @@ namespace FastPoints.Las
 
         /// <summary>Any thread: opens each file.</summary>
         /// <returns>Null if none is a LAS file, or not all are.</returns>
-        public static LasRecords CommonTo(IReadOnlyList<string> paths, List<Loss> losses)
+        public static LasMetadata CommonTo(IReadOnlyList<string> paths, List<Loss> losses)
         {
-            LasRecords all = null;
+            LasMetadata all = null;
             foreach (string path in paths)
             {
                 var one = TryRead(path, losses);
@@ -65,7 +65,7 @@ namespace FastPoints.Las
         }
 
         /// <summary>The records kept with a cloud; null if there are none.</summary>
-        public static LasRecords Read(string path)
+        public static LasMetadata Read(string path)
         {
             if (RandomAccessFile.LengthOf(path) == RandomAccessFile.NoSuchFile)
                 return null;
@@ -131,7 +131,7 @@ namespace FastPoints.Las
             TimeOffset = from.TimeOffset,
         };
 
-        static LasRecords TryRead(string path, List<Loss> losses)
+        static LasMetadata TryRead(string path, List<Loss> losses)
         {
             if (RandomAccessFile.LengthOf(path) == RandomAccessFile.NoSuchFile)
                 return null;
@@ -141,10 +141,10 @@ namespace FastPoints.Las
             return isLas ? Of(source, losses) : null;
         }
 
-        static LasRecords Of(RandomAccessFile source, List<Loss> losses)
+        static LasMetadata Of(RandomAccessFile source, List<Loss> losses)
         {
             var las = LasFile.Read(source);
-            var kept = new LasRecords(las);
+            var kept = new LasMetadata(las);
             long bytes = 0;
             var tooLong = new List<string>();
             foreach (var vlr in las.Vlrs.Records)
@@ -167,7 +167,7 @@ namespace FastPoints.Las
             return kept;
         }
 
-        void Intersect(LasRecords other)
+        void Intersect(LasMetadata other)
         {
             LasHeader a = Header, b = other.Header;
             if (Differ("file source id", a.FileSourceId == b.FileSourceId))
@@ -190,7 +190,7 @@ namespace FastPoints.Las
             m_records.RemoveAll(record => DiffersIn(record, other));
         }
 
-        bool DiffersIn(Record record, LasRecords other)
+        bool DiffersIn(Record record, LasMetadata other)
         {
             if (!Differ(record.Name, other.m_records.Exists(record.Equals)))
                 return false;

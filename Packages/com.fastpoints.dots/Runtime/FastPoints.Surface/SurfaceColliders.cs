@@ -17,7 +17,7 @@ namespace FastPoints.Surface
 {
     /// <summary>The colliders of an open cloud near what moves, made one cell at a time, from a pool. Cells are counted in metres
     /// from the corner of the cloud's root, in double; the space that the cloud is shown in places them. Main thread.</summary>
-    internal sealed class FollowedSurface : IDisposable
+    internal sealed class SurfaceColliders : IDisposable
     {
         public const double RetrySeconds = 5;
         const long PointsPerBatch = 300_000; // Of a cell at once: 7 MB.
@@ -31,7 +31,7 @@ namespace FastPoints.Surface
         readonly Transform m_parent;
         readonly BoundsGeo m_boundsGeo;
         readonly CloudUnits m_units;
-        readonly StoredCells m_points;
+        readonly SurfacePointReader m_points;
         readonly SurfaceBuilder m_builder;
         readonly double3 m_rootGeo, m_scale;
         readonly double3x3 m_fromCloud;
@@ -46,7 +46,7 @@ namespace FastPoints.Surface
         JobCoroutine m_making;
 
         /// <param name="folder">Is owned from now on.</param>
-        public FollowedSurface(CloudFolder folder, in SurfaceGrid grid, ClassMask hidden, PointCloud cloud)
+        public SurfaceColliders(CloudFolder folder, in SurfaceGrid grid, ClassMask hidden, PointCloud cloud)
         {
             (m_folder, m_grid, m_hidden, m_cloud, m_parent) = (folder, grid, hidden, cloud, cloud.transform);
             (m_boundsGeo, m_units) = (folder.Manifest.BoundsGeo, folder.Manifest.Crs.Units);
@@ -55,7 +55,7 @@ namespace FastPoints.Surface
             m_rootGeo = folder.Manifest.Grid.ToGeo(folder.Manifest.Root.Corner);
             space.Up.Directions(out var east, out var north, out var up);
             m_fromCloud = math.transpose(new double3x3(east, up, north));
-            m_points = new StoredCells(folder, grid, hidden, m_scale) { PointsPerBatch = PointsPerBatch };
+            m_points = new SurfacePointReader(folder, grid, hidden, m_scale) { PointsPerBatch = PointsPerBatch };
             m_builder = new SurfaceBuilder(grid, (float3)up);
             Cells = new SurfaceCells(grid, collider => Return(collider, null));
         }

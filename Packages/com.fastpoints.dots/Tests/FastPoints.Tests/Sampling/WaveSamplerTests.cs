@@ -12,7 +12,7 @@ using Unity.Mathematics;
 namespace FastPoints.Tests.Sampling
 {
     [Category("Smoke")]
-    public class PreviewSamplerTests : FolderTests
+    public class WaveSamplerTests : FolderTests
     {
         string FilePath => Folder.File("cloud");
 
@@ -42,7 +42,7 @@ namespace FastPoints.Tests.Sampling
 
         static PreviewSample Take(PointReader reader, int wanted, int slots = 0, uint seed = 1, List<SampleWave> waves = null)
         {
-            using var sampler = new PreviewSampler(reader, wanted, seed);
+            using var sampler = new WaveSampler(reader, wanted, seed);
             JobCoroutine.RunToEnd(sampler.Run(slots, new StageProgress()));
             waves?.AddRange(sampler.Waves);
             return sampler.TakeSample();
@@ -85,14 +85,14 @@ namespace FastPoints.Tests.Sampling
                 Assert.That(tenths, Has.All.EqualTo(wave.Points / 10).Within(Math.Max(48, wave.Points / 50)));
             }
             Assert.That(sample.IsFullScan, Is.False);
-            Assert.That(sample.Share, Is.EqualTo(0.125));
+            Assert.That(sample.Fraction, Is.EqualTo(0.125));
         }
 
         [Test]
         public void Waves_Ready_ComeBeforeTheRestAndDoNotChange()
         {
             using var reader = Numbered(100_000);
-            using var sampler = new PreviewSampler(reader, 30_000, 1);
+            using var sampler = new WaveSampler(reader, 30_000, 1);
             var first = new List<int>();
             int raised = 0;
             sampler.WaveReady += wave =>
@@ -139,7 +139,7 @@ namespace FastPoints.Tests.Sampling
             using var sample = Take(reader, wanted, 4);
             Assert.That(sample.Count, Is.EqualTo(Math.Min(wanted, 10_000)));
             Assert.That(new HashSet<int>(Indices(sample)), Has.Count.EqualTo(sample.Count));
-            Assert.That(sample.IsWhole, Is.EqualTo(wanted >= 10_000));
+            Assert.That(sample.HasAllPoints, Is.EqualTo(wanted >= 10_000));
         }
 
         [Test]
@@ -212,7 +212,7 @@ namespace FastPoints.Tests.Sampling
             using var sample = Take(reader, 5000, 2, 1, waves);
             Assert.That(sample.NonFinite, Is.EqualTo(bad));
             Assert.That(sample.Count, Is.EqualTo(5000 - bad));
-            Assert.That(sample.IsWhole, Is.True);
+            Assert.That(sample.HasAllPoints, Is.True);
             Assert.That(sample.Bounds.Min, Is.EqualTo(new double3(0, 1, 2)));
             Assert.That(waves[waves.Count - 1].Points, Is.EqualTo(sample.Count));
             var seen = new HashSet<double>();
@@ -227,7 +227,7 @@ namespace FastPoints.Tests.Sampling
             using var reader = Numbered(200_000);
             using (var stream = new FileStream(FilePath, FileMode.Open, FileAccess.Write, FileShare.ReadWrite))
                 stream.SetLength(stream.Length / 2);
-            using var sampler = new PreviewSampler(reader, 10_000, 1);
+            using var sampler = new WaveSampler(reader, 10_000, 1);
             Assert.That(() => JobCoroutine.RunToEnd(sampler.Run(3, null)),
                 Throws.TypeOf<PointCloudException>().With.Property("Code").EqualTo(FailureCode.Truncated));
         }
@@ -238,7 +238,7 @@ namespace FastPoints.Tests.Sampling
             using var reader = Numbered(50_000);
             for (int steps = 0; steps < 40; steps += 3)
             {
-                using var sampler = new PreviewSampler(reader, 25_000, 1);
+                using var sampler = new WaveSampler(reader, 25_000, 1);
                 var work = new CoroutineStack(sampler.Run(3, null));
                 for (int step = 0; step < steps && work.MoveNext(); step++) { }
                 work.Dispose();

@@ -8,7 +8,7 @@ using Unity.Mathematics;
 namespace FastPoints.Surface
 {
     /// <summary>The points of a converted cloud by cells of its surface.</summary>
-    internal sealed class StoredCells : ChosenNodes
+    internal sealed class SurfacePointReader : CloudSelection
     {
         const int NodesPerStep = 256, NoPage = -1;
         const int MaxTables = 500; // Of 64 KiB each: a long way would collect all of a cloud's.
@@ -20,7 +20,7 @@ namespace FastPoints.Surface
         /// <param name="hidden">Points of these classes are left out.</param>
         /// <param name="metresOfUnit">Along each axis; null for the cloud's own.</param>
         /// <param name="attributes">To read beside positions, for <see cref="Prepare"/>.</param>
-        public StoredCells(CloudFolder folder, in SurfaceGrid grid, ClassMask hidden, double3? metresOfUnit = null,
+        public SurfacePointReader(CloudFolder folder, in SurfaceGrid grid, ClassMask hidden, double3? metresOfUnit = null,
             params string[] attributes) : base(folder)
         {
             m_grid = grid;
@@ -85,7 +85,7 @@ namespace FastPoints.Surface
                 if (Points < PointsPerBatch && n < nodes.Count - 1)
                     continue;
                 SortNodes();
-                using (var batch = new PointBatch(m_schema, Math.Max(1, CheckedPoints), Allocator.Persistent))
+                using (var batch = new PointBatch(m_schema, Math.Max(1, PointCountOrThrow), Allocator.Persistent))
                 {
                     yield return JobStep.Of(LoadNodes.Run(Folder, this, batch, null));
                     if (Prepare != null)

@@ -9,7 +9,7 @@ namespace FastPoints.Drawing
     // Finds the farthest of some points in each of many directions from the middle of a box: those of a cube map whose faces
     // are those of the box. Of equally far points the first counts.
     [BurstCompile]
-    internal struct MeasureRimJob : IJob
+    internal struct FindExtremePointsJob : IJob
     {
         const int EdgeOfFace = 16;
         public const int Directions = 6 * EdgeOfFace * EdgeOfFace;

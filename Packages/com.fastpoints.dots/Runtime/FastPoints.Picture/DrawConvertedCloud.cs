@@ -9,7 +9,7 @@ namespace FastPoints.Picture
 {
     /// <summary>Draws a picture of a converted cloud within a point budget: the top of the octree determines camera,
     /// colours and size, then the nodes that the camera needs most are drawn.</summary>
-    public sealed class DrawStored
+    public sealed class DrawConvertedCloud
     {
         public const long DefaultBudget = 2000000;
 
@@ -21,7 +21,7 @@ namespace FastPoints.Picture
         readonly long m_budget;
 
         /// <param name="budget">The most points to draw; 0 for <see cref="DefaultBudget"/>.</param>
-        public DrawStored(CloudFolder folder, PictureOptions options, long budget = 0)
+        public DrawConvertedCloud(CloudFolder folder, PictureOptions options, long budget = 0)
         {
             m_folder = folder;
             m_options = options;
@@ -53,7 +53,7 @@ namespace FastPoints.Picture
                 if (!PlansByManifest)
                     yield return JobStep.Of(ConvertCloud.MeasureRanges(m_folder, selection, schema, m_options.UpAxis, ranges));
                 Plan = new PicturePlan(m_options, ranges, transform);
-                if (Plan.LitParts > 0 && !m_options.Shadows)
+                if (Plan.LitLevel > 0 && !m_options.Shadows)
                     schema = LoadNodes.WithNormals(schema, m_folder);
 
                 var view = Plan.Camera.ToStreamView(m_options.WidthPx * m_options.SamplesPerEdge,
@@ -61,8 +61,9 @@ namespace FastPoints.Picture
                 using var canvas = new PictureCanvas(m_options.WidthPx, m_options.HeightPx, Allocator.Persistent,
                     m_options.SamplesPerEdge);
                 canvas.UseShadows(Plan.ShadowFrameOfPicture());
-                selection.Choose(view, m_budget, canvas.Shadows == null ? (StreamView?)null : canvas.ShadowFrame.ViewFor(view));
-                using var batch = new PointBatch(schema, selection.CheckedPoints, Allocator.Persistent);
+                selection.Choose(view, m_budget,
+                    canvas.Shadows == null ? (StreamView?)null : canvas.ShadowProjection.ViewFor(view));
+                using var batch = new PointBatch(schema, selection.PointCountOrThrow, Allocator.Persistent);
                 yield return JobStep.Of(LoadNodes.Run(m_folder, selection, batch, progress));
                 NodesDrawn = selection.NodeCount;
                 PointsDrawn = batch.Count;

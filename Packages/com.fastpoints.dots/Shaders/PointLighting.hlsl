@@ -1,14 +1,14 @@
-// Light on points: the twin of FastPoints.Drawing.PointLight. Where FASTPOINTS_LIT is defined, by the normal that the depths
-// around a pixel show: the twin of PixelPlaces and FastPoints.Picture.DepthNormals.
+// Light on points: the twin of FastPoints.Drawing.PointLighting. Where FASTPOINTS_LIT is defined, by the normal that the depths
+// around a pixel show: the twin of PixelPositions and FastPoints.Picture.DepthNormals.
 #ifndef FASTPOINTS_POINT_LIGHT_INCLUDED
 #define FASTPOINTS_POINT_LIGHT_INCLUDED
 
 #include "PointValues.hlsl"
 
-// PointLight.ShareWithoutNormal.
+// PointLighting.ShareWithoutNormal.
 #define FASTPOINTS_LIGHT_WITHOUT_NORMAL 0.5
 
-// Rows: AmbientX, AmbientY, AmbientZ, AmbientAll of PointLight.
+// Rows: AmbientX, AmbientY, AmbientZ, AmbientAll of PointLighting.
 float4x4 _FastPointsAmbient;
 
 // Towards the main light; linear.
@@ -22,7 +22,7 @@ float4x4 _FastPointsAdditionalAxes;
 int _FastPointsAdditionalCount;
 
 #if defined(FASTPOINTS_SHADOWED)
-// ShadowFrame.EdgePx; PointShadow.BiasTexels, SlopeTexels; 4 * WholeShare.
+// ShadowProjection.EdgePx; MainLightShadow.BiasTexels, SlopeTexels; 4 * WholeShare.
 #define FASTPOINTS_SHADOW_EDGE 1024
 #define FASTPOINTS_SHADOW_BIAS 1.0
 #define FASTPOINTS_SHADOW_SLOPE 2.0
@@ -31,7 +31,7 @@ int _FastPointsAdditionalCount;
 // What RasterPoints.hlsl made, seen by the light: depths and no colours.
 ByteAddressBuffer _FastPointsShadowPixels;
 
-// Rows: Column, Row, Forward of PointShadow, each with its part of Eye; the length of a texel.
+// Rows: Column, Row, Forward of MainLightShadow, each with its part of Eye; the length of a texel.
 float4x4 _FastPointsShadow;
 
 // FastPoints.Picture.ShadowMap.At.
@@ -65,21 +65,21 @@ float FastPointsShadow(float3 place, float facing)
 #endif
 
 #if defined(FASTPOINTS_LIT)
-// Rows: First, StepX, StepY, Forward of PixelPlaces.
-float4x4 _FastPointsPlaces;
+// Rows: First, StepX, StepY, Forward of PixelPositions.
+float4x4 _FastPointsPixelPositions;
 
 float3 FastPointsPlaceOf(int2 pixel, float depth)
 {
-    float3 across = _FastPointsPlaces[0].xyz + _FastPointsPlaces[1].xyz * float(pixel.x)
-        + _FastPointsPlaces[2].xyz * float(pixel.y);
-    float3 forward = _FastPointsPlaces[3].xyz;
+    float3 across = _FastPointsPixelPositions[0].xyz + _FastPointsPixelPositions[1].xyz * float(pixel.x)
+        + _FastPointsPixelPositions[2].xyz * float(pixel.y);
+    float3 forward = _FastPointsPixelPositions[3].xyz;
     return _FastPointsScalePx.y != 0.0 ? across + forward * depth : (across + forward) * depth;
 }
 
 float3 FastPointsAlong(int2 pixel, int2 way, float depth, float3 place)
 {
     float3 sum = float3(0.0, 0.0, 0.0);
-    float3 column = _FastPointsPlaces[1].xyz;
+    float3 column = _FastPointsPixelPositions[1].xyz;
     float edge = float(max(way.x, way.y)) * (_FastPointsScalePx.y != 0.0 ? 1.0 : depth);
     float edgeSq = dot(column, column) * edge * edge;
     for (int side = 1; side >= -1; side -= 2)
@@ -104,7 +104,7 @@ float3 FastPointsNormalAt(int2 pixel, float depth, int radius)
     float3 normal = cross(across, FastPointsAlong(pixel, int2(0, radius), depth, place));
     float lengthSq = dot(normal, normal);
     normal = lengthSq > 0.0 ? normal * rsqrt(lengthSq) : float3(0.0, 0.0, 0.0);
-    return dot(normal, _FastPointsScalePx.y != 0.0 ? _FastPointsPlaces[3].xyz : place) > 0.0 ? -normal : normal;
+    return dot(normal, _FastPointsScalePx.y != 0.0 ? _FastPointsPixelPositions[3].xyz : place) > 0.0 ? -normal : normal;
 }
 #endif
 

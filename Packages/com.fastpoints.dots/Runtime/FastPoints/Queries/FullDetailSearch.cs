@@ -8,7 +8,7 @@ namespace FastPoints.Queries
 {
     // Searches all clouds of a stream as they are stored, one after the other, with pickers that are kept for the next search.
     // Main thread.
-    sealed class StoredSearch : IDisposable
+    sealed class FullDetailSearch : IDisposable
     {
         readonly StreamContext m_stream;
         readonly List<Kept> m_pickers = new List<Kept>();
@@ -20,7 +20,7 @@ namespace FastPoints.Queries
             public bool IsRented;
         }
 
-        public StoredSearch(StreamContext stream) => m_stream = stream;
+        public FullDetailSearch(StreamContext stream) => m_stream = stream;
 
         // A null list only counts.
         public IEnumerator<JobStep> Find(PointQuery query, int maxHits, List<PointHit> hits)

@@ -8,7 +8,7 @@ using UnityEngine.Rendering;
 namespace FastPoints.Rendering
 {
     // The main light's depth map for one camera: what the light sees of the stream's last frame, as points of one pixel.
-    sealed class PointShadows : IDisposable
+    sealed class MainLightShadows : IDisposable
     {
         readonly SizeTree m_noSizes = new SizeTree();
         readonly ListBuffer m_lists = new ListBuffer();
@@ -17,10 +17,10 @@ namespace FastPoints.Rendering
         StreamContext m_stream;
         StreamView m_view;
         StreamView? m_rightEye;
-        ShadowFrame m_frame;
+        ShadowProjection m_frame;
         bool m_isFit;
 
-        public PointShadows(ComputeShader raster)
+        public MainLightShadows(ComputeShader raster)
         {
             m_list = new DrawList(m_noSizes);
             m_raster = new ComputeRaster(raster, true);
@@ -40,7 +40,7 @@ namespace FastPoints.Rendering
         {
             if (m_isFit)
                 return m_frame.TexelWorld > 0;
-            m_frame = new ShadowFrame(toLight, 1);
+            m_frame = new ShadowProjection(toLight, 1);
             m_frame.Add(m_stream, m_view);
             if (m_rightEye != null)
                 m_frame.Add(m_stream, m_rightEye.Value);
@@ -60,8 +60,8 @@ namespace FastPoints.Rendering
                 // However near or far: the map keeps what is nearest to the light.
                 ViewProjection = ShaderValues.RowsOf(ShaderValues.VectorOf((float3)m_frame.Right * perUnit),
                     ShaderValues.VectorOf((float3)m_frame.Up * perUnit), new Vector4(0, 0, 0, 0.5f), new Vector4(0, 0, 0, 1)),
-                WidthPx = ShadowFrame.EdgePx,
-                HeightPx = ShadowFrame.EdgePx,
+                WidthPx = ShadowProjection.EdgePx,
+                HeightPx = ShadowProjection.EdgePx,
                 Forward = ShaderValues.VectorOf((float3)m_frame.Forward),
                 IsOrthographic = true,
             };

@@ -9,7 +9,7 @@ namespace FastPoints.Surface
     /// that no line between two lattice points passes it, whichever way it faces, and wide enough that cylinders of
     /// neighbouring voxels overlap. Slices run one after another.</summary>
     [BurstCompile]
-    internal unsafe struct MarkSamplesJob : IJob
+    internal unsafe struct RasterizeSurfelsJob : IJob
     {
         /// <summary>A slice takes about a millisecond.</summary>
         public const int SurfelsPerSlice = 5000;

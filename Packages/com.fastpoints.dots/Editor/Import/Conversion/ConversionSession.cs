@@ -12,7 +12,7 @@ namespace FastPoints.Editor
     /// continue.</summary>
     /// <remarks>Main thread. <see cref="Tick"/> never waits; the two ways to end it early wait for what must not be interrupted:
     /// a header being read, running slices, the writer.</remarks>
-    internal sealed class BuildSession : IDisposable
+    internal sealed class ConversionSession : IDisposable
     {
         readonly string m_target;
         readonly ConvertSettings m_settings;
@@ -23,7 +23,7 @@ namespace FastPoints.Editor
 
         /// <param name="sources">Null if the target is a converted cloud, which gets normals.</param>
         /// <param name="settings">The settings, which the session owns from now on.</param>
-        public BuildSession(IReadOnlyList<string> sources, string target, ConvertSettings settings)
+        public ConversionSession(IReadOnlyList<string> sources, string target, ConvertSettings settings)
         {
             m_target = target;
             m_settings = settings;
@@ -31,7 +31,7 @@ namespace FastPoints.Editor
             m_opening = sources == null ? null : PoolTask.Begin(target, () => Open(sources));
         }
 
-        public BuildState State { get; private set; } = BuildState.Opening;
+        public ConversionState State { get; private set; } = ConversionState.Opening;
 
         public StageProgress Progress { get; } = new StageProgress();
 
@@ -46,15 +46,15 @@ namespace FastPoints.Editor
         /// <summary>The failure: a <see cref="PointCloudException"/> of one line, or an unexpected exception.</summary>
         public Exception Failure { get; private set; }
 
-        public double Share => State == BuildState.Done ? 1 : BuildProgress.ShareOf(Progress);
+        public double Fraction => State == ConversionState.Done ? 1 : ConversionProgress.FractionOf(Progress);
 
         /// <summary>Seconds of work so far, without pauses.</summary>
         public double Seconds => m_watch.Elapsed.TotalSeconds;
 
         /// <summary>Estimated from the speed so far; infinity before anything is known.</summary>
-        public double SecondsLeft => Share > 0 ? Seconds * (1 - Share) / Share : double.PositiveInfinity;
+        public double SecondsLeft => Fraction > 0 ? Seconds * (1 - Fraction) / Fraction : double.PositiveInfinity;
 
-        public bool IsEnded => State >= BuildState.Done;
+        public bool IsEnded => State >= ConversionState.Done;
 
         public int Workers => m_settings.Workers;
 
@@ -72,15 +72,15 @@ namespace FastPoints.Editor
         {
             try
             {
-                if (State == BuildState.Opening && m_opening?.IsDone != false)
+                if (State == ConversionState.Opening && m_opening?.IsDone != false)
                     Begin();
-                if (State == BuildState.Building && m_coroutine.Tick(budgetMs))
-                    End(BuildState.Done);
+                if (State == ConversionState.Building && m_coroutine.Tick(budgetMs))
+                    End(ConversionState.Done);
             }
             catch (Exception e)
             {
                 Failure = e;
-                End(BuildState.Failed);
+                End(ConversionState.Failed);
                 // What is on disk is worth keeping if the system was at fault, for example with a full disk or too little
                 // memory, but not if the source is.
                 var known = PointCloudException.Of(m_target, e);
@@ -95,17 +95,17 @@ namespace FastPoints.Editor
         /// <summary>Takes no further steps; slices in progress still end.</summary>
         public void Pause()
         {
-            if (State != BuildState.Building)
+            if (State != ConversionState.Building)
                 return;
-            State = BuildState.Paused;
+            State = ConversionState.Paused;
             m_watch.Stop();
         }
 
         public void Resume()
         {
-            if (State != BuildState.Paused)
+            if (State != ConversionState.Paused)
                 return;
-            State = BuildState.Building;
+            State = ConversionState.Building;
             m_watch.Start();
         }
 
@@ -115,7 +115,7 @@ namespace FastPoints.Editor
             if (IsEnded)
                 return;
             m_settings.KeepUnfinished = false;
-            End(BuildState.Cancelled);
+            End(ConversionState.Cancelled);
             CloudFolderWriter.DeleteUnfinished(m_target);
         }
 
@@ -123,7 +123,7 @@ namespace FastPoints.Editor
         public void Suspend()
         {
             if (!IsEnded)
-                End(BuildState.Suspended);
+                End(ConversionState.Suspended);
         }
 
         public void Dispose() => Suspend();
@@ -132,7 +132,7 @@ namespace FastPoints.Editor
         {
             m_coroutine = new JobCoroutine(m_opening == null ? AddNormals.Run(m_target,
                 new NormalSettings { Workers = () => m_settings.Workers }, null, Progress) : Convert());
-            State = BuildState.Building;
+            State = ConversionState.Building;
             m_watch.Start();
         }
 
@@ -153,7 +153,7 @@ namespace FastPoints.Editor
             return reader;
         }
 
-        void End(BuildState state)
+        void End(ConversionState state)
         {
             State = state;
             m_watch.Stop();
@@ -165,7 +165,7 @@ namespace FastPoints.Editor
         }
     }
 
-    internal enum BuildState
+    internal enum ConversionState
     {
         Opening,
         Building,

@@ -5,11 +5,11 @@ namespace FastPoints.Drawing
 {
     // The light on a scene's points, linear, along the world's axes. A point of which a share is lit has the colour
     //     albedo * (1 - share + share * (ambient(normal) + main * max(0, dot(normal, direction)) * shadow + additional)).
-    // PointLight.hlsl is its twin.
-    internal struct PointLight
+    // PointLighting.hlsl is its twin.
+    internal struct PointLighting
     {
         // A cloud's share is kept in so many parts, three bits beside a pixel's depth: at most a fourteenth off.
-        public const int Parts = 7;
+        public const int MaxLitLevel = 7;
 
         // Of the main light, where a pixel has no neighbours that show which way its surface looks: the mean over all surfaces
         // that see the light. The viewer's direction in place of a normal would make such points flicker as the camera turns.
@@ -30,14 +30,14 @@ namespace FastPoints.Drawing
         public int AdditionalCount;
 
         // Level ground is as bright as its own colour by light from 45 degrees.
-        public static PointLight Default(float3 direction, float3 up)
+        public static PointLighting Default(float3 direction, float3 up)
         {
-            var light = new PointLight { Direction = direction, Color = 1.06f };
+            var light = new PointLighting { Direction = direction, Color = 1.06f };
             light.SetAmbient(up, 0.25f, 0.1f);
             return light;
         }
 
-        public static int PartsOf(float share) => (int)math.round(math.saturate(share) * Parts);
+        public static int LitLevelOf(float share) => (int)math.round(math.saturate(share) * MaxLitLevel);
 
         // From a sky's light, on what looks up, to the ground's.
         public void SetAmbient(float3 up, float3 sky, float3 ground)
@@ -63,7 +63,7 @@ namespace FastPoints.Drawing
         }
 
         // Additional lights as seen from an eye.
-        public readonly PointLight From(double3 eye)
+        public readonly PointLighting From(double3 eye)
         {
             var light = this;
             light.Light0.SeeFrom(eye);
@@ -73,7 +73,7 @@ namespace FastPoints.Drawing
             return light;
         }
 
-        // IEC 61966-2-1; HLSL's PointValues.hlsl and PointLight.hlsl have the same.
+        // IEC 61966-2-1; HLSL's PointValues.hlsl and PointLighting.hlsl have the same.
         public static float3 LinearOf(float3 srgb) =>
             math.select(math.pow((srgb + 0.055f) / 1.055f, 2.4f), srgb / 12.92f, srgb <= 0.04045f);
 
@@ -83,7 +83,7 @@ namespace FastPoints.Drawing
         // From sRGB to sRGB.
         public readonly float3 Lit(float3 srgb, int parts, float3 normal, float3 place, float shadow)
         {
-            float share = parts / (float)Parts;
+            float share = parts / (float)MaxLitLevel;
             return math.saturate(SrgbOf(LinearOf(srgb) * (1 - share + share * On(normal, place, shadow))));
         }
 
@@ -110,7 +110,7 @@ namespace FastPoints.Drawing
 
         const float MinDistanceSq = 6.1e-5f; // HLSL's HALF_MIN.
 
-        public float3 Place; // Or the direction towards it, where its range is endless.
+        public float3 PositionOrDirection; // The direction towards it where its range is endless.
         public float ConeOffset; // 1, without a cone.
         public float3 Color;
         public float OneOverRangeSq; // 0: endless, and without falling off.
@@ -118,24 +118,25 @@ namespace FastPoints.Drawing
         public float ConeScale;
 
         public readonly float BrightnessAt(float3 place) => math.csum(Color) /
-            (OneOverRangeSq > 0 ? math.max(MinDistanceSq, math.distancesq(Place, place)) : 1);
+            (OneOverRangeSq > 0 ? math.max(MinDistanceSq, math.distancesq(PositionOrDirection, place)) : 1);
 
-        public void SeeFrom(double3 eye) => Place = OneOverRangeSq > 0 ? (float3)(Place - eye) : Place;
+        public void SeeFrom(double3 eye) =>
+            PositionOrDirection = OneOverRangeSq > 0 ? (float3)(PositionOrDirection - eye) : PositionOrDirection;
 
         public readonly float3 On(float3 normal, float3 place)
         {
-            var to = OneOverRangeSq > 0 ? Place - place : Place;
+            var to = OneOverRangeSq > 0 ? PositionOrDirection - place : PositionOrDirection;
             float distanceSq = math.max(MinDistanceSq, math.lengthsq(to));
             to /= math.sqrt(distanceSq);
             float fade = math.saturate(1 - distanceSq * OneOverRangeSq * distanceSq * OneOverRangeSq);
             float cone = math.saturate(math.dot(Axis, to) * ConeScale + ConeOffset);
             float falloff = OneOverRangeSq > 0 ? fade * fade / distanceSq : 1;
-            return Color * (falloff * cone * cone * PointLight.Facing(normal, to));
+            return Color * (falloff * cone * cone * PointLighting.Facing(normal, to));
         }
     }
 
     // Where a picture's pixels are in the world, as seen from its eye, by their depth along the view.
-    internal struct PixelPlaces
+    internal struct PixelPositions
     {
         // Of the first pixel's middle; from one column, and row, to the next; of a unit of depth: at a depth of one
         // (perspective), or at any (orthographic).
