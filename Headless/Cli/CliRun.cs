@@ -106,7 +106,6 @@ public sealed class CliRun(TextWriter output, TextWriter error, RunSettings sett
         json.WriteEndArray();
     }
 
-    /// <summary>Warns of nodes of a stream that could not be shown.</summary>
     internal void WarnOfFailures(StreamContext stream)
     {
         while (stream.TryTakeFailure(out var failure))

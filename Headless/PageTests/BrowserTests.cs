@@ -2,7 +2,6 @@
 
 namespace FastPoints.PageTests;
 
-/// <summary>A browser, and pages of clouds in it.</summary>
 public abstract class BrowserTests
 {
     protected const int GridWidth = 160, GridHeight = 90;

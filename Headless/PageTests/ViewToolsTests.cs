@@ -62,7 +62,6 @@ public sealed class ViewToolsTests : BrowserTests
         return await m_page.Locator("#view").BoundingBoxAsync();
     }
 
-    /// <summary>What the tools found, by name.</summary>
     async Task<Dictionary<string, string>> Measured()
     {
         string[] texts = await m_page.EvaluateAsync<string[]>(

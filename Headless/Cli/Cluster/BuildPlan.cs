@@ -31,7 +31,6 @@ sealed class BuildPlan
     /// <summary>Without base cells.</summary>
     public required BuildPart Whole { get; init; }
 
-    /// <summary>What is known of the cloud before its points.</summary>
     public required CloudManifest Cloud { get; init; }
 
     public required BuildAssignment Builds { get; init; }
@@ -47,13 +46,11 @@ sealed class BuildPlan
 
     public string LastMerge => TaskNames.Merge(MergeTasks.Count, 0);
 
-    /// <summary>Names of all tasks in the order of their stages.</summary>
     public IEnumerable<string> AllTasks =>
         Enumerable.Range(0, BucketTasks).Select(TaskNames.Bucket).Concat(Builds.Names).Concat(Merges);
     public IEnumerable<string> Merges => MergeTasks.SelectMany((count, level) =>
         Enumerable.Range(0, count).Select(number => TaskNames.Merge(level + 1, number)));
 
-    /// <summary>The folder of files for the tasks of a plan.</summary>
     public static string PartsOf(string path) => SourcePath.Combine(SourcePath.FolderOf(SourcePath.Full(path)),
         System.IO.Path.ChangeExtension(SourcePath.NameOf(path), ".parts"));
 

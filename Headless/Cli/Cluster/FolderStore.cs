@@ -1,6 +1,5 @@
 namespace FastPoints.Cli.Cluster;
 
-/// <summary>A folder, often of a parallel file system.</summary>
 sealed partial class FolderStore(string name) : TaskStore(name)
 {
     /// <summary>Unfinished files: none is left among the cloud's when a task is killed.</summary>

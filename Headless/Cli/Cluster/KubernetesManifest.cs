@@ -72,7 +72,6 @@ static class KubernetesManifest
 
     public static string ScratchOf(ClusterSettings settings) => settings.Scratch ?? "/scratch";
 
-    /// <summary>What runs in a container.</summary>
     public static IEnumerable<string> Command(ClusterJob job, ClusterArray array, ClusterSettings settings) =>
     [
         settings.Program, .. array.Words(job.Plan),

@@ -86,10 +86,8 @@ sealed record BuildAssignment(long[] First, int Count)
     }
 }
 
-/// <summary>Names of tasks: of their files in the plan and in the store.</summary>
 static class TaskNames
 {
-    /// <param name="part">Of the task's cubes.</param>
     public static string Build(int task, int part) =>
         Of("build", task) + (part == 0 ? "" : "-" + part.ToString(CultureInfo.InvariantCulture));
     public static string Bucket(int number) => Of("bucket", number);

@@ -17,7 +17,6 @@ sealed record PlanEstimate(double Seconds, double TaskSeconds, long MemoryBytes,
     /// <summary>Into buckets: of LAZ, of LAS 6 M.</summary>
     const double PointsSortedPerSecond = 2.2e6;
 
-    /// <summary>Stored bytes of those of plain records.</summary>
     const double StoredBytesPerRecordByte = 0.35;
 
     /// <summary>Records, what is made of them, and what has not been put yet.</summary>
@@ -29,7 +28,6 @@ sealed record PlanEstimate(double Seconds, double TaskSeconds, long MemoryBytes,
         + $"{StoredBytesPerRecordByte:p0} of plain records; "
         + $"a task has {ScratchBytesPerRecordByte} times its records on its disk");
 
-    /// <param name="tasks">The builds of each.</param>
     public static PlanEstimate Of(long points, int recordBytes, IEnumerable<IEnumerable<(double Points, long Read)>> tasks,
         long memoryBytes, bool isBucketed)
     {

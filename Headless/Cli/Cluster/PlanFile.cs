@@ -8,7 +8,6 @@ static class PlanFile
     /// <summary>A task reads no more of a plan.</summary>
     const int MaxBytes = 64 << 20;
 
-    /// <returns>The text, of an object with these members.</returns>
     public static string ToText(Action<Utf8JsonWriter> members, bool isIndented = false)
     {
         var bytes = new ArrayBufferWriter<byte>(4096);

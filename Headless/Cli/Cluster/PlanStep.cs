@@ -19,7 +19,6 @@ sealed class PlanStep
 
     const string TaskStage = "tasks";
 
-    /// <summary>What a task reads.</summary>
     sealed class Reads
     {
         public readonly List<(int Piece, bool IsOwn)> Pieces = [];
@@ -294,7 +293,6 @@ sealed class PlanStep
             members(json);
         })));
 
-    /// <summary>What the cloud keeps of its sources.</summary>
     void WriteFacts(string parts)
     {
         OutputFile.Write(Path.Combine(parts, StoreFormat.SourcesName), Encoding.UTF8.GetBytes(StoredSources.ToJson(

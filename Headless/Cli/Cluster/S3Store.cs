@@ -31,7 +31,6 @@ sealed class S3Store : TaskStore
     /// <summary>Larger files are put in pieces.</summary>
     internal static int PieceBytes { get; set; } = 64 << 20;
 
-    /// <summary>The longest time without a byte.</summary>
     internal static TimeSpan IdleTime { get; set; } = TimeSpan.FromSeconds(60);
 
     internal static TimeSpan FirstPause { get; set; } = TimeSpan.FromSeconds(0.5);

@@ -5,7 +5,6 @@ namespace FastPoints.Cli.Cluster;
 /// <summary>Consecutive blocks of a file whose points lie in a box.</summary>
 struct SourcePiece
 {
-    /// <summary>Number of the file.</summary>
     public int File;
 
     /// <summary>In the file's own count, and in that of the whole source.</summary>

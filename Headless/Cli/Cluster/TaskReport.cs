@@ -1,6 +1,5 @@
 namespace FastPoints.Cli.Cluster;
 
-/// <summary>What a task says at its end, of all that it builds.</summary>
 sealed class TaskReport
 {
     readonly CliRun m_run;
@@ -10,7 +9,6 @@ sealed class TaskReport
     ulong m_checksum;
     bool m_hasOutcome;
 
-    /// <param name="unit">What is counted.</param>
     public TaskReport(CliRun run, int? number, string unit)
     {
         (m_run, m_unit) = (run, unit);

@@ -40,7 +40,6 @@ sealed class TaskRun : IDisposable
         Store.Dispose();
     }
 
-    /// <returns>Of what is done already, or null.</returns>
     public TaskMarker? FindDone()
     {
         var marker = TaskMarker.Read(Store, Plan, Name);
@@ -115,8 +114,6 @@ sealed class TaskRun : IDisposable
 
     public IEnumerable<(string Name, string Path)> Files => FilesOf(PartFolder, Name);
 
-    /// <summary>Puts what was made, then the marker.</summary>
-    /// <param name="points">Of the part's chunks, or of the bucket.</param>
     public TaskMarker Put(IEnumerable<(string Name, string Path)> files, PartResult result, long points,
         IReadOnlyList<TaskMarker.Range>? ranges = null)
     {

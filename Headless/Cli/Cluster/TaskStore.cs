@@ -14,7 +14,6 @@ abstract class TaskStore : IDisposable
     /// <summary>As in the plan, for messages.</summary>
     public string Name { get; }
 
-    /// <summary>Puts that work at once.</summary>
     public abstract int Lanes { get; }
 
     public static TaskStore Open(string name) => S3Addresses.IsS3(name) ? new S3Store(name) : new FolderStore(name);
@@ -22,17 +21,14 @@ abstract class TaskStore : IDisposable
     /// <summary>Puts a file, in place of one that may be there.</summary>
     public abstract void Put(string name, string path);
 
-    /// <returns>Null if there is none.</returns>
     public abstract string? ReadText(string name);
 
-    /// <summary>Appends some bytes of an object to a file.</summary>
     public abstract void Append(string name, long offset, long count, Stream to);
 
     /// <summary>A file with an object's bytes: that of the store itself, or a copy.</summary>
     /// <param name="folder">For copies.</param>
     public abstract string Fetch(string name, string folder);
 
-    /// <summary>Names, and how many bytes each has.</summary>
     public abstract IEnumerable<(string Name, long Bytes)> List(string prefix);
 
     public abstract void Delete(IEnumerable<string> names);

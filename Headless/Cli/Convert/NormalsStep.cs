@@ -2,7 +2,6 @@ using FastPoints.Build;
 
 namespace FastPoints.Cli.Convert;
 
-/// <summary>Computes the normals of a converted cloud.</summary>
 public sealed class NormalsStep
 {
     string m_orientation = "";

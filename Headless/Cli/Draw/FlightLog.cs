@@ -27,7 +27,6 @@ public sealed class FlightLog
     // The list itself makes no garbage between frames.
     public FlightLog(int frames) => m_frames = new List<FlightFrame>(Frames = frames);
 
-    /// <summary>Frames of the whole flight; <see cref="Count"/> of them are done.</summary>
     public int Frames { get; }
 
     public int Count => m_frames.Count;
@@ -53,7 +52,6 @@ public sealed class FlightLog
     public IEnumerable<(double Frame, double Flip)> PoppingByFrame =>
         m_frames.Select((f, i) => ((double)i, f.Popping)).Where(p => !double.IsNaN(p.Popping));
 
-    /// <summary>Null if it was measured in no frame.</summary>
     public PoppingSummary? Popping => PoppingSummary.Of(PoppingByFrame);
 
     /// <summary>But for the frames until, at first and after a cut, nearly all that was selected is drawn.</summary>
@@ -75,7 +73,6 @@ public sealed class FlightLog
     /// <summary>From the command's start, with the time to open the clouds.</summary>
     public double SecondsTo95 => BeginSeconds + (FirstFull(0) is var full and >= 0 ? m_frames[full].AtSeconds : double.NaN);
 
-    /// <summary>When the first frame began.</summary>
     public double BeginSeconds { get; set; }
 
     /// <summary>For each cut: frames until nearly all that was selected was drawn (-1 if never), and the bytes that

@@ -29,7 +29,6 @@ public sealed class GpuFlightRenderer : FlightRenderer
         m_target.Create();
     }
 
-    /// <summary>See <see cref="PointStyle.PointsPerFrame"/>.</summary>
     public int PointsPerFrame { get; set; }
 
     internal override void Add(int cloud, PicturePlan plan)

@@ -1,6 +1,5 @@
 namespace FastPoints.Cli.Output;
 
-/// <summary>Describes the machine of a measurement.</summary>
 public static class Machine
 {
     public static string Describe() => Processor() + ", " + Environment.ProcessorCount

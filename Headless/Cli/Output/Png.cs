@@ -1,6 +1,5 @@
 namespace FastPoints.Cli.Output;
 
-/// <summary>Pictures as PNG files: see <see cref="PngCodec"/>.</summary>
 static class Png
 {
     public static byte[] Encode(RgbaImage image) => PngCodec.Encode(image.Rgba, image.Width, image.Height);
@@ -19,7 +18,6 @@ static class Png
         }
     }
 
-    /// <param name="path">The path for messages.</param>
     public static RgbaImage Decode(byte[] file, string path)
     {
         try

@@ -22,7 +22,6 @@ public sealed class ReportPage(string title, string? lead = null)
 
     public void Html(string html) => m_body.Append(html).Append('\n');
 
-    /// <summary>The 3D view.</summary>
     public void View(string json, byte[] png, string alt, string time, string note, string unit)
     {
         string[] parts = Resource("view.html").Replace("{alt}", Escape(alt)).Replace("{time}", Escape(time))

@@ -44,8 +44,6 @@ sealed class ViewCloud
     public string Source { get; init; } = "";
     public (List<Camera> Cameras, int Every)? Path { get; init; }
 
-    /// <param name="source">As a command line names it.</param>
-    /// <param name="cloud">Its octree.</param>
     public static ViewCloud OfSource(Func<PointReader> open, string source, string cloud, PictureOptions options, CliRun run)
     {
         var preview = new PreviewOptions { Points = MaxPoints, Picture = options };

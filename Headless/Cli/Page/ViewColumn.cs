@@ -11,7 +11,6 @@ sealed class ViewColumn
 
     public required string Name { get; init; }
 
-    /// <summary>Channels are a colour's.</summary>
     public bool IsChannel { get; private init; }
 
     /// <summary>Of an amount: what its colours span.</summary>

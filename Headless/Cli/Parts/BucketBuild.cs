@@ -109,7 +109,6 @@ sealed class BucketBuild : PartStages
     }
 }
 
-/// <summary>Records of a bucket that belong to one part.</summary>
 struct BucketRange
 {
     public int Part;

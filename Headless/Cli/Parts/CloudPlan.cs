@@ -26,7 +26,6 @@ sealed class CloudPlan
             .ConvertAll(g => g.Count == 1 ? Whole.BaseCells[g.First] : g.Cube).ToArray();
     }
 
-    /// <param name="values">Of the sample, by attribute.</param>
     public static CloudPlan Of(BuildContext build, AttributeStatistics[] values, byte[]? lasRecords)
     {
         var divisors = new int[values.Length];
@@ -57,7 +56,6 @@ sealed class CloudPlan
     }
 }
 
-/// <summary>Parts of a planned cloud.</summary>
 static class PlannedParts
 {
     /// <summary>The part of a smaller cube, which holds base cells.</summary>

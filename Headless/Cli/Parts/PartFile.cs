@@ -122,7 +122,6 @@ static class PartFile
     static unsafe ulong HashOf(NativeArray<byte> bytes) => ContentHash.Of(bytes.GetUnsafeReadOnlyPtr(), bytes.Length);
 }
 
-/// <summary>The files of a part that a merge takes in.</summary>
 struct PartInput
 {
     public string TopsPath;

@@ -92,10 +92,8 @@ sealed unsafe class PartFileWriter : IDisposable
     /// <summary>Where the next piece comes.</summary>
     public long Offset => m_written + m_bytes.Length;
 
-    /// <summary>See <see cref="PartHeader.Hash"/>.</summary>
     public ulong Hash => m_header.Hash;
 
-    /// <summary>Coroutine.</summary>
     public IEnumerator<JobStep> Add(NativeArray<byte> piece)
     {
         m_bytes.AddRange(piece);
@@ -103,7 +101,6 @@ sealed unsafe class PartFileWriter : IDisposable
             yield return JobStep.Of(Flush());
     }
 
-    /// <summary>Coroutine: completes the file.</summary>
     public IEnumerator<JobStep> Finish(byte[] entries)
     {
         m_header.EntriesOffset = Offset;

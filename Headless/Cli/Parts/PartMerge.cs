@@ -150,7 +150,6 @@ sealed class PartGraph
         return root;
     }
 
-    /// <summary>Finds the file of an input.</summary>
     void Find(File file, int input)
     {
         ulong hash = file.Nodes.Inputs[input].NodesHash;

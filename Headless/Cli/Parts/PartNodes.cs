@@ -26,7 +26,6 @@ struct PartAttachPoint
 /// <summary>What part.nodes says: the chunks and regions with nodes, and what hangs where.</summary>
 sealed class PartNodes
 {
-    /// <summary>A chunk or a region.</summary>
     public struct Entry
     {
         public ContainerRecord Container;

@@ -11,13 +11,11 @@ sealed class PartResult
     /// <summary>Points of the blocks that the part owns, if they pass the filter: in sum the cloud's.</summary>
     public long PointsWanted;
 
-    /// <summary>Points that were set aside.</summary>
     public long OutsidePoints;
 
     /// <summary>Of the points in the part's chunks.</summary>
     public ulong Checksum;
 
-    /// <summary>Side of the smallest node.</summary>
     public int MinSideLog2 = int.MaxValue;
     public long[] BytesOfPlane;
 
@@ -107,7 +105,6 @@ sealed class PartResult
     }
 }
 
-/// <summary>Numbers as bytes.</summary>
 static class PartBytes
 {
     public static byte[] Of(Action<BinaryWriter> write)
@@ -118,7 +115,6 @@ static class PartBytes
         return bytes.ToArray();
     }
 
-    /// <param name="offset">Where the bytes are in the file.</param>
     public static void Read(string path, long offset, byte[] bytes, Action<BinaryReader> read)
     {
         using var reader = new BinaryReader(new MemoryStream(bytes));

@@ -12,7 +12,6 @@ sealed unsafe class FilePieces(CloudFolderWriter folder, string name) : IDisposa
 
     public bool IsFull => m_bytes.Length >= BytesPerPiece;
 
-    /// <summary>Reads bytes of another file.</summary>
     public ReadOnlySpan<byte> Append(SafeFileHandle file, string path, long offset, int count)
     {
         int start = m_bytes.Length;
@@ -36,7 +35,6 @@ sealed unsafe class FilePieces(CloudFolderWriter folder, string name) : IDisposa
         }
     }
 
-    /// <summary>Coroutine: the bytes are written.</summary>
     public IEnumerator<JobStep> Flush()
     {
         if (m_bytes.Length == 0)
@@ -46,7 +44,6 @@ sealed unsafe class FilePieces(CloudFolderWriter folder, string name) : IDisposa
         m_bytes.Clear();
     }
 
-    /// <summary>Coroutine: the file has its name afterwards.</summary>
     public IEnumerator<JobStep> Seal(FileHeader header)
     {
         yield return JobStep.Of(Flush());

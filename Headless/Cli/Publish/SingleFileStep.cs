@@ -20,7 +20,6 @@ sealed unsafe class SingleFileStep : IDisposable
         m_file = new FilePieces(m_to, StoreFormat.SingleFileName);
     }
 
-    /// <summary>Coroutine.</summary>
     public static IEnumerator<JobStep> Run(string folder, string target, StageProgress progress)
     {
         using (var cloud = CloudFolder.Open(folder))

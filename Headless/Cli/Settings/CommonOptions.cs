@@ -47,6 +47,5 @@ public sealed class CommonOptions
     public RunSettings Read(ParseResult parsed) => new(parsed.GetValue(m_json), parsed.GetValue(m_quiet),
         parsed.GetValue(m_force), parsed.GetValue(m_strict), parsed.GetValue(m_allowHttp));
 
-    /// <returns>A note about the number of threads; null if it is as requested.</returns>
     public string? UseThreads(ParseResult parsed) => Threads.Use(parsed.GetValue(m_threads));
 }

@@ -16,7 +16,6 @@ public static class Counts
             CustomParser = result => Parse(result, min),
         };
 
-    /// <summary>Null if it is not given.</summary>
     public static Option<long?> Optional(string name, string description, string helpName = "N", long min = 1) => new(name)
     {
         HelpName = helpName,

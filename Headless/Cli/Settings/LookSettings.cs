@@ -23,7 +23,6 @@ public sealed class LookSettings
         command.Add(m_plain);
     }
 
-    /// <summary>Refuses colours by missing attributes.</summary>
     public static void RequireColor(PictureOptions options, PointSchema schema, string path)
     {
         if (options.ColorAttribute is { } asked)

@@ -1,6 +1,5 @@
 namespace FastPoints.Cli.Settings;
 
-/// <summary>The options of what runs as one of many tasks.</summary>
 sealed class TaskSettings
 {
     /// <summary>Where Slurm, Kubernetes and AWS Batch tell a task its number.</summary>

@@ -7,7 +7,6 @@ public sealed class SourceFacts(PointReader reader)
     readonly long m_points = reader.BlocksAreKnown ? reader.PointCount : reader.Info.PointsReadable;
     TreeFacts? m_tree;
 
-    /// <summary>What the scan of all points found, or null without one.</summary>
     internal CloudSummary? Found { get; set; }
 
     internal Spread? Spread { get; set; }

@@ -35,7 +35,6 @@ sealed class SurfaceStep : IDisposable
     public IReadOnlyList<double> Distances => m_distances;
     public List<int3> Triangles => m_mesh.Triangles;
 
-    /// <summary>Georeferenced.</summary>
     public List<double3> VerticesGeo()
     {
         var metres = m_cells.Metres / m_folder.Manifest.Grid.Step;

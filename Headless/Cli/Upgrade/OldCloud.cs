@@ -31,7 +31,6 @@ sealed unsafe class OldCloud : IDisposable
     public string PathOf(in OldChunk chunk) => Path.Combine(m_folder, StoreFormat.ChunkFolderName,
         chunk.Number.ToString("D6", CultureInfo.InvariantCulture) + ".bin");
 
-    /// <returns>The version of a cloud, of whichever it is.</returns>
     public static long VersionOf(string folder) => Members(folder).Long("version");
 
     public static OldCloud Open(string folder)

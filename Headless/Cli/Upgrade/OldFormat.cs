@@ -29,7 +29,6 @@ struct OldHeader
     public readonly long NodeBytes => NodeCount * (NodeRecord.SizeBytes + (long)PlaneCount * OldTable.RangeBytes);
 }
 
-/// <summary>A chunk in the table of hierarchy.bin.</summary>
 [StructLayout(LayoutKind.Explicit, Size = SizeBytes)]
 struct OldChunk
 {

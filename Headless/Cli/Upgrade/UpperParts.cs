@@ -24,7 +24,6 @@ sealed unsafe class UpperParts : IDisposable
         }
     }
 
-    /// <summary>The part that all others hang on.</summary>
     public Subtree Root => m_parts.Count > 0 ? m_parts[0].Part : new Subtree();
 
     public void Dispose()
@@ -33,7 +32,6 @@ sealed unsafe class UpperParts : IDisposable
             part.DisposeTable();
     }
 
-    /// <summary>Hangs a part on an upper node.</summary>
     public void Attach(int node, Subtree part) => m_parts[m_partOf[node]].Part.Children.Add((m_indexIn[node], part));
 
     /// <summary>Hangs the parts on one another, when all chunks hang on them: their cubes hold what is below.</summary>
@@ -97,7 +95,6 @@ sealed unsafe class UpperParts : IDisposable
         }
     }
 
-    /// <returns>The smallest cube of the octree that holds both.</returns>
     GridCube Around(GridCube a, GridCube b)
     {
         while (!a.Contains(b))

@@ -1,9 +1,7 @@
 namespace FastPoints.HostTests.Cli;
 
-/// <summary>A call of the command line in this process.</summary>
 sealed class CliCall
 {
-    /// <summary>Takes a line and the summary that it wrote.</summary>
     public static Action<string, string> SummaryWritten { get; set; }
 
     public int Status { get; private set; }

@@ -1,6 +1,5 @@
 namespace FastPoints.HostTests.Cli;
 
-/// <summary>Tests with a folder for all of them.</summary>
 public abstract class ScratchTests
 {
     private protected ScratchFolder Scratch { get; private set; }
@@ -12,7 +11,6 @@ public abstract class ScratchTests
     public void DeleteScratch() => Scratch?.Dispose();
 }
 
-/// <summary>Tests with a folder each.</summary>
 public abstract class ScratchPerTest
 {
     private protected ScratchFolder Scratch { get; private set; }

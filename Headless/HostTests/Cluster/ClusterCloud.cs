@@ -41,7 +41,6 @@ sealed class ClusterCloud : IDisposable
                         $"{x * width},{y * height},0,{(x + 1) * width},{(y + 1) * height},100"));
     }
 
-    /// <summary>The cloud of one convert.</summary>
     public string Whole(string kind, params string[] options)
     {
         string key = kind + " " + string.Join(" ", options);

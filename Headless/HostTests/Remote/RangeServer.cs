@@ -59,7 +59,6 @@ sealed class RangeServer : IDisposable
     // Of bodies, as sent.
     public long Bytes => Interlocked.Read(ref m_bytes);
 
-    // At once.
     public int PeakConnections => Volatile.Read(ref m_peakConnections);
 
     public string Of(string name) => Address + "/" + name;

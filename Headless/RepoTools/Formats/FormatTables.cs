@@ -4,7 +4,6 @@ public static class FormatTables
 {
     public const string Attribute = "DiskFormatAttribute";
 
-    /// <summary>Where the tables and the structs differ, a line each.</summary>
     public static IReadOnlyList<string> Compare(string markdown, IEnumerable<TypeDefinition> structs)
     {
         Dictionary<string, List<(int Offset, int Bytes, string Field)>> tables = Parse(markdown);

@@ -73,7 +73,6 @@ public sealed class HouseTable
     }
 }
 
-/// <summary>One row; numbers that it does not have are null.</summary>
 public sealed record HouseRow(string Measure, string Where, long? Each, long? Limit, long? Goal, string Reason)
 {
     public const string Anywhere = "*";

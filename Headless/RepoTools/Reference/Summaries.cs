@@ -35,7 +35,6 @@ public sealed class Summaries
         }
     }
 
-    /// <summary>Null where the source has none.</summary>
     public string? Of(TypeDefinition type) => m_ofType.GetValueOrDefault(type.FullName);
 
     private static string FullName(MemberDeclarationSyntax type)

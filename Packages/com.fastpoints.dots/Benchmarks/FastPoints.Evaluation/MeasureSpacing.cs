@@ -18,7 +18,6 @@ namespace FastPoints.Evaluation
         /// levels, across nodes; infinity if there are no two.</summary>
         public double MinDistance;
 
-        /// <summary>The same for sampled points of any chunks.</summary>
         public double MinDistanceAcrossChunks;
 
         /// <summary>Number of sampled points at the sides of chunks with another one nearer than the spacing.</summary>
@@ -89,7 +88,6 @@ namespace FastPoints.Evaluation
                 yield return Measure(pages);
         }
 
-        /// <summary>Coroutine: one file's points.</summary>
         IEnumerator<JobStep> Measure(List<int> pages)
         {
             using var nodes = new CloudSelection(m_folder);
@@ -234,7 +232,6 @@ namespace FastPoints.Evaluation
         }
     }
 
-    /// <summary>Blittable.</summary>
     internal struct NodeRange
     {
         public int First;
@@ -325,7 +322,6 @@ namespace FastPoints.Evaluation
     {
         public NeighbourGrid Grid;
 
-        /// <summary>Out, by point.</summary>
         [WriteOnly] public NativeArray<double> Distances;
 
         public void Execute(int index) => Distances[index] = Grid.DistanceOf(index);

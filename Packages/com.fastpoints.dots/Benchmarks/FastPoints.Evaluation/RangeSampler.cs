@@ -14,10 +14,8 @@ namespace FastPoints.Evaluation
     /// with.</summary>
     public sealed class RangeSampler : IBlockConsumer, IDisposable
     {
-        /// <summary>Reads in flight for short ranges.</summary>
         const int SlotsForShortRanges = 16;
 
-        /// <summary>Points of a range that is short.</summary>
         const int ShortRange = 4096;
 
         readonly PointReader m_reader;

@@ -36,7 +36,6 @@ namespace FastPoints.Evaluation
 
         bool IsAdaptive => m_options.SizeInWorld?.Mode == PointSizeMode.Adaptive;
 
-        /// <summary>Draws what the last frame listed.</summary>
         public RgbaImage Draw(in Camera camera)
         {
             if (IsAdaptive && m_clouds.Count > 0)

@@ -2,16 +2,13 @@ using Unity.Mathematics;
 
 namespace FastPoints.Scenes
 {
-    /// <summary>The shapes of objects in the scene; see <see cref="SceneTrace"/>.</summary>
     internal enum SceneShape : byte
     {
         /// <summary>Walls with windows under a gable roof; its ridge runs along the object's x axis.</summary>
         House,
-        /// <summary>An upright cylinder.</summary>
         Pole,
         /// <summary>An ellipsoid filled with leaves: a pulse enters it and may return several times.</summary>
         Crown,
-        /// <summary>A plain box.</summary>
         Box,
     }
 

@@ -12,7 +12,6 @@ namespace FastPoints.Scenes
         const float CellSize = 0.25f;
         const int CellsX = 1280, CellsY = 1200;
 
-        /// <summary>Direction to the sun.</summary>
         public static float3 Sun => math.normalize(new float3(0.45f, -0.62f, 0.8f));
 
         static float2 Corner => new float2(CellsX, CellsY) * (-0.5f * CellSize);
@@ -21,7 +20,6 @@ namespace FastPoints.Scenes
 
         public SunShadow(Allocator allocator) => TopOfCell = new NativeArray<float>(CellsX * CellsY, allocator);
 
-        /// <summary>Whether the sun shines on a position.</summary>
         public static bool Reaches(in NativeArray<float> topOfCell, float3 at)
         {
             var cell = (int2)math.floor((OnPlane(at) - Corner) / CellSize);

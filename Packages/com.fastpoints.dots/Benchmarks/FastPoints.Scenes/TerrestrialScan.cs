@@ -102,7 +102,6 @@ namespace FastPoints.Scenes
             }
         }
 
-        /// <summary>Scan lines that are being traced.</summary>
         sealed class Batch : IDisposable
         {
             NativeArray<ScanReturn> m_returns;

@@ -106,7 +106,6 @@ namespace FastPoints.Editor
             "  </assembly>\n" +
             "</linker>\n";
 
-        /// <summary>Whether the player being built needs them.</summary>
         internal static bool s_areNeeded;
 
         public int callbackOrder => 0;

@@ -81,7 +81,6 @@ namespace FastPoints.Editor
             return made;
         }
 
-        /// <summary>The scene's only origin.</summary>
         PointCloudOrigin OfScene()
         {
             var scene = Scene.IsValid() ? Scene : SceneManager.GetActiveScene();

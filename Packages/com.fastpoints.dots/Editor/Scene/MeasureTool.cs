@@ -14,7 +14,6 @@ namespace FastPoints.Editor
         /// <summary>How far from the pointer a point may be, in points of the window.</summary>
         const double Radius = 5;
 
-        /// <summary>Main-thread time of each update.</summary>
         const double UpdateMs = 2;
 
         const float LineHeight = 18;

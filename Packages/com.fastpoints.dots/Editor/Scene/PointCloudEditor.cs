@@ -145,7 +145,6 @@ namespace FastPoints.Editor
             return bounds;
         }
 
-        /// <summary>The box around all selected clouds with known bounds.</summary>
         bool TryGetBounds(out Bounds bounds)
         {
             bool isKnown = false;

@@ -3,7 +3,6 @@ using UnityEditor;
 
 namespace FastPoints.Editor
 {
-    /// <summary>The menu item <em>Assets > Import point cloud...</em></summary>
     static class PointCloudMenu
     {
         [MenuItem("Assets/Import point cloud...", false, 20)]

@@ -4,7 +4,6 @@ using Unity.Mathematics;
 
 namespace FastPoints.Picture
 {
-    // Normals of a picture's surfaces, from its depths.
     internal struct DepthNormals
     {
         [ReadOnly] public NativeArray<ulong> Pixels;

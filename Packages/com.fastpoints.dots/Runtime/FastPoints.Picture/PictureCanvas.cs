@@ -82,7 +82,6 @@ namespace FastPoints.Picture
         // In the median tile.
         public float TypicalSizePx => m_typicalSizePx.Value;
 
-        // Largest point size of a tile.
         public float MaxTileSizePx { get; private set; }
 
         // 1 to PointDrawing.MaxSizePx, of pixels. No drawing may be in flight.

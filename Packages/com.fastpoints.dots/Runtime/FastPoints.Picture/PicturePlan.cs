@@ -53,7 +53,6 @@ namespace FastPoints.Picture
         // SizePx is still to be found from a picture of the sample.
         public bool UsesAutoSize => m_options.IsAutoSize;
 
-        // Assumptions for lack of data, one readable line each.
         public List<string> Assumptions { get; }
 
         // Independent of a batch's columns.
@@ -138,7 +137,6 @@ namespace FastPoints.Picture
             return frame;
         }
 
-        // For a picture by any camera.
         public ResolvePictureJob ResolveFor(in Camera camera, PictureCanvas canvas) => new ResolvePictureJob
         {
             Projection = new PointProjection(camera, PositionTransform.Identity, canvas.WidthPx, canvas.HeightPx),
@@ -150,7 +148,6 @@ namespace FastPoints.Picture
             FillsHoles = m_options.FillsHoles,
         };
 
-        // Pixels of a picture by any camera.
         public PixelPositions PixelPositionsFor(in Camera camera, int widthPx, int heightPx)
         {
             var lengths = m_ranges.LengthsPerUnit;

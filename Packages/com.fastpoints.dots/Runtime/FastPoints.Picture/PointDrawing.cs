@@ -166,7 +166,6 @@ namespace FastPoints.Picture
             }
         }
     }
-    // What points are drawn with and into.
     internal unsafe struct PictureMemory
     {
         public uint* Palettes;

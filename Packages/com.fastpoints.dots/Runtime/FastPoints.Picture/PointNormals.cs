@@ -18,7 +18,6 @@ namespace FastPoints.Picture
         PointColumn m_u;
         PointColumn m_v;
 
-        // Of a batch that has them.
         public PointNormals(PointBatch batch, int litLevel, in PointLighting light) : this()
         {
             int u = batch.Schema.IndexOf(StoreLayout.NormalColumns[0]);

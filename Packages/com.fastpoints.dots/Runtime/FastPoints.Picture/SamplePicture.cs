@@ -9,7 +9,6 @@ namespace FastPoints.Picture
     {
         const int PointsPerSlice = 1 << 17; // About 4 ms of managed code.
 
-        // Draws over the canvas, then schedules the dependent jobs, if any.
         public static IEnumerator<JobStep> Draw(PictureCanvas canvas, PointBatch points, PicturePlan plan, StageProgress progress,
             Func<JobHandle, JobHandle> then = null)
         {
@@ -57,12 +56,10 @@ namespace FastPoints.Picture
             canvas.Clear();
         }
 
-        // Coroutine: both in one chain.
         public static IEnumerator<JobStep> DrawAndResolve(PictureCanvas canvas, PointBatch points, PicturePlan plan,
             StageProgress progress) => Draw(canvas, points, plan, progress, drawn =>
                 canvas.ScheduleResolve(plan.ResolveFor(plan.Camera, canvas), drawn));
 
-        // Coroutine: the colours for PictureCanvas.ToImage.
         public static IEnumerator<JobStep> Resolve(PictureCanvas canvas, PicturePlan plan)
         {
             var resolved = canvas.ScheduleResolve(plan.ResolveFor(plan.Camera, canvas), default);

@@ -52,7 +52,6 @@ namespace FastPoints.Picture
             return up;
         }
 
-        // The most of some sorted values that lie within a length.
         static int MaxPointsWithin(double[] sorted, double length)
         {
             int max = 0;

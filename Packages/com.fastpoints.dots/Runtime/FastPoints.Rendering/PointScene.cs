@@ -109,7 +109,6 @@ namespace FastPoints.Rendering
         // How often a pipeline's pass has recorded the clouds; 0 if no pass draws them.
         public long RecordedPictures { get; private set; }
 
-        // Whether points of any cloud are lit: passes then say by what.
         public bool IsLit
         {
             get
@@ -128,14 +127,12 @@ namespace FastPoints.Rendering
             m_looks[cloud] = look;
         }
 
-        // Whether it is shown, and how.
         public bool TryGetLook(int cloud, out CloudLook look)
         {
             look = cloud >= 0 && cloud < m_looks.Count ? m_looks[cloud] : s_noLook;
             return look.Plane >= 0;
         }
 
-        // Removes the colours of all clouds.
         public void ClearLooks()
         {
             for (int cloud = 0; cloud < m_looks.Count; cloud++)

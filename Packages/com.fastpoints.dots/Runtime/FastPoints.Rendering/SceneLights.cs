@@ -11,7 +11,6 @@ namespace FastPoints.Rendering
         // From above and the side: for a scene whose Lighting settings name no sun.
         static readonly float3 s_fromAbove = math.normalize(new float3(-0.5f, 1, -0.5f));
 
-        // The sun of the scene's Lighting settings, and its ambient light.
         public static PointLighting OfSun()
         {
             var light = OfSunsColor();

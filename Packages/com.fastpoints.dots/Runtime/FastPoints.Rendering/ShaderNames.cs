@@ -101,7 +101,6 @@ namespace FastPoints.Rendering
         public const string ParaboloidsKeyword = "FASTPOINTS_PARABOLOIDS";
     }
 
-    // What shaders take of a light and of vectors.
     static class ShaderValues
     {
         public static void SetPixelPositions(MaterialPropertyBlock properties, in PixelPositions places) =>

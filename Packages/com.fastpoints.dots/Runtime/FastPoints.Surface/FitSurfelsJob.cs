@@ -100,7 +100,6 @@ namespace FastPoints.Surface
         }
     }
 
-    /// <summary>A slice of the means of voxels' points.</summary>
     [BurstCompile]
     internal unsafe struct AverageVoxelsJob : IJob
     {

@@ -20,7 +20,6 @@ namespace FastPoints.Surface
 
         public readonly double VoxelMetres;
 
-        /// <summary>Voxels along an edge of a cell.</summary>
         public readonly int CellVoxels;
 
         /// <summary>The widest holes that are closed; 0 for none.</summary>
@@ -51,7 +50,6 @@ namespace FastPoints.Surface
         /// which may close a hole, whose rim has normals.</summary>
         public int Margin => 1 + VertexReach + HoleRings + HoleReach + FitReach;
 
-        /// <summary>Voxels along an edge of a cell with its margins.</summary>
         public int Side => CellVoxels + 2 * Margin;
 
         /// <summary>Points so far outside of a cell may make a part of its surface, in metres.</summary>

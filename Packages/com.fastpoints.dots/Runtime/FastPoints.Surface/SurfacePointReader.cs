@@ -7,7 +7,6 @@ using Unity.Mathematics;
 
 namespace FastPoints.Surface
 {
-    /// <summary>The points of a converted cloud by cells of its surface.</summary>
     internal sealed class SurfacePointReader : CloudSelection
     {
         const int NodesPerStep = 256, NoPage = -1;
@@ -36,7 +35,6 @@ namespace FastPoints.Surface
         /// <summary>So many points of a cell are read at once, or the points of a node.</summary>
         public long PointsPerBatch { get; set; } = 1_000_000;
 
-        /// <summary>Of a grid step along each axis.</summary>
         public double3 Metres { get; }
 
         /// <summary>A coroutine that may leave out points of each batch before it is taken; null for none.</summary>

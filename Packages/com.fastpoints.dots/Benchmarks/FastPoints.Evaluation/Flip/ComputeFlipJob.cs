@@ -128,7 +128,6 @@ namespace FastPoints.Evaluation
             Sign = 1,
         };
 
-        // Which derivative.
         Taps Feature(int column) => new Taps
         {
             Weights = (float*)Filters.Features.GetUnsafeReadOnlyPtr() + column,

@@ -20,7 +20,6 @@ namespace FastPoints.Evaluation
         /// <summary>Row by row from the top.</summary>
         public readonly float[] Errors;
 
-        /// <summary>Over all pixels.</summary>
         public readonly double Mean;
 
         FlipMap(int width, int height, float[] errors, double mean)

@@ -81,7 +81,6 @@ namespace FastPoints.Editor
             sources.Count == 1 && CloudFolder.IsCloud(sources[0]) ? ConvertedReader.OpenEdited(sources[0])
                 : PointReaders.Open(sources);
 
-        /// <returns>Whether the file is complete.</returns>
         static bool Step(Export export, double budgetMs)
         {
             if (export.Coroutine == null)

@@ -18,7 +18,6 @@ namespace FastPoints.Editor
 
         public CloudLeftovers(EditorImports imports) => m_imports = imports;
 
-        /// <summary>The user deletes an asset or a folder of them.</summary>
         public void OnWillDelete(string path)
         {
             // The clouds of deleted assets could not be found later.

@@ -24,7 +24,6 @@ namespace FastPoints.Editor
             /// <summary>-1 if unknown.</summary>
             public long Points;
 
-            /// <summary>Size of the converted data on disk.</summary>
             public long Bytes;
 
             /// <summary>The first missing source; null if none is.</summary>

@@ -239,7 +239,6 @@ namespace FastPoints.Editor
             Queue.Add(requests);
         }
 
-        /// <summary>Takes a request out of the queue for good.</summary>
         internal void Cancel(ImportRequest request)
         {
             Queue.Cancel(request);

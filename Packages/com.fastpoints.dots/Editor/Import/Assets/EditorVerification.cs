@@ -81,7 +81,6 @@ namespace FastPoints.Editor
 
         public bool IsDone { get; private set; }
 
-        /// <returns>Whether it is done.</returns>
         public bool Step(double budgetMs)
         {
             if (IsDone)

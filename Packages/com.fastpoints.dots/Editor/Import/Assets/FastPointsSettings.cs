@@ -25,7 +25,6 @@ namespace FastPoints.Editor
         /// and are found where their handles say.</summary>
         public string Place = ProjectPaths.DefaultClouds;
 
-        /// <summary>Whether a new folder is ignored by Git.</summary>
         public bool GitIgnore = true;
 
         /// <summary>Limit for everything in a conversion that grows with the number of points; the rest goes to files.</summary>
@@ -49,10 +48,8 @@ namespace FastPoints.Editor
         /// <summary>How to handle point cloud files in <c>Assets</c> that no other package imports.</summary>
         public PointFiles PointFiles;
 
-        /// <summary>How to handle several files that are dropped together.</summary>
         public SeveralFiles SeveralFiles;
 
-        /// <summary>Whether imported files are converted at once, or only on request.</summary>
         public bool ConvertAtOnce = true;
 
         /// <summary>Whether that includes COPC, Potree and EPT, which can be streamed directly.</summary>

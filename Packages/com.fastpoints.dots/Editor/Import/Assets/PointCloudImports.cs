@@ -92,7 +92,6 @@ namespace FastPoints.Editor
             FastPointsSettings.instance.Apply();
         }
 
-        /// <summary>Applies another <see cref="FastPointsUserSettings.Root"/>.</summary>
         internal static void MoveRoot(string root) => Begin(() => FastPointsUserSettings.instance.SetRoot(root));
 
         static void Update() => Current.Update(DateTime.UtcNow);

@@ -24,7 +24,6 @@ namespace FastPoints.Editor
 
         public CloudCatalog(ProjectPaths paths) => m_paths = paths;
 
-        /// <summary>The clouds found by the last <see cref="Refresh"/>, by name.</summary>
         public IReadOnlyList<CatalogCloud> Clouds => m_clouds;
 
         /// <summary>Scans the folder; a manifest is read again only if it was written since.</summary>
@@ -141,7 +140,6 @@ namespace FastPoints.Editor
         /// <summary>Why it cannot be used, in one line; null if it can.</summary>
         public string Problem;
 
-        /// <summary>Whether it is unfinished: a build is running, or was interrupted.</summary>
         public bool IsBuilding;
 
         public string Name => System.IO.Path.GetFileNameWithoutExtension(Path);

@@ -56,7 +56,6 @@ namespace FastPoints.Editor
             ? path.EndsWith(CopcExtension, StringComparison.OrdinalIgnoreCase)
             : SourceFolder.FindIndex(path) != null && IsCloud(path);
 
-        /// <summary>A folder that needs no conversion.</summary>
         public static bool IsConverted(string path) =>
             path.EndsWith(StoreFormat.FolderExtension, StringComparison.OrdinalIgnoreCase) && CloudFolder.IsCloud(path);
 

@@ -55,7 +55,6 @@ namespace FastPoints.Editor
 
         public string Clouds { get; }
 
-        /// <summary>A path as it is stored.</summary>
         public string Stored(string path)
         {
             string full = Absolute(path);
@@ -84,7 +83,6 @@ namespace FastPoints.Editor
         static string Inside(string folder) => Path.GetFullPath(folder).TrimEnd(Path.DirectorySeparatorChar,
             Path.AltDirectorySeparatorChar) + Path.DirectorySeparatorChar;
 
-        /// <summary>The absolute path of a stored one.</summary>
         public string Absolute(string stored) =>
             Path.GetFullPath(stored.StartsWith(PointCloudPaths.InConvertedRoot, StringComparison.Ordinal)
             ? Path.Combine(Clouds, stored.Substring(PointCloudPaths.InConvertedRoot.Length))

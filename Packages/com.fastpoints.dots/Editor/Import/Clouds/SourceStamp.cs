@@ -13,14 +13,12 @@ namespace FastPoints.Editor
     /// <remarks>A change in the middle that keeps the size shows in the time alone, and not at all if that was reset.</remarks>
     internal sealed unsafe class SourceStamp
     {
-        /// <summary>Bytes at each end that are hashed.</summary>
         public const int EdgeBytes = 64 << 10;
 
         static readonly Comparer<FileInfo> s_byName = Comparer<FileInfo>.Create((a, b) => string.CompareOrdinal(a.Name, b.Name));
 
         SourceStamp() { }
 
-        /// <summary>Bytes of all files together.</summary>
         public long Bytes { get; private set; }
 
         /// <summary>When the newest of them was written, in ticks of UTC; 0 if unknown.</summary>

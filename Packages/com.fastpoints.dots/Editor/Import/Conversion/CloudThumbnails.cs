@@ -29,7 +29,6 @@ namespace FastPoints.Editor
 
         public static string PathOf(string cloud) => Path.ChangeExtension(cloud.TrimEnd('/', '\\'), null) + Extension;
 
-        /// <summary>Draws a cloud, finished or not.</summary>
         public void Add(string cloud) => Add(cloud, null);
 
         /// <summary>Draws the files that a cloud will or could be converted from.</summary>

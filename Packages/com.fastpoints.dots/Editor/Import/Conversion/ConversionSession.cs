@@ -48,7 +48,6 @@ namespace FastPoints.Editor
 
         public double Fraction => State == ConversionState.Done ? 1 : ConversionProgress.FractionOf(Progress);
 
-        /// <summary>Seconds of work so far, without pauses.</summary>
         public double Seconds => m_watch.Elapsed.TotalSeconds;
 
         /// <summary>Estimated from the speed so far; infinity before anything is known.</summary>

@@ -42,10 +42,8 @@ namespace FastPoints.Editor
 
         public ConversionSession Session { get; private set; }
 
-        /// <summary>Whether all conversions are on hold.</summary>
         public bool IsHeld { get; set; }
 
-        /// <summary>Whether there is a request that is not paused.</summary>
         public bool HasWork =>
             m_requests.Exists(r => r.State == ImportState.Waiting || r.State == ImportState.Running);
 
@@ -129,7 +127,6 @@ namespace FastPoints.Editor
             Save();
         }
 
-        /// <summary>Continues a paused request, or retries a failed one.</summary>
         public void Resume(ImportRequest request)
         {
             if (request == m_running)
@@ -141,7 +138,6 @@ namespace FastPoints.Editor
             Save();
         }
 
-        /// <summary>Has a request converted before the others that wait.</summary>
         public void MoveFirst(ImportRequest request)
         {
             if (request == m_running || !m_requests.Remove(request))

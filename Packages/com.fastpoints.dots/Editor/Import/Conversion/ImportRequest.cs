@@ -24,7 +24,6 @@ namespace FastPoints.Editor
 
         public ImportState State { get; internal set; }
 
-        /// <summary>Why it failed: one line.</summary>
         public string Failure { get; internal set; }
 
         /// <summary>How often it was begun without ending properly.</summary>
@@ -64,7 +63,6 @@ namespace FastPoints.Editor
         Waiting,
         Running,
         Paused,
-        /// <summary>Failed until the user retries or removes it.</summary>
         Failed,
     }
 }

@@ -43,7 +43,6 @@ namespace FastPoints.Entities
             }
         }
 
-        /// <returns>Whether the entity and its world still exist.</returns>
         public readonly bool TryGet(out EntityManager entities)
         {
             bool exists = Value != Entity.Null && m_world.IsCreated && m_world.EntityManager.Exists(Value);

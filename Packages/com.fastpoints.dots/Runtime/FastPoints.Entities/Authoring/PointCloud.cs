@@ -49,13 +49,11 @@ namespace FastPoints.Entities
 
         OwnedEntity m_entity;
 
-        // As the entity has them.
         LocalToWorld m_placed;
         float m_lit;
         PointCloudLayer m_layer;
         string m_comparedCrs;
 
-        // The values that the cloud was opened with.
         PointCloudAsset m_openedCloud;
         string m_openedPath;
         ColorMode m_openedColor;
@@ -265,7 +263,6 @@ namespace FastPoints.Entities
             Gizmos.DrawWireCube(local.center, local.size);
         }
 
-        /// <summary>Places the cloud, in double, when its origin has moved.</summary>
         internal void PlaceByOrigin()
         {
             if (!TryGet(out var entities))

@@ -18,7 +18,6 @@ namespace FastPoints.Entities
 
         OwnedEntity m_entity;
 
-        // As the entity has them.
         LocalToWorld m_placed;
         bool m_cuts;
 

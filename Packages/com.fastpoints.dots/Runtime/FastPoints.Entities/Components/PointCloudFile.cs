@@ -47,7 +47,6 @@ namespace FastPoints.Entities
         internal readonly CloudUnits Units(CloudUnits ofCloud) =>
             MetresPerUnitOverride > 0 ? new CloudUnits(MetresPerUnitOverride) : ofCloud;
 
-        /// <summary>The space of a cloud's first state.</summary>
         internal readonly UnitySpace SpaceOf(BoundsGeo boundsGeo, CloudUnits ofCloud)
         {
             var space = UnitySpace.Of(boundsGeo, Units(ofCloud), Up);

@@ -92,7 +92,6 @@ namespace FastPoints.Entities
         }
     }
 
-    /// <summary>The entity of the node in a slot of the cache.</summary>
     internal struct TrackedNode
     {
         public const byte ResidentFlag = 1;
@@ -102,10 +101,8 @@ namespace FastPoints.Entities
         public Entity Entity;
         public int Version;
 
-        /// <summary>The state that the entity shows.</summary>
         public byte State;
 
-        /// <summary>What this frame changes in it.</summary>
         public byte Changes;
     }
 }

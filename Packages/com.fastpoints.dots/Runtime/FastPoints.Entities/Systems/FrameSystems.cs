@@ -13,7 +13,6 @@ namespace FastPoints.Entities
         protected override void OnUpdate() => FrameStep.Select(Group.Stream, Group.Views.AsArray(), ref Group.Stats);
     }
 
-    /// <summary>Begins to copy nodes into the pool.</summary>
     [WorldSystemFilter(WorldSystemFilterFlags.Default | WorldSystemFilterFlags.Editor)]
     [UpdateInGroup(typeof(PointCloudSystemGroup))]
     [UpdateAfter(typeof(SelectNodesSystem))]
@@ -31,7 +30,6 @@ namespace FastPoints.Entities
         protected override void OnUpdate() => FrameStep.Request(Group.Stream, ref Group.Stats);
     }
 
-    /// <summary>Lists what to draw.</summary>
     [WorldSystemFilter(WorldSystemFilterFlags.Default | WorldSystemFilterFlags.Editor)]
     [UpdateInGroup(typeof(PointCloudSystemGroup))]
     [UpdateAfter(typeof(RequestNodesSystem))]

@@ -82,7 +82,6 @@ namespace FastPoints.Entities
             return Entity.Null;
         }
 
-        /// <summary>Removes the entries of destroyed entities.</summary>
         public void RemoveDestroyed(EntityManager entities)
         {
             foreach (var entity in m_all.Keys)

@@ -15,7 +15,6 @@ namespace FastPoints.Entities
         DisplayRanges m_rangesWithoutOutliers;
         readonly byte[] m_paths;
 
-        /// <param name="paths">What the entity's <see cref="PointCloudPathByte"/> has.</param>
         public OpenedCloud(in PointCloudFile file, ReadOnlySpan<byte> paths)
         {
             AppliedFile = file;

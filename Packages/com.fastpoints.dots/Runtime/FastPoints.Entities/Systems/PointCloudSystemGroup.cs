@@ -98,7 +98,6 @@ namespace FastPoints.Entities
         /// <summary>What passes draw; null if <see cref="Begin"/> was called by hand.</summary>
         internal PointScene Scene { get; private set; }
 
-        /// <summary>State of clouds' entities beside components.</summary>
         internal readonly LiveClouds Live = new LiveClouds();
 
         /// <summary>Whether files of clouds are being opened or polled, or have states to be taken.</summary>
@@ -211,7 +210,6 @@ namespace FastPoints.Entities
         /// <summary>Requests frames after a change that they do not detect.</summary>
         internal void Wake() => m_idleFrames = 0;
 
-        /// <summary>Whether a cloud's files are in this folder.</summary>
         internal bool IsShown(string folder)
         {
             foreach (var (entity, live) in Live)

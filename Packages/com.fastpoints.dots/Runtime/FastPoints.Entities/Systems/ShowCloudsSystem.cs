@@ -43,7 +43,6 @@ namespace FastPoints.Entities
             }
         }
 
-        /// <summary>Shows other states of a cloud that are drawn with it.</summary>
         void ShowOthers(PointScene scene, Entity entity, StreamedPointCloud cloud, float? light)
         {
             if (cloud.Preview == CloudVersions.None && cloud.Next == CloudVersions.None)

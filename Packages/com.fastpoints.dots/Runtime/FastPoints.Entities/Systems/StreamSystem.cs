@@ -3,7 +3,6 @@ using Unity.Entities;
 
 namespace FastPoints.Entities
 {
-    /// <summary>One step of <see cref="PointCloudSystemGroup"/>.</summary>
     internal abstract partial class StreamSystem : SystemBase
     {
         protected PointCloudSystemGroup Group { get; private set; }

@@ -21,7 +21,6 @@ namespace FastPoints.Build
 
         public readonly string Target;
 
-        /// <summary>Attributes that the cloud keeps, besides the position.</summary>
         public readonly PointSchema Attributes;
         public readonly CloudFolderWriter Folder;
 
@@ -158,14 +157,12 @@ namespace FastPoints.Build
                     free));
         }
 
-        /// <summary>A file for each chunk of the first partition, and one for the points outside.</summary>
         public void AddFirstFiles()
         {
             while (Files != null && Files.FileCount < Map.Chunks.Length + 1)
                 Files.Add();
         }
 
-        /// <summary>Makes nodes of the cloud that a manifest describes.</summary>
         public ChunkIndexer CreateIndexer(NativeStoreLayout store, CloudManifest manifest) =>
             new ChunkIndexer(Records, store, manifest.Root.Corner, manifest.CloudId, Settings.Sampler, Sizes);
 
@@ -215,7 +212,6 @@ namespace FastPoints.Build
 
         public BuildPart Clone() => (BuildPart)MemberwiseClone();
 
-        /// <summary>Whether there are no other parts.</summary>
         public bool IsWhole => Cube.Corner == CloudCube.Corner && Cube.SideLog2 == CloudCube.SideLog2;
 
         /// <summary>A cube that holds all points of the cloud: the smallest one if the part knows all of them.</summary>

@@ -13,7 +13,6 @@ namespace FastPoints.Build
     /// cloud.json.</summary>
     internal sealed class BuildGenerations : IDisposable
     {
-        /// <summary>Limit of tops in flight; they are small.</summary>
         const int MaxTopsInFlight = 8;
 
         readonly BuildContext m_build;

@@ -38,17 +38,14 @@ namespace FastPoints.Build
         public readonly List<PointStatistics> Statistics = new List<PointStatistics>();
         public AttributeStatistics[] Attributes = new AttributeStatistics[0];
 
-        /// <summary>Number of records in each file.</summary>
         public readonly List<long> Records = new List<long>();
 
-        /// <summary>Bytes of these files.</summary>
         public readonly List<long> RecordBytes = new List<long>();
 
         /// <summary>Present from <see cref="Stage.Split"/> on.</summary>
         public readonly List<Chunk> Chunks = new List<Chunk>();
         public GridCube Root;
 
-        /// <summary>Bytes of each plane when the build is done, for its final report.</summary>
         public long[] BytesOfPlane = new long[0];
         public long PeakBytes;
         public int LevelCount;
@@ -169,7 +166,6 @@ namespace FastPoints.Build
         }
     }
 
-    /// <summary>Some consecutive records of a temporary file.</summary>
     internal struct RecordRange
     {
         public int File;

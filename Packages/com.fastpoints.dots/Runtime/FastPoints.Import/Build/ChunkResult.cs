@@ -25,13 +25,11 @@ namespace FastPoints.Build
             public int PlaneCount;
         }
 
-        /// <summary>Number among the build's chunks.</summary>
         public int Number;
 
         /// <summary>The chunk's file; of 0 bytes if all points are in its top.</summary>
         public ContainerRecord Container;
 
-        /// <summary>Nodes of the file, and their points.</summary>
         public int NodeCount;
         public long PointCount;
 
@@ -43,7 +41,6 @@ namespace FastPoints.Build
 
         public ulong Checksum;
 
-        /// <summary>Side of the smallest node.</summary>
         public int MinSideLog2;
         public long[] BytesOfPlane;
 
@@ -144,7 +141,6 @@ namespace FastPoints.Build
             return result;
         }
 
-        /// <summary>Where the nodes are in the file, and their bytes.</summary>
         public int TableOffset => sizeof(Header) + BytesOfPlane.Length * sizeof(long);
         public int TableBytes => NodeCount * BytesPerNode(BytesOfPlane.Length);
 

@@ -177,7 +177,6 @@ namespace FastPoints.Build
             }
         }
 
-        /// <summary>Adds the chunks of one cube, of which small ones are joined.</summary>
         void Merge(GridCube cube, IReadOnlyList<Chunk> parts, long target)
         {
             foreach (var group in CubeGroups.Of(cube, parts, c => c.Cube, c => c.Count, target))

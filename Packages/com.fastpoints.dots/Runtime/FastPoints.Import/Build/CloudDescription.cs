@@ -105,7 +105,6 @@ namespace FastPoints.Build
             return sources;
         }
 
-        /// <summary>Warns about what is missing or inexact in the cloud, for each source.</summary>
         static void Warn(IReadOnlyList<PointReader> readers, IReadOnlyList<PointStatistics> statistics, in CloudGrid grid)
         {
             for (int i = 0; i < readers.Count; i++)

@@ -176,7 +176,6 @@ namespace FastPoints.Build
             }
         }
 
-        /// <summary>Coroutine: measures what a manifest says of the values that are shown.</summary>
         internal static IEnumerator<JobStep> MeasureDisplayRanges(string path, CloudManifest manifest)
         {
             using var folder = CloudFolder.Open(path, manifest);

@@ -41,7 +41,6 @@ namespace FastPoints.Build
 
         public long Points { get; private set; }
 
-        /// <summary>The most points of a chunk.</summary>
         public long PointsPerChunk { get; private set; }
 
         /// <summary>The most points of a base cell, by the estimate: see <see cref="BaseCells"/>.</summary>
@@ -57,7 +56,6 @@ namespace FastPoints.Build
         /// <summary>Whether points go to temporary files because not all of them fit.</summary>
         public bool UsesTemporaryFiles { get; private set; }
 
-        /// <summary>Bytes of the blocks in flight while sources are read.</summary>
         public long ReadBytes { get; private set; }
 
         /// <summary>The maximum in flight if fewer do not keep workers busy: the memory that is free until chunks are

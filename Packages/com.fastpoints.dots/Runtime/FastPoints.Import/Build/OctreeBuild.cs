@@ -72,7 +72,6 @@ namespace FastPoints.Build
         public int LevelCount { get; private set; }
         public long[] BytesOfPlane { get; }
 
-        /// <summary>Side of the smallest node of the chunks.</summary>
         public int MinSideLog2 { get; private set; }
 
         /// <summary>By chunk, when they are indexed; tops that are in files have no records here.</summary>
@@ -92,7 +91,6 @@ namespace FastPoints.Build
             LevelCount = m_results.Length == 0 ? 0 : Manifest.Root.SideLog2 - lowest + 1;
         }
 
-        /// <summary>Coroutine: every chunk, several at once.</summary>
         public IEnumerator<JobStep> Index()
         {
             m_build.Progress?.Begin(BuildStages.Index);

@@ -16,7 +16,6 @@ namespace FastPoints.Build
         /// 16 cover.</summary>
         const int RangePoints = 16;
 
-        /// <summary>Ranges that are grouped in one slice.</summary>
         const int RangesPerSlice = 2048;
 
         readonly BuildContext m_build;
@@ -37,7 +36,6 @@ namespace FastPoints.Build
 
         public bool IsRead { get; private set; }
 
-        /// <summary>Statistics of the points that were read.</summary>
         public PointStatistics Statistics { get; private set; } = PointStatistics.None;
         public AttributeStatistics[] Attributes { get; }
 
@@ -103,7 +101,6 @@ namespace FastPoints.Build
                 m_build.Settings.Workers, null));
         }
 
-        /// <summary>Reads the ranges of a source of a fixed stride, many in one request.</summary>
         IEnumerator<JobStep> ReadRanges(RecordReader reader, SourceGrid grid, List<BlockRange> ranges, PointSchema wanted)
         {
             var batch = new PointBatch(wanted, RangePoints * RangesPerSlice, Allocator.Persistent);
@@ -143,7 +140,6 @@ namespace FastPoints.Build
             Statistics = statistics;
         }
 
-        /// <summary>Takes ranges that come as blocks.</summary>
         sealed class Consumer : IBlockConsumer, IDisposable
         {
             readonly PlaceholderSample m_sample;

@@ -41,7 +41,6 @@ namespace FastPoints.Build
 
         public long PagesWaiting { get; private set; }
 
-        /// <summary>Most bytes that the files had at one time.</summary>
         public long PeakBytes { get; private set; }
 
         public int FileCount => m_recordsOfFile.Count;
@@ -50,7 +49,6 @@ namespace FastPoints.Build
 
         public string PathOf(int file) => m_files[file].Path;
 
-        /// <summary>Records handed over so far.</summary>
         public long RecordsOf(int file) => m_recordsOfFile[file];
 
         /// <summary>Adds an empty file, which does not exist on disk before it has records.</summary>
@@ -199,7 +197,6 @@ namespace FastPoints.Build
             all.Take(m_slices);
         }
 
-        /// <summary>Adds a user that reads a file and releases it.</summary>
         public void AddUser(int file) => m_usersOfFile[file]++;
 
         /// <summary>Ends one user's reading of a file; the last one deletes it.</summary>
@@ -229,7 +226,6 @@ namespace FastPoints.Build
         }
     }
 
-    /// <summary>Where the blocks of a temporary file are.</summary>
     internal sealed class RecordBlocks
     {
         readonly List<long> m_firsts = new List<long>();
@@ -248,14 +244,12 @@ namespace FastPoints.Build
 
         public long OffsetOf(int block) => block < Count ? m_offsets[block] : Bytes;
 
-        /// <summary>The block that has a record.</summary>
         public int Find(long record)
         {
             int found = m_firsts.BinarySearch(record);
             return found >= 0 ? found : ~found - 1;
         }
 
-        /// <returns>Bytes of the packed pages.</returns>
         public unsafe long Add(in RecordPages packed)
         {
             long before = Bytes;

@@ -196,7 +196,6 @@ namespace FastPoints.Build
         }
     }
 
-    /// <summary>Unpacks blocks that are in memory.</summary>
     [BurstCompile]
     internal unsafe struct UnpackRecordsJob : IJob
     {

@@ -95,7 +95,6 @@ namespace FastPoints.Build
             m_build.Progress?.Report(PointsDone / (double)Math.Max(1, m_build.Points), PointsDone, m_bytesDone);
         }
 
-        /// <summary>Adopts what the resumed build has read.</summary>
         public void Resume(BuildJournal journal)
         {
             for (int a = 0; a < journal.Attributes.Length; a++)
@@ -184,7 +183,6 @@ namespace FastPoints.Build
 
         public long MaxPages;
 
-        /// <summary>Pages that wait to be written.</summary>
         public NativeReference<long> PagesDetached;
 
         /// <summary>Out: full pages to be written, each once.</summary>

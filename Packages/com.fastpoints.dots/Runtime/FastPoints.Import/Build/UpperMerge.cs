@@ -13,7 +13,6 @@ namespace FastPoints.Build
     /// whether its octants were collected before, by other builds, or not.</remarks>
     internal sealed unsafe class UpperMerge : IDisposable
     {
-        /// <summary>Tops that are read from files at the same time.</summary>
         const int MaxReadsInFlight = 8;
 
         readonly BuildContext m_build;
@@ -38,10 +37,8 @@ namespace FastPoints.Build
         public int MinSideLog2 { get; private set; } = int.MaxValue;
         public long[] BytesOfPlane { get; }
 
-        /// <summary>Bytes of a top's record.</summary>
         public int TopStride => m_build.Records.ForTops(m_store.HasAverages).StrideBytes;
 
-        /// <summary>All that were added.</summary>
         public IReadOnlyList<MergeInput> Added => m_added;
 
         /// <summary>Those that nothing was made above of yet: added ones and tops of regions, in Morton order once they are
@@ -200,7 +197,6 @@ namespace FastPoints.Build
             }
         }
 
-        /// <summary>Gathers the members' records from memory or from files.</summary>
         IEnumerator<JobStep> GatherTops(List<MergeInput> members, NativeArray<byte> records, NativeArray<TopNode> tops)
         {
             int stride = TopStride, at = 0, begun = 0;
@@ -367,7 +363,6 @@ namespace FastPoints.Build
 
         public int Node => Above.NodeOfDraft[AttachDraft];
 
-        /// <summary>Hangs a part on its node.</summary>
         public void Attach(Subtree part)
         {
             var place = OfNode();
@@ -424,7 +419,6 @@ namespace FastPoints.Build
             AttachPoint = region ?? new UpperAttachPoint();
         }
 
-        /// <summary>The nodes of a chunk.</summary>
         public Subtree ToPart() => new Subtree
         {
             Cube = Cube,

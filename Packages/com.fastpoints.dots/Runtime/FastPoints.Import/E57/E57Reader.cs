@@ -87,7 +87,6 @@ namespace FastPoints.E57
 
         public override IEnumerator<JobStep> FindBlocks() => m_blocks.Find();
 
-        // Of all fields.
         internal override void ListPieces(BlockRange range, List<FilePiece> pieces)
         {
             var section = m_blocks.SectionOf(range.Block);

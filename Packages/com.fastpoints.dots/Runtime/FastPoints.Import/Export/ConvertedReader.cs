@@ -17,7 +17,6 @@ namespace FastPoints.Export
     {
         readonly CloudFolder m_folder;
 
-        /// <summary>Of all pages.</summary>
         readonly List<NodeTable> m_tables = new List<NodeTable>();
         readonly List<string> m_paths = new List<string>();
         readonly List<ConvertedBlock> m_blocks = new List<ConvertedBlock>();
@@ -233,7 +232,6 @@ namespace FastPoints.Export
             public long FirstPoint;
         }
 
-        /// <summary>One read of the wanted planes of a node.</summary>
         sealed class ConvertedRead : SlotRead
         {
             readonly ConvertedReader m_reader;

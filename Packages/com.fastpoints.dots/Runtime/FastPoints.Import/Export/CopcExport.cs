@@ -108,7 +108,6 @@ namespace FastPoints.Export
             m_end += bytes;
         }
 
-        /// <summary>The table of the chunks, and the hierarchy.</summary>
         public override byte[] Trailer()
         {
             var table = LazChunkTable.ToBytes(m_bytesOfChunk, m_nodes.ConvertAll(node => node.PointCount));

@@ -25,7 +25,6 @@ namespace FastPoints.Export
 
         [ReadOnly] public NativeArray<PlaneRange> Ranges;
 
-        /// <summary>Where each plane lies among the bytes that are read.</summary>
         [ReadOnly] public NativeArray<long> PlaneOffsets;
         [ReadOnly] public NativeArray<PlaneShape> Shapes;
         [ReadOnly] public NativeArray<ConvertedTarget> Targets;

@@ -10,7 +10,6 @@ namespace FastPoints.Export
     {
         public readonly List<ExportColumn> Columns = new List<ExportColumn>();
 
-        /// <summary>Where the coordinates go in a record.</summary>
         public readonly PointField[] Axes = new PointField[3];
 
         public readonly List<string> Warnings = new List<string>();
@@ -24,16 +23,13 @@ namespace FastPoints.Export
 
         public int RecordBytes { get; protected set; }
 
-        /// <summary>Points that are written in one piece.</summary>
         public int BufferPoints { get; protected set; }
 
-        /// <summary>See <see cref="MakeRecordsJob.ReturnMask"/>.</summary>
         public int ReturnMask { get; protected set; }
 
         /// <summary>Whether <see cref="SetBounds"/> has to be called before the first record.</summary>
         public virtual bool NeedsBounds => false;
 
-        /// <summary>Takes the bounds of the chosen points.</summary>
         public virtual void SetBounds(in ExportState measured) { }
 
         /// <summary>Whether each block of the source starts a buffer of its own: its number is the range's
@@ -43,7 +39,6 @@ namespace FastPoints.Export
         /// <summary>The ranges that will be written, in this order; a format may complete them.</summary>
         public virtual void SetRanges(List<ExportRange> ranges) { }
 
-        /// <summary>Sets what the format asks of the jobs of a range.</summary>
         public virtual void Configure(in ExportRange range, ref MakeRecordsJob job) { }
 
         /// <summary>Parts of the source that are copied behind the points: the first byte, and the number of bytes.</summary>
@@ -96,7 +91,6 @@ namespace FastPoints.Export
             chosen == null || System.Array.IndexOf(chosen, name) >= 0;
     }
 
-    /// <summary>One attribute of a source, and its field in records.</summary>
     internal sealed class ExportColumn
     {
         public string From;
@@ -111,7 +105,6 @@ namespace FastPoints.Export
             from == To.Type && Scale == 1 && Offset == 0 && double.IsPositiveInfinity(Max);
     }
 
-    /// <summary>What an export has written.</summary>
     internal sealed class ExportResult
     {
         public readonly long Points;
@@ -126,13 +119,11 @@ namespace FastPoints.Export
         /// <summary>The farthest that a coordinate was moved, in CRS units; 0 if they are the source's own numbers.</summary>
         public readonly double PositionError;
 
-        /// <summary>See <see cref="ExportFormat.Note"/>.</summary>
         public readonly string Note;
 
         /// <summary>One line each.</summary>
         public readonly List<string> Warnings;
 
-        /// <summary>What the file has no place for.</summary>
         public readonly List<Loss> Losses;
 
         public ExportResult(ExportFormat format, in ExportState state, long bytes)

@@ -14,7 +14,6 @@ namespace FastPoints.Export
         /// <summary>1 for all.</summary>
         public double Fraction;
 
-        /// <summary>See <see cref="ExportFormat.HasBufferPerNode"/>.</summary>
         public int Node;
 
         /// <summary>No other range of the same node follows.</summary>

@@ -53,7 +53,6 @@ namespace FastPoints.Export
         /// <summary>The first record of the range's node in the buffers; 0 without nodes.</summary>
         public long FirstRecord;
 
-        /// <summary>Rounded coordinates are clamped to these.</summary>
         public double3 MinPosition;
         public double3 MaxPosition;
         public NativeReference<ExportState> State;
@@ -276,7 +275,6 @@ namespace FastPoints.Export
     /// <summary>How positions of a source become those of a file.</summary>
     internal enum PositionKind
     {
-        /// <summary>The columns are copied.</summary>
         Copied,
         /// <summary>Integers of 64 bits, along some axes perhaps of 32, to those of 32.</summary>
         Narrowed,
@@ -286,7 +284,6 @@ namespace FastPoints.Export
         Geo,
     }
 
-    /// <summary>The conversion of positions. Blittable.</summary>
     internal struct PositionConversion
     {
         public PositionKind Kind;
@@ -312,7 +309,6 @@ namespace FastPoints.Export
         public bool IsClamp => Scale == 1 && Offset == 0 && Max <= byte.MaxValue;
     }
 
-    /// <summary>What an export has seen and written so far. Blittable.</summary>
     internal unsafe struct ExportState
     {
         public long Seen;
@@ -334,7 +330,6 @@ namespace FastPoints.Export
         public double3 MinGeo;
         public double3 MaxGeo;
 
-        /// <summary>Of the records of LAS.</summary>
         public int3 Min;
         public int3 Max;
         public double MinTime;

@@ -12,7 +12,6 @@ namespace FastPoints.Export
     {
         const int BufferBytes = 1 << 20;
 
-        /// <summary>Digits of the largest count.</summary>
         const int CountDigits = 20;
 
         /// <summary>Indexed by type: PLY has no 64-bit integers.</summary>
@@ -82,7 +81,6 @@ namespace FastPoints.Export
                 .Append('\n');
         }
 
-        /// <summary>The usual name, as <see cref="PlyNames"/> reads it.</summary>
         static string NameOf(string name) => name switch
         {
             AttributeNames.X or AttributeNames.Y or AttributeNames.Z or AttributeNames.Red or AttributeNames.Green or

@@ -11,7 +11,6 @@ namespace FastPoints.Las
         /// <summary>More bytes of records are not kept.</summary>
         public const long MaxBytes = 16 << 20;
 
-        /// <summary>Names that a message lists.</summary>
         const int MaxNames = 8;
 
         readonly List<Record> m_records = new List<Record>();
@@ -73,7 +72,6 @@ namespace FastPoints.Las
             return Of(source, new List<Loss>());
         }
 
-        /// <summary>Descriptions of extra bytes, each with its fields.</summary>
         public IEnumerable<(byte[] Entry, List<PointField> Fields)> ExtraBytes
         {
             get

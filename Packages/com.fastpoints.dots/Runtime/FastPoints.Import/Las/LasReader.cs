@@ -3,7 +3,6 @@ using FastPoints.Reading;
 
 namespace FastPoints.Las
 {
-    // A LAS or LAZ source, which has more than points.
     internal interface ILasSource
     {
         LasFile Las { get; }
@@ -72,7 +71,6 @@ namespace FastPoints.Las
 
     internal static class LasTransform
     {
-        // Most common in LAS files.
         const double TypicalScale = 0.01;
 
         static readonly string[] s_axes = { "x", "y", "z" };

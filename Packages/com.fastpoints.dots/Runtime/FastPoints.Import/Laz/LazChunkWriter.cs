@@ -64,7 +64,6 @@ namespace FastPoints.Laz
         }
     }
 
-    // What all chunks of a file have in common.
     internal sealed class LazChunkFormat
     {
         // LASzip's usual size, and the most memory of a chunk's output.

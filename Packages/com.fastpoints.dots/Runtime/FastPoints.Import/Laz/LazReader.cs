@@ -159,7 +159,6 @@ namespace FastPoints.Laz
     // Points in LAZ chunks, listed in a chunk table (LazReader) or in the hierarchy of an octree (CopcReader).
     internal abstract class LazChunkReader : PointReader, ILasSource
     {
-        // A decoder and its tile.
         internal sealed override long DecoderBytes => 512 << 10;
 
         // Chunks up to this size are one block, unless their records are long.

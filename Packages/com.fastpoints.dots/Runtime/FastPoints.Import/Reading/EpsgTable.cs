@@ -96,7 +96,6 @@ namespace FastPoints.Reading
         public int Index;
         public CrsKind Kind;
 
-        // See CoordinateSystem.
         public double MetresPerUnit;
         public double VerticalMetresPerUnit;
 

@@ -58,7 +58,6 @@ namespace FastPoints.Reading
 
         public CoordinateSystem Crs = new CoordinateSystem();
 
-        /// <summary>By the caller, whatever the file says.</summary>
         internal bool IsCrsOverridden;
         internal bool IsUnitOverridden;
 
@@ -165,7 +164,6 @@ namespace FastPoints.Reading
             GeoKeys = GeoKeys,
         };
 
-        /// <summary>Compares text, codes and keys.</summary>
         internal bool HasSameCodes(CoordinateSystem other)
         {
             bool isSame = Wkt == other.Wkt && Epsg == other.Epsg && VerticalEpsg == other.VerticalEpsg &&
@@ -205,7 +203,6 @@ namespace FastPoints.Reading
     {
         public readonly string What;
 
-        /// <summary>The file that has it.</summary>
         public readonly string Where;
         public readonly string Reason;
 

@@ -5,7 +5,6 @@ using Unity.Mathematics;
 
 namespace FastPoints.Sampling
 {
-    /// <summary>Measures a sample's bounds and precision.</summary>
     [BurstCompile]
     internal struct MeasureSampleJob : IJob
     {
@@ -66,7 +65,6 @@ namespace FastPoints.Sampling
         }
     }
 
-    /// <summary>Statistics of the stored positions of a sample, axis by axis. Blittable.</summary>
     internal struct SampleStatistics
     {
         /// <summary>Bounds of the finite ones; min exceeds max if there are none.</summary>

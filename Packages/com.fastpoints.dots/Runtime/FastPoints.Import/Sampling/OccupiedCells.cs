@@ -50,7 +50,6 @@ namespace FastPoints.Sampling
         [ReadOnly] public NativeArray<PointColumn> ColumnsOfSource;
         [ReadOnly] public NativeReference<DecodeResult> Result;
 
-        /// <summary>The points from <see cref="First"/> to before <see cref="End"/>.</summary>
         public int First;
         public int End;
         public PositionColumns Positions;
@@ -108,7 +107,6 @@ namespace FastPoints.Sampling
             Kept.Value = keptOfAll;
         }
 
-        /// <summary>Marks the cells of the strata's points.</summary>
         unsafe void MarkChosen(byte* block, ulong* table, int endOfRange, double* x, double* y, double* z)
         {
             long begin = FirstPoint + First;
@@ -140,7 +138,6 @@ namespace FastPoints.Sampling
         public PositionColumns Positions;
         public PositionTransform Transform;
 
-        /// <summary>Entries from <see cref="First"/> to before <see cref="End"/>.</summary>
         public int First;
         public int End;
 

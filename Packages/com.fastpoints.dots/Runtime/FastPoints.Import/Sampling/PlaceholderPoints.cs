@@ -25,8 +25,6 @@ namespace FastPoints.Sampling
         NativeReference<int> m_count;
         JobHandle m_lastAppended;
 
-        /// <param name="wanted">Number of points in the sample.</param>
-        /// <param name="bounds">The bounds of nearly all points.</param>
         public PlaceholderPoints(PointSchema schema, PositionTransform transform, int wanted, BoundsGeo bounds)
         {
             m_transform = transform;
@@ -82,7 +80,6 @@ namespace FastPoints.Sampling
             return m_lastAppended = job.Schedule(JobHandle.CombineDependencies(inputDeps, m_lastAppended));
         }
 
-        /// <summary>Coroutine: adds the needed ones of a sample's points.</summary>
         public IEnumerator<JobStep> Append(PreviewSample sample) => Keep(sample.Points, sample.Count);
 
         IEnumerator<JobStep> Keep(PointBatch points, int count)

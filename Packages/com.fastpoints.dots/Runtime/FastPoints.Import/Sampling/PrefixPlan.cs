@@ -22,7 +22,6 @@ namespace FastPoints.Sampling
         /// <summary>What each block of a large remote source gives, once; 0 for others.</summary>
         readonly int m_pointsPerBlock;
 
-        /// <summary>The next block in the order.</summary>
         int m_next;
 
         /// <summary>Points taken so far, for the few among millions of blocks that have any taken.</summary>
@@ -31,7 +30,6 @@ namespace FastPoints.Sampling
         /// <summary>Blocks of each level of the source's own octree, or null.</summary>
         readonly List<List<int>> m_levels;
 
-        /// <param name="wanted">Points of the last wave.</param>
         public PrefixPlan(PointReader reader, int wanted, uint seed)
         {
             m_reader = reader;

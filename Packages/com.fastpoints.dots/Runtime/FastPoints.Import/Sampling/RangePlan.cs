@@ -60,7 +60,6 @@ namespace FastPoints.Sampling
         /// <summary>Number of entries in the sample: as many as its points, or a few more.</summary>
         public int EntryCount => (int)m_entries.Points;
 
-        /// <summary>Points of the longest range's segment of the file.</summary>
         public int MaxSegmentPoints => RangeCount == 0 ? 0 : (int)Math.Min(2 * m_spanPoints, m_strata.Points);
 
         /// <summary>First entry in the sample of the range with this rank in the order; <see cref="EntryCount"/> for the one

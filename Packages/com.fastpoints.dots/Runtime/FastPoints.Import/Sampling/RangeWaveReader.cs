@@ -277,10 +277,8 @@ namespace FastPoints.Sampling
         /// <summary>Number of ranges in earlier waves.</summary>
         public int FirstRank;
 
-        /// <summary>See <see cref="RankStrataJob.Ranks"/>.</summary>
         [ReadOnly] public NativeArray<int> Ranks;
 
-        /// <summary>Range of the strata to examine.</summary>
         public int First;
         public int End;
 

@@ -25,7 +25,6 @@ namespace FastPoints.Sampling
         /// <summary>Points of each block returned so far; null if blocks are read whole.</summary>
         readonly int[] m_taken;
 
-        /// <summary>Next entry in the order.</summary>
         int m_next;
         double m_share;
 
@@ -74,7 +73,6 @@ namespace FastPoints.Sampling
             m_taken[range.Block] = m_reader.PointsInBlock(range.Block);
         }
 
-        /// <summary>Whether a block was returned to its end.</summary>
         public bool IsTaken(int block) => !IsSliced || m_taken[block] == m_reader.PointsInBlock(block);
 
         void Take(int block, double share, List<BlockRange> ranges)

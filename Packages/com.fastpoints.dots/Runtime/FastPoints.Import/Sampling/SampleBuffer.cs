@@ -234,11 +234,9 @@ namespace FastPoints.Sampling
         [ReadOnly] public NativeArray<PointColumn> ColumnsOfBlock;
         [ReadOnly] public NativeReference<DecodeResult> Result;
 
-        /// <summary>The points from <see cref="First"/> to before <see cref="End"/>.</summary>
         public int First;
         public int End;
 
-        /// <summary>Index of the block's first point in the whole source.</summary>
         public long FirstPoint;
 
         public SampleStrata Strata;

@@ -178,7 +178,6 @@ namespace FastPoints.Sampling
             (byte*)From.GetUnsafeReadOnlyPtr() + FirstByteOfFrom, Bytes);
     }
 
-    /// <summary>A slot for blocks of a sample that is in memory.</summary>
     sealed class SampleRead : BlockRead
     {
         readonly PointReader m_reader;

@@ -7,7 +7,6 @@ namespace FastPoints.Sampling
     {
         public readonly long Points;
 
-        /// <summary>Number of strata, at most <see cref="Points"/>.</summary>
         public readonly int Count;
 
         public readonly uint Seed;

@@ -95,7 +95,6 @@ namespace FastPoints.Sampling
             return longest;
         }
 
-        /// <summary>Reads the ranges of a source of a fixed stride, many in one request.</summary>
         IEnumerator<JobStep> ReadRanges(RecordReader reader, List<BlockRange> ranges, PointSchema positions,
             Func<NativeArray<double3>, JobHandle, JobHandle> measure)
         {
@@ -161,7 +160,6 @@ namespace FastPoints.Sampling
             m_ranges.Dispose();
         }
 
-        /// <summary>Adds ranges that come as blocks.</summary>
         sealed class Appender : IBlockConsumer, IDisposable
         {
             readonly SourceSample m_sample;
@@ -204,7 +202,6 @@ namespace FastPoints.Sampling
     /// <summary>Points of a sample that lie together in the file.</summary>
     internal struct SampleRange
     {
-        /// <summary>Index of the first point in the sample.</summary>
         public int First;
 
         public int Count;
@@ -223,7 +220,6 @@ namespace FastPoints.Sampling
         public PointColumn Y;
         public PointColumn Z;
 
-        /// <summary>The index of the first loaded point.</summary>
         public int First;
         public NativeArray<double3> Stored;
 

@@ -80,7 +80,6 @@ namespace FastPoints.Sampling
             }
         }
 
-        /// <summary>The last entry of a wave.</summary>
         int EntriesOf(int wave) => wave >= s_waves.Length || s_waves[wave] >= MinShareOfLast * m_buffer.EntryCount
             ? m_buffer.EntryCount
             : s_waves[wave];

@@ -21,7 +21,6 @@ namespace FastPoints.Sources
 
         protected abstract void Report(DecodeResult result);
 
-        // Of the last read.
         protected int BytesRead { get; private set; }
 
         // padding: bytes after the data that jobs may read or write.

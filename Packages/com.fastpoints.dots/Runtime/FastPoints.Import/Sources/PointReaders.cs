@@ -14,16 +14,13 @@ namespace FastPoints.Sources
     /// <summary>Opens any point cloud that the package reads, by the file's content and not by its name.</summary>
     public static class PointReaders
     {
-        /// <summary>How a kind of file is recognised and opened.</summary>
         readonly struct Kind
         {
-            /// <summary>Bytes that the file starts with.</summary>
             public readonly byte[] Magic;
 
             /// <summary>Opens it, or null for a kind that is recognised but not supported.</summary>
             public readonly Func<RandomAccessFile, PointReader> Open;
 
-            /// <summary>The name of a kind that is not supported.</summary>
             public readonly string Name;
 
             public Kind(string magic, Func<RandomAccessFile, PointReader> open)

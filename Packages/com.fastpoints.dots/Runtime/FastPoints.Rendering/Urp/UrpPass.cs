@@ -20,7 +20,6 @@ namespace FastPoints.Rendering.Urp
         /// <summary>Created once: a new delegate in every frame would be garbage.</summary>
         static readonly BaseRenderFunc<PassData, UnsafeGraphContext> s_draw = Draw;
 
-        /// <summary>The data that the pass's function receives.</summary>
         sealed class PassData
         {
             public PointScene Scene;

@@ -19,7 +19,6 @@ namespace FastPoints
         public double LowerQuartile;
         public double UpperQuartile;
 
-        // Length of the scratch memory for a column of this length.
         public static int SampledValues(int count) => count == 0 ? 0 : (count - 1) / Step(count) + 1;
 
         public static int Step(int count) => (count - 1) / MaxSampledValues + 1;
@@ -126,7 +125,6 @@ namespace FastPoints
             NonFinite += other.NonFinite;
         }
 
-        /// <summary>The range of one column's values from <paramref name="first"/> on.</summary>
         public static unsafe ColumnRange Measure(byte* column, AttributeType type, int first, int count)
         {
             double* values = stackalloc double[ColumnValues.BatchLength];

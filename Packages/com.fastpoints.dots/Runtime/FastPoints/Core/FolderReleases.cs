@@ -8,10 +8,8 @@ namespace FastPoints
     /// <summary>What keeps files open between reads. Main thread.</summary>
     internal interface IOpenFiles
     {
-        /// <summary>Reads of files that are not kept open.</summary>
         JobHandle OtherReads { get; }
 
-        /// <summary>Closes the files below a folder.</summary>
         JobHandle CloseBelow(string folder);
     }
 

@@ -70,7 +70,6 @@ namespace FastPoints
 
         public AttributeType Type;
 
-        /// <summary>The value of a point in the batch's bytes.</summary>
         internal readonly unsafe byte* At(byte* batch, int point) => batch + OffsetBytes + (long)point * Type.SizeOf();
     }
 }

@@ -62,7 +62,6 @@ namespace FastPoints.Drawing
                 (kept, additional) = (additional, kept);
         }
 
-        // Additional lights as seen from an eye.
         public readonly PointLighting From(double3 eye)
         {
             var light = this;

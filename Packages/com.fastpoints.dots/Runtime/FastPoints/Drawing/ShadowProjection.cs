@@ -42,7 +42,6 @@ namespace FastPoints.Drawing
         public double TexelWorld { get; private set; } // 0: nothing is in view.
         public double EdgeWorld => TexelWorld * EdgePx;
 
-        // What a view shows of all clouds.
         public void Add(StreamContext stream, in StreamView view)
         {
             for (int c = 0; c < stream.Clouds.Count; c++)
@@ -76,7 +75,6 @@ namespace FastPoints.Drawing
                 Include(view.EyeWorld);
         }
 
-        // After all that it shall show.
         public void Fit()
         {
             double longest = math.max(m_max.x - m_min.x, m_max.y - m_min.y);
@@ -88,7 +86,6 @@ namespace FastPoints.Drawing
             EyeWorld = (m_right * middle.x + m_up * middle.y + Forward * middle.z) / m_lengths;
         }
 
-        // What the light needs to have loaded.
         public StreamView ViewFor(in StreamView camera)
         {
             var view = StreamView.Orthographic(EyeWorld, Right, Up, EdgeWorld, new double2(EdgePx, EdgePx));

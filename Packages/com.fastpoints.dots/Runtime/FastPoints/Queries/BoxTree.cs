@@ -52,7 +52,6 @@ namespace FastPoints.Queries
             return boxes;
         }
 
-        // From the leaves.
         public readonly void Build()
         {
             var below = Boxes;

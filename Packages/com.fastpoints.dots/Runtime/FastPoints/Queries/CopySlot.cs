@@ -34,7 +34,6 @@ namespace FastPoints.Queries
 
         public bool HasEnded => m_phase == Phase.Ended;
 
-        // Whether the stream still has the cloud.
         public bool IsOf(StreamContext stream) =>
             !stream.IsDisposed && m_node.Cloud < stream.Clouds.Count && stream.Clouds[m_node.Cloud] == m_cloud;
 

@@ -5,7 +5,6 @@ using Unity.Jobs;
 
 namespace FastPoints.Queries
 {
-    // The first points of each of many queries.
     [BurstCompile]
     internal unsafe struct FindPointsJob : IJobFor
     {

@@ -42,7 +42,6 @@ namespace FastPoints.Queries
             Keep(hit);
         }
 
-        // Those that another heap has kept.
         public void Add(PickHit* kept, in HitTotals totals)
         {
             Totals.Matches += totals.Matches;

@@ -35,7 +35,6 @@ namespace FastPoints.Queries
             return ToDouble(CornerOf(block, out _)) * Step + half;
         }
 
-        // Some of a block's points.
         public void Search(int block, int first, int count, ulong* scratch, ref HitHeap hits)
         {
             const int stride = PlaneShape.MaxPointsPerBlock;
@@ -59,7 +58,6 @@ namespace FastPoints.Queries
             }
         }
 
-        // A point so many steps from a block's corner.
         readonly void Test(in BlockCorner at, Grid3 steps, int index, ref HitHeap hits)
         {
             var offset = ToDouble(steps) * Step;

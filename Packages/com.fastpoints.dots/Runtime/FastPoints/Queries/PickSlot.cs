@@ -42,7 +42,6 @@ namespace FastPoints.Queries
         public bool TryContinueReads() =>
             m_first.IsFetched && m_classes.IsFetched && (!m_isTranscoding || m_transcoder.TryDecode());
 
-        // Bytes of the last read.
         public long Bytes { get; private set; }
 
         // False if the node needs a transcoder and all are busy.
@@ -120,7 +119,6 @@ namespace FastPoints.Queries
                 BeginReading();
         }
 
-        // Adds the node's first hits.
         public unsafe void EndNode(ref HitHeap hits)
         {
             Done.Complete();

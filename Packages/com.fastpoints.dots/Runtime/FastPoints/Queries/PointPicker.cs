@@ -119,7 +119,6 @@ namespace FastPoints.Queries
             }
         }
 
-        // Of the last search.
         public HitHeap Hits => m_hits;
 
         // A search in progress must be ended by its coroutine first.

@@ -114,7 +114,6 @@ namespace FastPoints.Store
                 values[i] = minimum + OffsetAt(words, (long)i * width, width);
         }
 
-        // Some of a column's values.
         public static void UnpackWide(uint* words, ulong minimum, int first, int count, int width, ulong* values)
         {
             if (width > 32)
@@ -133,7 +132,6 @@ namespace FastPoints.Store
             }
         }
 
-        /// <summary>Reads one value of a column.</summary>
         public static ulong ValueAt(uint* words, ulong minimum, int width, int index) =>
             minimum + OffsetAt(words, (long)index * width, width);
 
@@ -152,7 +150,6 @@ namespace FastPoints.Store
             return width == 64 ? value : value & ((1UL << width) - 1);
         }
 
-        /// <summary>The smallest and the largest value.</summary>
         internal static void FindRange(uint* values, int count, out uint min, out uint max)
         {
             int first = 0;

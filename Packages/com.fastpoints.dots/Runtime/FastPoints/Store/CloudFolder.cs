@@ -81,7 +81,6 @@ namespace FastPoints.Store
         /// links.</summary>
         public int FirstBelow(int page) => m_pages[page].FirstBelow;
 
-        /// <summary>The container of the planes of a loaded page's nodes.</summary>
         internal ContainerRecord ContainerOf(int page) => m_containers[m_pages[page].Planes].Record;
 
         // The same of computed planes, where the cloud has some.
@@ -100,7 +99,6 @@ namespace FastPoints.Store
 
         internal RemoteFile RemoteOfTable(int page) => RemoteOfContainer(m_pages[page].Table);
 
-        // Where a page itself is.
         internal FilePiece TableOf(int page) => new FilePiece
         {
             Path = m_containers[m_pages[page].Table].Path,

@@ -132,7 +132,6 @@ namespace FastPoints.Store
 
         public BoundsGeo BoundsGeo => Points == 0 ? BoundsGeo.Empty : new BoundsGeo(Grid.ToGeo(BoundsMin), Grid.ToGeo(BoundsMax));
 
-        // Of another state of the same cloud.
         internal CloudManifest Clone() => (CloudManifest)MemberwiseClone();
 
         public StoreLayout CreateLayout() =>
@@ -388,7 +387,6 @@ namespace FastPoints.Store
         public bool AreClassesSet; // Several, and most points are of one that means something.
     }
 
-    /// <summary>One file that a cloud was made from.</summary>
     internal struct CloudSource
     {
         // Without its folder.

@@ -193,7 +193,6 @@ namespace FastPoints.Store
                 nodes.Sort();
         }
 
-        /// <summary>Coroutine: reads a page on another thread.</summary>
         protected IEnumerator<JobStep> LoadPage(int page)
         {
             using var begun = Folder.BeginPage(page);

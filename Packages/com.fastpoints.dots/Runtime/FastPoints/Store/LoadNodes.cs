@@ -457,7 +457,6 @@ namespace FastPoints.Store
         /// <summary>The corner that its positions count from, relative to the batch's corner.</summary>
         public Grid3 Corner;
 
-        /// <summary>Index of its first point in the batch.</summary>
         public int FirstPoint;
 
         /// <summary>Index of its first plane among the job's ranges.</summary>

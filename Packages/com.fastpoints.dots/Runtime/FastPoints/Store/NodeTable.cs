@@ -29,7 +29,6 @@ namespace FastPoints.Store
         /// <summary>By node times PlaneCount, plus plane. Those of an inlined leaf are empty: its parent's apply.</summary>
         public NativeArray<PlaneRange> Planes => m_planes;
 
-        /// <summary>Links to the pages below.</summary>
         internal NativeArray<PageLink> Links =>
             Part<PageLink>(m_view.Header.LinksOffset, (long)m_view.Header.LinkCount * PageLink.SizeBytes);
 

@@ -7,7 +7,6 @@ namespace FastPoints.Store
         public int Column;
         public StoredColumn Stored;
 
-        // Some of a block's.
         public void Unpack(int block, int first, int count, byte* to)
         {
             ulong divisor = (ulong)Stored.Divisor;

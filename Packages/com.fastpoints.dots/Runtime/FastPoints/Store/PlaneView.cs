@@ -40,7 +40,6 @@ namespace FastPoints.Store
             BlockCodec.UnpackWide(Packed(block, column), MinimumOf(block, column), PointsOf(block), WidthOf(block, column),
                 values);
 
-        // Some of the values.
         public void UnpackWide(int block, int column, int first, int count, ulong* values)
         {
             uint* words = Packed(block, column);

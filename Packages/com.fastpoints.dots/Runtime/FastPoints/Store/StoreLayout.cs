@@ -39,7 +39,6 @@ namespace FastPoints.Store
             // Computed from the cloud's points, in a container of its own layer; not in its attributes.
             internal bool IsComputed;
 
-            // Values of attributes.
             internal bool IsSource => AverageOf < 0 && !IsComputed;
         }
 
@@ -153,7 +152,6 @@ namespace FastPoints.Store
         /// <returns>The plane with the averages of another, or -1.</returns>
         public int AverageOf(int plane) => plane == PositionPlane ? -1 : m_planes.FindIndex(p => p.AverageOf == plane);
 
-        // At the end.
         internal int ComputedPlanes => m_planes[m_planes.Count - 1].IsComputed ? 1 : 0;
 
         /// <returns>The plane of that name, or -1.</returns>

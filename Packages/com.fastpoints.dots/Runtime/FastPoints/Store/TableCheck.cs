@@ -256,7 +256,6 @@ namespace FastPoints.Store
         Plane,
     }
 
-    // Where the parts of a page's bytes are.
     internal unsafe struct PageView
     {
         [NativeDisableUnsafePtrRestriction] public byte* Bytes;

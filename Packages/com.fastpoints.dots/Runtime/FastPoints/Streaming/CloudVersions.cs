@@ -29,7 +29,6 @@ namespace FastPoints.Streaming
         /// <summary>Number of the next state to show, or <see cref="None"/>.</summary>
         public int Next { get; private set; } = None;
 
-        /// <summary>Whether the newest state is the shown one.</summary>
         public bool IsCurrent => Next == None;
 
         /// <summary>Adds a newer state, which the stream owns. An earlier one that is not shown yet is dropped.</summary>

@@ -143,7 +143,6 @@ namespace FastPoints.Streaming
 
         long BitOf(int node, int plane) => (long)node * m_shapes.Length + m_planes[plane];
 
-        // Its nodes' pages below, as the folder numbers them.
         unsafe void Number(int page, in HierarchyPage built)
         {
             for (int n = 0; n < built.NodeCount; n++)

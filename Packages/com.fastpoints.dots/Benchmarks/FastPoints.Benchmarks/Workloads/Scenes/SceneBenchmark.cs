@@ -33,7 +33,6 @@ namespace FastPoints.Benchmarks
             PointFileReaders.Register();
         }
 
-        /// <summary>Main-thread time of frames.</summary>
         public SliceTimes FrameTimes { get; } = new SliceTimes(Allocator.Persistent);
 
         /// <summary>Managed bytes that the main thread allocated in the last frame.</summary>

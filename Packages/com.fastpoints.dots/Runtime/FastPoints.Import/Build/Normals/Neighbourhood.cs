@@ -12,7 +12,6 @@ namespace FastPoints.Build
         const int Lanes = 8;
         const int Sums = 9;
 
-        /// <summary>Floats that it works with.</summary>
         public const int ScratchFloats = 4 * MaxPoints;
 
         [NativeDisableUnsafePtrRestriction] readonly float* m_x;
@@ -130,7 +129,6 @@ namespace FastPoints.Build
             Count = kept;
         }
 
-        /// <summary>Sums over those that are nearer.</summary>
         public OffsetSums Sum(float3 q, int limit, int count)
         {
             float* sums = stackalloc float[Sums * Lanes];

@@ -59,7 +59,6 @@ namespace FastPoints.Build
             }
         }
 
-        /// <summary>That have been taken.</summary>
         public long Points { get; private set; }
 
         public long Bytes { get; private set; }
@@ -264,7 +263,6 @@ namespace FastPoints.Build
         }
     }
 
-    /// <summary>Packs the normals of a container, node by node.</summary>
     [BurstCompile]
     internal unsafe struct PackNormalsJob : IJob
     {

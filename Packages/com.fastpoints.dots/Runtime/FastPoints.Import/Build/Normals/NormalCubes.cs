@@ -5,7 +5,6 @@ using Unity.Mathematics;
 
 namespace FastPoints.Build
 {
-    /// <summary>How normals are made.</summary>
     internal sealed class NormalSettings
     {
         public int Neighbours = 16;
@@ -68,7 +67,6 @@ namespace FastPoints.Build
             }
         }
 
-        /// <summary>The cubes that all points are in, along the Morton curve.</summary>
         public IEnumerable<GridCube> Cubes() => CubesOf(Folder.Manifest.Root);
 
         IEnumerable<GridCube> CubesOf(GridCube cube)
@@ -97,7 +95,6 @@ namespace FastPoints.Build
                     yield return below;
         }
 
-        /// <summary>Chooses the nodes with points in a cube or around it.</summary>
         public NormalRegion Choose(GridCube cube)
         {
             double weight = 0, sum = 0;

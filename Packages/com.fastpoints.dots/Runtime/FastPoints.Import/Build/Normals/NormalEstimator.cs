@@ -5,7 +5,6 @@ using Unity.Jobs;
 
 namespace FastPoints.Build
 {
-    /// <summary>Estimates the normals of a region's points.</summary>
     internal static class NormalEstimator
     {
         /// <summary>Coroutine.</summary>

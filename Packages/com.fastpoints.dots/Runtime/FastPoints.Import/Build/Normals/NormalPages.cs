@@ -12,8 +12,6 @@ namespace FastPoints.Build
     {
         const int BytesPerPiece = 4 << 20;
 
-        /// <summary>Coroutine: writes the file, and adds it to the manifest.</summary>
-        /// <param name="manifest">Of the cloud with its normals.</param>
         public static IEnumerator<JobStep> Write(CloudFolder folder, CloudManifest manifest, NormalContainers normals,
             WriteQueue queue)
         {

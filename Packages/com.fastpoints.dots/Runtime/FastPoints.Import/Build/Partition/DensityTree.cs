@@ -33,7 +33,6 @@ namespace FastPoints.Build
             AddBrick(ref m_childBricks, ref m_sums);
         }
 
-        /// <summary>The estimate for a cell's number.</summary>
         public DensityCell this[int cell] => m_sums[cell].ToCell(m_ranges, m_share);
 
         /// <summary>The number of the first of a cell's eight parts, in Morton order; -1 if it is not divided.</summary>
@@ -127,13 +126,11 @@ namespace FastPoints.Build
         }
     }
 
-    /// <summary>How the cells of a <see cref="DensityTree"/> are numbered.</summary>
     static class DensityNumbers
     {
         /// <summary>Numbers of the first cells: the whole cube and the space outside it; then come the bricks.</summary>
         public const int Root = 0, Outside = 1;
 
-        /// <summary>The code of a point outside the cube.</summary>
         public const uint OutsideCode = uint.MaxValue;
 
         /// <summary>The most levels of cells: a code has three bits for each. In the cube of a continent the smallest are 4 km
@@ -157,7 +154,6 @@ namespace FastPoints.Build
         public double Points;
         public double SquaresOfDifferences;
 
-        /// <summary>Points of the range that is being counted.</summary>
         public double InRange;
 
         /// <summary>Points of <see cref="LastRange"/>, the last one that has points here.</summary>
@@ -213,7 +209,6 @@ namespace FastPoints.Build
         /// <summary>Error of <see cref="Points"/>, in points; NaN if nothing is known.</summary>
         public readonly double StandardError;
 
-        /// <summary>Ranges that have sampled points here.</summary>
         public readonly int Ranges;
 
         public DensityCell(double points, double standardError, int ranges)
@@ -249,7 +244,6 @@ namespace FastPoints.Build
         [ReadOnly] public NativeList<int> ChildBricks;
         public NativeList<DensitySum> Sums;
 
-        /// <summary>Cells in which the current range has points.</summary>
         public NativeList<int> Touched;
 
         public void Execute()
@@ -306,7 +300,6 @@ namespace FastPoints.Build
         /// <summary>The depth's first brick and the end of them; becomes the next depth's.</summary>
         public NativeReference<int2> Bricks;
 
-        /// <summary>A cell with no more is not divided.</summary>
         public double MaxPoints;
 
         public NativeList<int> ChildBricks;

@@ -110,7 +110,6 @@ namespace FastPoints.Build
         }
     }
 
-    /// <summary>Finds the bounds of a chunk's records.</summary>
     [BurstCompile]
     internal unsafe struct MeasureRecordsJob : IJob
     {

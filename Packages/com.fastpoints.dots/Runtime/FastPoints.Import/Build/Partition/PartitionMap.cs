@@ -49,7 +49,6 @@ namespace FastPoints.Build
         /// <summary>Estimates, by base cell.</summary>
         public double[] PointsOfBaseCell { get; set; }
 
-        /// <summary>A hash of the sample that it was planned by.</summary>
         public ulong SampleHash { get; set; }
 
         /// <summary>Indexed by Morton number of the cell; ~i means that its parts' chunks begin at i, in Morton order.</summary>
@@ -153,7 +152,6 @@ namespace FastPoints.Build
             }
         }
 
-        /// <summary>The number of chunks with points in such a plan.</summary>
         public static int CountChunks(DensityTree density, long target) => CountChunks(density, target, DensityNumbers.Root);
 
         static int CountChunks(DensityTree density, long target, int cell)
@@ -290,13 +288,11 @@ namespace FastPoints.Build
         /// <summary>The cube that they fill: the partition's, or the last shell.</summary>
         public GridCube Root { get; }
 
-        /// <summary>All, in Morton order.</summary>
         public GridCube[] All => m_cells;
 
         /// <summary>The octants around the partition's cube, in Morton order.</summary>
         public GridCube[] Around { get; }
 
-        /// <summary>The one that a position of the root is in.</summary>
         public GridCube At(Grid3 position) => m_cells[IndexOf(position)];
 
         /// <summary>Those in a larger cube, in Morton order.</summary>

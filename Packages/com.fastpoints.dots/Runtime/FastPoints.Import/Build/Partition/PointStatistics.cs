@@ -3,7 +3,6 @@ using Unity.Mathematics;
 
 namespace FastPoints.Build
 {
-    /// <summary>Statistics of the kept points of one slot. Blittable.</summary>
     internal struct PointStatistics
     {
         public long Count;
@@ -35,7 +34,6 @@ namespace FastPoints.Build
         }
     }
 
-    /// <summary>Statistics of all values of one attribute. Blittable.</summary>
     internal struct AttributeStatistics
     {
         const int VectorBytes = 32;

@@ -19,7 +19,6 @@ namespace FastPoints.Build
         NativeArray<int> m_chunkOfPoint;
         NativeArray<byte> m_batchRecords;
 
-        /// <param name="capacity">Points of the largest block.</param>
         public RecordSlot(int capacity, PointSchema attributes, RecordLayout layout, PartitionMap map, PointBatch batch)
         {
             m_layout = layout;
@@ -90,7 +89,6 @@ namespace FastPoints.Build
             }.Schedule(decoded);
         }
 
-        /// <summary>Takes the statistics of the blocks since the last call.</summary>
         public PointStatistics TakeStatistics(AttributeStatistics[] attributes)
         {
             var statistics = Statistics;
@@ -357,7 +355,6 @@ namespace FastPoints.Build
         }
     }
 
-    /// <summary>A copy from a column of a batch to a field of a record. Blittable.</summary>
     internal struct RecordField
     {
         public PointColumn Column;

@@ -157,7 +157,6 @@ namespace FastPoints.Build
                 });
         }
 
-        /// <summary>Bytes of the cloud when it is complete.</summary>
         public long BytesOnDisk { get; private set; }
 
         /// <summary>Free bytes on the target's disk; -1 if unknown.</summary>
@@ -349,7 +348,6 @@ namespace FastPoints.Build
     /// <summary>Names of files that exist only in an unfinished folder.</summary>
     internal static class BuildFiles
     {
-        /// <summary>The journal of the build, from which a killed one is continued.</summary>
         public const string JournalName = "build.json";
 
         /// <summary>The folder of points that are not in their nodes yet, packed: see <see cref="RecordBlock"/>.</summary>
@@ -361,7 +359,6 @@ namespace FastPoints.Build
         /// <summary>Of a part: points outside of the cloud's planned cube, packed.</summary>
         public const string OutsideName = "part.outside";
 
-        /// <summary>The records of all parts that a bucket has.</summary>
         public const string BucketName = "part.bucket";
 
         /// <summary>Which of a bucket's records are of which part. It stays with the folder.</summary>

@@ -15,7 +15,6 @@ namespace FastPoints.Build
     /// its own process.</remarks>
     internal sealed class FolderLock : IDisposable
     {
-        /// <summary>The owner renews it about this often.</summary>
         public static readonly TimeSpan RenewAfter = TimeSpan.FromSeconds(20);
 
         /// <summary>An owner on another machine that has not renewed it for this long counts as gone.</summary>

@@ -24,7 +24,6 @@ namespace FastPoints.Build
         public long TableOffset;
         public ulong TableHash;
 
-        /// <summary>Stored with each node: see <see cref="NodeRecord.SampledWith"/>.</summary>
         public int SampledWith;
 
         /// <summary>The parts that hang on its nodes, in the order of the nodes, then along the Morton curve.</summary>
@@ -83,7 +82,6 @@ namespace FastPoints.Build
             m_written = firstOffset;
         }
 
-        /// <summary>Where the file ends so far.</summary>
         public long Offset => m_written + m_bytes.Length;
 
         /// <summary>Coroutine: writes all pages, the root's last.</summary>
@@ -167,7 +165,6 @@ namespace FastPoints.Build
         }
     }
 
-    /// <summary>The file of a cloud's pages.</summary>
     internal static unsafe class HierarchyFile
     {
         /// <summary>Coroutine: writes it, and adds it to the manifest.</summary>
@@ -235,7 +232,6 @@ namespace FastPoints.Build
         readonly int[] m_indexInPage; // By node.
         readonly Dictionary<int, List<PageLink>> m_links = new Dictionary<int, List<PageLink>>(); // By node.
 
-        /// <param name="below">Of the parts that hang on its nodes, in their order.</param>
         public SubtreePages(Subtree part, int planeCount, List<SubtreePages> below)
         {
             Part = part;

@@ -20,7 +20,6 @@ namespace FastPoints.Build
 
         enum WriteKind
         {
-            /// <summary>A file in one piece.</summary>
             Whole,
             /// <summary>A piece of a file that still has its temporary name.</summary>
             Piece,
@@ -30,7 +29,6 @@ namespace FastPoints.Build
             Records,
             /// <summary>A flush to disk of what was written to such a file so far.</summary>
             Sync,
-            /// <summary>A callback.</summary>
             Call,
         }
 
@@ -98,7 +96,6 @@ namespace FastPoints.Build
             Ticket = new WriteTicket(m_stopRetrying),
         });
 
-        /// <summary>Queues a callback that works with files.</summary>
         public WriteTicket Run(string path, Action act) => Enqueue(new Request
         {
             Kind = WriteKind.Call,

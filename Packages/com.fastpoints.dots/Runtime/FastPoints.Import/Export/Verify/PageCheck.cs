@@ -128,7 +128,6 @@ namespace FastPoints.Export
                 Table.Dispose();
         }
 
-        /// <summary>What is read of a file.</summary>
         struct Span
         {
             public long First;

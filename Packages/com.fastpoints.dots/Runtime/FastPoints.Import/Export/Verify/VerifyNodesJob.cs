@@ -16,10 +16,8 @@ namespace FastPoints.Export
         /// <summary>Points of a slice: about 2 ms. A node may have some times as many.</summary>
         public const int PointsPerSlice = 64 * PlaneShape.MaxPointsPerBlock;
 
-        /// <summary>Whether planes of nodes are checked, or points of parts.</summary>
         public bool ChecksPlanes;
 
-        /// <summary>The range of nodes, or of <see cref="Ranges"/>.</summary>
         public int First;
         public int End;
 
@@ -172,7 +170,6 @@ namespace FastPoints.Export
         }
     }
 
-    /// <summary>Some of a node's blocks. Blittable.</summary>
     internal struct NodeBlockRange
     {
         public int Node;
@@ -180,7 +177,6 @@ namespace FastPoints.Export
         public int EndBlock;
     }
 
-    /// <summary>What can be wrong with a node.</summary>
     internal enum NodeFault
     {
         None,
@@ -202,7 +198,6 @@ namespace FastPoints.Export
         /// <summary>What the plane has, if it is another than it should be.</summary>
         public ulong Hash;
 
-        /// <summary>Sums of the points' hashes: see <see cref="RecordHash"/>.</summary>
         public ulong FirstSum;
         public ulong SecondSum;
 

@@ -44,7 +44,6 @@ namespace FastPoints.Nodes
             NodeOfDraft = new NativeList<int>(64, Allocator.Persistent);
         }
 
-        /// <summary>The current chunk, and its records in arrival order.</summary>
         public GridCube Cube { get; private set; }
         public RecordPages Pages { get; private set; }
         public int Number { get; private set; }

@@ -140,15 +140,12 @@ namespace FastPoints.Nodes
 
         public NativeReference<State> Progress;
 
-        /// <summary>For each draft, the index of its first point in the order of drafts.</summary>
         public NativeList<int> FirstPointOfDraft;
 
-        /// <summary>For each node of the file, its draft and its children.</summary>
         public NativeList<int> DraftOfNode;
         public NativeList<int> FirstChild;
         public NativeList<int> ChildCount;
 
-        /// <summary>The table, indexed by node, and by node and plane.</summary>
         public NativeList<NodeRecord> Nodes;
         public NativeList<PlaneRange> Ranges;
 
@@ -206,7 +203,6 @@ namespace FastPoints.Nodes
         {
             public Stage Stage;
 
-            /// <summary>The next page or bucket, and the next record of the chunk or the bucket.</summary>
             [NativeDisableUnsafePtrRestriction] public RecordPages.Page* Page;
             public int Bucket;
             public int Point;
@@ -295,7 +291,6 @@ namespace FastPoints.Nodes
         {
             public Stage Stage;
 
-            /// <summary>The current range, and the next of its points.</summary>
             public int Range;
             public int Point;
 
@@ -382,7 +377,6 @@ namespace FastPoints.Nodes
         }
     }
 
-    /// <summary>What becomes of the points of a range.</summary>
     internal enum SampledCubeKind : byte
     {
         /// <summary>All points that no node above takes are one node.</summary>
@@ -397,7 +391,6 @@ namespace FastPoints.Nodes
         /// <summary>All points are at one position: a chain of nodes, which offers one of them.</summary>
         Chain,
 
-        /// <summary>A chunk's top.</summary>
         Top,
     }
 

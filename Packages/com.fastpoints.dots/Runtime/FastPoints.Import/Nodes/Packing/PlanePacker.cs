@@ -223,11 +223,9 @@ namespace FastPoints.Nodes
         /// <summary>The plane's word after the packed ones.</summary>
         public long Word { get; private set; }
 
-        /// <summary>Where a column of 64-bit values is gathered.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static ulong* WideOf(ulong* values, int column) => values + column * PlaneShape.MaxPointsPerBlock;
 
-        /// <summary>Where a column of 32-bit values is gathered.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static uint* NarrowOf(ulong* values, int column) => (uint*)values + column * PlaneShape.MaxPointsPerBlock;
 

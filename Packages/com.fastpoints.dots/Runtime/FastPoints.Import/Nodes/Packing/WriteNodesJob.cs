@@ -25,13 +25,11 @@ namespace FastPoints.Nodes
         /// <summary>Copied to pages that are new, these take as long as a value.</summary>
         const int BytesPerCost = 8;
 
-        /// <summary>Leaves with fewer points are inlined leaves in their parent's planes.</summary>
         public const int InlinedLeafPoints = PlaneShape.MaxPointsPerBlock;
 
         public int Count;
         public RecordLayout Layout;
 
-        /// <summary>The corner of any cube of the octree that contains all the points.</summary>
         public Grid3 Corner;
         public ulong CloudId;
 
@@ -100,7 +98,6 @@ namespace FastPoints.Nodes
             Slices.End(begin);
         }
 
-        /// <summary>Upper bound for all slices.</summary>
         public long Cost
         {
             get

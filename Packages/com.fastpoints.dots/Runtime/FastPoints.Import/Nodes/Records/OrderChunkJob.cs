@@ -32,7 +32,6 @@ namespace FastPoints.Nodes
         const int CostOfSort = 20;
         const int CostOfEmit = 20;
 
-        // Touching a page of memory for the first time.
         const int CostOfTouch = 3000;
         const int TouchedBytes = 4096;
 
@@ -63,7 +62,6 @@ namespace FastPoints.Nodes
 
         public int CostPerSlice;
 
-        /// <summary>Out: the records in order.</summary>
         public NativeArray<byte> Records;
 
         /// <summary>Out: for each point, log2 of the side of the smallest cube with it and the previous point; 255 for the first
@@ -94,7 +92,6 @@ namespace FastPoints.Nodes
         int Count => (int)Pages.Count;
         long Bytes => (long)Count * Layout.StrideBytes;
 
-        /// <summary>Estimate for all slices.</summary>
         public long Cost =>
             Count * (long)(CostOfCount + CostOfMove + CostOfKey + CostOfSort + CostOfEmit) +
             Bytes / TouchedBytes * CostOfTouch;
@@ -427,7 +424,6 @@ namespace FastPoints.Nodes
         }
     }
 
-    /// <summary>The common basis of all samplers.</summary>
     internal unsafe struct SampleInputs
     {
         /// <summary>By point: <see cref="MortonOrder.CommonCubeLog2"/> of it and the previous one.</summary>

@@ -51,7 +51,6 @@ namespace FastPoints.Nodes
                 }
             }
 
-            /// <summary>Whether <see cref="First"/> and <see cref="Second"/> are all.</summary>
             public bool AreTwo => Count <= 2;
 
             public (int Shift, uint Mask) First => (m_shift[0], m_mask[0]);
@@ -76,7 +75,6 @@ namespace FastPoints.Nodes
             }
         }
 
-        /// <summary>Where a block begins that is in a page.</summary>
         public static byte* Of(RecordPages.Page* page) => RecordPages.RecordsOf(page) - HeaderBytes;
 
         public static long MaxBytes(int strideBytes) => HeaderBytes + (long)RecordPages.RecordsPerPage * strideBytes;
@@ -249,7 +247,6 @@ namespace FastPoints.Nodes
         public int StrideBytes;
         public SliceTimes Slices;
 
-        /// <summary>Schedules jobs for all pages of a list.</summary>
         public static JobHandle Schedule(PackRecordsJob job, JobHandle before)
         {
             for (var rest = job.Pages; rest.PageCount > 0; rest.PageCount -= PagesPerRun)

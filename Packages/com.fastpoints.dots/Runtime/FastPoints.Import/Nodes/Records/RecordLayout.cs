@@ -39,7 +39,6 @@ namespace FastPoints.Nodes
         public int PositionBytes => IsWide ? 24 : 12;
         public int StrideBytes => PositionBytes + AttributeBytes + AverageBytes;
 
-        /// <summary>The layout of the tops of chunks.</summary>
         public RecordLayout ForTops(bool hasAverages)
         {
             var result = this;
@@ -100,7 +99,6 @@ namespace FastPoints.Nodes
             RecordHash.Of(PositionOf(record), AttributesOf(record), AttributeBytes, seed);
     }
 
-    /// <summary>The average of what a sampled point represents. Blittable.</summary>
     internal struct PointAverage
     {
         /// <summary>Number of points of the cloud, including itself.</summary>
@@ -123,7 +121,6 @@ namespace FastPoints.Nodes
 
         public bool HasColumns => Columns.Length > 0;
 
-        /// <summary>The points that a point represents so far.</summary>
         public PointAverage Of(int point, byte* record, RecordLayout layout)
         {
             int average = AverageOfPoint[point];
@@ -142,7 +139,6 @@ namespace FastPoints.Nodes
             return own;
         }
 
-        /// <summary>A point's averaged value of one column, in packed form.</summary>
         public ulong Stored(in PointAverage average, int column)
         {
             double mean = average.Sum[column] / average.Points;

@@ -52,7 +52,6 @@ namespace FastPoints.Nodes
             Count += page->Count;
         }
 
-        /// <summary>Moves all pages of another list to this one.</summary>
         public void Join(ref RecordPages other)
         {
             if (other.First == null)
@@ -67,7 +66,6 @@ namespace FastPoints.Nodes
             other = default;
         }
 
-        /// <summary>Cuts off the list's first pages.</summary>
         public RecordPages Cut(int pages)
         {
             if (pages <= 0)
@@ -94,7 +92,6 @@ namespace FastPoints.Nodes
             return head;
         }
 
-        /// <summary>Cuts off all pages except a last one that has room.</summary>
         public RecordPages CutFull() => Cut(Last != null && Last->Count < RecordsPerPage ? PageCount - 1 : PageCount);
     }
 
@@ -147,7 +144,6 @@ namespace FastPoints.Nodes
 
         public int SlabCount { get; private set; }
 
-        /// <summary>Pages that were taken and not returned.</summary>
         public long PagesInUse { get; private set; }
 
         public RecordPages.Page* Take()
@@ -163,7 +159,6 @@ namespace FastPoints.Nodes
             return page;
         }
 
-        /// <summary>Appends copies of consecutive records to a list.</summary>
         public void Append(ref RecordPages pages, byte* records, int count)
         {
             while (count > 0)
@@ -181,7 +176,6 @@ namespace FastPoints.Nodes
             }
         }
 
-        /// <summary>Returns all pages of a list, which is empty afterwards.</summary>
         public void Return(ref RecordPages pages)
         {
             if (pages.First != null)
@@ -200,7 +194,6 @@ namespace FastPoints.Nodes
             PagesInUse--;
         }
 
-        /// <summary>Frees every page, in use or not. The pool may be used again.</summary>
         public void FreeAll()
         {
             while (FreeSlab()) { }

@@ -4,7 +4,6 @@ using Unity.Mathematics;
 
 namespace FastPoints.Nodes
 {
-    /// <summary>Records by number, and their order.</summary>
     internal unsafe struct RecordTable
     {
         [NativeDisableUnsafePtrRestriction] public byte* Records;

@@ -23,7 +23,6 @@ namespace FastPoints.Nodes
         /// <summary>Edge of a tile: log2 of the spacings.</summary>
         public const int TileSpacingsLog2 = 4;
 
-        /// <summary>A dart that was taken.</summary>
         public const ulong TakenFlag = 1UL << 63;
         const int ExactBits = 11;
 

@@ -12,7 +12,6 @@ namespace FastPoints.Nodes
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         int RangeOf(int point) => m_rangeOfPoint[point] ^ m_rangeOfPoint[point] >> 31;
 
-        /// <summary>Begins the averages of the next range of the current spacing, or the next spacing.</summary>
         void BeginAverages(int number)
         {
             m_state.Stage = Stage.NextSpacing;
@@ -70,7 +69,6 @@ namespace FastPoints.Nodes
             sum.Sum += more.Sum;
         }
 
-        /// <summary>Counts the final points of each range and creates the nodes.</summary>
         void CountPoints()
         {
             var ranges = Scratch.Ranges.GetUnsafePtr();
@@ -146,7 +144,6 @@ namespace FastPoints.Nodes
             return hasNodes;
         }
 
-        /// <summary>The chunk whose top has this point.</summary>
         int TopOf(int point)
         {
             int low = 0, high = Tops.Length - 1;

@@ -45,7 +45,6 @@ namespace FastPoints.Nodes
         const int CostOfAverageSurvey = 6;
         const int CostOfAverage = 140;
 
-        /// <summary>See <see cref="SampleScratch.Counts"/>.</summary>
         public const int CountTables = 4;
         public const int CountsOfTable = 256;
 
@@ -55,7 +54,6 @@ namespace FastPoints.Nodes
         public RecordLayout Layout;
         public bool IsRandom;
 
-        /// <summary>Corner of a cube that contains all the points.</summary>
         public Grid3 Corner;
         [ReadOnly] public NativeArray<byte> Records;
         [ReadOnly] public NativeArray<byte> CommonCubeLog2;
@@ -389,7 +387,6 @@ namespace FastPoints.Nodes
         // There is one for each side from a step's to the largest cube's, and one beyond all.
         public const int Sides = GridCube.MaxSideLog2 + 3;
 
-        /// <summary>Number of points.</summary>
         public int PointCount;
 
         /// <summary>log2 of the side of the smallest cube with all of them.</summary>

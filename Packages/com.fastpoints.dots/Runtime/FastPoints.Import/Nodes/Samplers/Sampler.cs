@@ -71,7 +71,6 @@ namespace FastPoints.Nodes
     /// Blittable.</summary>
     internal struct TopNode
     {
-        /// <summary>Range of the merged points.</summary>
         public int First;
         public int End;
 
@@ -80,7 +79,6 @@ namespace FastPoints.Nodes
         public byte CellLog2;
         public bool IsLeaf;
 
-        /// <summary>Whether the chunk has nodes besides the top.</summary>
         public bool HasNodes;
 
         /// <summary>Out: the node that the chunk's other nodes are attached to.</summary>

@@ -32,7 +32,6 @@ namespace FastPoints.Reading
         // What the range that begins next needs of remote files. The slot owns it from then on.
         internal RemoteFetch Fetched { get; set; }
 
-        // Hands it over.
         internal RemoteFetch TakeFetched()
         {
             var fetched = Fetched;

@@ -165,7 +165,6 @@ namespace FastPoints.Reading
                     ? "the file has become shorter since it was opened" : "the file could not be read");
         }
 
-        // got: bytes read of a single segment.
         public ReadStatus Close(out long got)
         {
             got = Bytes;

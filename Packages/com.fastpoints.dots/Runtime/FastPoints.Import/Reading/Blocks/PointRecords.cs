@@ -314,7 +314,6 @@ namespace FastPoints.Reading
         }
     }
 
-    // Copies of a plan, in pinned memory.
     internal readonly unsafe struct FieldCopies
     {
         public readonly FieldCopy* First;

@@ -85,7 +85,6 @@ namespace FastPoints.Reading
 
         public SegmentBlock this[int block] => FoundBlocks()[block];
 
-        // Returns the number of points.
         public long Set(SegmentBlock[] blocks)
         {
             m_blocks = blocks;

@@ -39,7 +39,6 @@ namespace FastPoints.Reading
         /// <summary>By slab, in each by polygon.</summary>
         public NativeArray<FilterEdge> EdgesOfSlabs { get; private set; }
 
-        /// <summary>Differs for other polygons.</summary>
         public unsafe ulong Hash => ContentHash.Of(EdgesOfSlabs.GetUnsafeReadOnlyPtr(),
             (long)EdgesOfSlabs.Length * sizeof(FilterEdge)) ^ math.asulong(m_min.x) ^ 2 * math.asulong(m_min.y);
 

@@ -147,7 +147,6 @@ namespace FastPoints.Reading
         }
     }
 
-    /// <summary>Chooses points of decoded batches.</summary>
     internal interface IPointFilter
     {
         /// <summary>Names of the attributes that it reads, beside the position.</summary>

@@ -10,7 +10,6 @@ using Unity.Mathematics;
 
 namespace FastPoints.Reading
 {
-    /// <summary>Selects the points of a source that satisfy all conditions.</summary>
     internal sealed class PointFilter : IPointFilter, IDisposable
     {
         readonly List<FilterExpression> m_expressions = new List<FilterExpression>();
@@ -28,7 +27,6 @@ namespace FastPoints.Reading
 
         public bool IsEmpty => m_expressions.Count == 0 && EveryNth <= 1 && Polygons == null && Clips.Length == 0;
 
-        /// <summary>Names of the attributes that it reads, beside the position.</summary>
         public IEnumerable<string> Attributes
         {
             get
@@ -44,7 +42,6 @@ namespace FastPoints.Reading
             }
         }
 
-        /// <summary>Differs between filters that keep different points.</summary>
         public unsafe ulong Hash
         {
             get

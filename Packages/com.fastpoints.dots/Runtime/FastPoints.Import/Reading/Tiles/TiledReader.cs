@@ -99,7 +99,6 @@ namespace FastPoints.Reading
 
         public (int First, int Count) BlocksOf(int tile) => (m_tiles[tile].FirstBlock, m_tiles[tile].BlockCount);
 
-        /// <summary>With its path as the name.</summary>
         public CloudSource TileOf(int tile) => new CloudSource
         {
             Name = m_tiles[tile].Path,

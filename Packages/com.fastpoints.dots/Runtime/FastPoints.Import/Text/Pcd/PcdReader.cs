@@ -139,7 +139,6 @@ namespace FastPoints.Text
 
         public int Bytes => Count * Type.SizeOf();
 
-        // A colour of three or four bytes.
         public bool IsColor => Count == 1 && Type.SizeOf() == 4 && (Name == "rgb" || Name == "rgba");
     }
 

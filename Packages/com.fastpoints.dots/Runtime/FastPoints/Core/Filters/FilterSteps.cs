@@ -11,7 +11,6 @@ namespace FastPoints
         public double* Right;
     }
 
-    // The operations of expressions on columns of a batch.
     internal static unsafe class FilterSteps
     {
         const int BatchLength = ColumnValues.BatchLength;

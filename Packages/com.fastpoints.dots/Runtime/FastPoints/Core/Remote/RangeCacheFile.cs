@@ -190,7 +190,6 @@ namespace FastPoints
         static Span<byte> AsBytes(ref Header header) => MemoryMarshal.AsBytes(MemoryMarshal.CreateSpan(ref header, 1));
     }
 
-    // The hash of an address and a version.
     internal readonly struct FileVersionKey : IEquatable<FileVersionKey>
     {
         public readonly ulong A;

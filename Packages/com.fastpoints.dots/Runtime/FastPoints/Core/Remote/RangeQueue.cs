@@ -256,7 +256,6 @@ namespace FastPoints
             public int Bytes { get; }
             public int Arrived { get; private set; }
 
-            // Bytes that reads have taken.
             public long Used
             {
                 get

@@ -66,7 +66,6 @@ namespace FastPoints
             }
         }
 
-        // All are here, or have failed.
         public bool IsDone
         {
             get

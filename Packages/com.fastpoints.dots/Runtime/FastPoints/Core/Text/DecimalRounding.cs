@@ -153,7 +153,6 @@ namespace FastPoints
             return count;
         }
 
-        /// <returns>The remainder.</returns>
         static ulong Divide(ulong* words, ref int count, ulong divisor)
         {
             ulong remainder = 0;
@@ -245,7 +244,6 @@ namespace FastPoints
 
         public bool IsNegative;
 
-        /// <summary>Whether there are digits beyond the mantissa.</summary>
         public bool IsTruncated;
 
         /// <summary>The first significant digit, if the mantissa is truncated.</summary>

@@ -51,7 +51,6 @@ namespace FastPoints
                 ? result
                 : throw new FormatException("wanted 16 hexadecimal digits in a string, got " + Describe(value));
 
-        // Whether ToDouble gives a finite number.
         public static bool IsNumber(object value) =>
             value is Number n && NumberText.TryRead(n.Text, out double result) && !double.IsInfinity(result);
 

@@ -54,7 +54,6 @@ namespace FastPoints.Drawing
 
         public bool IsInDegrees => Units.IsInDegrees;
 
-        /// <summary>The attribute that <see cref="ColorMode.Intensity"/> shows.</summary>
         internal string ValueAttribute
         {
             get => m_columns[IntensityColumn];
@@ -298,7 +297,6 @@ namespace FastPoints.Drawing
             return all;
         }
 
-        // Frames the outline of all parts.
         void Frame()
         {
             var part = LargestCluster.Of(FramingSample);

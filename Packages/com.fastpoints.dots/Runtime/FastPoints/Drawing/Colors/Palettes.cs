@@ -81,7 +81,6 @@ namespace FastPoints.Drawing
         public static uint Pack(byte red, byte green, byte blue, byte alpha = 255) =>
             red | (uint)green << 8 | (uint)blue << 16 | (uint)alpha << 24;
 
-        // Grey of a linear value.
         public static uint Gray(double linear)
         {
             byte value = ToByte(LinearToSrgb(linear));

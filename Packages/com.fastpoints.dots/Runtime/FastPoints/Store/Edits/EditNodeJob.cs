@@ -19,13 +19,11 @@ namespace FastPoints.Store
         public int FirstCondition;
         public int ConditionCount;
 
-        // What it makes of some columns.
         public int ChangeCount;
         public int3 Columns;
         public int3 Values;
     }
 
-    // An attribute that operations read or change.
     internal struct EditColumn
     {
         public int Plane; // Among those that are there.
@@ -36,7 +34,6 @@ namespace FastPoints.Store
         public bool IsChanged;
     }
 
-    // The points of a block, a bit each.
     internal struct PointMask
     {
         public ulong Low;
@@ -66,7 +63,6 @@ namespace FastPoints.Store
         public readonly PointMask With(PointMask other) => new PointMask { Low = Low | other.Low, High = High | other.High };
     }
 
-    // What operations made of a block's points.
     internal struct EditedBlock
     {
         public PointMask Deleted;
@@ -105,7 +101,6 @@ namespace FastPoints.Store
         public NativeArray<byte> Values;
         public NativeArray<long> Changed;
 
-        // A block while operations are applied to it.
         struct State
         {
             public int Block;

@@ -20,7 +20,6 @@ namespace FastPoints.Store
         // Of shapes, in grid steps; positions have up to 60 bits.
         public const long MaxCoordinate = 1L << 61;
 
-        // Of the components of a prism's axes.
         const long MaxAxis = 1L << 31;
 
         static readonly string[] s_members = { "do", "pointsChanged", "value", "boxes", "balls", "prism", "where" };
@@ -42,7 +41,6 @@ namespace FastPoints.Store
 
         public readonly List<FilterExpression> Conditions = new List<FilterExpression>();
 
-        // Counted when it was made.
         public long PointsChanged;
 
         public string Name => s_actions[(int)Action];

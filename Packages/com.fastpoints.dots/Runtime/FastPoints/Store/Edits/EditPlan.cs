@@ -95,7 +95,6 @@ namespace FastPoints.Store
         }
     }
 
-    // The edits of one node in flight.
     internal sealed class EditSlot : IDisposable
     {
         const int BlocksPerSlice = 64;

@@ -94,7 +94,6 @@ namespace FastPoints.Store
         public Grid3 U;
         public Grid3 V;
 
-        // Of all vertices.
         public long MinU;
         public long MinV;
         public long MaxU;
@@ -136,7 +135,6 @@ namespace FastPoints.Store
             Signed128.Product(axis.Z, axis.Z < 0 ? ofNegative.Z : ofPositive.Z);
     }
 
-    // An edge of a ring, in the prism's plane.
     internal unsafe struct EditEdge
     {
         public long FromU;

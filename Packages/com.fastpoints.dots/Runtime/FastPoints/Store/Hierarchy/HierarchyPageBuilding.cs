@@ -91,7 +91,6 @@ namespace FastPoints.Store
         }
     }
 
-    // Checks everything of a page before it builds it.
     [BurstCompile]
     internal unsafe struct BuildHierarchyPageJob : IJob
     {

@@ -39,7 +39,6 @@ namespace FastPoints.Streaming
         public bool IsTable { get; private set; }
         public bool IsCancelled { get; private set; }
 
-        // The first node whose copying has not begun.
         public int FirstWaiting { get; set; }
         public bool IsBeingCopied { get; set; }
 

@@ -39,7 +39,6 @@ namespace FastPoints.Streaming
         }
     }
 
-    // Which views show a cloud; by default all.
     internal struct CloudVisibility
     {
         public uint Layer; // A bit; 0 for one that no culling mask hides.
