@@ -127,7 +127,7 @@ namespace FastPoints.Build
             long inWork = plan.ChunkBytes - Math.Min(points, plan.PointsPerChunk) * strideBytes;
             plan.UsesTemporaryFiles = inMemory + Math.Max(plan.ReadBytes, inWork) > memoryBytes;
             plan.MaxPages = plan.UsesTemporaryFiles
-                ? Math.Max(8, (memoryBytes - plan.ReadBytes) / 2 / pageBytes) : long.MaxValue / 2;
+                ? Math.Max(8, (memoryBytes - plan.ReadBytes) * 2 / 3 / pageBytes) : long.MaxValue / 2;
             plan.MaxWaitingPages = Math.Max(4, plan.MaxPages / 4);
             if (!plan.UsesTemporaryFiles)
                 plan.IndexBytes = Math.Max(0, memoryBytes - inMemory);
