@@ -14,7 +14,7 @@ public class PolygonFileTests
                 "[" + p.x + "," + p.y + "]")) + "]")) + "]}}")) + "]}";
 
     [Test]
-    public void Parse_AnyRings_AreThoseOfTheText([Range(0, 9)] int seed)
+    public void Parse_AnyRings_AreThoseOfTheText([NUnit.Framework.Range(0, 9)] int seed)
     {
         var random = new System.Random(seed);
         var polygons = Enumerable.Range(0, random.Next(1, 5)).Select(_ => Enumerable.Range(0, random.Next(1, 4)).Select(_ =>

@@ -10,6 +10,9 @@ namespace FastPoints.Build
     internal sealed class ChunkSet : IDisposable
     {
         const int SplitLevels = 3;
+
+        // A chunk whose points fill a smaller cube is counted in cells that are this many levels finer at first.
+        const int SpareLevels = 2;
         public const int PagesPerBatch = 64;
 
         public sealed class Chunk
@@ -206,35 +209,43 @@ namespace FastPoints.Build
             {
                 bounds[0] = PointStatistics.None.Min;
                 bounds[1] = PointStatistics.None.Max;
-                yield return JobStep.Of(ForEachBatch(chunk, (pages, before) => new MeasureRecordsJob
+                int levels;
+                CellFinder cells;
+                do
                 {
-                    Slices = m_build.Slices,
-                    Pages = pages,
-                    Layout = m_build.Records,
-                    Bounds = bounds,
-                }.Schedule(before)));
-                var cube = RootCube.Shrink(chunk.Cube, bounds[0], bounds[1]);
-                chunk.Cube = cube;
-                if (cube.SideLog2 == 0)
+                    var cube = chunk.Cube;
+                    levels = PartitionMap.LevelsFor(cube.SideLog2, SplitLevels + SpareLevels);
+                    cells = new CellFinder(cube, levels);
+                    if (counts.IsCreated)
+                        counts.Dispose();
+                    counts = new NativeArray<long>(1 << 3 * levels, Allocator.Persistent);
+                    var job = new CountCellsJob
+                    {
+                        Slices = m_build.Slices,
+                        Layout = m_build.Records,
+                        Cells = cells,
+                        PointsOfCell = counts,
+                        Bounds = bounds,
+                    };
+                    yield return JobStep.Of(ForEachBatch(chunk, (pages, before) =>
+                    {
+                        job.Pages = pages;
+                        return job.Schedule(before);
+                    }));
+                    chunk.Cube = RootCube.Shrink(cube, bounds[0], bounds[1]);
+                    levels -= cube.SideLog2 - chunk.Cube.SideLog2;
+                }
+                while (chunk.Cube.SideLog2 > 0 && levels < PartitionMap.LevelsFor(chunk.Cube.SideLog2, SplitLevels));
+                if (chunk.Cube.SideLog2 == 0)
                 {
                     SplitByCount(chunk, target);
                     yield return JobStep.Of(RunOnRebalanced());
                     yield break;
                 }
-
-                int levels = PartitionMap.LevelsFor(cube.SideLog2, SplitLevels);
-                counts = new NativeArray<long>(1 << (3 * levels), Allocator.Persistent);
-                var cells = new CellFinder(cube, levels);
-                yield return JobStep.Of(ForEachBatch(chunk, (pages, before) => new CountCellsJob
-                {
-                    Slices = m_build.Slices,
-                    Pages = pages,
-                    Layout = m_build.Records,
-                    Cells = cells,
-                    PointsOfCell = counts,
-                }.Schedule(before)));
-                using var map = PartitionMap.Plan(cube, levels, counts, target);
-                yield return JobStep.Of(Regroup(chunk, map.Chunks, cube.Corner));
+                var corner = chunk.Cube.Corner;
+                using var map = PartitionMap.Plan(chunk.Cube, levels,
+                    counts.GetSubArray(cells.CellOf(corner.X, corner.Y, corner.Z), 1 << 3 * levels), target);
+                yield return JobStep.Of(Regroup(chunk, map.Chunks, corner));
             }
             finally
             {
@@ -310,18 +321,22 @@ namespace FastPoints.Build
                     fileOfPart[i] = Files.Add();
                 if (!isStored)
                 {
-                    var batches = SplitBatches(chunk.Pages);
-                    chunk.Pages = default;
-                    foreach (var batch in batches)
-                        job = Schedule(batch, job);
+                    while (chunk.Pages.PageCount > 0)
+                        job = Schedule(chunk.Pages.Cut(RegroupCubesJob.PagesPerSlice), job);
                     yield return job;
                     job.Complete();
                 }
+                if (isStored)
+                    BeginBatch(chunk, 0);
                 for (long first = 0; isStored && first < chunk.Count; first += PagesPerBatch * RecordPages.RecordsPerPage)
                 {
-                    BeginBatch(chunk, first);
                     yield return m_load.Done;
-                    job = Schedule(m_load.Complete(), default);
+                    var loaded = m_load.Complete();
+                    // While one batch is distributed, the next is read and unpacked.
+                    if (first + PagesPerBatch * RecordPages.RecordsPerPage < chunk.Count)
+                        BeginBatch(chunk, first + PagesPerBatch * RecordPages.RecordsPerPage);
+                    while (loaded.PageCount > 0)
+                        job = Schedule(loaded.Cut(RegroupCubesJob.PagesPerSlice), job);
                     yield return job;
                     job.Complete();
                     if (m_build.Pool.Value.PagesInUse > m_maxPages)

@@ -128,7 +128,7 @@ namespace FastPoints.Build
             long inMemory = points * strideBytes / 10 * 11;
             long inWork = plan.ChunkBytes - Math.Min(points, plan.PointsPerChunk) * strideBytes;
             plan.IsStored = inMemory + Math.Max(plan.ReadBytes, inWork) > memoryBytes;
-            plan.MaxPages = plan.IsStored ? Math.Max(8, (memoryBytes - plan.ReadBytes) / 2 / pageBytes) : long.MaxValue / 2;
+            plan.MaxPages = plan.IsStored ? Math.Max(8, (memoryBytes - plan.ReadBytes) * 2 / 3 / pageBytes) : long.MaxValue / 2;
             plan.MaxWaitingPages = Math.Max(4, plan.MaxPages / 4);
             if (!plan.IsStored)
                 plan.IndexBytes = Math.Max(0, memoryBytes - inMemory);

@@ -14,8 +14,8 @@ namespace FastPoints.Build
     internal static class PartitionPlan
     {
         /// <summary>Pages for each planned chunk: its last one, which is not full, others of it, and those of chunks that no
-        /// sample knew of.</summary>
-        const int PagesPerChunk = 4;
+        /// sample knew of. Larger chunks are all distributed once more, which takes as long as reading a source.</summary>
+        const int PagesPerChunk = 2;
 
         /// <summary>Makes the partition as a coroutine.</summary>
         /// <param name="samples">Samples of the sources, in the order of the grid's.</param>
@@ -79,7 +79,7 @@ namespace FastPoints.Build
                 long target = plan.PointsPlanned;
                 while (target < plan.PointsPerPartition &&
                     PartitionMap.CountChunks(density, target) > plan.MaxPages / PagesPerChunk)
-                    target *= 2;
+                    target += (target + 3) / 4;
                 var map = PartitionMap.Plan(cube, density, Math.Min(target, plan.PointsPerPartition));
                 map.BaseCells = PartitionMap.CellsOf(cube, density, plan.PointsPerBaseCell, out double[] points);
                 map.PointsOfBaseCell = points;

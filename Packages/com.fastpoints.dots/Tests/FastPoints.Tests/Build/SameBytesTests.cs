@@ -55,7 +55,14 @@ namespace FastPoints.Tests.Build
         }
 
         [Test]
-        public void Convert_AnyMemoryAndWorkers_WritesTheSameBytes([Values] Sampler sampler)
+        public void Convert_LittleMemoryAndManyWorkers_WritesTheSameBytes([Values] Sampler sampler) =>
+            AssertSameWith(sampler, (7, 1));
+
+        [Test, Category("Long")]
+        public void Convert_AnyMemoryAndWorkers_WritesTheSameBytes([Values] Sampler sampler) =>
+            AssertSameWith(sampler, (1, 928), (7, 24), (1, 4));
+
+        void AssertSameWith(Sampler sampler, params (int Workers, int Megabytes)[] limits)
         {
             const int count = 450000;
             ConvertSettings Settings(int megabytes) => new ConvertSettings
@@ -66,7 +73,7 @@ namespace FastPoints.Tests.Build
             var wanted = Convert("wanted", Settings(928), Reader(count));
             Assert.That(wanted.Manifest.ChunkCount, Is.GreaterThan(3));
             Assert.That(wanted.TemporaryBytesPeak, Is.Zero);
-            foreach (var (workers, megabytes) in new[] { (1, 928), (7, 24), (1, 4), (7, 1) })
+            foreach (var (workers, megabytes) in limits)
             {
                 using var threads = new WorkerCount(workers);
                 string name = "m" + megabytes + "w" + workers;

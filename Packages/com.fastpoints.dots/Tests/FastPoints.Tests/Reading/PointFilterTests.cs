@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Diagnostics;
+using System.Globalization;
 using System.Linq;
 using FastPoints.Reading;
 using NUnit.Framework;
@@ -194,7 +195,7 @@ namespace FastPoints.Tests.Reading
                 new double3(1, double.PositiveInfinity, 0), new double3(1, 1, double.NaN)))
                 Assert.That(Left(new PointFilter
                 {
-                    Polygons = Of(new[] { new[] { new[] { int2.zero, new int2(2, 0), new int2(2, 2), new int2(0, 2) } } }),
+                    Polygons = Of(new[] { new[] { new[] { default, new int2(2, 0), new int2(2, 2), new int2(0, 2) } } }),
                 }, batch, PositionTransform.Identity).Count, Is.EqualTo(1));
         }
 

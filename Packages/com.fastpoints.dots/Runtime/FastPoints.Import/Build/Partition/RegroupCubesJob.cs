@@ -80,7 +80,8 @@ namespace FastPoints.Build
         }
     }
 
-    /// <summary>Counts a chunk's records in each cell: exactly, where the first partition had only a sample.</summary>
+    /// <summary>Counts a chunk's records in each cell, exactly, where the first partition had only a sample, and finds their
+    /// bounds.</summary>
     [BurstCompile]
     internal unsafe struct CountCellsJob : IJob
     {
@@ -90,32 +91,6 @@ namespace FastPoints.Build
 
         /// <summary>Indexed by Morton number of the cell; starts at zero. All records lie inside.</summary>
         public NativeArray<long> PointsOfCell;
-
-        public SliceTimes Slices;
-
-        public void Execute()
-        {
-            long begin = SliceTimes.Begin();
-            int stride = Layout.StrideBytes;
-            for (var page = Pages.First; page != null; page = page->Next)
-            {
-                byte* record = RecordPages.RecordsOf(page);
-                for (int i = 0; i < page->Count; i++, record += stride)
-                {
-                    var position = Layout.PositionOf(record);
-                    PointsOfCell[Cells.CellOf(position.X, position.Y, position.Z)]++;
-                }
-            }
-            Slices.End(begin);
-        }
-    }
-
-    /// <summary>Finds the bounds of a chunk's records.</summary>
-    [BurstCompile]
-    internal unsafe struct MeasureRecordsJob : IJob
-    {
-        public RecordPages Pages;
-        public RecordLayout Layout;
 
         /// <summary>The smallest and the largest position, extended by each job.</summary>
         public NativeArray<Grid3> Bounds;
@@ -133,6 +108,7 @@ namespace FastPoints.Build
                 for (int i = 0; i < page->Count; i++, record += stride)
                 {
                     var position = Layout.PositionOf(record);
+                    PointsOfCell[Cells.CellOf(position.X, position.Y, position.Z)]++;
                     min = Grid3.Min(min, position);
                     max = Grid3.Max(max, position);
                 }
