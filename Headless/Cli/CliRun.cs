@@ -53,7 +53,6 @@ public sealed class CliRun(TextWriter output, TextWriter error, RunSettings sett
         return named.Select(i => StandardStreams.IsInput(i) ? Standard.Receive(this) : i).ToArray();
     }
 
-    /// <summary>Runs work on this thread until it is done, or cancelled.</summary>
     public void RunSteps(IEnumerator<JobStep> work) => JobCoroutine.RunToEnd(work, Cancellation);
 
     public Failure? Try(Action work)

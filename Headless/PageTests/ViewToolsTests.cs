@@ -6,7 +6,6 @@ using FastPoints.Tests;
 
 namespace FastPoints.PageTests;
 
-/// <summary>What is done with points on a page, by mouse and keys.</summary>
 public sealed class ViewToolsTests : BrowserTests
 {
     string m_corners, m_demo;

@@ -48,7 +48,6 @@ public static class Program
         Exit status: 0 all is well (or was written), 1 it is not, 2 usage.
         """;
 
-    /// <summary>Runs one verb; 0, 1 or 2 as the usage says.</summary>
     public static int Main(string[] args)
     {
         if (args.Length > 1 && args[0] == "guard")

@@ -4,7 +4,6 @@ namespace FastPoints.RepoTools;
 
 public sealed class Repository(string root)
 {
-    /// <summary>Unity's generations that the package is built for, oldest first.</summary>
     public static readonly string[] Generations = UnityApi.Generations;
 
     public string Root { get; } = Path.GetFullPath(root);

@@ -103,7 +103,6 @@ sealed class CommitTask
         m_task.Run.Progress.End();
     }
 
-    /// <summary>Deletes what tasks left for one another, when the cloud is complete.</summary>
     public static void Clean(TaskStore store) =>
         store.Delete(store.List(TaskStore.WorkFolder).Select(found => found.Name).ToList());
 

@@ -29,7 +29,6 @@ sealed class TaskRun : IDisposable
     public ParseResult Parsed { get; }
     public CliRun Run => m_run;
 
-    /// <summary>Tasks that should have been done before.</summary>
     public List<string> Missing { get; } = [];
 
     public TaskScratch Scratch => m_scratch ??= TaskScratch.Take(m_scratchRoot, PlanFile.ToHex(Plan.Whole.CloudId) + "-" + Name);
@@ -99,7 +98,6 @@ sealed class TaskRun : IDisposable
 
     public string PartPath(string name) => Path.Combine(Scratch[PartFolder], name);
 
-    /// <summary>Names and files of what a part's folder has; those of the cloud itself keep their names.</summary>
     public IEnumerable<(string Name, string Path)> FilesOf(string folder, string name)
     {
         foreach (string files in new[] { StoreFormat.ChunkFolderName, StoreFormat.UpperFolderName })

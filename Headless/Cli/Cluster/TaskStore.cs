@@ -48,7 +48,6 @@ abstract class TaskStore : IDisposable
         Put(name, path);
     }
 
-    /// <summary>Does some work on as many threads as the store answers at once.</summary>
     public void ForEach<T>(IEnumerable<T> items, Action<T> work)
     {
         try

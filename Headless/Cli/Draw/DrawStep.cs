@@ -29,7 +29,6 @@ public sealed class DrawStep
         };
     }
 
-    /// <param name="budget">Points to draw at most; 0 for the default.</param>
     public static DrawStep RunConverted(string path, PictureOptions options, long budget, CliRun run)
     {
         double begin = run.Seconds;
@@ -118,7 +117,6 @@ public sealed class DrawStep
             + ", FLIP " + NumberFormat.Value(error.Flip) + " (" + Math.Round(FlipMap.DefaultPixelsPerDegree)
             + " pixels per degree), uncovered " + NumberFormat.Value(100 * error.Uncovered) + "%";
 
-    /// <summary>The keys of <c>picture</c> except <c>seconds</c>, into an open object.</summary>
     public void WriteKeys(Utf8JsonWriter json)
     {
         json.WriteInteger("points", Points);

@@ -3,7 +3,6 @@ using FastPoints.Sources;
 
 namespace FastPoints.Cli.Draw;
 
-/// <summary>A cloud that is flown over: its number in the stream, and how it is drawn.</summary>
 sealed record FlightCloud(PicturePlan Plan, DisplayRanges Ranges, int Number)
 {
     public required CloudCrs Crs { get; init; }

@@ -9,7 +9,6 @@ public readonly record struct FlightFrame
     public required double AtSeconds { get; init; }
     public required bool IsCut { get; init; }
 
-    /// <summary>See <see cref="FlightRenderer.MeasurePopping"/>; NaN where it was not measured.</summary>
     public required double Popping { get; init; }
 }
 

@@ -6,7 +6,6 @@ public static class StreamedPictureStep
     const int BankBytes = 64 << 20;
     const int MinIdleFrames = 3;
 
-    /// <param name="budget">Points to draw at most; 0 for the default.</param>
     public static DrawStep Run(IReadOnlyList<string> clouds, PictureOptions options, long budget, CliRun run)
     {
         double begin = run.Seconds;

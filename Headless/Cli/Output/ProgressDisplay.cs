@@ -43,7 +43,6 @@ public sealed class ProgressDisplay : IDisposable
         m_isDrawn = true;
     }
 
-    /// <summary>Clears the bar, so that something else can be written.</summary>
     public void Clear()
     {
         if (m_isDrawn)

@@ -1,6 +1,5 @@
 namespace FastPoints.Cli.Parts;
 
-/// <summary>What headers and a sample decide of a cloud, before a point is built.</summary>
 sealed class CloudPlan
 {
     /// <summary>Of the whole cloud, as if it were one part.</summary>

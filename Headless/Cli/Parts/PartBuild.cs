@@ -1,6 +1,5 @@
 namespace FastPoints.Cli.Parts;
 
-/// <summary>The stages of a task of a build of many, as far as they are those of any build.</summary>
 abstract class PartStages : IDisposable
 {
     readonly PartFilter? m_selection;
@@ -235,7 +234,6 @@ sealed class PartBuild : PartStages
     }
 }
 
-/// <summary>Where a task of a build of many goes.</summary>
 struct PartOutput
 {
     /// <summary>A folder of its own, which exists when the work has ended.</summary>

@@ -23,7 +23,6 @@ struct PartAttachPoint
         new PartAttachPoint { Region = from.ReadInt32(), Node = from.ReadInt32() };
 }
 
-/// <summary>What part.nodes says: the chunks and regions with nodes, and what hangs where.</summary>
 sealed class PartNodes
 {
     public struct Entry
@@ -64,7 +63,6 @@ sealed class PartNodes
         };
     }
 
-    /// <summary>A part that was merged: where its open tops hang.</summary>
     public sealed class Input
     {
         public ulong NodesHash;

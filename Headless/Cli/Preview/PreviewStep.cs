@@ -17,7 +17,6 @@ public sealed class PreviewStep
     public required ColorMode Mode { get; init; }
     public required IReadOnlyList<string> Assumptions { get; init; }
 
-    /// <summary>Errors over time, where they were measured.</summary>
     public ErrorStep? Error { get; set; }
 
     public static PreviewStep Run(PointReader reader, PreviewOptions options, CliRun run)

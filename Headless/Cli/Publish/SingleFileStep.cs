@@ -116,7 +116,6 @@ sealed unsafe class SingleFileStep : IDisposable
         yield return JobStep.Of(m_file.Flush());
     }
 
-    /// <summary>Writes the pages, each after those that it links to, and the file's header.</summary>
     IEnumerator<JobStep> WritePages()
     {
         var manifest = m_cloud.Manifest;

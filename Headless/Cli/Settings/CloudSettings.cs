@@ -1,6 +1,5 @@
 namespace FastPoints.Cli.Settings;
 
-/// <summary>The options that decide the bytes of a cloud: those of a conversion, and of the plan of one.</summary>
 public sealed class CloudSettings
 {
     readonly Option<string> m_sampler = new("--sampler")

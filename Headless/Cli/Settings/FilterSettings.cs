@@ -1,6 +1,5 @@
 namespace FastPoints.Cli.Settings;
 
-/// <summary>The options that select points, shared by several verbs.</summary>
 public sealed class FilterSettings
 {
     const string PolygonOption = "--polygon";

@@ -80,7 +80,6 @@ sealed unsafe class UpgradeStep : IDisposable
         m_upper!.Join();
     }
 
-    /// <summary>Copies the planes of a file to where they are wanted, piece by piece.</summary>
     IEnumerator<JobStep> Copy(string from, ContainerRecord container, long points)
     {
         string name = StoreFormat.PathOf(container);
@@ -137,7 +136,6 @@ sealed unsafe class UpgradeStep : IDisposable
         }));
     }
 
-    /// <summary>Reads a chunk's nodes again.</summary>
     IEnumerator<JobStep> LoadTable(Subtree part)
     {
         using var table = m_old.TableOf(m_chunkOfPart[part]);

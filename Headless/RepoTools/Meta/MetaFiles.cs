@@ -11,7 +11,6 @@ public sealed class MetaFiles(string packageRoot)
     private const string Samples = "Samples~";
     private readonly string m_root = packageRoot;
 
-    /// <summary>Writes missing files and removes leftovers; with check only reports them.</summary>
     public ToolResult Run(bool check)
     {
         SortedSet<string> assets = Assets();

@@ -35,7 +35,6 @@ namespace FastPoints.Evaluation
             m_bytesOfPlane.Add(bytes);
         }
 
-        /// <summary>Copies what others only look at: nodes may leave the pool.</summary>
         public void CopyFrom(DrawnBlocks from)
         {
             Clear(from.SizeNodes);

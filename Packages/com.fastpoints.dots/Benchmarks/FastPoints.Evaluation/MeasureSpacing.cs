@@ -239,7 +239,6 @@ namespace FastPoints.Evaluation
         public double Spacing;
     }
 
-    /// <summary>A file's points of one level that were sampled together. Blittable.</summary>
     internal struct SampledGroup
     {
         public int Count;

@@ -94,7 +94,6 @@ namespace FastPoints.Evaluation
             return drawing;
         }
 
-        /// <summary>Takes the nodes of this cloud that the last frame listed.</summary>
         internal void Collect(SizeTree sizes, DrawnBlocks to)
         {
             var cloud = m_stream.Clouds[m_cloud];

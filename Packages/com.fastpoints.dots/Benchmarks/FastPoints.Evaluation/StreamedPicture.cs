@@ -8,7 +8,6 @@ using Unity.Mathematics;
 
 namespace FastPoints.Evaluation
 {
-    /// <summary>Makes software pictures of all streamed clouds. Main thread; waits for its jobs.</summary>
     internal sealed class StreamedPicture : IDisposable
     {
         readonly List<StreamedBlocks> m_clouds = new List<StreamedBlocks>();
@@ -45,14 +44,12 @@ namespace FastPoints.Evaluation
             return Draw(m_drawnOfCloud, camera);
         }
 
-        /// <summary>Keeps what the last picture shows, for pictures after the stream's next frames.</summary>
         public void Keep()
         {
             for (int cloud = 0; cloud < m_clouds.Count; cloud++)
                 m_keptOfCloud[cloud].CopyFrom(m_drawnOfCloud[cloud]);
         }
 
-        /// <summary>Draws what was kept last: these nodes with the point sizes that they had.</summary>
         public RgbaImage DrawKept(in Camera camera) => Draw(m_keptOfCloud, camera);
 
         RgbaImage Draw(List<DrawnBlocks> blocksOfCloud, in Camera camera)

@@ -171,7 +171,6 @@ namespace FastPoints.Evaluation
     {
         public long Points { get; internal set; }
 
-        /// <summary>Bounds of all finite positions, georeferenced; empty if there are none.</summary>
         public BoundsGeo Bounds { get; internal set; } = BoundsGeo.Empty;
 
         public long NonFinite { get; internal set; }

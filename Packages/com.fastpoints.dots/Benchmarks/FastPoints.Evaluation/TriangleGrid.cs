@@ -4,7 +4,6 @@ using Unity.Mathematics;
 
 namespace FastPoints.Evaluation
 {
-    /// <summary>Triangles by the cubes that their boxes intersect, to find the nearest one of a place.</summary>
     internal sealed class TriangleGrid
     {
         readonly double m_edge;
@@ -38,7 +37,6 @@ namespace FastPoints.Evaluation
             return (m_vertices[t.x], m_vertices[t.y], m_vertices[t.z]);
         }
 
-        /// <summary>Triangles that may be in a box, some of them more than once.</summary>
         public IEnumerable<int> TrianglesIn(double3 min, double3 max)
         {
             foreach (var cube in CubesOf(min, max))

@@ -30,7 +30,6 @@ namespace FastPoints.Scenes
 
         static float2 OnPlane(float3 at) => at.xy - at.z * Sun.xy / Sun.z;
 
-        /// <summary>Casts the shadow of each object into the cells that it can reach.</summary>
         [BurstCompile]
         public struct CastShadowsJob : IJob
         {

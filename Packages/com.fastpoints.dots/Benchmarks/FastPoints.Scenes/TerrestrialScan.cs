@@ -154,7 +154,6 @@ namespace FastPoints.Scenes
         }
     }
 
-    /// <summary>Closes the gaps between the lines' returns, in place.</summary>
     [BurstCompile]
     internal struct CompactReturnsJob : IJob
     {

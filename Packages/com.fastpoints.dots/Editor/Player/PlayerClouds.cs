@@ -7,7 +7,6 @@ using FastPoints.Store;
 
 namespace FastPoints.Editor
 {
-    /// <summary>The clouds that go into a player, and how large they are.</summary>
     internal sealed class PlayerClouds
     {
         public struct Entry
@@ -104,7 +103,6 @@ namespace FastPoints.Editor
             return bytes;
         }
 
-        /// <summary>Lists the clouds, the largest first, one a line, and their sum.</summary>
         public string Report()
         {
             var sorted = new List<Entry>(m_entries);

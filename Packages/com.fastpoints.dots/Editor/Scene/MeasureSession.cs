@@ -22,7 +22,6 @@ namespace FastPoints.Editor
 
         public string Text => string.Join("\n", m_lines);
 
-        /// <summary>Searches for a point along a ray: the second one, or, after that, the first of another pair.</summary>
         public void Begin(PointQuery ray)
         {
             if (m_picks.Count == 2)

@@ -6,7 +6,6 @@ using Unity.Mathematics;
 
 namespace FastPoints.Editor
 {
-    /// <summary>Describes picked points and their distances in words, with all digits of coordinates.</summary>
     internal static class PickText
     {
         const int MaxDecimals = 12;

@@ -163,7 +163,6 @@ namespace FastPoints.Editor
         }
     }
 
-    /// <summary>Describes what the last frame of a world did for all its clouds together.</summary>
     internal static class FrameText
     {
         public static List<KeyValuePair<string, string>> Describe(in FrameStats stats, long budgetPoints, long limitBytes)
@@ -185,7 +184,6 @@ namespace FastPoints.Editor
             new KeyValuePair<string, string>(name, string.Format(CultureInfo.InvariantCulture, format, values));
     }
 
-    /// <summary>The list of classes in an inspector, and the effect of switching one.</summary>
     internal static class ClassFilter
     {
         /// <summary>The classes that a cloud may have: all defined ones from its smallest to its largest, and those that are

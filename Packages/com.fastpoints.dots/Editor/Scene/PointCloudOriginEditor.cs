@@ -4,7 +4,6 @@ using UnityEngine;
 
 namespace FastPoints.Editor
 {
-    /// <summary>The inspector of an origin: its place, and two ways to move it.</summary>
     [CustomEditor(typeof(PointCloudOrigin))]
     internal sealed class PointCloudOriginEditor : UnityEditor.Editor
     {

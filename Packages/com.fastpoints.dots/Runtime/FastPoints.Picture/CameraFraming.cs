@@ -4,7 +4,6 @@ using Unity.Mathematics;
 
 namespace FastPoints.Picture
 {
-    // Makes cameras that show the whole of a cloud, as large as the picture allows.
     internal static class CameraFraming
     {
         // Share of the picture's width and height that stays free on each side, if points are not larger.

@@ -5,7 +5,6 @@ using Unity.Mathematics;
 
 namespace FastPoints.Picture
 {
-    // Chooses the point size in each tile from a picture drawn with points of one pixel.
     [BurstCompile]
     internal struct ChooseSizesJob : IJob
     {

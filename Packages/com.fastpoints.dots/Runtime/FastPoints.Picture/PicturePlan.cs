@@ -58,7 +58,6 @@ namespace FastPoints.Picture
         // Independent of a batch's columns.
         public ColorMapping Colors => ColorMapping.Of(Mode, m_ranges, m_transform, ColorRamp);
 
-        // Draws batches with the columns of this one, on a canvas whose sizes are set.
         public PointDrawing DrawingOf(PointBatch batch, PictureCanvas canvas)
         {
             var world = m_options.SizeInWorld.GetValueOrDefault();
@@ -88,7 +87,6 @@ namespace FastPoints.Picture
             };
         }
 
-        // The same for the light's depth map.
         public PointDrawing ShadowDrawingOf(PointBatch batch, PictureCanvas canvas)
         {
             var drawing = DrawingOf(batch, canvas.Shadows);

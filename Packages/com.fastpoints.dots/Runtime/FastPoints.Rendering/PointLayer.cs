@@ -51,7 +51,6 @@ namespace FastPoints.Rendering
             commands.ClearRenderTarget(false, true, UnityEngine.Color.clear);
         }
 
-        // Draws the layer into the camera's picture and releases it.
         public void End(CommandBuffer commands, in RenderView view, PointMaterials materials)
         {
             var from = view.Style.IsBlended ? ComposedFrom.Sums : ComposedFrom.Layer;

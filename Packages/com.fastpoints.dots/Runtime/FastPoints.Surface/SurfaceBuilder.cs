@@ -120,7 +120,6 @@ namespace FastPoints.Surface
         }
     }
 
-    /// <summary>Empties a cell's memory, which takes about a millisecond.</summary>
     [BurstCompile]
     internal unsafe struct ClearSurfaceJob : IJob
     {

@@ -4,7 +4,6 @@ using Unity.Mathematics;
 
 namespace FastPoints.Surface
 {
-    /// <summary>The points of a voxel. Sums are whole numbers, so their order does not matter.</summary>
     internal struct SurfaceVoxel
     {
         /// <summary>Its index among all voxels of a cell with margins.</summary>
@@ -26,7 +25,6 @@ namespace FastPoints.Surface
         public float3 Normal;
     }
 
-    /// <summary>Working memory of one cell after another, and the surface of the last one.</summary>
     internal struct SurfaceMemory : IDisposable
     {
         /// <summary>Of a voxel that closes no hole.</summary>

@@ -74,7 +74,6 @@ namespace FastPoints.Editor
             : UnitySpace.Of(handle.BoundsGeo, handle.Units, UpAxis).OriginGeo;
     }
 
-    /// <summary>Decides where a cloud lies in a player, below its streaming assets.</summary>
     internal static class PlayerPath
     {
         /// <summary>The same path as in the project if the cloud is in the place of converted clouds; otherwise one made of its

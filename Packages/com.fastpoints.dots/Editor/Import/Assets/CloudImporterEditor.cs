@@ -8,8 +8,6 @@ using UnityEngine;
 
 namespace FastPoints.Editor
 {
-    /// <summary>The inspector of a cloud's asset: what it is, the state of its conversion, and what can be done with
-    /// it.</summary>
     [CustomEditor(typeof(CloudImporter), true)]
     [CanEditMultipleObjects]
     internal sealed class CloudImporterEditor : ScriptedImporterEditor

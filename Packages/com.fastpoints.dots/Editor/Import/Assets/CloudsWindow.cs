@@ -26,7 +26,6 @@ namespace FastPoints.Editor
         [MenuItem("FastPoints/Clouds", false, 1)]
         static void Open() => GetWindow<CloudsWindow>("Point clouds");
 
-        /// <summary>What the list depends on has changed, or may have.</summary>
         internal void Collect() => m_collecting ??=
             CloudList.Begin(PointCloudImports.Current, true, (m_cancel = new CancellationTokenSource()).Token);
 

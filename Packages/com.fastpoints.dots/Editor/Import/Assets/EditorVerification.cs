@@ -97,7 +97,6 @@ namespace FastPoints.Editor
             return IsDone;
         }
 
-        /// <summary>The result in one line or, if there are problems, several.</summary>
         public string Describe()
         {
             if (!IsDone)

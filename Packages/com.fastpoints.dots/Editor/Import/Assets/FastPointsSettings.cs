@@ -18,7 +18,6 @@ namespace FastPoints.Editor
 
         public Sampler Sampler = Sampler.Poisson;
 
-        /// <summary>Whether converted clouds get normals, too.</summary>
         public bool Normals;
 
         /// <summary>Where converted clouds are kept: relative to the project, or an absolute path. Clouds elsewhere stay there

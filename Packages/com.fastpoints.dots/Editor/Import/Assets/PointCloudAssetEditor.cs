@@ -8,8 +8,6 @@ using Object = UnityEngine.Object;
 
 namespace FastPoints.Editor
 {
-    /// <summary>Shows the picture of a cloud's asset in the Project window, as <see cref="CloudThumbnails"/> has drawn
-    /// it.</summary>
     [CustomEditor(typeof(PointCloudAsset))]
     internal sealed class PointCloudAssetEditor : UnityEditor.Editor
     {

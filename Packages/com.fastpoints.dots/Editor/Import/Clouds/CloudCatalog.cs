@@ -26,7 +26,6 @@ namespace FastPoints.Editor
 
         public IReadOnlyList<CatalogCloud> Clouds => m_clouds;
 
-        /// <summary>Scans the folder; a manifest is read again only if it was written since.</summary>
         public void Refresh()
         {
             m_clouds.Clear();
@@ -145,7 +144,6 @@ namespace FastPoints.Editor
         public string Name => System.IO.Path.GetFileNameWithoutExtension(Path);
     }
 
-    /// <summary>How a handle's cloud was found.</summary>
     internal enum CatalogMatch
     {
         None,

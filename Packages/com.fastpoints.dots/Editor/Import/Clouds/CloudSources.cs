@@ -10,7 +10,6 @@ namespace FastPoints.Editor
     /// suffice.</summary>
     internal static class CloudSources
     {
-        /// <summary>Extensions of files that are imported in place in a project's assets.</summary>
         public static readonly string[] ImportedExtensions = { "las", "laz", "ply" };
 
         const string CopcExtension = ".copc.laz";

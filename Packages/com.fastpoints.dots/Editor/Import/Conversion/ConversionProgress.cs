@@ -4,7 +4,6 @@ using FastPoints.Build;
 
 namespace FastPoints.Editor
 {
-    /// <summary>Combines the progress of a build's stages into one figure.</summary>
     internal static class ConversionProgress
     {
         struct Weight

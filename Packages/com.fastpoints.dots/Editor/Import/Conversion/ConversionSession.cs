@@ -91,7 +91,6 @@ namespace FastPoints.Editor
             return IsEnded;
         }
 
-        /// <summary>Takes no further steps; slices in progress still end.</summary>
         public void Pause()
         {
             if (State != ConversionState.Building)

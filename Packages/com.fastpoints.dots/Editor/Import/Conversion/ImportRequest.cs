@@ -16,7 +16,6 @@ namespace FastPoints.Editor
 
         public Sampler Sampler;
 
-        /// <summary>Whether the cloud gets normals once it is built.</summary>
         public bool Normals;
 
         /// <summary>Only the normals are missing.</summary>

@@ -10,7 +10,6 @@ namespace FastPoints.Editor
     /// disposed on the main thread.</summary>
     sealed class ThumbnailDrawing : IDisposable
     {
-        /// <summary>The most points in a converted cloud's picture.</summary>
         const long Budget = 200_000;
 
         public const int SizePx = 256;

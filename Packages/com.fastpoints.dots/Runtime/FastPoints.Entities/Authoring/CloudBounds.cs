@@ -8,7 +8,6 @@ namespace FastPoints.Entities
     /// <summary>Computes boxes around clouds as the engine keeps them, in float: for display, not for measuring.</summary>
     static class CloudBounds
     {
-        /// <summary>The box around a streamed cloud, in the space that the cloud's transform moves.</summary>
         public static unsafe bool TryGet(EntityManager entities, Entity entity, out Bounds local)
         {
             local = default;

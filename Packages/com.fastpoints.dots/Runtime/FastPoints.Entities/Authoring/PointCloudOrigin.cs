@@ -108,7 +108,6 @@ namespace FastPoints.Entities
 
         internal void Remove(PointCloud cloud) => m_clouds.Remove(cloud);
 
-        /// <summary>Records a cloud's coordinate system, and warns if it differs from the others'.</summary>
         internal void Compare(PointCloud cloud, string crs)
         {
             if (string.IsNullOrEmpty(crs))

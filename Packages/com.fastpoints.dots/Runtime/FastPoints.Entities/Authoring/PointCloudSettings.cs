@@ -95,7 +95,6 @@ namespace FastPoints.Entities
 
         OwnedEntity m_entity;
 
-        /// <summary>Starts a new component with the project's graphics memory.</summary>
         void Reset() => MemoryMebibytes = (int)(PointCloudSystemGroup.DefaultPoolBytes >> 20);
 
         void OnEnable() => Update();

@@ -67,7 +67,6 @@ namespace FastPoints.Entities
             bytes.CopyTo(new Span<byte>(buffer.GetUnsafePtr(), bytes.Length));
         }
 
-        /// <summary>The paths that were written; those that were null are empty.</summary>
         internal static PointCloudPaths Of(ReadOnlySpan<byte> bytes)
         {
             string[] all = Encoding.UTF8.GetString(bytes).Split('\0');

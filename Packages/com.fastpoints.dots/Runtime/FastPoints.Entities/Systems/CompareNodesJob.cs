@@ -6,7 +6,6 @@ using Unity.Jobs;
 
 namespace FastPoints.Entities
 {
-    /// <summary>Finds where entities of nodes differ from the cache.</summary>
     [BurstCompile]
     internal struct CompareNodesJob : IJob
     {

@@ -4,7 +4,6 @@ using Unity.Entities;
 
 namespace FastPoints.Entities
 {
-    /// <summary>Applies what users hide, pin and tint.</summary>
     [WorldSystemFilter(WorldSystemFilterFlags.Default | WorldSystemFilterFlags.Editor)]
     [UpdateInGroup(typeof(PointCloudSystemGroup))]
     [UpdateAfter(typeof(ReceiveNodesSystem))]

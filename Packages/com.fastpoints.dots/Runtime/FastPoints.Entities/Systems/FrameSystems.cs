@@ -4,7 +4,6 @@ using Unity.Entities;
 // The steps of FrameStep after ControlNodesSystem, in their order.
 namespace FastPoints.Entities
 {
-    /// <summary>Chooses what the cameras need, and what they will need soon.</summary>
     [WorldSystemFilter(WorldSystemFilterFlags.Default | WorldSystemFilterFlags.Editor)]
     [UpdateInGroup(typeof(PointCloudSystemGroup))]
     [UpdateAfter(typeof(ControlNodesSystem))]
@@ -21,7 +20,6 @@ namespace FastPoints.Entities
         protected override void OnUpdate() => FrameStep.Upload(Group.Stream, ref Group.Stats);
     }
 
-    /// <summary>Begins to read nodes, and evicts less needed ones.</summary>
     [WorldSystemFilter(WorldSystemFilterFlags.Default | WorldSystemFilterFlags.Editor)]
     [UpdateInGroup(typeof(PointCloudSystemGroup))]
     [UpdateAfter(typeof(UploadNodesSystem))]

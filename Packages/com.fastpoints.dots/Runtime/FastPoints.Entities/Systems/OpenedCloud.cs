@@ -30,7 +30,6 @@ namespace FastPoints.Entities
 
         public string Path { get; }
 
-        /// <summary>The applied <see cref="WorldShift"/>, in the local space of the entity.</summary>
         public double3 Shift;
         public double3 WorldShift;
 

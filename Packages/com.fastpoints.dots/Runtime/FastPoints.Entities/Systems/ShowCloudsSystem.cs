@@ -6,7 +6,6 @@ using Unity.Entities;
 
 namespace FastPoints.Entities
 {
-    /// <summary>Passes on to drawing how clouds are coloured and how points look.</summary>
     [WorldSystemFilter(WorldSystemFilterFlags.Default | WorldSystemFilterFlags.Editor)]
     [UpdateInGroup(typeof(PointCloudSystemGroup))]
     [UpdateBefore(typeof(ReceiveNodesSystem))]

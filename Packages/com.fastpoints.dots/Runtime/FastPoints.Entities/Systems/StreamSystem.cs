@@ -14,7 +14,6 @@ namespace FastPoints.Entities
         }
     }
 
-    /// <summary>Takes what arrived since the last frame.</summary>
     [WorldSystemFilter(WorldSystemFilterFlags.Default | WorldSystemFilterFlags.Editor)]
     [UpdateInGroup(typeof(PointCloudSystemGroup))]
     internal partial class ReceiveNodesSystem : StreamSystem

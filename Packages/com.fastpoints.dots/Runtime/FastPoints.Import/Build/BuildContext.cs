@@ -104,7 +104,6 @@ namespace FastPoints.Build
 
         public double InFlightMs() => Settings.InFlightMs;
 
-        /// <summary>Slots that may work at once, at most the useful number.</summary>
         public int MaxSlots(int slots) => Settings.Workers > 0 ? Math.Min(slots, Settings.Workers) : slots;
 
         /// <summary>Chooses the grid, and plans memory and files. The readers' blocks are known.</summary>

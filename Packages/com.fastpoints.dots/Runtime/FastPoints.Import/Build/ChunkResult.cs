@@ -144,7 +144,6 @@ namespace FastPoints.Build
         public int TableOffset => sizeof(Header) + BytesOfPlane.Length * sizeof(long);
         public int TableBytes => NodeCount * BytesPerNode(BytesOfPlane.Length);
 
-        /// <summary>Where the top's records begin in the file.</summary>
         public int RecordsOffset => TableOffset + TableBytes;
 
         public void Dispose()

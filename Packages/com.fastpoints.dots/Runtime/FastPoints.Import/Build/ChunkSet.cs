@@ -85,7 +85,6 @@ namespace FastPoints.Build
             m_chunks.Add(chunk);
         }
 
-        /// <summary>Coroutine: distributes the records outside the original root cube.</summary>
         public IEnumerator<JobStep> SplitOutside(BaseCells cells, Chunk outside) =>
             Distribute(outside, cells.Around, cells.Root.Corner);
 
@@ -295,7 +294,6 @@ namespace FastPoints.Build
             yield return JobStep.Of(OnRebalanced());
         }
 
-        /// <summary>Distributes a chunk's records over parts that replace it.</summary>
         IEnumerator<JobStep> Distribute(Chunk chunk, GridCube[] cubes, Grid3 corner)
         {
             var cubesOfLists = new NativeArray<GridCube>(cubes, Allocator.Persistent);
@@ -426,7 +424,6 @@ namespace FastPoints.Build
             return all;
         }
 
-        /// <summary>Cuts a list into parts that one run of a job takes.</summary>
         public static List<RecordPages> SplitBatches(RecordPages pages)
         {
             var batches = new List<RecordPages>();

@@ -122,7 +122,6 @@ namespace FastPoints.Build
             }
         }
 
-        /// <summary>Writes counts, bounds, attributes, and the coordinate system of the first source.</summary>
         static void Describe(in PointStatistics found, AttributeStatistics[] values, BuildContext build, CloudManifest manifest)
         {
             Describe(found, manifest);
@@ -192,7 +191,6 @@ namespace FastPoints.Build
         }
     }
 
-    /// <summary>The facts of a source, in a file of the cloud that was converted from it alone.</summary>
     internal static class StoredFacts
     {
         const int MaxChars = 4 << 20;

@@ -103,7 +103,6 @@ namespace FastPoints.Build
         public readonly List<CloudWarning> Warnings = new List<CloudWarning>();
     }
 
-    /// <summary>The stages of a conversion in their order, as its progress names them.</summary>
     internal static class BuildStages
     {
         public const string Sample = "sample";

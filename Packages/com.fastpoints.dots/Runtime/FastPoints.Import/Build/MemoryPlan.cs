@@ -66,7 +66,6 @@ namespace FastPoints.Build
         public long MaxPages { get; private set; }
         public long MaxWaitingPages { get; private set; }
 
-        /// <summary>Bytes for chunks in progress, and for the merge of the upper levels.</summary>
         public long IndexBytes { get; private set; }
 
         /// <summary>The most points that the first partition plans cubes for, if there would be too many to have a page

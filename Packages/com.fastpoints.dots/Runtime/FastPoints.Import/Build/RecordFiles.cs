@@ -51,7 +51,6 @@ namespace FastPoints.Build
 
         public long RecordsOf(int file) => m_recordsOfFile[file];
 
-        /// <summary>Adds an empty file, which does not exist on disk before it has records.</summary>
         public int Add()
         {
             m_files.Add(new RecordBlocks(m_folder.PathOf(BuildFiles.RecordPath(m_files.Count)), 0));

@@ -9,7 +9,6 @@ using Unity.Jobs;
 
 namespace FastPoints.Build
 {
-    /// <summary>Reads records of temporary files back into pages, in the background.</summary>
     internal sealed unsafe class RecordLoad : IDisposable
     {
         readonly BuildContext m_build;
@@ -29,7 +28,6 @@ namespace FastPoints.Build
         /// <param name="slices">Of the jobs that follow a load, and of no others that run at the time.</param>
         public RecordLoad(BuildContext build, SliceTimes slices) => (m_build, m_slices) = (build, slices);
 
-        /// <summary>Completes when everything is read and unpacked; then call <see cref="Complete"/>.</summary>
         public JobHandle Done { get; private set; }
 
         /// <summary>The pages, which have their records when <see cref="Done"/> completes.</summary>

@@ -32,7 +32,6 @@ namespace FastPoints.Build
                 Attributes[a] = AttributeStatistics.None;
         }
 
-        /// <summary>Points that were read, including those of the resumed build.</summary>
         public long PointsDone { get; private set; }
 
         /// <summary>Sum of all that <see cref="TakeStatistics"/> added.</summary>
@@ -123,7 +122,6 @@ namespace FastPoints.Build
             return found;
         }
 
-        /// <summary>Coroutine, when a scan has ended: everything in memory goes to the files.</summary>
         public IEnumerator<JobStep> WriteAll()
         {
             var files = m_build.Files;

@@ -329,8 +329,6 @@ namespace FastPoints.Build
             return HierarchyFile.Write(m_build.Folder, m_manifest, JoinParts());
         }
 
-        /// <summary>Hangs chunks and regions on the nodes that they are attached to.</summary>
-        /// <returns>The root.</returns>
         Subtree JoinParts()
         {
             foreach (var region in m_regions)

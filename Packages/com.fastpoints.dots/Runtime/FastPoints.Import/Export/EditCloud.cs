@@ -7,7 +7,6 @@ using Unity.Jobs;
 
 namespace FastPoints.Export
 {
-    /// <summary>Changes the edits of a converted cloud, one process at a time; the cloud stays as it is.</summary>
     internal static class EditCloud
     {
         const string LockSuffix = ".lock";

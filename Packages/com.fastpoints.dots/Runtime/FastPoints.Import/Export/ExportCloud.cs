@@ -335,7 +335,6 @@ namespace FastPoints.Export
             State = m_state,
         };
 
-        /// <summary>A block in flight: its read, and the slices behind that.</summary>
         sealed class Slot : IDisposable
         {
             readonly ExportFormat m_format;

@@ -5,7 +5,6 @@ using FastPoints.Reading;
 
 namespace FastPoints.Export
 {
-    /// <summary>How points become records of a file, and what the file has around them.</summary>
     internal abstract class ExportFormat
     {
         public readonly List<ExportColumn> Columns = new List<ExportColumn>();

@@ -6,7 +6,6 @@ using Unity.Mathematics;
 
 namespace FastPoints.Export
 {
-    /// <summary>Points of a source that are read for an export: a range of a block, or an even share of it.</summary>
     internal struct ExportRange
     {
         public BlockRange Range;

@@ -22,7 +22,6 @@ namespace FastPoints.Export
         public PositionColumns Positions;
         [ReadOnly] public NativeArray<PointColumn> AllColumns;
 
-        /// <summary>From the block's columns to records, and from those of <see cref="Converted"/>.</summary>
         [ReadOnly] public NativeArray<FieldCopy> Copies;
         [ReadOnly] public NativeArray<FieldCopy> ConvertedCopies;
         [ReadOnly] public NativeArray<ColumnConversion> Conversions;
@@ -272,7 +271,6 @@ namespace FastPoints.Export
         }
     }
 
-    /// <summary>How positions of a source become those of a file.</summary>
     internal enum PositionKind
     {
         Copied,

@@ -53,7 +53,6 @@ namespace FastPoints.Reading
         /// <summary>The attributes of each point.</summary>
         public PointSchema Schema;
 
-        /// <summary>Attributes that samples keep besides those for colours.</summary>
         internal string[] AlsoSampled = Array.Empty<string>();
 
         public CoordinateSystem Crs = new CoordinateSystem();
@@ -82,7 +81,6 @@ namespace FastPoints.Reading
 
         public readonly List<CloudWarning> Warnings = new List<CloudWarning>();
 
-        /// <summary>Content of the file beside its points that a cloud does not keep.</summary>
         internal readonly List<Loss> Losses = new List<Loss>();
 
         public void AddFact(string name, string value) => Facts.Add(new KeyValuePair<string, string>(name, value));

@@ -127,7 +127,6 @@ namespace FastPoints.Sampling
         }
     }
 
-    /// <summary>Marks the cells of those entries of a sample that hold a point.</summary>
     [BurstCompile]
     struct MarkCellsJob : IJob
     {

@@ -268,7 +268,6 @@ namespace FastPoints.Sampling
         }
     }
 
-    /// <summary>Plans the ranges of one wave, in the file's order, for the strata examined.</summary>
     [BurstCompile]
     struct PlanWaveJob : IJob
     {

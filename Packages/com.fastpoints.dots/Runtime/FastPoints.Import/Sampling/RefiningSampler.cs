@@ -188,7 +188,6 @@ namespace FastPoints.Sampling
             m_progress?.Report(m_pointsRead / (double)Math.Max(1, m_reader.PointCount), m_pointsRead, m_bytesRead);
         }
 
-        /// <summary>Composes a sample of the points so far: its own, and placeholders in the entries that are left.</summary>
         IEnumerator<JobStep> Compose()
         {
             // A point of the first sample may have been reached again.

@@ -129,7 +129,6 @@ namespace FastPoints.Sampling
         }
     }
 
-    /// <summary>The attributes of a preview's points: position and those for colouring.</summary>
     internal static class SampleSchema
     {
         /// <exception cref="PointCloudException">The source has no positions.</exception>

@@ -11,8 +11,6 @@ namespace FastPoints.Sampling
         /// <summary>If frames are farther apart, the machine was busy or the work was paused.</summary>
         const double MaxFrameMs = 250;
 
-        /// <param name="entryCount">Number of entries in the sample.</param>
-        /// <param name="method">See <see cref="PreviewSample.Method"/>.</param>
         protected WaveReader(PointReader reader, int entryCount, string method)
         {
             Reader = reader;

@@ -85,7 +85,6 @@ namespace FastPoints
             return (uint)v;
         }
     }
-    // The cells that coordinates are counted in: relative to a corner, shifted right.
     internal readonly struct MortonCells
     {
         public readonly uint3 Corner;

@@ -51,7 +51,6 @@ namespace FastPoints
             public uint* Payload;
         }
 
-        // Finds where each digit's values start in the sorted order.
         static void CountDigits(ulong* keys, int count, int shift, int* start)
         {
             UnsafeUtility.MemClear(start, DigitValues * sizeof(int));

@@ -6,7 +6,6 @@ using Unity.Jobs;
 
 namespace FastPoints.Drawing
 {
-    // Lists the nodes that one camera sees, and each block's node, bank by bank.
     [BurstCompile]
     internal unsafe struct ListBlocksJob : IJob
     {

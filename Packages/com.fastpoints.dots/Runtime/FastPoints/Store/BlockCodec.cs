@@ -91,7 +91,6 @@ namespace FastPoints.Store
             return (int)(at - words);
         }
 
-        /// <summary>Reads a whole column of up to 32 bits.</summary>
         public static void Unpack(uint* words, uint minimum, int count, int width, uint* values)
         {
             if (width == 0)
@@ -107,7 +106,6 @@ namespace FastPoints.Store
                 values[i] = minimum + ((uint)(*(ulong*)(bytes + (bit >> 3)) >> (bit & 7)) & mask);
         }
 
-        /// <summary>Reads a whole column of up to 64 bits.</summary>
         public static void UnpackWide(uint* words, ulong minimum, int count, int width, ulong* values)
         {
             for (int i = 0; i < count; i++)

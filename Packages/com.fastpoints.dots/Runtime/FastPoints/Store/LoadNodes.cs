@@ -7,7 +7,6 @@ using Unity.Jobs;
 
 namespace FastPoints.Store
 {
-    /// <summary>Reads chosen nodes of a converted cloud into one batch.</summary>
     internal static class LoadNodes
     {
         /// <summary>The most bytes of a file that are read at once, unless the planes of one node lie farther apart. The nodes of

@@ -1,6 +1,5 @@
 namespace FastPoints.Store
 {
-    // An attribute's values in a node's plane, as its type has them.
     internal unsafe struct PlaneValues
     {
         public PlaneView View;

@@ -34,7 +34,6 @@ namespace FastPoints.Benchmarks
         string m_target;
         long m_points;
 
-        /// <param name="find">The input's path; null if there is none.</param>
         BesideFramesWorkload(string name, Func<WorkloadContext, string> find,
             Func<BesideFramesWorkload, StageProgress, double, IEnumerator<JobStep>> begin)
         {

@@ -16,7 +16,6 @@ namespace FastPoints.Benchmarks
         public const string EptLaszip = "samples/ept/lone-star-laszip";
         public const string PotreeBrotli = "samples/potree/v2-autzen-brotli";
 
-        /// <returns>The path of a file or folder; null if it does not exist.</returns>
         public static string Find(WorkloadContext context, string name)
         {
             if (context.DataFolder == null)

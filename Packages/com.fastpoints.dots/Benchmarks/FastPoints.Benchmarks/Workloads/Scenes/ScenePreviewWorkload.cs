@@ -11,7 +11,6 @@ namespace FastPoints.Benchmarks
         readonly Func<WorkloadContext, string> m_find;
         string m_path;
 
-        /// <param name="find">The file's path; null if there is none.</param>
         ScenePreviewWorkload(string name, Func<WorkloadContext, string> find) => (Name, m_find) = (name, find);
 
         public static IEnumerable<IWorkload> All()

@@ -215,7 +215,6 @@ namespace FastPoints.Build
             }
         }
 
-        /// <summary>Queues the deletion of pages and layers that the manifest does not name.</summary>
         void DeleteOthers(CloudManifest manifest) => m_queue.Run(m_path, () =>
         {
             foreach (string file in Directory.GetFiles(m_path, "hierarchy*.bin*"))
@@ -284,7 +283,6 @@ namespace FastPoints.Build
         }
     }
 
-    /// <summary>A slice of turning normals to the scanners that saw their points.</summary>
     [BurstCompile]
     internal unsafe struct OrientNormalsJob : IJob
     {

@@ -231,7 +231,6 @@ namespace FastPoints.Build
         }
     }
 
-    /// <summary>Points that are packed as blocks of their own. Blittable.</summary>
     internal struct NormalGroup
     {
         public int First;
@@ -241,7 +240,6 @@ namespace FastPoints.Build
         public int Blocks;
     }
 
-    /// <summary>Copies the normals that were found, and counts them.</summary>
     [BurstCompile]
     internal struct TakeNormalsJob : IJob
     {

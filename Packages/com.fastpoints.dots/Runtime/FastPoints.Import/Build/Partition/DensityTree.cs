@@ -222,7 +222,6 @@ namespace FastPoints.Build
         public bool IsKnown => Ranges > 0;
     }
 
-    /// <summary>Counts some ranges of a sample into the bricks of one depth.</summary>
     [BurstCompile]
     unsafe struct CountDensityJob : IJob
     {
@@ -293,7 +292,6 @@ namespace FastPoints.Build
         }
     }
 
-    /// <summary>Gives a brick of their own to the cells of one depth that are worth dividing.</summary>
     [BurstCompile]
     struct DivideDensityJob : IJob
     {

@@ -175,7 +175,6 @@ namespace FastPoints.Build
         }
     }
 
-    /// <summary>The blittable half of a <see cref="PartitionMap"/>, which finds a position's chunk.</summary>
     internal readonly struct ChunkFinder
     {
         readonly CellFinder m_cells;

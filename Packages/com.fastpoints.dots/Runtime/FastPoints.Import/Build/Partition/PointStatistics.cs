@@ -38,7 +38,6 @@ namespace FastPoints.Build
     {
         const int VectorBytes = 32;
 
-        /// <summary>Smallest and largest as <see cref="Store.OrderedBits"/>.</summary>
         public ulong Min;
         public ulong Max;
 

@@ -141,8 +141,6 @@ namespace FastPoints.Build
 
         public string PathOf(string name) => Path.Combine(m_part, name);
 
-        /// <summary>Deletes a file that the build no longer needs, after everything queued. A file that is open is
-        /// deleted at the end.</summary>
         public void Delete(string name) => m_queue.Run(PathOf(name), () => FileChanges.TryDelete(PathOf(name), () => false));
 
         public void DeleteGeneration(long generation)

@@ -217,7 +217,6 @@ namespace FastPoints.Build
     {
         public struct Page
         {
-            /// <summary>Nodes of the part: roots, then children, each after its parent.</summary>
             public List<int> Nodes;
 
             /// <summary>The node of the part that the roots are children of, or -1.</summary>
@@ -265,7 +264,6 @@ namespace FastPoints.Build
         /// <summary>Pages come after those that their roots hang on.</summary>
         public List<Page> Pages { get; } = new List<Page>();
 
-        /// <summary>This many at the start have roots of the part.</summary>
         public int RootPages { get; }
 
         NodeRecord* Nodes => (NodeRecord*)Part.Table.GetUnsafeReadOnlyPtr();

@@ -78,7 +78,6 @@ namespace FastPoints.Build
         /// <summary>Queues the first bytes of a file in pieces, which complete it.</summary>
         public WriteTicket Seal(string path, NativeArray<byte> bytes) => Enqueue(WriteKind.Seal, path, bytes, 0);
 
-        /// <summary>Queues packed pages at the end of a file that only the build reads.</summary>
         public WriteTicket WriteRecords(string path, in RecordPages pages, long offset) => Enqueue(new Request
         {
             Kind = WriteKind.Records,
@@ -88,7 +87,6 @@ namespace FastPoints.Build
             Ticket = new WriteTicket(m_stopRetrying),
         });
 
-        /// <summary>Queues a flush: everything queued for such a file before is on disk when the ticket is done.</summary>
         public WriteTicket Sync(string path) => Enqueue(new Request
         {
             Kind = WriteKind.Sync,

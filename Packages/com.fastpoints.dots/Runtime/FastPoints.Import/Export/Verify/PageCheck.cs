@@ -7,7 +7,6 @@ using Unity.Jobs;
 
 namespace FastPoints.Export
 {
-    /// <summary>Checks all nodes of one page: one chain of jobs behind the read of their planes.</summary>
     sealed class PageCheck : IDisposable
     {
         readonly NativeStoreLayout m_store;
@@ -171,7 +170,6 @@ namespace FastPoints.Export
             m_parts = new NativeArray<NodeBlockRange>(parts.ToArray(), Allocator.Persistent);
         }
 
-        /// <summary>Begins another slice if what is added does not fit into the last one.</summary>
         static void Cut(List<int> slices, int at, ref int filled, int added, int max)
         {
             if (filled > 0 && filled + added > max)

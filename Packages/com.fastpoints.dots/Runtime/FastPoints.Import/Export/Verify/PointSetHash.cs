@@ -83,7 +83,6 @@ namespace FastPoints.Export
         }
     }
 
-    /// <summary>Adds up the second hash of grouped records: see <see cref="RecordHash.SecondSeed"/>.</summary>
     [BurstCompile]
     internal unsafe struct SumRecordsJob : IJob
     {

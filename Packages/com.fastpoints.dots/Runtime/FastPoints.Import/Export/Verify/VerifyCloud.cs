@@ -73,7 +73,6 @@ namespace FastPoints.Export
 
         public void Dispose() => m_store.Dispose();
 
-        /// <summary>Coroutine: checks the pages, several in flight, and adds their results in order.</summary>
         IEnumerator<JobStep> CheckPages(StageProgress progress)
         {
             var tables = new Queue<PoolTask<NodeTable>>();

@@ -188,7 +188,6 @@ namespace FastPoints.Export
         Value,
     }
 
-    /// <summary>What reading a node, or some of its points, showed. Blittable.</summary>
     internal struct NodeCheckResult
     {
         public NodeFault Fault;

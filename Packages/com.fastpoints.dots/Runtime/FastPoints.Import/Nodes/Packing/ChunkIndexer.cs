@@ -256,7 +256,6 @@ namespace FastPoints.Nodes
         };
     }
 
-    /// <summary>Prepares the chunks' tops, which are in order already, for the sampling of the upper levels.</summary>
     [BurstCompile]
     internal unsafe struct PrepareUpperJob : IJob
     {

@@ -58,7 +58,6 @@ namespace FastPoints.Nodes
             AverageOfPoint = new NativeArray<int>(m_hasAverages ? m_capacity : 0, Allocator.Persistent, raw);
         }
 
-        /// <summary>Schedules what the first job of the next chunk depends on.</summary>
         public JobHandle Begin(int count, JobHandle ready)
         {
             Reserve(count);

@@ -5,7 +5,6 @@ using Unity.Collections;
 
 namespace FastPoints.Nodes
 {
-    /// <summary>A cloud's planes and columns as jobs read them.</summary>
     internal sealed class NativeStoreLayout : IDisposable
     {
         public NativeStoreLayout(StoreLayout layout)

@@ -13,7 +13,6 @@ namespace FastPoints.Nodes
         public int Count;
     }
 
-    /// <summary>Packs planes of nodes from records in memory, in the layout of <see cref="PlaneShape"/>.</summary>
     internal unsafe struct PlanePacker
     {
         [NativeDisableUnsafePtrRestriction] public byte* Records;
@@ -205,7 +204,6 @@ namespace FastPoints.Nodes
         }
     }
 
-    /// <summary>Writes a plane from gathered values, block by block: the layout of <see cref="PlaneShape"/>.</summary>
     internal unsafe struct BlockWriter
     {
         public readonly uint* Plane;

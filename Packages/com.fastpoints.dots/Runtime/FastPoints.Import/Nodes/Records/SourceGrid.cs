@@ -6,7 +6,6 @@ using Unity.Mathematics;
 
 namespace FastPoints.Nodes
 {
-    /// <summary>The conversion of one axis of a source's numbers to the cloud's grid. Blittable.</summary>
     internal struct SourceAxis
     {
         /// <summary>For whole numbers: grid = stored * <see cref="Factor"/> + <see cref="Shift"/>, exact.</summary>
@@ -21,7 +20,6 @@ namespace FastPoints.Nodes
         public double Step;
     }
 
-    /// <summary>Maps one source's stored positions to positions on the cloud's grid. Blittable, for jobs.</summary>
     internal struct SourceGrid
     {
         /// <summary>Positions beyond it are left out, so that sums of positions and sides fit a long.</summary>

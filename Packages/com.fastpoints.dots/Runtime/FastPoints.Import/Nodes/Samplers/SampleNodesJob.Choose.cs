@@ -16,7 +16,6 @@ namespace FastPoints.Nodes
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         static int PointOf(long rank) => int.MaxValue - (int)(rank & int.MaxValue);
 
-        /// <summary>Takes the best candidate of each cell, without branches on the points.</summary>
         void ChooseCells()
         {
             ref var range = ref Scratch.Ranges.ElementAt(m_state.Range);

@@ -16,7 +16,6 @@ namespace FastPoints.Nodes
         Average,
     }
 
-    /// <summary>The size of nodes and how finely they are sampled. Blittable.</summary>
     internal struct NodeSizes
     {
         /// <summary>Incremented when the same points, settings and chunks give other nodes than before: killed builds
@@ -48,7 +47,6 @@ namespace FastPoints.Nodes
         };
     }
 
-    /// <summary>A node as created by a sampler; an array by point says which points are its own. Blittable.</summary>
     internal struct NodeDraft
     {
         /// <summary>All points of the node's cube are in this range of the sorted points.</summary>

@@ -7,7 +7,6 @@ using Unity.Mathematics;
 
 namespace FastPoints.Reading
 {
-    /// <summary>An edge of a ring, counted from the polygons' min corner. Blittable.</summary>
     internal struct FilterEdge
     {
         public double2 From;

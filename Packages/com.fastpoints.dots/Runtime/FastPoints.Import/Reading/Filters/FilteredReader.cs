@@ -158,7 +158,6 @@ namespace FastPoints.Reading
         IFilterSlot CreateSlot(PointBatch batch, in PositionTransform transform);
     }
 
-    /// <summary>A selection's memory for one block in flight.</summary>
     internal interface IFilterSlot : IDisposable
     {
         /// <summary>The number of points left in the batch, when the scheduled jobs are complete.</summary>

@@ -6,7 +6,6 @@ using Unity.Mathematics;
 
 namespace FastPoints.Sources
 {
-    // What cloud.js and metadata.json have in common.
     abstract class PotreeIndex
     {
         private protected PotreeIndex(JsonMembers json, string version, BoundsGeo box)

@@ -256,7 +256,6 @@ namespace FastPoints.Text
         LineTooLong,
     }
 
-    // How values are separated. Blittable; HPC#.
     struct XyzDialect
     {
         // Replaces the separator while a line is read: a number ends at it as at a blank.

@@ -279,7 +279,6 @@ namespace FastPoints
             return true;
         }
 
-        /// <summary>Reads inf, nan and their variants, up to the next blank.</summary>
         static Kind Word(ref byte* text, byte* p)
         {
             var kind = Kind.None;

@@ -6,7 +6,6 @@ using Unity.Mathematics;
 
 namespace FastPoints.Store
 {
-    // One operation, as jobs read it: parts of lists that all share.
     internal struct EditStep
     {
         public EditAction Action;

@@ -5,7 +5,6 @@ using Unity.Jobs;
 
 namespace FastPoints.Store
 {
-    // Operations on one cloud: what is read of its nodes for them, and what they change.
     internal sealed class EditPlan
     {
         readonly List<string> m_changed = new List<string>();

@@ -25,7 +25,6 @@ namespace FastPoints.Streaming
         // Begins at 2, so that a node's initial 0 is neither this selection's frame nor the one before.
         public uint Frame { get; private set; } = 1;
 
-        // Parents before children, the most needed first.
         public NativeArray<SelectedNode> Selected => m_selected.AsArray();
 
         // Nodes of the last Prefetch that were not selected already; their parent indices are undefined.
