@@ -174,7 +174,7 @@ namespace FastPoints.Drawing
         };
     }
 
-    /// <summary>The gradient of continuous attributes.</summary>
+    /// <summary>The colours of continuous attributes, from low to high.</summary>
     public enum ColorRamp
     {
         /// <summary>Viridis for elevation, grey for intensity.</summary>
