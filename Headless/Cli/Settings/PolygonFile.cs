@@ -81,7 +81,8 @@ sealed class PolygonFile
     }
 
     void AddRings(JsonElement rings) => m_polygons.Add([.. rings.EnumerateArray().Select(ring => ring.EnumerateArray()
-        .Select(at => at.GetArrayLength() < 2 ? throw new FormatException("wanted x and y, got " + at.GetArrayLength() + " numbers")
+        .Select(at => at.GetArrayLength() < 2
+            ? throw new FormatException("wanted x and y, got " + at.GetArrayLength() + " numbers")
             : new double2(at[0].GetDouble(), at[1].GetDouble())).ToArray())]);
 
     void ReadWkt()
@@ -135,8 +136,8 @@ sealed class PolygonFile
         Take(')');
     }
 
-    double Number() => double.TryParse(While(c => "+-.eE0123456789".Contains(c)), NumberStyles.Float, CultureInfo.InvariantCulture,
-        out double value) ? value : throw Bad("a number");
+    double Number() => double.TryParse(While(c => "+-.eE0123456789".Contains(c)), NumberStyles.Float,
+        CultureInfo.InvariantCulture, out double value) ? value : throw Bad("a number");
 
     string Word() => While(char.IsLetter);
 

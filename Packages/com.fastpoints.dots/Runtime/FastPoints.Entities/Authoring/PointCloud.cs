@@ -85,7 +85,7 @@ namespace FastPoints.Entities
             set => Set(ref m_color, value);
         }
 
-        /// <summary>The gradient for elevation and intensity.</summary>
+        /// <summary>The colours of elevation and intensity.</summary>
         public ColorRamp ColorRamp
         {
             get => m_colorRamp;

@@ -294,6 +294,15 @@ namespace FastPoints.Build
             yield return JobStep.Of(OnRebalanced());
         }
 
+        IEnumerator<JobStep> AwaitWrites(long pages)
+        {
+            while (Files.PagesWaiting > pages)
+            {
+                Files.Poll(1);
+                yield return default;
+            }
+        }
+
         IEnumerator<JobStep> Distribute(Chunk chunk, GridCube[] cubes, Grid3 corner)
         {
             var cubesOfLists = new NativeArray<GridCube>(cubes, Allocator.Persistent);
@@ -338,23 +347,16 @@ namespace FastPoints.Build
                     job.Complete();
                     if (m_build.Pool.Value.PagesInUse > m_maxPages)
                         AppendParts(lists, fileOfPart, false);
-                    while (Files.PagesWaiting > m_maxPages)
-                    {
-                        Files.Poll(1);
-                        yield return default;
-                    }
+                    if (Files.PagesWaiting > m_maxPages)
+                        yield return JobStep.Of(AwaitWrites(m_maxPages));
                     TakeWritten();
                 }
                 if (isStored)
-                    AppendParts(lists, fileOfPart, true);
-                while (isStored && Files.PagesWaiting > 0)
                 {
-                    Files.Poll(1);
-                    yield return default;
-                }
-
-                if (isStored)
+                    AppendParts(lists, fileOfPart, true);
+                    yield return JobStep.Of(AwaitWrites(0));
                     Files.TakeSlices(m_build.Slices);
+                }
                 m_chunks.Remove(chunk);
                 for (int i = 0; i < cubes.Length; i++)
                 {

@@ -7,12 +7,12 @@ namespace FastPoints.Drawing
     internal static class Palettes
     {
         public const int Length = 256;
-        public const int Count = 6; // Three gradients, three of categories.
+        public const int Count = 6; // Three ramps, three of categories.
 
-        // Where gradients start: darker values would be lost against a dark background.
+        // Where ramps start: darker values would be lost against a dark background.
         const double ViridisStart = 0.12, GrayStart = 0.03;
 
-        // Grey for Rgb, which needs none. The gradient is for continuous attributes alone.
+        // Grey for Rgb, which needs none. The ramp is for continuous attributes alone.
         public static NativeArray<uint> Create(ColorMode mode, Allocator allocator, ColorRamp ramp = ColorRamp.Auto)
         {
             ramp = Resolve(mode, ramp);
