@@ -18,7 +18,7 @@ public static class StreamedPictureStep
         run.Progress.Begin("select");
         var bounds = BoundsGeo.Empty;
         FlightCloud? first = null;
-        List<double3> outline = [], rim = [];
+        List<double3> sample = [], extremes = [];
         var assumptions = new List<string>();
         foreach (string cloud in clouds)
         {
@@ -27,8 +27,8 @@ public static class StreamedPictureStep
             first ??= added;
             picture.Add(new StreamedBlocks(stream, number, plan), plan.Mode);
             assumptions.AddRange(plan.Assumptions.Where(a => !assumptions.Contains(a)));
-            outline.AddRange(ranges.FramingSample);
-            rim.AddRange(ranges.ExtremePoints);
+            sample.AddRange(ranges.FramingSample);
+            extremes.AddRange(ranges.ExtremePoints);
             if (!ranges.Robust.IsEmpty)
                 bounds = bounds.IsEmpty ? ranges.Robust
                     : new BoundsGeo(math.min(bounds.Min, ranges.Robust.Min), math.max(bounds.Max, ranges.Robust.Max));
@@ -37,7 +37,7 @@ public static class StreamedPictureStep
         }
         if (bounds.IsEmpty)
             throw new PointCloudException(FailureCode.BadInput, clouds[0], -1, "no points to draw");
-        var camera = options.Camera ?? CameraFraming.Frame(options, bounds, outline.ToArray(), rim.ToArray(),
+        var camera = options.Camera ?? CameraFraming.Frame(options, bounds, sample.ToArray(), extremes.ToArray(),
             new double3(1, 1, 1));
 
         run.Progress.Begin("stream");

@@ -438,8 +438,8 @@ public sealed class GpuPictureTests : GraphicsFixture
     public void Draw_CameraBesideAPoint_MatchesTheSoftwareRasterizer()
     {
         using var streams = new TwinStreams(m_demo, Options(3, true), Points);
-        var outline = streams.Ranges.FramingSample;
-        var point = outline[outline.Length / 2];
+        var sample = streams.Ranges.FramingSample;
+        var point = sample[sample.Length / 2];
         Assert.That(math.cmax(math.abs(point)), Is.GreaterThan(1e5), "no coordinates of a map");
         var eye = point + new double3(-0.008, 0.006, 0.002);
         var camera = PictureCamera.Perspective(eye, eye + new double3(0.8, -0.6, -0.15), new double3(0, 0, 1), 60);

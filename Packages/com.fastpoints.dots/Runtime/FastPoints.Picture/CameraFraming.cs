@@ -12,7 +12,7 @@ namespace FastPoints.Picture
         // Points are never so large that the cloud gets less than half of the picture.
         const double MaxMargin = 0.25;
 
-        // This share of the outline on each side may lie outside of a first picture ...
+        // This share of the sample on each side may lie outside of a first picture ...
         const double OutlierShare = 0.005;
 
         // ... and what would enlarge it more than this many times stays outside.
@@ -21,7 +21,7 @@ namespace FastPoints.Picture
         // Shifts towards the middle: each leaves half the error or less.
         const int Iterations = 10, IterationsOfAll = 4;
 
-        // An empty box counts as a point at 0, a point as a box of one unit. With fewer than eight positions of an outline the
+        // An empty box counts as a point at 0, a point as a box of one unit. With fewer than eight positions of a sample the
         // box's corners are framed.
         public static Camera Frame(ViewDirection view, BoundsGeo bounds, double3[] sample, int widthPx, int heightPx,
             UpAxis upAxis) => Frame(new PictureOptions
@@ -32,7 +32,7 @@ namespace FastPoints.Picture
                 UpAxis = upAxis,
             }, bounds, sample, null, new double3(1, 1, 1));
 
-        // The rim, if any, is framed as well unless it is outliers. For a cloud in degrees, lengths of a unit differ by axis.
+        // Extreme points, if any, are framed as well unless they are outliers. In degrees, lengths of a unit differ by axis.
         public static Camera Frame(PictureOptions options, BoundsGeo bounds, double3[] sample, double3[] extremes,
             double3 lengthsPerUnit)
         {
@@ -109,7 +109,7 @@ namespace FastPoints.Picture
         static double ShareOf(int edgePx, double pointPx) =>
             1 - 2 * math.min(MaxMargin, math.max(Margin, (pointPx / 2 + 1) / edgePx));
 
-        // The outline and rim points inside the frustum of a camera at this distance.
+        // The sampled and extreme points inside the frustum of a camera at this distance.
         static double3[] Near(Camera camera, double3 target, double3[] sample, double3[] extremes, double2 scale, double distance)
         {
             camera.EyeGeo = target;

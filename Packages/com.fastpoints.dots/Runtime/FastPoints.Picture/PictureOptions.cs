@@ -26,7 +26,7 @@ namespace FastPoints.Picture
         /// <summary>Replaces a standard view.</summary>
         public Camera? Camera;
 
-        /// <summary>How many points of the cloud's outline a standard view is fitted to. All of them cost 10 ms.</summary>
+        /// <summary>How many points of the framing sample a standard view is fitted to. All of them cost 10 ms.</summary>
         public int FramingPoints = int.MaxValue;
 
         public double FovDegrees = DefaultFovDegrees;

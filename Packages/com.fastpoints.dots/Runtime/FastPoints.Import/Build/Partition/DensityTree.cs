@@ -35,7 +35,7 @@ namespace FastPoints.Build
 
         public DensityCell this[int cell] => m_sums[cell].ToCell(m_ranges, m_share);
 
-        /// <summary>The number of the first of a cell's eight parts, in Morton order; -1 if it is not divided.</summary>
+        /// <summary>The number of the first of a cell's eight subcells, in Morton order; -1 if it is not divided.</summary>
         public int FirstChildOf(int cell)
         {
             if (cell == Root)

@@ -8,14 +8,14 @@ using Unity.Mathematics;
 namespace FastPoints.Build
 {
     /// <summary>Maps positions to chunks: a cube in 8^<see cref="Levels"/> cells in Morton order, and the chunk of each, or of
-    /// each of its parts if many points lie in one cell. Chunks are cubes of the octree; positions outside the cube have a chunk
-    /// of their own, the last one.</summary>
+    /// each of its subcells if many points lie in one cell. Chunks are cubes of the octree; positions outside the cube have
+    /// a chunk of their own, the last one.</summary>
     internal sealed class PartitionMap : IDisposable
     {
         /// <summary>8^6 cells are 1 MB: they stay in a core's cache while points are sorted into them.</summary>
         public const int MaxLevels = 6;
 
-        /// <summary>The most levels of parts of a cell, for cells that need them.</summary>
+        /// <summary>The most levels of subcells, for cells that need them.</summary>
         const int MaxSubcellLevels = 2;
 
         /// <summary>How many standard errors above its estimate a chunk may have before it must be split.</summary>
@@ -24,7 +24,7 @@ namespace FastPoints.Build
         NativeArray<int> m_chunkOfCell;
         readonly int m_subcellLevels;
 
-        /// <param name="subcellLevels">Of the parts of cells that have some.</param>
+        /// <param name="subcellLevels">Of cells that have some.</param>
         /// <param name="chunkOfCell">Owned.</param>
         public PartitionMap(GridCube cube, int levels, int subcellLevels, NativeArray<int> chunkOfCell, GridCube[] chunks)
         {
@@ -51,7 +51,7 @@ namespace FastPoints.Build
 
         public ulong SampleHash { get; set; }
 
-        /// <summary>Indexed by Morton number of the cell; ~i means that its parts' chunks begin at i, in Morton order.</summary>
+        /// <summary>Indexed by Morton number of the cell; ~i: its subcells' chunks begin at i, in Morton order.</summary>
         public NativeArray<int> ChunkOfCell => m_chunkOfCell;
 
         public ChunkFinder Finder => new ChunkFinder(new CellFinder(Cube, Levels), m_subcellLevels, Outside);
@@ -102,7 +102,7 @@ namespace FastPoints.Build
                 new NativeArray<int>(chunkOfCell.AsArray(), Allocator.Persistent),
                 chunks.ToArray());
 
-            // The cube's cells, or parts of a cell, begin at first.
+            // The cube's cells, or subcells, begin at first.
             void Descend(GridCube part, int level, int first, int cell)
             {
                 bool isOfCells = level <= levels;

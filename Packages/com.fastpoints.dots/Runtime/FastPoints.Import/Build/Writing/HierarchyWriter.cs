@@ -7,8 +7,8 @@ using Unity.Collections.LowLevel.Unsafe;
 
 namespace FastPoints.Build
 {
-    /// <summary>Nodes that were made together: those of a chunk, or of upper levels above some chunks or other parts. The top
-    /// node of a part belongs to the part above; the root's has none above.</summary>
+    /// <summary>Nodes that were made together: those of a chunk, or of upper levels above some chunks or other subtrees. The top
+    /// node of a subtree belongs to the subtree above; the root's has none above.</summary>
     internal sealed class Subtree
     {
         public GridCube Cube;
@@ -26,14 +26,14 @@ namespace FastPoints.Build
 
         public int SampledWith;
 
-        /// <summary>The parts that hang on its nodes, in the order of the nodes, then along the Morton curve.</summary>
-        public readonly List<(int Node, Subtree Part)> Children = new List<(int, Subtree)>();
+        /// <summary>The subtrees that hang on its nodes, in the order of the nodes, then along the Morton curve.</summary>
+        public readonly List<(int Node, Subtree Subtree)> Children = new List<(int, Subtree)>();
 
         public void SortChildren(Grid3 root) => Children.Sort((a, b) => a.Node != b.Node ? a.Node.CompareTo(b.Node)
-            : a.Part.Cube.Corner != b.Part.Cube.Corner
-                ? MortonOrder.Compare(a.Part.Cube.Corner - root, b.Part.Cube.Corner - root)
-            : a.Part.Cube.SideLog2 != b.Part.Cube.SideLog2 ? b.Part.Cube.SideLog2.CompareTo(a.Part.Cube.SideLog2)
-            : a.Part.Container.Part.CompareTo(b.Part.Container.Part));
+            : a.Subtree.Cube.Corner != b.Subtree.Cube.Corner
+                ? MortonOrder.Compare(a.Subtree.Cube.Corner - root, b.Subtree.Cube.Corner - root)
+            : a.Subtree.Cube.SideLog2 != b.Subtree.Cube.SideLog2 ? b.Subtree.Cube.SideLog2.CompareTo(a.Subtree.Cube.SideLog2)
+            : a.Subtree.Container.Part.CompareTo(b.Subtree.Container.Part));
 
         public int TableBytes(int planeCount) => NodeCount * ChunkResult.BytesPerNode(planeCount);
 
@@ -57,8 +57,8 @@ namespace FastPoints.Build
         }
     }
 
-    /// <summary>Cuts the nodes of a cloud into pages, and writes them to one file: the pages of what hangs on the same part one
-    /// after the other, so that one read gets many, each page after those that it links to.</summary>
+    /// <summary>Cuts the nodes of a cloud into pages, and writes them to one file: the pages of what hangs on the same subtree
+    /// one after the other, so that one read gets many, each page after those that it links to.</summary>
     internal sealed unsafe class HierarchyWriter : IDisposable
     {
         const int BytesPerPiece = 4 << 20;
@@ -70,7 +70,7 @@ namespace FastPoints.Build
         NativeList<byte> m_bytes = new NativeList<byte>(1 << 16, Allocator.Persistent);
         long m_written;
 
-        /// <param name="load">Coroutine: makes the table of a part that has none.</param>
+        /// <param name="load">Coroutine: makes the table of a subtree that has none.</param>
         /// <param name="writePiece">Coroutine: writes bytes at an offset.</param>
         public HierarchyWriter(int planeCount, ulong cloudId, long firstOffset, Func<Subtree, IEnumerator<JobStep>> load,
             Func<NativeArray<byte>, long, IEnumerator<JobStep>> writePiece)
@@ -100,7 +100,7 @@ namespace FastPoints.Build
                 m_bytes.Dispose();
         }
 
-        /// <summary>Coroutine: writes all pages of a part and below but those with its roots, and adds how it was cut.</summary>
+        /// <summary>Coroutine: writes all pages of a subtree and below but those with its roots, and adds its cut.</summary>
         IEnumerator<JobStep> WriteBelow(Subtree subtree, List<SubtreePages> cuts)
         {
             SubtreePages cut;
@@ -128,7 +128,7 @@ namespace FastPoints.Build
                 foreach (var other in loaded)
                     other.DisposeTable();
             }
-            // The roots are written with those of what hangs on the same part.
+            // The roots are written with those of what hangs on the same subtree.
             for (int page = cut.Pages.Count - 1; page >= cut.RootPages; page--)
                 cut.AddLink(cut.Pages[page].Above, WritePage(cut, page), cut.CubeOf(cut.Pages[page].Above));
             if (m_bytes.Length >= BytesPerPiece)
@@ -168,7 +168,7 @@ namespace FastPoints.Build
     internal static unsafe class HierarchyFile
     {
         /// <summary>Coroutine: writes it, and adds it to the manifest.</summary>
-        /// <param name="root">The part that all others hang on; its table is there.</param>
+        /// <param name="root">The subtree that all others hang on; its table is there.</param>
         public static IEnumerator<JobStep> Write(CloudFolderWriter folder, CloudManifest manifest, Subtree root)
         {
             string name = manifest.HierarchyName;
@@ -211,7 +211,7 @@ namespace FastPoints.Build
         }
     }
 
-    /// <summary>How the nodes of a part are cut into pages. A node's children are all in its page, or only the inlined leaves
+    /// <summary>How the nodes of a subtree are cut into pages. A node's children are all in its page, or only the inlined leaves
     /// among them: the others are in pages below.</summary>
     sealed unsafe class SubtreePages
     {
@@ -219,7 +219,7 @@ namespace FastPoints.Build
         {
             public List<int> Nodes;
 
-            /// <summary>The node of the part that the roots are children of, or -1.</summary>
+            /// <summary>The node of the subtree that the roots are children of, or -1.</summary>
             public int Above;
         }
 
