@@ -1,7 +1,5 @@
 namespace FastPoints.Cli.Charts;
 
-/// <summary>Bars as SVG: a histogram of amounts, or a bar for each of some names. Narrow, so that phones show it
-/// legibly.</summary>
 public static class BarChart
 {
     const int Width = 400, Left = 12, Right = 12, Top = 34, PlotHeight = 120, RowPx = 22, NameWidth = 132;

@@ -1,7 +1,5 @@
 namespace FastPoints.Cli.Stability;
 
-/// <summary>Draws a converted cloud with the renderer of a game, and compares it with the software
-/// rasteriser's picture of the same.</summary>
 static class GpuStage
 {
     const int MaxBytes = 256 << 20;

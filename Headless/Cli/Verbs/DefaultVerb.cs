@@ -202,8 +202,6 @@ public sealed class DefaultVerb : Verb
         static bool IsFinished(string folder, string file) => File.Exists(Path.Combine(folder, PageName))
             && SummaryInput(Path.Combine(folder, SummaryName)) == NameIn(file);
 
-        /// <summary>Deletes a stopped report, except what existed before, an octree to resume and the
-        /// name of its source.</summary>
         public static void Clear(string folder, string file, HashSet<string> before)
         {
             string summary = Path.Combine(folder, SummaryName);

@@ -1,7 +1,5 @@
 namespace FastPoints.RepoTools.Meta;
 
-/// <summary>Unity's importer for a kind of file, with the block that it writes into a .meta when nothing was set by
-/// hand.</summary>
 public sealed record Importer(string Name, bool IsFolder, string Settings)
 {
     private const string NoSettings = "";

@@ -10,8 +10,6 @@ using Unity.Mathematics;
 
 namespace FastPoints.Evaluation
 {
-    /// <summary>Draws the resident nodes of one streamed cloud into a canvas, straight from the pool's memory. Main
-    /// thread.</summary>
     internal sealed unsafe class StreamedBlocks : IDisposable
     {
         readonly StreamContext m_stream;

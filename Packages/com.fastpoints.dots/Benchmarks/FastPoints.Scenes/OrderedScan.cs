@@ -73,8 +73,6 @@ namespace FastPoints.Scenes
         void Append(NativeArray<ScanReturn> returns, NativeArray<int> returnNumber);
     }
 
-    /// <summary>Finds the order in which returns are to be written: a stable counting sort by tile or class, or a
-    /// shuffle.</summary>
     [BurstCompile]
     internal struct OrderReturnsJob : IJob
     {

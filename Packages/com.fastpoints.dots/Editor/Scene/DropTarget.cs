@@ -6,8 +6,6 @@ using UnityEngine.SceneManagement;
 
 namespace FastPoints.Editor
 {
-    /// <summary>Where in a scene clouds are dropped: a point, a parent, a scene, a place among siblings; and the origin that
-    /// several of them share.</summary>
     internal sealed class DropTarget
     {
         const string OriginName = "Point Cloud Origin";

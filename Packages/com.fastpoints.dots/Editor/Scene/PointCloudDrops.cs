@@ -87,8 +87,6 @@ namespace FastPoints.Editor
         public static PointCloud Show(PointCloudAsset asset, Vector3? position, Transform parent) =>
             new DropTarget { Point = position, Parent = parent }.Show(new[] { asset })?.GetComponent<PointCloud>();
 
-        /// <summary>Imports what is dragged: one at once, several in the next updates.</summary>
-        /// <param name="target">Where they are shown; null for nowhere.</param>
         static void Import(string folder, DropTarget target)
         {
             var imports = PointCloudImports.Current;

@@ -32,8 +32,6 @@ namespace FastPoints.Editor
 
         public IEnumerable<string> ReservedPaths => m_exports.ConvertAll(export => export.Path);
 
-        /// <param name="sources">A converted cloud, or files that make one cloud.</param>
-        /// <param name="path">Ends in .las, .laz or .ply.</param>
         public void Begin(IReadOnlyList<string> sources, string path, ExportSettings settings)
         {
             var export = new Export { Path = path, Settings = settings };

@@ -6,8 +6,6 @@ using UnityEngine;
 
 namespace FastPoints.Editor
 {
-    /// <summary>Updates handles whose sources have moved. They stay the same assets, with all references, and keep their
-    /// converted clouds.</summary>
     internal static class CloudRelocation
     {
         /// <summary>The first missing source of a handle; null if none is.</summary>

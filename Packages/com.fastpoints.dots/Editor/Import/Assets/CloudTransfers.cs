@@ -11,8 +11,6 @@ using UnityEngine;
 
 namespace FastPoints.Editor
 {
-    /// <summary>Copies converted clouds out of the project and into it: on pool threads, each with a line in the Progress
-    /// window.</summary>
     internal sealed class CloudTransfers : IDisposable
     {
         struct Transfer

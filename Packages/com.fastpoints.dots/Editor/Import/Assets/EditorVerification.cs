@@ -8,8 +8,6 @@ using UnityEngine;
 
 namespace FastPoints.Editor
 {
-    /// <summary>Verifies converted clouds, one at a time, with a line in the Progress window. The result is written to the
-    /// Console and kept for inspectors.</summary>
     internal sealed class EditorVerification : IDisposable
     {
         int m_progress;

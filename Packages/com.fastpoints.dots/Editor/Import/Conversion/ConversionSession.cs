@@ -65,8 +65,6 @@ namespace FastPoints.Editor
                 m_reader.MaxJobs = workers;
         }
 
-        /// <summary>Works for about this long; call it once an update.</summary>
-        /// <returns>Whether the session has ended.</returns>
         public bool Tick(double budgetMs)
         {
             try

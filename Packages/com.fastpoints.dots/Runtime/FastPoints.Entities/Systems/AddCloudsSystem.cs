@@ -117,8 +117,6 @@ namespace FastPoints.Entities
                 live.Looks[live.Versions.Next] = EntityManager.GetComponentData<PointCloudLook>(entity);
         }
 
-        /// <summary>Shows another state from now on.</summary>
-        /// <param name="before">The state shown so far, which may stay beside the new one.</param>
         void Show(Entity entity, LiveCloud live, int before)
         {
             int shown = live.Versions.Cloud;

@@ -8,12 +8,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Build
 {
-    /// <summary>Writes what a build has learned about its points into the cloud's manifest, and anomalies into the sources'
-    /// warnings.</summary>
     internal static class CloudDescription
     {
-        /// <summary>The manifest of the whole cloud, except for its nodes, which come later. Sources
-        /// get their warnings.</summary>
         public static CloudManifest OfBuild(BuildContext build, BuildJournal journal, ScatterPoints scatter)
         {
             var found = scatter.Statistics;

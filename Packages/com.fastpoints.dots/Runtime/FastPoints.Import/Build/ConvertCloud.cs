@@ -242,8 +242,6 @@ namespace FastPoints.Build
         }
     }
 
-    /// <summary>Finds the root cube of the points that were read, and makes chunks that are neither too large nor needlessly
-    /// small.</summary>
     internal sealed class RebalanceChunks
     {
         readonly BuildContext m_build;

@@ -9,8 +9,6 @@ using Unity.Jobs.LowLevel.Unsafe;
 
 namespace FastPoints.Build
 {
-    /// <summary>From chunks of records to a stored octree: each chunk into its file, the tops of all into the upper
-    /// levels.</summary>
     internal sealed class OctreeBuild : IDisposable
     {
         sealed class Slot : IDisposable

@@ -5,8 +5,6 @@ using FastPoints.Reading;
 
 namespace FastPoints.Build
 {
-    /// <summary>Reads all sources into the chunks of the first partition, from where a killed build stopped, and writes
-    /// the journal.</summary>
     internal sealed class ReadSources
     {
         readonly BuildContext m_build;

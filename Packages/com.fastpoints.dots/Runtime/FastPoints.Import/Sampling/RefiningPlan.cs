@@ -42,8 +42,6 @@ namespace FastPoints.Sampling
         /// <summary>Number of points in the ranges returned so far.</summary>
         public long Taken { get; private set; }
 
-        /// <summary>Returns the ranges to read next; none once <paramref name="share"/> of the points were returned.</summary>
-        /// <param name="share">0 to 1, never less than before.</param>
         public List<BlockRange> Next(double share)
         {
             if (IsSliced && share != m_share)

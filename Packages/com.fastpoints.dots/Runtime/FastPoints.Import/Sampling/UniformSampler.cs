@@ -22,8 +22,6 @@ namespace FastPoints.Sampling
         long m_bytesRead;
         PreviewSample m_sample;
 
-        /// <param name="reader">A reader whose blocks are known.</param>
-        /// <param name="wanted">Number of points, limited to <see cref="PreviewSample.MaxPoints"/>.</param>
         public UniformSampler(PointReader reader, int wanted, uint seed)
         {
             m_reader = reader;
@@ -31,8 +29,6 @@ namespace FastPoints.Sampling
             m_strata = new SampleStrata(reader.PointCount, Math.Min(wanted, PreviewSample.MaxPoints(m_schema)), seed);
         }
 
-        /// <summary>Coroutine; <see cref="TakeSample"/> comes afterwards.</summary>
-        /// <param name="slots">Blocks in flight; 0 for <see cref="SourceScan.SlotsFor"/>.</param>
         public IEnumerator<JobStep> Run(int slots, StageProgress progress)
         {
             if (slots < 1)

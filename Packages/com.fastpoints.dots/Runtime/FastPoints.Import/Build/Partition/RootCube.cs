@@ -7,15 +7,11 @@ using Unity.Mathematics;
 
 namespace FastPoints.Build
 {
-    /// <summary>Chooses the cube of the whole octree: first a guess, for the partition; then grown and shrunk to the actual
-    /// points.</summary>
     internal static class RootCube
     {
         /// <summary>Claimed extents more than this many times that of the sample are ignored.</summary>
         const double MaxClaimRatio = 4;
 
-        /// <summary>The smallest cube centred on a box, so that points slightly outside the box are still
-        /// inside.</summary>
         public static GridCube Around(Grid3 min, Grid3 max)
         {
             var extent = max - min;

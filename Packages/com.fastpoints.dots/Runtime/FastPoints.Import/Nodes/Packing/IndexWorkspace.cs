@@ -266,8 +266,6 @@ namespace FastPoints.Nodes
         }
     }
 
-    /// <summary>The progress of a <see cref="SampleNodesJob"/> between two slices, and its working memory, which is reused for
-    /// the next chunk.</summary>
     internal unsafe struct SampleScratch : IDisposable
     {
         public enum Stage
