@@ -234,4 +234,25 @@ namespace FastPoints.Reading
             return isInside;
         }
     }
+
+    internal interface IPointFilter
+    {
+        /// <summary>Names of the attributes that it reads, beside the position.</summary>
+        IEnumerable<string> Attributes { get; }
+
+        /// <summary>Differs between those that keep different points.</summary>
+        ulong Hash { get; }
+
+        IFilterSlot CreateSlot(PointBatch batch, in PositionTransform transform);
+    }
+
+    internal interface IFilterSlot : IDisposable
+    {
+        /// <summary>The number of points left in the batch, when the scheduled jobs are complete.</summary>
+        NativeReference<DecodeResult> Result { get; }
+
+        /// <param name="range">Of the reader that filters.</param>
+        /// <param name="firstPoint">Number of the batch's first point in the source.</param>
+        JobHandle Schedule(NativeReference<DecodeResult> decodedResult, BlockRange range, long firstPoint, JobHandle decoded);
+    }
 }
