@@ -174,9 +174,9 @@ sealed class ViewCloud
             json.WriteStartObject();
             WriteFrame(json, sets[^1].Kept.Length);
             json.WriteStartObject("ramps");
-            foreach (var (name, gradient) in new[] { ("viridis", ColorRamp.Viridis), ("gray", ColorRamp.Gray) })
+            foreach (var (name, ramp) in new[] { ("viridis", ColorRamp.Viridis), ("gray", ColorRamp.Gray) })
             {
-                using var palette = Palettes.Create(ColorMode.Elevation, Allocator.Persistent, gradient);
+                using var palette = Palettes.Create(ColorMode.Elevation, Allocator.Persistent, ramp);
                 json.WriteString(name, string.Concat(palette.Select(ViewColumn.Hex)));
             }
             json.WriteEndObject();

@@ -20,13 +20,14 @@ static class PartFile
         using (var file = new PartFileWriter(folder, NodesName, header, nodes.FactsToBytes()))
         {
             int planeCount = result.BytesOfPlane.Length;
-            var places = new PartAttachPoints(merge);
+            var attachPoints = new PartAttachPoints(merge);
             foreach (var item in merge.Added)
                 if (item.Chunk != null && item.Top.HasNodes)
-                    yield return JobStep.Of(AddTable(file, item.ToPart(), planeCount, places.Of(item.AttachPoint), nodes.Chunks));
-            foreach (var region in places.Regions)
-                yield return JobStep.Of(AddTable(file, region.Part, planeCount, places.Of(region), nodes.Regions));
-            places.AddInputs(merge, inputs, nodes.Inputs);
+                    yield return JobStep.Of(AddTable(file, item.ToSubtree(), planeCount,
+                        attachPoints.Of(item.AttachPoint), nodes.Chunks));
+            foreach (var region in attachPoints.Regions)
+                yield return JobStep.Of(AddTable(file, region.Subtree, planeCount, attachPoints.Of(region), nodes.Regions));
+            attachPoints.AddInputs(merge, inputs, nodes.Inputs);
             yield return JobStep.Of(file.Finish(nodes.EntriesToBytes()));
             header.NodesHash = file.Hash;
         }
@@ -71,28 +72,28 @@ static class PartFile
         return tops;
     }
 
-    static IEnumerator<JobStep> AddTable(PartFileWriter file, Subtree part, int planeCount, PartAttachPoint place,
+    static IEnumerator<JobStep> AddTable(PartFileWriter file, Subtree subtree, int planeCount, PartAttachPoint attachPoint,
         List<PartNodes.Entry> entries)
     {
-        bool isLoaded = part.Table.IsCreated;
+        bool isLoaded = subtree.Table.IsCreated;
         try
         {
             if (!isLoaded)
-                yield return JobStep.Of(part.Load(planeCount));
+                yield return JobStep.Of(subtree.Load(planeCount));
             entries.Add(new PartNodes.Entry
             {
-                Container = part.Container,
-                NodeCount = part.NodeCount,
+                Container = subtree.Container,
+                NodeCount = subtree.NodeCount,
                 TableOffset = file.Offset,
-                TableHash = HashOf(part.Table),
-                Place = place,
+                TableHash = HashOf(subtree.Table),
+                AttachPoint = attachPoint,
             });
-            yield return JobStep.Of(file.Add(part.Table));
+            yield return JobStep.Of(file.Add(subtree.Table));
         }
         finally
         {
             if (!isLoaded)
-                part.DisposeTable();
+                subtree.DisposeTable();
         }
     }
 

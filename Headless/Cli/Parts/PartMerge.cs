@@ -137,12 +137,12 @@ sealed class PartGraph
         {
             manifest.ChunkCount += file.Nodes.Chunks.Count;
             foreach (var chunk in file.Nodes.Chunks)
-                Attach(file, chunk.Place, PartOf(file.Path, chunk));
+                Attach(file, chunk.AttachPoint, PartOf(file.Path, chunk));
             for (int r = 0; r < file.Regions.Length; r++)
-                if (file.Nodes.Regions[r].Place.Region == PartAttachPoint.Root)
+                if (file.Nodes.Regions[r].AttachPoint.Region == PartAttachPoint.Root)
                     root = file.Regions[r];
                 else
-                    Attach(file, file.Nodes.Regions[r].Place, file.Regions[r]);
+                    Attach(file, file.Nodes.Regions[r].AttachPoint, file.Regions[r]);
         }
         foreach (var file in m_files)
             foreach (var region in file.Regions)
@@ -162,16 +162,16 @@ sealed class PartGraph
         (below.Above, below.Input) = (file, input);
     }
 
-    static void Attach(File file, PartAttachPoint place, Subtree part)
+    static void Attach(File file, PartAttachPoint attachPoint, Subtree subtree)
     {
-        while (place.Region == PartAttachPoint.Open && file.Above != null &&
-            place.Node < file.Above.Nodes.Inputs[file.Input].Places.Count)
-            (place, file) = (file.Above.Nodes.Inputs[file.Input].Places[place.Node], file.Above);
-        if (place.Region < 0 || place.Region >= file.Regions.Length || place.Node < 0 ||
-            place.Node >= file.Regions[place.Region].NodeCount)
-            throw PointCloudException.Wanted(FailureCode.BadInput, file.Path, -1, "what " + part.Cube + " hangs on",
-                "a node of a region", place.Node + " of " + place.Region);
-        file.Regions[place.Region].Children.Add((place.Node, part));
+        while (attachPoint.Region == PartAttachPoint.Open && file.Above != null &&
+            attachPoint.Node < file.Above.Nodes.Inputs[file.Input].AttachPoints.Count)
+            (attachPoint, file) = (file.Above.Nodes.Inputs[file.Input].AttachPoints[attachPoint.Node], file.Above);
+        if (attachPoint.Region < 0 || attachPoint.Region >= file.Regions.Length || attachPoint.Node < 0 ||
+            attachPoint.Node >= file.Regions[attachPoint.Region].NodeCount)
+            throw PointCloudException.Wanted(FailureCode.BadInput, file.Path, -1, "what " + subtree.Cube + " hangs on",
+                "a node of a region", attachPoint.Node + " of " + attachPoint.Region);
+        file.Regions[attachPoint.Region].Children.Add((attachPoint.Node, subtree));
     }
 
     static Subtree PartOf(string path, in PartNodes.Entry entry) => new Subtree

@@ -31,7 +31,7 @@ sealed class PartNodes
         public int NodeCount;
         public long TableOffset;
         public ulong TableHash;
-        public PartAttachPoint Place;
+        public PartAttachPoint AttachPoint;
 
         public void Write(BinaryWriter to)
         {
@@ -43,7 +43,7 @@ sealed class PartNodes
             to.Write(NodeCount);
             to.Write(TableOffset);
             to.Write(TableHash);
-            Place.Write(to);
+            AttachPoint.Write(to);
         }
 
         public static Entry Read(BinaryReader from) => new Entry
@@ -59,14 +59,14 @@ sealed class PartNodes
             NodeCount = from.ReadInt32(),
             TableOffset = from.ReadInt64(),
             TableHash = from.ReadUInt64(),
-            Place = PartAttachPoint.Read(from),
+            AttachPoint = PartAttachPoint.Read(from),
         };
     }
 
     public sealed class Input
     {
         public ulong NodesHash;
-        public readonly List<PartAttachPoint> Places = new List<PartAttachPoint>();
+        public readonly List<PartAttachPoint> AttachPoints = new List<PartAttachPoint>();
     }
 
     /// <summary>The part's cube; if it has the root's region, the root.</summary>
@@ -115,9 +115,9 @@ sealed class PartNodes
         foreach (var input in Inputs)
         {
             to.Write(input.NodesHash);
-            to.Write(input.Places.Count);
-            foreach (var place in input.Places)
-                place.Write(to);
+            to.Write(input.AttachPoints.Count);
+            foreach (var attachPoint in input.AttachPoints)
+                attachPoint.Write(to);
         }
     });
 
@@ -132,7 +132,7 @@ sealed class PartNodes
                 var input = new Input { NodesHash = from.ReadUInt64() };
                 Inputs.Add(input);
                 for (int left = PartBytes.ReadCount(from); left > 0; left--)
-                    input.Places.Add(PartAttachPoint.Read(from));
+                    input.AttachPoints.Add(PartAttachPoint.Read(from));
             }
         });
 }
@@ -204,7 +204,7 @@ sealed class PartAttachPoints
             m_open.Add(item.AttachPoint, m_open.Count);
         foreach (var region in merge.Regions)
         {
-            if (region.Part.NodeCount == 0)
+            if (region.Subtree.NodeCount == 0)
                 continue;
             m_numbers.Add(region, Regions.Count);
             Regions.Add(region);
@@ -214,12 +214,12 @@ sealed class PartAttachPoints
     /// <summary>Those with nodes.</summary>
     public readonly List<UpperRegion> Regions = new List<UpperRegion>();
 
-    public PartAttachPoint Of(UpperAttachPoint place)
+    public PartAttachPoint Of(UpperAttachPoint attachPoint)
     {
-        place = place.OfNode();
-        if (place.Above != null)
-            return new PartAttachPoint { Region = m_numbers[place.Above], Node = place.Node };
-        return m_open.TryGetValue(place, out int open) ? new PartAttachPoint { Region = PartAttachPoint.Open, Node = open }
+        attachPoint = attachPoint.OfNode();
+        if (attachPoint.Above != null)
+            return new PartAttachPoint { Region = m_numbers[attachPoint.Above], Node = attachPoint.Node };
+        return m_open.TryGetValue(attachPoint, out int open) ? new PartAttachPoint { Region = PartAttachPoint.Open, Node = open }
             : new PartAttachPoint { Region = PartAttachPoint.Root };
     }
 
@@ -234,7 +234,7 @@ sealed class PartAttachPoints
             var input = new PartNodes.Input { NodesHash = tops.NodesHash };
             to.Add(input);
             foreach (var _ in tops.Items)
-                input.Places.Add(Of(items.Dequeue().AttachPoint));
+                input.AttachPoints.Add(Of(items.Dequeue().AttachPoint));
         }
     }
 }

@@ -73,9 +73,9 @@ sealed unsafe class UpgradeStep : IDisposable
             m_moves.Clear();
             container = table.LayOut(container, m_colorPlane, m_moves);
             yield return JobStep.Of(Copy(m_old.PathOf(chunk), container, PointsOf(table)));
-            var part = new Subtree { Cube = chunk.Cube, Container = container, NodeCount = chunk.NodeCount };
-            m_chunkOfPart.Add(part, chunk);
-            m_upper!.Attach(chunk.AttachNode, part);
+            var subtree = new Subtree { Cube = chunk.Cube, Container = container, NodeCount = chunk.NodeCount };
+            m_chunkOfPart.Add(subtree, chunk);
+            m_upper!.Attach(chunk.AttachNode, subtree);
         }
         m_upper!.Join();
     }
@@ -136,11 +136,11 @@ sealed unsafe class UpgradeStep : IDisposable
         }));
     }
 
-    IEnumerator<JobStep> LoadTable(Subtree part)
+    IEnumerator<JobStep> LoadTable(Subtree subtree)
     {
-        using var table = m_old.TableOf(m_chunkOfPart[part]);
-        table.LayOut(part.Container, m_colorPlane, null);
-        part.Table = table.Release();
+        using var table = m_old.TableOf(m_chunkOfPart[subtree]);
+        table.LayOut(subtree.Container, m_colorPlane, null);
+        subtree.Table = table.Release();
         yield return default;
     }
 

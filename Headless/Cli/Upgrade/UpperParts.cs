@@ -17,10 +17,10 @@ sealed unsafe class UpperParts : IDisposable
         m_partOf = new int[table.NodeCount];
         m_indexIn = new int[table.NodeCount];
         Divide();
-        foreach (var (part, _, nodes) in m_parts)
+        foreach (var (subtree, _, nodes) in m_parts)
         {
-            part.Container = container;
-            Fill(part, nodes, planeCount);
+            subtree.Container = container;
+            Fill(subtree, nodes, planeCount);
         }
     }
 
@@ -28,26 +28,26 @@ sealed unsafe class UpperParts : IDisposable
 
     public void Dispose()
     {
-        foreach (var (part, _, _) in m_parts)
-            part.DisposeTable();
+        foreach (var (subtree, _, _) in m_parts)
+            subtree.DisposeTable();
     }
 
-    public void Attach(int node, Subtree part) => m_parts[m_partOf[node]].Part.Children.Add((m_indexIn[node], part));
+    public void Attach(int node, Subtree subtree) => m_parts[m_partOf[node]].Part.Children.Add((m_indexIn[node], subtree));
 
     /// <summary>Hangs the parts on one another, when all chunks hang on them: their cubes hold what is below.</summary>
     public void Join()
     {
         for (int p = m_parts.Count - 1; p >= 0; p--)
         {
-            var (part, above, nodes) = m_parts[p];
-            part.Cube = above < 0 ? m_root : m_table.Nodes[nodes[0]].Cube;
+            var (subtree, above, nodes) = m_parts[p];
+            subtree.Cube = above < 0 ? m_root : m_table.Nodes[nodes[0]].Cube;
             foreach (int node in nodes)
-                part.Cube = Around(part.Cube, m_table.Nodes[node].Cube);
-            foreach (var (_, below) in part.Children)
-                part.Cube = Around(part.Cube, below.Cube);
-            part.SortChildren(m_root.Corner);
+                subtree.Cube = Around(subtree.Cube, m_table.Nodes[node].Cube);
+            foreach (var (_, below) in subtree.Children)
+                subtree.Cube = Around(subtree.Cube, below.Cube);
+            subtree.SortChildren(m_root.Corner);
             if (above >= 0)
-                Attach(above, part);
+                Attach(above, subtree);
         }
     }
 
@@ -74,11 +74,11 @@ sealed unsafe class UpperParts : IDisposable
         }
     }
 
-    void Fill(Subtree part, List<int> nodes, int planeCount)
+    void Fill(Subtree subtree, List<int> nodes, int planeCount)
     {
-        part.NodeCount = nodes.Count;
-        part.Table = new NativeArray<byte>(nodes.Count * ChunkResult.BytesPerNode(planeCount), Allocator.Persistent);
-        var records = (NodeRecord*)part.Table.GetUnsafePtr();
+        subtree.NodeCount = nodes.Count;
+        subtree.Table = new NativeArray<byte>(nodes.Count * ChunkResult.BytesPerNode(planeCount), Allocator.Persistent);
+        var records = (NodeRecord*)subtree.Table.GetUnsafePtr();
         var ranges = (PlaneRange*)(records + nodes.Count);
         for (int i = 0; i < nodes.Count; i++)
         {

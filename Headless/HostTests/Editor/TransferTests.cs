@@ -15,7 +15,7 @@ public sealed class TransferTests : EditorFixture
         Assert.That(CliCall.Of("verify", cloud, "--quiet").Status, Is.EqualTo(ExitStatus.Done));
 
     [Test]
-    public void Export_ConvertedCloud_WritesItUnderItsOrTheNextFreeName()
+    public void ExportCopy_ConvertedCloud_WritesItUnderItsOrTheNextFreeName()
     {
         var asset = Converted();
         string folder = Directory.CreateDirectory(m_project.Scratch["out"]).FullName;
@@ -32,7 +32,7 @@ public sealed class TransferTests : EditorFixture
 
     /// <summary>Windows' drives have letters: DriveInfo takes no \\server\share.</summary>
     [Test]
-    public void Export_UnknownFreeSpace_WritesTheWholeCloud()
+    public void ExportCopy_UnknownFreeSpace_WritesTheWholeCloud()
     {
         var asset = Converted();
         bool isAsked = false;
@@ -52,7 +52,7 @@ public sealed class TransferTests : EditorFixture
     }
 
     [Test]
-    public void Export_CloudThatIsNotConverted_ReportsIt()
+    public void ExportCopy_CloudThatIsNotConverted_ReportsIt()
     {
         var asset = ScriptableObject.CreateInstance<PointCloudAsset>();
         asset.name = "scan";
@@ -93,7 +93,7 @@ public sealed class TransferTests : EditorFixture
     }
 
     [Test]
-    public void Export_CancelledInTheProgressWindow_IsNotReportedAgain()
+    public void ExportCopy_CancelledInTheProgressWindow_IsNotReportedAgain()
     {
         var asset = Converted();
         string to = m_project.Imports.ExportCopy(asset, Directory.CreateDirectory(m_project.Scratch["out"]).FullName);

@@ -145,7 +145,7 @@ public sealed class PipelinePassTests : PipelineFixture
     /// <summary>As a floating origin moves it, with the clouds, in the frame that selects for it.</summary>
     [TestCase(false)]
     [TestCase(true)]
-    public void NextViews_CameraMovedSinceItsPicture_UsesItsCurrentPosition(bool isMirror)
+    public void CollectNextViews_CameraMovedSinceItsPicture_UsesItsCurrentPosition(bool isMirror)
     {
         Begin(nameof(BuiltInHost));
         var camera = LookingCamera(out var target);

@@ -58,7 +58,7 @@ sealed class RemoteReadTests : RemoteFixture
 
     // As of an octree of a file a node: nothing of each is kept.
     [Test]
-    public void FetchedBytes_OfAFileOfTheirOwn_ForgetIt([Values] bool isGivenUp)
+    public void RemoteFetch_OfAFileOfTheirOwn_ForgetIt([Values] bool isGivenUp)
     {
         Make("a.bin", 200_000);
         var gate = new TaskCompletionSource();

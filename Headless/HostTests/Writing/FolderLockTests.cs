@@ -17,7 +17,7 @@ public sealed class FolderLockTests : ScratchPerTest
     }
 
     [Test]
-    public void TryTake_WhileItIsHeld_ReportsTheOwner()
+    public void TakeOrGetOwner_WhileItIsHeld_ReportsTheOwner()
     {
         Assert.That(FolderLock.TakeOrGetOwner(m_path, out var first), Is.Null);
         Assert.That(FolderLock.TakeOrGetOwner(m_path, "else", (1, 1), out var second),
@@ -31,7 +31,7 @@ public sealed class FolderLockTests : ScratchPerTest
     }
 
     [Test]
-    public void TryTake_CrashedOwner_IsReplaced()
+    public void TakeOrGetOwner_CrashedOwner_IsReplaced()
     {
         FolderLock.TakeOrGetOwner(m_path, Environment.MachineName, Dead(), out var crashed);
         Assert.That(FolderLock.TakeOrGetOwner(m_path, out var next), Is.Null);
@@ -45,7 +45,7 @@ public sealed class FolderLockTests : ScratchPerTest
     }
 
     [Test]
-    public void TryTake_OwnerKilledAsItTookIt_IsReplacedAtOnce([Values(0, 3)] int written)
+    public void TakeOrGetOwner_OwnerKilledAsItTookIt_IsReplacedAtOnce([Values(0, 3)] int written)
     {
         FolderLock.TakeOrGetOwner(m_path, out _);
         File.WriteAllText(m_path, File.ReadAllText(m_path)[..written]);
@@ -54,7 +54,7 @@ public sealed class FolderLockTests : ScratchPerTest
     }
 
     [Test]
-    public void TryTake_KilledAsItReplacedOne_IsReplacedAtOnce()
+    public void TakeOrGetOwner_KilledAsItReplacedOne_IsReplacedAtOnce()
     {
         FolderLock.TakeOrGetOwner(m_path, Environment.MachineName, Dead(), out _);
         FolderLock.TakeOrGetOwner(m_path + ".taking", Environment.MachineName, Dead(), out _);
@@ -64,7 +64,7 @@ public sealed class FolderLockTests : ScratchPerTest
     }
 
     [Test]
-    public void TryTake_OwnerThatIsStillTakingIt_IsAwaited()
+    public void TakeOrGetOwner_OwnerThatIsStillTakingIt_IsAwaited()
     {
         FolderLock.TakeOrGetOwner(m_path, "far", (7, 1), out _);
         string owner = File.ReadAllText(m_path);
@@ -79,7 +79,7 @@ public sealed class FolderLockTests : ScratchPerTest
     }
 
     [Test]
-    public void TryTake_HeldUpUntilAnotherReplacedIt_IsNotTaken()
+    public void TakeOrGetOwner_HeldUpUntilAnotherReplacedIt_IsNotTaken()
     {
         int reads = 0;
         using var replacing = WindowsRules.Hear((change, path, to) =>
@@ -94,7 +94,7 @@ public sealed class FolderLockTests : ScratchPerTest
     }
 
     [Test]
-    public void TryTake_ProcessIdReused_IsReplaced()
+    public void TakeOrGetOwner_ProcessIdReused_IsReplaced()
     {
         var (id, began) = FolderLock.Self();
         FolderLock.TakeOrGetOwner(m_path, Environment.MachineName, (id, began - TimeSpan.TicksPerHour), out _);
@@ -103,7 +103,7 @@ public sealed class FolderLockTests : ScratchPerTest
     }
 
     [Test]
-    public void TryTake_LockOfAnEarlierDomainOfThisProcess_IsReplaced()
+    public void TakeOrGetOwner_LockOfAnEarlierDomainOfThisProcess_IsReplaced()
     {
         FolderLock.TakeOrGetOwner(m_path, out _);
         string[] lines = File.ReadAllText(m_path).Split('\n');
@@ -116,7 +116,7 @@ public sealed class FolderLockTests : ScratchPerTest
 
     // Its processes have numbers of their own.
     [Test]
-    public void TryTake_LockOfAContainerOfTheSameMachine_IsReplacedWhenItIsNotRenewed()
+    public void TakeOrGetOwner_LockOfAContainerOfTheSameMachine_IsReplacedWhenItIsNotRenewed()
     {
         FolderLock.TakeOrGetOwner(m_path, Environment.MachineName, Dead(), out _);
         string[] lines = File.ReadAllText(m_path).Split('\n');
@@ -131,7 +131,7 @@ public sealed class FolderLockTests : ScratchPerTest
     }
 
     [Test]
-    public void TryTake_RuntimeWithoutProcessIds_ExcludesItselfAndReplacesAnEarlierLock()
+    public void TakeOrGetOwner_RuntimeWithoutProcessIds_ExcludesItselfAndReplacesAnEarlierLock()
     {
         var unknown = default((int, long));
         FolderLock.TakeOrGetOwner(m_path, Environment.MachineName, unknown, out _);
@@ -158,7 +158,7 @@ public sealed class FolderLockTests : ScratchPerTest
     }
 
     [Test]
-    public void TryTake_SilentOwnerOnAnotherMachine_IsReplaced()
+    public void TakeOrGetOwner_SilentOwnerOnAnotherMachine_IsReplaced()
     {
         FolderLock.TakeOrGetOwner(m_path, "far", (7, 1), out var far);
         Assert.That(FolderLock.TakeOrGetOwner(m_path, out _), Is.EqualTo("process 7 on far"));
@@ -174,7 +174,7 @@ public sealed class FolderLockTests : ScratchPerTest
     }
 
     [Test]
-    public void TryTake_ManyAtOnce_OneHasIt()
+    public void TakeOrGetOwner_ManyAtOnce_OneHasIt()
     {
         var dead = Dead();
         for (int round = 0; round < 50; round++)

@@ -23,24 +23,24 @@ namespace FastPoints.Picture
 
         // An empty box counts as a point at 0, a point as a box of one unit. With fewer than eight positions of an outline the
         // box's corners are framed.
-        public static Camera Frame(ViewDirection view, BoundsGeo bounds, double3[] outline, int widthPx, int heightPx,
+        public static Camera Frame(ViewDirection view, BoundsGeo bounds, double3[] sample, int widthPx, int heightPx,
             UpAxis upAxis) => Frame(new PictureOptions
             {
                 View = view,
                 WidthPx = widthPx,
                 HeightPx = heightPx,
                 UpAxis = upAxis,
-            }, bounds, outline, null, new double3(1, 1, 1));
+            }, bounds, sample, null, new double3(1, 1, 1));
 
         // The rim, if any, is framed as well unless it is outliers. For a cloud in degrees, lengths of a unit differ by axis.
-        public static Camera Frame(PictureOptions options, BoundsGeo bounds, double3[] outline, double3[] rim,
+        public static Camera Frame(PictureOptions options, BoundsGeo bounds, double3[] sample, double3[] extremes,
             double3 lengthsPerUnit)
         {
             if (lengthsPerUnit.Equals(new double3(1, 1, 1)))
-                return FrameLengths(options, bounds, outline, rim);
+                return FrameLengths(options, bounds, sample, extremes);
             if (!bounds.IsEmpty)
                 bounds = new BoundsGeo(bounds.Min * lengthsPerUnit, bounds.Max * lengthsPerUnit);
-            var camera = FrameLengths(options, bounds, Stretched(outline, lengthsPerUnit), Stretched(rim, lengthsPerUnit));
+            var camera = FrameLengths(options, bounds, Stretched(sample, lengthsPerUnit), Stretched(extremes, lengthsPerUnit));
             camera.EyeGeo /= lengthsPerUnit;
             camera.Right *= lengthsPerUnit;
             camera.Up *= lengthsPerUnit;
@@ -56,13 +56,13 @@ namespace FastPoints.Picture
             return stretched;
         }
 
-        static Camera FrameLengths(PictureOptions options, BoundsGeo bounds, double3[] outline, double3[] rim)
+        static Camera FrameLengths(PictureOptions options, BoundsGeo bounds, double3[] sample, double3[] extremes)
         {
             var solid = Thicken(bounds);
             bool isPoint = bounds.IsEmpty || math.cmax(solid.Size) > 2 * math.cmax(bounds.Size);
             bounds = solid;
-            if (outline == null || outline.Length < 8 || isPoint)
-                outline = Corners(bounds);
+            if (sample == null || sample.Length < 8 || isPoint)
+                sample = Corners(bounds);
             options.UpAxis.Directions(out var east, out var north, out var up);
             double width = math.dot(bounds.Size, math.abs(east));
             double depth = math.dot(bounds.Size, math.abs(north));
@@ -95,10 +95,10 @@ namespace FastPoints.Picture
             var scale = focalLength * new double2(options.HeightPx / (double)options.WidthPx / ShareOf(options.WidthPx, pointPx),
                 1 / ShareOf(options.HeightPx, pointPx));
             var target = bounds.Center;
-            int outliers = (int)(outline.Length * OutlierShare);
+            int outliers = (int)(sample.Length * OutlierShare);
             double minDistance = math.cmax(bounds.Size) * 1e-6;
-            double max = Fit(ref camera, ref target, outline, outliers, scale, (minDistance, Iterations));
-            var near = Near(camera, target, outline, rim, scale, max * MaxWidening);
+            double max = Fit(ref camera, ref target, sample, outliers, scale, (minDistance, Iterations));
+            var near = Near(camera, target, sample, extremes, scale, max * MaxWidening);
             Fit(ref camera, ref target, near, 0, scale, (minDistance, IterationsOfAll));
             if (isFlat)
                 camera.EyeGeo = target - camera.Forward * math.dot(bounds.Size, math.abs(camera.Forward));
@@ -110,11 +110,11 @@ namespace FastPoints.Picture
             1 - 2 * math.min(MaxMargin, math.max(Margin, (pointPx / 2 + 1) / edgePx));
 
         // The outline and rim points inside the frustum of a camera at this distance.
-        static double3[] Near(Camera camera, double3 target, double3[] outline, double3[] rim, double2 scale, double distance)
+        static double3[] Near(Camera camera, double3 target, double3[] sample, double3[] extremes, double2 scale, double distance)
         {
             camera.EyeGeo = target;
-            var near = new List<double3>(outline.Length);
-            foreach (var part in new[] { outline, rim ?? Array.Empty<double3>() })
+            var near = new List<double3>(sample.Length);
+            foreach (var part in new[] { sample, extremes ?? Array.Empty<double3>() })
                 foreach (var position in part)
                     if (DistanceToShow(camera, position, scale) <= distance)
                         near.Add(position);
@@ -153,13 +153,13 @@ namespace FastPoints.Picture
         }
 
         // Ignores this many outliers on each side. In units, or for a perspective camera in tangents of the angle from the axis.
-        static void Extent(in Camera camera, double3[] outline, int outliers, out double2 min, out double2 max)
+        static void Extent(in Camera camera, double3[] sample, int outliers, out double2 min, out double2 max)
         {
-            var x = new double[outline.Length];
-            var y = new double[outline.Length];
-            for (int i = 0; i < outline.Length; i++)
+            var x = new double[sample.Length];
+            var y = new double[sample.Length];
+            for (int i = 0; i < sample.Length; i++)
             {
-                var view = camera.ToView(outline[i]);
+                var view = camera.ToView(sample[i]);
                 double by = camera.IsOrthographic ? 1 : math.max(view.z, 1e-9 * math.length(view));
                 x[i] = view.x / by;
                 y[i] = view.y / by;

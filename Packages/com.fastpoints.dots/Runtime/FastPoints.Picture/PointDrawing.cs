@@ -15,8 +15,8 @@ namespace FastPoints.Picture
     ///     depth (ordered)   lit, radius  blue      green    red
     /// </code>
     /// (bits 31 .. 29 are the share that is lit, see PointLighting; 28 .. 24 half a point's size in pixels, how far lighting
-    /// looks around it, at most 31) so that a picture depends on no order and on no number of threads; of two points at one depth the
-    /// smaller colour stays. Blittable, for jobs.
+    /// looks around it, at most 31) so that a picture depends on no order and on no number of threads; of two points at one
+    /// depth the smaller colour stays. Blittable, for jobs.
     /// </summary>
     internal struct PointDrawing
     {

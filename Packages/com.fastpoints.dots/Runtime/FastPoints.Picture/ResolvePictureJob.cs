@@ -122,8 +122,8 @@ namespace FastPoints.Picture
         float3 Lit(int x, int y, ulong pixel)
         {
             var color = new float3((uint)pixel & 255, (uint)pixel >> 8 & 255, (uint)pixel >> 16 & 255);
-            int parts = PointDrawing.LitLevelOf(pixel);
-            if (parts == 0)
+            int litLevel = PointDrawing.LitLevelOf(pixel);
+            if (litLevel == 0)
                 return color;
             var around = new DepthNormals
             {
@@ -135,7 +135,7 @@ namespace FastPoints.Picture
             var place = PixelPositions.Of(x, y, PointProjection.DepthFromBits((uint)(pixel >> 32)));
             var normal = around.NormalAt(x, y, pixel);
             float facing = PointLighting.Facing(normal, Light.Direction);
-            return 255 * Light.Lit(color / 255, parts, normal, place, facing > 0 ? Shadows.At(place, facing) : 1);
+            return 255 * Light.Lit(color / 255, litLevel, normal, place, facing > 0 ? Shadows.At(place, facing) : 1);
         }
 
         static uint Darken(float3 color, float shade)

@@ -103,9 +103,9 @@ namespace FastPoints.Rendering
 
     static class ShaderValues
     {
-        public static void SetPixelPositions(MaterialPropertyBlock properties, in PixelPositions places) =>
-            properties.SetMatrix(ShaderNames.PixelPositions, RowsOf(VectorOf(places.First), VectorOf(places.StepX),
-                VectorOf(places.StepY), VectorOf(places.Forward)));
+        public static void SetPixelPositions(MaterialPropertyBlock properties, in PixelPositions positions) =>
+            properties.SetMatrix(ShaderNames.PixelPositions, RowsOf(VectorOf(positions.First), VectorOf(positions.StepX),
+                VectorOf(positions.StepY), VectorOf(positions.Forward)));
 
         public static void SetLight(MaterialPropertyBlock properties, in PointLighting light)
         {

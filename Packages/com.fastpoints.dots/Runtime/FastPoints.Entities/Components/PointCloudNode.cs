@@ -5,8 +5,8 @@ namespace FastPoints.Entities
 {
     /// <summary>A node of a cloud's octree that is in flight or in memory, if <see cref="PointCloudNodesWanted"/> asks for it:
     /// its entity lives as long, or is some frames late. It comes with <see cref="PointCloudNodeBounds"/>; with
-    /// <see cref="NodeRequested"/>, <see cref="NodeResident"/> and <see cref="NodeDrawn"/>, which show its state; and with <see cref="NodeHidden"/>, <see cref="NodePinned"/> and <see cref="NodeTint"/>, which users may
-    /// enable.</summary>
+    /// <see cref="NodeRequested"/>, <see cref="NodeResident"/> and <see cref="NodeDrawn"/>, which show its state; and with
+    /// <see cref="NodeHidden"/>, <see cref="NodePinned"/> and <see cref="NodeTint"/>, which users may enable.</summary>
     public struct PointCloudNode : IComponentData
     {
         public Entity Cloud;

@@ -183,11 +183,11 @@ namespace FastPoints.Build
                 m_build.Slices.Take(m_indexer.SliceTimes);
 
                 var region = TakeRegion(container);
-                bool hasNodes = Attach(members, tops, region) || region.Part.NodeCount > 0;
+                bool hasNodes = Attach(members, tops, region) || region.Subtree.NodeCount > 0;
                 members.Clear();
                 if (!isRoot)
                     members.Add(region.Item = TopOf(region, cube, hasNodes));
-                yield return JobStep.Of(WriteNodes(region.Part));
+                yield return JobStep.Of(WriteNodes(region.Subtree));
             }
             finally
             {
@@ -264,12 +264,12 @@ namespace FastPoints.Build
         }
 
         /// <summary>Writes a region's container, unless it has no nodes.</summary>
-        IEnumerator<JobStep> WriteNodes(Subtree part)
+        IEnumerator<JobStep> WriteNodes(Subtree subtree)
         {
             var file = m_indexer.File.AsArray();
-            if (part.NodeCount == 0)
+            if (subtree.NodeCount == 0)
                 yield break;
-            var ticket = m_build.Folder.Write(StoreFormat.PathOf(part.Container), file);
+            var ticket = m_build.Folder.Write(StoreFormat.PathOf(subtree.Container), file);
             try
             {
                 while (!ticket.IsDone(1))
@@ -288,11 +288,11 @@ namespace FastPoints.Build
         UpperRegion TakeRegion(ContainerRecord container)
         {
             var region = new UpperRegion { NodeOfDraft = m_indexer.NodeOfDraft.AsArray().ToArray() };
-            region.Part.Cube = container.Cube;
-            region.Part.Table = new NativeArray<byte>(m_indexer.Table.AsArray(), Allocator.Persistent);
-            region.Part.NodeCount = m_indexer.Table.Length / ChunkResult.BytesPerNode(BytesOfPlane.Length);
-            if (region.Part.NodeCount > 0)
-                region.Part.Container = ((FileHeader*)m_indexer.File.GetUnsafeReadOnlyPtr())->Container;
+            region.Subtree.Cube = container.Cube;
+            region.Subtree.Table = new NativeArray<byte>(m_indexer.Table.AsArray(), Allocator.Persistent);
+            region.Subtree.NodeCount = m_indexer.Table.Length / ChunkResult.BytesPerNode(BytesOfPlane.Length);
+            if (region.Subtree.NodeCount > 0)
+                region.Subtree.Container = ((FileHeader*)m_indexer.File.GetUnsafeReadOnlyPtr())->Container;
             foreach (var draft in m_indexer.Drafts.AsArray())
                 MinSideLog2 = Math.Min(MinSideLog2, draft.SideLog2);
             for (int p = 0; p < BytesOfPlane.Length; p++)
@@ -326,20 +326,20 @@ namespace FastPoints.Build
             m_manifest.ChunkCount = 0;
             foreach (var item in m_added)
                 m_manifest.ChunkCount += item.Top.HasNodes ? 1 : 0;
-            return HierarchyFile.Write(m_build.Folder, m_manifest, JoinParts());
+            return HierarchyFile.Write(m_build.Folder, m_manifest, JoinSubtrees());
         }
 
-        Subtree JoinParts()
+        Subtree JoinSubtrees()
         {
             foreach (var region in m_regions)
-                if (region.Above != null && region.Part.NodeCount > 0)
-                    region.Attach(region.Part);
+                if (region.Above != null && region.Subtree.NodeCount > 0)
+                    region.Attach(region.Subtree);
             foreach (var item in m_added)
                 if (item.Top.HasNodes)
-                    item.AttachPoint.Attach(item.ToPart());
+                    item.AttachPoint.Attach(item.ToSubtree());
             foreach (var region in m_regions)
-                region.Part.SortChildren(m_manifest.Root.Corner);
-            return m_regions.Count > 0 ? m_regions[m_regions.Count - 1].Part : new Subtree();
+                region.Subtree.SortChildren(m_manifest.Root.Corner);
+            return m_regions.Count > 0 ? m_regions[m_regions.Count - 1].Subtree : new Subtree();
         }
     }
 
@@ -353,18 +353,18 @@ namespace FastPoints.Build
         /// <summary>The place, here or further above, whose draft is a node; the last one if there is none yet.</summary>
         public UpperAttachPoint OfNode()
         {
-            var place = this;
-            while (place.Above != null && place.Node < 0)
-                place = place.Above;
-            return place;
+            var attachPoint = this;
+            while (attachPoint.Above != null && attachPoint.Node < 0)
+                attachPoint = attachPoint.Above;
+            return attachPoint;
         }
 
         public int Node => Above.NodeOfDraft[AttachDraft];
 
-        public void Attach(Subtree part)
+        public void Attach(Subtree subtree)
         {
-            var place = OfNode();
-            place.Above.Part.Children.Add((place.Node, part));
+            var attachPoint = OfNode();
+            attachPoint.Above.Subtree.Children.Add((attachPoint.Node, subtree));
         }
     }
 
@@ -373,7 +373,7 @@ namespace FastPoints.Build
     /// records.</summary>
     internal sealed class UpperRegion : UpperAttachPoint, IDisposable
     {
-        public readonly Subtree Part = new Subtree();
+        public readonly Subtree Subtree = new Subtree();
 
         /// <summary>For each draft, its node in the table, or -1 for the top that belongs to the region above.</summary>
         public int[] NodeOfDraft;
@@ -383,7 +383,7 @@ namespace FastPoints.Build
 
         public void Dispose()
         {
-            Part.DisposeTable();
+            Subtree.DisposeTable();
             if (Item != null && Item.Records.IsCreated)
                 Item.Records.Dispose();
         }
@@ -417,7 +417,7 @@ namespace FastPoints.Build
             AttachPoint = region ?? new UpperAttachPoint();
         }
 
-        public Subtree ToPart() => new Subtree
+        public Subtree ToSubtree() => new Subtree
         {
             Cube = Cube,
             Container = Chunk.Container,

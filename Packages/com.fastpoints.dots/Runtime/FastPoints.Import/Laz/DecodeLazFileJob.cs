@@ -104,16 +104,16 @@ namespace FastPoints.Laz
         int Decode(byte* input, in LazFileState state, int count)
         {
             byte* chunk = input + state.ChunkOffset;
-            byte* tile = (byte*)BatchRecords.GetUnsafePtr();
+            byte* batch = (byte*)BatchRecords.GetUnsafePtr();
             if (IsUncompressed)
             {
                 long left = (state.End - state.ChunkOffset) / RecordBytes - state.ChunkDone;
                 count = left < count ? (int)left : count;
-                UnsafeUtility.MemCpy(tile, chunk + state.ChunkDone * RecordBytes, (long)count * RecordBytes);
+                UnsafeUtility.MemCpy(batch, chunk + state.ChunkDone * RecordBytes, (long)count * RecordBytes);
                 return count;
             }
-            return IsLayered ? LayeredChunk.Decode(Layered, chunk, tile, count)
-                : PointwiseChunk.Decode(Pointwise, chunk, state.End - state.ChunkOffset, tile, count);
+            return IsLayered ? LayeredChunk.Decode(Layered, chunk, batch, count)
+                : PointwiseChunk.Decode(Pointwise, chunk, state.End - state.ChunkOffset, batch, count);
         }
 
         // The number of points before the first that does not fit into 32 bits of the columns' grid.

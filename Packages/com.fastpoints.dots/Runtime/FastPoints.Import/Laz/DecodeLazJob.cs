@@ -6,7 +6,7 @@ using Unity.Jobs;
 
 namespace FastPoints.Laz
 {
-    // The points after those of the previous slice of a chunk, first into a tile of records, then to the wanted columns.
+    // The points after those of the previous slice of a chunk, first into a batch of records, then to the wanted columns.
     [BurstCompile]
     unsafe struct DecodeLazJob : IJob
     {
@@ -54,7 +54,7 @@ namespace FastPoints.Laz
         {
             byte* input = (byte*)Input.GetUnsafeReadOnlyPtr();
             byte* state = (byte*)State.GetUnsafePtr();
-            byte* tile = (byte*)BatchRecords.GetUnsafePtr();
+            byte* batch = (byte*)BatchRecords.GetUnsafePtr();
             long inputBytes = InputBytes[0];
             var result = IsFirst ? default : Result.Value;
             if (IsFirst && IsLayered && !IsContinued)
@@ -74,13 +74,13 @@ namespace FastPoints.Laz
             {
                 int wanted = Count - done < BatchPoints ? Count - done : BatchPoints;
                 int got = IsLayered
-                    ? LayeredChunk.Decode((LayeredChunk*)state, input, tile, wanted)
-                    : PointwiseChunk.Decode((PointwiseChunk*)state, input, inputBytes, tile, wanted);
+                    ? LayeredChunk.Decode((LayeredChunk*)state, input, batch, wanted)
+                    : PointwiseChunk.Decode((PointwiseChunk*)state, input, inputBytes, batch, wanted);
                 int first = First + done;
                 int skipped = Skip > first ? (Skip - first < got ? Skip - first : got) : 0;
                 if (got > skipped)
                 {
-                    PointRecords.ToColumns(tile + (long)skipped * RecordBytes, RecordBytes, got - skipped, Copies,
+                    PointRecords.ToColumns(batch + (long)skipped * RecordBytes, RecordBytes, got - skipped, Copies,
                         (byte*)Columns.GetUnsafePtr(), first + skipped - Skip);
                     result.Points = first + got - Skip;
                 }

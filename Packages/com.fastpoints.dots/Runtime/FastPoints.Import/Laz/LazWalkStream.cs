@@ -50,7 +50,7 @@ namespace FastPoints.Laz
         // The input does not hold the next point.
         public bool IsStopped { get; private set; }
 
-        // The window may not hold the next tile, and the file has more.
+        // The window may not hold the next batch, and the file has more.
         public bool NeedsInput => FileOffset < m_windowStart || FileOffset > m_windowEnd
             || m_windowEnd < m_inputEnd && m_windowEnd - FileOffset < m_maxBytesOfFirst + m_batchPoints * m_maxBytesOfPoint;
 
@@ -84,12 +84,12 @@ namespace FastPoints.Laz
             {
                 Input = m_read.Buffer,
                 State = m_state,
-                Tile = m_batchRecords,
+                BatchRecords = m_batchRecords,
                 Result = m_step,
                 InputStart = (int)(FileOffset - m_windowStart),
                 InputEnd = (int)(m_windowEnd - m_windowStart),
                 HasMore = m_windowEnd < m_inputEnd,
-                TilePoints = m_batchPoints,
+                BatchPoints = m_batchPoints,
                 Points = points,
                 MaxBytesOfFirst = m_maxBytesOfFirst,
                 MaxBytesOfPoint = m_maxBytesOfPoint,
@@ -144,7 +144,7 @@ namespace FastPoints.Laz
         [ReadOnly] public NativeArray<byte> Input;
 
         public NativeArray<byte> State;
-        public NativeArray<byte> Tile;
+        public NativeArray<byte> BatchRecords;
         public NativeReference<LazWalkStep> Result;
         // Up to here the state's stream has been consumed.
         public int InputStart;
@@ -153,7 +153,7 @@ namespace FastPoints.Laz
         // The input goes on after this piece: stop before a point that may be incomplete.
         public bool HasMore;
 
-        public int TilePoints;
+        public int BatchPoints;
         public int Points;
         public long MaxBytesOfFirst;
         public long MaxBytesOfPoint;
@@ -163,7 +163,7 @@ namespace FastPoints.Laz
         {
             var chunk = (PointwiseChunk*)State.GetUnsafePtr();
             byte* input = (byte*)Input.GetUnsafeReadOnlyPtr() + InputStart;
-            byte* tile = (byte*)Tile.GetUnsafePtr();
+            byte* batch = (byte*)BatchRecords.GetUnsafePtr();
             long inputBytes = InputEnd - InputStart;
             if (IsStart)
                 PointwiseChunk.Start(chunk);
@@ -171,7 +171,7 @@ namespace FastPoints.Laz
             var step = default(LazWalkStep);
             while (step.Points < Points && !step.IsStopped)
             {
-                long wanted = Points - step.Points < TilePoints ? Points - step.Points : TilePoints;
+                long wanted = Points - step.Points < BatchPoints ? Points - step.Points : BatchPoints;
                 if (HasMore)
                 {
                     long safe = (inputBytes - step.Bytes - MaxBytesOfFirst) / MaxBytesOfPoint;
@@ -179,7 +179,7 @@ namespace FastPoints.Laz
                         break;
                     wanted = wanted < safe ? wanted : safe;
                 }
-                int got = PointwiseChunk.Decode(chunk, input, inputBytes, tile, (int)wanted);
+                int got = PointwiseChunk.Decode(chunk, input, inputBytes, batch, (int)wanted);
                 step.Points += got;
                 step.IsStopped = got < wanted;
                 if (step.IsStopped)

@@ -100,7 +100,7 @@ namespace FastPoints.Sampling
             Points.Count = m_state.Value.Kept;
         }
 
-        /// <summary>A sample of what is compacted so far, for <see cref="UpdateSample"/>; it owns the points from now on.</summary>
+        /// <summary>Of what is compacted so far, for <see cref="UpdateSample"/>; it owns the points from now on.</summary>
         public PreviewSample CreateSample()
         {
             m_isShared = true;

@@ -80,9 +80,9 @@ namespace FastPoints.Drawing
             math.select(1.055f * math.pow(linear, 1 / 2.4f) - 0.055f, linear * 12.92f, linear <= 0.0031308f);
 
         // From sRGB to sRGB.
-        public readonly float3 Lit(float3 srgb, int parts, float3 normal, float3 place, float shadow)
+        public readonly float3 Lit(float3 srgb, int litLevel, float3 normal, float3 place, float shadow)
         {
-            float share = parts / (float)MaxLitLevel;
+            float share = litLevel / (float)MaxLitLevel;
             return math.saturate(SrgbOf(LinearOf(srgb) * (1 - share + share * On(normal, place, shadow))));
         }
 

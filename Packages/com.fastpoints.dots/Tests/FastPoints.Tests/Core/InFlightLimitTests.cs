@@ -6,7 +6,7 @@ namespace FastPoints.Tests.Core
     public class InFlightLimitTests
     {
         [Test]
-        public void Resume_IdleRepeatedly_DoublesUpToTheMaximum()
+        public void EndWait_IdleRepeatedly_DoublesUpToTheMaximum()
         {
             var limit = new InFlightLimit(3, 20, () => double.PositiveInfinity);
             foreach (int wanted in new[] { 6, 12, 20, 20 })
@@ -19,7 +19,7 @@ namespace FastPoints.Tests.Core
         }
 
         [Test]
-        public void Resume_NotIdle_IsUnchanged()
+        public void EndWait_NotIdle_IsUnchanged()
         {
             var limit = new InFlightLimit(3, 20, () => double.PositiveInfinity);
             limit.BeginWait();
@@ -29,7 +29,7 @@ namespace FastPoints.Tests.Core
         }
 
         [Test]
-        public void Resume_IdleAfterLongerThanPlanned_IsUnchanged()
+        public void EndWait_IdleAfterLongerThanPlanned_IsUnchanged()
         {
             var limit = new InFlightLimit(3, 20, () => 2.5);
             limit.BeginWait();

@@ -260,7 +260,7 @@ namespace FastPoints.Tests.Entities
         }
 
         [Test]
-        public void Hidden_NodeHiddenByUser_IsNotDrawnUntilShownAgain()
+        public void NodeHidden_NodeHiddenByUser_IsNotDrawnUntilShownAgain()
         {
             Begin();
             Add();
@@ -276,7 +276,7 @@ namespace FastPoints.Tests.Entities
         }
 
         [Test]
-        public void Tint_NodeTintedByUser_IsInTheDrawList()
+        public void NodeTint_NodeTintedByUser_IsInTheDrawList()
         {
             Begin();
             Add();
@@ -293,7 +293,7 @@ namespace FastPoints.Tests.Entities
         }
 
         [Test]
-        public void Pinned_NodePinnedByUser_StaysWhenOthersAreEvicted()
+        public void NodePinned_NodePinnedByUser_StaysWhenOthersAreEvicted()
         {
             Begin(1 << 18);
             Add();

@@ -143,7 +143,7 @@ namespace FastPoints.Tests.Picture
         }
 
         [Test]
-        public void Measure_FarthestPoints_AreInTheRimExceptOutliers()
+        public void Measure_FarthestPoints_AreExtremePointsExceptOutliers()
         {
             var random = new Unity.Mathematics.Random(5);
             var positions = new double3[30_000];

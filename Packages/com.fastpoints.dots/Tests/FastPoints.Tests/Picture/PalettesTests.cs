@@ -63,13 +63,13 @@ namespace FastPoints.Tests.Picture
             Assert.That((int)(Palettes.Gray(light) & 255), Is.EqualTo(value));
 
         [Test]
-        public void CreateAll_EachModeAndGradient_HasItsPalette([Values] ColorRamp gradient)
+        public void CreateAll_EachModeAndGradient_HasItsPalette([Values] ColorRamp ramp)
         {
             using var all = Palettes.CreateAll(Allocator.Persistent);
             foreach (ColorMode mode in Enum.GetValues(typeof(ColorMode)))
             {
-                using var one = Palettes.Create(mode, Allocator.Persistent, gradient);
-                Assert.That(all.GetSubArray(Palettes.IndexOf(mode, gradient) * Palettes.Length, Palettes.Length).ToArray(),
+                using var one = Palettes.Create(mode, Allocator.Persistent, ramp);
+                Assert.That(all.GetSubArray(Palettes.IndexOf(mode, ramp) * Palettes.Length, Palettes.Length).ToArray(),
                     Is.EqualTo(one.ToArray()), mode.ToString());
             }
         }

@@ -66,7 +66,7 @@ namespace FastPoints.Tests.Picture
         [TestCase("auto", ColorMode.Elevation, ColorDepth.Bits8, false)]
         [TestCase("auto", ColorMode.Intensity, ColorDepth.None, false)]
         [TestCase("off", ColorMode.Elevation, ColorDepth.None, false), TestCase("on", ColorMode.Rgb, ColorDepth.Bits8, true)]
-        public void LightShareFor_Mode_IsOfCloudsWithoutColours(string light, ColorMode mode, ColorDepth color, bool isLit)
+        public void LitFractionFor_Mode_IsOfCloudsWithoutColours(string light, ColorMode mode, ColorDepth color, bool isLit)
         {
             var options = new PictureOptions();
             Assert.That(options.TrySetStyle("light", light, out string error), Is.True, error);

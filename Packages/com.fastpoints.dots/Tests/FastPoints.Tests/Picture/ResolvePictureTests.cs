@@ -85,7 +85,7 @@ namespace FastPoints.Tests.Picture
             using var colors = new NativeArray<uint>(Edge * Edge, Allocator.Persistent);
             var keys = pixels;
             float step = isOrthographic ? 1 : 0.002f;
-            var places = new PixelPositions
+            var positions = new PixelPositions
             {
                 First = new float3(-16, 16, 0) * step,
                 StepX = new float3(step, 0, 0),
@@ -96,9 +96,9 @@ namespace FastPoints.Tests.Picture
             for (int i = 0; i < Edge * Edge; i++)
             {
                 // The plane through (0, 0, distance).
-                var across = places.First + places.StepX * (i % Edge) + places.StepY * (i / Edge);
+                var across = positions.First + positions.StepX * (i % Edge) + positions.StepY * (i / Edge);
                 float depth = isOrthographic ? distance - (normal.x * across.x + normal.y * across.y) / normal.z
-                    : distance * normal.z / math.dot(normal, across + places.Forward);
+                    : distance * normal.z / math.dot(normal, across + positions.Forward);
                 depth += i % Edge > lastColumn ? 100 : 0;
                 keys[i] = PointDrawing.KeyOf(depth, 1, PointLighting.MaxLitLevel, 0xFFFFFF);
             }
@@ -106,7 +106,7 @@ namespace FastPoints.Tests.Picture
             {
                 Pixels = pixels,
                 Projection = new PointProjection { WidthPx = Edge, HeightPx = Edge, IsOrthographic = isOrthographic },
-                PixelPositions = places,
+                PixelPositions = positions,
                 Light = new PointLighting { Direction = math.normalize(new float3(-1, 1, -2)), Color = 1 },
                 Colors = colors,
             }.Schedule(Edge, default).Complete();

@@ -22,7 +22,7 @@ namespace FastPoints.Tests.Store
         }
 
         [Test]
-        public void Copy_AnyLength_CopiesAndGivesTheHash()
+        public void CopyAndHash_AnyLength_CopiesAndGivesTheHash()
         {
             var random = new System.Random(5);
             var from = new byte[400];

@@ -223,7 +223,7 @@ namespace FastPoints.Tests.Store
         }
 
         [Test]
-        public void Long2_OfAnyProducts_IsExact()
+        public void Signed128_OfAnyProducts_IsExact()
         {
             var random = new System.Random(4);
             long Any() => random.Next(4) == 0 ? random.Next(-2, 3)

@@ -27,9 +27,9 @@ namespace FastPoints.Tests.Store
 
         Subtree Part(GridCube cube, params PlainNode[] roots)
         {
-            var part = StoredHierarchy.Part(cube, m_planeCount, roots);
-            m_parts.Add(part);
-            return part;
+            var subtree = StoredHierarchy.Part(cube, m_planeCount, roots);
+            m_parts.Add(subtree);
+            return subtree;
         }
 
         void WriteAndRead(Subtree root)
@@ -57,8 +57,9 @@ namespace FastPoints.Tests.Store
         static bool IsOneNode(NodeRecord[] nodes) => nodes.Count(n => n.Parent < 0) == 1 &&
             nodes.Where(n => n.Parent >= 0).All(n => n.PlaneNode == 0);
 
-        static IEnumerable<string> CubesOf(Subtree part) => part.Table.GetSubArray(0, part.NodeCount * NodeRecord.SizeBytes)
-            .Reinterpret<NodeRecord>(1).ToArray().Select(n => NameOf(part.Container, n));
+        static IEnumerable<string> CubesOf(Subtree subtree) =>
+            subtree.Table.GetSubArray(0, subtree.NodeCount * NodeRecord.SizeBytes)
+            .Reinterpret<NodeRecord>(1).ToArray().Select(n => NameOf(subtree.Container, n));
 
         static string NameOf(in ContainerRecord container, in NodeRecord node) => container.Cube + " " + node.Cube + " " +
             node.PointCount;

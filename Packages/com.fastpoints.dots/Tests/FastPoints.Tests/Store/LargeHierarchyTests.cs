@@ -44,7 +44,7 @@ namespace FastPoints.Tests.Store
         });
 
         [TestCase(7)]
-        public void Choose_OverviewOfATrillionPoints_ReadsFewPages(int chunkLevel)
+        public void Select_OverviewOfATrillionPoints_ReadsFewPages(int chunkLevel)
         {
             m_chunkLevel = chunkLevel;
             var manifest = StoredHierarchy.Write(Folder.Path, Region(StoredHierarchy.Root, 0), PlaneCount);

@@ -46,7 +46,7 @@ namespace FastPoints.Tests.Store
         public static Subtree Part(GridCube cube, int planeCount, params PlainNode[] roots)
         {
             var kind = cube.SideLog2 == Root.SideLog2 ? ContainerKind.Upper : ContainerKind.Chunk;
-            var part = new Subtree
+            var subtree = new Subtree
             {
                 Cube = cube,
                 Container = new ContainerRecord { Cube = cube, Kind = kind, FileBytes = FileHeader.SizeBytes + PlaneBytes },
@@ -73,11 +73,11 @@ namespace FastPoints.Tests.Store
                 }
                 records[i] = record;
                 foreach (var other in nodes[i].Below)
-                    part.Children.Add((i, other));
+                    subtree.Children.Add((i, other));
             }
-            part.NodeCount = nodes.Count;
-            part.Table = new NativeArray<byte>(nodes.Count * ChunkResult.BytesPerNode(planeCount), Allocator.Persistent);
-            var table = (NodeRecord*)part.Table.GetUnsafePtr();
+            subtree.NodeCount = nodes.Count;
+            subtree.Table = new NativeArray<byte>(nodes.Count * ChunkResult.BytesPerNode(planeCount), Allocator.Persistent);
+            var table = (NodeRecord*)subtree.Table.GetUnsafePtr();
             var ranges = (PlaneRange*)(table + nodes.Count);
             for (int i = 0; i < nodes.Count; i++)
             {
@@ -90,7 +90,7 @@ namespace FastPoints.Tests.Store
                         Hash = (ulong)(i * planeCount + p),
                     };
             }
-            return part;
+            return subtree;
         }
 
         static NodeRecord RecordOf(PlainNode node, int parent, int index)
@@ -133,9 +133,9 @@ namespace FastPoints.Tests.Store
         public static void Write(CloudManifest manifest, Subtree root, Action<Subtree> load,
             Action<NativeArray<byte>, long> writePiece)
         {
-            IEnumerator<JobStep> Load(Subtree part)
+            IEnumerator<JobStep> Load(Subtree subtree)
             {
-                load(part);
+                load(subtree);
                 yield break;
             }
             IEnumerator<JobStep> WritePiece(NativeArray<byte> bytes, long offset)
@@ -176,10 +176,10 @@ namespace FastPoints.Tests.Store
             };
         }
 
-        static void Free(Subtree part)
+        static void Free(Subtree subtree)
         {
-            part.DisposeTable();
-            foreach (var (_, below) in part.Children)
+            subtree.DisposeTable();
+            foreach (var (_, below) in subtree.Children)
                 Free(below);
         }
     }

@@ -70,8 +70,8 @@ namespace FastPoints.Tests.Store
                     chunk.Add(i).Add(i);
                 root.Children[7].Below.Add(StoredHierarchy.Part(chunk.Cube, PlaneCount, chunk.Children.ToArray()));
             }
-            var part = StoredHierarchy.Part(StoredHierarchy.Root, PlaneCount, root);
-            m_manifest = StoredHierarchy.Write(Folder.Path, part, PlaneCount);
+            var subtree = StoredHierarchy.Part(StoredHierarchy.Root, PlaneCount, root);
+            m_manifest = StoredHierarchy.Write(Folder.Path, subtree, PlaneCount);
             m_bytes = File.ReadAllBytes(HierarchyPath);
             m_pages.Clear();
             using var folder = CloudFolder.Open(Folder.Path, m_manifest);

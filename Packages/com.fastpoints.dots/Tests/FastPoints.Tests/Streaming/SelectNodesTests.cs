@@ -69,7 +69,7 @@ namespace FastPoints.Tests.Streaming
         }
 
         [Test]
-        public void Choose_AnyView_HasParentsFirstWithinTheBudget()
+        public void Select_AnyView_HasParentsFirstWithinTheBudget()
         {
             foreach (long budget in new[] { 1L, 200_000, 5_000_000, 1_000_000_000 })
             {
@@ -93,7 +93,7 @@ namespace FastPoints.Tests.Streaming
         }
 
         [Test]
-        public void Choose_LightBesideACamera_TakesAFifthOfTheBudgetAtMost()
+        public void Select_LightBesideACamera_TakesAFifthOfTheBudgetAtMost()
         {
             m_settings.PointBudget = 2_000_000;
             var camera = Looking(s_middle, new double3(1, 0.3, -0.4));
@@ -108,7 +108,7 @@ namespace FastPoints.Tests.Streaming
         }
 
         [Test]
-        public void Choose_NoBudget_SelectsAllVisibleCoarseNodes()
+        public void Select_NoBudget_SelectsAllVisibleCoarseNodes()
         {
             m_settings.PointBudget = long.MaxValue;
             m_settings.MinScreenErrorPx = 1.5f;
@@ -155,7 +155,7 @@ namespace FastPoints.Tests.Streaming
         }
 
         [Test]
-        public void Choose_CloudAndCameraMovedTogether_IsTheSame()
+        public void Select_CloudAndCameraMovedTogether_IsTheSame()
         {
             var eye = s_middle;
             var forward = new double3(1, 0.3, -0.4);
@@ -186,7 +186,7 @@ namespace FastPoints.Tests.Streaming
         }
 
         [Test]
-        public void Choose_CloudScaledByItsTransform_EqualsAScaledCloud()
+        public void Select_CloudScaledByItsTransform_EqualsAScaledCloud()
         {
             var stretch = new double3(3, 0.5, 10);
             var view = Looking(s_middle * stretch, new double3(1, 0.3, -0.4));
@@ -202,7 +202,7 @@ namespace FastPoints.Tests.Streaming
         }
 
         [Test]
-        public void Choose_SeveralCloudsAndViews_ShareTheBudget()
+        public void Select_SeveralCloudsAndViews_ShareTheBudget()
         {
             var view = Looking(s_middle, new double3(1, 0, -0.3));
             var near = At(0);
@@ -221,14 +221,14 @@ namespace FastPoints.Tests.Streaming
         }
 
         [Test]
-        public void Choose_CloudWithoutVolume_IsSkipped()
+        public void Select_CloudWithoutVolume_IsSkipped()
         {
             var flat = new CloudPlacement(new double3x3(new double3(1, 0, 0), new double3(0, 1, 0), new double3(0, 0, 0)), 0);
             Assert.That(Choose(Looking(s_middle, new double3(1, 0, 0)), flat, At(new double3(double.NaN, 0, 0))), Is.Empty);
         }
 
         [Test]
-        public void Choose_SameViews_NeverChanges()
+        public void Select_SameViews_NeverChanges()
         {
             m_settings.PointBudget = 1_234_567;
             var view = Looking(s_middle, new double3(1, 0.3, -0.4));
@@ -238,7 +238,7 @@ namespace FastPoints.Tests.Streaming
         }
 
         [Test]
-        public void Choose_JitteringCamera_ChangesLessWithHysteresis()
+        public void Select_JitteringCamera_ChangesLessWithHysteresis()
         {
             int Changes(float hysteresis)
             {
@@ -264,7 +264,7 @@ namespace FastPoints.Tests.Streaming
         }
 
         [Test]
-        public void Choose_PageNotLoaded_IsRequestedByPriorityAndTheRestIsChosen()
+        public void Select_PageNotLoaded_IsRequestedByPriorityAndTheRestIsChosen()
         {
             var view = Looking(s_middle, new double3(1, 0.3, -0.4));
             int nearest = Choose(view, At(0)).First(n => n.Page > 0).Page;

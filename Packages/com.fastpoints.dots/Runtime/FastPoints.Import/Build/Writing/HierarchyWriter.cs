@@ -101,14 +101,14 @@ namespace FastPoints.Build
         }
 
         /// <summary>Coroutine: writes all pages of a part and below but those with its roots, and adds how it was cut.</summary>
-        IEnumerator<JobStep> WriteBelow(Subtree part, List<SubtreePages> cuts)
+        IEnumerator<JobStep> WriteBelow(Subtree subtree, List<SubtreePages> cuts)
         {
             SubtreePages cut;
             var below = new List<SubtreePages>();
             var loaded = new List<Subtree>();
             try
             {
-                foreach (var (_, other) in part.Children)
+                foreach (var (_, other) in subtree.Children)
                 {
                     if (!other.Table.IsCreated)
                     {
@@ -117,11 +117,11 @@ namespace FastPoints.Build
                     }
                     yield return JobStep.Of(WriteBelow(other, below));
                 }
-                cut = new SubtreePages(part, m_planeCount, below);
+                cut = new SubtreePages(subtree, m_planeCount, below);
                 cuts.Add(cut);
                 for (int i = 0; i < below.Count; i++)
                     foreach (var link in WriteRoots(below[i]))
-                        cut.AddLink(part.Children[i].Node, link, below[i].Part.Cube);
+                        cut.AddLink(subtree.Children[i].Node, link, below[i].Subtree.Cube);
             }
             finally
             {
@@ -176,7 +176,7 @@ namespace FastPoints.Build
             IEnumerator<JobStep> WritePiece(NativeArray<byte> bytes, long offset) =>
                 CloudFolderWriter.Await(folder.WritePiece(name, bytes, offset));
             using var writer = new HierarchyWriter(planeCount, manifest.CloudId, FileHeader.SizeBytes,
-                part => part.Load(planeCount), WritePiece);
+                subtree => subtree.Load(planeCount), WritePiece);
             yield return JobStep.Of(writer.Write(root, link =>
             {
                 manifest.NodeCount = link.NodeCount;
@@ -231,22 +231,22 @@ namespace FastPoints.Build
         readonly int[] m_indexInPage; // By node.
         readonly Dictionary<int, List<PageLink>> m_links = new Dictionary<int, List<PageLink>>(); // By node.
 
-        public SubtreePages(Subtree part, int planeCount, List<SubtreePages> below)
+        public SubtreePages(Subtree subtree, int planeCount, List<SubtreePages> below)
         {
-            Part = part;
+            Subtree = subtree;
             m_planeCount = planeCount;
             m_room = StoreFormat.MaxPageBytes - (int)HeaderFor(0, 0).LengthBytes;
-            m_costs = new int[part.NodeCount];
-            m_pagesOfChildren = new int[part.NodeCount];
-            m_isCut = new bool[part.NodeCount];
-            m_indexInPage = new int[part.NodeCount];
+            m_costs = new int[subtree.NodeCount];
+            m_pagesOfChildren = new int[subtree.NodeCount];
+            m_isCut = new bool[subtree.NodeCount];
+            m_indexInPage = new int[subtree.NodeCount];
             for (int i = 0; i < below.Count; i++)
-                m_costs[part.Children[i].Node] += below[i].RootPages * PageLink.SizeBytes;
+                m_costs[subtree.Children[i].Node] += below[i].RootPages * PageLink.SizeBytes;
             // Children come after their parents.
-            for (int node = part.NodeCount - 1; node >= 0; node--)
+            for (int node = subtree.NodeCount - 1; node >= 0; node--)
                 AddCost(node);
             int roots = 0;
-            while (roots < part.NodeCount && Nodes[roots].Parent < 0)
+            while (roots < subtree.NodeCount && Nodes[roots].Parent < 0)
                 roots++;
             Cut(0, roots, -1);
             // An empty cloud has a page, too.
@@ -259,16 +259,16 @@ namespace FastPoints.Build
                         Cut(Nodes[node].FirstChild, Nodes[node].FirstChild + Nodes[node].ChildCount, node);
         }
 
-        public Subtree Part { get; }
+        public Subtree Subtree { get; }
 
         /// <summary>Pages come after those that their roots hang on.</summary>
         public List<Page> Pages { get; } = new List<Page>();
 
         public int RootPages { get; }
 
-        NodeRecord* Nodes => (NodeRecord*)Part.Table.GetUnsafeReadOnlyPtr();
+        NodeRecord* Nodes => (NodeRecord*)Subtree.Table.GetUnsafeReadOnlyPtr();
 
-        PlaneRange* Ranges => (PlaneRange*)(Nodes + Part.NodeCount);
+        PlaneRange* Ranges => (PlaneRange*)(Nodes + Subtree.NodeCount);
 
         int BytesPerNode => NodeRecord.SizeBytes + m_planeCount * PackedRange.SizeBytes;
 
@@ -312,7 +312,7 @@ namespace FastPoints.Build
             byte* at = to.GetUnsafePtr() + start;
             *(PageHeader*)at = header;
             if (header.ContainerCount > 0)
-                *(ContainerRecord*)(at + header.ContainersOffset) = Part.Container;
+                *(ContainerRecord*)(at + header.ContainersOffset) = Subtree.Container;
             for (int i = 0; i < nodes.Count; i++)
             {
                 ((NodeRecord*)(at + header.NodesOffset))[i] = records[i];
@@ -404,7 +404,7 @@ namespace FastPoints.Build
             record.FirstChild = children > 0 ? nextChild : 0;
             record.ChildCount = children;
             nextChild += children;
-            record.SampledWith = Part.SampledWith;
+            record.SampledWith = Subtree.SampledWith;
             record.FirstLink = record.LinkCount = 0;
             if (!m_links.TryGetValue(node, out var below))
                 return record;
@@ -426,7 +426,7 @@ namespace FastPoints.Build
             PlaneCount = m_planeCount,
             NodeCount = nodes,
             LinkCount = links,
-            ContainerCount = Part.NodeCount > 0 ? 1 : 0,
+            ContainerCount = Subtree.NodeCount > 0 ? 1 : 0,
         };
     }
 }

@@ -5,14 +5,14 @@ namespace FastPoints.Laz
 {
     /// <summary>The decoder of layered chunks (point formats 6 to 10): the first point as it is, the number of points, each
     /// layer's size, then the layers, each a range-coded stream of its own. HPC#.</summary>
-    /// <remarks>A tile of points is decoded layer by layer, not point by point: the first layer leaves a
-    /// <see cref="PointContext"/> for each point, the others read these, and each keeps its stream in registers through the tile.
+    /// <remarks>A batch of points is decoded layer by layer, not point by point: the first layer leaves a
+    /// <see cref="PointContext"/> for each point, the others read these, and each keeps its stream in registers throughout.
     /// Layers that are not wanted are not touched (their bytes keep whatever the caller's records hold), nor need they be in the
     /// input. All state is this struct and what lies behind it, without pointers.</remarks>
     [StructLayout(LayoutKind.Sequential)]
     internal unsafe struct LayeredChunk
     {
-        /// <summary>Points decoded at once: contexts and records of a tile stay in the nearest caches.</summary>
+        /// <summary>Points decoded at once: contexts and records of a batch stay in the nearest caches.</summary>
         public const int BatchPoints = 512;
 
         int m_layerCount;
@@ -224,11 +224,11 @@ namespace FastPoints.Laz
             {
                 if (layers[i].IsWanted == 0)
                     continue;
-                byte* tile = records + (long)raw * recordBytes;
+                byte* batch = records + (long)raw * recordBytes;
                 int done = coded;
                 if (layers[i].HasBytes == 0 && i > 0)
                 {
-                    Repeat(chunk, layers + i, tile, coded);
+                    Repeat(chunk, layers + i, batch, coded);
                 }
                 else if (layers[i].Stream.Offset > layers[i].EndOffset)
                 {
@@ -237,7 +237,7 @@ namespace FastPoints.Laz
                 else
                 {
                     layers[i].Stream.Resume(input, input + layers[i].EndOffset);
-                    done = DecodeLayer(chunk, layers + i, tile, coded);
+                    done = DecodeLayer(chunk, layers + i, batch, coded);
                     layers[i].Stream.Suspend(input);
                 }
                 coded = done;
@@ -248,11 +248,11 @@ namespace FastPoints.Laz
             return total;
         }
 
-        static int DecodeLayer(LayeredChunk* chunk, LayerState* layer, byte* tile, int count)
+        static int DecodeLayer(LayeredChunk* chunk, LayerState* layer, byte* batch, int count)
         {
             byte* contexts = (byte*)chunk + layer->ContextsOffset;
             uint* pointContexts = chunk->m_pointContexts;
-            byte* field = tile + layer->RecordOffset;
+            byte* field = batch + layer->RecordOffset;
             int stride = chunk->m_recordBytes;
             switch (layer->Kind)
             {
@@ -285,12 +285,12 @@ namespace FastPoints.Laz
 
         /// <summary>A layer that nothing changes in: each point has what the first has. Flags have been written by the first
         /// layer, beside the channel.</summary>
-        static void Repeat(LayeredChunk* chunk, LayerState* layer, byte* tile, int count)
+        static void Repeat(LayeredChunk* chunk, LayerState* layer, byte* batch, int count)
         {
             if (layer->Kind == LazLayerKind.Flags)
                 return;
             byte* first = (byte*)chunk + chunk->m_firstRecordOffset + layer->RecordOffset;
-            byte* field = tile + layer->RecordOffset;
+            byte* field = batch + layer->RecordOffset;
             for (int i = 0; i < count; i++)
             {
                 UnsafeUtility.MemCpy(field, first, layer->RecordBytes);

@@ -49,7 +49,7 @@ namespace FastPoints.Sources
         public const int Broken = 1;
     }
 
-    // Nodes of records, plain or in a zstandard frame, which is decompressed tile by tile, as far as the range goes.
+    // Nodes of records, plain or in a zstandard frame, which is decompressed piece by piece, as far as the range goes.
     sealed class EptRecordRead : NodeRead
     {
         // About a millisecond of copying.
@@ -60,7 +60,7 @@ namespace FastPoints.Sources
 
         readonly DecompressorHandle m_decompressor;
         readonly int m_recordBytes;
-        readonly int m_tilePoints;
+        readonly int m_bufferPoints;
         readonly NativeArray<FieldCopy> m_copies;
         readonly NativeArray<byte> m_buffer;
         readonly NativeReference<DecompressState> m_state;
@@ -70,7 +70,7 @@ namespace FastPoints.Sources
             : base(reader, wanted, capacity, allocator)
         {
             m_recordBytes = reader.Index.RecordBytes;
-            m_tilePoints = Math.Max(1, BufferBytes / m_recordBytes);
+            m_bufferPoints = Math.Max(1, BufferBytes / m_recordBytes);
             try
             {
                 m_copies = Own(new NativeArray<FieldCopy>(FieldCopyPlan.Make(reader.Index.Fields, Points), allocator));
@@ -84,7 +84,7 @@ namespace FastPoints.Sources
             }
             m_state = Own(new NativeReference<DecompressState>(allocator));
             if (decompressor != null)
-                m_buffer = OwnArray<byte>(m_tilePoints * m_recordBytes, allocator);
+                m_buffer = OwnArray<byte>(m_bufferPoints * m_recordBytes, allocator);
         }
 
         protected override JobHandle Schedule(BlockRange range, in NodeBlock block)
@@ -101,9 +101,9 @@ namespace FastPoints.Sources
         {
             long begin = block.FirstInNode + range.First, end = begin + range.Count;
             var decoded = BeginRead(range);
-            for (long first = 0; first < end; first += m_tilePoints)
+            for (long first = 0; first < end; first += m_bufferPoints)
             {
-                int count = (int)Math.Min(m_tilePoints, end - first);
+                int count = (int)Math.Min(m_bufferPoints, end - first);
                 decoded = new DecompressJob
                 {
                     Input = File.Buffer,

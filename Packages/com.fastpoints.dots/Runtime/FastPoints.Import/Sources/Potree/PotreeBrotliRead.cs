@@ -10,7 +10,7 @@ using Unity.Mathematics;
 namespace FastPoints.Sources
 {
     // Encoding BROTLI of Potree 2: one stream of all values of the first attribute, then all of the second, and so on. It is
-    // decompressed and spread over the columns tile by tile, as far as the last wanted attribute.
+    // decompressed and spread over the columns piece by piece, as far as the last wanted attribute.
     sealed class PotreeBrotliRead : NodeRead
     {
         // About a millisecond of Brotli.
@@ -80,10 +80,10 @@ namespace FastPoints.Sources
             bool isFirst = true;
             foreach (var encoded in m_encoded)
             {
-                int tilePoints = Math.Max(1, BufferBytes / encoded.BytesPerPoint);
-                for (int first = 0; first < block.Points; first += tilePoints)
+                int bufferPoints = Math.Max(1, BufferBytes / encoded.BytesPerPoint);
+                for (int first = 0; first < block.Points; first += bufferPoints)
                 {
-                    int count = Math.Min(tilePoints, block.Points - first);
+                    int count = Math.Min(bufferPoints, block.Points - first);
                     decoded = new DecompressJob
                     {
                         Input = File.Buffer,
@@ -109,10 +109,10 @@ namespace FastPoints.Sources
             }.Schedule(decoded);
         }
 
-        DecodePotreeAttributeJob Spread(EncodedAttribute encoded, int firstInTile, int first, int count) =>
+        DecodePotreeAttributeJob Spread(EncodedAttribute encoded, int firstInBuffer, int first, int count) =>
             new DecodePotreeAttributeJob
         {
-            Tile = m_buffer,
+            Buffer = m_buffer,
             Copies = m_copies,
             State = m_state,
             Columns = Points.Bytes,
@@ -121,7 +121,7 @@ namespace FastPoints.Sources
             BytesPerPoint = encoded.BytesPerPoint,
             FirstCopy = encoded.FirstCopy,
             CopyCount = encoded.CopyCount,
-            FirstInTile = firstInTile,
+            FirstInBuffer = firstInBuffer,
             First = first,
             Count = count,
         };
@@ -167,7 +167,7 @@ namespace FastPoints.Sources
         // 16 bits of red, green and blue as a Morton code.
         public const int ColorBytes = 8;
 
-        [ReadOnly] public NativeArray<byte> Tile;
+        [ReadOnly] public NativeArray<byte> Buffer;
         [ReadOnly] public NativeArray<FieldCopy> Copies;
         [ReadOnly] public NativeReference<DecompressState> State;
         public NativeArray<byte> Columns;
@@ -176,7 +176,7 @@ namespace FastPoints.Sources
         public int BytesPerPoint;
         public int FirstCopy;
         public int CopyCount;
-        public int FirstInTile;
+        public int FirstInBuffer;
         public int First;
         public int Count;
 
@@ -184,7 +184,7 @@ namespace FastPoints.Sources
         {
             if (State.Value.IsBroken)
                 return;
-            byte* from = (byte*)Tile.GetUnsafeReadOnlyPtr() + (long)FirstInTile * BytesPerPoint;
+            byte* from = (byte*)Buffer.GetUnsafeReadOnlyPtr() + (long)FirstInBuffer * BytesPerPoint;
             byte* columns = (byte*)Columns.GetUnsafePtr();
             var copies = new FieldCopies((FieldCopy*)Copies.GetUnsafeReadOnlyPtr() + FirstCopy, CopyCount);
             if (Kind == PotreeAttributeKind.Position)
@@ -221,11 +221,11 @@ namespace FastPoints.Sources
         // Writes tiles of records, which the plan's copies split into columns.
         void DecodeColors(ulong* codes, FieldCopies copies, byte* columns)
         {
-            const int TilePoints = 256;
-            ushort* records = stackalloc ushort[3 * TilePoints];
-            for (int first = 0; first < Count; first += TilePoints)
+            const int BatchPoints = 256;
+            ushort* records = stackalloc ushort[3 * BatchPoints];
+            for (int first = 0; first < Count; first += BatchPoints)
             {
-                int count = Count - first < TilePoints ? Count - first : TilePoints;
+                int count = Count - first < BatchPoints ? Count - first : BatchPoints;
                 for (int i = 0; i < count; i++)
                 {
                     Morton.Decode(codes[first + i], out uint red, out uint green, out uint blue);

@@ -19,9 +19,9 @@ namespace FastPoints.Drawing
 
         // For a mode that the batch has the columns for (DisplayRanges.Resolve).
         public static ColorMapping For(ColorMode mode, DisplayRanges ranges, PointBatch batch, in PositionTransform transform,
-            ColorRamp gradient = ColorRamp.Auto)
+            ColorRamp ramp = ColorRamp.Auto)
         {
-            var mapping = Of(mode, ranges, transform, gradient);
+            var mapping = Of(mode, ranges, transform, ramp);
             var schema = batch.Schema;
             if (ranges.AttributeOf(mode) is string attribute)
                 mapping.First = batch.Column(schema.IndexOf(attribute));
@@ -35,9 +35,9 @@ namespace FastPoints.Drawing
 
         // Without columns.
         public static ColorMapping Of(ColorMode mode, DisplayRanges ranges, in PositionTransform transform,
-            ColorRamp gradient = ColorRamp.Auto)
+            ColorRamp ramp = ColorRamp.Auto)
         {
-            var mapping = new ColorMapping { Mode = mode, FirstEntry = Palettes.Length * Palettes.IndexOf(mode, gradient) };
+            var mapping = new ColorMapping { Mode = mode, FirstEntry = Palettes.Length * Palettes.IndexOf(mode, ramp) };
             switch (mode)
             {
                 case ColorMode.Rgb:

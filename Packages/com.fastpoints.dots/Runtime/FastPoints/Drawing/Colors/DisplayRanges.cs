@@ -260,11 +260,11 @@ namespace FastPoints.Drawing
                     Around = Robust,
                     Farthest = farthest,
                 }.Schedule(after)));
-                var rim = new List<double3>();
+                var extremes = new List<double3>();
                 foreach (var position in farthest)
                     if (position.w > 0)
-                        rim.Add(position.xyz);
-                ExtremePoints = rim.ToArray();
+                        extremes.Add(position.xyz);
+                ExtremePoints = extremes.ToArray();
             }
             finally
             {
@@ -422,7 +422,7 @@ namespace FastPoints.Drawing
 
         unsafe double3[] FramingSampleOf(PointBatch points, PositionTransform transform)
         {
-            var outline = new List<double3>();
+            var sample = new List<double3>();
             var columns = PositionColumns.Of(points);
             byte* bytes = (byte*)points.Bytes.GetUnsafeReadOnlyPtr();
             int step = (points.Count + MaxFramingPoints - 1) / MaxFramingPoints;
@@ -430,9 +430,9 @@ namespace FastPoints.Drawing
             {
                 var position = columns.GeoAt(bytes, transform, (int)i);
                 if (Robust.Contains(position))
-                    outline.Add(position);
+                    sample.Add(position);
             }
-            return outline.ToArray();
+            return sample.ToArray();
         }
 
         void SetIntensity(ColumnQuantiles found)

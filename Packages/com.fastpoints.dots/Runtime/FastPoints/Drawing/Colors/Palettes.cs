@@ -13,9 +13,9 @@ namespace FastPoints.Drawing
         const double ViridisStart = 0.12, GrayStart = 0.03;
 
         // Grey for Rgb, which needs none. The gradient is for continuous attributes alone.
-        public static NativeArray<uint> Create(ColorMode mode, Allocator allocator, ColorRamp gradient = ColorRamp.Auto)
+        public static NativeArray<uint> Create(ColorMode mode, Allocator allocator, ColorRamp ramp = ColorRamp.Auto)
         {
-            gradient = Resolve(mode, gradient);
+            ramp = Resolve(mode, ramp);
             var palette = new NativeArray<uint>(Length, allocator, NativeArrayOptions.UninitializedMemory);
             for (int i = 0; i < Length; i++)
             {
@@ -25,40 +25,40 @@ namespace FastPoints.Drawing
                     ColorMode.ReturnNumber => FromHsv(0.1 + 0.13 * i, 0.75, 0.95),
                     // Steps of the golden ratio make neighbours differ, and no hue comes twice.
                     ColorMode.PointSource => FromHsv(i * 0.6180339887, 0.45 + 0.4 * (i % 3) / 2, 0.95 - 0.3 * (i % 2)),
-                    _ => ColorAt(gradient, i / (Length - 1.0)),
+                    _ => ColorAt(ramp, i / (Length - 1.0)),
                 };
             }
             return palette;
         }
 
-        public static int IndexOf(ColorMode mode, ColorRamp gradient = ColorRamp.Auto) => mode switch
+        public static int IndexOf(ColorMode mode, ColorRamp ramp = ColorRamp.Auto) => mode switch
         {
             ColorMode.Classification => 3,
             ColorMode.ReturnNumber => 4,
             ColorMode.PointSource => 5,
-            _ => (int)Resolve(mode, gradient) - (int)ColorRamp.Viridis,
+            _ => (int)Resolve(mode, ramp) - (int)ColorRamp.Viridis,
         };
 
         public static NativeArray<uint> CreateAll(Allocator allocator)
         {
             var all = new NativeArray<uint>(Count * Length, allocator, NativeArrayOptions.UninitializedMemory);
-            void Add(ColorMode mode, ColorRamp gradient)
+            void Add(ColorMode mode, ColorRamp ramp)
             {
-                using var one = Create(mode, Allocator.Temp, gradient);
-                NativeArray<uint>.Copy(one, 0, all, IndexOf(mode, gradient) * Length, Length);
+                using var one = Create(mode, Allocator.Temp, ramp);
+                NativeArray<uint>.Copy(one, 0, all, IndexOf(mode, ramp) * Length, Length);
             }
-            for (var gradient = ColorRamp.Viridis; gradient <= ColorRamp.Gray; gradient++)
-                Add(ColorMode.Elevation, gradient);
+            for (var ramp = ColorRamp.Viridis; ramp <= ColorRamp.Gray; ramp++)
+                Add(ColorMode.Elevation, ramp);
             Add(ColorMode.Classification, ColorRamp.Auto);
             Add(ColorMode.ReturnNumber, ColorRamp.Auto);
             Add(ColorMode.PointSource, ColorRamp.Auto);
             return all;
         }
 
-        static ColorRamp Resolve(ColorMode mode, ColorRamp gradient) => gradient != ColorRamp.Auto ? gradient
+        static ColorRamp Resolve(ColorMode mode, ColorRamp ramp) => ramp != ColorRamp.Auto ? ramp
             : mode == ColorMode.Elevation ? ColorRamp.Viridis : ColorRamp.Gray;
 
-        static uint ColorAt(ColorRamp gradient, double t) => gradient switch
+        static uint ColorAt(ColorRamp ramp, double t) => ramp switch
         {
             ColorRamp.Viridis => Viridis(ViridisStart + (1 - ViridisStart) * t),
             ColorRamp.Turbo => Turbo(t),
@@ -174,7 +174,7 @@ namespace FastPoints.Drawing
         };
     }
 
-    /// <summary>The gradient of continuous attributes.</summary>
+    /// <summary>The colours of continuous attributes, from low to high.</summary>
     public enum ColorRamp
     {
         /// <summary>Viridis for elevation, grey for intensity.</summary>
