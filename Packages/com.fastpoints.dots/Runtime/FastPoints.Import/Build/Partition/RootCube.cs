@@ -11,8 +11,7 @@ namespace FastPoints.Build
     /// points.</summary>
     internal static class RootCube
     {
-        /// <summary>Claimed extents more than this many times that of the sample are ignored.</summary>
-        const double MaxClaimRatio = 4;
+        const double MaxClaimRatio = 4; // Claimed extents more than this many times that of the sample are ignored.
 
         /// <summary>The smallest cube centred on a box, so that points slightly outside the box are still
         /// inside.</summary>

@@ -15,15 +15,9 @@ namespace FastPoints.Reading
         readonly List<FilterExpression> m_expressions = new List<FilterExpression>();
 
         internal IReadOnlyList<FilterExpression> Expressions => m_expressions;
-
-        /// <summary>Every n-th point in the source's order, from the first; 0 or 1 for all.</summary>
-        public long EveryNth;
-
-        /// <summary>In the horizontal coordinates of the source; null for all. Owned.</summary>
-        public FilterPolygons Polygons;
-
-        /// <summary>In the source's coordinates.</summary>
-        public LocalClip[] Clips = Array.Empty<LocalClip>();
+        public long EveryNth; // Every n-th point in the source's order, from the first; 0 or 1 for all.
+        public FilterPolygons Polygons; // In the horizontal coordinates of the source; null for all. Owned.
+        public LocalClip[] Clips = Array.Empty<LocalClip>(); // In the source's coordinates.
 
         public bool IsEmpty => m_expressions.Count == 0 && EveryNth <= 1 && Polygons == null && Clips.Length == 0;
 
