@@ -5,9 +5,7 @@ namespace FastPoints.PageTests;
 public abstract class BrowserTests
 {
     protected const int GridWidth = 160, GridHeight = 90;
-
-    /// <summary>Largest difference of a channel from the background, of 255, that is still background.</summary>
-    const int NearBackground = 12;
+    const int NearBackground = 12; // Largest difference of a channel from the background, of 255, that is still background.
 
     static readonly int[] s_background = [24, 26, 30];
 

@@ -2,8 +2,7 @@ namespace FastPoints.Cli.Bench;
 
 public sealed class Baseline
 {
-    /// <summary>Points are recovered from points a second and times, both rounded.</summary>
-    const double SamePoints = 1e-3;
+    const double SamePoints = 1e-3; // Points are recovered from points a second and times, both rounded.
 
     public const string Slower = "slower", Faster = "faster";
 

@@ -3,8 +3,7 @@ namespace FastPoints.Cli.Charts;
 /// <summary>From values to pixels.</summary>
 public sealed class ChartAxis
 {
-    /// <summary>Fewer decades than this get ticks at 2 and 5 as well.</summary>
-    const double FewDecades = 3;
+    const double FewDecades = 3; // Fewer decades than this get ticks at 2 and 5 as well.
 
     readonly bool m_isLog;
     readonly double m_low, m_high, m_lowPx, m_highPx;

@@ -3,8 +3,7 @@ namespace FastPoints.Cli.Cluster;
 /// <summary>A script of AWS' command line: one job definition, and an array job for each array.</summary>
 static class BatchScript
 {
-    /// <summary>A job waits for no more jobs.</summary>
-    const int MaxDependencies = 20;
+    const int MaxDependencies = 20; // A job waits for no more jobs.
 
     public static string Of(ClusterJob job, ClusterSettings settings) => $$"""
         #!/usr/bin/env bash

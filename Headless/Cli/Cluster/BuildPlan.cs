@@ -7,9 +7,7 @@ namespace FastPoints.Cli.Cluster;
 sealed class BuildPlan
 {
     const int Version = 1;
-
-    /// <summary>The file of the builds' cubes, which buckets take points for.</summary>
-    public const string CubesName = "cubes";
+    public const string CubesName = "cubes"; // The file of the builds' cubes, which buckets take points for.
 
     public required string Path { get; init; }
 

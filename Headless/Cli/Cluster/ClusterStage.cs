@@ -4,8 +4,7 @@ namespace FastPoints.Cli.Cluster;
 /// <param name="Words">Verb and options of the command line, but for the plan and the task.</param>
 sealed record ClusterStage(string Name, string[] Words, int Tasks)
 {
-    /// <summary>The last one has one task, which needs no number.</summary>
-    public bool IsNumbered => Words[0] != "commit";
+    public bool IsNumbered => Words[0] != "commit"; // The last one has one task, which needs no number.
 
     public IEnumerable<ClusterArray> Arrays(int max)
     {

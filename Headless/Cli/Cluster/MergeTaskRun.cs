@@ -5,9 +5,7 @@ namespace FastPoints.Cli.Cluster;
 static class MergeTaskRun
 {
     const string OutsideFolder = "outside";
-
-    /// <summary>The name of the part of points outside of the plan's cube.</summary>
-    public const string OutsideName = "outside";
+    public const string OutsideName = "outside"; // The name of the part of points outside of the plan's cube.
 
     public static TaskMarker Run(TaskRun task)
     {

@@ -8,19 +8,14 @@ namespace FastPoints.Cli.Cluster;
 /// <param name="ScratchBytes">Of the largest build, on the disk where it runs.</param>
 sealed record PlanEstimate(double Seconds, double TaskSeconds, long MemoryBytes, long BytesOnDisk, long ScratchBytes)
 {
-    /// <summary>24 M points of LAZ by eight tasks in 15 s of processor time, of LAS in 10.</summary>
-    const double PointsPerSecond = 1.5e6;
+    const double PointsPerSecond = 1.5e6; // 24 M points of LAZ by eight tasks in 15 s of processor time, of LAS in 10.
 
     /// <summary>Finding out that a point belongs to another task: of LAZ in 0.29 us, of LAS in far less.</summary>
     const double PointsSkippedPerSecond = 3.5e6;
-
-    /// <summary>Into buckets: of LAZ, of LAS 6 M.</summary>
-    const double PointsSortedPerSecond = 2.2e6;
+    const double PointsSortedPerSecond = 2.2e6; // Into buckets: of LAZ, of LAS 6 M.
 
     const double StoredBytesPerRecordByte = 0.35;
-
-    /// <summary>Records, what is made of them, and what has not been put yet.</summary>
-    const double ScratchBytesPerRecordByte = 2.2;
+    const double ScratchBytesPerRecordByte = 2.2; // Records, what is made of them, and what has not been put yet.
 
     static readonly string s_assumptions = string.Create(CultureInfo.InvariantCulture,
         $"a core builds {PointsPerSecond / 1e6} M points/s skips {PointsSkippedPerSecond / 1e6} M/s, and sorts"

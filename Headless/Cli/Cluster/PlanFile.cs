@@ -4,9 +4,7 @@ namespace FastPoints.Cli.Cluster;
 static class PlanFile
 {
     const string HashStart = ",\"hash\":\"";
-
-    /// <summary>A task reads no more of a plan.</summary>
-    const int MaxBytes = 64 << 20;
+    const int MaxBytes = 64 << 20; // A task reads no more of a plan.
 
     public static string ToText(Action<Utf8JsonWriter> members, bool isIndented = false)
     {

@@ -13,9 +13,7 @@ sealed class PlanStep
     /// each to the bucket of its task. That takes 0.4 of a build; of LAS, whose points cost little, 2 reads take no more than
     /// one.</summary>
     const double MostReads = 1.5, MostReadsOfFixedStride = 3;
-
-    /// <summary>A bucket's records take so much of a task's memory, so that they are written once.</summary>
-    const double MemoryOfBucket = 0.6;
+    const double MemoryOfBucket = 0.6; // A bucket's records take so much of a task's memory, so that they are written once.
 
     const string TaskStage = "tasks";
 

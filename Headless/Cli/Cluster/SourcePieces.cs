@@ -6,15 +6,11 @@ namespace FastPoints.Cli.Cluster;
 struct SourcePiece
 {
     public int File;
-
-    /// <summary>In the file's own count, and in that of the whole source.</summary>
-    public int FirstBlock;
+    public int FirstBlock; // In the file's own count, and in that of the whole source.
     public int FirstOfAll;
     public int Blocks;
     public long Points;
-
-    /// <summary>Both ends are included; all there is if nothing is known.</summary>
-    public Grid3 Min;
+    public Grid3 Min; // Both ends are included; all there is if nothing is known.
     public Grid3 Max;
 }
 
@@ -22,8 +18,7 @@ struct SourcePiece
 /// cubes.</summary>
 sealed class SourcePieces
 {
-    /// <summary>Numbers in headers are rounded, points of nodes are, too.</summary>
-    const int MarginSteps = 2;
+    const int MarginSteps = 2; // Numbers in headers are rounded, points of nodes are, too.
 
     readonly CloudGrid m_grid;
 

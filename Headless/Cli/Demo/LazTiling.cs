@@ -5,8 +5,7 @@ namespace FastPoints.Cli.Demo;
 /// <remarks>The tiles are as far apart as the header's bounds say; extended VLRs stay behind.</remarks>
 public static class LazTiling
 {
-    /// <summary>Offset of the points per chunk in the payload of the LASzip VLR.</summary>
-    const int ChunkPointsOffset = 12;
+    const int ChunkPointsOffset = 12; // Offset of the points per chunk in the payload of the LASzip VLR.
 
     public static long Write(string path, string destination, int times, StageProgress progress, CancellationToken cancellation)
     {

@@ -15,9 +15,7 @@ public readonly record struct FlightFrame
 public sealed class FlightLog
 {
     const double FullFraction = 0.95;
-
-    /// <summary>A frame that takes longer than two of 60 a second.</summary>
-    const double HitchMs = 1000.0 / 30;
+    const double HitchMs = 1000.0 / 30; // A frame that takes longer than two of 60 a second.
 
     const int FramesToWarmUp = 60;
 

@@ -4,12 +4,8 @@ namespace FastPoints.Cli.Draw;
 public sealed class Legend(ColorMode mode, DisplayRanges ranges, Camera camera, PictureOptions options, CloudCrs crs)
 {
     const int MinWidthPx = 320, MinHeightPx = 180, MaxRows = 8;
-
-    /// <summary>Of 256: what is behind a panel shines through, and never as bright as letters.</summary>
-    const int PanelOpacity = 190;
-
-    /// <summary>Seen at a flatter angle than this sine, an arrow is a dot.</summary>
-    const double MinNorth = 0.1;
+    const int PanelOpacity = 190; // Of 256: what is behind a panel shines through, and never as bright as letters.
+    const double MinNorth = 0.1; // Seen at a flatter angle than this sine, an arrow is a dot.
 
     const string Letters = "0123456789abcdefghijklmnopqrstuvwxyz.,-+%/:()";
     const string Dots = "3E5149453E00427F40004261514946214145 4B311814127F1027454545393C4A494930017109050336494949360649"

@@ -2,8 +2,7 @@ namespace FastPoints.Cli.Output;
 
 public static class Summary
 {
-    /// <summary>Beyond this a double no longer holds every integer, and readers of JSON would round.</summary>
-    const long LargestExact = 1L << 53;
+    const long LargestExact = 1L << 53; // Beyond this a double no longer holds every integer, and readers of JSON would round.
 
     /// <summary>Version of the schema of all summaries: keys are added and never removed.</summary>
     public const int Version = 1;

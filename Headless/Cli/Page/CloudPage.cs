@@ -22,9 +22,7 @@ sealed class CloudPage
 
     SourceInfo Info => Facts.Info;
     CloudManifest Manifest => Convert.Result.Manifest;
-
-    /// <summary>Many mail servers take attachments up to 10 MB, encoded once more in base 64.</summary>
-    const int MaxBytes = 7_400_000;
+    const int MaxBytes = 7_400_000; // Many mail servers take attachments up to 10 MB, encoded once more in base 64.
 
     public byte[] ToBytes()
     {

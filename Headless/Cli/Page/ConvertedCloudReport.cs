@@ -2,8 +2,7 @@ namespace FastPoints.Cli.Page;
 
 sealed class ConvertedCloudReport
 {
-    /// <summary>Limit of the 3D view within a page of 8 MB.</summary>
-    const int ViewBytes = 5_000_000;
+    const int ViewBytes = 5_000_000; // Limit of the 3D view within a page of 8 MB.
 
     readonly ConvertedCloudFacts m_facts;
     readonly List<(string Key, DrawStep Drawn)> m_pictures = [];

@@ -3,9 +3,7 @@ namespace FastPoints.Cli.Page;
 sealed class DensityMap
 {
     const int MaxCells = 256;
-
-    /// <summary>Mean sample points of a cell; with fewer the density is noise.</summary>
-    const int PointsOfCell = 16;
+    const int PointsOfCell = 16; // Mean sample points of a cell; with fewer the density is noise.
 
     readonly RgbaImage m_image;
 

@@ -3,11 +3,8 @@ namespace FastPoints.Cli.Page;
 /// <summary>The page of a flight: the clouds in 3D, the camera path to play, and the cost of each frame.</summary>
 static class FlightPage
 {
-    /// <summary>Frames between recorded cameras: ten cameras a second.</summary>
-    const int FramesPerCamera = 6;
-
-    /// <summary>The picture takes some of a page's 8 MB.</summary>
-    const int ViewBytes = 4_500_000;
+    const int FramesPerCamera = 6; // Frames between recorded cameras: ten cameras a second.
+    const int ViewBytes = 4_500_000; // The picture takes some of a page's 8 MB.
 
     public static byte[] Make(string[] clouds, CameraPath path, FlightLog log, PictureOptions options, RgbaImage last,
         CliRun run)

@@ -7,16 +7,12 @@ namespace FastPoints.Cli.Page;
 sealed class ViewCloud
 {
     public const int MaxPoints = 400_000;
-
-    /// <summary>Of the points, packed to see how many fit.</summary>
-    const double TriedShare = 1 / 8.0;
+    const double TriedShare = 1 / 8.0; // Of the points, packed to see how many fit.
 
     const double Base64Growth = 4 / 3.0;
 
     const double FarBounds = 4;
-
-    /// <summary>A mode of the view's script; -1 is the elevation, and from 0 on they are columns.</summary>
-    const int ColorsOfPoints = -2;
+    const int ColorsOfPoints = -2; // A mode of the view's script; -1 is the elevation, and from 0 on they are columns.
 
     readonly List<ViewPoints> m_sets = [];
     readonly PictureOptions m_options;

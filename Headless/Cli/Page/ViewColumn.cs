@@ -5,9 +5,7 @@ sealed class ViewColumn
 {
     const int MaxCategories = 32, MaxNames = 256;
     const double OutlierShare = 0.01;
-
-    /// <summary>Of LAS's int16 scan angles, in degrees.</summary>
-    const double ScanAngleStep = 0.006;
+    const double ScanAngleStep = 0.006; // Of LAS's int16 scan angles, in degrees.
 
     public required string Name { get; init; }
 

@@ -5,9 +5,7 @@ namespace FastPoints.Cli.Page;
 static class WaveErrors
 {
     const int Queries = 100_000;
-
-    /// <summary>Not the samplers' own, so that no sample is measured by itself.</summary>
-    const uint Seed = 0x9E3779B9;
+    const uint Seed = 0x9E3779B9; // Not the samplers' own, so that no sample is measured by itself.
 
     public static List<double> Measure(PointReader reader, MeasuredSample taken, CliRun run)
     {

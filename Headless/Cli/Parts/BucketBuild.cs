@@ -113,8 +113,6 @@ struct BucketRange
 {
     public int Part;
     public long Count;
-
-    /// <summary>Of their blocks in the file.</summary>
-    public long Offset;
+    public long Offset; // Of their blocks in the file.
     public long Bytes;
 }

@@ -236,8 +236,7 @@ sealed class PartBuild : PartStages
 
 struct PartOutput
 {
-    /// <summary>A folder of its own, which exists when the work has ended.</summary>
-    public string Folder;
+    public string Folder; // A folder of its own, which exists when the work has ended.
     public ConvertSettings Settings;
     public Action<PartResult> Take;
     public StageProgress Progress;

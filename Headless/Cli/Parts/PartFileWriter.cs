@@ -89,8 +89,7 @@ sealed unsafe class PartFileWriter : IDisposable
         Append(m_start);
     }
 
-    /// <summary>Where the next piece comes.</summary>
-    public long Offset => m_written + m_bytes.Length;
+    public long Offset => m_written + m_bytes.Length; // Where the next piece comes.
 
     public ulong Hash => m_header.Hash;
 

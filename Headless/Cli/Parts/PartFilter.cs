@@ -111,8 +111,7 @@ sealed class PartFilter : IPointFilter, IDisposable
 /// <summary>Moves points of a slice of a batch that belong to a part after those of earlier slices.</summary>
 unsafe struct FilterPartJob : IJob
 {
-    /// <summary>About 0.2 ms.</summary>
-    public const int PointsPerSlice = 1 << 14;
+    public const int PointsPerSlice = 1 << 14; // About 0.2 ms.
 
     const int BatchPoints = 256;
 
@@ -125,9 +124,7 @@ unsafe struct FilterPartJob : IJob
     public SourceGrid Grid;
     public GridCube Cube;
     public GridCube CloudCube;
-
-    /// <summary>Whether points outside of the whole cube are wanted.</summary>
-    public bool IsOwn;
+    public bool IsOwn; // Whether points outside of the whole cube are wanted.
 
     public int First;
     public NativeArray<int> Chosen;

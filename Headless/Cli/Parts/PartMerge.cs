@@ -89,9 +89,7 @@ sealed class PartGraph
         public required string Path;
         public required PartNodes Nodes;
         public required Subtree[] Regions;
-
-        /// <summary>The merge that took it in, and as which input.</summary>
-        public File? Above;
+        public File? Above; // The merge that took it in, and as which input.
         public int Input;
     }
 

@@ -6,12 +6,8 @@ struct PartAttachPoint
 {
     public const int Open = -1;
     public const int Root = -2;
-
-    /// <summary>Number of the region, or one of the above.</summary>
-    public int Region;
-
-    /// <summary>Number of the node, or of the open top.</summary>
-    public int Node;
+    public int Region; // Number of the region, or one of the above.
+    public int Node; // Number of the node, or of the open top.
 
     public void Write(BinaryWriter to)
     {
@@ -69,16 +65,11 @@ sealed class PartNodes
         public readonly List<PartAttachPoint> AttachPoints = new List<PartAttachPoint>();
     }
 
-    /// <summary>The part's cube; if it has the root's region, the root.</summary>
-    public GridCube Cube;
+    public GridCube Cube; // The part's cube; if it has the root's region, the root.
 
     public PartResult Result = null!;
-
-    /// <summary>Tops that nothing is above of; 0 when the root's region is merged.</summary>
-    public int OpenTops;
-
-    /// <summary>Tells it from all other parts.</summary>
-    public ulong Hash;
+    public int OpenTops; // Tops that nothing is above of; 0 when the root's region is merged.
+    public ulong Hash; // Tells it from all other parts.
 
     public readonly List<Entry> Chunks = new List<Entry>();
     public readonly List<Entry> Regions = new List<Entry>();
@@ -211,8 +202,7 @@ sealed class PartAttachPoints
         }
     }
 
-    /// <summary>Those with nodes.</summary>
-    public readonly List<UpperRegion> Regions = new List<UpperRegion>();
+    public readonly List<UpperRegion> Regions = new List<UpperRegion>(); // Those with nodes.
 
     public PartAttachPoint Of(UpperAttachPoint attachPoint)
     {

@@ -7,14 +7,10 @@ sealed class PartResult
     /// <summary>Of the points that were read, those outside of the plan's cube too.</summary>
     public PointStatistics Statistics = PointStatistics.None;
     public AttributeStatistics[] Attributes;
-
-    /// <summary>Points of the blocks that the part owns, if they pass the filter: in sum the cloud's.</summary>
-    public long PointsWanted;
+    public long PointsWanted; // Points of the blocks that the part owns, if they pass the filter: in sum the cloud's.
 
     public long OutsidePoints;
-
-    /// <summary>Of the points in the part's chunks.</summary>
-    public ulong Checksum;
+    public ulong Checksum; // Of the points in the part's chunks.
 
     public int MinSideLog2 = int.MaxValue;
     public long[] BytesOfPlane;

@@ -9,15 +9,11 @@ namespace FastPoints.Cli.Sources;
 sealed class S3Addresses
 {
     const string Scheme = "s3://";
-
-    /// <summary>Its value is no source.</summary>
-    public const string StoreOption = "--store";
+    public const string StoreOption = "--store"; // Its value is no source.
 
     readonly Dictionary<string, string> m_bucketOfAddress = [];
     readonly AmazonS3Client m_client;
-
-    /// <summary>Shapes addresses as the other one does, and needs no credentials.</summary>
-    readonly AmazonS3Client m_shaping;
+    readonly AmazonS3Client m_shaping; // Shapes addresses as the other one does, and needs no credentials.
 
     static S3Addresses? s_current;
 

@@ -4,8 +4,7 @@ namespace FastPoints.Cli.Sources;
 /// decoder of its own before version 11. The package knows it by <see cref="Decompressors.Zstandard"/> only.</summary>
 internal sealed unsafe class ZstandardDecompressor : StreamDecompressor
 {
-    /// <summary>A frame that wants more memory (32 MiB) is refused: its header may claim anything.</summary>
-    private const int MaxWindowLog = 25;
+    private const int MaxWindowLog = 25; // A frame that wants more memory (32 MiB) is refused: its header may claim anything.
 
     private const int ResetSessionOnly = 1;
     private const int WindowLogMax = 100;

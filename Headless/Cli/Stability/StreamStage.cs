@@ -2,8 +2,7 @@ namespace FastPoints.Cli.Stability;
 
 static class StreamStage
 {
-    /// <summary>A read that never ends is a failure, not a hang.</summary>
-    const int MaxFrames = 100_000_000;
+    const int MaxFrames = 100_000_000; // A read that never ends is a failure, not a hang.
 
     /// <returns>Share of the reference's pixels that the picture leaves uncovered.</returns>
     public static double Run(string target, PictureOptions options, RgbaImage reference, List<string> problems)

@@ -5,8 +5,7 @@ namespace FastPoints.Cli.Surfaces;
 /// <summary>The surfaces of cells as one: what neighbours have in common is there once.</summary>
 sealed class SurfaceMesh(SurfaceGrid grid)
 {
-    /// <summary>Neighbours have the vertices so near to a face, in voxels.</summary>
-    const int ReachVoxels = 3;
+    const int ReachVoxels = 3; // Neighbours have the vertices so near to a face, in voxels.
 
     readonly Dictionary<(long X, long Y, long Z), int> m_numberOfShared = [];
 

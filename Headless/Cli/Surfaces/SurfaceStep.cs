@@ -5,11 +5,8 @@ namespace FastPoints.Cli.Surfaces;
 /// <summary>Makes the surface of a converted cloud: finds the cells that have points, then makes one after another.</summary>
 sealed class SurfaceStep : IDisposable
 {
-    /// <summary>Distances are measured from so many points of a cell.</summary>
-    const int PointsToMeasure = 500;
-
-    /// <summary>Farther ones are not looked for, in voxels.</summary>
-    const double MaxVoxels = 8;
+    const int PointsToMeasure = 500; // Distances are measured from so many points of a cell.
+    const double MaxVoxels = 8; // Farther ones are not looked for, in voxels.
 
     readonly CloudFolder m_folder;
     readonly SurfaceGrid m_grid;

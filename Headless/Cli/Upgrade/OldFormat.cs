@@ -7,9 +7,7 @@ struct OldHeader
 {
     public const int SizeBytes = 80;
     public const uint Version = StoreFormat.UpgradableVersion;
-
-    /// <summary>"FPHIERAR", "FPUPPER ", "FPCHUNK ".</summary>
-    public const ulong HierarchyMagic = 0x5241524549485046UL;
+    public const ulong HierarchyMagic = 0x5241524549485046UL; // "FPHIERAR", "FPUPPER ", "FPCHUNK ".
     public const ulong UpperMagic = 0x2052455050555046UL;
     public const ulong ChunkMagic = 0x204B4E5548435046UL;
 

@@ -33,9 +33,7 @@ public sealed class DefaultVerb : Verb
     };
     readonly LookSettings m_look;
     readonly SourceSettings m_source;
-
-    /// <summary>36 of the record, and what an octree takes of one.</summary>
-    const int DemoBytesOfPoint = 36 + 18;
+    const int DemoBytesOfPoint = 36 + 18; // 36 of the record, and what an octree takes of one.
 
     public DefaultVerb() : base(new RootCommand(
         "Point clouds: says what a file is, draws a sample of it at once, builds its octree and draws from that, and writes "

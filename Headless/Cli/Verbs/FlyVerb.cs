@@ -7,9 +7,7 @@ public sealed class FlyVerb : Verb
 {
     const double FrameSeconds = 1 / 60.0;
     const int DefaultFrames = 600;
-
-    /// <summary>An animation shows a picture for a minute at most: 65,535 ms.</summary>
-    const int MaxFramesPerPicture = 3600;
+    const int MaxFramesPerPicture = 3600; // An animation shows a picture for a minute at most: 65,535 ms.
 
     readonly Argument<string[]> m_clouds = new("CLOUD")
     {

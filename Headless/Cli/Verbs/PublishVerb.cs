@@ -4,8 +4,7 @@ namespace FastPoints.Cli.Verbs;
 
 public sealed class PublishVerb : Verb
 {
-    /// <summary>Files of a server that are asked for: others are served the same way.</summary>
-    const int AskedFiles = 8;
+    const int AskedFiles = 8; // Files of a server that are asked for: others are served the same way.
 
     readonly Argument<string> m_cloud = new("NAME.fastpoints")
     {

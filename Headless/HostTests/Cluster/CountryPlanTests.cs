@@ -14,9 +14,7 @@ public sealed class CountryPlanTests
     const double Points = 1e12;
     const double TileMetres = 600, ProjectTiles = 60;
     const long PointsPerBaseCell = 16_000_000, PointsPerTask = 50_000_000;
-
-    /// <summary>Steps of 1 mm: 1,074 km.</summary>
-    static readonly GridCube s_whole = new(default, 30);
+    static readonly GridCube s_whole = new(default, 30); // Steps of 1 mm: 1,074 km.
 
     readonly record struct Tile(Grid3 Min, Grid3 Max, double Points);
 

@@ -11,9 +11,7 @@ class PartMergeTests : FolderTests
     ConvertSettings m_settings;
     ConvertResult m_made;
     RecordLayout m_records;
-
-    /// <summary>The finished chunks of one build, as they are before the merge.</summary>
-    string[] m_chunks;
+    string[] m_chunks; // The finished chunks of one build, as they are before the merge.
     GridCube[] m_cubes;
 
     string Target => Folder.File("whole" + StoreFormat.FolderExtension);

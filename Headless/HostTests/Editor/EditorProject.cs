@@ -22,8 +22,7 @@ sealed class EditorProject : IDisposable
     public ScratchFolder Scratch { get; } = new ScratchFolder();
     public ProjectPaths Paths { get; }
 
-    /// <summary>The editor's own, so that what happens to assets reaches them.</summary>
-    public EditorImports Imports => PointCloudImports.Current;
+    public EditorImports Imports => PointCloudImports.Current; // The editor's own, so that what happens to assets reaches them.
 
     public string Copc(string name)
     {

@@ -2,8 +2,7 @@ namespace FastPoints.HostTests;
 
 static class CloudWorld
 {
-    /// <summary>Folders are opened on another thread, which may get its turn late on a machine at work.</summary>
-    const int MaxFrames = 10_000_000;
+    const int MaxFrames = 10_000_000; // Folders are opened on another thread, which may get its turn late on a machine at work.
 
     public static World Make()
     {

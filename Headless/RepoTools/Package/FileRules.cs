@@ -5,9 +5,7 @@ namespace FastPoints.RepoTools.Package;
 public static class FileRules
 {
     private const int LongestPath = 140;
-
-    /// <summary>Required if a package contains the work of others.</summary>
-    private const string Notices = "Third Party Notices.md";
+    private const string Notices = "Third Party Notices.md"; // Required if a package contains the work of others.
 
     private static readonly string[] s_required =
         { "package.json", "README.md", "LICENSE.md", "CHANGELOG.md", "Documentation~/index.md" };

@@ -8,9 +8,7 @@ namespace FastPoints.Benchmarks
     sealed class AllocatedBytes : IDisposable
     {
         readonly ProfilerRecorder m_recorder = ProfilerRecorder.StartNew(ProfilerCategory.Memory, "GC Allocated In Frame");
-
-        /// <summary>False if this Unity does not count them: then no bytes are no news.</summary>
-        public bool IsCounted => m_recorder.Valid;
+        public bool IsCounted => m_recorder.Valid; // False if this Unity does not count them: then no bytes are no news.
 
         public long Now => m_recorder.CurrentValue;
 

@@ -8,12 +8,8 @@ namespace FastPoints.Evaluation
 
         public AttributeType Type;
         public long Finite;
-
-        /// <summary>Number of values that are infinite or NaN: they count in the sum, but not in the range.</summary>
-        public long NonFinite;
-
-        /// <summary>Sum modulo 2^64: of sign-extended integers; for floats, of their bits, extended by zeros.</summary>
-        public ulong Sum;
+        public long NonFinite; // Number of values that are infinite or NaN: they count in the sum, but not in the range.
+        public ulong Sum; // Sum modulo 2^64: of sign-extended integers; for floats, of their bits, extended by zeros.
 
         ulong m_minOrdered;
         ulong m_maxOrdered;
@@ -25,9 +21,7 @@ namespace FastPoints.Evaluation
         public double Min => Finite == 0 ? 0 : ToDouble(m_minOrdered);
 
         public double Max => Finite == 0 ? 0 : ToDouble(m_maxOrdered);
-
-        /// <summary>The same with all digits; null if there is none.</summary>
-        public string MinText => Finite == 0 ? null : ToText(m_minOrdered);
+        public string MinText => Finite == 0 ? null : ToText(m_minOrdered); // The same with all digits; null if there is none.
 
         public string MaxText => Finite == 0 ? null : ToText(m_maxOrdered);
 

@@ -8,8 +8,7 @@ namespace FastPoints.Evaluation
     [BurstCompile]
     public struct CompareOccupancyJob : IJob
     {
-        /// <summary>Blocks of a region: 8 x 8 x 8.</summary>
-        const int RegionShift = 9;
+        const int RegionShift = 9; // Blocks of a region: 8 x 8 x 8.
 
         [ReadOnly] public NativeArray<ulong> CellsOfCloud;
         [ReadOnly] public NativeArray<long> PointsOfCloud;

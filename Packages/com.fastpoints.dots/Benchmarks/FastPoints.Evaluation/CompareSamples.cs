@@ -21,9 +21,7 @@ namespace FastPoints.Evaluation
 
         public const int LookedUpPerSample = 4096;
         public const int DefaultWidthPx = 640, DefaultHeightPx = 360;
-
-        /// <summary>Not the samplers' own, so that no sample is measured by itself.</summary>
-        const uint QuerySeed = 0x9E3779B9;
+        const uint QuerySeed = 0x9E3779B9; // Not the samplers' own, so that no sample is measured by itself.
 
         const int PointsPerSlice = 1 << 17;
 

@@ -25,9 +25,7 @@ namespace FastPoints.Evaluation
         [ReadOnly] public NativeArray<PointColumn> Targets;
         [ReadOnly] public NativeArray<uint> Palettes;
         [ReadOnly] public NativeArray<float> SizeOfTile;
-
-        /// <summary>Nodes of a <see cref="SizeTree"/>; empty if no size is adaptive.</summary>
-        [ReadOnly] public NativeArray<GpuSizeNode> SizeNodes;
+        [ReadOnly] public NativeArray<GpuSizeNode> SizeNodes; // Nodes of a SizeTree; empty if no size is adaptive.
 
         [ReadOnly] public NativeArray<LocalClip> Clips;
 

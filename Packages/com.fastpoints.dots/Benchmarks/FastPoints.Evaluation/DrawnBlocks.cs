@@ -16,9 +16,7 @@ namespace FastPoints.Evaluation
 
         public NativeList<NodeBlocks> Nodes { get; } = new NativeList<NodeBlocks>(Allocator.Persistent);
         public NativeList<PlaneView> Planes { get; } = new NativeList<PlaneView>(Allocator.Persistent);
-
-        /// <summary>Nodes of a <see cref="SizeTree"/>; empty if no size is adaptive.</summary>
-        public NativeArray<GpuSizeNode> SizeNodes => m_sizeNodes.AsArray();
+        public NativeArray<GpuSizeNode> SizeNodes => m_sizeNodes.AsArray(); // Nodes of a SizeTree; empty if no size is adaptive.
 
         public void Clear(NativeArray<GpuSizeNode> sizeNodes)
         {

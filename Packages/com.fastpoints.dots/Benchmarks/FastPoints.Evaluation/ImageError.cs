@@ -9,12 +9,8 @@ namespace FastPoints.Evaluation
         /// <summary>Peak signal-to-noise ratio over red, green and blue, in dB of the 8-bit sRGB values; infinite for equal
         /// pictures.</summary>
         public double Psnr;
-
-        /// <summary>Mean structural similarity of the luma: 1 for equal pictures.</summary>
-        public double Ssim;
-
-        /// <summary>See <see cref="FlipMap"/>: 0 for equal pictures.</summary>
-        public double Flip;
+        public double Ssim; // Mean structural similarity of the luma: 1 for equal pictures.
+        public double Flip; // See FlipMap: 0 for equal pictures.
 
         /// <summary>The share of the pixels that the reference covers (those not of the background colour) that the picture
         /// leaves uncovered; 0 if the reference covers none.</summary>

@@ -19,9 +19,7 @@ namespace FastPoints.Evaluation
         public double MinDistance;
 
         public double MinDistanceAcrossChunks;
-
-        /// <summary>Number of sampled points at the sides of chunks with another one nearer than the spacing.</summary>
-        public long NearAcrossChunks;
+        public long NearAcrossChunks; // Number of sampled points at the sides of chunks with another one nearer than the spacing.
 
         public static LevelSpacing None => new LevelSpacing
         {
@@ -242,18 +240,10 @@ namespace FastPoints.Evaluation
     internal struct SampledGroup
     {
         public int Count;
-
-        /// <summary>Counted from the root.</summary>
-        public int Level;
-
-        /// <summary>Points nearer than this to the file's cube's sides may have neighbours beyond them; CRS units.</summary>
-        public double Spacing;
-
-        /// <summary>Whether they are what upper levels left of other nodes' tops, which were not sampled together.</summary>
-        public bool IsTop;
-
-        /// <summary>Out: the smallest distance between two of the points, and how many are at the sides.</summary>
-        public double MinDistance;
+        public int Level; // Counted from the root.
+        public double Spacing; // Points nearer than this to the file's cube's sides may have neighbours beyond them; CRS units.
+        public bool IsTop; // Whether they are what upper levels left of other nodes' tops, which were not sampled together.
+        public double MinDistance; // Out: the smallest distance between two of the points, and how many are at the sides.
         public int AtSides;
     }
 
@@ -265,21 +255,13 @@ namespace FastPoints.Evaluation
         public PointColumn X, Y, Z;
         public double3 Step;
         public NativeArray<SampledGroup> Groups;
-
-        /// <summary>The groups' nodes, one group after the other.</summary>
-        [ReadOnly] public NativeArray<NodeRange> Nodes;
-
-        /// <summary>Scratch: the points in that order, in CRS units from the cloud's corner.</summary>
-        public NativeArray<double3> Points;
+        [ReadOnly] public NativeArray<NodeRange> Nodes; // The groups' nodes, one group after the other.
+        public NativeArray<double3> Points; // Scratch: the points in that order, in CRS units from the cloud's corner.
         public NativeArray<int> Scratch;
         public double3 CubeMin;
         public double3 CubeMax;
-
-        /// <summary>Whether all points are listed, not only those at the sides.</summary>
-        public bool IsWhole;
-
-        /// <summary>Out, group by group.</summary>
-        public NativeList<double3> AtSides;
+        public bool IsWhole; // Whether all points are listed, not only those at the sides.
+        public NativeList<double3> AtSides; // Out, group by group.
 
         public void Execute()
         {

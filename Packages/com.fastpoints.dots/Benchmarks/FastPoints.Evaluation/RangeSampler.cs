@@ -28,9 +28,7 @@ namespace FastPoints.Evaluation
         NativeArray<PointColumn> m_columns;
         NativeReference<int> m_filled;
         JobHandle m_last;
-
-        /// <summary>Points of the ranges that were begun.</summary>
-        long m_begun;
+        long m_begun; // Points of the ranges that were begun.
 
         /// <param name="reader">Its blocks must be known.</param>
         /// <param name="wanted">Points; no more than the ranges hold and than <see cref="PreviewSample.MaxPoints"/> are

@@ -188,18 +188,14 @@ namespace FastPoints.Evaluation
         [ReadOnly] public NativeArray<PointColumn> Columns;
         [ReadOnly] public NativeReference<DecodeResult> Result;
         public PositionTransform Transform;
-
-        /// <summary>Otherwise bounds stay empty: the source has no X, Y or Z, or bounds come from its ranges.</summary>
-        public bool HasPositions;
+        public bool HasPositions; // Otherwise bounds stay empty: the source has no X, Y or Z, or bounds come from its ranges.
 
         public PositionColumns Positions;
         public NativeArray<ColumnSummary> SummaryOfColumn;
         public NativeReference<PositionBounds> Bounds;
 
         public const int ByteValues = 256;
-
-        /// <summary>Columns of bytes whose values are counted, -1 for none; counts are added.</summary>
-        public int ClassColumn;
+        public int ClassColumn; // Columns of bytes whose values are counted, -1 for none; counts are added.
         public int ReturnColumn;
         public NativeArray<long> Counts;
 

@@ -81,9 +81,7 @@ namespace FastPoints.Scenes
         [ReadOnly] public NativeArray<ScanReturn> Returns;
         public ScanOrder Order;
         public uint Seed;
-
-        /// <summary>Index of the return that comes at each place.</summary>
-        [WriteOnly] public NativeArray<int> ReturnOfIndex;
+        [WriteOnly] public NativeArray<int> ReturnOfIndex; // Index of the return that comes at each place.
 
         public unsafe void Execute()
         {

@@ -35,9 +35,7 @@ namespace FastPoints.Scenes
         public bool HasOrder;
         public int FirstIndex;
         public int Count;
-
-        /// <summary>Memory of a batch of <see cref="Schema"/>, and the location of each of its columns.</summary>
-        public NativeArray<byte> Bytes;
+        public NativeArray<byte> Bytes; // Memory of a batch of Schema, and the location of each of its columns.
 
         [ReadOnly] public NativeArray<PointColumn> Columns;
 

@@ -6,8 +6,7 @@ namespace FastPoints.Scenes
     /// zero.</summary>
     internal static class SceneGround
     {
-        /// <summary>Half the width of the carriageway, and where the pavement beside it ends.</summary>
-        public const float RoadHalf = 4;
+        public const float RoadHalf = 4; // Half the width of the carriageway, and where the pavement beside it ends.
         public const float PavementHalf = 6.5f;
 
         const float KerbHeight = 0.12f;

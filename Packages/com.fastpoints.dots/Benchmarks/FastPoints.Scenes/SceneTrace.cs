@@ -11,8 +11,7 @@ namespace FastPoints.Scenes
         public const byte HighVegetation = 5;
         public const byte Building = 6;
         public const byte RoadSurface = 11;
-        /// <summary>Classes from 64 on are the user's own.</summary>
-        public const byte StreetFurniture = 64;
+        public const byte StreetFurniture = 64; // Classes from 64 on are the user's own.
         public const byte Vehicle = 65;
 
         const float FloorHeight = 3, WindowPitch = 2.6f, WindowHalf = 0.6f, WindowSill = 0.95f, WindowTop = 2.35f;
@@ -229,21 +228,14 @@ namespace FastPoints.Scenes
     /// <summary>Where a pulse meets a solid surface.</summary>
     internal struct SceneHit
     {
-        /// <summary>Metres along the ray; infinity if it meets nothing.</summary>
-        public float Distance;
+        public float Distance; // Metres along the ray; infinity if it meets nothing.
 
         public float3 Normal;
-
-        /// <summary>Linear colour of the material, unlit.</summary>
-        public float3 Color;
-
-        /// <summary>Share of the infrared light that is reflected at normal incidence.</summary>
-        public float Reflectance;
+        public float3 Color; // Linear colour of the material, unlit.
+        public float Reflectance; // Share of the infrared light that is reflected at normal incidence.
 
         public byte Classification;
-
-        /// <summary>Whether the pulse ends here without a return, mirrored away by glass.</summary>
-        public bool IsLost;
+        public bool IsLost; // Whether the pulse ends here without a return, mirrored away by glass.
 
         public static SceneHit None => new SceneHit { Distance = float.PositiveInfinity };
     }

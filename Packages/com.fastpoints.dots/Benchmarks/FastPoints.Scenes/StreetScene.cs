@@ -9,8 +9,7 @@ namespace FastPoints.Scenes
     /// All of it follows from the seed.</summary>
     internal sealed class StreetScene : IDisposable
     {
-        /// <summary>Half the length of the street, metres.</summary>
-        public const float HalfLength = 130;
+        public const float HalfLength = 130; // Half the length of the street, metres.
 
         /// <summary>Positions of the scanner in the order of the scan: on the street, 1.8 m over the ground.</summary>
         public static readonly float3[] Stations =

@@ -17,8 +17,7 @@ namespace FastPoints.Editor
     /// nothing.</summary>
     internal sealed class PlayerCloudProcessor : BuildPlayerProcessor
     {
-        /// <summary>After Entities, which saves changed scenes.</summary>
-        public override int callbackOrder => 1;
+        public override int callbackOrder => 1; // After Entities, which saves changed scenes.
 
         public override void PrepareForBuild(BuildPlayerContext buildPlayerContext)
         {

@@ -12,8 +12,7 @@ namespace FastPoints.Editor
     [CanEditMultipleObjects]
     internal sealed class ClipBoxEditor : UnityEditor.Editor
     {
-        /// <summary>A box that was dragged flat could not be dragged open again.</summary>
-        const float MinThickness = 1e-3f;
+        const float MinThickness = 1e-3f; // A box that was dragged flat could not be dragged open again.
 
         readonly Dictionary<Object, BoxHandle> m_handles = new Dictionary<Object, BoxHandle>();
 
@@ -54,8 +53,7 @@ namespace FastPoints.Editor
         /// <summary>A dragged side reports its total movement, in the space where the drag began.</summary>
         sealed class BoxHandle : BoxBoundsHandle
         {
-            /// <summary>The control that was taken; 0 if none was.</summary>
-            public int Control;
+            public int Control; // The control that was taken; 0 if none was.
             Vector3 m_scale;
 
             public Matrix4x4 Space { get; private set; }

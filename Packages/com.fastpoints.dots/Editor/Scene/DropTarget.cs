@@ -11,14 +11,10 @@ namespace FastPoints.Editor
         const string OriginName = "Point Cloud Origin";
 
         int m_sibling = -1;
-
-        /// <summary>Where the pointer was; clouds with an origin lie by that instead.</summary>
-        public Vector3? Point;
+        public Vector3? Point; // Where the pointer was; clouds with an origin lie by that instead.
 
         public Transform Parent;
-
-        /// <summary>The scene, if there is no parent; the default is the active one.</summary>
-        public Scene Scene;
+        public Scene Scene; // The scene, if there is no parent; the default is the active one.
 
         /// <summary>The target of a drop in the Hierarchy.</summary>
         /// <param name="target">The GameObject that it fell on or beside; null for a scene, or nothing.</param>

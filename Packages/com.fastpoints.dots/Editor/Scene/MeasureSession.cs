@@ -14,9 +14,7 @@ namespace FastPoints.Editor
         readonly List<StreamPick> m_picks = new List<StreamPick>();
         readonly List<Entity> m_clouds = new List<Entity>();
         readonly List<string> m_lines = new List<string>();
-
-        /// <summary>The picked points; the second one is measured from the first.</summary>
-        public IReadOnlyList<StreamPick> Picks => m_picks;
+        public IReadOnlyList<StreamPick> Picks => m_picks; // The picked points; the second one is measured from the first.
 
         public IReadOnlyList<string> Lines => m_lines;
 

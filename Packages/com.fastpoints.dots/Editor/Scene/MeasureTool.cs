@@ -11,17 +11,14 @@ namespace FastPoints.Editor
     [EditorTool("Measure points")]
     internal sealed class MeasureTool : EditorTool
     {
-        /// <summary>How far from the pointer a point may be, in points of the window.</summary>
-        const double Radius = 5;
+        const double Radius = 5; // How far from the pointer a point may be, in points of the window.
 
         const double UpdateMs = 2;
 
         const float LineHeight = 18;
 
         MeasureSession m_session;
-
-        /// <summary>Null while the tool is not active.</summary>
-        public MeasureSession Session => m_session;
+        public MeasureSession Session => m_session; // Null while the tool is not active.
 
         public override void OnActivated()
         {

@@ -17,8 +17,7 @@ namespace FastPoints.Editor
     [InitializeOnLoad]
     internal static class ScenePicking
     {
-        /// <summary>How far from the pointer a point may be, in points of the window.</summary>
-        const double Radius = 5;
+        const double Radius = 5; // How far from the pointer a point may be, in points of the window.
 
         static StreamPicker s_picker;
 

@@ -6,8 +6,7 @@ namespace FastPoints.Rendering
     /// <summary>Position and projection of one eye: a camera's, or one of a headset's two.</summary>
     public struct EyeMatrices
     {
-        /// <summary>Relative to the camera's position: about a hundred times the rounding of floats.</summary>
-        const double MaxRounding = 1e-5;
+        const double MaxRounding = 1e-5; // Relative to the camera's position: about a hundred times the rounding of floats.
 
         /// <summary>World to camera, which looks along its negative Z.</summary>
         public Matrix4x4 View;

@@ -11,19 +11,12 @@ namespace FastPoints.Surface
     [BurstCompile]
     internal unsafe struct CloseHolesJob : IJob
     {
-        /// <summary>A slice takes about 1.5 ms.</summary>
-        public const int SurfelsPerSlice = 1000;
+        public const int SurfelsPerSlice = 1000; // A slice takes about 1.5 ms.
 
         const int Sectors = 16;
-
-        /// <summary>So many sectors in a row without a surfel may be wider than half a circle.</summary>
-        const int MaxEmptySectors = 6;
-
-        /// <summary>Closer than this there is a surfel already.</summary>
-        const float MinDistance = 0.75f;
-
-        /// <summary>One layer of voxels is that near to a plane.</summary>
-        const float MaxHeight = 0.6f;
+        const int MaxEmptySectors = 6; // So many sectors in a row without a surfel may be wider than half a circle.
+        const float MinDistance = 0.75f; // Closer than this there is a surfel already.
+        const float MaxHeight = 0.6f; // One layer of voxels is that near to a plane.
 
         /// <summary>Surfels are of one plane whose normals have at least this cosine, and that are no farther off it than
         /// this.</summary>
@@ -33,9 +26,7 @@ namespace FastPoints.Surface
         public int First;
         public int End;
         public SurfaceGrid Grid;
-
-        /// <summary>How many surfels are made of points.</summary>
-        public int Measured;
+        public int Measured; // How many surfels are made of points.
         public SurfaceMemory Memory;
         public SliceTimes Times;
 

@@ -11,31 +11,20 @@ namespace FastPoints.Surface
     [BurstCompile]
     internal unsafe struct CollectVoxelsJob : IJob
     {
-        /// <summary>A slice takes about a millisecond.</summary>
-        public const int PointsPerSlice = 100000;
-
-        /// <summary>Of a voxel's edge: what is in a voxel is summed in these.</summary>
-        public const int StepsPerVoxel = 1024;
-
-        /// <summary>More points would overflow the sums; their mean has long been found.</summary>
-        const uint MaxPointsPerVoxel = 1u << 21;
+        public const int PointsPerSlice = 100000; // A slice takes about a millisecond.
+        public const int StepsPerVoxel = 1024; // Of a voxel's edge: what is in a voxel is summed in these.
+        const uint MaxPointsPerVoxel = 1u << 21; // More points would overflow the sums; their mean has long been found.
 
         public int First;
         public int End;
         public SurfaceGrid Grid;
         public int3 Cell;
-
-        /// <summary>Metres of what positions are stored in.</summary>
-        public double3 Metres;
-
-        /// <summary>Points of these classes are left out.</summary>
-        public ClassMask Hidden;
+        public double3 Metres; // Metres of what positions are stored in.
+        public ClassMask Hidden; // Points of these classes are left out.
         [ReadOnly] public NativeArray<double> X;
         [ReadOnly] public NativeArray<double> Y;
         [ReadOnly] public NativeArray<double> Z;
-
-        /// <summary>By point; empty if all are taken.</summary>
-        [ReadOnly] public NativeArray<byte> Classes;
+        [ReadOnly] public NativeArray<byte> Classes; // By point; empty if all are taken.
         public SurfaceMemory Memory;
         public SliceTimes Times;
 

@@ -12,20 +12,11 @@ namespace FastPoints.Surface
     [BurstCompile]
     internal unsafe struct ExtractSurfaceJob : IJob
     {
-        /// <summary>A slice of level ground, which lies in few layers, takes about a millisecond.</summary>
-        public const int RowsPerSlice = 20;
-
-        /// <summary>From the plane to either face, in voxels.</summary>
-        internal const float HalfThickness = 0.1f;
-
-        /// <summary>A vertex is at most so far from the nearest surfel, in voxels.</summary>
-        internal const float MaxFromSurfel = 0.9f;
-
-        /// <summary>Surfels farther away do not move a vertex.</summary>
-        const float Radius = 2;
-
-        /// <summary>Rows of cubes, layer by layer, from those before the cell.</summary>
-        public int First;
+        public const int RowsPerSlice = 20; // A slice of level ground, which lies in few layers, takes about a millisecond.
+        internal const float HalfThickness = 0.1f; // From the plane to either face, in voxels.
+        internal const float MaxFromSurfel = 0.9f; // A vertex is at most so far from the nearest surfel, in voxels.
+        const float Radius = 2; // Surfels farther away do not move a vertex.
+        public int First; // Rows of cubes, layer by layer, from those before the cell.
         public int End;
         public SurfaceGrid Grid;
         public SurfaceMemory Memory;

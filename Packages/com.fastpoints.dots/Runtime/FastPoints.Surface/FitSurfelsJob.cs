@@ -10,24 +10,15 @@ namespace FastPoints.Surface
     [BurstCompile]
     internal unsafe struct FitSurfelsJob : IJob
     {
-        /// <summary>A slice takes about a millisecond.</summary>
-        public const int VoxelsPerSlice = 1200;
-
-        /// <summary>Voxels farther away than this do not count.</summary>
-        const float Radius = 2.5f;
-
-        /// <summary>The longest way of a mean to the plane: beyond, it is no noise but another wall.</summary>
-        const float MaxMove = 0.5f;
-
-        /// <summary>What deviates more from a plane is none, such as leaves.</summary>
-        const float MaxAcross = 0.5f;
+        public const int VoxelsPerSlice = 1200; // A slice takes about a millisecond.
+        const float Radius = 2.5f; // Voxels farther away than this do not count.
+        const float MaxMove = 0.5f; // The longest way of a mean to the plane: beyond, it is no noise but another wall.
+        const float MaxAcross = 0.5f; // What deviates more from a plane is none, such as leaves.
 
         public int First;
         public int End;
         public SurfaceGrid Grid;
-
-        /// <summary>The normal of what has none: single points and lines.</summary>
-        public float3 Up;
+        public float3 Up; // The normal of what has none: single points and lines.
         public SurfaceMemory Memory;
         public SliceTimes Times;
 
@@ -103,8 +94,7 @@ namespace FastPoints.Surface
     [BurstCompile]
     internal unsafe struct AverageVoxelsJob : IJob
     {
-        /// <summary>A slice takes about a millisecond.</summary>
-        public const int VoxelsPerSlice = 100000;
+        public const int VoxelsPerSlice = 100000; // A slice takes about a millisecond.
 
         public int First;
         public int End;

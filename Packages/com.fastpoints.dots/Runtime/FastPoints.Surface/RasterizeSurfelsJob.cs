@@ -11,15 +11,10 @@ namespace FastPoints.Surface
     [BurstCompile]
     internal unsafe struct RasterizeSurfelsJob : IJob
     {
-        /// <summary>A slice takes about a millisecond.</summary>
-        public const int SurfelsPerSlice = 5000;
-
-        /// <summary>Half of a cylinder's height, and its radius, in voxels.</summary>
-        internal const float HalfHeight = 0.75f;
+        public const int SurfelsPerSlice = 5000; // A slice takes about a millisecond.
+        internal const float HalfHeight = 0.75f; // Half of a cylinder's height, and its radius, in voxels.
         internal const float Radius = 1.3f;
-
-        /// <summary>From its centre to its rim's edge.</summary>
-        const float Reach = 1.51f;
+        const float Reach = 1.51f; // From its centre to its rim's edge.
 
         public int First;
         public int End;

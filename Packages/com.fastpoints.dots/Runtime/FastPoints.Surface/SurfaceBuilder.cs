@@ -26,15 +26,13 @@ namespace FastPoints.Surface
             m_memory = new SurfaceMemory(grid, Allocator.Persistent);
         }
 
-        /// <summary>Of the last cell: valid until the next one.</summary>
-        public NativeArray<int3> Vertices => m_memory.Vertices.AsArray();
+        public NativeArray<int3> Vertices => m_memory.Vertices.AsArray(); // Of the last cell: valid until the next one.
         public NativeArray<int3> Triangles => m_memory.Triangles.AsArray();
 
         /// <summary>How many voxels of it and its margins have points.</summary>
         public int VoxelCount { get; private set; }
 
-        /// <summary>How long the slices of jobs took so far.</summary>
-        public SliceTimes Times => m_times;
+        public SliceTimes Times => m_times; // How long the slices of jobs took so far.
 
         /// <summary>Coroutine.</summary>
         /// <param name="points">Adds the points in the cell and around it, batch by batch, by <see cref="Add"/>.</param>

@@ -9,21 +9,15 @@ namespace FastPoints.Surface
     {
         /// <summary>Vertices are at whole steps: neighbours have the same ones on their common faces.</summary>
         public const int StepsPerVoxel = 4096;
-
-        /// <summary>Neighbours so many voxels away make a voxel's normal.</summary>
-        public const int FitReach = 2;
-
-        /// <summary>A vertex is moved by surfels in voxels so far from its own.</summary>
-        public const int VertexReach = 2;
+        public const int FitReach = 2; // Neighbours so many voxels away make a voxel's normal.
+        public const int VertexReach = 2; // A vertex is moved by surfels in voxels so far from its own.
 
         public const float MaxHoleVoxels = 8;
 
         public readonly double VoxelMetres;
 
         public readonly int CellVoxels;
-
-        /// <summary>The widest holes that are closed; 0 for none.</summary>
-        public readonly float HoleVoxels;
+        public readonly float HoleVoxels; // The widest holes that are closed; 0 for none.
 
         public SurfaceGrid(double voxelMetres, int cellVoxels, float holeVoxels)
         {
@@ -42,9 +36,7 @@ namespace FastPoints.Surface
         public double CellMetres => VoxelMetres * CellVoxels;
 
         public int HoleReach => (int)math.ceil(HoleVoxels);
-
-        /// <summary>How many voxels a hole is closed inwards from its rim.</summary>
-        public int HoleRings => (int)math.ceil(HoleVoxels / 2);
+        public int HoleRings => (int)math.ceil(HoleVoxels / 2); // How many voxels a hole is closed inwards from its rim.
 
         /// <summary>Voxels around a cell that its surface depends on: a vertex of the cube before the first one, its surfels,
         /// which may close a hole, whose rim has normals.</summary>

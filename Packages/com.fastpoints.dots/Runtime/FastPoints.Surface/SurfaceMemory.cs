@@ -6,12 +6,9 @@ namespace FastPoints.Surface
 {
     internal struct SurfaceVoxel
     {
-        /// <summary>Its index among all voxels of a cell with margins.</summary>
-        public int At;
+        public int At; // Its index among all voxels of a cell with margins.
         public uint Count;
-
-        /// <summary>Of steps from its corner.</summary>
-        public uint X;
+        public uint X; // Of steps from its corner.
         public uint Y;
         public uint Z;
     }
@@ -20,35 +17,24 @@ namespace FastPoints.Surface
     internal struct Surfel
     {
         public float3 Position;
-
-        /// <summary>Of length 1; its sign has no meaning.</summary>
-        public float3 Normal;
+        public float3 Normal; // Of length 1; its sign has no meaning.
     }
 
     internal struct SurfaceMemory : IDisposable
     {
-        /// <summary>Of a voxel that closes no hole.</summary>
-        public const int Rejected = -1;
-
-        /// <summary>By voxel with margins, x first: 1 more than the number of its surfel; 0 for none.</summary>
-        public NativeArray<int> SurfelOf;
+        public const int Rejected = -1; // Of a voxel that closes no hole.
+        public NativeArray<int> SurfelOf; // By voxel with margins, x first: 1 more than the number of its surfel; 0 for none.
         public NativeList<SurfaceVoxel> Voxels;
-
-        /// <summary>Of a voxel's points, in voxels from its corner.</summary>
-        public NativeList<float3> Means;
+        public NativeList<float3> Means; // Of a voxel's points, in voxels from its corner.
         public NativeList<Surfel> Surfels;
 
         /// <summary>By lattice point, the corner of the voxel of that index: 1 within the shell around the surfels.</summary>
         public NativeArray<byte> IsInside;
-
-        /// <summary>By row of lattice points along x: whether any is.</summary>
-        public NativeArray<byte> IsRowInside;
+        public NativeArray<byte> IsRowInside; // By row of lattice points along x: whether any is.
 
         /// <summary>By cube of the cell, and those before its first ones; 0 for none, else 1 more than its vertex.</summary>
         public NativeArray<int> VertexOf;
-
-        /// <summary>In steps from the cell's corner.</summary>
-        public NativeList<int3> Vertices;
+        public NativeList<int3> Vertices; // In steps from the cell's corner.
 
         /// <summary>Three vertices each; counter-clockwise seen from outside, in the source's right-handed axes.</summary>
         public NativeList<int3> Triangles;

@@ -16,9 +16,7 @@ namespace FastPoints.Evaluation
 
         public readonly int Width;
         public readonly int Height;
-
-        /// <summary>Row by row from the top.</summary>
-        public readonly float[] Errors;
+        public readonly float[] Errors; // Row by row from the top.
 
         public readonly double Mean;
 

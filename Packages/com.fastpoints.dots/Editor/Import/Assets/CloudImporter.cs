@@ -15,8 +15,7 @@ namespace FastPoints.Editor
     [HelpPage("editor")]
     internal abstract class CloudImporter : ScriptedImporter
     {
-        /// <summary>Raised when the imported asset changes.</summary>
-        protected const int Version = 5;
+        protected const int Version = 5; // Raised when the imported asset changes.
 
         [Tooltip("The axis of the file that points up.")]
         public UpAxis UpAxis = UpAxis.Z;

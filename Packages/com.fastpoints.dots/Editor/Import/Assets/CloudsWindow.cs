@@ -13,8 +13,7 @@ namespace FastPoints.Editor
     /// those that nothing uses.</summary>
     internal sealed class CloudsWindow : EditorWindow
     {
-        /// <summary>More would make each repaint slow.</summary>
-        const int RowsPerPage = 200, MaxQueued = 50;
+        const int RowsPerPage = 200, MaxQueued = 50; // More would make each repaint slow.
 
         PoolTask<CloudList> m_collecting;
         CancellationTokenSource m_cancel;

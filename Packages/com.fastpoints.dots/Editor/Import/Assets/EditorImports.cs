@@ -22,9 +22,7 @@ namespace FastPoints.Editor
         readonly QueueProgress m_progress;
         readonly List<CloudDrop> m_drops = new List<CloudDrop>();
         readonly List<string> m_drawn = new List<string>();
-
-        /// <summary>Assets whose files could not be written, to be tried again.</summary>
-        readonly List<Action> m_pendingWrites = new List<Action>();
+        readonly List<Action> m_pendingWrites = new List<Action>(); // Assets whose files could not be written, to be tried again.
         bool m_isShowing;
         string m_problem;
 

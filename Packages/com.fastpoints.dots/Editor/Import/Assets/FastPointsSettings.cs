@@ -28,21 +28,15 @@ namespace FastPoints.Editor
 
         /// <summary>Limit for everything in a conversion that grows with the number of points; the rest goes to files.</summary>
         public int MemoryMiB = 1024;
-
-        /// <summary>The most workers of the job system that a conversion keeps busy; 0 for all.</summary>
-        public int Workers;
+        public int Workers; // The most workers of the job system that a conversion keeps busy; 0 for all.
 
         public InPlayMode InPlayMode;
-
-        /// <summary>Main-thread time that a conversion gets in each update of the editor.</summary>
-        public int UpdateMs = 4;
+        public int UpdateMs = 4; // Main-thread time that a conversion gets in each update of the editor.
 
         /// <summary>Graphics memory for points in the editor if a scene has no <see cref="PointCloudSettings"/>; new ones begin
         /// with it.</summary>
         public int GpuMiB = 512;
-
-        /// <summary>Larger files are not copied into the project when dropped: they get a handle.</summary>
-        public int CopiedMiB = 64;
+        public int CopiedMiB = 64; // Larger files are not copied into the project when dropped: they get a handle.
 
         /// <summary>How to handle point cloud files in <c>Assets</c> that no other package imports.</summary>
         public PointFiles PointFiles;
@@ -50,12 +44,8 @@ namespace FastPoints.Editor
         public SeveralFiles SeveralFiles;
 
         public bool ConvertAtOnce = true;
-
-        /// <summary>Whether that includes COPC, Potree and EPT, which can be streamed directly.</summary>
-        public bool ConvertOctrees;
-
-        /// <summary>A build warns if a player's clouds are larger; 0 for never.</summary>
-        public int PlayerMiB = 2048;
+        public bool ConvertOctrees; // Whether that includes COPC, Potree and EPT, which can be streamed directly.
+        public int PlayerMiB = 2048; // A build warns if a player's clouds are larger; 0 for never.
 
         /// <summary>Assets of clouds that go into every player, because only code names them: by GUID, since settings are loaded
         /// before assets are imported, and a reference would then be null.</summary>
@@ -76,11 +66,8 @@ namespace FastPoints.Editor
             return string.IsNullOrEmpty(folder) ? new ProjectPaths(project) : new ProjectPaths(project, folder);
         }
 
-        /// <summary>What the file says; kept when scripts are reloaded, as Unity keeps private fields.</summary>
-        string m_saved;
-
-        /// <summary>The text that could not be saved, which was reported.</summary>
-        string m_refused;
+        string m_saved; // What the file says; kept when scripts are reloaded, as Unity keeps private fields.
+        string m_refused; // The text that could not be saved, which was reported.
 
         void OnEnable()
         {

@@ -9,9 +9,7 @@ namespace FastPoints.Editor
     {
         /// <summary>An environment variable that overrides <see cref="SourceRoot"/>, for build servers.</summary>
         public const string Variable = "FASTPOINTS_SOURCES";
-
-        /// <summary>The folder below which this user has what the team's clouds are made of; empty for none.</summary>
-        public string SourceRoot = "";
+        public string SourceRoot = ""; // The folder below which this user has what the team's clouds are made of; empty for none.
 
         public static string Root =>
             Environment.GetEnvironmentVariable(Variable) is { Length: > 0 } root ? root : instance.SourceRoot;

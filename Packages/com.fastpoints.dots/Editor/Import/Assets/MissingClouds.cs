@@ -12,9 +12,7 @@ namespace FastPoints.Editor
     internal sealed class MissingClouds : IDisposable
     {
         const string CheckedKey = "FastPoints.MissingClouds";
-
-        /// <summary>More names would hide the rest of the Console.</summary>
-        const int MaxListed = 10;
+        const int MaxListed = 10; // More names would hide the rest of the Console.
 
         readonly EditorImports m_imports;
         PoolTask<CloudList> m_search;

@@ -11,13 +11,10 @@ namespace FastPoints.Editor
     [InitializeOnLoad]
     public static class PointCloudImports
     {
-        /// <summary>Unsaved requests, during a reload of scripts.</summary>
-        const string Unsaved = "FastPoints.Imports";
+        const string Unsaved = "FastPoints.Imports"; // Unsaved requests, during a reload of scripts.
 
         static EditorImports s_current;
-
-        /// <summary>Arguments of the editor; tests set others.</summary>
-        internal static string[] s_arguments = Environment.GetCommandLineArgs();
+        internal static string[] s_arguments = Environment.GetCommandLineArgs(); // Arguments of the editor; tests set others.
 
         static PointCloudImports()
         {

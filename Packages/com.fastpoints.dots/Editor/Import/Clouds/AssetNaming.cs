@@ -9,8 +9,7 @@ namespace FastPoints.Editor
     /// <summary>Makes names for converted clouds and their handles: allowed on every system, not hidden by Unity.</summary>
     internal static class AssetNaming
     {
-        /// <summary>Limit in UTF-8, without extension, that keeps paths in a project short.</summary>
-        public const int MaxBytes = 100;
+        public const int MaxBytes = 100; // Limit in UTF-8, without extension, that keeps paths in a project short.
 
         const string Empty = "cloud";
         const string NotAllowed = "<>:\"/\\|?*";

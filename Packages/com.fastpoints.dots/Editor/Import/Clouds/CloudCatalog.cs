@@ -130,14 +130,9 @@ namespace FastPoints.Editor
 
     internal sealed class CatalogCloud
     {
-        /// <summary>Its folder: an absolute path under its final name.</summary>
-        public string Path;
-
-        /// <summary>Null if <see cref="Problem"/> says why.</summary>
-        public CloudManifest Manifest;
-
-        /// <summary>Why it cannot be used, in one line; null if it can.</summary>
-        public string Problem;
+        public string Path; // Its folder: an absolute path under its final name.
+        public CloudManifest Manifest; // Null if Problem says why.
+        public string Problem; // Why it cannot be used, in one line; null if it can.
 
         public bool IsBuilding;
 

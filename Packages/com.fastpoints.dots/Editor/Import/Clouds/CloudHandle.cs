@@ -17,43 +17,27 @@ namespace FastPoints.Editor
         const int Version = 1;
         public const int MaxWarnings = 20;
         const string FormatName = "fastpoints-handle";
-
-        /// <summary>The converted cloud's own id, which follows from its content; 0 until there is one.</summary>
-        public ulong CloudId;
-
-        /// <summary>The converted folder, as <see cref="ProjectPaths.Stored"/> writes it. It may not exist yet.</summary>
-        public string CloudPath;
+        public ulong CloudId; // The converted cloud's own id, which follows from its content; 0 until there is one.
+        public string CloudPath; // The converted folder, as ProjectPaths.Stored writes it. It may not exist yet.
 
         /// <summary>Files and folders that the cloud is made of, written alike; empty for a cloud that was imported in converted
         /// form.</summary>
         public List<string> Sources = new List<string>();
-
-        /// <summary>Whether the source is a folder, which a missing one does not show.</summary>
-        public bool IsFolder;
-
-        /// <summary>Whether they contain an octree (COPC, Potree, EPT) and can be streamed directly.</summary>
-        public bool IsOctree;
+        public bool IsFolder; // Whether the source is a folder, which a missing one does not show.
+        public bool IsOctree; // Whether they contain an octree (COPC, Potree, EPT) and can be streamed directly.
 
         /// <summary>The position that transforms move, georeferenced: where the cloud was first shown. Null until then.</summary>
         public double3? Origin;
-
-        /// <summary>The axis whose floor <see cref="Origin"/> lies on.</summary>
-        public UpAxis OriginUp = UpAxis.Z;
-
-        /// <summary>Stamp of the sources when they were taken; null without any.</summary>
-        public SourceStamp Stamp;
+        public UpAxis OriginUp = UpAxis.Z; // The axis whose floor Origin lies on.
+        public SourceStamp Stamp; // Stamp of the sources when they were taken; null without any.
 
         /// <summary>What was wrong with the sources when they were converted, one line each; at most
         /// <see cref="MaxWarnings"/>.</summary>
         public List<string> Warnings = new List<string>();
 
         public string Format;
-
-        /// <summary>What the header claims, until the cloud is converted; -1 if unknown.</summary>
-        public long Points = -1;
-
-        /// <summary>What the header claims, as with <see cref="Points"/>; may be empty.</summary>
-        public BoundsGeo BoundsGeo = BoundsGeo.Empty;
+        public long Points = -1; // What the header claims, until the cloud is converted; -1 if unknown.
+        public BoundsGeo BoundsGeo = BoundsGeo.Empty; // What the header claims, as with Points; may be empty.
 
         public string Crs;
 

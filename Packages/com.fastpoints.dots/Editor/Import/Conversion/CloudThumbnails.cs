@@ -21,9 +21,7 @@ namespace FastPoints.Editor
         ThumbnailDrawing m_drawing;
         PoolTask<string> m_writing;
         string m_current;
-
-        /// <summary>Raised with a cloud's folder when its picture was written.</summary>
-        public event Action<string> Drawn;
+        public event Action<string> Drawn; // Raised with a cloud's folder when its picture was written.
 
         public bool IsDrawing => m_current != null || m_waiting.Count > 0;
 

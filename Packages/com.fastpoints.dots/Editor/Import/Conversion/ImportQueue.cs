@@ -15,9 +15,7 @@ namespace FastPoints.Editor
     {
         public const string FileName = "imports.json";
         public const string LockName = "imports.lock";
-
-        /// <summary>An import that has ended the editor this often is not restarted automatically.</summary>
-        public const int MaxAttempts = 3;
+        public const int MaxAttempts = 3; // An import that has ended the editor this often is not restarted automatically.
 
         const int Version = 1;
         static readonly TimeSpan s_refreshInterval = TimeSpan.FromSeconds(2);

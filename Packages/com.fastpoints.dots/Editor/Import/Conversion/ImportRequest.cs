@@ -7,8 +7,7 @@ namespace FastPoints.Editor
     /// <summary>A cloud to convert. Paths are stored in the form of <see cref="ProjectPaths.Stored"/>.</summary>
     internal sealed class ImportRequest
     {
-        /// <summary>The asset that the cloud is for, identified independently of its path.</summary>
-        public string Asset;
+        public string Asset; // The asset that the cloud is for, identified independently of its path.
 
         public List<string> Sources = new List<string>();
 

@@ -13,9 +13,7 @@ namespace FastPoints.Editor
         const long Budget = 200_000;
 
         public const int SizePx = 256;
-
-        /// <summary>Points in the first wave of files: about one a pixel.</summary>
-        const int PreviewPoints = SizePx * SizePx;
+        const int PreviewPoints = SizePx * SizePx; // Points in the first wave of files: about one a pixel.
 
         readonly IDisposable[] m_owned;
         readonly Func<RgbaImage> m_image;

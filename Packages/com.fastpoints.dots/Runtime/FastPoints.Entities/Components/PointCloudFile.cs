@@ -9,8 +9,7 @@ namespace FastPoints.Entities
     /// streamed, and so is each copy of it. <see cref="PointCloudSystemGroup.ErrorOf"/> says what went wrong.</summary>
     public struct PointCloudFile : IComponentData
     {
-        /// <summary>What differs from Z, so that this is the default.</summary>
-        int m_upXorZ;
+        int m_upXorZ; // What differs from Z, so that this is the default.
 
         /// <summary>Whether <see cref="OriginGeo"/> is the place that the transform moves; otherwise the first shown state
         /// decides.</summary>

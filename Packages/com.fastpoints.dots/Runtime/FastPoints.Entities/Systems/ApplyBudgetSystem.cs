@@ -11,12 +11,8 @@ namespace FastPoints.Entities
     internal partial class ApplyBudgetSystem : StreamSystem
     {
         EntityQuery m_budgets;
-
-        /// <summary>The default in force; 0 while there is a budget.</summary>
-        long m_defaultPoolBytes;
-
-        /// <summary>What was in force before there was a budget, and is again after it.</summary>
-        PointCloudBudget? m_before;
+        long m_defaultPoolBytes; // The default in force; 0 while there is a budget.
+        PointCloudBudget? m_before; // What was in force before there was a budget, and is again after it.
 
         protected override void OnCreate()
         {

@@ -12,9 +12,7 @@ namespace FastPoints.Entities
     internal partial class ClipCloudsSystem : StreamSystem
     {
         EntityQuery m_clips;
-
-        /// <summary>Boxes that did not come from entities are left alone.</summary>
-        bool m_hasClips;
+        bool m_hasClips; // Boxes that did not come from entities are left alone.
 
         protected override void OnCreate()
         {

@@ -11,23 +11,15 @@ namespace FastPoints.Entities
     {
         [ReadOnly] public NativeArray<CachedNode> Nodes;
         [ReadOnly] public NativeArray<DrawnNode> Drawn;
-
-        /// <summary>The most entities to make, to destroy, and to update; the rest waits for the next frame.</summary>
-        public int MaxChanges;
-
-        /// <summary>The slot to begin with, so that none is starved.</summary>
-        public NativeReference<int> First;
+        public int MaxChanges; // The most entities to make, to destroy, and to update; the rest waits for the next frame.
+        public NativeReference<int> First; // The slot to begin with, so that none is starved.
         public NativeList<TrackedNode> Tracked;
-
-        /// <summary>Scratch: indexed by slot.</summary>
-        public NativeList<bool> IsDrawn;
+        public NativeList<bool> IsDrawn; // Scratch: indexed by slot.
 
         public NativeList<Entity> Removed;
 
         public NativeList<int> Added;
-
-        /// <summary>Slots whose entities have a new state, which is in <see cref="Tracked"/> already.</summary>
-        public NativeList<int> Changed;
+        public NativeList<int> Changed; // Slots whose entities have a new state, which is in Tracked already.
 
         public void Execute()
         {
@@ -95,9 +87,7 @@ namespace FastPoints.Entities
     {
         public const byte ResidentFlag = 1;
         public const byte DrawnFlag = 2;
-
-        /// <summary>Null if there is none.</summary>
-        public Entity Entity;
+        public Entity Entity; // Null if there is none.
         public int Version;
 
         public byte State;

@@ -10,8 +10,7 @@ namespace FastPoints.Entities
     /// of it: they open their own cloud.</summary>
     sealed class LiveCloud : IDisposable
     {
-        /// <summary>The GameObject of the <see cref="PointCloud"/> that places it; null for none.</summary>
-        public GameObject Object;
+        public GameObject Object; // The GameObject of the PointCloud that places it; null for none.
 
         public OpenedCloud Opened;
 

@@ -17,8 +17,7 @@ namespace FastPoints.Entities
     [UpdateBefore(typeof(AddCloudsSystem))]
     internal partial class OpenCloudsSystem : StreamSystem
     {
-        /// <summary>Main-thread time in each frame for all previews together.</summary>
-        const double BudgetMs = 2;
+        const double BudgetMs = 2; // Main-thread time in each frame for all previews together.
 
         readonly List<OpenedCloud> m_removing = new List<OpenedCloud>();
         EntityQuery m_files;

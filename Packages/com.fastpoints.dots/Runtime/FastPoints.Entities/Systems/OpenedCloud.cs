@@ -25,16 +25,13 @@ namespace FastPoints.Entities
             m_opening = PoolTask.Begin(path, () => CloudFeeds.Open(path, sources));
         }
 
-        /// <summary>The component's values that are applied: users and live baking change them.</summary>
-        public PointCloudFile AppliedFile;
+        public PointCloudFile AppliedFile; // The component's values that are applied: users and live baking change them.
 
         public string Path { get; }
 
         public double3 Shift;
         public double3 WorldShift;
-
-        /// <summary>Whether it can be disposed without waiting for a disk.</summary>
-        public bool IsOpen => m_opening == null || m_opening.IsDone;
+        public bool IsOpen => m_opening == null || m_opening.IsDone; // Whether it can be disposed without waiting for a disk.
 
         /// <summary>Whether updates change nothing until a refresh, or for a second.</summary>
         public bool IsIdle => m_opening == null && (m_feed == null || m_feed.Newest == null && m_feed.IsIdle);

@@ -92,8 +92,7 @@ namespace FastPoints.Entities
             }
         }
 
-        /// <summary>By how much the world was moved (<see cref="PointCloudOrigin.ShiftEntities"/>).</summary>
-        internal double3 Shift;
+        internal double3 Shift; // By how much the world was moved (PointCloudOrigin.ShiftEntities).
 
         /// <summary>What passes draw; null if <see cref="Begin"/> was called by hand.</summary>
         internal PointScene Scene { get; private set; }

@@ -11,11 +11,8 @@ namespace FastPoints.Entities
     [UpdateInGroup(typeof(PointCloudSystemGroup), OrderLast = true)]
     internal unsafe partial class TrackNodesSystem : StreamSystem
     {
-        /// <summary>The most entities that one frame makes, destroys, and updates.</summary>
-        internal const int MaxChanges = 512;
-
-        /// <summary>A node that was just requested: copies need little more than its bounds.</summary>
-        Entity m_prefab;
+        internal const int MaxChanges = 512; // The most entities that one frame makes, destroys, and updates.
+        Entity m_prefab; // A node that was just requested: copies need little more than its bounds.
         int m_count;
         EntityQuery m_wanted;
         NativeReference<int> m_first;

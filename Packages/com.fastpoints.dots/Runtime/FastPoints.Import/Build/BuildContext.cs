@@ -15,9 +15,7 @@ namespace FastPoints.Build
     {
         public readonly IReadOnlyList<PointReader> Readers;
         public readonly ConvertSettings Settings;
-
-        /// <summary>May be null.</summary>
-        public readonly StageProgress Progress;
+        public readonly StageProgress Progress; // May be null.
 
         public readonly string Target;
 
@@ -189,24 +187,16 @@ namespace FastPoints.Build
     internal sealed class BuildPart
     {
         public ulong CloudId;
-
-        /// <summary>By the headers, of the whole cloud.</summary>
-        public long Points;
+        public long Points; // By the headers, of the whole cloud.
 
         public long PointsPerChunk;
 
         public CloudGrid Grid;
         public RecordLayout Records;
-
-        /// <summary>Those of the cloud, beside the position, and a divisor for each.</summary>
-        public PointSchema Attributes;
+        public PointSchema Attributes; // Those of the cloud, beside the position, and a divisor for each.
         public int[] Divisors;
-
-        /// <summary>The plan's cube of the cloud. Points outside of it are set aside until all parts are built.</summary>
-        public GridCube CloudCube;
-
-        /// <summary>The part's cube, half-open, and the base cells in it, in Morton order.</summary>
-        public GridCube Cube;
+        public GridCube CloudCube; // The plan's cube of the cloud. Points outside of it are set aside until all parts are built.
+        public GridCube Cube; // The part's cube, half-open, and the base cells in it, in Morton order.
         public GridCube[] BaseCells;
 
         public BuildPart Clone() => (BuildPart)MemberwiseClone();

@@ -26,13 +26,9 @@ namespace FastPoints.Build
         }
 
         const int Version = 3;
-
-        /// <summary>Identifies the sources, the settings and the partition: if they differ, it is another build.</summary>
-        public ulong Identity;
+        public ulong Identity; // Identifies the sources, the settings and the partition: if they differ, it is another build.
         public Stage CurrentStage;
-
-        /// <summary>The first source that is not read completely, and the first of its blocks that is not read.</summary>
-        public int Source;
+        public int Source; // The first source that is not read completely, and the first of its blocks that is not read.
         public int Block;
 
         public readonly List<PointStatistics> Statistics = new List<PointStatistics>();
@@ -41,17 +37,13 @@ namespace FastPoints.Build
         public readonly List<long> Records = new List<long>();
 
         public readonly List<long> RecordBytes = new List<long>();
-
-        /// <summary>Present from <see cref="Stage.Split"/> on.</summary>
-        public readonly List<Chunk> Chunks = new List<Chunk>();
+        public readonly List<Chunk> Chunks = new List<Chunk>(); // Present from Stage.Split on.
         public GridCube Root;
 
         public long[] BytesOfPlane = new long[0];
         public long PeakBytes;
         public int LevelCount;
-
-        /// <summary>See <see cref="PartFilter.TakePointsWanted"/>: of all that was read.</summary>
-        public long PointsWanted;
+        public long PointsWanted; // See PartFilter.TakePointsWanted: of all that was read.
 
         public string ToJson()
         {

@@ -26,15 +26,11 @@ namespace FastPoints.Build
         }
 
         public int Number;
-
-        /// <summary>The chunk's file; of 0 bytes if all points are in its top.</summary>
-        public ContainerRecord Container;
+        public ContainerRecord Container; // The chunk's file; of 0 bytes if all points are in its top.
 
         public int NodeCount;
         public long PointCount;
-
-        /// <summary>The file's nodes, as the indexer left them; not created where they are in a file.</summary>
-        public NativeArray<byte> Table;
+        public NativeArray<byte> Table; // The file's nodes, as the indexer left them; not created where they are in a file.
         public TopNode Top;
 
         public int TopPoints;

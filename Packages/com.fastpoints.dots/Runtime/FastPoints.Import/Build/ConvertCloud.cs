@@ -25,9 +25,7 @@ namespace FastPoints.Build
         ScatterPoints m_scatter;
         ChunkSet m_chunks;
         OctreeBuild m_octree;
-
-        /// <summary>See <see cref="LasMetadata"/>; null if the sources are not LAS files.</summary>
-        byte[] m_records;
+        byte[] m_records; // See LasMetadata; null if the sources are not LAS files.
 
         ConvertCloud(BuildContext build) => m_build = build;
 

@@ -16,22 +16,16 @@ namespace FastPoints.Build
 
         /// <summary>The smallest chunk of records of any size: smaller ones would consist of tops alone.</summary>
         const long MinPointsOfLargeRecords = 1 << 16;
-
-        /// <summary>What a chunk may take while it is indexed.</summary>
-        const long MaxChunkBytes = 183 << 20;
+        const long MaxChunkBytes = 183 << 20; // What a chunk may take while it is indexed.
 
         const long ChunksPerBaseCell = 16;
 
         /// <summary>Sixteen neighbours are merged into a region of at least this many points: each round leaves fewer, and a
         /// small cloud has one.</summary>
         const long MinPointsPerRegion = 16 * StoreFormat.MaxPointsPerNode;
-
-        /// <summary>More points do not improve an overview; little memory means fewer.</summary>
-        const long MaxPlaceholderPoints = 1 << 17;
+        const long MaxPlaceholderPoints = 1 << 17; // More points do not improve an overview; little memory means fewer.
         const long PlaceholderDivisor = 16;
-
-        /// <summary>Memory for darts, samples and their grid.</summary>
-        const int PoissonBytesPerPoint = 40;
+        const int PoissonBytesPerPoint = 40; // Memory for darts, samples and their grid.
 
         /// <summary>Memory for the sum that a point adds to; for the sums of a third of the points, in a list that grows by
         /// doubling; and for the plane of colours and intensities written from them.</summary>
@@ -77,8 +71,7 @@ namespace FastPoints.Build
         /// record once more.</summary>
         public long IndexBytesPerPoint { get; private set; }
 
-        /// <summary>The least in which a chunk is indexed; less is exceeded by it.</summary>
-        public long MinMemoryBytes => ChunkBytes / 9 * 10;
+        public long MinMemoryBytes => ChunkBytes / 9 * 10; // The least in which a chunk is indexed; less is exceeded by it.
 
         long ChunkBytes => Math.Min(Points, PointsPerChunk) * IndexBytesPerPoint;
 

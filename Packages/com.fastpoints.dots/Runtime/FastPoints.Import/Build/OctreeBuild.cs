@@ -30,8 +30,7 @@ namespace FastPoints.Build
             }
         }
 
-        /// <summary>Points of chunks that a worker takes in a millisecond at most.</summary>
-        const double PointsPerMs = 8000;
+        const double PointsPerMs = 8000; // Points of chunks that a worker takes in a millisecond at most.
 
         readonly BuildContext m_build;
         readonly ChunkSet m_chunks;

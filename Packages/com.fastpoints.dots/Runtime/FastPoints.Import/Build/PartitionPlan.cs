@@ -99,13 +99,9 @@ namespace FastPoints.Build
         [ReadOnly] public NativeArray<double3> Stored;
         public SourceGrid Grid;
         public GridCube Cube;
-
-        /// <summary>Codes of all sources' samples; this slice's begin at <see cref="First"/>.</summary>
-        public NativeArray<uint> CodeOfPoint;
+        public NativeArray<uint> CodeOfPoint; // Codes of all sources' samples; this slice's begin at First.
         public int First;
-
-        /// <summary>Of all slices until now, in their order.</summary>
-        public NativeReference<ulong> Hash;
+        public NativeReference<ulong> Hash; // Of all slices until now, in their order.
         public SliceTimes Slices;
 
         public void Execute()

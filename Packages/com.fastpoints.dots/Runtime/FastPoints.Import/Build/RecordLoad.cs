@@ -30,8 +30,7 @@ namespace FastPoints.Build
 
         public JobHandle Done { get; private set; }
 
-        /// <summary>The pages, which have their records when <see cref="Done"/> completes.</summary>
-        public RecordPages Pages => m_pages;
+        public RecordPages Pages => m_pages; // The pages, which have their records when Done completes.
 
         /// <summary>Starts a load once the previous one is complete and the records are written. No job may use the pool
         /// now.</summary>
@@ -197,8 +196,7 @@ namespace FastPoints.Build
     [BurstCompile]
     internal unsafe struct UnpackRecordsJob : IJob
     {
-        /// <summary>A part is a page at most: this many take about a millisecond.</summary>
-        public const int PartsPerRun = 32;
+        public const int PartsPerRun = 32; // A part is a page at most: this many take about a millisecond.
 
         [ReadOnly] public NativeArray<UnpackRequest> Requests;
         public int StrideBytes;

@@ -182,9 +182,7 @@ namespace FastPoints.Build
         public long MaxPages;
 
         public NativeReference<long> PagesDetached;
-
-        /// <summary>Out: full pages to be written, each once.</summary>
-        public NativeList<DetachedRecordPages> Detached;
+        public NativeList<DetachedRecordPages> Detached; // Out: full pages to be written, each once.
 
         public SliceTimes Slices;
 

@@ -44,9 +44,7 @@ namespace FastPoints.Build
         /// <summary>Those that nothing was made above of yet: added ones and tops of regions, in Morton order once they are
         /// collected.</summary>
         public IReadOnlyList<MergeInput> Unmerged => m_unmerged;
-
-        /// <summary>Each after those below it.</summary>
-        public IReadOnlyList<UpperRegion> Regions => m_regions;
+        public IReadOnlyList<UpperRegion> Regions => m_regions; // Each after those below it.
 
         /// <summary>Coroutine: writes the upper levels' containers and the hierarchy's pages, and adds them to the
         /// manifest.</summary>
@@ -346,8 +344,7 @@ namespace FastPoints.Build
     /// <summary>Where the nodes of a chunk or a region are attached: to a draft of the region above.</summary>
     internal class UpperAttachPoint
     {
-        /// <summary>Null as long as nothing is made above it, and of the root.</summary>
-        public UpperRegion Above;
+        public UpperRegion Above; // Null as long as nothing is made above it, and of the root.
         public int AttachDraft;
 
         /// <summary>The place, here or further above, whose draft is a node; the last one if there is none yet.</summary>
@@ -374,12 +371,8 @@ namespace FastPoints.Build
     internal sealed class UpperRegion : UpperAttachPoint, IDisposable
     {
         public readonly Subtree Subtree = new Subtree();
-
-        /// <summary>For each draft, its node in the table, or -1 for the top that belongs to the region above.</summary>
-        public int[] NodeOfDraft;
-
-        /// <summary>Its top; null of the root.</summary>
-        public MergeInput Item;
+        public int[] NodeOfDraft; // For each draft, its node in the table, or -1 for the top that belongs to the region above.
+        public MergeInput Item; // Its top; null of the root.
 
         public void Dispose()
         {
@@ -395,20 +388,14 @@ namespace FastPoints.Build
         public GridCube Cube;
         public TopNode Top;
         public int TopPoints;
-
-        /// <summary>The chunk or the region whose top it is; the others are null, both if another build made it.</summary>
-        public ChunkResult Chunk;
+        public ChunkResult Chunk; // The chunk or the region whose top it is; the others are null, both if another build made it.
         public readonly UpperRegion Region;
 
         public readonly UpperAttachPoint AttachPoint;
-
-        /// <summary>The top's records, if they are in memory; otherwise where they are.</summary>
-        public NativeArray<byte> Records;
+        public NativeArray<byte> Records; // The top's records, if they are in memory; otherwise where they are.
         public string Path;
         public long RecordsOffset;
-
-        /// <summary>What the records in the file must have; 0 if they were checked.</summary>
-        public ulong RecordsHash;
+        public ulong RecordsHash; // What the records in the file must have; 0 if they were checked.
 
         /// <param name="region">Null if it is not a region's of this build.</param>
         public MergeInput(UpperRegion region = null)

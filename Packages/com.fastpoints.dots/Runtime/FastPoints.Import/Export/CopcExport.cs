@@ -17,9 +17,7 @@ namespace FastPoints.Export
         public const string OctreeSuffix = ".octree";
 
         const string Extension = ".copc.laz";
-
-        /// <summary>Of the root's edge, if the root is all.</summary>
-        const double DefaultPointsAcross = 128;
+        const double DefaultPointsAcross = 128; // Of the root's edge, if the root is all.
 
         /// <summary>Cubes begin this part of a step before their first points: no point lies on a face, which readers would
         /// round to either side. In binary a third never ends, so points at one place do not meet the faces of cubes that are
@@ -191,11 +189,8 @@ namespace FastPoints.Export
     /// not.</summary>
     internal static class CopcPages
     {
-        /// <summary>64 KiB.</summary>
-        public const int DefaultEntries = 2048;
-
-        /// <summary>A branch of fewer nodes is not worth a read.</summary>
-        const int MinEntries = 32;
+        public const int DefaultEntries = 2048; // 64 KiB.
+        const int MinEntries = 32; // A branch of fewer nodes is not worth a read.
 
         /// <summary>All pages, one after another, the root's first.</summary>
         /// <param name="nodes">Those with points; ancestors may be missing.</param>

@@ -10,8 +10,7 @@ namespace FastPoints.Export
 {
     internal struct ConvertedTarget
     {
-        /// <summary>Among the wanted planes; 0 for the position.</summary>
-        public int Plane;
+        public int Plane; // Among the wanted planes; 0 for the position.
         public int Column;
         public StoredColumn Stored;
         public PointColumn To;
@@ -82,15 +81,11 @@ namespace FastPoints.Export
         public NativeArray<byte> Columns;
         [ReadOnly] public NativeArray<PointColumn> AllColumns;
         [ReadOnly] public NativeArray<EditedBlock> Edited;
-
-        /// <summary>By block and point; the same columns of these and of the batch.</summary>
-        [ReadOnly] public NativeArray<byte> Values;
+        [ReadOnly] public NativeArray<byte> Values; // By block and point; the same columns of these and of the batch.
         [ReadOnly] public NativeArray<PointColumn> From;
         [ReadOnly] public NativeArray<PointColumn> To;
         public NativeArray<int> Chosen;
-
-        /// <summary>With the plane of the position.</summary>
-        [ReadOnly] public NativeArray<byte> File;
+        [ReadOnly] public NativeArray<byte> File; // With the plane of the position.
         public long PlaneOffset;
         public PlaneShape Shape;
         public int BlockCount;

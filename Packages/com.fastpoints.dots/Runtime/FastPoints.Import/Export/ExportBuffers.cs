@@ -12,8 +12,7 @@ namespace FastPoints.Export
     /// in that order, by a thread of their own. The file gets its name when it is whole.</summary>
     internal sealed unsafe class ExportBuffers : IDisposable
     {
-        /// <summary>Buffers that are filled or written while others are compressed.</summary>
-        const int SpareBuffers = 3;
+        const int SpareBuffers = 3; // Buffers that are filled or written while others are compressed.
 
         readonly string m_path;
         readonly ExportFormat m_format;
@@ -29,12 +28,8 @@ namespace FastPoints.Export
         {
             public NativeArray<byte> Records;
             public int Points;
-
-            /// <summary>Room that the buffer's node leaves free.</summary>
-            public int FreePoints;
-
-            /// <summary>Made when it is first needed; null for records as they are.</summary>
-            public LazChunkWriter Writer;
+            public int FreePoints; // Room that the buffer's node leaves free.
+            public LazChunkWriter Writer; // Made when it is first needed; null for records as they are.
             public JobHandle Compressed;
             public WriteTicket Ticket;
         }

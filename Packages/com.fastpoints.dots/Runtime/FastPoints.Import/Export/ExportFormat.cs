@@ -26,8 +26,7 @@ namespace FastPoints.Export
 
         public int ReturnMask { get; protected set; }
 
-        /// <summary>Whether <see cref="SetBounds"/> has to be called before the first record.</summary>
-        public virtual bool NeedsBounds => false;
+        public virtual bool NeedsBounds => false; // Whether SetBounds has to be called before the first record.
 
         public virtual void SetBounds(in ExportState measured) { }
 
@@ -42,9 +41,7 @@ namespace FastPoints.Export
 
         /// <summary>Parts of the source that are copied behind the points: the first byte, and the number of bytes.</summary>
         public virtual IReadOnlyList<(long Offset, long Bytes)> Tail => System.Array.Empty<(long, long)>();
-
-        /// <summary>What comes behind that.</summary>
-        public virtual IReadOnlyList<byte[]> TailBytes => System.Array.Empty<byte[]>();
+        public virtual IReadOnlyList<byte[]> TailBytes => System.Array.Empty<byte[]>(); // What comes behind that.
 
         /// <summary>All that comes before the points, of a length that is always the same.</summary>
         /// <param name="written">The points; none before they are written.</param>
@@ -94,9 +91,7 @@ namespace FastPoints.Export
     {
         public string From;
         public PointField To;
-
-        /// <summary>Written = read * Scale + Offset, at most <see cref="Max"/>.</summary>
-        public double Scale = 1;
+        public double Scale = 1; // Written = read * Scale + Offset, at most Max.
         public double Offset;
         public double Max = double.PositiveInfinity;
 
@@ -107,21 +102,15 @@ namespace FastPoints.Export
     internal sealed class ExportResult
     {
         public readonly long Points;
-
-        /// <summary>Points that were read, chosen or not.</summary>
-        public long PointsRead;
-
-        /// <summary>Chosen points whose position is no number, or does not fit the file.</summary>
-        public long PointsLeftOut;
+        public long PointsRead; // Points that were read, chosen or not.
+        public long PointsLeftOut; // Chosen points whose position is no number, or does not fit the file.
         public readonly long Bytes;
 
         /// <summary>The farthest that a coordinate was moved, in CRS units; 0 if they are the source's own numbers.</summary>
         public readonly double PositionError;
 
         public readonly string Note;
-
-        /// <summary>One line each.</summary>
-        public readonly List<string> Warnings;
+        public readonly List<string> Warnings; // One line each.
 
         public readonly List<Loss> Losses;
 

@@ -9,17 +9,11 @@ namespace FastPoints.Export
     internal struct ExportRange
     {
         public BlockRange Range;
-
-        /// <summary>1 for all.</summary>
-        public double Fraction;
+        public double Fraction; // 1 for all.
 
         public int Node;
-
-        /// <summary>No other range of the same node follows.</summary>
-        public bool IsLastOfNode;
-
-        /// <summary>By the source's octree; 0 without one.</summary>
-        int m_level;
+        public bool IsLastOfNode; // No other range of the same node follows.
+        int m_level; // By the source's octree; 0 without one.
 
         public static int MaxPointsOf(IReadOnlyList<ExportRange> ranges)
         {
@@ -158,18 +152,10 @@ namespace FastPoints.Export
         /// <summary>The world of <see cref="Clips"/> = this * georeferenced position: without it, they are in the cloud's
         /// coordinates.</summary>
         public CloudPlacement WorldOfGeo = new CloudPlacement(double3x3.identity, default);
-
-        /// <summary>From 0 to 255; null for all.</summary>
-        public int[] Classes;
-
-        /// <summary>Null for all points. Whoever sets it disposes it after the export.</summary>
-        public PointFilter Filter;
-
-        /// <summary>Beside the position; null for all.</summary>
-        public string[] Attributes;
-
-        /// <summary>The last level of the octree; -1 for all.</summary>
-        public int Level = -1;
+        public int[] Classes; // From 0 to 255; null for all.
+        public PointFilter Filter; // Null for all points. Whoever sets it disposes it after the export.
+        public string[] Attributes; // Beside the position; null for all.
+        public int Level = -1; // The last level of the octree; -1 for all.
 
         /// <summary>The most points, spread over what the boxes leave: the first levels of an octree and a share of the next, or
         /// an even share of any other source; 0 for all.</summary>
@@ -178,9 +164,7 @@ namespace FastPoints.Export
         /// <summary>Of the conversion that COPC needs: see <see cref="FastPoints.Build.ConvertSettings.MemoryBytes"/>; 0 for
         /// its default.</summary>
         public long MemoryBytes;
-
-        /// <summary>See <see cref="FastPoints.Build.ConvertSettings.InFlightMs"/>.</summary>
-        public double InFlightMs;
+        public double InFlightMs; // See FastPoints.Build.ConvertSettings.InFlightMs.
 
         public LocalClip[] LocalClips()
         {

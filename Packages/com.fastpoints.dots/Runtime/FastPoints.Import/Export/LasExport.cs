@@ -15,30 +15,20 @@ namespace FastPoints.Export
 
         /// <summary>Coordinates without a grid get this step, or a finer one; degrees <see cref="DefaultDegrees"/>.</summary>
         const double DefaultStep = 0.001, DefaultDegrees = 1e-7;
-
-        /// <summary>More bytes of records before the points than files have.</summary>
-        const long MaxVlrBytes = 64 << 20;
-
-        /// <summary>Adjusted standard GPS time is this much less than GPS time.</summary>
-        const int StandardOffsetMegaseconds = 1000;
+        const long MaxVlrBytes = 64 << 20; // More bytes of records before the points than files have.
+        const int StandardOffsetMegaseconds = 1000; // Adjusted standard GPS time is this much less than GPS time.
 
         const double MaxSteps = uint.MaxValue - 1.0;
 
         readonly string m_path;
         readonly LasHeader m_header;
-
-        /// <summary>Null for a LAS file, which has its own records.</summary>
-        readonly LasMetadata m_records;
+        readonly LasMetadata m_records; // Null for a LAS file, which has its own records.
         readonly List<byte[]> m_vlrs = new List<byte[]>();
-
-        /// <summary>What describes the extra bytes, until it is among the records; null without any.</summary>
-        byte[] m_extraBytes;
+        byte[] m_extraBytes; // What describes the extra bytes, until it is among the records; null without any.
         readonly List<byte[]> m_tailBytes = new List<byte[]>();
         readonly List<(long, long)> m_tail = new List<(long, long)>();
         readonly bool m_isInDegrees;
-
-        /// <summary>Where the waveforms begin in the tail; -1 without.</summary>
-        long m_waveformInTail = -1;
+        long m_waveformInTail = -1; // Where the waveforms begin in the tail; -1 without.
         uint m_evlrs;
 
         /// <param name="reader">Any thread: its file is opened besides.</param>

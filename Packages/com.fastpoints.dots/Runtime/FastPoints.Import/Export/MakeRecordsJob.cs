@@ -13,11 +13,8 @@ namespace FastPoints.Export
     [BurstCompile]
     internal unsafe struct MakeRecordsJob : IJob
     {
-        /// <summary>Points of a slice: below a millisecond for most records.</summary>
-        public const int PointsPerSlice = 8192;
-
-        /// <summary>Of the block's batch; the chosen points move to the front of the slice.</summary>
-        public NativeArray<byte> Columns;
+        public const int PointsPerSlice = 8192; // Points of a slice: below a millisecond for most records.
+        public NativeArray<byte> Columns; // Of the block's batch; the chosen points move to the front of the slice.
         [ReadOnly] public NativeReference<DecodeResult> Result;
         public PositionColumns Positions;
         [ReadOnly] public NativeArray<PointColumn> AllColumns;
@@ -25,39 +22,25 @@ namespace FastPoints.Export
         [ReadOnly] public NativeArray<FieldCopy> Copies;
         [ReadOnly] public NativeArray<FieldCopy> ConvertedCopies;
         [ReadOnly] public NativeArray<ColumnConversion> Conversions;
-
-        /// <summary>Columns of a slice: x, y, z of 8 bytes each, then one for each conversion.</summary>
-        public NativeArray<byte> Converted;
+        public NativeArray<byte> Converted; // Columns of a slice: x, y, z of 8 bytes each, then one for each conversion.
         public NativeArray<int> Chosen;
         [ReadOnly] public NativeArray<LocalClip> Clips;
-
-        /// <summary>The classes that are wanted, a bit each; empty for all.</summary>
-        [ReadOnly] public NativeArray<ulong> Classes;
+        [ReadOnly] public NativeArray<ulong> Classes; // The classes that are wanted, a bit each; empty for all.
         public PointColumn Classification;
 
         public double Fraction;
         public PositionConversion Position;
-
-        /// <summary>Where each buffer begins, in turn; empty to measure.</summary>
-        [ReadOnly] public NativeArray<ulong> Buffers;
+        [ReadOnly] public NativeArray<ulong> Buffers; // Where each buffer begins, in turn; empty to measure.
         public int BufferPoints;
         public int RecordBytes;
-
-        /// <summary>Bits of the byte at 14 that are the return number; 0 where records are not those of LAS.</summary>
-        public int ReturnMask;
-
-        /// <summary>Where a record has its GPS time; 0 if its range is not wanted.</summary>
-        public int TimeAt;
-
-        /// <summary>The first record of the range's node in the buffers; 0 without nodes.</summary>
-        public long FirstRecord;
+        public int ReturnMask; // Bits of the byte at 14 that are the return number; 0 where records are not those of LAS.
+        public int TimeAt; // Where a record has its GPS time; 0 if its range is not wanted.
+        public long FirstRecord; // The first record of the range's node in the buffers; 0 without nodes.
 
         public double3 MinPosition;
         public double3 MaxPosition;
         public NativeReference<ExportState> State;
-
-        /// <summary>Where the next record goes, after this job.</summary>
-        public NativeReference<long> End;
+        public NativeReference<long> End; // Where the next record goes, after this job.
         public int First;
         public int Count;
 
@@ -287,9 +270,7 @@ namespace FastPoints.Export
         public PositionKind Kind;
         public PositionTransform From;
         public PositionTransform To;
-
-        /// <summary>Of integers: out = (in - <see cref="Base"/>) / <see cref="Divisor"/>.</summary>
-        public Grid3 Base;
+        public Grid3 Base; // Of integers: out = (in - Base) / Divisor.
         public double Divisor;
     }
 
@@ -300,9 +281,7 @@ namespace FastPoints.Export
         public PointColumn To;
         public double Scale;
         public double Offset;
-
-        /// <summary>Larger values become this one, and are counted.</summary>
-        public double Max;
+        public double Max; // Larger values become this one, and are counted.
 
         public bool IsClamp => Scale == 1 && Offset == 0 && Max <= byte.MaxValue;
     }
@@ -316,13 +295,9 @@ namespace FastPoints.Export
         /// <summary>Where the next record goes: <see cref="Written"/>, and the room that nodes left in their
         /// buffers.</summary>
         public long NextRecord;
-
-        /// <summary>Points whose position is no number, or has no place in the file.</summary>
-        public long LeftOut;
+        public long LeftOut; // Points whose position is no number, or has no place in the file.
         public long Clamped;
-
-        /// <summary>The farthest that a coordinate was moved, in CRS units.</summary>
-        public double MaxPositionError;
+        public double MaxPositionError; // The farthest that a coordinate was moved, in CRS units.
         public Grid3 MinStored;
         public Grid3 MaxStored;
         public double3 MinGeo;

@@ -8,8 +8,7 @@ namespace FastPoints.Las
     /// keeps it as a LAS file without points.</summary>
     internal sealed class LasMetadata
     {
-        /// <summary>More bytes of records are not kept.</summary>
-        public const long MaxBytes = 16 << 20;
+        public const long MaxBytes = 16 << 20; // More bytes of records are not kept.
 
         const int MaxNames = 8;
 
@@ -36,8 +35,7 @@ namespace FastPoints.Las
         /// <summary>Bytes at the end of a point that no record describes.</summary>
         public int UndescribedBytes { get; private set; }
 
-        /// <summary>In the order of the first file.</summary>
-        public IReadOnlyList<Record> All => m_records;
+        public IReadOnlyList<Record> All => m_records; // In the order of the first file.
 
         /// <summary>Any thread: opens each file.</summary>
         /// <returns>Null if none is a LAS file, or not all are.</returns>

@@ -93,9 +93,7 @@ namespace FastPoints.Reading
         /// <param name="capacity">Points of the largest range that the slot will read.</param>
         /// <param name="allocator">The allocator of the slot's memory.</param>
         public abstract BlockRead CreateRead(PointSchema wanted, int capacity, Allocator allocator);
-
-        /// <summary>Bytes that a slot takes beside its columns and what it reads of the file.</summary>
-        internal virtual long DecoderBytes => 0;
+        internal virtual long DecoderBytes => 0; // Bytes that a slot takes beside its columns and what it reads of the file.
 
         /// <summary>Closes the file's handle if possible, and keeps everything that was found; the next slot opens it again.
         /// There must be no slots at this time.</summary>

@@ -74,8 +74,7 @@ namespace FastPoints.Reading
 
     internal static class SourceJson
     {
-        /// <summary>Larger texts are not parsed: the objects would take some 50 times the bytes.</summary>
-        public const int MaxBytes = 4 << 20;
+        public const int MaxBytes = 4 << 20; // Larger texts are not parsed: the objects would take some 50 times the bytes.
 
         // With or without a byte order mark.
         public static bool Is(byte[] head)

@@ -13,9 +13,7 @@ namespace FastPoints.Reading
 
         // The path for messages: an address without what signs it.
         internal string ShownPath => SourcePath.WithoutQuery(Path);
-
-        /// <summary>Hash of its first bytes: tells files of one name and length apart.</summary>
-        internal ulong HeadHash;
+        internal ulong HeadHash; // Hash of its first bytes: tells files of one name and length apart.
 
         /// <summary>The name of the format: "LAS", "PLY", ...</summary>
         public string Format;
@@ -59,16 +57,12 @@ namespace FastPoints.Reading
 
         internal bool IsCrsOverridden;
         internal bool IsUnitOverridden;
-
-        /// <summary>Unknown if there are no GPS times.</summary>
-        internal GpsTime GpsTime;
+        internal GpsTime GpsTime; // Unknown if there are no GPS times.
 
         /// <summary>Where each scan was made, in the order of its number in PointSourceId (0, 0, 0 for those that are left out),
         /// or where the only one was; null if that is not known.</summary>
         internal double3[] Scanners;
-
-        /// <summary>Why the files cannot be one cloud; null if they can. Each can still be inspected.</summary>
-        internal string Conflict;
+        internal string Conflict; // Why the files cannot be one cloud; null if they can. Each can still be inspected.
 
         internal void ThrowIfInConflict()
         {
@@ -91,8 +85,7 @@ namespace FastPoints.Reading
                 AddFact(name, value);
         }
 
-        /// <summary>Comments, poses: facts that no exported format can hold; null if there are none.</summary>
-        internal string OnlyInFacts;
+        internal string OnlyInFacts; // Comments, poses: facts that no exported format can hold; null if there are none.
 
         public void Warn(long byteOffset, string text) => Warnings.Add(new CloudWarning(Path, byteOffset, text));
     }

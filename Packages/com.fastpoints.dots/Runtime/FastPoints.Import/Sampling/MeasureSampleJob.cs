@@ -13,9 +13,7 @@ namespace FastPoints.Sampling
         [ReadOnly] public NativeArray<double3> Stored;
         public int First;
         public int End;
-
-        /// <summary>The points so far; reset by the first slice.</summary>
-        public NativeReference<SampleStatistics> Statistics;
+        public NativeReference<SampleStatistics> Statistics; // The points so far; reset by the first slice.
         public SliceTimes Slices;
 
         public static JobHandle Schedule(MeasureSampleJob job, JobHandle done)
@@ -67,11 +65,8 @@ namespace FastPoints.Sampling
 
     internal struct SampleStatistics
     {
-        /// <summary>Bounds of the finite ones; min exceeds max if there are none.</summary>
-        public double3 Min;
+        public double3 Min; // Bounds of the finite ones; min exceeds max if there are none.
         public double3 Max;
-
-        /// <summary>The lowest binary digit of any value, as a power of two; int.MaxValue if all are zero.</summary>
-        public int3 LowestDigit;
+        public int3 LowestDigit; // The lowest binary digit of any value, as a power of two; int.MaxValue if all are zero.
     }
 }

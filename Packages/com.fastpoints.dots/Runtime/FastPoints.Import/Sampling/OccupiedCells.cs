@@ -13,9 +13,7 @@ namespace FastPoints.Sampling
     internal struct OccupiedCells
     {
         const int BitsLog2 = 25;
-
-        /// <summary>Words of the table: 4 MiB.</summary>
-        public const int Words = 1 << BitsLog2 - 6;
+        public const int Words = 1 << BitsLog2 - 6; // Words of the table: 4 MiB.
 
         public double3 Corner;
         public double CellsPerUnit;
@@ -54,12 +52,8 @@ namespace FastPoints.Sampling
         public int End;
         public PositionColumns Positions;
         public PositionTransform Transform;
-
-        /// <summary>Index of the block's first point in the whole source.</summary>
-        public long FirstPoint;
-
-        /// <summary>Empty if the points belong to no range.</summary>
-        public SampleStrata Strata;
+        public long FirstPoint; // Index of the block's first point in the whole source.
+        public SampleStrata Strata; // Empty if the points belong to no range.
 
         public OccupiedCells Cells;
         public NativeArray<ulong> Table;
@@ -141,9 +135,7 @@ namespace FastPoints.Sampling
         public int End;
 
         public OccupiedCells Cells;
-
-        /// <summary>Cleared before the first entry.</summary>
-        public NativeArray<ulong> Table;
+        public NativeArray<ulong> Table; // Cleared before the first entry.
 
         public unsafe void Execute()
         {

@@ -41,11 +41,8 @@ namespace FastPoints.Sampling
             m_count = new NativeReference<int>(Allocator.Persistent);
         }
 
-        /// <summary>The first <see cref="Count"/> entries hold the points; all count as filled.</summary>
-        public SampleBuffer Points => m_points;
-
-        /// <summary>Not to be read while anything is in flight.</summary>
-        public int Count => m_count.Value;
+        public SampleBuffer Points => m_points; // The first Count entries hold the points; all count as filled.
+        public int Count => m_count.Value; // Not to be read while anything is in flight.
         public bool AreTooMany => m_count.Value > MaxTaken * m_points.EntryCount;
 
         /// <summary>Adds the needed ones of a block's points, in slices, after everything scheduled before.</summary>

@@ -18,17 +18,13 @@ namespace FastPoints.Sampling
 
         /// <summary>Of a remote source each block costs a request: as many, if each has its share of a large sample.</summary>
         public const int RemoteBlocks = 160;
-
-        /// <summary>What each block of a large remote source gives, once; 0 for others.</summary>
-        readonly int m_pointsPerBlock;
+        readonly int m_pointsPerBlock; // What each block of a large remote source gives, once; 0 for others.
 
         int m_next;
 
         /// <summary>Points taken so far, for the few among millions of blocks that have any taken.</summary>
         readonly Dictionary<int, int> m_taken = new Dictionary<int, int>();
-
-        /// <summary>Blocks of each level of the source's own octree, or null.</summary>
-        readonly List<List<int>> m_levels;
+        readonly List<List<int>> m_levels; // Blocks of each level of the source's own octree, or null.
 
         public PrefixPlan(PointReader reader, int wanted, uint seed)
         {
@@ -116,8 +112,7 @@ namespace FastPoints.Sampling
             }
         }
 
-        /// <summary>Blocks at random offsets are spread already.</summary>
-        bool IsSpread => m_reader is LineReader && !m_reader.BlocksAreKnown;
+        bool IsSpread => m_reader is LineReader && !m_reader.BlocksAreKnown; // Blocks at random offsets are spread already.
 
         long PointsOf(List<int> blocks)
         {
@@ -161,8 +156,6 @@ namespace FastPoints.Sampling
         public int First;
 
         public int Count;
-
-        /// <summary>Its first point's index in the sample.</summary>
-        public int FirstEntry;
+        public int FirstEntry; // Its first point's index in the sample.
     }
 }

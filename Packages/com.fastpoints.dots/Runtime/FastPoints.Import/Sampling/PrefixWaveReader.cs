@@ -119,9 +119,7 @@ namespace FastPoints.Sampling
         public int FirstEntry;
 
         [NativeDisableContainerSafetyRestriction] public NativeArray<byte> Sample;
-
-        /// <summary>Set to 1 at each entry that is written.</summary>
-        [NativeDisableContainerSafetyRestriction] public NativeArray<byte> Filled;
+        [NativeDisableContainerSafetyRestriction] public NativeArray<byte> Filled; // Set to 1 at each entry that is written.
 
         public unsafe void Execute()
         {

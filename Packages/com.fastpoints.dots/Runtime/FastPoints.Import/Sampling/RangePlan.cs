@@ -21,9 +21,7 @@ namespace FastPoints.Sampling
         const int SpanBytes = 4096;
 
         const int MaxSpanPoints = 256;
-
-        /// <summary>At least, of a remote file if a sample is large: as many requests.</summary>
-        const int RemoteRanges = 320;
+        const int RemoteRanges = 320; // At least, of a remote file if a sample is large: as many requests.
 
         readonly SampleStrata m_strata;
         readonly SampleStrata m_entries;
@@ -56,9 +54,7 @@ namespace FastPoints.Sampling
         }
 
         public int RangeCount => m_strata.Count;
-
-        /// <summary>Number of entries in the sample: as many as its points, or a few more.</summary>
-        public int EntryCount => (int)m_entries.Points;
+        public int EntryCount => (int)m_entries.Points; // Number of entries in the sample: as many as its points, or a few more.
 
         public int MaxSegmentPoints => RangeCount == 0 ? 0 : (int)Math.Min(2 * m_spanPoints, m_strata.Points);
 

@@ -16,15 +16,9 @@ namespace FastPoints.Sampling
         /// <summary>Ranges in one request: the most take a worker about a millisecond; the fewest take the main thread
         /// as long to begin as any others.</summary>
         const int MaxRangesPerRequest = 1536, MinRangesPerRequest = 16;
-
-        /// <summary>Of a remote file: what is fetched waits elsewhere.</summary>
-        const int RemoteSlots = 8, RangesPerFetch = 128;
-
-        /// <summary>Ranges in one slice of planning them: about 2 ms of managed code.</summary>
-        const int RangesPerSlice = 1 << 14;
-
-        /// <summary>Bytes of a slot's buffer; only pages that are read take memory.</summary>
-        const int SlotBytes = 2 << 20;
+        const int RemoteSlots = 8, RangesPerFetch = 128; // Of a remote file: what is fetched waits elsewhere.
+        const int RangesPerSlice = 1 << 14; // Ranges in one slice of planning them: about 2 ms of managed code.
+        const int SlotBytes = 2 << 20; // Bytes of a slot's buffer; only pages that are read take memory.
 
         readonly int m_wanted;
         readonly uint m_seed;
@@ -34,9 +28,7 @@ namespace FastPoints.Sampling
         NativeArray<int> m_ranks;
         NativeReference<int> m_nextIndex;
         NativeList<StridedRange> m_ranges;
-
-        /// <summary>Ranges of the next wave, up to <see cref="m_plannedEnd"/>: planned while this one is read.</summary>
-        NativeList<StridedRange> m_nextRanges;
+        NativeList<StridedRange> m_nextRanges; // Ranges of the next wave, up to m_plannedEnd: planned while this one is read.
         SlotRing m_ring;
         StageProgress m_progress;
         bool m_isFirstWave = true;
@@ -242,18 +234,10 @@ namespace FastPoints.Sampling
     struct RankStrataJob : IJob
     {
         public SampleOrder Order;
-
-        /// <summary>Position in the order where the last call stopped.</summary>
-        public NativeReference<int> NextIndex;
-
-        /// <summary>Number of ranges that have a stratum.</summary>
-        public int FirstRank;
-
-        /// <summary>The same, plus those that get one now.</summary>
-        public int EndRank;
-
-        /// <summary>For each stratum, its range's rank + 1; 0 for strata without one.</summary>
-        public NativeArray<int> Ranks;
+        public NativeReference<int> NextIndex; // Position in the order where the last call stopped.
+        public int FirstRank; // Number of ranges that have a stratum.
+        public int EndRank; // The same, plus those that get one now.
+        public NativeArray<int> Ranks; // For each stratum, its range's rank + 1; 0 for strata without one.
 
         public void Execute()
         {
@@ -272,9 +256,7 @@ namespace FastPoints.Sampling
     struct PlanWaveJob : IJob
     {
         public RangePlan Plan;
-
-        /// <summary>Number of ranges in earlier waves.</summary>
-        public int FirstRank;
+        public int FirstRank; // Number of ranges in earlier waves.
 
         [ReadOnly] public NativeArray<int> Ranks;
 
@@ -282,9 +264,7 @@ namespace FastPoints.Sampling
         public int End;
 
         public NativeList<StridedRange> Ranges;
-
-        /// <summary>By entry of the sample; those of the ranges become 1.</summary>
-        public NativeArray<byte> Filled;
+        public NativeArray<byte> Filled; // By entry of the sample; those of the ranges become 1.
 
         public void Execute()
         {
@@ -314,14 +294,11 @@ namespace FastPoints.Sampling
     /// chosen.</remarks>
     internal readonly struct ReadStrategy
     {
-        /// <summary>Number of trial reads, of which the fastest counts.</summary>
-        public const int TrialReads = 4;
+        public const int TrialReads = 4; // Number of trial reads, of which the fastest counts.
 
         /// <summary>Duration of a slow read: a seek of a disk takes four times as long, a solid state disk a tenth.</summary>
         const double SlowSeconds = 0.002;
-
-        /// <summary>A smaller source is quickly read as a whole.</summary>
-        const long MinSlowBytes = 64L << 20;
+        const long MinSlowBytes = 64L << 20; // A smaller source is quickly read as a whole.
 
         const int PointsPerShortRange = 16, PointsPerLongRange = 128;
 

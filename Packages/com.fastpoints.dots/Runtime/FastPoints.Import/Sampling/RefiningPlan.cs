@@ -13,17 +13,12 @@ namespace FastPoints.Sampling
     /// lion they are longer for as many empty cells. Its many slices took twice the time.</remarks>
     internal sealed class RefiningPlan
     {
-        /// <summary>A LAZ decoder's state takes about 0.3 MB.</summary>
-        public const int MaxSlicedBlocks = 128;
-
-        /// <summary>Ranges in a round, after which placeholders can be thinned.</summary>
-        const int RangesPerRound = 32;
+        public const int MaxSlicedBlocks = 128; // A LAZ decoder's state takes about 0.3 MB.
+        const int RangesPerRound = 32; // Ranges in a round, after which placeholders can be thinned.
 
         readonly PointReader m_reader;
         readonly SampleOrder m_order;
-
-        /// <summary>Points of each block returned so far; null if blocks are read whole.</summary>
-        readonly int[] m_taken;
+        readonly int[] m_taken; // Points of each block returned so far; null if blocks are read whole.
 
         int m_next;
         double m_share;

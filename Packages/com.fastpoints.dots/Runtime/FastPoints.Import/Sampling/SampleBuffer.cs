@@ -12,11 +12,8 @@ namespace FastPoints.Sampling
     /// <summary>A sample while it is being collected: an entry for each wanted point, and which entries are filled.</summary>
     sealed class SampleBuffer : IDisposable
     {
-        /// <summary>Entries in one slice of such work: about 2 ms of managed code.</summary>
-        public const int EntriesPerSlice = 1 << 17;
-
-        /// <summary>Points in one slice that looks each up in a table: about the same time.</summary>
-        public const int PointsPerSlice = 1 << 16;
+        public const int EntriesPerSlice = 1 << 17; // Entries in one slice of such work: about 2 ms of managed code.
+        public const int PointsPerSlice = 1 << 16; // Points in one slice that looks each up in a table: about the same time.
 
         readonly PositionTransform m_transform;
         NativeArray<byte> m_filled;
@@ -149,8 +146,7 @@ namespace FastPoints.Sampling
 
     struct CompactedSample
     {
-        /// <summary>Points kept so far: the first entries of each column.</summary>
-        public int Kept;
+        public int Kept; // Points kept so far: the first entries of each column.
 
         public PositionBounds Bounds;
     }
@@ -169,9 +165,7 @@ namespace FastPoints.Sampling
         public PositionTransform Transform;
         public int First;
         public int Count;
-
-        /// <summary>May be the sample itself.</summary>
-        [NativeDisableContainerSafetyRestriction] public NativeArray<byte> Target;
+        [NativeDisableContainerSafetyRestriction] public NativeArray<byte> Target; // May be the sample itself.
         [ReadOnly, NativeDisableContainerSafetyRestriction] public NativeArray<PointColumn> ColumnsOfTarget;
         public NativeReference<CompactedSample> State;
 
@@ -242,9 +236,7 @@ namespace FastPoints.Sampling
 
         [ReadOnly] public NativeArray<PointColumn> ColumnsOfSample;
         [NativeDisableContainerSafetyRestriction] public NativeArray<byte> Sample;
-
-        /// <summary>Set to 1 at each entry that is written.</summary>
-        [NativeDisableContainerSafetyRestriction] public NativeArray<byte> Filled;
+        [NativeDisableContainerSafetyRestriction] public NativeArray<byte> Filled; // Set to 1 at each entry that is written.
 
         public unsafe void Execute()
         {

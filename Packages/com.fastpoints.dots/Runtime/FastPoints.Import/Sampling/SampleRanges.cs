@@ -8,9 +8,7 @@ namespace FastPoints.Sampling
     internal static class SampleRanges
     {
         const int MinRanges = 16;
-
-        /// <summary>The sample of a larger source has at most one of this many points.</summary>
-        const int PointsPerSampled = 8;
+        const int PointsPerSampled = 8; // The sample of a larger source has at most one of this many points.
 
         /// <param name="reader">A reader whose blocks are known.</param>
         /// <param name="maxRanges">The most ranges; fewer and longer ones if only prefixes of blocks are cheap.</param>

@@ -17,9 +17,7 @@ namespace FastPoints.Sampling
 
         readonly SourceTree m_tree;
         readonly int m_blocks;
-
-        /// <summary>Number of readers of the same points; the last one frees them.</summary>
-        readonly int[] m_readers;
+        readonly int[] m_readers; // Number of readers of the same points; the last one frees them.
         bool m_isDisposed;
 
         /// <summary>Copies a sample, with which its sampler continues: about a millisecond for ten megabytes.</summary>
@@ -165,8 +163,7 @@ namespace FastPoints.Sampling
     [BurstCompile]
     internal unsafe struct CopyColumnJob : IJob
     {
-        /// <summary>A slice takes about 3 ms if the memory is touched for the first time.</summary>
-        public const int BytesOfSlice = 4 << 20;
+        public const int BytesOfSlice = 4 << 20; // A slice takes about 3 ms if the memory is touched for the first time.
 
         [ReadOnly] public NativeArray<byte> From;
         public NativeArray<byte> To;
@@ -236,9 +233,7 @@ namespace FastPoints.Sampling
     internal unsafe struct CopyStrideJob : IJob
     {
         [ReadOnly] public NativeArray<byte> From;
-
-        /// <summary>Two numbers for each column: where it is, and where it goes.</summary>
-        [ReadOnly] public NativeArray<PointColumn> Columns;
+        [ReadOnly] public NativeArray<PointColumn> Columns; // Two numbers for each column: where it is, and where it goes.
         public NativeArray<byte> To;
         public NativeReference<DecodeResult> Result;
         public int First;

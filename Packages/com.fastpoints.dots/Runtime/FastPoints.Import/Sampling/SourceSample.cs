@@ -205,9 +205,7 @@ namespace FastPoints.Sampling
         public int First;
 
         public int Count;
-
-        /// <summary>Number of points of the file that each represents.</summary>
-        public double Weight;
+        public double Weight; // Number of points of the file that each represents.
     }
 
     /// <summary>Loads stored positions of a few points as doubles: exact for 32-bit integers and floats.</summary>
@@ -238,8 +236,7 @@ namespace FastPoints.Sampling
     /// <summary>Where the points of many tiles are by their headers: of a country's tiles a sample sees few.</summary>
     internal static class TileClaims
     {
-        /// <summary>48 MB of positions, for all tiles together.</summary>
-        const int MaxPoints = 1 << 21;
+        const int MaxPoints = 1 << 21; // 48 MB of positions, for all tiles together.
 
         const int MaxPointsOfTile = 64;
 

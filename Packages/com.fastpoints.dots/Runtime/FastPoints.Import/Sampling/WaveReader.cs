@@ -8,8 +8,7 @@ namespace FastPoints.Sampling
     /// <summary>How the points of a <see cref="WaveSampler"/>'s waves are read into their entries.</summary>
     internal abstract class WaveReader
     {
-        /// <summary>If frames are farther apart, the machine was busy or the work was paused.</summary>
-        const double MaxFrameMs = 250;
+        const double MaxFrameMs = 250; // If frames are farther apart, the machine was busy or the work was paused.
 
         protected WaveReader(PointReader reader, int entryCount, string method)
         {

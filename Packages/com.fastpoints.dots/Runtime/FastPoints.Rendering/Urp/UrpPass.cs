@@ -13,9 +13,7 @@ namespace FastPoints.Rendering.Urp
     internal sealed class UrpPass : ScriptableRenderPass
     {
         static UrpPass s_pass;
-
-        /// <summary>The camera whose pass is enqueued but not yet recorded.</summary>
-        Camera m_camera;
+        Camera m_camera; // The camera whose pass is enqueued but not yet recorded.
 
         /// <summary>Created once: a new delegate in every frame would be garbage.</summary>
         static readonly BaseRenderFunc<PassData, UnsafeGraphContext> s_draw = Draw;

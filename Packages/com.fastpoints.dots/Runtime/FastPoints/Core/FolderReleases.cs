@@ -18,9 +18,7 @@ namespace FastPoints
     internal static class FolderReleases
     {
         static readonly List<IOpenFiles> s_openFiles = new List<IOpenFiles>();
-
-        /// <summary>Replaced at each change, on any thread.</summary>
-        static string[] s_released = Array.Empty<string>();
+        static string[] s_released = Array.Empty<string>(); // Replaced at each change, on any thread.
 
         static JobHandle s_closing;
 

@@ -21,9 +21,7 @@ namespace FastPoints
     internal readonly struct GpsTime : IEquatable<GpsTime>
     {
         public readonly GpsTimeKind Kind;
-
-        /// <summary>For times with an offset, in millions of seconds.</summary>
-        public readonly int OffsetMegaseconds;
+        public readonly int OffsetMegaseconds; // For times with an offset, in millions of seconds.
 
         public GpsTime(GpsTimeKind kind, int offsetMegaseconds = 0)
         {

@@ -7,9 +7,7 @@ namespace FastPoints
     {
         public int Count;
         public float3 Offset;
-
-        /// <summary>Of products: xx, yy, zz, and xy, xz, yz.</summary>
-        public float3 Squares;
+        public float3 Squares; // Of products: xx, yy, zz, and xy, xz, yz.
         public float3 Mixed;
     }
 

@@ -8,9 +8,7 @@ namespace FastPoints.Drawing
     internal static class OctahedralNormal
     {
         public const ushort None = 0;
-
-        /// <summary>No vector's code, and not stored: the point was not looked at.</summary>
-        public const ushort Unset = 1;
+        public const ushort Unset = 1; // No vector's code, and not stored: the point was not looked at.
 
         const int Middle = 128;
         const int Largest = 127;

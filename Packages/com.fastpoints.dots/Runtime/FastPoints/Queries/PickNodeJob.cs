@@ -14,8 +14,7 @@ namespace FastPoints.Queries
     [BurstCompile]
     internal unsafe struct PickNodeJob : IJob
     {
-        /// <summary>The position plane as read; <see cref="PositionShape"/> and <see cref="PositionHash"/> describe it.</summary>
-        [ReadOnly] public NativeArray<byte> Positions;
+        [ReadOnly] public NativeArray<byte> Positions; // The position plane as read; PositionShape and PositionHash describe it.
         public PlaneShape PositionShape;
         public ulong PositionHash;
 

@@ -153,9 +153,7 @@ namespace FastPoints.Store
             readonly int m_page;
             readonly PointBatch m_batch;
             readonly bool m_isComputed; // Reads planes that were computed, else positions and those of the source.
-
-            /// <summary>Index among the chosen nodes, in the order of their bytes.</summary>
-            readonly int[] m_order;
+            readonly int[] m_order; // Index among the chosen nodes, in the order of their bytes.
             NativeArray<ChosenNode> m_nodes;
             NativeArray<PlaneRange> m_ranges;
             NativeArray<PlaneShape> m_shapes;
@@ -352,19 +350,13 @@ namespace FastPoints.Store
         [ReadOnly] public NativeArray<byte> File;
 
         public long FileOffset;
-
-        /// <summary>1 where positions are not unpacked.</summary>
-        public int FirstPlane;
+        public int FirstPlane; // 1 where positions are not unpacked.
         [ReadOnly] public NativeArray<ChosenNode> Nodes;
 
         /// <summary>Indexed by node times planes, plus plane: position first if there, then the wanted ones.</summary>
         [ReadOnly] public NativeArray<PlaneRange> Ranges;
-
-        /// <summary>Indexed by wanted plane, without the position.</summary>
-        [ReadOnly] public NativeArray<PlaneShape> Shapes;
-
-        /// <summary>Indexed by column of the wanted planes.</summary>
-        [ReadOnly] public NativeArray<StoredColumn> Columns;
+        [ReadOnly] public NativeArray<PlaneShape> Shapes; // Indexed by wanted plane, without the position.
+        [ReadOnly] public NativeArray<StoredColumn> Columns; // Indexed by column of the wanted planes.
 
         /// <summary>Where the values of each column of the wanted planes go in the batch.</summary>
         [ReadOnly] public NativeArray<PointColumn> Targets;
@@ -452,13 +444,9 @@ namespace FastPoints.Store
         public int BlockCount;
         public int PlaneBlocks;
         public bool IsWide;
-
-        /// <summary>The corner that its positions count from, relative to the batch's corner.</summary>
-        public Grid3 Corner;
+        public Grid3 Corner; // The corner that its positions count from, relative to the batch's corner.
 
         public int FirstPoint;
-
-        /// <summary>Index of its first plane among the job's ranges.</summary>
-        public int FirstRange;
+        public int FirstRange; // Index of its first plane among the job's ranges.
     }
 }

@@ -34,9 +34,7 @@ namespace FastPoints.Store
         public const ulong HierarchyMagic = 0x5241524549485046UL;
         public const ulong PlanesMagic = 0x53454E414C505046UL;
         public const ulong PageMagic = 0x2020454741505046UL;
-
-        /// <summary>Pages are cut so that they take no more, unless one node has more links.</summary>
-        internal const int MaxPageBytes = 1 << 16;
+        internal const int MaxPageBytes = 1 << 16; // Pages are cut so that they take no more, unless one node has more links.
 
         // What is read of a file that claims more.
         internal const int MaxPageBytesToRead = 1 << 26;

@@ -190,15 +190,15 @@ namespace FastPoints.Tests.Build
             sized.Info.FileBytes++;
             var headed = Reader();
             headed.Info.HeadHash++;
-            using var filter = new PointFilter();
-            filter.Add("Intensity > 1000");
+            var filtered = Reader();
+            filtered.Filter = 7;
             Add("plain", Reader());
             Add("a position", MemoryReader.Of(moved, s_centimetres, 2000));
             Add("a point", Reader(4001));
             Add("name", named);
             Add("size", sized);
             Add("head", headed);
-            Add("filter", new FilteredReader(Reader(), filter));
+            Add("filter", filtered);
             Add("attributes", Reader(), new ConvertSettings { Attributes = new[] { AttributeNames.Intensity } });
             Add("cells", Reader(), new ConvertSettings { CellsLog2 = 5 });
             Add("leaf", Reader(), new ConvertSettings { MaxPointsPerLeaf = 1000 });

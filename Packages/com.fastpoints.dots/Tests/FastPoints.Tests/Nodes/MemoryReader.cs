@@ -47,6 +47,9 @@ namespace FastPoints.Tests.Nodes
             return new MemoryReader(new PointSchema(attributes), transform, blockPoints, x, y, z, intensity, red, green, blue);
         }
 
+        public ulong Filter { get; set; }
+
+        internal override ulong FilterHash => Filter;
         public override int BlockCount => (m_points + m_blockPoints - 1) / m_blockPoints;
         public override int MaxPointsPerBlock => Math.Min(m_blockPoints, m_points);
         public override bool HasFixedStride => true;

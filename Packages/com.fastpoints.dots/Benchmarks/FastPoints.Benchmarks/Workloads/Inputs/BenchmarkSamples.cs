@@ -6,11 +6,8 @@ namespace FastPoints.Benchmarks
     /// absent, its workloads do nothing and report no points.</summary>
     static class BenchmarkSamples
     {
-        /// <summary>Airborne, point format 2, pointwise chunks: 5.0 M points in 30 MB.</summary>
-        public const string LazPointwise = "ca13_d.laz";
-
-        /// <summary>A sculpture, point format 7, layered chunks: 4.0 M points in 25 MB.</summary>
-        public const string LazLayered = "lion.laz";
+        public const string LazPointwise = "ca13_d.laz"; // Airborne, point format 2, pointwise chunks: 5.0 M points in 30 MB.
+        public const string LazLayered = "lion.laz"; // A sculpture, point format 7, layered chunks: 4.0 M points in 25 MB.
 
         public const string PotreeDefault = "samples/potree/v2-mixedconifer-default";
         public const string EptLaszip = "samples/ept/lone-star-laszip";

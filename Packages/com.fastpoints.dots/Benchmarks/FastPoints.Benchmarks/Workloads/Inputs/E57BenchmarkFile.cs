@@ -13,13 +13,9 @@ namespace FastPoints.Benchmarks
     {
         public const int PageBytes = 1024;
         const int DataBytes = 1020;
-
-        /// <summary>A multiple of eight, so that every bytestream of a packet ends with a byte.</summary>
-        const int PacketRecords = 4096;
+        const int PacketRecords = 4096; // A multiple of eight, so that every bytestream of a packet ends with a byte.
         const int HeaderBytes = 48, SectionHeaderBytes = 32, PositionBits = 21;
-
-        /// <summary>100 bits, nearly.</summary>
-        public const int BytesPerPoint = 13;
+        public const int BytesPerPoint = 13; // 100 bits, nearly.
 
         static readonly int[] s_bits = { PositionBits, PositionBits, PositionBits, 8, 8, 8, 12, 1 };
 

@@ -7,8 +7,7 @@ namespace FastPoints.Benchmarks
 {
     sealed class SelectWorkload : IWorkload
     {
-        /// <summary>Radians a frame, of a camera that flies half a metre.</summary>
-        const double SmallStep = 0.0002;
+        const double SmallStep = 0.0002; // Radians a frame, of a camera that flies half a metre.
 
         readonly int m_levels;
         readonly long m_budget;

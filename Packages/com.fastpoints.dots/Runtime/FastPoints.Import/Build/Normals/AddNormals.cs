@@ -19,18 +19,10 @@ namespace FastPoints.Build
     internal sealed class AddNormals : IDisposable
     {
         public const string Stage = "normals";
-
-        /// <summary>Points in a system of the earth's surface were measured from above, or are shown as if.</summary>
-        public const string Up = "up";
-
-        /// <summary>Whoever shows them turns them to the viewer.</summary>
-        public const string Viewer = "viewer";
-
-        /// <summary>To the scanner of each point.</summary>
-        public const string Scanner = "scanner";
-
-        /// <summary>They are those of the files.</summary>
-        public const string Source = "source";
+        public const string Up = "up"; // Points in a system of the earth's surface were measured from above, or are shown as if.
+        public const string Viewer = "viewer"; // Whoever shows them turns them to the viewer.
+        public const string Scanner = "scanner"; // To the scanner of each point.
+        public const string Source = "source"; // They are those of the files.
 
         static readonly string[] s_attributes = { AttributeNames.NormalX, AttributeNames.NormalY, AttributeNames.NormalZ };
 
@@ -231,8 +223,7 @@ namespace FastPoints.Build
     [BurstCompile]
     internal unsafe struct NormalsOfFilesJob : IJob
     {
-        /// <summary>A slice takes about 2 ms.</summary>
-        public const int PointsPerSlice = 50_000;
+        public const int PointsPerSlice = 50_000; // A slice takes about 2 ms.
 
         public int First;
         public int End;
@@ -242,9 +233,7 @@ namespace FastPoints.Build
         public PointColumn Z;
         public double3 Scale;
         public double3 Offset;
-
-        /// <summary>Out, by point.</summary>
-        public NativeArray<ushort> Normals;
+        public NativeArray<ushort> Normals; // Out, by point.
 
         public static NormalsOfFilesJob Of(PointBatch batch, string[] names, NativeArray<ushort> normals)
         {
@@ -286,8 +275,7 @@ namespace FastPoints.Build
     [BurstCompile]
     internal unsafe struct OrientNormalsJob : IJob
     {
-        /// <summary>A slice takes about 2 ms.</summary>
-        public const int PointsPerSlice = 50_000;
+        public const int PointsPerSlice = 50_000; // A slice takes about 2 ms.
 
         public int First;
         public int End;
@@ -295,17 +283,11 @@ namespace FastPoints.Build
         public PointColumn X;
         public PointColumn Y;
         public PointColumn Z;
-
-        /// <summary>The number of a point's scan, from 1; not read if there is one.</summary>
-        public PointColumn Scan;
-
-        /// <summary>By scan: in the batch's coordinates.</summary>
-        [ReadOnly] public NativeArray<double3> Scanners;
+        public PointColumn Scan; // The number of a point's scan, from 1; not read if there is one.
+        [ReadOnly] public NativeArray<double3> Scanners; // By scan: in the batch's coordinates.
 
         public double3 Metres;
-
-        /// <summary>In, out.</summary>
-        public NativeArray<ushort> Normals;
+        public NativeArray<ushort> Normals; // In, out.
 
         public static OrientNormalsJob Of(PointBatch batch, NativeArray<double3> scanners, double3 metres,
             NativeArray<ushort> normals) => new OrientNormalsJob

@@ -18,8 +18,7 @@ namespace FastPoints.Build
     [BurstCompile]
     internal unsafe struct EstimateNormalsJob : IJob
     {
-        /// <summary>A slice takes about 3 ms.</summary>
-        public const int PointsPerSlice = 6000;
+        public const int PointsPerSlice = 6000; // A slice takes about 3 ms.
 
         const int PointsPerCell = 48;
 

@@ -31,9 +31,7 @@ namespace FastPoints.Build
         float* DistancesSq => m_x + 3 * MaxPoints;
 
         public void Clear() => Count = 0;
-
-        /// <summary>Where the X of more go; Y and Z are <see cref="MaxPoints"/> further each.</summary>
-        public readonly float* End => m_x + Count;
+        public readonly float* End => m_x + Count; // Where the X of more go; Y and Z are MaxPoints further each.
 
         public void Add(int count) => Count += count;
 

@@ -19,9 +19,7 @@ namespace FastPoints.Build
         readonly ushort m_layer;
         readonly Func<string, NativeArray<byte>, WriteTicket> m_write;
         readonly Dictionary<string, Container> m_containers = new Dictionary<string, Container>();
-
-        /// <summary>By page: those of its nodes' normals.</summary>
-        readonly List<PlaneRange[]> m_ranges = new List<PlaneRange[]>();
+        readonly List<PlaneRange[]> m_ranges = new List<PlaneRange[]>(); // By page: those of its nodes' normals.
         readonly List<Container> m_containerOfPage = new List<Container>();
         NativeReference<int> m_count;
 
@@ -235,9 +233,7 @@ namespace FastPoints.Build
     {
         public int First;
         public int Count;
-
-        /// <summary>Of the plane that begins with it; 0 for inlined leaves.</summary>
-        public int Blocks;
+        public int Blocks; // Of the plane that begins with it; 0 for inlined leaves.
     }
 
     [BurstCompile]
@@ -266,9 +262,7 @@ namespace FastPoints.Build
     {
         [ReadOnly] public NativeList<NormalGroup> Groups;
         [ReadOnly] public NativeArray<ushort> Normals;
-
-        /// <summary>Out: the file, with room for its header, and by plane node its range.</summary>
-        public NativeList<byte> File;
+        public NativeList<byte> File; // Out: the file, with room for its header, and by plane node its range.
         public NativeArray<PlaneRange> Ranges;
 
         public void Execute()

@@ -12,16 +12,13 @@ namespace FastPoints.Build
         /// <summary>Cubes that are worked on at once are cut until they have no more, but for what upper nodes have
         /// there.</summary>
         public long PointsPerCube = 600_000;
-
-        /// <summary>The most workers to keep busy, 0 for all; may change meanwhile.</summary>
-        public Func<int> Workers = () => 0;
+        public Func<int> Workers = () => 0; // The most workers to keep busy, 0 for all; may change meanwhile.
     }
 
     /// <summary>A cloud's nodes by place. All tables of its pages are in memory.</summary>
     internal sealed class NormalCubes : CloudSelection
     {
-        /// <summary>Finest cells of a region are at least this far below the smallest node in it.</summary>
-        const int MaxLevelsBelow = 12;
+        const int MaxLevelsBelow = 12; // Finest cells of a region are at least this far below the smallest node in it.
 
         /// <summary>Neighbours are looked for as far from a cube as twice as many would reach, where the density is that of
         /// most points.</summary>

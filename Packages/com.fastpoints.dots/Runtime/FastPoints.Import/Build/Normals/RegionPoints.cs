@@ -10,18 +10,11 @@ namespace FastPoints.Build
     /// <summary>A box of a cloud, in grid steps from the root's corner, and how its points' neighbours are chosen.</summary>
     internal struct NormalRegion
     {
-        /// <summary>Points in this box, its upper ends left out, get a normal.</summary>
-        public double3 Min;
+        public double3 Min; // Points in this box, its upper ends left out, get a normal.
         public double3 Max;
-
-        /// <summary>Their neighbours are up to so far from it, in metres.</summary>
-        public double Margin;
-
-        /// <summary>Metres of a step along each axis.</summary>
-        public double3 Metres;
-
-        /// <summary>How many neighbours of a point its plane is laid through, besides the point.</summary>
-        public int Neighbours;
+        public double Margin; // Their neighbours are up to so far from it, in metres.
+        public double3 Metres; // Metres of a step along each axis.
+        public int Neighbours; // How many neighbours of a point its plane is laid through, besides the point.
 
         public readonly double3 OuterMin => Min - Margin / Metres;
         public readonly double3 OuterMax => Max + Margin / Metres;
@@ -38,18 +31,10 @@ namespace FastPoints.Build
         public NativeArray<double> Y;
         public NativeArray<double> Z;
         public NativeArray<ulong> Codes;
-
-        /// <summary>By point: its index in the batch.</summary>
-        public NativeArray<uint> Ids;
-
-        /// <summary>With one more entry, the number of points.</summary>
-        public NativeArray<int> FirstOfBucket;
-
-        /// <summary>Edge of the finest cells in metres.</summary>
-        public double Cell;
-
-        /// <summary>As they are found, then free.</summary>
-        internal NativeArray<ulong> FoundCodes;
+        public NativeArray<uint> Ids; // By point: its index in the batch.
+        public NativeArray<int> FirstOfBucket; // With one more entry, the number of points.
+        public double Cell; // Edge of the finest cells in metres.
+        internal NativeArray<ulong> FoundCodes; // As they are found, then free.
         internal NativeArray<uint> FoundIds;
         internal NativeReference<int> Count;
 
@@ -108,8 +93,7 @@ namespace FastPoints.Build
     [BurstCompile]
     internal unsafe struct ListRegionJob : IJob
     {
-        /// <summary>A slice takes about 2 ms.</summary>
-        public const int PointsPerSlice = 100000;
+        public const int PointsPerSlice = 100000; // A slice takes about 2 ms.
 
         public int First;
         public int End;
@@ -191,8 +175,7 @@ namespace FastPoints.Build
     [BurstCompile]
     internal unsafe struct SortRegionJob : IJob
     {
-        /// <summary>A slice takes about 3 ms, unless one of 262,144 cells has more points.</summary>
-        public const int PointsPerSlice = 40000;
+        public const int PointsPerSlice = 40000; // A slice takes about 3 ms, unless one of 262,144 cells has more points.
 
         public int First;
         public int End;
@@ -200,9 +183,7 @@ namespace FastPoints.Build
         [ReadOnly] public NativeArray<double> X;
         [ReadOnly] public NativeArray<double> Y;
         [ReadOnly] public NativeArray<double> Z;
-
-        /// <summary>Each slice has its own points of it.</summary>
-        [NativeDisableContainerSafetyRestriction] public RegionPoints Points;
+        [NativeDisableContainerSafetyRestriction] public RegionPoints Points; // Each slice has its own points of it.
 
         public void Execute()
         {

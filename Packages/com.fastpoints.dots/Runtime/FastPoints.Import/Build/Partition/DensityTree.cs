@@ -16,8 +16,7 @@ namespace FastPoints.Build
     /// their own. The result is the same for any number of threads.</remarks>
     internal sealed class DensityTree : IDisposable
     {
-        /// <summary>Points of one slice: about 2 ms of managed code.</summary>
-        const int PointsPerSlice = 1 << 15;
+        const int PointsPerSlice = 1 << 15; // Points of one slice: about 2 ms of managed code.
 
         NativeList<DensitySum> m_sums;
         NativeList<int> m_childBricks;
@@ -155,9 +154,7 @@ namespace FastPoints.Build
         public double SquaresOfDifferences;
 
         public double InRange;
-
-        /// <summary>Points of <see cref="LastRange"/>, the last one that has points here.</summary>
-        public double InLast;
+        public double InLast; // Points of LastRange, the last one that has points here.
         public int LastRange;
         public int Ranges;
 
@@ -203,11 +200,8 @@ namespace FastPoints.Build
     /// <summary>How many points of a cloud lie in a cell, as far as a sample shows.</summary>
     internal readonly struct DensityCell
     {
-        /// <summary>The estimate; also 0 if nothing is known.</summary>
-        public readonly double Points;
-
-        /// <summary>Error of <see cref="Points"/>, in points; NaN if nothing is known.</summary>
-        public readonly double StandardError;
+        public readonly double Points; // The estimate; also 0 if nothing is known.
+        public readonly double StandardError; // Error of Points, in points; NaN if nothing is known.
 
         public readonly int Ranges;
 
@@ -230,16 +224,12 @@ namespace FastPoints.Build
         /// <summary>The brick that each point was counted in at the previous depth; becomes that of this depth, or -1 if there is
         /// none.</summary>
         public NativeArray<int> BrickOfPoint;
-
-        /// <summary>Counts the ranges from <see cref="First"/> on, before <see cref="End"/>.</summary>
-        [ReadOnly] public NativeArray<SampleRange> Ranges;
+        [ReadOnly] public NativeArray<SampleRange> Ranges; // Counts the ranges from First on, before End.
         public int First;
         public int End;
 
         public int Depth;
-
-        /// <summary>The depth's first brick and the end of them.</summary>
-        [ReadOnly] public NativeReference<int2> Bricks;
+        [ReadOnly] public NativeReference<int2> Bricks; // The depth's first brick and the end of them.
         [ReadOnly] public NativeList<int> ChildBricks;
         public NativeList<DensitySum> Sums;
 
@@ -295,8 +285,7 @@ namespace FastPoints.Build
     [BurstCompile]
     struct DivideDensityJob : IJob
     {
-        /// <summary>The depth's first brick and the end of them; becomes the next depth's.</summary>
-        public NativeReference<int2> Bricks;
+        public NativeReference<int2> Bricks; // The depth's first brick and the end of them; becomes the next depth's.
 
         public double MaxPoints;
 

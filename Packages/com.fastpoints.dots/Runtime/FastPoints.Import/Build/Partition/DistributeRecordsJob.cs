@@ -10,8 +10,7 @@ namespace FastPoints.Build
     [BurstCompile]
     internal unsafe struct DistributeRecordsJob : IJob
     {
-        /// <summary>Pages of one slice, which takes about a millisecond.</summary>
-        public const int PagesPerSlice = 8;
+        public const int PagesPerSlice = 8; // Pages of one slice, which takes about a millisecond.
 
         public RecordPages Pages;
 
@@ -20,14 +19,10 @@ namespace FastPoints.Build
         public bool TakesPages;
         public int FirstPage;
         public RecordLayout Layout;
-
-        /// <summary>Cubes of one octree in Morton order, which are equal or do not overlap.</summary>
-        [ReadOnly] public NativeArray<GridCube> Cubes;
+        [ReadOnly] public NativeArray<GridCube> Cubes; // Cubes of one octree in Morton order, which are equal or do not overlap.
 
         public Grid3 Corner;
-
-        /// <summary>Lists for the cubes; of equal cubes the last one gets the records.</summary>
-        public NativeArray<RecordPages> Chunks;
+        public NativeArray<RecordPages> Chunks; // Lists for the cubes; of equal cubes the last one gets the records.
         public NativeReference<RecordPagePool> Pool;
         public SliceTimes Slices;
 
@@ -88,12 +83,8 @@ namespace FastPoints.Build
         public RecordPages Pages;
         public RecordLayout Layout;
         public CellFinder Cells;
-
-        /// <summary>Indexed by Morton number of the cell; starts at zero. All records lie inside.</summary>
-        public NativeArray<long> PointsOfCell;
-
-        /// <summary>The smallest and the largest position, extended by each job.</summary>
-        public NativeArray<Grid3> Bounds;
+        public NativeArray<long> PointsOfCell; // Indexed by Morton number of the cell; starts at zero. All records lie inside.
+        public NativeArray<Grid3> Bounds; // The smallest and the largest position, extended by each job.
 
         public SliceTimes Slices;
 

@@ -12,14 +12,9 @@ namespace FastPoints.Build
     /// a chunk of their own, the last one.</summary>
     internal sealed class PartitionMap : IDisposable
     {
-        /// <summary>8^6 cells are 1 MB: they stay in a core's cache while points are sorted into them.</summary>
-        public const int MaxLevels = 6;
-
-        /// <summary>The most levels of subcells, for cells that need them.</summary>
-        const int MaxSubcellLevels = 2;
-
-        /// <summary>How many standard errors above its estimate a chunk may have before it must be split.</summary>
-        const double ErrorsAllowed = 2;
+        public const int MaxLevels = 6; // 8^6 cells are 1 MB: they stay in a core's cache while points are sorted into them.
+        const int MaxSubcellLevels = 2; // For cells that need them.
+        const double ErrorsAllowed = 2; // How many standard errors above its estimate a chunk may have before it must be split.
 
         NativeArray<int> m_chunkOfCell;
         readonly int m_subcellLevels;

@@ -6,16 +6,12 @@ namespace FastPoints.Build
     internal struct PointStatistics
     {
         public long Count;
-
-        /// <summary>Number of points without a finite position on the grid.</summary>
-        public long LeftOut;
+        public long LeftOut; // Number of points without a finite position on the grid.
         public Grid3 Min;
         public Grid3 Max;
 
         public ulong Checksum;
-
-        /// <summary>Largest distance of a float position from its grid position, in steps.</summary>
-        public double MaxRoundingSteps;
+        public double MaxRoundingSteps; // Largest distance of a float position from its grid position, in steps.
 
         public static PointStatistics None => new PointStatistics
         {
@@ -40,12 +36,8 @@ namespace FastPoints.Build
 
         public ulong Min;
         public ulong Max;
-
-        /// <summary>The bitwise or of all values: trailing zeros give a power of two that divides all of them.</summary>
-        public ulong Or;
-
-        /// <summary>0 if every value is a multiple of 257: eight bits twice.</summary>
-        public uint Modulo257Or;
+        public ulong Or; // The bitwise or of all values: trailing zeros give a power of two that divides all of them.
+        public uint Modulo257Or; // 0 if every value is a multiple of 257: eight bits twice.
 
         public static AttributeStatistics None => new AttributeStatistics { Min = ulong.MaxValue };
 

@@ -9,8 +9,7 @@ namespace FastPoints.Build
 {
     internal static class RootCube
     {
-        /// <summary>Claimed extents more than this many times that of the sample are ignored.</summary>
-        const double MaxClaimRatio = 4;
+        const double MaxClaimRatio = 4; // Claimed extents more than this many times that of the sample are ignored.
 
         public static GridCube Around(Grid3 min, Grid3 max)
         {

@@ -350,17 +350,11 @@ namespace FastPoints.Build
 
         /// <summary>The folder of points that are not in their nodes yet, packed: see <see cref="RecordBlock"/>.</summary>
         public const string RecordFolderName = "records";
-
-        /// <summary>Chunks' top nodes, which the merge of the upper levels consumes.</summary>
-        public const string TopFolderName = "tops";
-
-        /// <summary>Of a part: points outside of the cloud's planned cube, packed.</summary>
-        public const string OutsideName = "part.outside";
+        public const string TopFolderName = "tops"; // Chunks' top nodes, which the merge of the upper levels consumes.
+        public const string OutsideName = "part.outside"; // Of a part: points outside of the cloud's planned cube, packed.
 
         public const string BucketName = "part.bucket";
-
-        /// <summary>Which of a bucket's records are of which part. It stays with the folder.</summary>
-        public const string RangesName = "ranges.bin";
+        public const string RangesName = "ranges.bin"; // Which of a bucket's records are of which part. It stays with the folder.
 
         public static string RecordPath(int number) => PathOf(RecordFolderName, number);
 

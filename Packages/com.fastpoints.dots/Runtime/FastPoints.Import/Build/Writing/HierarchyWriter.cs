@@ -18,9 +18,7 @@ namespace FastPoints.Build
         /// loaded.</summary>
         public NativeArray<byte> Table;
         public int NodeCount;
-
-        /// <summary>Where the table is, if it is in a file, and the hash that it must have; 0 if it was checked.</summary>
-        public string Path;
+        public string Path; // Where the table is, if it is in a file, and the hash that it must have; 0 if it was checked.
         public long TableOffset;
         public ulong TableHash;
 

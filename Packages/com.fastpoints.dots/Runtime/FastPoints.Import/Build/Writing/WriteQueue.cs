@@ -14,9 +14,7 @@ namespace FastPoints.Build
     sealed unsafe class WriteQueue
     {
         const int PieceBytes = 1 << 20;
-
-        /// <summary>Ends the name of a file that is not whole.</summary>
-        public const string TemporarySuffix = ".tmp";
+        public const string TemporarySuffix = ".tmp"; // Ends the name of a file that is not whole.
 
         enum WriteKind
         {

@@ -23,9 +23,7 @@ namespace FastPoints.Export
 
         [ReadOnly] public NativeArray<byte> File;
         public long FileOffset;
-
-        /// <summary>The bytes of the last planes, if these were computed.</summary>
-        [ReadOnly] public NativeArray<byte> Computed;
+        [ReadOnly] public NativeArray<byte> Computed; // The bytes of the last planes, if these were computed.
         public long ComputedOffset;
         public int ComputedPlanes;
         [ReadOnly] public NativeArray<NodeRecord> Nodes;
@@ -38,9 +36,7 @@ namespace FastPoints.Export
         /// <summary>For each attribute plane, the one whose values it averages, or a negative number.</summary>
         [ReadOnly] public NativeArray<int> AverageOf;
         public int AttributeBytes;
-
-        /// <summary>Of nodes in their order; none has more points than a slice.</summary>
-        [ReadOnly] public NativeArray<NodeBlockRange> Ranges;
+        [ReadOnly] public NativeArray<NodeBlockRange> Ranges; // Of nodes in their order; none has more points than a slice.
 
         /// <summary>Indexed by node: what its own planes showed.</summary>
         [NativeDisableContainerSafetyRestriction] public NativeArray<NodeCheckResult> PlaneResults;
@@ -193,15 +189,11 @@ namespace FastPoints.Export
         public NodeFault Fault;
 
         public int Plane;
-
-        /// <summary>What the plane has, if it is another than it should be.</summary>
-        public ulong Hash;
+        public ulong Hash; // What the plane has, if it is another than it should be.
 
         public ulong FirstSum;
         public ulong SecondSum;
-
-        /// <summary>Bounds of the points from the node's corner.</summary>
-        public Grid3 Min;
+        public Grid3 Min; // Bounds of the points from the node's corner.
         public Grid3 Max;
 
         public static NodeCheckResult Empty => new NodeCheckResult

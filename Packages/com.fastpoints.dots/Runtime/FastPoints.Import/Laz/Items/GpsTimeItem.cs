@@ -22,9 +22,7 @@ namespace FastPoints.Laz
 
         /// <summary>Times that a difference beyond the prediction comes before it becomes the one to multiply.</summary>
         const int ExtremesBeforeChange = 3;
-
-        /// <summary>An encoder changes sequence at most once a point; noise must not keep a decoder busy.</summary>
-        const int MaxSequenceChanges = 4;
+        const int MaxSequenceChanges = 4; // An encoder changes sequence at most once a point; noise must not keep a decoder busy.
 
         const int IntegerContexts = 9;
 

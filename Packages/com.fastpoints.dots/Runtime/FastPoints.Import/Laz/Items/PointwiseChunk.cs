@@ -17,9 +17,7 @@ namespace FastPoints.Laz
         int m_itemCount;
         int m_recordBytes;
         int m_isStopped;
-
-        /// <summary>Points decoded when the stream could first have ended where the input does, and last; 0 before.</summary>
-        int m_pointsAtFirstEnd;
+        int m_pointsAtFirstEnd; // Points decoded when the stream could first have ended where the input does, and last; 0 before.
         int m_pointsAtLastEnd;
         fixed int m_type[MaxItems];
         fixed int m_version[MaxItems];

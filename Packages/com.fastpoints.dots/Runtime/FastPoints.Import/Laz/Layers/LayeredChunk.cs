@@ -12,8 +12,7 @@ namespace FastPoints.Laz
     [StructLayout(LayoutKind.Sequential)]
     internal unsafe struct LayeredChunk
     {
-        /// <summary>Points decoded at once: contexts and records of a batch stay in the nearest caches.</summary>
-        public const int BatchPoints = 512;
+        public const int BatchPoints = 512; // Points decoded at once: contexts and records of a batch stay in the nearest caches.
 
         int m_layerCount;
         int m_recordBytes;

@@ -32,12 +32,8 @@ namespace FastPoints.Laz
 
         int m_x;
         int m_y;
-
-        /// <summary>The record's byte: number of returns * 16 + return number.</summary>
-        int m_returns;
-
-        /// <summary>Whether the last point's GPS time differed from the one before it.</summary>
-        int m_timeChanged;
+        int m_returns; // The record's byte: number of returns * 16 + return number.
+        int m_timeChanged; // Whether the last point's GPS time differed from the one before it.
 
         int m_numberOfReturnsMade;
         int m_returnNumberMade;

@@ -60,11 +60,8 @@ namespace FastPoints.Nodes
         public NativeList<NodeDraft> Drafts { get; }
         public NativeList<int> NodeOfDraft { get; }
 
-        /// <summary>Sum of the hashes of all processed points.</summary>
-        public ulong Checksum => m_checksum.Value;
-
-        /// <summary>Times of the jobs so far; taking them clears them.</summary>
-        public SliceTimes SliceTimes => m_sliceTimes;
+        public ulong Checksum => m_checksum.Value; // Sum of the hashes of all processed points.
+        public SliceTimes SliceTimes => m_sliceTimes; // Times of the jobs so far; taking them clears them.
 
         public NativeArray<long> BytesOfPlane => m_bytesOfPlane;
 
@@ -259,11 +256,8 @@ namespace FastPoints.Nodes
     [BurstCompile]
     internal unsafe struct PrepareUpperJob : IJob
     {
-        /// <summary>A slice takes about 4 ms.</summary>
-        public const int PointsPerSlice = 100000;
-
-        /// <summary>The points of this slice. The slices of one cloud run in order.</summary>
-        public int First;
+        public const int PointsPerSlice = 100000; // A slice takes about 4 ms.
+        public int First; // The points of this slice. The slices of one cloud run in order.
         public int End;
         public RecordLayout Layout;
         public Grid3 Corner;

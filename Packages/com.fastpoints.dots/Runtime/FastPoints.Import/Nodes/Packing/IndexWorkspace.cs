@@ -147,9 +147,7 @@ namespace FastPoints.Nodes
 
         public NativeList<NodeRecord> Nodes;
         public NativeList<PlaneRange> Ranges;
-
-        /// <summary>The planes that lie behind those of position and colour, until these are written.</summary>
-        public NativeList<byte> Behind;
+        public NativeList<byte> Behind; // The planes that lie behind those of position and colour, until these are written.
 
         public WriteScratch(Allocator allocator)
         {
@@ -218,12 +216,8 @@ namespace FastPoints.Nodes
         }
 
         public NativeReference<State> Progress;
-
-        /// <summary>First record of each bucket, with one more entry.</summary>
-        public NativeArray<int> FirstOfBucket;
-
-        /// <summary>Keys of the current bucket, twice, and its records.</summary>
-        public NativeList<ulong> Keys;
+        public NativeArray<int> FirstOfBucket; // First record of each bucket, with one more entry.
+        public NativeList<ulong> Keys; // Keys of the current bucket, twice, and its records.
         public NativeList<byte> Bucket;
 
         public OrderScratch(Allocator allocator)
@@ -328,9 +322,7 @@ namespace FastPoints.Nodes
         /// <summary>While ranges are planned: how many neighbours have a cube of each side in common, in four tables
         /// used in turn, so that no count depends on the previous one.</summary>
         public NativeArray<int> Counts;
-
-        /// <summary>From a range's first index on: the points that it offers to the range above, in order.</summary>
-        public NativeList<int> Offered;
+        public NativeList<int> Offered; // From a range's first index on: the points that it offers to the range above, in order.
 
         /// <summary>For the random sampler: for each of these, log2 of the side of the smallest cube with the previous
         /// one.</summary>
@@ -396,25 +388,17 @@ namespace FastPoints.Nodes
     {
         public int First;
         public int End;
-
-        /// <summary>The nearest range above that is sampled, or -1.</summary>
-        public int Parent;
+        public int Parent; // The nearest range above that is sampled, or -1.
         public int FirstChild;
         public int ChildCount;
 
         /// <summary>How many points it offers; negative for all of them. In the end, how many of a chain's points have their
         /// node.</summary>
         public int Offered;
-
-        /// <summary>The node's points, and its draft; without points, that of the range above.</summary>
-        public int Count;
+        public int Count; // The node's points, and its draft; without points, that of the range above.
         public int Node;
-
-        /// <summary>At first any cube with the points; then the smallest of the octree.</summary>
-        public byte SideLog2;
-
-        /// <summary>log2 of the edge of the sampling cells: the spacing.</summary>
-        public byte CellLog2;
+        public byte SideLog2; // At first any cube with the points; then the smallest of the octree.
+        public byte CellLog2; // log2 of the edge of the sampling cells: the spacing.
         public SampledCubeKind Kind;
 
         public readonly bool OffersAll => Offered < 0;

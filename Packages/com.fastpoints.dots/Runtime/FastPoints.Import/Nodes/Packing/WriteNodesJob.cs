@@ -16,14 +16,11 @@ namespace FastPoints.Nodes
     [BurstCompile]
     internal unsafe struct WriteNodesJob : IJob
     {
-        /// <summary>A slice takes about 2 ms.</summary>
-        public const int CostOfSlice = 500000;
+        public const int CostOfSlice = 500000; // A slice takes about 2 ms.
 
         const int CostOfPosition = 4;
         const int CostOfAverage = 16;
-
-        /// <summary>Copied to pages that are new, these take as long as a value.</summary>
-        const int BytesPerCost = 8;
+        const int BytesPerCost = 8; // Copied to pages that are new, these take as long as a value.
 
         public const int InlinedLeafPoints = PlaneShape.MaxPointsPerBlock;
 
@@ -32,12 +29,8 @@ namespace FastPoints.Nodes
 
         public Grid3 Corner;
         public ulong CloudId;
-
-        /// <summary>What the file is; the job adds its size and hash.</summary>
-        public ContainerRecord Container;
-
-        /// <summary>Whether the first node goes to <see cref="Top"/> instead of the file.</summary>
-        public bool OmitsTop;
+        public ContainerRecord Container; // What the file is; the job adds its size and hash.
+        public bool OmitsTop; // Whether the first node goes to Top instead of the file.
         [ReadOnly] public NativeArray<byte> Records;
         [ReadOnly] public NativeArray<int> NodeOfPoint;
         [ReadOnly] public NativeList<NodeDraft> Drafts;
@@ -50,36 +43,16 @@ namespace FastPoints.Nodes
 
         /// <summary>For each attribute plane, the one whose values it averages, or a negative number.</summary>
         [ReadOnly] public NativeArray<int> AverageOf;
-
-        /// <summary>The attribute plane that lies with the positions, or a negative number.</summary>
-        public int ColorPlane;
-
-        /// <summary>The points as the sampler left them.</summary>
-        [ReadOnly] public AveragedColumns Averaged;
-
-        /// <summary>Scratch: points, grouped by draft.</summary>
-        public NativeArray<uint> Points;
-
-        /// <summary>Its <see cref="WriteScratch.Progress"/> is reset before the first slice.</summary>
-        public WriteScratch Scratch;
-
-        /// <summary>About this many values are written in one group; grouping a point costs as much as one.</summary>
-        public int CostPerSlice;
-
-        /// <summary>Out: the container. Empty if a chunk has no node except its top.</summary>
-        public NativeList<byte> File;
-
-        /// <summary>Out: the nodes, then their planes' ranges.</summary>
-        public NativeList<byte> Table;
-
-        /// <summary>Out: the top's points as records, in order.</summary>
-        public NativeList<byte> Top;
-
-        /// <summary>Out: the table index of each draft, or -1.</summary>
-        public NativeList<int> NodeOfDraft;
-
-        /// <summary>Out: bytes of each plane, position first.</summary>
-        public NativeArray<long> BytesOfPlane;
+        public int ColorPlane; // The attribute plane that lies with the positions, or a negative number.
+        [ReadOnly] public AveragedColumns Averaged; // The points as the sampler left them.
+        public NativeArray<uint> Points; // Scratch: points, grouped by draft.
+        public WriteScratch Scratch; // Its WriteScratch.Progress is reset before the first slice.
+        public int CostPerSlice; // About this many values are written in one group; grouping a point costs as much as one.
+        public NativeList<byte> File; // Out: the container. Empty if a chunk has no node except its top.
+        public NativeList<byte> Table; // Out: the nodes, then their planes' ranges.
+        public NativeList<byte> Top; // Out: the top's points as records, in order.
+        public NativeList<int> NodeOfDraft; // Out: the table index of each draft, or -1.
+        public NativeArray<long> BytesOfPlane; // Out: bytes of each plane, position first.
 
         [NativeDisableUnsafePtrRestriction] NodeDraft* m_drafts;
         [NativeDisableUnsafePtrRestriction] uint* m_points;

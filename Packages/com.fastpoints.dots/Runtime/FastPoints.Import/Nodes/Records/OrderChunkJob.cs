@@ -53,12 +53,8 @@ namespace FastPoints.Nodes
         public RecordPages Pages;
         public RecordLayout Layout;
         public GridCube Cube;
-
-        /// <summary>Its <see cref="OrderScratch.Progress"/> is reset before the first slice.</summary>
-        public OrderScratch Scratch;
-
-        /// <summary>Scratch: the bucket of each record, as they came.</summary>
-        public NativeArray<uint> BucketOfPoint;
+        public OrderScratch Scratch; // Its OrderScratch.Progress is reset before the first slice.
+        public NativeArray<uint> BucketOfPoint; // Scratch: the bucket of each record, as they came.
 
         public int CostPerSlice;
 
@@ -67,12 +63,8 @@ namespace FastPoints.Nodes
         /// <summary>Out: for each point, log2 of the side of the smallest cube with it and the previous point; 255 for the first
         /// one.</summary>
         public NativeArray<byte> CommonCubeLog2;
-
-        /// <summary>Out: for each point, the upper half of its hash.</summary>
-        public NativeArray<uint> Priority;
-
-        /// <summary>Out: the sum of the hashes.</summary>
-        public NativeReference<ulong> Checksum;
+        public NativeArray<uint> Priority; // Out: for each point, the upper half of its hash.
+        public NativeReference<ulong> Checksum; // Out: the sum of the hashes.
 
         public SliceTimes Slices;
 
@@ -426,8 +418,7 @@ namespace FastPoints.Nodes
 
     internal unsafe struct SampleInputs
     {
-        /// <summary>By point: <see cref="MortonOrder.CommonCubeLog2"/> of it and the previous one.</summary>
-        public byte* CommonCubeLog2;
+        public byte* CommonCubeLog2; // By point: MortonOrder.CommonCubeLog2 of it and the previous one.
         public uint* Priority;
 
         /// <summary>Finds, from records in order, where cubes end, and priorities.</summary>

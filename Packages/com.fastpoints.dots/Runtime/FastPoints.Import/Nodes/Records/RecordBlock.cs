@@ -240,8 +240,7 @@ namespace FastPoints.Nodes
     [BurstCompile]
     internal unsafe struct PackRecordsJob : IJob
     {
-        /// <summary>A few: this many take about a millisecond.</summary>
-        public const int PagesPerRun = 32;
+        public const int PagesPerRun = 32; // A few: this many take about a millisecond.
 
         public RecordPages Pages;
         public int StrideBytes;

@@ -17,12 +17,8 @@ namespace FastPoints.Nodes
     internal unsafe struct RecordLayout
     {
         public bool IsWide;
-
-        /// <summary>The corner that narrow positions count from; zero if wide.</summary>
-        public Grid3 Base;
-
-        /// <summary>Padded to whole 32-bit words.</summary>
-        public int AttributeBytes;
+        public Grid3 Base; // The corner that narrow positions count from; zero if wide.
+        public int AttributeBytes; // Padded to whole 32-bit words.
 
         /// <summary>Bytes of a <see cref="PointAverage"/> after the attributes, or 0: the tops of chunks have it if colours are
         /// averaged. It is not part of the point.</summary>
@@ -101,18 +97,14 @@ namespace FastPoints.Nodes
 
     internal struct PointAverage
     {
-        /// <summary>Number of points of the cloud, including itself.</summary>
-        public double Points;
-
-        /// <summary>Sums over them of up to four values: the columns of the averaged planes.</summary>
-        public double4 Sum;
+        public double Points; // Number of points of the cloud, including itself.
+        public double4 Sum; // Sums over them of up to four values: the columns of the averaged planes.
     }
 
     /// <summary>The averaged columns, at most four, and the averages of a chunk's points. Blittable, for jobs.</summary>
     internal unsafe struct AveragedColumns
     {
-        /// <summary>Empty if nothing is averaged.</summary>
-        [ReadOnly] public NativeArray<StoredColumn> Columns;
+        [ReadOnly] public NativeArray<StoredColumn> Columns; // Empty if nothing is averaged.
 
         /// <summary>For each point, its index in <see cref="Averages"/>; -1 for a point that represents what its record says, or
         /// only itself. Empty if nothing is averaged.</summary>

@@ -29,9 +29,7 @@ namespace FastPoints.Nodes
         [NativeDisableUnsafePtrRestriction] public Page* First;
         [NativeDisableUnsafePtrRestriction] public Page* Last;
         public long Count;
-
-        /// <summary>Pages in the list, of which the last few may not be full.</summary>
-        public int PageCount;
+        public int PageCount; // Pages in the list, of which the last few may not be full.
 
         /// <summary>With a word that unpacking may read beyond a block.</summary>
         public static long PageBytes(int strideBytes) =>

@@ -8,9 +8,7 @@ namespace FastPoints.Nodes
     {
         [NativeDisableUnsafePtrRestriction] public byte* Records;
         public RecordLayout Layout;
-
-        /// <summary>Corner of the chunk: positions are ordered relative to it.</summary>
-        public Grid3 Corner;
+        public Grid3 Corner; // Corner of the chunk: positions are ordered relative to it.
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public byte* At(uint number) => Records + (long)number * Layout.StrideBytes;

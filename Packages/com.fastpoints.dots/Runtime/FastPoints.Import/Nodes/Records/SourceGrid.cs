@@ -8,13 +8,10 @@ namespace FastPoints.Nodes
 {
     internal struct SourceAxis
     {
-        /// <summary>For whole numbers: grid = stored * <see cref="Factor"/> + <see cref="Shift"/>, exact.</summary>
-        public bool IsInteger;
+        public bool IsInteger; // For whole numbers: grid = stored * Factor + Shift, exact.
         public long Factor;
         public long Shift;
-
-        /// <summary>For other numbers: geo = stored * Scale + Offset, grid = round((geo - Origin) / Step).</summary>
-        public double Scale;
+        public double Scale; // For other numbers: geo = stored * Scale + Offset, grid = round((geo - Origin) / Step).
         public double Offset;
         public double Origin;
         public double Step;
@@ -24,9 +21,7 @@ namespace FastPoints.Nodes
     {
         /// <summary>Positions beyond it are left out, so that sums of positions and sides fit a long.</summary>
         public const long Limit = CommonGrid.Limit;
-
-        /// <summary>Marks an invalid position: far outside <see cref="Limit"/>.</summary>
-        public const long InvalidPosition = CommonGrid.InvalidPosition;
+        public const long InvalidPosition = CommonGrid.InvalidPosition; // Marks an invalid position: far outside Limit.
 
         public SourceAxis X;
         public SourceAxis Y;
@@ -159,9 +154,7 @@ namespace FastPoints.Nodes
         public CloudGrid Grid;
 
         public SourceGrid[] Sources;
-
-        /// <summary>The layout for the largest range of grid numbers: wide if it does not fit 32 bits.</summary>
-        public RecordLayout Records;
+        public RecordLayout Records; // The layout for the largest range of grid numbers: wide if it does not fit 32 bits.
 
         /// <param name="hasUniformStep">Whether the step is the same on all axes.</param>
         /// <exception cref="PointCloudException">The scales and offsets do not fit any grid of 2^60 steps.</exception>

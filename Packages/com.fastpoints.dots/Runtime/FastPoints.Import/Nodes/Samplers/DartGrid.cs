@@ -20,8 +20,7 @@ namespace FastPoints.Nodes
     /// </remarks>
     internal unsafe struct DartGrid : IDisposable
     {
-        /// <summary>Edge of a tile: log2 of the spacings.</summary>
-        public const int TileSpacingsLog2 = 4;
+        public const int TileSpacingsLog2 = 4; // Edge of a tile: log2 of the spacings.
 
         public const ulong TakenFlag = 1UL << 63;
         const int ExactBits = 11;

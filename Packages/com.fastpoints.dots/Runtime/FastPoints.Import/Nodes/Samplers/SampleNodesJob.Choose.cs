@@ -292,9 +292,7 @@ namespace FastPoints.Nodes
         const int Octaves = 16;
 
         public const int Classes = 4 * Octaves + 1;
-
-        /// <summary>Twice as many: points beside the faces of their chunk come last.</summary>
-        public const int ClassesWithFaces = 2 * Classes;
+        public const int ClassesWithFaces = 2 * Classes; // Twice as many: points beside the faces of their chunk come last.
 
         /// <summary>The class of a record's hash: 0 is tried first and has 2^-16 of the points.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -27,8 +27,7 @@ namespace FastPoints.Nodes
     [BurstCompile]
     internal unsafe partial struct SampleNodesJob : IJob
     {
-        /// <summary>A slice takes about 4 ms at most. Costs are about nanoseconds.</summary>
-        public const int CostOfSlice = 2500000;
+        public const int CostOfSlice = 2500000; // A slice takes about 4 ms at most. Costs are about nanoseconds.
 
         /// <summary>More than a point costs in most clouds (20 to 30, 95 to 120, and for averages 140 to 170 more).</summary>
         public const int CostPerPoint = 40;
@@ -62,19 +61,13 @@ namespace FastPoints.Nodes
         /// <summary>The chunks' tops, if the points are these: a range within one of them becomes its node. Empty for whole
         /// points.</summary>
         public NativeArray<TopNode> Tops;
-
-        /// <summary>Out: the node of each point. Before the end, its range.</summary>
-        public NativeArray<int> NodeOfPoint;
-
-        /// <summary>Out: drafts, parents before children.</summary>
-        public NativeList<NodeDraft> Nodes;
+        public NativeArray<int> NodeOfPoint; // Out: the node of each point. Before the end, its range.
+        public NativeList<NodeDraft> Nodes; // Out: drafts, parents before children.
 
         /// <summary>Averages over the points that each sampled point represents: what is nearer to it than to any other at its
         /// spacing, with all that this represents at finer ones. Off for the plain samplers.</summary>
         public AveragedColumns Averaged;
-
-        /// <summary>Its <see cref="SampleScratch.Progress"/> is reset before the first slice.</summary>
-        public SampleScratch Scratch;
+        public SampleScratch Scratch; // Its SampleScratch.Progress is reset before the first slice.
 
         public int CostPerSlice;
         public SliceTimes Slices;
@@ -388,12 +381,8 @@ namespace FastPoints.Nodes
         public const int Sides = GridCube.MaxSideLog2 + 3;
 
         public int PointCount;
-
-        /// <summary>log2 of the side of the smallest cube with all of them.</summary>
-        public int SideLog2;
-
-        /// <summary>Number of cells of any size, apart from those below.</summary>
-        public int AnyCell;
+        public int SideLog2; // log2 of the side of the smallest cube with all of them.
+        public int AnyCell; // Number of cells of any size, apart from those below.
 
         /// <summary>For each log2 of a side: how many more such cells there are if cells are smaller than this.</summary>
         public fixed int CellsBelow[Sides];

@@ -25,12 +25,8 @@ namespace FastPoints.Nodes
         /// <summary>log2 of the sampling cells along an edge of a node that is not a leaf; it has fewer if the node became too
         /// large.</summary>
         public int CellsLog2;
-
-        /// <summary>A leaf has about this many points that no node above has taken; see <see cref="IsLeaf"/>.</summary>
-        public int MaxPointsPerLeaf;
-
-        /// <summary>At most <see cref="StoreFormat.MaxPointsPerNode"/>.</summary>
-        public int MaxPointsPerNode;
+        public int MaxPointsPerLeaf; // A leaf has about this many points that no node above has taken; see IsLeaf.
+        public int MaxPointsPerNode; // At most StoreFormat.MaxPointsPerNode.
 
         /// <summary>Whether a cube becomes a leaf: if it has few points, of which nodes above take about a fifth, or if
         /// sampling would take most of them and leave a few for each child.</summary>
@@ -49,20 +45,15 @@ namespace FastPoints.Nodes
 
     internal struct NodeDraft
     {
-        /// <summary>All points of the node's cube are in this range of the sorted points.</summary>
-        public int First;
+        public int First; // All points of the node's cube are in this range of the sorted points.
         public int End;
-
-        /// <summary>The nearest node above, or -1.</summary>
-        public int Parent;
+        public int Parent; // The nearest node above, or -1.
 
         public int Count;
         public byte SideLog2;
         public byte CellLog2;
         public bool IsLeaf;
-
-        /// <summary>Whether it is the remainder of a chunk's top: see <see cref="Store.NodeRecord.TopFlag"/>.</summary>
-        public bool IsTop;
+        public bool IsTop; // Whether it is the remainder of a chunk's top: see Store.NodeRecord.TopFlag.
     }
 
     /// <summary>A chunk's part in the merge: its top node's points in order, and whether anything is below them.
@@ -71,15 +62,11 @@ namespace FastPoints.Nodes
     {
         public int First;
         public int End;
-
-        /// <summary>The top node's cube and cells, from the chunk's sampler.</summary>
-        public byte SideLog2;
+        public byte SideLog2; // The top node's cube and cells, from the chunk's sampler.
         public byte CellLog2;
         public bool IsLeaf;
 
         public bool HasNodes;
-
-        /// <summary>Out: the node that the chunk's other nodes are attached to.</summary>
-        public int AttachNode;
+        public int AttachNode; // Out: the node that the chunk's other nodes are attached to.
     }
 }

@@ -11,9 +11,7 @@ namespace FastPoints.Reading
     {
         public double2 From;
         public double2 To;
-
-        /// <summary>Edges of one polygon have one number.</summary>
-        public int Polygon;
+        public int Polygon; // Edges of one polygon have one number.
     }
 
     /// <summary>Polygons with holes, and their edges by slabs of y, so that a point is compared with few of

@@ -15,15 +15,9 @@ namespace FastPoints.Reading
         readonly List<FilterExpression> m_expressions = new List<FilterExpression>();
 
         internal IReadOnlyList<FilterExpression> Expressions => m_expressions;
-
-        /// <summary>Every n-th point in the source's order, from the first; 0 or 1 for all.</summary>
-        public long EveryNth;
-
-        /// <summary>In the horizontal coordinates of the source; null for all. Owned.</summary>
-        public FilterPolygons Polygons;
-
-        /// <summary>In the source's coordinates.</summary>
-        public LocalClip[] Clips = Array.Empty<LocalClip>();
+        public long EveryNth; // Every n-th point in the source's order, from the first; 0 or 1 for all.
+        public FilterPolygons Polygons; // In the horizontal coordinates of the source; null for all. Owned.
+        public LocalClip[] Clips = Array.Empty<LocalClip>(); // In the source's coordinates.
 
         public bool IsEmpty => m_expressions.Count == 0 && EveryNth <= 1 && Polygons == null && Clips.Length == 0;
 
@@ -233,5 +227,26 @@ namespace FastPoints.Reading
             }
             return isInside;
         }
+    }
+
+    internal interface IPointFilter
+    {
+        /// <summary>Names of the attributes that it reads, beside the position.</summary>
+        IEnumerable<string> Attributes { get; }
+
+        /// <summary>Differs between those that keep different points.</summary>
+        ulong Hash { get; }
+
+        IFilterSlot CreateSlot(PointBatch batch, in PositionTransform transform);
+    }
+
+    internal interface IFilterSlot : IDisposable
+    {
+        /// <summary>The number of points left in the batch, when the scheduled jobs are complete.</summary>
+        NativeReference<DecodeResult> Result { get; }
+
+        /// <param name="range">Of the reader that filters.</param>
+        /// <param name="firstPoint">Number of the batch's first point in the source.</param>
+        JobHandle Schedule(NativeReference<DecodeResult> decodedResult, BlockRange range, long firstPoint, JobHandle decoded);
     }
 }

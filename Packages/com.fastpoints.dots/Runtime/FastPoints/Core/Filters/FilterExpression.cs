@@ -21,9 +21,7 @@ namespace FastPoints
     {
         public bool IsAttribute;
         public PointColumn Column;
-
-        /// <summary>For an attribute: value = stored * Scale + Offset.</summary>
-        public double Scale;
+        public double Scale; // For an attribute: value = stored * Scale + Offset.
         public double Offset;
         public double Number;
     }
@@ -34,9 +32,7 @@ namespace FastPoints
         public FilterOp Op;
         public FilterOperand Left;
         public FilterOperand Right;
-
-        /// <summary>Values that differ only by rounding of the scale are equal.</summary>
-        public double RelativeTolerance;
+        public double RelativeTolerance; // Values that differ only by rounding of the scale are equal.
         public double AbsoluteTolerance;
     }
 

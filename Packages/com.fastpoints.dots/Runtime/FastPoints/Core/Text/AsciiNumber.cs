@@ -23,9 +23,7 @@ namespace FastPoints
 
         const int MaxExactPower = 22;
         const ulong MaxExactMantissa = 1ul << 53;
-
-        /// <summary>Exponents in the text beyond this make no difference.</summary>
-        const int MaxExponent = 1 << 20;
+        const int MaxExponent = 1 << 20; // Exponents in the text beyond this make no difference.
 
         enum Kind
         {

@@ -13,13 +13,9 @@ namespace FastPoints
     {
         /// <summary>The significant digits that count; any beyond them only say "a little more". A double needs 767.</summary>
         const int MaxDigits = 800;
-
-        /// <summary>Outside these the result is zero or infinite in both formats.</summary>
-        const int MinLeadingExponent = -345;
+        const int MinLeadingExponent = -345; // Outside these the result is zero or infinite in both formats.
         const int MaxLeadingExponent = 310;
-
-        /// <summary>Words for 800 digits and the 2,660 bits that a division by 5^1145 takes from below.</summary>
-        const int MaxWords = 96;
+        const int MaxWords = 96; // Words for 800 digits and the 2,660 bits that a division by 5^1145 takes from below.
 
         const int DigitsInWord = 19;
         const int FivesInWord = 27;
@@ -237,19 +233,14 @@ namespace FastPoints
     /// where these are more than a mantissa holds.</summary>
     internal unsafe struct DecimalDigits
     {
-        /// <summary>The first 19 significant digits, or all if there are fewer.</summary>
-        public ulong Mantissa;
+        public ulong Mantissa; // The first 19 significant digits, or all if there are fewer.
 
         public int Exponent;
 
         public bool IsNegative;
 
         public bool IsTruncated;
-
-        /// <summary>The first significant digit, if the mantissa is truncated.</summary>
-        public byte* FirstDigit;
-
-        /// <summary>Points behind the last digit. There may be one decimal point among the digits.</summary>
-        public byte* EndOfDigits;
+        public byte* FirstDigit; // The first significant digit, if the mantissa is truncated.
+        public byte* EndOfDigits; // Points behind the last digit. There may be one decimal point among the digits.
     }
 }

@@ -181,8 +181,7 @@ namespace FastPoints.Streaming
 
     internal unsafe struct CloudPages
     {
-        /// <summary>Null for a removed cloud.</summary>
-        [NativeDisableUnsafePtrRestriction] public HierarchyPage* Pages;
+        [NativeDisableUnsafePtrRestriction] public HierarchyPage* Pages; // Null for a removed cloud.
 
         public readonly NodeState StateOf(SelectedNode node) => Pages[node.Page].States[node.Node];
 

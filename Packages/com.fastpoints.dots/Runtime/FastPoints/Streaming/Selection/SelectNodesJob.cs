@@ -13,29 +13,20 @@ namespace FastPoints.Streaming
     [BurstCompile]
     internal unsafe struct SelectNodesJob : IJob
     {
-        /// <summary>Of the budget, what is chosen for lights alone.</summary>
-        const float LightShare = 0.2f;
+        const float LightShare = 0.2f; // Of the budget, what is chosen for lights alone.
 
         [ReadOnly] public NativeArray<SelectionCloud> Clouds;
-
-        /// <summary>Indexed by cloud times <see cref="ViewCount"/>, plus view.</summary>
-        [ReadOnly] public NativeArray<CloudView> Views;
+        [ReadOnly] public NativeArray<CloudView> Views; // Indexed by cloud times ViewCount, plus view.
         public int ViewCount;
-
-        /// <summary>Indexed by cloud times <see cref="ClipCount"/>, plus clip box.</summary>
-        [ReadOnly] public NativeArray<LocalClip> Clips;
+        [ReadOnly] public NativeArray<LocalClip> Clips; // Indexed by cloud times ClipCount, plus clip box.
         public int ClipCount;
         public LodSettings Settings;
-
-        /// <summary>See <see cref="LodSelector.Frame"/>.</summary>
-        public uint Frame;
+        public uint Frame; // See LodSelector.Frame.
 
         /// <summary>Whether it chooses for future views, on top of what this frame's selection chose, without changing any node's
         /// state.</summary>
         public bool IsPrefetch;
-
-        /// <summary>A prefetch ends after this many points that were not chosen before.</summary>
-        public long PrefetchPoints;
+        public long PrefetchPoints; // A prefetch ends after this many points that were not chosen before.
 
         /// <summary>Ends the choice when this many pages are missing; what was chosen until then is the start of the full
         /// choice.</summary>
@@ -194,18 +185,13 @@ namespace FastPoints.Streaming
         public int Cloud;
         public int Page;
         public int Node;
-
-        /// <summary>Index of its parent among the chosen nodes; -1 for a root.</summary>
-        public int Parent;
+        public int Parent; // Index of its parent among the chosen nodes; -1 for a root.
     }
 
     internal unsafe struct SelectionCloud
     {
-        /// <summary>All pages known so far.</summary>
-        public HierarchyPage* Pages;
+        public HierarchyPage* Pages; // All pages known so far.
         public int Cloud;
-
-        /// <summary>Size of the root cube, in units of each axis.</summary>
-        public double3 CubeSize;
+        public double3 CubeSize; // Size of the root cube, in units of each axis.
     }
 }
