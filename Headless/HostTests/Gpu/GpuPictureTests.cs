@@ -247,7 +247,9 @@ public sealed class GpuPictureTests : GraphicsFixture
         }, eye);
         light.Add(new AdditionalLight
         {
-            PositionOrDirection = new float3(1, 0, 0), Color = new float3(0, 0, 0.5f), ConeOffset = 1,
+            PositionOrDirection = new float3(1, 0, 0),
+            Color = new float3(0, 0, 0.5f),
+            ConeOffset = 1,
         }, eye);
         streams.Light(light);
         Compare(streams, camera, "additional" + hasNormals, 1);

@@ -53,7 +53,9 @@ namespace FastPoints.Sources
                 var attribute = attributes[i];
                 var encoded = new EncodedAttribute
                 {
-                    BytesPerPoint = attribute.Bytes, Kind = attribute.Kind, FirstCopy = copies.Count,
+                    BytesPerPoint = attribute.Bytes,
+                    Kind = attribute.Kind,
+                    FirstCopy = copies.Count,
                 };
                 foreach (var column in Points.Schema)
                     encoded.IsWanted |= layout.AttributeOf(column) == i;
@@ -109,8 +111,7 @@ namespace FastPoints.Sources
             }.Schedule(decoded);
         }
 
-        DecodePotreeAttributeJob Spread(EncodedAttribute encoded, int firstInBuffer, int first, int count) =>
-            new DecodePotreeAttributeJob
+        DecodePotreeAttributeJob Spread(EncodedAttribute encoded, int at, int first, int count) => new DecodePotreeAttributeJob
         {
             Buffer = m_buffer,
             Copies = m_copies,
@@ -121,7 +122,7 @@ namespace FastPoints.Sources
             BytesPerPoint = encoded.BytesPerPoint,
             FirstCopy = encoded.FirstCopy,
             CopyCount = encoded.CopyCount,
-            FirstInBuffer = firstInBuffer,
+            FirstInBuffer = at,
             First = first,
             Count = count,
         };

@@ -251,15 +251,15 @@ namespace FastPoints.Drawing
             {
                 yield return JobStep.Of(Slices.Run(0, points.Count, PointsPerSlice,
                     (first, end, after) => new FindExtremePointsJob
-                {
-                    Bytes = points.Bytes,
-                    Columns = PositionColumns.Of(points),
-                    Transform = transform,
-                    First = first,
-                    Count = end - first,
-                    Around = Robust,
-                    Farthest = farthest,
-                }.Schedule(after)));
+                    {
+                        Bytes = points.Bytes,
+                        Columns = PositionColumns.Of(points),
+                        Transform = transform,
+                        First = first,
+                        Count = end - first,
+                        Around = Robust,
+                        Farthest = farthest,
+                    }.Schedule(after)));
                 var extremes = new List<double3>();
                 foreach (var position in farthest)
                     if (position.w > 0)
