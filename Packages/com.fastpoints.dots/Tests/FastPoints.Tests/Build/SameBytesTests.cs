@@ -58,7 +58,7 @@ namespace FastPoints.Tests.Build
         public void Convert_LittleMemoryAndManyWorkers_WritesTheSameBytes([Values] Sampler sampler) =>
             AssertSameWith(sampler, (7, 1));
 
-        [Test, Category("Long")]
+        [Test, Category("Long"), Explicit]
         public void Convert_AnyMemoryAndWorkers_WritesTheSameBytes([Values] Sampler sampler) =>
             AssertSameWith(sampler, (1, 928), (7, 24), (1, 4));
 
